@@ -1,0 +1,4 @@
+-- |
+-- Module      : Rosy
+-- Description : The only import a learner writes.
+module Rosy () where
