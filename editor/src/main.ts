@@ -1,0 +1,4 @@
+/// Starts the page.
+
+const host = document.getElementById("page")
+if (host !== null) host.textContent = "Rosy"
