@@ -1,0 +1,113 @@
+"""
+The borders between the parts, as a check: who may import whom, and what no file may contain.
+
+In: the files git tracks. Out: one sentence per breach, and the counts the test runner reads. It parses nothing deeply: an
+import line is enough to see a border crossed. The rules are DESIGN's; each names the reason in its sentence.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+# Modules named GHC.* that belong to base and are no part of the compiler's API.
+GHC_IN_BASE = {
+    "GHC.Generics", "GHC.Stack", "GHC.TypeLits", "GHC.Conc", "GHC.Exts", "GHC.Float", "GHC.IO",
+    "GHC.Records", "GHC.Stats", "GHC.Clock", "GHC.Word", "GHC.Foreign", "GHC.IO.Encoding", "GHC.IO.Handle", "GHC.Base",
+}  # fmt: skip
+
+TOP_LEVEL = {
+    "README.md", "ARCHITECTURE.md", "DECISIONS.md", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE", "rosy", "package.json",
+    "package-lock.json", "rosy.cabal", "protocol", "codegen", "editor", "rosy-hs", "sim-service", "examples", "e2e-tests",
+}  # fmt: skip
+
+FOLDERS_WITH_README = ["protocol", "codegen", "editor", "rosy-hs", "sim-service", "examples", "e2e-tests", "scripts"]
+
+# What would tell where a file was written, or tie a lock file to one registry.
+NOWHERE = re.compile(r"/work/(main|wt|shared)|registry\.npmjs\.org|pypi\.org/simple|files\.pythonhosted\.org|deb\.debian\.org")
+
+
+def tracked() -> list[Path]:
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, check=True, text=True).stdout
+    return [Path(name) for name in listed.split("\0") if name and (ROOT / name).exists()]
+
+
+def imports_ts(text: str) -> Iterator[str]:
+    yield from re.findall(r"""(?:from|import)\s*\(?\s*["']([^"']+)["']""", text)
+
+
+def imports_py(text: str) -> Iterator[str]:
+    yield from re.findall(r"^\s*(?:from|import)\s+([\w.]+)", text, re.M)
+
+
+def imports_hs(text: str) -> Iterator[str]:
+    yield from re.findall(r"^import\s+(?:safe\s+)?(?:\{-#.*?#-\}\s*)?(?:qualified\s+)?(?:\"[^\"]+\"\s+)?([\w.]+)", text, re.M)
+
+
+def breaches(path: Path, text: str) -> Iterator[str]:
+    """The rules that one file breaks, each as the end of a sentence that begins with its name."""
+    name = path.as_posix()
+    if name.startswith("codegen/src/"):
+        for used in imports_ts(text):
+            if re.match(r"(blockly|@blockly|@codemirror|codemirror|preact|jsdom|node:(net|http|https|dns))", used):
+                yield f"imports {used}: codegen knows no Blockly, DOM or network"
+            if used.startswith("@rosy/editor") or "/editor/" in used:
+                yield f"imports {used}: the editor uses codegen, never the other way round"
+        if re.search(r"\b(document|window|fetch|WebSocket|localStorage)\b\s*[.(]", re.sub(r"(//[^\n]*|/\*.*?\*/|`[^`]*`|\"[^\"\n]*\")", "", text, flags=re.S)):
+            yield "uses the browser: codegen knows no DOM"
+    if name.startswith("editor/src/state/"):
+        for used in imports_ts(text):
+            if re.match(r"(blockly|@codemirror|codemirror|preact)", used):
+                yield f"imports {used}: the page's state knows no DOM"
+    if name.startswith("sim-service/rosy_sim/world/"):
+        for used in imports_py(text):
+            if used.split(".")[0] in {"asyncio", "json", "msgspec", "starlette", "socket", "subprocess"}:
+                yield f"imports {used}: the world does no I/O and knows no JSON"
+    if name.endswith(".hs") and not name.startswith("examples/"):
+        compiler = [u for u in imports_hs(text) if u.startswith("GHC") and u not in GHC_IN_BASE and not u.startswith("GHC.IO")]
+        facade = name.startswith(("rosy-hs/worker/Rosy/Worker/Ghc.hs", "rosy-hs/worker/Rosy/Worker/Ghc/"))
+        if compiler and not facade:
+            yield f"imports {compiler[0]}: only Rosy.Worker.Ghc speaks to the compiler"
+        if name.startswith("rosy-hs/src/"):
+            for used in imports_hs(text):
+                if used.startswith(("Ros.", "Rosy.Worker")):
+                    yield f"imports {used}: the language knows neither ROS nor the worker"
+    if NOWHERE.search(text):
+        yield "names a place that exists on one machine or in one registry only"
+
+
+def folder_breaches(files: list[Path]) -> Iterator[str]:
+    decisions = (ROOT / "DECISIONS.md").read_text() if (ROOT / "DECISIONS.md").exists() else ""
+    for top in sorted({f.parts[0] for f in files} - TOP_LEVEL):
+        if f"`{top}`" not in decisions:
+            yield f"{top}: a new top-level name needs its reason in DECISIONS.md"
+    for folder in FOLDERS_WITH_README:
+        readme = ROOT / folder / "README.md"
+        head = readme.read_text()[:1500] if readme.exists() else ""
+        if not ("**In:**" in head and "**Out:**" in head and "**Never:**" in head):
+            yield f"{folder}/README.md: says first what goes in, what comes out and what the folder never does"
+
+
+def main() -> int:
+    files = tracked()
+    found: list[str] = list(folder_breaches(files))
+    looked = len(FOLDERS_WITH_README)
+    for path in files:
+        if path.suffix in {".png", ".wasm", ".woff2", ".ico"} or path == Path("scripts/borders.py"):
+            continue
+        looked += 1
+        text = (ROOT / path).read_text(errors="replace")
+        found += [f"{path}: {what}" for what in breaches(path, text)]
+    for line in found:
+        print(line)
+    print(f"{looked - len(found)} passed, {len(found)} failed")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
