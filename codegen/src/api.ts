@@ -1,0 +1,121 @@
+/// The answers that codegen gives to the page: the types of its public functions' results.
+
+import type {BlockId, Extra, Place, SavedBlock, SavedWorkspace} from "./saved.ts"
+import type {Family, Shape} from "./shape.ts"
+
+/// What a learner must know about a block. `input` names the socket it is about, if one.
+export interface BlockProblem {
+  readonly severity: "error" | "warning"
+  /// As in protocol/README.md §1: `type-mismatch`, `hole`, `not-in-scope`, `ambiguous`, `duplicate`, `loose`, …
+  readonly kind: string
+  readonly block: BlockId | undefined
+  readonly input?: string | undefined
+  /// First what, one sentence.
+  readonly message: string
+  /// Then why, or what to do; may be empty.
+  readonly hint: string
+}
+
+/// Whether a block may go somewhere; if not, why, as one sentence for the learner.
+export type Verdict = {readonly fits: true} | {readonly fits: false; readonly why: string}
+
+export interface TypeInfo {
+  /// As Haskell writes it: `"Bumper -> Maybe Sound"`.
+  readonly type: string
+  readonly family: Family
+}
+
+/// What type inference knows about a workspace.
+export interface Inference {
+  readonly blocks: ReadonlyMap<BlockId, TypeInfo>
+  /// Keyed by `socketKey(block, input)`.
+  readonly sockets: ReadonlyMap<string, TypeInfo>
+  /// Per definition block: its name and the type for its header.
+  readonly definitions: ReadonlyMap<
+    BlockId,
+    {readonly name: string; readonly type: string; readonly family: Family}
+  >
+  readonly problems: readonly BlockProblem[]
+}
+
+export function socketKey(block: BlockId, input: string): string {
+  return `${block}/${input}`
+}
+
+/// Offsets in UTF-16 units, as JavaScript and CodeMirror count; `end` is exclusive.
+export interface Span {
+  readonly start: number
+  readonly end: number
+}
+
+/// A kind of block, as far as the page needs it: how it looks and how its buttons change it.
+export interface BlockView {
+  readonly type: string
+  shape(extra: Extra): Shape
+  /// The `extraState` after a button was pressed.
+  press(extra: Extra, action: string): Extra
+}
+
+/// Answers many questions about one state of the workspace; make one per drag.
+export interface Checker {
+  /// May `block` (with all it carries) go to `place`? A block that is there already would be pushed out.
+  /// `block` may be new, or one of the workspace's, which is then taken from where it is.
+  fits(place: Place, block: SavedBlock | BlockId): Verdict
+}
+
+export type Level = "tasks" | "reactions" | "haskell"
+
+export interface ToolboxCategory {
+  readonly name: string
+  readonly family: Family
+  readonly items: readonly ToolboxItem[]
+}
+
+export interface ToolboxItem {
+  /// Words for the search.
+  readonly label: string
+  readonly block: SavedBlock
+}
+
+/// A name that can be used at some place, with the block that says it.
+export interface InScope {
+  readonly name: string
+  readonly type: string
+  readonly family: Family
+  readonly block: SavedBlock
+  readonly fits: boolean
+}
+
+/// Renaming changes several blocks at once: their new `extraState`, to be set in one undo step.
+export type Renaming =
+  | {readonly ok: true; readonly changes: readonly {readonly block: BlockId; readonly extra: Extra}[]}
+  | {readonly ok: false; readonly why: string}
+
+export interface PrintedProgram {
+  readonly text: string
+  /// Every node's span; nested. Those made from a block say so.
+  readonly spans: readonly (Span & {
+    readonly block: BlockId | undefined
+    readonly input: string | undefined
+  })[]
+}
+
+export interface Project {
+  readonly name: string
+  readonly haskell: string
+  readonly layout: {readonly declarations: readonly LaidOut[]; readonly loose: readonly SavedBlock[]}
+  readonly world: string | {readonly [key: string]: unknown}
+  readonly settings: {readonly [key: string]: unknown}
+}
+
+export interface LaidOut {
+  readonly name: string
+  readonly hash: string
+  readonly blocks: SavedBlock
+}
+
+export type ProjectOutcome =
+  | {readonly ok: true; readonly project: Project}
+  | {readonly ok: false; readonly message: string; readonly hint: string}
+
+export type {SavedWorkspace}
