@@ -1,0 +1,37 @@
+"""
+Runs the benchmarks of all parts, each beside its peer in one run, and passes their tables through.
+
+In: names (none: all). Out: tables of medians, 95th percentiles and ratios. It measures nothing itself: a benchmark lives with the part it measures and is a command
+listed here.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+BENCHES: dict[str, tuple[str, list[list[str]]]] = {
+    "start": ("click Run to the first frame in which the robot has moved", [["npx", "vite-node", "e2e-tests/bench/start.ts"]]),
+}
+
+
+def main() -> int:
+    wanted = sys.argv[1:] or list(BENCHES)
+    unknown = [name for name in wanted if name not in BENCHES]
+    if unknown:
+        print(f"rosy bench: there is no benchmark called {', '.join(unknown)}. There are: {', '.join(BENCHES)}.", file=sys.stderr)
+        return 1
+    worst = 0
+    for name in wanted:
+        what, commands = BENCHES[name]
+        print(f"── {name}: {what}", flush=True)
+        for command in commands:
+            worst = max(worst, subprocess.run(command, cwd=ROOT, check=False).returncode)
+    return worst
+
+
+if __name__ == "__main__":
+    sys.exit(main())
