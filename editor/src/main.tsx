@@ -1,0 +1,27 @@
+/// Starts the page.
+
+import "@fontsource/inter/400.css"
+import "@fontsource/inter/500.css"
+import "@fontsource/inter/600.css"
+import "@fontsource/inter/700.css"
+import "@fontsource/jetbrains-mono/400.css"
+import "@fontsource/jetbrains-mono/400-italic.css"
+import "@fontsource/jetbrains-mono/500.css"
+import "./styles/tokens.css"
+import "./styles/page.css"
+import "./styles/source.css"
+import {render} from "preact"
+import {openDesk} from "./desk.ts"
+import {App} from "./page/app.tsx"
+import {DeskContext} from "./page/pick.ts"
+import {sessionAddress} from "./run/session.ts"
+
+const host = document.getElementById("page")
+if (host === null) throw new Error("expected #page in index.html, found nothing")
+const desk = openDesk(sessionAddress(window.location))
+render(
+  <DeskContext.Provider value={desk}>
+    <App />
+  </DeskContext.Provider>,
+  host,
+)

@@ -1,0 +1,25 @@
+/// What panels may ask for. `main.ts` makes it from the store, the blocks, the text, the room and the rim.
+
+import type {Kept} from "../run/storage.ts"
+import type {Finding} from "../state/program.ts"
+import type {Store} from "../store.ts"
+
+export interface Desk {
+  readonly store: Store
+  /// The three regions that are not Preact's: each is given its element once.
+  mountBlocks(host: HTMLElement): void
+  mountSource(host: HTMLElement): void
+  mountRoom(canvas: HTMLCanvasElement): void
+  openGallery(): void
+  openExample(name: string): void
+  openKept(id: string): void
+  kept(): readonly Kept[]
+  newProgram(): void
+  openFile(): void
+  saveFile(): void
+  saveHaskell(): void
+  undo(): void
+  redo(): void
+  /// Brings the block and the text of a problem into sight.
+  show(finding: Finding): void
+}

@@ -1,0 +1,91 @@
+/// The page's few pictures, drawn in the colour of the text around them.
+
+import type {ComponentChildren} from "preact"
+
+const line = {
+  fill: "none",
+  stroke: "currentColor",
+  "stroke-width": 1.8,
+  "stroke-linecap": "round",
+  "stroke-linejoin": "round",
+} as const
+
+/// Words beside it or a label on its button say what it means.
+const Picture = ({size = 16, children}: {size?: number; children: ComponentChildren}) => (
+  <svg viewBox="0 0 16 16" width={size} height={size} aria-hidden="true">
+    {children}
+  </svg>
+)
+
+export const PlayIcon = () => (
+  <Picture>
+    <path
+      d="M4 2.6v10.8a.8.8 0 0 0 1.2.7l8.6-5.4a.8.8 0 0 0 0-1.4L5.2 1.9A.8.8 0 0 0 4 2.6z"
+      fill="currentColor"
+    />
+  </Picture>
+)
+export const StopIcon = () => (
+  <Picture>
+    <rect x="3" y="3" width="10" height="10" rx="2" fill="currentColor" />
+  </Picture>
+)
+export const UndoIcon = () => (
+  <Picture>
+    <path d="M3 6.5h6.5a3.5 3.5 0 0 1 0 7H6M3 6.5 6 3.5M3 6.5l3 3" {...line} />
+  </Picture>
+)
+export const RedoIcon = () => (
+  <Picture>
+    <path d="M13 6.5H6.5a3.5 3.5 0 0 0 0 7H10M13 6.5l-3-3M13 6.5l-3 3" {...line} />
+  </Picture>
+)
+export const ResetIcon = () => (
+  <Picture>
+    <path d="M3.2 8a4.9 4.9 0 1 0 1.7-3.7M5 1.8v2.7h2.7" {...line} />
+  </Picture>
+)
+export const MoreIcon = () => (
+  <Picture>
+    <circle cx="3" cy="8" r="1.5" fill="currentColor" />
+    <circle cx="8" cy="8" r="1.5" fill="currentColor" />
+    <circle cx="13" cy="8" r="1.5" fill="currentColor" />
+  </Picture>
+)
+export const SoundIcon = ({muted}: {muted: boolean}) => (
+  <Picture>
+    <path d="M2 6v4h2.5L8 13V3L4.5 6z" fill="currentColor" />
+    <path
+      d={muted ? "M11 6l3.5 4M14.5 6 11 10" : "M10.8 5.5a3.5 3.5 0 0 1 0 5M12.8 3.5a6.3 6.3 0 0 1 0 9"}
+      {...line}
+    />
+  </Picture>
+)
+export const CloseIcon = () => (
+  <Picture>
+    <path d="M4 4l8 8M12 4l-8 8" {...line} />
+  </Picture>
+)
+export const BlocksIcon = () => (
+  <Picture size={20}>
+    <path d="M2 3h9v3.5H2zM2 9.5h12V13H2z" {...line} />
+  </Picture>
+)
+export const TextIcon = () => (
+  <Picture size={20}>
+    <path d="M3 3l3.5 5L3 13M7 3l6 10M9.5 8 7 13M12.5 7H14M13 9.5h1" {...line} />
+  </Picture>
+)
+export const RoomIcon = () => (
+  <Picture size={20}>
+    <circle cx="8" cy="8" r="5.5" {...line} />
+    <path d="M8 8h4" {...line} />
+  </Picture>
+)
+export const LogoIcon = () => (
+  <svg viewBox="0 0 26 26" width="26" height="26" aria-hidden="true">
+    <circle cx="13" cy="13" r="11.5" fill="none" stroke="currentColor" stroke-width="3" />
+    <path d="M3 9A11.5 11.5 0 0 1 23 9" fill="none" stroke="currentColor" stroke-width="5" />
+    <circle cx="13" cy="15" r="2.6" fill="currentColor" />
+  </svg>
+)

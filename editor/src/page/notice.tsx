@@ -1,0 +1,51 @@
+/// A quiet bar below the top bar for what the page itself must say: a lost connection, a helper that restarts,
+/// a file that could not be read.
+
+import type {VNode} from "preact"
+import {CloseIcon} from "./icons.tsx"
+import {useDesk, usePage} from "./pick.ts"
+import {noticeWords, words} from "./words.ts"
+
+export function NoticeBar(): VNode {
+  const {store} = useDesk()
+  const notice = usePage(s => s.notice)
+  const link = usePage(s => s.link)
+  const worker = usePage(s => s.worker)
+  // The first connection and the first start are quick as a rule: the stylesheet shows these lines late.
+  const state =
+    link === "lost"
+      ? words.link.lost
+      : link === "connecting"
+        ? words.link.connecting
+        : worker === "ready"
+          ? null
+          : words.worker[worker]
+  const said = notice === null ? null : noticeWords(notice)
+  return (
+    <div class="notices" aria-live="polite">
+      {state !== null && (
+        <p
+          class={`notice ${link === "connecting" || worker === "starting" ? "late" : ""}`}
+          data-testid="link"
+        >
+          {state}
+        </p>
+      )}
+      {said !== null && (
+        <p class="notice strong" data-testid="notice">
+          <span>
+            <b>{said.message}</b> {said.hint}
+          </span>
+          <button
+            type="button"
+            class="plain icon"
+            aria-label={words.close}
+            onClick={() => store.dispatch({kind: "notice", notice: null})}
+          >
+            <CloseIcon />
+          </button>
+        </p>
+      )}
+    </div>
+  )
+}

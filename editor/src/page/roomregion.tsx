@@ -1,0 +1,176 @@
+/// The room with its time bar, and the tabs below: console and problems.
+
+import type {VNode} from "preact"
+import {useLayoutEffect, useRef} from "preact/hooks"
+import {readout} from "../state/next.ts"
+import {isActive} from "../state/run.ts"
+import {Border} from "./border.tsx"
+import {ConsolePanel} from "./console.tsx"
+import {ResetIcon, SoundIcon} from "./icons.tsx"
+import {useDesk, usePage} from "./pick.ts"
+import {ProblemsPanel, problemCount} from "./problems.tsx"
+import {runWords, words} from "./words.ts"
+
+export function RoomRegion({shown}: {shown: boolean}): VNode {
+  const desk = useDesk()
+  const canvas = useRef<HTMLCanvasElement>(null)
+  const world = usePage(s => s.room.world?.name ?? "")
+  useLayoutEffect(() => {
+    if (canvas.current !== null) desk.mountRoom(canvas.current)
+  }, [desk])
+  return (
+    <section class="region room" aria-label={words.room} hidden={!shown}>
+      <RoomBar />
+      <div class="canvas-host">
+        <canvas
+          ref={canvas}
+          role="img"
+          aria-label={words.roomLabel(world)}
+          aria-describedby="robot-readout"
+        />
+        <Readout />
+        <Invitation />
+      </div>
+      <TimeBar />
+      <Border of="canvas" />
+      <Tabs />
+    </section>
+  )
+}
+
+function RoomBar(): VNode {
+  const {store} = useDesk()
+  const worlds = usePage(s => s.worlds)
+  const world = usePage(s => s.room.world?.name ?? "")
+  const muted = usePage(s => s.muted)
+  const known = worlds.includes(world)
+  return (
+    <div class="roombar">
+      <h2>{words.room}</h2>
+      {worlds.length > 0 ? (
+        <select
+          aria-label={words.worldName}
+          value={known ? world : ""}
+          onChange={event => store.dispatch({kind: "world-chosen", world: event.currentTarget.value})}
+        >
+          {!known && <option value="">{world === "" ? words.ownWorld : world}</option>}
+          {worlds.map(name => (
+            <option key={name} value={name}>
+              {name}
+            </option>
+          ))}
+        </select>
+      ) : (
+        <span class="quiet">{world}</span>
+      )}
+      <span class="space" />
+      <button
+        type="button"
+        class="plain icon"
+        aria-pressed={!muted}
+        aria-label={muted ? words.soundOff : words.soundOn}
+        title={muted ? words.soundOff : words.soundOn}
+        onClick={() => store.dispatch({kind: "muted", muted: !muted})}
+      >
+        <SoundIcon muted={muted} />
+      </button>
+    </div>
+  )
+}
+
+/// The robot in words and numbers, for screen readers (read when asked for) and for tests.
+function Readout(): VNode {
+  const values = usePage(s => JSON.stringify(readout(s)))
+  const robot = JSON.parse(values) as ReturnType<typeof readout>
+  return (
+    <dl id="robot-readout" class="hidden-text" data-testid="robot">
+      {robot !== null &&
+        Object.entries(robot).map(([name, value]) => (
+          <div key={name}>
+            <dt>{name}</dt>
+            <dd data-testid={`robot-${name}`}>{value}</dd>
+          </div>
+        ))}
+    </dl>
+  )
+}
+
+/// After a newcomer's first run: what to try next.
+function Invitation(): VNode | null {
+  const show = usePage(s => s.welcome === "ran" && (isActive(s.run) || s.run.kind === "ended"))
+  const invites = usePage(s => s.program.text.includes(words.invite[1]))
+  if (!show || !invites) return null
+  const [before, code, after] = words.invite
+  return (
+    <p class="invitation">
+      {before} <code>{code}</code>
+      {after}
+    </p>
+  )
+}
+
+function TimeBar(): VNode {
+  const {store} = useDesk()
+  const time = usePage(s => (s.room.frame === null ? "0.0" : s.room.frame.time.toFixed(1)))
+  const status = usePage(runWords)
+  const kind = usePage(s => (s.run.kind === "ended" ? s.run.how : s.run.kind))
+  const untouched = usePage(s => s.room.frame === null && !isActive(s.run))
+  return (
+    <div class="timebar">
+      <button
+        type="button"
+        class="plain"
+        title={words.resetHint}
+        disabled={untouched}
+        onClick={() => store.dispatch({kind: "reset-pressed"})}
+      >
+        <ResetIcon />
+        {words.reset}
+      </button>
+      <span class={`state ${kind}`} role="status">
+        {status}
+      </span>
+      <span class="space" />
+      <span class="clock" title={words.clock} data-testid="clock">
+        {time} s
+      </span>
+    </div>
+  )
+}
+
+function Tabs(): VNode {
+  const {store} = useDesk()
+  const tab = usePage(s => s.tab)
+  const count = usePage(problemCount)
+  const tabs = ["console", "problems"] as const
+  return (
+    <div class="tabs">
+      <div role="tablist" aria-label={words.room}>
+        {tabs.map(name => (
+          <button
+            type="button"
+            key={name}
+            role="tab"
+            id={`tab-${name}`}
+            aria-selected={tab === name}
+            aria-controls="tab-panel"
+            tabIndex={tab === name ? 0 : -1}
+            onClick={() => store.dispatch({kind: "tab", tab: name})}
+            onKeyDown={event => {
+              if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return
+              const other = name === "console" ? "problems" : "console"
+              store.dispatch({kind: "tab", tab: other})
+              document.getElementById(`tab-${other}`)?.focus()
+            }}
+          >
+            {words.tabs[name]}
+            {name === "problems" && count > 0 && <span class="count">{count}</span>}
+          </button>
+        ))}
+      </div>
+      <div class="tab-panel" id="tab-panel" role="tabpanel" aria-labelledby={`tab-${tab}`}>
+        {tab === "console" ? <ConsolePanel /> : <ProblemsPanel />}
+      </div>
+    </div>
+  )
+}

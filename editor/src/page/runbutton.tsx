@@ -1,0 +1,27 @@
+/// The one filled button: Run, and Stop in the same place while a run is on.
+
+import type {VNode} from "preact"
+import {isActive} from "../state/run.ts"
+import {PlayIcon, StopIcon} from "./icons.tsx"
+import {useDesk, usePage} from "./pick.ts"
+import {words} from "./words.ts"
+
+export function RunButton(): VNode {
+  const {store} = useDesk()
+  const active = usePage(s => isActive(s.run))
+  // Until the robot answers; the mark appears by itself after half a second (page.css).
+  const busy = usePage(s => s.run.kind === "compiling" || s.run.kind === "waiting")
+  const inviting = usePage(s => s.welcome === "fresh" && s.program.text !== "")
+  return (
+    <button
+      type="button"
+      class={`run${active ? " active" : ""}${busy ? " busy" : ""}${inviting ? " inviting" : ""}`}
+      title={active ? words.stopHint : words.runHint}
+      data-testid="run"
+      onClick={() => store.dispatch({kind: active ? "stop-pressed" : "run-pressed"})}
+    >
+      {active ? <StopIcon /> : <PlayIcon />}
+      <span>{active ? words.stop : words.run}</span>
+    </button>
+  )
+}

@@ -1,0 +1,115 @@
+/// Every sentence and label of the page, in one place, so that it can be translated. What the program, the
+/// compiler and the blocks say comes from them.
+
+import type {Notice, PageState} from "../state/page.ts"
+
+export const words = {
+  rosy: "Rosy",
+  run: "Run",
+  stop: "Stop",
+  runHint: "Run (Ctrl+Enter)",
+  stopHint: "Stop (Space)",
+  reset: "Reset",
+  resetHint: "Put the robot back to the start",
+  examples: "Examples",
+  undo: "Undo",
+  redo: "Redo",
+  menu: "More",
+  programName: "Name of the program",
+  unnamed: "my program",
+  saved: {saved: "saved", changed: "saving…", failed: "not saved"},
+  view: "View",
+  views: {blocks: "Blocks", both: "Blocks + Haskell", haskell: "Haskell"},
+  regions: {blocks: "Blocks", haskell: "Haskell", room: "Room"},
+  region: "Show",
+  borders: {haskell: "Width of the Haskell pane", room: "Width of the room", canvas: "Height of the room"},
+  room: "Room",
+  worldName: "Room to drive in",
+  ownWorld: "own room",
+  soundOn: "Sound is on",
+  soundOff: "Sound is off",
+  clock: "Time of the run",
+  tabs: {console: "Console", problems: "Problems"},
+  emptyConsole: "What the robot senses and says appears here.",
+  noProblems: "No problems.",
+  times: (n: number) => `×${n}`,
+  plays: "plays",
+  showIt: "Show it",
+  compilerSays: "What the compiler said",
+  givenInputs: "It was given",
+  atTime: (seconds: number) => `at ${seconds.toFixed(2)} s`,
+  close: "Close",
+  newProgram: "New program",
+  openFile: "Open a file…",
+  saveFile: "Save as a file",
+  saveHaskell: "Save the Haskell",
+  theme: "Colours",
+  themes: {auto: "As the system", light: "Light", dark: "Dark"},
+  galleryTitle: "Examples",
+  galleryLead: "Open one, run it, change it. Your own program is kept.",
+  galleryLoading: "Looking for the examples…",
+  galleryFailed: "The examples could not be loaded. Rosy's service does not answer; try again in a moment.",
+  again: "Try again",
+  yourPrograms: "Your programs",
+  invite: ["Change", "0.5", ", and run again."] as const,
+  haskellPane: "The program in Haskell",
+  blocksPane: "The program in blocks",
+  emptyHaskell: "The Haskell of your blocks appears here.",
+  link: {
+    connecting: "Looking for the robot…",
+    lost: "The connection to Rosy is lost. It comes back by itself; your program is kept.",
+  },
+  worker: {
+    starting: "The helper that reads Haskell is starting.",
+    restarting:
+      "The helper that reads Haskell is restarting. Your program is kept; run it again in a moment.",
+  },
+  roomLabel: (world: string) => `The room ${world} from above, with the robot in it`,
+} as const
+
+/// What the run is doing, in one or two words.
+export function runWords(state: PageState): string {
+  const {run} = state
+  switch (run.kind) {
+    case "ready":
+      return "Ready"
+    case "waiting":
+      return "Waiting"
+    case "compiling":
+      return "Starting"
+    case "running":
+      return "Running"
+    case "ended":
+      return {
+        done: "Finished",
+        error: "Ended by a problem",
+        stuck: "Ended by a problem",
+        stopped: "Stopped",
+        time: "Time is up",
+        refused: "Not started",
+        lost: "Connection lost",
+      }[run.how]
+  }
+}
+
+/// What the page itself has to say: first what, then what to do.
+export function noticeWords(notice: Notice): {readonly message: string; readonly hint: string} {
+  switch (notice.kind) {
+    case "unreadable-file":
+      return {message: `${notice.name}: ${notice.message}`, hint: notice.hint}
+    case "example-missing":
+      return {message: `There is no example ${notice.name}.`, hint: "Examples, above, shows those there are."}
+    case "refusal":
+      return {message: notice.message, hint: notice.hint}
+    case "not-saved":
+      return {
+        message: "This browser has no room to keep your program.",
+        hint: "Save it as a file with the menu at the top right.",
+      }
+    case "opened-elsewhere":
+      return {
+        message: "This program is open in another tab too.",
+        hint: "Changes here are kept as a copy.",
+      }
+  }
+}

@@ -1,0 +1,39 @@
+/// The room's colours, read from the page's tokens, so that light and dark are decided in one place.
+
+export interface Palette {
+  readonly floor: string
+  readonly grid: string
+  readonly wall: string
+  readonly box: string
+  readonly hole: string
+  readonly ink: string
+  readonly paper: string
+  readonly trail: string
+  readonly hit: string
+  readonly body: string
+  readonly ring: string
+  readonly mark: string
+  readonly leds: readonly [string, string, string, string]
+  readonly font: string
+}
+
+export function readPalette(element: Element): Palette {
+  const style = getComputedStyle(element)
+  const token = (name: string) => style.getPropertyValue(name).trim()
+  return {
+    floor: token("--floor"),
+    grid: token("--floor-line"),
+    wall: token("--wall"),
+    box: token("--box"),
+    hole: token("--hole"),
+    ink: token("--ink"),
+    paper: token("--paper"),
+    trail: token("--rosy"),
+    hit: token("--hit"),
+    body: token("--robot"),
+    ring: token("--robot-ring"),
+    mark: token("--robot-mark"),
+    leds: [token("--led-black"), token("--led-green"), token("--led-orange"), token("--led-red")],
+    font: token("--ui"),
+  }
+}

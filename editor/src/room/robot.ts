@@ -1,0 +1,147 @@
+/// Draws the Kobuki from above: x forwards, y to its left. Metres.
+///
+/// LEDs differ by shape and letter as well as by colour; a pressed bumper is thicker as well as brighter.
+
+import type {Frame} from "../state/messages.ts"
+import type {Palette} from "./palette.ts"
+
+/// Kobuki's diameter is 351.5 mm (factory drawing, 2012-11-30).
+const radius = 0.17575
+/// Half the wheelbase of 0.230 m (kobuki_core, diff_drive: `bias`); wheel radius and width beside it.
+const wheelOffset = 0.115
+const wheelRadius = 0.035
+const wheelWidth = 0.021
+/// Bumper zones of 60° each (kobuki_gazebo plugin), as [bit, from, to]; a small gap lies between them.
+const bumperZones: readonly (readonly [number, number, number])[] = [
+  [1, -90, -30],
+  [2, -30, 30],
+  [4, 30, 90],
+]
+/// Cliff sensors in the base's frame, as [bit, x, y] (kobuki_description).
+const cliffSensors: readonly (readonly [number, number, number])[] = [
+  [1, 0.085, -0.13601],
+  [2, 0.145, 0],
+  [4, 0.08734, 0.13601],
+]
+/// Letters for the LEDs' colours; black has none.
+const ledLetters = ["", "G", "O", "R"]
+
+export function drawRobot(
+  ctx: CanvasRenderingContext2D,
+  frame: Pick<Frame, "bumpers" | "cliffs" | "wheels" | "led1" | "led2">,
+  palette: Palette,
+  scale: number,
+): void {
+  drawBody(ctx, palette)
+  drawWheels(ctx, frame.wheels, palette)
+  drawCliffs(ctx, frame.cliffs, palette)
+  drawBumpers(ctx, frame.bumpers, palette)
+  drawHeading(ctx, palette)
+  drawLed(ctx, -0.075, 0.062, frame.led1, palette, scale)
+  drawLed(ctx, -0.075, -0.062, frame.led2, palette, scale)
+}
+
+function drawBody(ctx: CanvasRenderingContext2D, palette: Palette): void {
+  ctx.beginPath()
+  ctx.arc(0, 0, radius - 0.012, 0, 2 * Math.PI)
+  ctx.fillStyle = palette.body
+  ctx.fill()
+}
+
+function drawWheels(ctx: CanvasRenderingContext2D, bits: number, palette: Palette): void {
+  for (const [bit, side] of [
+    [2, 1],
+    [1, -1],
+  ] as const) {
+    ctx.beginPath()
+    ctx.roundRect(-wheelRadius, side * wheelOffset - wheelWidth / 2, 2 * wheelRadius, wheelWidth, 0.006)
+    ctx.fillStyle = bits & bit ? palette.hit : palette.hole
+    ctx.fill()
+  }
+}
+
+function drawCliffs(ctx: CanvasRenderingContext2D, bits: number, palette: Palette): void {
+  for (const [bit, x, y] of cliffSensors) {
+    const over = (bits & bit) !== 0
+    ctx.beginPath()
+    ctx.arc(x * 0.86, y * 0.86, over ? 0.019 : 0.009, 0, 2 * Math.PI)
+    ctx.fillStyle = over ? palette.hit : palette.ring
+    ctx.fill()
+  }
+}
+
+function drawBumpers(ctx: CanvasRenderingContext2D, bits: number, palette: Palette): void {
+  ctx.lineCap = "butt"
+  ctx.lineWidth = 0.012
+  ctx.strokeStyle = palette.ring
+  ctx.globalAlpha = 0.45
+  ctx.beginPath()
+  ctx.arc(0, 0, radius - 0.006, Math.PI / 2, (3 * Math.PI) / 2)
+  ctx.stroke()
+  ctx.globalAlpha = 1
+  for (const [bit, from, to] of bumperZones) {
+    const hit = (bits & bit) !== 0
+    const gap = 1.5
+    ctx.beginPath()
+    ctx.lineWidth = hit ? 0.034 : 0.018
+    ctx.strokeStyle = hit ? palette.hit : palette.ring
+    ctx.arc(
+      0,
+      0,
+      radius - (hit ? 0.013 : 0.009),
+      ((from + gap) * Math.PI) / 180,
+      ((to - gap) * Math.PI) / 180,
+    )
+    ctx.stroke()
+  }
+}
+
+function drawHeading(ctx: CanvasRenderingContext2D, palette: Palette): void {
+  ctx.beginPath()
+  ctx.moveTo(0.098, 0)
+  ctx.lineTo(0.034, 0.037)
+  ctx.lineTo(0.05, 0)
+  ctx.lineTo(0.034, -0.037)
+  ctx.closePath()
+  ctx.fillStyle = palette.mark
+  ctx.fill()
+}
+
+function drawLed(
+  ctx: CanvasRenderingContext2D,
+  x: number,
+  y: number,
+  value: number,
+  palette: Palette,
+  scale: number,
+): void {
+  const size = 0.026
+  ctx.beginPath()
+  // Green is round, orange a diamond, red a square; dark is a small ring.
+  if (value === 2) {
+    ctx.moveTo(x + size * 1.2, y)
+    ctx.lineTo(x, y + size * 1.2)
+    ctx.lineTo(x - size * 1.2, y)
+    ctx.lineTo(x, y - size * 1.2)
+    ctx.closePath()
+  } else if (value === 3) {
+    ctx.roundRect(x - size * 0.92, y - size * 0.92, size * 1.84, size * 1.84, 0.005)
+  } else {
+    ctx.arc(x, y, value === 0 ? size * 0.7 : size, 0, 2 * Math.PI)
+  }
+  ctx.fillStyle = palette.leds[value as 0 | 1 | 2 | 3] ?? palette.leds[0]
+  ctx.fill()
+  const letter = ledLetters[value] ?? ""
+  // Letters smaller than some 9 px cannot be read; the shape still tells.
+  if (letter === "" || scale * size * 1.5 < 6) return
+  ctx.save()
+  ctx.translate(x, y)
+  ctx.rotate(-Math.PI / 2)
+  ctx.scale(1, -1)
+  ctx.font = `700 ${size * 1.5}px ${palette.font}`
+  ctx.textAlign = "center"
+  ctx.textBaseline = "middle"
+  ctx.fillStyle = "#11151b"
+  ctx.fillText(letter, 0, size * 0.08)
+  ctx.restore()
+}

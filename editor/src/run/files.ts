@@ -1,0 +1,30 @@
+/// Files that go to and come from the learner's own disk.
+
+/// Hands a text to the browser as a download.
+export function download(name: string, text: string, type: string): void {
+  const url = URL.createObjectURL(new Blob([text], {type}))
+  const link = document.createElement("a")
+  link.href = url
+  link.download = name
+  link.click()
+  // The download reads the address after this turn of the event loop.
+  setTimeout(() => URL.revokeObjectURL(url), 10_000)
+}
+
+/// Asks for a file; nothing happens when the learner changes their mind.
+export function pickFile(accept: string, picked: (name: string, text: string) => void): void {
+  const input = document.createElement("input")
+  input.type = "file"
+  input.accept = accept
+  input.onchange = async () => {
+    const file = input.files?.[0]
+    if (file !== undefined) picked(file.name, await file.text())
+  }
+  input.click()
+}
+
+/// A file name that every system takes.
+export function fileName(name: string, extension: string): string {
+  const safe = name.replace(/[^\p{L}\p{N} _-]+/gu, "-").trim()
+  return `${safe === "" ? "program" : safe}.${extension}`
+}

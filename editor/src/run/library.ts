@@ -1,0 +1,43 @@
+/// What the service has to offer beside the session: examples and rooms, over HTTP (protocol §4).
+
+import {decode, list, object, optional, parseJson, string} from "../state/decode.ts"
+import type {Example} from "../state/page.ts"
+
+const example = object<Example>(get => ({
+  name: get("name", string),
+  title: get("title", optional(string, "")),
+  teaches: get("teaches", optional(string, "")),
+}))
+
+export type Fetched<T> = {readonly kind: "there"; readonly value: T} | {readonly kind: "failed"}
+
+async function get(path: string): Promise<Fetched<string>> {
+  try {
+    const answer = await fetch(path)
+    if (!answer.ok) return {kind: "failed"}
+    return {kind: "there", value: await answer.text()}
+  } catch (fault) {
+    // `fetch` rejects with a TypeError when the service cannot be reached, and for nothing else.
+    if (fault instanceof TypeError) return {kind: "failed"}
+    throw fault
+  }
+}
+
+export async function fetchExamples(): Promise<Fetched<readonly Example[]>> {
+  const answer = await get("api/examples")
+  if (answer.kind === "failed") return answer
+  const read = decode(list(example), parseJson(answer.value))
+  return read.kind === "ok" ? {kind: "there", value: read.value} : {kind: "failed"}
+}
+
+/// The text of an example's project file.
+export function fetchExample(name: string): Promise<Fetched<string>> {
+  return get(`api/examples/${encodeURIComponent(name)}`)
+}
+
+export async function fetchWorlds(): Promise<Fetched<readonly string[]>> {
+  const answer = await get("api/worlds")
+  if (answer.kind === "failed") return answer
+  const read = decode(list(string), parseJson(answer.value))
+  return read.kind === "ok" ? {kind: "there", value: read.value} : {kind: "failed"}
+}

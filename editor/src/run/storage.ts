@@ -1,0 +1,109 @@
+/// What the browser remembers: the learner's programs and how they like the page. Every program that was
+/// changed keeps a place of its own, so opening another never loses it.
+
+import {boolean, decode, list, number, object, oneOf, optional, parseJson, string} from "../state/decode.ts"
+import type {Layout, PageState} from "../state/page.ts"
+
+/// A program kept in this browser.
+export interface Kept {
+  readonly id: string
+  readonly name: string
+  /// When it was last changed, in milliseconds since 1970.
+  readonly at: number
+}
+
+/// Programs kept; the oldest go first.
+const maxKept = 30
+const indexKey = "rosy.programs"
+const currentKey = "rosy.current"
+const likingKey = "rosy.liking"
+const programKey = (id: string) => `rosy.program.${id}`
+
+export interface Shelf {
+  kept(): readonly Kept[]
+  /// The program that was open last, as the text of its project file.
+  current(): {readonly id: string; readonly text: string} | null
+  read(id: string): string | null
+  /// Answers whether the browser took it: its space is limited, and may be switched off.
+  keep(id: string, name: string, text: string, at: number): boolean
+  setCurrent(id: string | null): void
+  liking(): Liking
+  setLiking(liking: Liking): void
+}
+
+export type Liking = Partial<Pick<PageState, "theme" | "muted" | "view" | "layout">>
+
+const index = list(
+  object<Kept>(get => ({id: get("id", string), name: get("name", string), at: get("at", number)})),
+)
+const layout = object<Layout>(get => ({
+  haskell: get("haskell", number),
+  room: get("room", number),
+  canvas: get("canvas", number),
+}))
+const liking = object<Liking>(get => {
+  const theme = get("theme", optional(oneOf("auto", "light", "dark"), null))
+  const muted = get("muted", optional(boolean, null))
+  const view = get("view", optional(oneOf("blocks", "both", "haskell"), null))
+  const borders = get("layout", optional(layout, null))
+  return {
+    ...(theme === null ? {} : {theme}),
+    ...(muted === null ? {} : {muted}),
+    ...(view === null ? {} : {view}),
+    ...(borders === null ? {} : {layout: borders}),
+  }
+})
+
+export function openShelf(storage: Storage): Shelf {
+  const read = (key: string): string | null => {
+    try {
+      return storage.getItem(key)
+    } catch (fault) {
+      if (fault instanceof DOMException) return null
+      throw fault
+    }
+  }
+  const write = (key: string, text: string): boolean => {
+    try {
+      storage.setItem(key, text)
+      return true
+    } catch (fault) {
+      if (fault instanceof DOMException) return false
+      throw fault
+    }
+  }
+  const kept = (): readonly Kept[] => {
+    const text = read(indexKey)
+    const found = decode(index, text === null ? [] : parseJson(text))
+    return found.kind === "ok" ? found.value : []
+  }
+  return {
+    kept,
+    current() {
+      const id = read(currentKey)
+      const text = id === null || id === "" ? null : read(programKey(id))
+      return id === null || text === null ? null : {id, text}
+    },
+    read: id => read(programKey(id)),
+    keep(id, name, text, at) {
+      const others = kept().filter(k => k.id !== id)
+      for (const old of others.slice(maxKept - 1)) storage.removeItem(programKey(old.id))
+      return (
+        write(programKey(id), text) &&
+        write(indexKey, JSON.stringify([{id, name, at}, ...others.slice(0, maxKept - 1)])) &&
+        write(currentKey, id)
+      )
+    },
+    setCurrent(id) {
+      write(currentKey, id ?? "")
+    },
+    liking() {
+      const text = read(likingKey)
+      const found = decode(liking, text === null ? {} : parseJson(text))
+      return found.kind === "ok" ? found.value : {}
+    },
+    setLiking(now) {
+      write(likingKey, JSON.stringify(now))
+    },
+  }
+}

@@ -1,0 +1,93 @@
+/// The colours of the Haskell pane: each name in the colour its block has. A word that was printed from a block
+/// takes that block's family; other words take the family that LANGUAGE.md §1 gives the name.
+
+import {RangeSetBuilder, StateEffect, StateField} from "@codemirror/state"
+import {Decoration, type DecorationSet, EditorView} from "@codemirror/view"
+import type {Family, Program} from "../state/program.ts"
+import {type Token, tokens} from "./lexer.ts"
+
+const byFamily: Partial<Record<Family, string>> = {
+  event:
+    "Bumper BumperLeft BumperCenter BumperRight LeftBumper CenterBumper RightBumper Pressed Released " +
+    "Cliff CliffLeft CliffCenter CliffRight LeftCliff CenterCliff RightCliff Hole Floor " +
+    "Wheel WheelLeft WheelRight LeftWheel RightWheel Air Ground " +
+    "Button Button0 Button1 Button2 RobotStatus Online Offline",
+  state: "Velocity Position Orientation Pose Seconds Clock StdGen",
+  command:
+    "Led1 Led2 LedColor Black Green Orange Red Sound OnSound OffSound RechargeSound ButtonSound ErrorSound " +
+    "CleaningStartSound CleaningEndSound Say",
+  memory: "Memory Param Maybe Just Nothing",
+  task: "Task Done Never task once say wait parallel race forever taskWith call simulate",
+  choice: "Bool True False Either Left Right Ordering",
+  number: "Int Integer Double Float Degrees Radians Centimeters Meters",
+}
+
+const familyOfName: ReadonlyMap<string, Family> = new Map(
+  Object.entries(byFamily).flatMap(([family, names]) =>
+    names.split(" ").map(name => [name, family as Family] as const),
+  ),
+)
+
+/// The class of a token; `null` for plain ink.
+export function classOf(
+  token: Token,
+  word: string,
+  blockFamily: Family | undefined,
+  defined: boolean,
+): string | null {
+  switch (token.kind) {
+    case "comment":
+    case "pragma":
+      return "hs-comment"
+    case "number":
+      return "hs-number"
+    case "string":
+      return "hs-string"
+    case "keyword":
+      return "hs-keyword"
+    case "hole":
+      return "hs-hole"
+    case "operator":
+      return null
+    case "type":
+      return `hs-${blockFamily ?? familyOfName.get(word) ?? "own"}`
+    case "name": {
+      const family = familyOfName.get(word)
+      return family !== undefined ? `hs-${family}` : defined ? "hs-defined" : null
+    }
+  }
+}
+
+function decorate(program: Program): DecorationSet {
+  const {text} = program
+  // The smallest span that starts where a word does belongs to the block that printed the word.
+  const blockAt = new Map<number, {length: number; family: Family}>()
+  for (const span of program.spans) {
+    const family = program.families[span.block]
+    const length = span.end - span.start
+    const known = blockAt.get(span.start)
+    if (family !== undefined && (known === undefined || length < known.length))
+      blockAt.set(span.start, {length, family})
+  }
+  const starts = new Set(program.definitions.map(d => d.name))
+  const builder = new RangeSetBuilder<Decoration>()
+  for (const token of tokens(text)) {
+    const word = text.slice(token.start, token.end)
+    const atLineStart = token.start === 0 || text[token.start - 1] === "\n"
+    const name = classOf(token, word, blockAt.get(token.start)?.family, atLineStart && starts.has(word))
+    if (name !== null) builder.add(token.start, token.end, Decoration.mark({class: name}))
+  }
+  return builder.finish()
+}
+
+/// Tells the pane that its text now is this program's.
+export const programShown = StateEffect.define<Program>()
+
+export const colours = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update(set, transaction) {
+    for (const effect of transaction.effects) if (effect.is(programShown)) return decorate(effect.value)
+    return set.map(transaction.changes)
+  },
+  provide: field => EditorView.decorations.from(field),
+})

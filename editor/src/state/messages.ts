@@ -1,0 +1,237 @@
+/// The messages between the page and the service, as `protocol/README.md` §1, §4 and §6 define them, and the
+/// one parser that lets them in. Units are SI: metres, radians counter-clockwise, seconds.
+
+import {
+  boolean,
+  type Decoded,
+  type Decoder,
+  decode,
+  list,
+  Mismatch,
+  number,
+  object,
+  oneOf,
+  optional,
+  parseJson,
+  string,
+} from "./decode.ts"
+
+/// 1-based, counted in characters.
+export interface Place {
+  readonly line: number
+  readonly column: number
+}
+
+/// protocol §1. `end` is exclusive; what may be absent there is `null` here.
+export interface Problem {
+  readonly severity: "error" | "warning"
+  readonly kind: string
+  readonly start: Place | null
+  readonly end: Place | null
+  readonly function: string | null
+  readonly message: string
+  readonly hint: string
+  readonly ghc: string
+  readonly time: number | null
+  readonly inputs: readonly string[]
+}
+
+/// protocol §6. The room's lower left corner is (0, 0), y up.
+export interface World {
+  readonly name: string
+  readonly size: readonly [number, number]
+  readonly start: {readonly x: number; readonly y: number; readonly theta: number}
+  readonly tile: number
+  readonly tiles: readonly string[]
+  readonly walls: readonly {
+    readonly from: readonly [number, number]
+    readonly to: readonly [number, number]
+  }[]
+  readonly boxes: readonly {
+    readonly x: number
+    readonly y: number
+    readonly w: number
+    readonly h: number
+    readonly theta: number
+    readonly movable: boolean
+  }[]
+}
+
+/// One picture of the robot: ground truth in room coordinates. Bits as in kobuki_msgs/SensorState: right 1,
+/// centre 2, left 4; wheels right 1, left 2; button n is bit n. LEDs: 0 black, 1 green, 2 orange, 3 red.
+export interface Frame {
+  readonly run: number
+  readonly step: number
+  readonly time: number
+  readonly x: number
+  readonly y: number
+  readonly theta: number
+  readonly v: number
+  readonly w: number
+  readonly bumpers: number
+  readonly cliffs: number
+  readonly wheels: number
+  readonly buttons: number
+  readonly led1: number
+  readonly led2: number
+  readonly fired: readonly string[]
+}
+
+export type WorkerState = "starting" | "ready" | "restarting"
+export type Ended = "done" | "error" | "stuck" | "stopped" | "time" | "refused"
+export interface Declared {
+  readonly name: string
+  readonly type: string
+}
+
+export type ServiceMessage =
+  | {readonly op: "hello"; readonly session: string}
+  | {readonly op: "worker"; readonly state: WorkerState}
+  | {readonly op: "world"; readonly world: World}
+  | {
+      readonly op: "checked"
+      readonly id: number
+      readonly problems: readonly Problem[]
+      readonly declarations: readonly Declared[]
+    }
+  | {readonly op: "state"; readonly run: number; readonly state: "compiling" | "running"}
+  | {
+      readonly op: "state"
+      readonly run: number
+      readonly state: "ended"
+      readonly ended: Ended
+      readonly problems: readonly Problem[]
+    }
+  | {readonly op: "frame"; readonly frame: Frame}
+  | {readonly op: "said"; readonly run: number; readonly time: number; readonly text: string}
+  | {readonly op: "sound"; readonly run: number; readonly time: number; readonly sound: number}
+  | {readonly op: "refusal"; readonly message: string; readonly hint: string}
+
+export type PageMessage =
+  | {readonly op: "world"; readonly world: string | World}
+  | {readonly op: "check"; readonly id: number; readonly source: string}
+  | {
+      readonly op: "run"
+      readonly run: number
+      readonly source: string
+      readonly seed?: number
+      readonly speed: number | "max"
+    }
+  | {readonly op: "stop"}
+  | {readonly op: "reset"}
+
+const place = object<Place>(get => ({line: get("line", number), column: get("column", number)}))
+
+export const problem = object<Problem>(get => ({
+  severity: get("severity", oneOf("error", "warning")),
+  kind: get("kind", string),
+  start: get("start", optional(place, null)),
+  end: get("end", optional(place, null)),
+  function: get("function", optional(string, null)),
+  message: get("message", string),
+  hint: get("hint", optional(string, "")),
+  ghc: get("ghc", optional(string, "")),
+  time: get("time", optional(number, null)),
+  inputs: get("inputs", optional(list(string), [])),
+}))
+
+const pair: Decoder<readonly [number, number]> = (v, path) => {
+  if (!Array.isArray(v) || v.length !== 2) throw new Mismatch(path, "two numbers")
+  return [number(v[0], `${path}[0]`), number(v[1], `${path}[1]`)]
+}
+
+export const world = object<World>(get => ({
+  name: get("name", optional(string, "")),
+  size: get("size", pair),
+  start: get(
+    "start",
+    object(at => ({x: at("x", number), y: at("y", number), theta: at("theta", optional(number, 0))})),
+  ),
+  tile: get("tile", optional(number, 0.5)),
+  tiles: get("tiles", optional(list(string), [])),
+  walls: get("walls", optional(list(object(at => ({from: at("from", pair), to: at("to", pair)}))), [])),
+  boxes: get(
+    "boxes",
+    optional(
+      list(
+        object(at => ({
+          x: at("x", number),
+          y: at("y", number),
+          w: at("w", number),
+          h: at("h", number),
+          theta: at("theta", optional(number, 0)),
+          movable: at("movable", optional(boolean, false)),
+        })),
+      ),
+      [],
+    ),
+  ),
+}))
+
+const frame = object<Frame>(get => ({
+  run: get("run", number),
+  step: get("step", number),
+  time: get("time", number),
+  x: get("x", number),
+  y: get("y", number),
+  theta: get("theta", number),
+  v: get("v", number),
+  w: get("w", number),
+  bumpers: get("bumpers", number),
+  cliffs: get("cliffs", number),
+  wheels: get("wheels", number),
+  buttons: get("buttons", number),
+  led1: get("led1", number),
+  led2: get("led2", number),
+  fired: get("fired", optional(list(string), [])),
+}))
+
+const declared = object<Declared>(get => ({name: get("name", string), type: get("type", string)}))
+
+const serviceMessage: Decoder<ServiceMessage> = (value, path) => {
+  const op = object(get => get("op", string))(value, path)
+  return object<ServiceMessage>(get => {
+    switch (op) {
+      case "hello":
+        return {op, session: get("session", string)}
+      case "worker":
+        return {op, state: get("state", oneOf("starting", "ready", "restarting"))}
+      case "world":
+        return {op, world: get("world", world)}
+      case "checked":
+        return {
+          op,
+          id: get("id", number),
+          problems: get("problems", list(problem)),
+          declarations: get("declarations", optional(list(declared), [])),
+        }
+      case "state": {
+        const state = get("state", oneOf("compiling", "running", "ended"))
+        const run = get("run", number)
+        if (state !== "ended") return {op, run, state}
+        return {
+          op,
+          run,
+          state,
+          ended: get("ended", oneOf("done", "error", "stuck", "stopped", "time", "refused")),
+          problems: get("problems", optional(list(problem), [])),
+        }
+      }
+      case "frame":
+        return {op, frame: frame(value, "frame")}
+      case "said":
+        return {op, run: get("run", number), time: get("time", number), text: get("text", string)}
+      case "sound":
+        return {op, run: get("run", number), time: get("time", number), sound: get("sound", number)}
+      case "refusal":
+        return {op, message: get("message", string), hint: get("hint", optional(string, ""))}
+      default:
+        throw new Mismatch("op", `a message this page knows, found ${JSON.stringify(op)}`)
+    }
+  })(value, path)
+}
+
+/// Reads one message of the service.
+export function readServiceMessage(text: string): Decoded<ServiceMessage> {
+  return decode(serviceMessage, parseJson(text))
+}

@@ -1,0 +1,237 @@
+/// One step of the page: what happened turns one state into the next, and says what to send. Pure.
+
+import type {ServiceMessage} from "./messages.ts"
+import type {Order, PageEvent, PageState, Step} from "./page.ts"
+import {locate} from "./program.ts"
+import {addLine, clearRoom, ledNames, sensedBetween, showFrame, soundNames} from "./room.ts"
+import {isActive, nextRun} from "./run.ts"
+import {unreachable} from "./unreachable.ts"
+
+const still = (state: PageState): Step => ({state, orders: []})
+const sending = (state: PageState, ...messages: (Order & {kind: "send"})["message"][]): Step => ({
+  state,
+  orders: messages.map(message => ({kind: "send", message})),
+})
+
+export function next(state: PageState, event: PageEvent): Step {
+  switch (event.kind) {
+    case "link-lost":
+      return still({...state, link: "lost", run: nextRun(state.run, {kind: "lost"})})
+    case "heard":
+      return heard(state, event.message)
+    case "run-pressed":
+      return start(state)
+    case "stop-pressed": {
+      if (!isActive(state.run)) return still(state)
+      const stopped = {...state, run: nextRun(state.run, event)}
+      return state.run.kind === "waiting" ? still(stopped) : sending(stopped, {op: "stop"})
+    }
+    case "reset-pressed": {
+      const room = clearRoom(state.room, null)
+      const run = nextRun(state.run, event)
+      return sending({...state, run, room, lines: [], findings: {...state.findings, run: []}}, {op: "reset"})
+    }
+    case "opened": {
+      const {opened} = event
+      const room = clearRoom(state.room, null)
+      const fresh: PageState = {
+        ...state,
+        name: opened.name,
+        saved: "saved",
+        program: opened.program,
+        worldName: opened.world,
+        run: nextRun(state.run, {kind: "reset-pressed"}),
+        room,
+        lines: [],
+        findings: {blocks: opened.findings, compiler: [], run: []},
+        selected: null,
+        welcome: opened.welcome ? "fresh" : "over",
+        dialog: null,
+        notice: null,
+      }
+      const asked = check(fresh)
+      if (state.link !== "open") return still(asked.state)
+      // Choosing a room ends a run; without a room of its own a project gets the room as it was, reset.
+      const ready =
+        opened.world === null ? ({op: "reset"} as const) : ({op: "world", world: opened.world} as const)
+      return {state: asked.state, orders: [{kind: "send", message: ready}, ...asked.orders]}
+    }
+    case "program-changed": {
+      const findings = {...state.findings, blocks: event.findings}
+      if (event.program.text === state.program.text)
+        return still({...state, program: event.program, findings, saved: "changed"})
+      // What the compiler and the last run said was about the old text.
+      const changed: PageState = {
+        ...state,
+        program: event.program,
+        findings: {...findings, compiler: [], run: []},
+        saved: "changed",
+        welcome: state.welcome === "ran" ? "over" : state.welcome,
+      }
+      return check(changed)
+    }
+    case "selected":
+      return still({...state, selected: event.block})
+    case "renamed":
+      return still({...state, name: event.name, saved: "changed"})
+    case "stored":
+      return still({
+        ...state,
+        saved: event.ok ? "saved" : "failed",
+        notice: event.ok ? state.notice : {kind: "not-saved"},
+      })
+    case "world-chosen":
+      return sending(
+        {
+          ...state,
+          worldName: event.world,
+          saved: "changed",
+          run: nextRun(state.run, {kind: "reset-pressed"}),
+          room: clearRoom(state.room, null),
+        },
+        {op: "world", world: event.world},
+      )
+    case "worlds-listed":
+      return still({...state, worlds: event.worlds})
+    case "gallery":
+      return still({...state, gallery: event.gallery})
+    case "dialog":
+      return still({...state, dialog: event.dialog})
+    case "notice":
+      return still({...state, notice: event.notice})
+    case "view":
+      return still({...state, view: event.view})
+    case "region":
+      return still({...state, region: event.region})
+    case "size":
+      return still({...state, size: event.size})
+    case "tab":
+      return still({...state, tab: event.tab})
+    case "theme":
+      return still({...state, theme: event.theme})
+    case "layout":
+      return still({...state, layout: event.layout})
+    case "muted":
+      return still({...state, muted: event.muted})
+    case "history":
+      return still({...state, can: {undo: event.undo, redo: event.redo}})
+    default:
+      return unreachable(event)
+  }
+}
+
+function start(state: PageState): Step {
+  const connected = state.link === "open"
+  const run = state.runs + 1
+  const started: PageState = {
+    ...state,
+    run: nextRun(state.run, {kind: "run-pressed", connected, run}),
+    runs: run,
+    room: clearRoom(state.room, run),
+    lines: [],
+    findings: {...state.findings, run: []},
+    welcome: state.welcome === "fresh" ? "ran" : state.welcome,
+    tab: "console",
+    notice: null,
+    region: state.size === "phone" ? "room" : state.region,
+  }
+  return connected ? sending(started, runMessage(started, run)) : still(started)
+}
+
+function runMessage(state: PageState, run: number) {
+  return {op: "run", run, source: state.program.text, speed: 1} as const
+}
+
+/// Asks the compiler about the text as it is now.
+function check(state: PageState): Step {
+  const id = state.checks + 1
+  const asked = {...state, checks: id}
+  if (state.link !== "open" || state.program.text === "") return still(asked)
+  return sending(asked, {op: "check", id, source: state.program.text})
+}
+
+function heard(state: PageState, message: ServiceMessage): Step {
+  switch (message.op) {
+    case "hello": {
+      const back: PageState = {...state, link: "open", run: nextRun(state.run, {kind: "connected"})}
+      const asked = check(back)
+      const orders: Order[] = []
+      if (state.worldName !== null)
+        orders.push({kind: "send", message: {op: "world", world: state.worldName}})
+      orders.push(...asked.orders)
+      if (state.run.kind === "waiting")
+        orders.push({kind: "send", message: runMessage(asked.state, state.run.run)})
+      return {state: asked.state, orders}
+    }
+    case "worker":
+      return still({...state, worker: message.state})
+    case "world":
+      return still({...state, room: {...state.room, world: message.world}})
+    case "checked": {
+      if (message.id !== state.checks) return still(state)
+      const compiler = message.problems.map(p => locate(state.program, p, "compiler"))
+      return still({...state, findings: {...state.findings, compiler}})
+    }
+    case "state": {
+      const run = nextRun(state.run, {kind: "heard", message})
+      if (run === state.run) return still(state)
+      if (message.state !== "ended") return still({...state, run})
+      const found = message.problems.map(p =>
+        locate(state.program, p, message.ended === "refused" ? "compiler" : "run"),
+      )
+      const findings =
+        message.ended === "refused" ? {...state.findings, compiler: found} : {...state.findings, run: found}
+      const tab = found.some(f => f.severity === "error") ? "problems" : state.tab
+      return still({...state, run, findings, tab})
+    }
+    case "frame": {
+      if (message.frame.run !== state.room.run) return still(state)
+      const {frame} = message
+      let {lines} = state
+      for (const text of sensedBetween(state.room.frame, frame))
+        lines = addLine(lines, "sensed", text, frame.time)
+      return still({...state, room: showFrame(state.room, frame), lines})
+    }
+    case "said": {
+      if (message.run !== state.room.run) return still(state)
+      const speech = {text: message.text, time: message.time}
+      const lines = addLine(state.lines, "said", message.text, message.time)
+      return still({...state, room: {...state.room, speech}, lines})
+    }
+    case "sound": {
+      const name = soundNames[message.sound]
+      if (message.run !== state.room.run || name === undefined) return still(state)
+      const lines = addLine(state.lines, "sound", name, message.time)
+      const played = {...state, lines}
+      return state.muted ? still(played) : {state: played, orders: [{kind: "play", sound: message.sound}]}
+    }
+    case "refusal":
+      return still({...state, notice: {kind: "refusal", message: message.message, hint: message.hint}})
+    default:
+      return unreachable(message)
+  }
+}
+
+/// What a screen reader and a test can read of the robot; before a run it stands at the start.
+export function readout(state: PageState): {readonly [key: string]: string} | null {
+  const {frame, world} = state.room
+  const pose = frame ?? world?.start
+  if (pose === undefined) return null
+  const led = (value: number) => ledNames[value] ?? "Black"
+  const degrees = Math.round((pose.theta * 180) / Math.PI)
+  const sides = (bits: number) =>
+    [bits & 4 ? "left" : "", bits & 2 ? "centre" : "", bits & 1 ? "right" : ""].filter(Boolean).join(" ")
+  const wheels = (bits: number) => [bits & 2 ? "left" : "", bits & 1 ? "right" : ""].filter(Boolean).join(" ")
+  return {
+    time: (frame?.time ?? 0).toFixed(2),
+    x: pose.x.toFixed(3),
+    y: pose.y.toFixed(3),
+    heading: `${((degrees % 360) + 360) % 360}°`,
+    speed: (frame?.v ?? 0).toFixed(3),
+    bumpers: sides(frame?.bumpers ?? 0),
+    cliffs: sides(frame?.cliffs ?? 0),
+    wheels: wheels(frame?.wheels ?? 0),
+    led1: led(frame?.led1 ?? 0),
+    led2: led(frame?.led2 ?? 0),
+  }
+}

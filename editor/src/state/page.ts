@@ -1,0 +1,148 @@
+/// All that the page knows, as one value without a DOM, and everything that can happen to it.
+
+import type {PageMessage, ServiceMessage, WorkerState, World} from "./messages.ts"
+import {type BlockId, emptyProgram, type Finding, type Program} from "./program.ts"
+import {type ConsoleLine, emptyRoom, type RoomState} from "./room.ts"
+import type {RunState} from "./run.ts"
+
+export type View = "blocks" | "both" | "haskell"
+export type Region = "blocks" | "haskell" | "room"
+/// How much room the window has: all regions, two of them, or one at a time.
+export type Size = "wide" | "tablet" | "phone"
+export type Tab = "console" | "problems"
+export type Theme = "auto" | "light" | "dark"
+
+export interface Example {
+  readonly name: string
+  readonly title: string
+  readonly teaches: string
+}
+
+export type Gallery =
+  | {readonly kind: "unasked"}
+  | {readonly kind: "asked"}
+  | {readonly kind: "there"; readonly examples: readonly Example[]}
+  | {readonly kind: "failed"}
+
+/// Something the page itself has to say; `words.ts` has the sentences.
+export type Notice =
+  | {readonly kind: "unreadable-file"; readonly name: string; readonly message: string; readonly hint: string}
+  | {readonly kind: "example-missing"; readonly name: string}
+  | {readonly kind: "refusal"; readonly message: string; readonly hint: string}
+  | {readonly kind: "not-saved"}
+  | {readonly kind: "opened-elsewhere"}
+
+export interface Opened {
+  readonly name: string
+  readonly world: string | World | null
+  readonly program: Program
+  readonly findings: readonly Finding[]
+  /// A newcomer's program: Run pulses once, and after the first run a line invites to change a number.
+  readonly welcome: boolean
+}
+
+export interface PageState {
+  readonly name: string
+  readonly saved: "saved" | "changed" | "failed"
+  readonly program: Program
+  readonly worldName: string | World | null
+  readonly link: "connecting" | "open" | "lost"
+  readonly worker: WorkerState
+  readonly run: RunState
+  /// The number of the newest run; each run takes the next.
+  readonly runs: number
+  /// The newest question to the compiler; an answer to an older one is dropped.
+  readonly checks: number
+  readonly room: RoomState
+  readonly lines: readonly ConsoleLine[]
+  readonly findings: {
+    readonly blocks: readonly Finding[]
+    readonly compiler: readonly Finding[]
+    readonly run: readonly Finding[]
+  }
+  readonly selected: BlockId | null
+  readonly welcome: "fresh" | "ran" | "over"
+  readonly gallery: Gallery
+  readonly dialog: "gallery" | "menu" | null
+  readonly notice: Notice | null
+  readonly view: View
+  readonly region: Region
+  readonly size: Size
+  readonly tab: Tab
+  readonly theme: Theme
+  readonly muted: boolean
+  readonly worlds: readonly string[]
+  readonly can: {readonly undo: boolean; readonly redo: boolean}
+  readonly layout: Layout
+}
+
+/// Where the borders between regions are: pixels for widths, a share for the height of the room.
+export interface Layout {
+  readonly haskell: number
+  readonly room: number
+  readonly canvas: number
+}
+
+export const firstPage: PageState = {
+  name: "",
+  saved: "saved",
+  program: emptyProgram,
+  worldName: null,
+  link: "connecting",
+  worker: "starting",
+  run: {kind: "ready"},
+  runs: 0,
+  checks: 0,
+  room: emptyRoom,
+  lines: [],
+  findings: {blocks: [], compiler: [], run: []},
+  selected: null,
+  welcome: "over",
+  gallery: {kind: "unasked"},
+  dialog: null,
+  notice: null,
+  view: "both",
+  region: "blocks",
+  size: "wide",
+  tab: "console",
+  theme: "auto",
+  muted: false,
+  worlds: [],
+  can: {undo: false, redo: false},
+  layout: {haskell: 380, room: 420, canvas: 0.56},
+}
+
+export type PageEvent =
+  | {readonly kind: "link-lost"}
+  | {readonly kind: "heard"; readonly message: ServiceMessage}
+  | {readonly kind: "run-pressed"}
+  | {readonly kind: "stop-pressed"}
+  | {readonly kind: "reset-pressed"}
+  | {readonly kind: "opened"; readonly opened: Opened}
+  | {readonly kind: "program-changed"; readonly program: Program; readonly findings: readonly Finding[]}
+  | {readonly kind: "selected"; readonly block: BlockId | null}
+  | {readonly kind: "renamed"; readonly name: string}
+  | {readonly kind: "stored"; readonly ok: boolean}
+  | {readonly kind: "world-chosen"; readonly world: string}
+  | {readonly kind: "worlds-listed"; readonly worlds: readonly string[]}
+  | {readonly kind: "gallery"; readonly gallery: Gallery}
+  | {readonly kind: "dialog"; readonly dialog: PageState["dialog"]}
+  | {readonly kind: "notice"; readonly notice: Notice | null}
+  | {readonly kind: "view"; readonly view: View}
+  | {readonly kind: "region"; readonly region: Region}
+  | {readonly kind: "size"; readonly size: Size}
+  | {readonly kind: "tab"; readonly tab: Tab}
+  | {readonly kind: "theme"; readonly theme: Theme}
+  | {readonly kind: "layout"; readonly layout: Layout}
+  | {readonly kind: "muted"; readonly muted: boolean}
+  | {readonly kind: "history"; readonly undo: boolean; readonly redo: boolean}
+
+/// What a step of the page asks of the world outside: messages to send, sounds to play.
+export type Order =
+  | {readonly kind: "send"; readonly message: PageMessage}
+  | {readonly kind: "play"; readonly sound: number}
+
+export interface Step {
+  readonly state: PageState
+  readonly orders: readonly Order[]
+}

@@ -1,0 +1,136 @@
+/// What the room shows: the world, the robot, the path it drove, what it says, and the console beside it.
+
+import type {Frame, World} from "./messages.ts"
+
+export interface Point {
+  readonly x: number
+  readonly y: number
+}
+
+/// The path in pieces: only the last grows, so a long trail costs no more per frame than a short one, and a
+/// finished piece can be drawn from a cache.
+export type Trail = readonly (readonly Point[])[]
+
+/// Points in a piece of trail.
+const pieceLength = 128
+/// A new point is kept when the robot has moved this far, in metres.
+const trailStep = 0.01
+/// Pieces kept: about 640 m of path.
+const maxPieces = 500
+
+export function extendTrail(trail: Trail, at: Point): Trail {
+  const last = trail.at(-1)
+  const tip = last?.at(-1)
+  if (tip !== undefined && Math.hypot(at.x - tip.x, at.y - tip.y) < trailStep) return trail
+  if (last === undefined) return [[at]]
+  if (last.length < pieceLength) return [...trail.slice(0, -1), [...last, at]]
+  return [...trail.slice(-maxPieces + 1), [last.at(-1) as Point, at]]
+}
+
+export interface RoomState {
+  readonly world: World | null
+  readonly frame: Frame | null
+  readonly trail: Trail
+  /// What the robot says, and the run time in seconds at which it said it.
+  readonly speech: {readonly text: string; readonly time: number} | null
+  /// When each function fired last, in seconds of the run.
+  readonly fired: {readonly [name: string]: number}
+  /// The run whose frames are drawn; `null` after a reset, when none is.
+  readonly run: number | null
+}
+
+export const emptyRoom: RoomState = {world: null, frame: null, trail: [], speech: null, fired: {}, run: null}
+
+/// The room as it is before a run (or before any, with `run` null): the world stays.
+export function clearRoom(room: RoomState, run: number | null): RoomState {
+  return {...emptyRoom, world: room.world, run}
+}
+
+/// A bubble stays this long, in seconds of the run.
+export const speechSeconds = 3
+
+export function showFrame(room: RoomState, frame: Frame): RoomState {
+  if (frame.run !== room.run) return room
+  const speech = room.speech !== null && frame.time > room.speech.time + speechSeconds ? null : room.speech
+  const fired =
+    frame.fired.length === 0
+      ? room.fired
+      : {...room.fired, ...Object.fromEntries(frame.fired.map(name => [name, frame.time]))}
+  return {...room, frame, trail: extendTrail(room.trail, frame), speech, fired}
+}
+
+/// A function glows this long after it fired, in seconds of the run.
+const glowSeconds = 0.2
+
+/// The functions that glow now, in the order of their names.
+export function glowing(room: RoomState): readonly string[] {
+  const now = room.frame?.time ?? 0
+  return Object.keys(room.fired)
+    .filter(name => now - (room.fired[name] ?? 0) <= glowSeconds)
+    .sort()
+}
+
+/// A line of the console. `count` says how often the same thing was told in a row.
+export type ConsoleLine = {readonly time: number; readonly count: number} & (
+  | {readonly kind: "said"; readonly text: string}
+  | {readonly kind: "sensed"; readonly text: string}
+  | {readonly kind: "sound"; readonly text: string}
+)
+
+/// Lines the console keeps; the oldest go first.
+const maxLines = 500
+
+export function addLine(
+  lines: readonly ConsoleLine[],
+  kind: ConsoleLine["kind"],
+  text: string,
+  time: number,
+): readonly ConsoleLine[] {
+  const last = lines.at(-1)
+  if (last !== undefined && last.kind === kind && last.text === text)
+    return [...lines.slice(0, -1), {...last, time, count: last.count + 1}]
+  return [...lines.slice(-maxLines + 1), {kind, text, time, count: 1}]
+}
+
+const bumperNames = ["RightBumper", "CenterBumper", "LeftBumper"]
+const cliffNames = ["RightCliff", "CenterCliff", "LeftCliff"]
+const wheelNames = ["RightWheel", "LeftWheel"]
+
+/// What the robot began to sense between two frames, in Haskell's words: bumps, holes and lifted wheels.
+export function sensedBetween(before: Frame | null, after: Frame): readonly string[] {
+  const news = (bits: (f: Frame) => number, names: readonly string[], say: (name: string) => string) =>
+    names
+      .filter((_, i) => bits(after) & (1 << i) && !((before === null ? 0 : bits(before)) & (1 << i)))
+      .map(say)
+  return [
+    ...news(
+      f => f.bumpers,
+      bumperNames,
+      name => `Bumper ${name} Pressed`,
+    ),
+    ...news(
+      f => f.cliffs,
+      cliffNames,
+      name => `Cliff ${name} Hole`,
+    ),
+    ...news(
+      f => f.wheels,
+      wheelNames,
+      name => `Wheel ${name} Air`,
+    ),
+  ]
+}
+
+/// protocol §2, `/mobile_base/commands/sound`; the names are the program's.
+export const soundNames = [
+  "OnSound",
+  "OffSound",
+  "RechargeSound",
+  "ButtonSound",
+  "ErrorSound",
+  "CleaningStartSound",
+  "CleaningEndSound",
+] as const
+
+/// protocol §2, `/mobile_base/commands/led1`; the names are the program's.
+export const ledNames = ["Black", "Green", "Orange", "Red"] as const

@@ -1,0 +1,53 @@
+/// The life of a run as the page sees it: what Run and Stop do, and what late answers may not do.
+///
+/// A run has a number chosen by the page. An answer that carries another number belongs to an older run and
+/// changes nothing; so a stop is at once, and whatever the service still says about it is ignored.
+
+import type {Ended, ServiceMessage} from "./messages.ts"
+
+export type RunState =
+  | {readonly kind: "ready"}
+  /// Run was pressed while the service could not be reached; it is sent when the service is back.
+  | {readonly kind: "waiting"; readonly run: number}
+  | {readonly kind: "compiling"; readonly run: number}
+  | {readonly kind: "running"; readonly run: number}
+  | {readonly kind: "ended"; readonly run: number; readonly how: Ended | "lost"}
+
+export type RunEvent =
+  | {readonly kind: "run-pressed"; readonly connected: boolean; readonly run: number}
+  | {readonly kind: "stop-pressed"}
+  | {readonly kind: "reset-pressed"}
+  | {readonly kind: "connected"}
+  | {readonly kind: "lost"}
+  | {readonly kind: "heard"; readonly message: ServiceMessage & {readonly op: "state"}}
+
+/// True while Stop is what the button should say.
+export function isActive(
+  run: RunState,
+): run is RunState & {readonly kind: "waiting" | "compiling" | "running"} {
+  return run.kind === "waiting" || run.kind === "compiling" || run.kind === "running"
+}
+
+export function nextRun(state: RunState, event: RunEvent): RunState {
+  switch (event.kind) {
+    case "run-pressed":
+      return {kind: event.connected ? "compiling" : "waiting", run: event.run}
+    case "stop-pressed":
+      if (state.kind === "waiting") return {kind: "ready"}
+      return isActive(state) ? {kind: "ended", run: state.run, how: "stopped"} : state
+    case "reset-pressed":
+      return {kind: "ready"}
+    case "connected":
+      return state.kind === "waiting" ? {kind: "compiling", run: state.run} : state
+    case "lost":
+      if (state.kind === "compiling" || state.kind === "running")
+        return {kind: "ended", run: state.run, how: "lost"}
+      return state
+    case "heard": {
+      const {message} = event
+      if (!isActive(state) || message.run !== state.run) return state
+      if (message.state === "ended") return {kind: "ended", run: state.run, how: message.ended}
+      return message.state === "running" ? {kind: "running", run: state.run} : state
+    }
+  }
+}

@@ -1,0 +1,77 @@
+/// Where things are on the canvas and between frames.
+
+import fc from "fast-check"
+import {describe, expect, it} from "vitest"
+import {fit, toRoom, toScreen} from "../../src/room/camera.ts"
+import {poseAt, shortest} from "../../src/room/motion.ts"
+import {extendTrail, type Trail} from "../../src/state/room.ts"
+
+const size = fc.double({min: 0.5, max: 60, noNaN: true})
+const pixels = fc.integer({min: 100, max: 3000})
+
+describe("the camera", () => {
+  it("shows the whole world, whatever the sizes", () => {
+    fc.assert(
+      fc.property(size, size, pixels, pixels, (width, height, w, h) => {
+        const camera = fit(width, height, w, h)
+        const low = toScreen(camera, 0, 0)
+        const high = toScreen(camera, width, height)
+        expect(low.x).toBeGreaterThan(0)
+        expect(high.x).toBeLessThan(w)
+        expect(low.y).toBeLessThan(h)
+        expect(high.y).toBeGreaterThan(0)
+      }),
+    )
+  })
+
+  it("goes from room to screen and back", () => {
+    fc.assert(
+      fc.property(size, size, (x, y) => {
+        const camera = fit(10, 8, 640, 480)
+        const at = toScreen(camera, x, y)
+        const back = toRoom(camera, at.x, at.y)
+        expect(back.x).toBeCloseTo(x, 6)
+        expect(back.y).toBeCloseTo(y, 6)
+      }),
+    )
+  })
+})
+
+describe("the pose between two frames", () => {
+  const pose = (x: number, theta = 0) => ({x, y: 0, theta})
+
+  it("goes from the one to the other and stays there", () => {
+    const [a, b] = [
+      {pose: pose(0), at: 100},
+      {pose: pose(0.1), at: 120},
+    ]
+    expect(poseAt(a, b, 120).x).toBe(0)
+    expect(poseAt(a, b, 130).x).toBeCloseTo(0.05)
+    expect(poseAt(a, b, 500).x).toBeCloseTo(0.1)
+  })
+
+  it("jumps when the robot was put elsewhere", () => {
+    expect(poseAt({pose: pose(0), at: 0}, {pose: pose(3), at: 20}, 20).x).toBe(3)
+  })
+
+  it("turns the short way round", () => {
+    expect(shortest((3 * Math.PI) / 2)).toBeCloseTo(-Math.PI / 2)
+    const [a, b] = [
+      {pose: pose(0, 3.1), at: 0},
+      {pose: pose(0, -3.1), at: 20},
+    ]
+    expect(Math.abs(poseAt(a, b, 30).theta)).toBeGreaterThan(3.1)
+  })
+})
+
+describe("the trail", () => {
+  it("grows while the robot drives, not while it stands, and leaves its finished pieces as they were", () => {
+    let trail: Trail = []
+    for (let i = 0; i < 500; i += 1) trail = extendTrail(trail, {x: i * 0.02, y: 0})
+    for (let i = 0; i < 500; i += 1) trail = extendTrail(trail, {x: 499 * 0.02, y: 0.001})
+    const points = trail.flat()
+    expect(new Set(points.map(p => p.x)).size).toBe(500)
+    const later = extendTrail(trail, {x: 99, y: 0})
+    expect(later[0]).toBe(trail[0])
+  })
+})

@@ -1,0 +1,211 @@
+/// What Run, Stop and Reset do, also when answers come late, twice, or not at all.
+
+import {describe, expect, it} from "vitest"
+import type {Frame, Problem, ServiceMessage} from "../../src/state/messages.ts"
+import {next, readout} from "../../src/state/next.ts"
+import {firstPage, type Order, type PageEvent, type PageState} from "../../src/state/page.ts"
+
+/// Plays events in order; answers the last state and every message that was sent.
+function play(state: PageState, ...events: readonly PageEvent[]) {
+  const orders: Order[] = []
+  for (const event of events) {
+    const step = next(state, event)
+    state = step.state
+    orders.push(...step.orders)
+  }
+  const sent = orders.flatMap(o => (o.kind === "send" ? [o.message] : []))
+  return {state, orders, sent, ops: sent.map(m => m.op)}
+}
+
+const hear = (message: ServiceMessage): PageEvent => ({kind: "heard", message})
+const hello = hear({op: "hello", session: "s"})
+const running = (run: number) => hear({op: "state", run, state: "running"})
+const ended = (
+  run: number,
+  how: "done" | "error" | "refused" | "stopped",
+  problems: readonly Problem[] = [],
+) => hear({op: "state", run, state: "ended", ended: how, problems})
+const frame = (run: number, more: Partial<Frame> = {}): PageEvent =>
+  hear({
+    op: "frame",
+    frame: {
+      run,
+      step: 1,
+      time: 0.02,
+      x: 1,
+      y: 2,
+      theta: 0,
+      v: 0.5,
+      w: 0,
+      bumpers: 0,
+      cliffs: 0,
+      wheels: 0,
+      buttons: 0,
+      led1: 0,
+      led2: 0,
+      fired: [],
+      ...more,
+    },
+  })
+const press = {kind: "run-pressed"} as const
+const stop = {kind: "stop-pressed"} as const
+const reset = {kind: "reset-pressed"} as const
+const text = "accelerate :: Velocity\n\nmain = simulate accelerate\n"
+const program = {
+  text,
+  spans: [
+    {start: 0, end: 22, block: "def"},
+    {start: 14, end: 22, block: "type"},
+    {start: 24, end: 50, block: "main"},
+  ],
+  definitions: [
+    {name: "accelerate", start: 0, end: 22, block: "def"},
+    {name: "main", start: 24, end: 50, block: "main"},
+  ],
+  families: {},
+}
+const open = play({...firstPage, program}, hello, hear({op: "worker", state: "ready"})).state
+const problem: Problem = {
+  severity: "error",
+  kind: "type-mismatch",
+  start: {line: 1, column: 15},
+  end: {line: 1, column: 23},
+  function: "accelerate",
+  message: "",
+  hint: "",
+  ghc: "",
+  time: null,
+  inputs: [],
+}
+
+describe("a run", () => {
+  it("answers at once, starts when the service says so, and carries the program's text", () => {
+    const pressed = play(open, press)
+    expect(pressed.state.run).toEqual({kind: "compiling", run: 1})
+    expect(pressed.sent).toEqual([{op: "run", run: 1, source: text, speed: 1}])
+    expect(play(pressed.state, running(1)).state.run.kind).toBe("running")
+  })
+
+  it("that was stopped while compiling stays stopped when the service says it runs", () => {
+    const {state, ops} = play(open, press, stop, running(1))
+    expect(ops).toEqual(["run", "stop"])
+    expect(state.run).toEqual({kind: "ended", run: 1, how: "stopped"})
+  })
+
+  it("that was stopped keeps its end when the service tells of another", () => {
+    expect(play(open, press, running(1), stop, ended(1, "error", [problem])).state.run).toMatchObject({
+      how: "stopped",
+    })
+  })
+
+  it("is replaced by the next without a stop, and late words about the first change nothing", () => {
+    const {state} = play(open, press, running(1), press, ended(1, "stopped"), running(1), frame(1))
+    expect(state.run).toEqual({kind: "compiling", run: 2})
+    expect(state.room.frame).toBeNull()
+  })
+
+  it("that is refused shows the problem on the innermost block and in its tab", () => {
+    const {state} = play(open, press, ended(1, "refused", [problem]))
+    expect(state.run).toMatchObject({kind: "ended", how: "refused"})
+    expect(state.findings.compiler).toMatchObject([{block: "type", range: {start: 14, end: 22}}])
+    expect(state.tab).toBe("problems")
+  })
+
+  it("that ends by a problem without a place shows it on the function's definition", () => {
+    const atRunTime = {...problem, start: null, end: null, time: 1.5}
+    const {state} = play(open, press, running(1), ended(1, "error", [atRunTime]))
+    expect(state.findings.run).toMatchObject([{block: "def", time: 1.5}])
+  })
+
+  it("pressed before the service answers is sent when it does", () => {
+    const waiting = play({...firstPage, program}, press)
+    expect(waiting.state.run.kind).toBe("waiting")
+    expect(waiting.ops).toEqual([])
+    const {state, ops} = play(waiting.state, hello)
+    expect(state.run).toEqual({kind: "compiling", run: 1})
+    expect(ops).toEqual(["check", "run"])
+  })
+
+  it("that waits for the service can be stopped, and is then not sent", () => {
+    const {state, ops} = play({...firstPage, program}, press, stop, hello)
+    expect(state.run.kind).toBe("ready")
+    expect(ops).toEqual(["check"])
+  })
+
+  it("ends when the connection is lost; the next one works when it is back", () => {
+    const lost = play(open, press, running(1), {kind: "link-lost"})
+    expect(lost.state.run).toMatchObject({kind: "ended", how: "lost"})
+    const {state, ops} = play(lost.state, hello, press, running(2))
+    expect(ops).toContain("run")
+    expect(state.run).toEqual({kind: "running", run: 2})
+  })
+})
+
+describe("the connection", () => {
+  it("that comes back chooses the project's room and asks the compiler again", () => {
+    const {ops} = play({...open, worldName: "corridor"}, {kind: "link-lost"}, hello)
+    expect(ops).toEqual(["world", "check"])
+  })
+
+  it("says when the worker restarts and when it is back", () => {
+    const restarting = play(open, hear({op: "worker", state: "restarting"})).state
+    expect(restarting.worker).toBe("restarting")
+    expect(play(restarting, hear({op: "worker", state: "ready"})).state.worker).toBe("ready")
+  })
+})
+
+describe("reset", () => {
+  it("ends the run and puts the robot, the trail and the console back; late frames do not move it", () => {
+    const {state, ops} = play(open, press, running(1), frame(1, {bumpers: 2}), reset, frame(1, {x: 9}))
+    expect(ops).toEqual(["run", "reset"])
+    expect(state.run.kind).toBe("ready")
+    expect(state.room).toMatchObject({frame: null, trail: [], run: null})
+    expect(state.lines).toEqual([])
+  })
+})
+
+describe("the compiler", () => {
+  it("is asked after every change of the text, and only its newest answer counts", () => {
+    const change = (t: string): PageEvent => ({
+      kind: "program-changed",
+      program: {...program, text: t},
+      findings: [],
+    })
+    const {state, sent} = play(open, change("a"), change("b"))
+    const ids = sent.flatMap(m => (m.op === "check" ? [m.id] : []))
+    expect(new Set(ids).size).toBe(2)
+    const checked = (id: number) => hear({op: "checked", id, problems: [problem], declarations: []})
+    expect(play(state, checked(ids[0] ?? -1)).state.findings.compiler).toEqual([])
+    expect(play(state, checked(ids[1] ?? -1)).state.findings.compiler).toHaveLength(1)
+  })
+
+  it("is not asked when blocks only moved", () => {
+    expect(play(open, {kind: "program-changed", program, findings: []}).sent).toEqual([])
+  })
+})
+
+describe("the room", () => {
+  it("tells each bump once, and counts what repeats", () => {
+    const bump = (time: number, bumpers: number) => frame(1, {time, bumpers})
+    const {state} = play(open, press, running(1), bump(1, 2), bump(1.02, 2), bump(1.04, 0), bump(1.06, 2))
+    expect(state.lines).toEqual([{kind: "sensed", text: "Bumper CenterBumper Pressed", time: 1.06, count: 2}])
+  })
+
+  it("plays sounds unless it is muted", () => {
+    const sound = hear({op: "sound", run: 1, time: 1, sound: 4})
+    const playing = play(open, press, running(1)).state
+    expect(play(playing, sound).orders).toEqual([{kind: "play", sound: 4}])
+    expect(play(playing, {kind: "muted", muted: true}, sound).orders).toEqual([])
+  })
+
+  it("reads as numbers and words", () => {
+    const {state} = play(open, press, frame(1, {theta: -Math.PI / 2, bumpers: 6, led1: 2}))
+    expect(readout(state)).toMatchObject({
+      x: "1.000",
+      heading: "270°",
+      bumpers: "left centre",
+      led1: "Orange",
+      led2: "Black",
+    })
+  })
+})
