@@ -1,0 +1,209 @@
+/// Makes Blockly blocks out of codegen's shapes, one definition for every kind of block there is.
+///
+/// A block's `extraState` is its whole truth. Whenever it changes the shape is asked again; when only values
+/// differ the fields show them, otherwise inputs come and go, and those that stay keep their children.
+
+import {type BlockView, type Extra, type Shape, setIn} from "@rosy/codegen"
+import * as Blockly from "blockly/core"
+import {Binder, type FieldActions, makeField, Press, showValue, Words} from "./fields.ts"
+import {setLook} from "./looks.ts"
+import {type PlannedInput, plan, skeleton, values} from "./plan.ts"
+import {styleName} from "./theme.ts"
+
+interface Built {
+  readonly view: BlockView
+  extra: Extra
+  shape: Shape
+  skeleton: string
+}
+
+const built = new WeakMap<Blockly.Block, Built>()
+
+/// What the page does with things only it can answer.
+export interface BuildActions {
+  renamed(block: Blockly.Block, key: string, name: string): void
+  pulled(field: Binder, event: PointerEvent): void
+}
+
+/// Registers every kind of block with Blockly; once for the page, with the actions of the view in use.
+export function registerBlocks(views: readonly BlockView[], actions: () => BuildActions | undefined): void {
+  const fieldActions: FieldActions = {
+    changed: (field, key, value) => {
+      const block = field.getSourceBlock()
+      const state = block === null ? undefined : built.get(block)
+      if (block === null || state === undefined) return
+      adopt(block, state, setIn(state.extra, key, value), fieldActions)
+    },
+    renamed: (block, key, name) => actions()?.renamed(block, key, name),
+    pulled: (field, event) => {
+      if (field instanceof Binder) actions()?.pulled(field, event)
+    },
+    pressed: (block, action) => {
+      const state = built.get(block)
+      if (state !== undefined) change(block, state.view.press(state.extra, action), action)
+    },
+  }
+  for (const view of views) {
+    Blockly.Blocks[view.type] = {
+      init(this: Blockly.Block) {
+        const shape = view.shape({})
+        const state: Built = {view, extra: {}, shape, skeleton: ""}
+        built.set(this, state)
+        draw(this, state, shape, fieldActions)
+      },
+      saveExtraState(this: Blockly.Block) {
+        return extraOf(this)
+      },
+      loadExtraState(this: Blockly.Block, extra: Extra) {
+        const state = built.get(this)
+        if (state !== undefined) adopt(this, state, extra ?? {}, fieldActions)
+      },
+    }
+  }
+}
+
+/// All that a block says about itself besides its children.
+export function extraOf(block: Blockly.Block): Extra {
+  return built.get(block)?.extra ?? {}
+}
+
+export function shapeOf(block: Blockly.Block): Shape | undefined {
+  return built.get(block)?.shape
+}
+
+/// Gives a block a new `extraState` as one step of undo. The button that was pressed keeps the focus.
+export function change(block: Blockly.Block, extra: Extra, pressed?: string): void {
+  const state = built.get(block)
+  if (state === undefined) return
+  const before = JSON.stringify(state.extra)
+  const after = JSON.stringify(extra)
+  if (before === after) return
+  const group = Blockly.Events.getGroup()
+  if (group === "") Blockly.Events.setGroup(true)
+  block.loadExtraState?.(extra)
+  Blockly.Events.fire(
+    new (Blockly.Events.get(Blockly.Events.BLOCK_CHANGE))(block, "mutation", null, before, after),
+  )
+  if (group === "") Blockly.Events.setGroup(false)
+  if (pressed !== undefined && block instanceof Blockly.BlockSvg) refocus(block, pressed)
+}
+
+/// Rebuilding removes the field that has the focus; its successor gets it, so that `+` can be pressed again.
+function refocus(block: Blockly.BlockSvg, action: string): void {
+  for (const input of block.inputList) {
+    for (const field of input.fieldRow) {
+      if (field instanceof Press && field.action === action) {
+        Blockly.getFocusManager().focusNode(field)
+        return
+      }
+    }
+  }
+}
+
+function adopt(block: Blockly.Block, state: Built, extra: Extra, actions: FieldActions): void {
+  state.extra = extra
+  draw(block, state, state.view.shape(extra), actions)
+}
+
+function draw(block: Blockly.Block, state: Built, shape: Shape, actions: FieldActions): void {
+  const bones = skeleton(shape)
+  const same = bones === state.skeleton
+  state.shape = shape
+  state.skeleton = bones
+  if (same) {
+    const shown = values(shape)
+    for (const input of block.inputList) {
+      for (const field of input.fieldRow) {
+        const value = field.name === undefined ? undefined : shown.get(field.name)
+        if (value !== undefined) showValue(field, value)
+      }
+    }
+    return
+  }
+  connect(block, shape)
+  reconcile(block, plan(shape), actions)
+  block.setInputsInline(true)
+  block.setTooltip(shape.tooltip)
+  block.setAriaRoleDescriptionProvider(shape.aria)
+  block.setStyle(styleName(shape.family, shape.connects.as === "pattern"))
+  if (block.outputConnection !== null)
+    setLook(block.outputConnection, {family: shape.family, hint: "", hole: false})
+}
+
+function connect(block: Blockly.Block, shape: Shape): void {
+  const as = shape.connects.as
+  switch (as) {
+    case "top":
+      return
+    case "expression":
+    case "pattern":
+      if (block.outputConnection === null) block.setOutput(true, as)
+      return
+    case "definition":
+    case "step":
+      if (block.previousConnection !== null) return
+      block.setPreviousStatement(true, as)
+      block.setNextStatement(true, as)
+  }
+}
+
+function reconcile(block: Blockly.Block, wanted: readonly PlannedInput[], actions: FieldActions): void {
+  const kept = new Map(wanted.map(input => [input.name, input]))
+  for (const input of [...block.inputList]) {
+    const planned = kept.get(input.name)
+    if (planned === undefined || !sameKind(input, planned)) block.removeInput(input.name)
+  }
+  wanted.forEach((planned, at) => {
+    const input = block.getInput(planned.name) ?? append(block, planned)
+    while (input.fieldRow.length > 0) {
+      const field = input.fieldRow[0]!
+      // Only fields with a name can be removed by it.
+      field.name ??= "words"
+      input.removeField(field.name)
+    }
+    for (const item of planned.fields) {
+      const field = makeField(item, actions)
+      if ("key" in item && !(field instanceof Words)) input.appendField(field, item.key)
+      else if ("key" in item) input.appendField(field, item.key)
+      else input.appendField(field)
+    }
+    if (planned.kind !== "words") {
+      const connection = input.connection
+      const {item} = planned
+      input.setAriaLabelProvider(item.aria)
+      if (connection !== null && item.kind === "socket") {
+        setLook(connection, {family: state(block), hint: item.hint ?? "", hole: false})
+      }
+    }
+    if (block.inputList[at] !== input) {
+      const after = block.inputList[at]
+      if (after !== undefined) block.moveInputBefore(planned.name, after.name)
+    }
+  })
+}
+
+const state = (block: Blockly.Block) => built.get(block)?.shape.family ?? "own"
+
+function sameKind(input: Blockly.Input, planned: PlannedInput): boolean {
+  switch (planned.kind) {
+    case "socket":
+      return input.type === Blockly.inputs.inputTypes.VALUE
+    case "stack":
+      return input.type === Blockly.inputs.inputTypes.STATEMENT
+    case "words":
+      return (
+        input.type === (planned.ends ? Blockly.inputs.inputTypes.END_ROW : Blockly.inputs.inputTypes.DUMMY)
+      )
+  }
+}
+
+function append(block: Blockly.Block, planned: PlannedInput): Blockly.Input {
+  switch (planned.kind) {
+    case "socket":
+      return block.appendValueInput(planned.name).setCheck(planned.item.sort)
+    case "stack":
+      return block.appendStatementInput(planned.name).setCheck(planned.item.sort)
+    case "words":
+      return planned.ends ? block.appendEndRowInput(planned.name) : block.appendDummyInput(planned.name)
+  }
+}

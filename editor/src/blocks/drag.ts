@@ -1,0 +1,78 @@
+/// How a block is moved, by pointer or by keys: Blockly's own way, with codegen asked where it may go, and a
+/// sentence when it may not.
+
+import type {Place} from "@rosy/codegen"
+import * as Blockly from "blockly/core"
+import {type Asker, beginMovement, endMovement, Movement, movementIn, placeOf} from "./checker.ts"
+import type {RefusalLine} from "./refusal.ts"
+
+/// What a movement needs from the view that it happens in.
+export interface DragHost {
+  /// Codegen's answers about the workspace as it stands now.
+  asker(): Asker
+  readonly refusal: RefusalLine
+}
+
+class Dragging extends Blockly.dragging.BlockDragStrategy {
+  private readonly moved: Blockly.BlockSvg
+  private readonly host: DragHost
+  private byKeyboard = false
+
+  constructor(block: Blockly.BlockSvg, host: DragHost) {
+    super(block)
+    this.moved = block
+    this.host = host
+  }
+
+  override startDrag(
+    event?: PointerEvent | KeyboardEvent,
+  ): ReturnType<Blockly.dragging.BlockDragStrategy["startDrag"]> {
+    this.byKeyboard = event instanceof KeyboardEvent
+    // A block in the toolbox is copied; the copy starts its own movement.
+    if (!this.moved.isInFlyout) {
+      beginMovement(this.moved.workspace, new Movement(this.host.asker(), origin(this.moved)))
+    }
+    return super.startDrag(event)
+  }
+
+  /// Asks about every socket there is. The keys need it to step from one to the next, the pointer does not.
+  override cacheAllConnectionPairs(): void {
+    if (this.byKeyboard) super.cacheAllConnectionPairs()
+  }
+
+  override drag(to: Blockly.utils.Coordinate, event?: PointerEvent | KeyboardEvent): void {
+    const movement = movementIn(this.moved.workspace)
+    movement?.step()
+    super.drag(to, event)
+    if (movement === undefined) return
+    const nearest = movement.accepted
+      ? undefined
+      : movement.refusals.reduce<Movement["refusals"][number] | undefined>(
+          (best, next) => (best === undefined || next.distance < best.distance ? next : best),
+          undefined,
+        )
+    if (nearest === undefined) this.host.refusal.hide()
+    else this.host.refusal.show(nearest.why, this.moved, event instanceof PointerEvent ? event : undefined)
+  }
+
+  override endDrag(...end: Parameters<Blockly.dragging.BlockDragStrategy["endDrag"]>): void {
+    this.host.refusal.hide()
+    super.endDrag(...end)
+    endMovement(this.moved.workspace)
+  }
+
+  override revertDrag(): void {
+    super.revertDrag()
+    this.host.refusal.hide()
+  }
+}
+
+function origin(block: Blockly.BlockSvg): Place | undefined {
+  const above = block.outputConnection?.targetConnection ?? block.previousConnection?.targetConnection
+  return above == null ? undefined : placeOf(above)
+}
+
+/// Makes a block move our way.
+export function makeDraggable(block: Blockly.BlockSvg, host: DragHost): void {
+  block.setDragStrategy(new Dragging(block, host))
+}

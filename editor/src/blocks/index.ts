@@ -1,0 +1,6 @@
+/// The block view, for the page: `openBlocks(host, options)`.
+
+export type {Tone} from "./families.ts"
+export type {Language} from "./language.ts"
+export type {BlocksChange, BlocksOptions, BlocksView} from "./view.ts"
+export {openBlocks} from "./view.ts"

@@ -1,0 +1,109 @@
+/// Marks on blocks that come from elsewhere: problems, the place of the text cursor, functions that fired.
+///
+/// A mark is a class on the block's group (the rest is `style.ts`), and for a problem also an icon with its sentence.
+
+import type {BlockId, BlockProblem} from "@rosy/codegen"
+import * as Blockly from "blockly/core"
+import {worn} from "./infer.ts"
+
+/// Milliseconds that a block glows after its function fired; long enough to be seen at 50 firings a second.
+const glowTime = 450
+
+const problemIcon = "rosy"
+
+export class Marks {
+  private readonly workspace: Blockly.WorkspaceSvg
+  private inferred: readonly BlockProblem[] = []
+  private told: readonly BlockProblem[] = []
+  private highlighted: readonly BlockId[] = []
+  private readonly worded = new Map<BlockId, string>()
+  private readonly glowing = new Map<BlockId, number>()
+
+  constructor(workspace: Blockly.WorkspaceSvg) {
+    this.workspace = workspace
+  }
+
+  /// Problems that inference found in the blocks as they are.
+  setInferred(problems: readonly BlockProblem[]): void {
+    this.inferred = problems
+    this.showProblems()
+  }
+
+  /// Problems from elsewhere (the compiler, a run); they stand until the next call.
+  setTold(problems: readonly BlockProblem[]): void {
+    this.told = problems
+    this.showProblems()
+  }
+
+  private showProblems(): void {
+    const sentences = new Map<BlockId, string[]>()
+    for (const problem of [...worn(this.inferred), ...this.told]) {
+      if (problem.block === undefined) continue
+      const all = sentences.get(problem.block) ?? []
+      const sentence = problem.hint === "" ? problem.message : `${problem.message} ${problem.hint}`
+      if (!all.includes(sentence)) all.push(sentence)
+      sentences.set(problem.block, all)
+    }
+    const loose = new Set(
+      this.inferred.filter(problem => problem.kind === "loose").map(problem => problem.block),
+    )
+    for (const block of this.workspace.getAllBlocks(false)) {
+      if (block.isInsertionMarker()) continue
+      toggle(block, "rosyLoose", loose.has(block.id))
+      const words = sentences.get(block.id)?.join("\n") ?? ""
+      if ((this.worded.get(block.id) ?? "") === words) continue
+      this.worded.set(block.id, words)
+      withoutEvents(() => block.setWarningText(words === "" ? null : words, problemIcon))
+      toggle(block, "rosyWrong", words !== "")
+    }
+  }
+
+  /// Blocks were replaced: their marks are gone with them.
+  forget(): void {
+    this.worded.clear()
+    this.showProblems()
+    this.highlight(this.highlighted)
+  }
+
+  /// The blocks that the cursor in the text is in.
+  highlight(ids: readonly BlockId[]): void {
+    for (const id of this.highlighted) toggle(this.workspace.getBlockById(id), "rosyTold", false)
+    for (const id of ids) toggle(this.workspace.getBlockById(id), "rosyTold", true)
+    this.highlighted = ids
+  }
+
+  /// Lets blocks glow for a moment; those that glow already go on.
+  glow(ids: readonly BlockId[]): void {
+    for (const id of ids) {
+      const running = this.glowing.get(id)
+      if (running !== undefined) window.clearTimeout(running)
+      else toggle(this.workspace.getBlockById(id), "rosyFired", true)
+      this.glowing.set(
+        id,
+        window.setTimeout(() => {
+          this.glowing.delete(id)
+          toggle(this.workspace.getBlockById(id), "rosyFired", false)
+        }, glowTime),
+      )
+    }
+  }
+
+  dispose(): void {
+    for (const timer of this.glowing.values()) window.clearTimeout(timer)
+    this.glowing.clear()
+  }
+}
+
+function toggle(block: Blockly.BlockSvg | null, name: string, on: boolean): void {
+  block?.getSvgRoot().classList.toggle(name, on)
+}
+
+/// Icons come and go through events, which would count as the learner's edits.
+function withoutEvents(act: () => void): void {
+  Blockly.Events.disable()
+  try {
+    act()
+  } finally {
+    Blockly.Events.enable()
+  }
+}

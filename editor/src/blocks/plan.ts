@@ -1,0 +1,92 @@
+/// Turns the shape of a block into the inputs Blockly builds it from. Pure: no Blockly.
+///
+/// Blockly thinks in inputs, each with fields before its socket; a shape thinks in rows of items. Words and fields
+/// gather in front of the next socket, or in an input without a socket when a row ends. Sockets keep their names,
+/// so that a block that grows keeps its children.
+
+import type {Item, Shape} from "@rosy/codegen"
+
+/// An item that Blockly draws as a field.
+export type FieldItem = Exclude<Item, {kind: "socket"} | {kind: "stack"}>
+export type Socket = Extract<Item, {kind: "socket"}>
+export type Stack = Extract<Item, {kind: "stack"}>
+
+export type PlannedInput =
+  | {
+      readonly kind: "socket"
+      readonly name: string
+      readonly fields: readonly FieldItem[]
+      readonly item: Socket
+    }
+  | {
+      readonly kind: "stack"
+      readonly name: string
+      readonly fields: readonly FieldItem[]
+      readonly item: Stack
+    }
+  /// Words without a socket; `ends` says that the next input starts a new row.
+  | {
+      readonly kind: "words"
+      readonly name: string
+      readonly fields: readonly FieldItem[]
+      readonly ends: boolean
+    }
+
+/// The inputs of a block, first to last.
+export function plan(shape: Shape): readonly PlannedInput[] {
+  const inputs: PlannedInput[] = []
+  shape.rows.forEach((row, at) => {
+    let fields: FieldItem[] = []
+    for (const item of row) {
+      if (item.kind === "socket") {
+        inputs.push({kind: "socket", name: item.name, fields, item})
+        fields = []
+      } else if (item.kind === "stack") {
+        inputs.push({kind: "stack", name: item.name, fields, item})
+        fields = []
+      } else fields.push(item)
+    }
+    const last = row[row.length - 1]
+    const ends = at < shape.rows.length - 1
+    // A stack always ends its row by itself.
+    if (fields.length > 0 || (ends && last?.kind !== "stack")) {
+      inputs.push({kind: "words", name: `row${at}`, fields, ends})
+    }
+  })
+  return inputs
+}
+
+/// Equal for two shapes that differ only in the values of their fields, so that typing into a field does not
+/// rebuild the block under the learner's hands.
+export function skeleton(shape: Shape): string {
+  const bare = (item: Item) => {
+    switch (item.kind) {
+      case "label":
+        return ["l", item.text, item.strong === true]
+      case "menu":
+        return ["m", item.key, item.options]
+      case "socket":
+        return ["s", item.name, item.sort]
+      case "stack":
+        return ["t", item.name, item.sort]
+      case "signature":
+        return ["g"]
+      case "button":
+        return ["b", item.action, item.text]
+      case "text":
+        return ["x", item.key, item.lines === true]
+      default:
+        return [item.kind, item.key]
+    }
+  }
+  return JSON.stringify([shape.connects.as, shape.rows.map(row => row.map(bare))])
+}
+
+/// What each editable field of a shape shows, by key.
+export function values(shape: Shape): ReadonlyMap<string, string> {
+  const found = new Map<string, string>()
+  for (const row of shape.rows) {
+    for (const item of row) if ("key" in item) found.set(item.key, item.value)
+  }
+  return found
+}

@@ -1,0 +1,58 @@
+/// Blocks in and out of a workspace. Loading never throws and never leaves half of a block behind: everything is
+/// tried in a workspace without a picture first, and what cannot be loaded is left out and named.
+
+import type {BlockId, SavedBlock, SavedWorkspace} from "@rosy/codegen"
+import * as Blockly from "blockly/core"
+import {checkerName} from "./checker.ts"
+
+/// The blocks as Blockly and codegen know them, with ids and positions.
+export function saveBlocks(workspace: Blockly.Workspace): SavedWorkspace {
+  const saved = Blockly.serialization.workspaces.save(workspace) as Partial<SavedWorkspace>
+  return {...saved, blocks: saved.blocks ?? {languageVersion: 0, blocks: []}}
+}
+
+export interface Loaded {
+  /// Top-level blocks that could not be loaded, as they were.
+  readonly left: readonly SavedBlock[]
+}
+
+/// Makes `workspace` hold `wanted`. A top-level block that is there already, the same in every respect, stays, with
+/// its selection and its open editors; the others are replaced. No events are fired.
+export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace): Loaded {
+  const left: SavedBlock[] = []
+  const there = new Map(saveBlocks(workspace).blocks.blocks.map(block => [block.id, JSON.stringify(block)]))
+  const coming = new Set<BlockId | undefined>()
+  const scratch = new Blockly.Workspace(new Blockly.Options({plugins: {connectionChecker: checkerName}}))
+  const enabled = Blockly.Events.isEnabled()
+  if (enabled) Blockly.Events.disable()
+  try {
+    const fresh: SavedBlock[] = []
+    for (const block of wanted.blocks.blocks) {
+      if (block.id !== undefined && there.get(block.id) === JSON.stringify(block)) coming.add(block.id)
+      else fresh.push(block)
+    }
+    for (const block of workspace.getTopBlocks(false)) if (!coming.has(block.id)) block.dispose(false)
+    for (const block of fresh) {
+      if (!possible(block, scratch)) left.push(block)
+      else Blockly.serialization.blocks.append(block as Blockly.serialization.blocks.State, workspace)
+    }
+  } finally {
+    scratch.dispose()
+    if (enabled) Blockly.Events.enable()
+  }
+  return {left}
+}
+
+/// Whether Blockly can load a block and all it carries.
+function possible(block: SavedBlock, scratch: Blockly.Workspace): boolean {
+  try {
+    Blockly.serialization.blocks.append(block as Blockly.serialization.blocks.State, scratch)
+    return true
+  } catch {
+    // Blockly throws for unknown kinds, missing sockets and sorts that do not join; the cause does not matter here,
+    // because the text of the program, not its blocks, is what must not be lost.
+    return false
+  } finally {
+    scratch.clear()
+  }
+}

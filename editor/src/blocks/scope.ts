@@ -1,0 +1,40 @@
+/// The place that the learner has chosen, and the names that can be used there.
+
+import type {InScope, Place} from "@rosy/codegen"
+import * as Blockly from "blockly/core"
+import {placeOf} from "./checker.ts"
+import {flyoutBlock} from "./toolbox.ts"
+
+/// The chosen place: the socket with the focus, the first empty socket of the chosen block, or the place the block
+/// itself is in. Opening the toolbox takes the focus away, but Blockly marks where it came from.
+export function chosenPlace(workspace: Blockly.WorkspaceSvg): Place | undefined {
+  const marked = workspace
+    .getSvgGroup()
+    .querySelector(
+      `.${Blockly.FocusManager.PASSIVE_FOCUS_NODE_CSS_CLASS_NAME}, .${Blockly.FocusManager.ACTIVE_FOCUS_NODE_CSS_CLASS_NAME}`,
+    )
+  const node = marked?.id ? workspace.lookUpFocusableNode(marked.id) : null
+  if (node instanceof Blockly.RenderedConnection) return placeOf(node)
+  const block = node instanceof Blockly.Field ? node.getSourceBlock() : node
+  if (!(block instanceof Blockly.BlockSvg)) return undefined
+  for (const input of block.inputList) {
+    if (input.connection !== null && input.connection.targetBlock() === null) return placeOf(input.connection)
+  }
+  const above = block.outputConnection?.targetConnection
+  return above == null ? undefined : placeOf(above)
+}
+
+/// The flyout's contents for the names at a place; those whose type fits come first.
+export function scopeItems(names: readonly InScope[] | undefined): Blockly.utils.toolbox.FlyoutItemInfoArray {
+  const label = (text: string) => ({kind: "label", text})
+  const items: object[] = []
+  if (names === undefined) items.push(label("Choose a block or an empty place first"))
+  else if (names.length === 0) items.push(label("No names can be used here yet"))
+  else {
+    const fitting = names.filter(name => name.fits)
+    const others = names.filter(name => !name.fits)
+    items.push(...fitting.map(flyoutBlock))
+    if (others.length > 0) items.push(label("Other names here"), ...others.map(flyoutBlock))
+  }
+  return items as unknown as Blockly.utils.toolbox.FlyoutItemInfoArray
+}

@@ -1,0 +1,102 @@
+/// The style sheet of the block view. Colours are the page's tokens, so light and dark need no second copy; the
+/// fills of blocks come from `theme.ts`.
+///
+/// Put into the document by `view.ts`, under the class `rosyBlocks`, after Blockly's own.
+
+export const styleSheet = `
+.rosyBlocks { position: relative; height: 100%; overflow: hidden; --on-block: #ffffff; --socket: #00000030; }
+[data-theme=dark] .rosyBlocks, .rosyBlocks[data-theme=dark] { --on-block: #11151b; --socket: #00000038; }
+.rosyBlocks .injectionDiv { --blockly-active-node-color: var(--focus); --blockly-active-tree-color: var(--focus); }
+
+.rosyBlocks .blocklyMainBackground { stroke: none; }
+.rosyBlocks .blocklyText, .rosyBlocks .rosyHint { fill: var(--on-block); }
+.rosyBlocks .injectionDiv .blocklyText.rosyStrong { font-weight: 700; }
+.rosyBlocks .injectionDiv .blocklyText.rosySignature { font: 500 12.5px "JetBrains Mono", ui-monospace, monospace; }
+.rosyBlocks .rosyReference { font-weight: 600; }
+.rosyBlocks .rosyHint { font: 500 12px Inter, system-ui, sans-serif; text-anchor: middle; pointer-events: none; }
+.rosyBlocks .blocklyPath { stroke-width: 1; }
+.rosyBlocks .blocklyOutlinePath { fill: var(--socket); stroke: none; }
+.rosyBlocks .blocklyOutlinePath.rosyHole { stroke: var(--on-block); stroke-width: 1.5; stroke-dasharray: 4 3; }
+
+/* Memory and Maybe: fill, a line of light, and the ring. */
+.rosyBlocks .rosyRing { stroke-width: 5; stroke-linejoin: round; }
+.rosyBlocks .rosyRinged > .blocklyPath:not(.blocklyPathSelected) { stroke: var(--on-block); stroke-width: 1.4; }
+
+/* Fields: what can be changed is a light pill with dark words, a name is a shaded one. */
+.rosyBlocks .blocklyFieldRect { fill: #ffffff; stroke: none; }
+.rosyBlocks .blocklyInputField > .blocklyText, .rosyBlocks .blocklyDropdownField .blocklyText { fill: #1c2230; }
+.rosyBlocks .blocklyDropdownField tspan { fill: #1c2230 !important; }
+.rosyBlocks .rosyBinder > .blocklyFieldRect { fill: #000000; fill-opacity: .24; stroke: var(--on-block); stroke-opacity: .55; stroke-width: 1; }
+[data-theme=dark] .rosyBlocks .rosyBinder > .blocklyFieldRect { fill: #ffffff; fill-opacity: .38; }
+.rosyBlocks .blocklyField.rosyBinder > .blocklyText { fill: var(--on-block); }
+.rosyBlocks .rosyBinder { cursor: grab; }
+.rosyBlocks .injectionDiv .rosyTypeEntry > .blocklyText { font: 500 13px "JetBrains Mono", ui-monospace, monospace; }
+.rosyBlocks .rosyPress > .blocklyFieldRect { fill: var(--on-block); fill-opacity: .18; }
+.rosyBlocks .blocklyField.rosyPress > .blocklyText { fill: var(--on-block); }
+.rosyBlocks .rosyPress { cursor: pointer; }
+.rosyBlocks .blocklyDraggable:not(.blocklyDisabled) .blocklyField:not(.blocklyEditing):not(.blocklyLabelField):hover > .blocklyFieldRect { stroke: var(--on-block); stroke-width: 2; stroke-opacity: 1; }
+.rosyBlocks .blocklyEditing > .blocklyFieldRect { stroke: var(--focus); stroke-width: 2; }
+.blocklyWidgetDiv .blocklyHtmlInput { color: #1c2230; background: #ffffff; border-radius: 13px; box-shadow: 0 0 0 3px color-mix(in srgb, var(--focus) 60%, transparent); }
+.blocklyWidgetDiv .blocklyHtmlInput.blocklyInvalidInput { background: #fde3e1; }
+
+/* Chosen, in step with the text, fired, wrong. */
+.rosyBlocks .blocklySelected > .blocklyPathSelected { fill: none; stroke: var(--rosy); stroke-width: 3; pointer-events: none; }
+.rosyBlocks .blocklyBlock.rosyTold > .blocklyPath { stroke: var(--rosy); stroke-width: 2.5; }
+.rosyBlocks .blocklyBlock.rosyWrong > .blocklyPath:not(.blocklyPathSelected) { stroke: var(--bad); stroke-width: 3; }
+.rosyBlocks .blocklyBlock.rosyFired > .blocklyPath { stroke: var(--on-block); stroke-width: 3; }
+.rosyBlocks .blocklyBlock.rosyLoose > .blocklyPath { stroke-dasharray: 5 4; stroke: var(--ink-2); stroke-width: 1.5; }
+.rosyBlocks .blocklyDragging.rosyRefused > .blocklyPath { stroke: var(--bad); stroke-width: 2.5; stroke-dasharray: 6 4; }
+.rosyBlocks .blocklyReplaceable > .blocklyPath { fill-opacity: .5; }
+.rosyBlocks .blocklyHighlightedConnectionPathVisible { stroke: var(--rosy); stroke-width: 4px; }
+.rosyBlocks .blocklyDragging.blocklyDraggingDelete, .rosyBlocks .blocklyDragging.blocklyDraggingDelete .blocklyField { cursor: not-allowed; }
+.rosyBlocks .blocklyDragging > .blocklyPath { fill-opacity: .93; stroke-opacity: 1; }
+@media (prefers-reduced-motion: no-preference) {
+  .rosyBlocks .blocklyBlock.rosyFired > .blocklyPath { animation: rosyFire .45s ease-out; }
+  @keyframes rosyFire { from { filter: brightness(1.5) drop-shadow(0 0 7px var(--rosy)); } to { filter: brightness(1); } }
+  .rosyBlocks .blocklyDragging.rosyRefused { rotate: -1.6deg; transition: rotate .18s ease-out; }
+}
+
+/* Toolbox. */
+.rosyBlocks .blocklyToolbox { width: 176px; padding: 10px 8px; border-right: 1px solid var(--line); background: var(--paper); color: var(--ink); font: 550 15px/1.3 Inter, system-ui, sans-serif; }
+.rosyBlocks .blocklyToolboxCategory { height: auto; line-height: 1.3; margin: 0 0 2px; padding: 9px 10px !important; border-radius: 8px; border: 0 !important; }
+.rosyBlocks .blocklyToolboxCategory:not(.blocklyToolboxSelected):hover { background: color-mix(in srgb, var(--sunken) 60%, transparent); }
+.rosyBlocks .blocklyToolboxSelected { background: var(--sunken) !important; }
+.rosyBlocks .blocklyToolboxCategory .blocklyTreeRowContentContainer { display: flex; gap: 10px; align-items: center; }
+.rosyBlocks .blocklyToolboxCategoryLabel, .rosyBlocks .blocklyToolboxSelected .blocklyToolboxCategoryLabel { font: inherit; color: var(--ink); white-space: normal; }
+.rosyBlocks .rosySwatch { width: 18px; height: 14px; flex: none; overflow: visible; }
+.rosyBlocks .rosySearch { width: 100%; min-width: 0; font: 400 14px Inter, system-ui, sans-serif; color: var(--ink); background: var(--sunken); border: 1px solid var(--line); border-radius: 8px; padding: 7px 10px; outline-offset: 1px; }
+.rosyBlocks .rosySearch::placeholder { color: var(--ink-2); opacity: 1; }
+.rosyBlocks .rosySearch:focus { outline: 2px solid var(--focus); }
+.rosyBlocks .rosySearchRow { padding: 0 2px 8px !important; background: none !important; }
+.rosyBlocks .blocklyFlyoutBackground { fill: var(--paper); fill-opacity: .97; }
+.rosyBlocks .blocklyFlyout { border-right: 1px solid var(--line); }
+.rosyBlocks .blocklyFlyoutLabelText { fill: var(--ink-2) !important; font: 550 13px Inter, system-ui, sans-serif !important; }
+.rosyBlocks .blocklyFlyoutLabelBackground { opacity: 0; }
+
+/* Menus, tooltips, bubbles. */
+.blocklyDropDownDiv, .blocklyWidgetDiv .blocklyMenu, .blocklyContextMenu { background: var(--paper) !important; border: 1px solid var(--line) !important; border-radius: 10px !important; box-shadow: 0 6px 24px #0003 !important; }
+.blocklyDropDownDiv .blocklyDropDownArrow { display: none; }
+.blocklyDropDownDiv .blocklyMenu, .blocklyWidgetDiv .blocklyMenu { font: 500 14px Inter, system-ui, sans-serif !important; }
+.blocklyDropDownDiv .blocklyMenuItem, .blocklyWidgetDiv .blocklyMenuItem { color: var(--ink) !important; border-radius: 7px; padding: 7px 14px 7px 30px; min-width: 5em; }
+.blocklyDropDownDiv .blocklyMenuItemContent { color: var(--ink) !important; }
+.blocklyDropDownDiv .blocklyMenuItemHighlight, .blocklyWidgetDiv .blocklyMenuItemHighlight { background: var(--sunken); outline: 2px solid var(--focus); outline-offset: -2px; }
+.blocklyMenuItemDisabled.blocklyMenuItem { color: var(--ink-2) !important; opacity: .6; }
+.blocklyMenuItemSelected .blocklyMenuItemCheckbox { background: none; }
+.blocklyMenuItemSelected .blocklyMenuItemCheckbox::before { content: "✓"; color: var(--rosy); font-weight: 700; margin-left: 4px; }
+.blocklyMenuItemContent .blocklyShortcutContainer .blocklyShortcut { color: var(--ink-2) !important; }
+.blocklyTooltipDiv { background: var(--ink) !important; color: var(--paper) !important; border: 0 !important; border-radius: 8px; box-shadow: 0 4px 18px #0003 !important; font: 400 13.5px/1.4 Inter, system-ui, sans-serif !important; opacity: 1 !important; padding: 7px 11px !important; max-width: 320px; }
+.rosyBlocks .blocklyBubble .blocklyText, .rosyBlocks .blocklyText.blocklyBubbleText { fill: #1c2230; font: 500 13.5px Inter, system-ui, sans-serif; }
+.rosyBlocks .rosyWrong .blocklyIconGroup:not(:hover):not(:focus) { opacity: 1; }
+.rosyBlocks .blocklyWarningIcon .blocklyIconShape, .rosyBlocks .blocklyIconGroup .blocklyIconShape { fill: #ffffff; stroke: #1c2230; }
+.rosyBlocks .blocklyIconGroup .blocklyIconSymbol { fill: #b3261e; }
+.rosyBlocks .blocklyIconGroup:not(:hover):not(:focus) { opacity: 1; }
+
+.rosyRefusal { position: absolute; z-index: 100; max-width: 300px; background: var(--ink); color: var(--paper); border-radius: 8px; padding: 7px 11px; font: 400 13.5px/1.4 Inter, system-ui, sans-serif; pointer-events: none; box-shadow: 0 4px 18px #0003; }
+.rosyRefusal code, .rosyRefusal b { font: 600 13px "JetBrains Mono", ui-monospace, monospace; }
+.rosyRefusal[hidden] { display: none; }
+
+.rosyZoom { position: absolute; right: 16px; bottom: 16px; z-index: 30; display: flex; gap: 4px; background: var(--paper); border: 1px solid var(--line); border-radius: 10px; padding: 3px; }
+.rosyZoom button { width: 32px; height: 32px; border: 0; border-radius: 7px; background: none; color: var(--ink); font: 500 17px Inter, system-ui, sans-serif; cursor: pointer; display: grid; place-items: center; }
+.rosyZoom button:hover { background: var(--sunken); }
+.rosyZoom button:focus-visible { outline: 2px solid var(--focus); }
+`

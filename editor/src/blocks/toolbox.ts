@@ -1,0 +1,211 @@
+/// The toolbox: codegen's ready blocks in categories, each with a swatch of its family's colour and outline, a
+/// search over their words, and the names that can be used at the chosen socket.
+
+import type {Family, ToolboxCategory, ToolboxItem} from "@rosy/codegen"
+import * as Blockly from "blockly/core"
+import {outlineOf, pen, sides} from "./outlines.ts"
+
+/// Key of the category that is filled with names when it is opened.
+export const scopeKey = "ROSY_NAMES_IN_SCOPE"
+const searchKind = "rosySearch"
+const categoryKind = "rosyCategory"
+
+type ItemInfo = Blockly.utils.toolbox.ToolboxItemInfo
+type FlyoutInfo = Blockly.utils.toolbox.FlyoutItemInfoArray
+
+interface CategoryInfo {
+  readonly kind: string
+  readonly name: string
+  readonly family?: Family
+  readonly items?: readonly ToolboxItem[]
+  readonly contents?: ItemInfo[]
+  readonly custom?: string
+  readonly toolboxitemid?: string
+}
+
+/// An entry of the flyout for a ready block.
+export function flyoutBlock(item: Pick<ToolboxItem, "block">): ItemInfo {
+  // Ids belong to blocks on the workspace: a copy gets its own.
+  return {kind: "block", ...withoutIds(item.block)} as unknown as ItemInfo
+}
+
+function withoutIds(block: ToolboxItem["block"]): ToolboxItem["block"] {
+  const {id: _, x: __, y: ___, ...rest} = block
+  const copy: ToolboxItem["block"] = {...rest}
+  if (copy.inputs !== undefined) {
+    copy.inputs = Object.fromEntries(
+      Object.entries(copy.inputs).map(([name, input]) => [
+        name,
+        input.block === undefined ? input : {...input, block: withoutIds(input.block)},
+      ]),
+    )
+  }
+  if (copy.next?.block !== undefined) copy.next = {...copy.next, block: withoutIds(copy.next.block)}
+  return copy
+}
+
+/// What Blockly shows beside the workspace.
+export function toolboxInfo(categories: readonly ToolboxCategory[]): Blockly.utils.toolbox.ToolboxInfo {
+  const items = categories.flatMap(category => category.items)
+  const search: CategoryInfo = {kind: searchKind, name: "Search blocks", items, contents: []}
+  const shown = categories.map(
+    (category): CategoryInfo => ({
+      kind: categoryKind,
+      name: category.name,
+      family: category.family,
+      contents: category.items.map(flyoutBlock),
+    }),
+  )
+  const scope: CategoryInfo = {kind: categoryKind, name: "Names in scope", family: "own", custom: scopeKey}
+  return {
+    kind: "categoryToolbox",
+    contents: [search, ...shown, scope] as unknown as ItemInfo[],
+  }
+}
+
+/// Items whose words hold every word of the query, best first: at the start of the label, of a word, anywhere.
+export function search(items: readonly ToolboxItem[], query: string): readonly ToolboxItem[] {
+  const words = query
+    .toLowerCase()
+    .split(/\s+/)
+    .filter(word => word !== "")
+  if (words.length === 0) return []
+  const rank = (label: string) =>
+    words.reduce((sum, word) => {
+      const at = label.indexOf(word)
+      if (at < 0) return Number.NEGATIVE_INFINITY
+      return sum + (at === 0 ? 3 : label[at - 1] === " " ? 2 : 1)
+    }, 0)
+  return items
+    .map((item, order) => ({item, order, rank: rank(item.label.toLowerCase())}))
+    .filter(found => found.rank > 0)
+    .sort((a, b) => b.rank - a.rank || a.order - b.order)
+    .map(found => found.item)
+}
+
+/// A small picture of a family: its outline in its colour.
+function swatch(family: Family): SVGSVGElement {
+  const outline = sides[outlineOf[family]]
+  const height = 14
+  const left = outline.left.width(height)
+  const right = outline.right.width(height)
+  const middle = 18 - left - right
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg")
+  svg.setAttribute("class", "rosySwatch")
+  svg.setAttribute("viewBox", "0 0 18 14")
+  svg.setAttribute("aria-hidden", "true")
+  const path = document.createElementNS("http://www.w3.org/2000/svg", "path")
+  const d =
+    `M ${left},0 h ${middle}${outline.right.path(height, pen(true, false))}` +
+    ` h ${-middle}${outline.left.path(height, pen(false, true))} z`
+  path.setAttribute("d", d)
+  path.setAttribute("fill", `var(--${family})`)
+  if (family === "memory") {
+    path.setAttribute("stroke", "var(--paper)")
+    path.setAttribute("stroke-width", "1")
+    const ring = path.cloneNode() as SVGPathElement
+    ring.setAttribute("stroke", `var(--${family})`)
+    ring.setAttribute("stroke-width", "3.6")
+    svg.append(ring)
+  }
+  svg.append(path)
+  return svg
+}
+
+class Category extends Blockly.ToolboxCategory {
+  protected override createIconDom_(): Element {
+    return swatch((this.toolboxItemDef_ as unknown as CategoryInfo).family ?? "own")
+  }
+
+  // The swatch has the colour already.
+  protected override addColourBorder_(): void {}
+}
+
+class Search extends Blockly.ToolboxCategory {
+  private field: HTMLInputElement | undefined
+
+  protected override createDom_(): HTMLDivElement {
+    const dom = super.createDom_()
+    const field = document.createElement("input")
+    field.id = this.getId()
+    dom.removeAttribute("id")
+    field.type = "search"
+    field.className = "rosySearch"
+    field.placeholder = "Search blocks  /"
+    field.setAttribute("aria-label", "Search blocks")
+    field.autocomplete = "off"
+    field.addEventListener("input", () => this.match())
+    field.addEventListener("keydown", event => this.key(event))
+    this.rowDiv_?.classList.add("rosySearchRow")
+    this.rowContents_?.replaceChildren(field)
+    this.field = field
+    return dom
+  }
+
+  protected override addColourBorder_(): void {}
+
+  override getFocusableElement(): HTMLElement | SVGElement {
+    return this.field ?? super.getFocusableElement()
+  }
+
+  override onNodeFocus(): void {
+    super.onNodeFocus()
+    void Blockly.renderManagement.finishQueuedRenders().then(() => this.match())
+  }
+
+  // Letters belong to the field, but the arrows lead on to the categories and the blocks found.
+  private key(event: KeyboardEvent): void {
+    const navigator = this.parentToolbox_.getNavigator()
+    const end = this.field?.selectionStart === this.field?.value.length
+    const to =
+      event.key === "ArrowDown"
+        ? navigator.getNextNode()
+        : (event.key === "ArrowRight" && end) || event.key === "Enter"
+          ? navigator.getInNode()
+          : undefined
+    if (to) {
+      event.preventDefault()
+      Blockly.getFocusManager().focusNode(to)
+    } else if (event.key === "Escape" && this.field !== undefined && this.field.value !== "") {
+      this.field.value = ""
+      event.stopPropagation()
+      this.match()
+    }
+  }
+
+  private match(): void {
+    const items = (this.toolboxItemDef_ as unknown as CategoryInfo).items ?? []
+    const query = this.field?.value.trim() ?? ""
+    const found = search(items, query)
+    const label = (text: string) => ({kind: "label", text}) as unknown as ItemInfo
+    const shown: ItemInfo[] =
+      query === ""
+        ? [label("Type to find a block")]
+        : found.length === 0
+          ? [label("No block has these words")]
+          : found.map(flyoutBlock)
+    if (query !== "") {
+      Blockly.utils.aria.announceDynamicAriaState(
+        found.length === 1 ? "1 block found" : `${found.length} blocks found`,
+      )
+    }
+    this.flyoutItems_ = shown as FlyoutInfo
+    this.parentToolbox_.refreshSelection()
+  }
+}
+
+/// Tells Blockly about our categories; once for the page.
+export function registerToolbox(): void {
+  const {registry} = Blockly
+  registry.register(registry.Type.TOOLBOX_ITEM, categoryKind, Category, true)
+  registry.register(registry.Type.TOOLBOX_ITEM, searchKind, Search, true)
+}
+
+/// Puts the cursor into the search field.
+export function focusSearch(workspace: Blockly.WorkspaceSvg): void {
+  const item = workspace
+    .getToolbox()
+    ?.getToolboxItems()
+    .find(found => found instanceof Search)
+  if (item !== undefined) Blockly.getFocusManager().focusNode(item as Search)
+}

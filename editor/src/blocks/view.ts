@@ -1,0 +1,394 @@
+/// The block view: Blockly in a host element, behind a small interface that speaks codegen's words only.
+///
+/// Holds no truth of its own: blocks come in through `load`, and every change goes out through `onChange` together
+/// with what inference says about it.
+
+import type {BlockId, BlockProblem, Inference, Level, SavedBlock, SavedWorkspace} from "@rosy/codegen"
+import * as Blockly from "blockly/core"
+import * as English from "blockly/msg/en"
+import {type BuildActions, change, registerBlocks} from "./build.ts"
+import {checkerName, registerChecker} from "./checker.ts"
+import {type DragHost, makeDraggable} from "./drag.ts"
+import type {Tone} from "./families.ts"
+import {type Binder, haskellName} from "./fields.ts"
+import {showInference} from "./infer.ts"
+import type {Language} from "./language.ts"
+import {Marks} from "./marks.ts"
+import {RefusalLine} from "./refusal.ts"
+import {registerRenderer, rendererName} from "./renderer.ts"
+import {loadBlocks, saveBlocks} from "./saved.ts"
+import {chosenPlace, scopeItems} from "./scope.ts"
+import {styleSheet} from "./style.ts"
+import {themes} from "./theme.ts"
+import {focusSearch, registerToolbox, scopeKey, toolboxInfo} from "./toolbox.ts"
+
+export interface BlocksOptions {
+  readonly language: Language
+  readonly tone: Tone
+  readonly level?: Level
+  /// Where Blockly's pictures are served; nothing is fetched from elsewhere.
+  readonly media?: string
+  readonly rightToLeft?: boolean
+}
+
+/// The program as blocks, after the learner changed something.
+export interface BlocksChange {
+  readonly workspace: SavedWorkspace
+  readonly inference: Inference
+}
+
+export interface BlocksView {
+  /// Shows other blocks. Top-level blocks that did not change stay as they are. Never throws: answers what Blockly
+  /// could not show.
+  load(saved: SavedWorkspace): {readonly left: readonly SavedBlock[]}
+  save(): SavedWorkspace
+  /// What inference says about the blocks as they are.
+  inference(): Inference
+  /// Told after each edit by the learner, and not while something is being moved. Answers how to stop.
+  onChange(listener: (change: BlocksChange) => void): () => void
+  /// Told when another block is chosen.
+  onSelect(listener: (block: BlockId | undefined) => void): () => void
+  /// Chooses a block, brings it into view and gives it the focus.
+  select(block: BlockId | undefined): void
+  /// Brings a block into view and leaves the focus where it is.
+  reveal(block: BlockId): void
+  /// Outlines the blocks that the cursor in the text is in.
+  highlight(blocks: readonly BlockId[]): void
+  /// Lets the definitions of functions glow, by name.
+  glow(functions: readonly string[]): void
+  /// Shows problems from the compiler or a run on their blocks, until called again.
+  mark(problems: readonly BlockProblem[]): void
+  setTone(tone: Tone): void
+  setLevel(level: Level): void
+  undo(): void
+  redo(): void
+  canUndo(): boolean
+  canRedo(): boolean
+  /// Shows everything at once.
+  zoomToFit(): void
+  /// Brings top-level blocks that lie out of sight to the others; moves nothing else.
+  bringStraysHome(): void
+  /// Gives the keyboard to the workspace.
+  focus(): void
+  /// Gives the keyboard to the search of the toolbox.
+  focusSearch(): void
+  resize(): void
+  dispose(): void
+}
+
+const blocklyThemes = new Map<Tone, Blockly.Theme>()
+let registered: Language | undefined
+let open: BuildActions | undefined
+
+/// Blockly keeps its kinds of blocks, renderers and themes per document, not per workspace.
+function register(language: Language): void {
+  if (registered === undefined) {
+    Blockly.setLocale(English as unknown as Record<string, string>)
+    registerRenderer()
+    registerChecker()
+    registerToolbox()
+    for (const [tone, theme] of Object.entries(themes())) blocklyThemes.set(tone as Tone, theme)
+    const sheet = document.createElement("style")
+    sheet.dataset.for = "blocks"
+    sheet.textContent = styleSheet
+    document.head.append(sheet)
+  }
+  if (registered !== language) registerBlocks(language.blockTypes, () => open)
+  registered = language
+}
+
+/// Opens the block view in `host`, which gives it its size. One at a time.
+export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksView {
+  const {language} = options
+  register(language)
+  host.classList.add("rosyBlocks")
+  const refusal = new RefusalLine(host)
+  let level: Level = options.level ?? "reactions"
+  const workspace = Blockly.inject(host, {
+    renderer: rendererName,
+    theme: blocklyThemes.get(options.tone)!,
+    plugins: {connectionChecker: checkerName},
+    toolbox: toolboxInfo(language.toolbox(level)),
+    media: options.media ?? "media/",
+    rtl: options.rightToLeft ?? false,
+    sounds: false,
+    trashcan: false,
+    comments: true,
+    collapse: true,
+    disable: false,
+    grid: {spacing: 22, length: 1, colour: "#00000000", snap: false},
+    move: {scrollbars: {horizontal: true, vertical: true}, drag: true, wheel: true},
+    zoom: {
+      controls: false,
+      wheel: false,
+      pinch: true,
+      startScale: 1,
+      maxScale: 2.5,
+      minScale: 0.35,
+      scaleSpeed: 1.15,
+    },
+  })
+  const marks = new Marks(workspace)
+  const changeListeners = new Set<(change: BlocksChange) => void>()
+  const selectListeners = new Set<(block: BlockId | undefined) => void>()
+  let inference: Inference = language.infer(saveBlocks(workspace))
+  let due = false
+
+  const dragHost: DragHost = {asker: () => language.checker(saveBlocks(workspace)), refusal}
+
+  const adoptBlocks = () => {
+    for (const block of workspace.getAllBlocks(false)) {
+      if (block.isInsertionMarker() || draggable.has(block)) continue
+      draggable.add(block)
+      makeDraggable(block, dragHost)
+    }
+  }
+  const draggable = new WeakSet<Blockly.BlockSvg>()
+
+  const refresh = (): SavedWorkspace => {
+    adoptBlocks()
+    const saved = saveBlocks(workspace)
+    inference = language.infer(saved)
+    showInference(workspace, inference)
+    marks.setInferred(inference.problems)
+    return saved
+  }
+
+  const settle = () => {
+    due = false
+    if (workspace.isDragging()) return
+    const saved = refresh()
+    for (const listener of changeListeners) listener({workspace: saved, inference})
+  }
+
+  const announceLater = () => {
+    if (due) return
+    due = true
+    queueMicrotask(settle)
+  }
+
+  workspace.addChangeListener(event => {
+    if (event.type === Blockly.Events.SELECTED) {
+      const chosen = (event as Blockly.Events.Selected).newElementId
+      const block = chosen == null ? null : workspace.getBlockById(chosen)
+      for (const listener of selectListeners) listener(block?.id)
+    }
+    const dropped = event.type === Blockly.Events.BLOCK_DRAG && !(event as Blockly.Events.BlockDrag).isStart
+    // A block from the toolbox is moved before anything is told about it; it must be ours by then.
+    if (event.type === Blockly.Events.BLOCK_CREATE) adoptBlocks()
+    if (dropped || !event.isUiEvent) announceLater()
+  })
+
+  workspace.registerToolboxCategoryCallback(scopeKey, () => {
+    const place = chosenPlace(workspace)
+    return scopeItems(place === undefined ? undefined : language.namesInScope(saveBlocks(workspace), place))
+  })
+
+  const actions: BuildActions = {
+    renamed: (block, key, wanted) => {
+      const name = haskellName(wanted)
+      const answer =
+        name === null
+          ? ({ok: false, why: "A name starts with a small letter and has no spaces."} as const)
+          : language.rename(saveBlocks(workspace), block.id, key, name)
+      if (!answer.ok) {
+        say(workspace, answer.why)
+        return
+      }
+      Blockly.Events.setGroup(true)
+      for (const {block: id, extra} of answer.changes) {
+        const changed = workspace.getBlockById(id)
+        if (changed !== null) change(changed, extra)
+      }
+      Blockly.Events.setGroup(false)
+    },
+    pulled: (field, event) => pull(workspace, field, event, adoptBlocks),
+  }
+  open = actions
+
+  const zoom = zoomButtons(host, workspace)
+  const observer = new ResizeObserver(() => Blockly.svgResize(workspace))
+  observer.observe(host)
+  // Widths measured before the fonts arrived are wrong.
+  void Promise.all(fonts.map(font => document.fonts.load(font))).then(() => measureAgain(workspace))
+
+  return {
+    load(saved) {
+      const loaded = loadBlocks(workspace, saved)
+      workspace.clearUndo()
+      refresh()
+      marks.forget()
+      return loaded
+    },
+    save: () => saveBlocks(workspace),
+    inference: () => inference,
+    onChange(listener) {
+      changeListeners.add(listener)
+      return () => changeListeners.delete(listener)
+    },
+    onSelect(listener) {
+      selectListeners.add(listener)
+      return () => selectListeners.delete(listener)
+    },
+    select(id) {
+      const block = id === undefined ? null : workspace.getBlockById(id)
+      if (block === null) {
+        Blockly.getFocusManager().focusNode(workspace)
+        return
+      }
+      Blockly.getFocusManager().focusNode(block)
+      workspace.centerOnBlock(block.id)
+    },
+    reveal(id) {
+      const block = workspace.getBlockById(id)
+      if (block !== null && !inSight(workspace, block)) workspace.centerOnBlock(id)
+    },
+    highlight: blocks => marks.highlight(blocks),
+    glow(functions) {
+      const wanted = new Set(functions)
+      const ids: BlockId[] = []
+      for (const [id, definition] of inference.definitions) if (wanted.has(definition.name)) ids.push(id)
+      marks.glow(ids)
+    },
+    mark: problems => marks.setTold(problems),
+    setTone(tone) {
+      host.dataset.theme = tone
+      workspace.setTheme(blocklyThemes.get(tone)!)
+    },
+    setLevel(wanted) {
+      if (wanted === level) return
+      level = wanted
+      workspace.updateToolbox(toolboxInfo(language.toolbox(level)))
+    },
+    undo: () => workspace.undo(false),
+    redo: () => workspace.undo(true),
+    canUndo: () => workspace.getUndoStack().length > 0,
+    canRedo: () => workspace.getRedoStack().length > 0,
+    zoomToFit: () => workspace.zoomToFit(),
+    bringStraysHome: () => bringHome(workspace),
+    focus: () => Blockly.getFocusManager().focusTree(workspace),
+    focusSearch: () => focusSearch(workspace),
+    resize: () => Blockly.svgResize(workspace),
+    dispose() {
+      observer.disconnect()
+      marks.dispose()
+      refusal.dispose()
+      zoom.remove()
+      if (open === actions) open = undefined
+      workspace.dispose()
+      host.classList.remove("rosyBlocks")
+    },
+  }
+}
+
+/// What words on blocks are set in (`theme.ts`, `style.ts`).
+const fonts = ['600 14px "Inter"', '700 14px "Inter"', '500 12px "Inter"', '500 12px "JetBrains Mono"']
+
+function measureAgain(workspace: Blockly.WorkspaceSvg): void {
+  for (const one of [workspace, workspace.getFlyout()?.getWorkspace()]) {
+    for (const block of one?.getAllBlocks(false) ?? []) {
+      for (const input of block.inputList) for (const field of input.fieldRow) field.markDirty()
+      block.queueRender()
+    }
+  }
+}
+
+/// Tells the learner why nothing happened, for the eye and for a screen reader.
+function say(workspace: Blockly.WorkspaceSvg, message: string): void {
+  Blockly.Toast.show(workspace, {message, id: "rosy"})
+}
+
+/// Takes a reference out of its binder and puts it under the pointer, which goes on dragging it.
+function pull(workspace: Blockly.WorkspaceSvg, field: Binder, event: PointerEvent, adopt: () => void): void {
+  const name = field.getValue() ?? ""
+  if (haskellName(name) === null) return
+  workspace.cancelCurrentGesture()
+  Blockly.Events.setGroup(true)
+  const at = Blockly.utils.svgMath.screenToWsCoordinates(
+    workspace,
+    new Blockly.utils.Coordinate(event.clientX, event.clientY),
+  )
+  const block = Blockly.serialization.blocks.append(
+    {type: "name", extraState: {name}, x: at.x - 24, y: at.y - 14},
+    workspace,
+    {recordUndo: true},
+  ) as Blockly.BlockSvg
+  adopt()
+  // A press on the new block at the same spot: from here on it is an ordinary drag.
+  block.getSvgRoot().dispatchEvent(
+    new PointerEvent("pointerdown", {
+      bubbles: true,
+      cancelable: true,
+      clientX: event.clientX,
+      clientY: event.clientY,
+      pointerId: event.pointerId,
+      pointerType: event.pointerType,
+      isPrimary: event.isPrimary,
+      button: 0,
+      buttons: 1,
+    }),
+  )
+  Blockly.Events.setGroup(false)
+}
+
+function inSight(workspace: Blockly.WorkspaceSvg, block: Blockly.BlockSvg): boolean {
+  const view = workspace.getMetricsManager().getViewMetrics(true)
+  const box = block.getBoundingRectangle()
+  return (
+    box.left >= view.left &&
+    box.top >= view.top &&
+    box.left < view.left + view.width &&
+    box.top < view.top + view.height
+  )
+}
+
+/// Pixels between a stray that was brought home and the blocks it comes to.
+const homeGap = 28
+
+/// A stray is a top-level block that overlaps nothing in reach: further from all others than a screen.
+function bringHome(workspace: Blockly.WorkspaceSvg): void {
+  const tops = workspace.getTopBlocks(true)
+  if (tops.length < 2) return
+  const view = workspace.getMetricsManager().getViewMetrics(true)
+  const boxes = tops.map(block => block.getBoundingRectangle())
+  const median = (values: number[]) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)]!
+  const middle = {x: median(boxes.map(box => box.left)), y: median(boxes.map(box => box.top))}
+  const strays = tops.filter((_, at) => {
+    const box = boxes[at]!
+    return (
+      Math.abs(box.left - middle.x) > view.width * 1.5 || Math.abs(box.top - middle.y) > view.height * 2.5
+    )
+  })
+  if (strays.length === 0) return
+  const home = boxes.filter((_, at) => !strays.includes(tops[at]!))
+  let y = Math.max(...home.map(box => box.bottom)) + homeGap
+  const x = Math.min(...home.map(box => box.left))
+  Blockly.Events.setGroup(true)
+  for (const block of strays) {
+    const box = block.getBoundingRectangle()
+    block.moveBy(x - box.left, y - box.top, ["cleanup"])
+    y += box.getHeight() + homeGap
+  }
+  Blockly.Events.setGroup(false)
+}
+
+function zoomButtons(host: HTMLElement, workspace: Blockly.WorkspaceSvg): HTMLElement {
+  const bar = document.createElement("div")
+  bar.className = "rosyZoom"
+  bar.setAttribute("role", "group")
+  bar.setAttribute("aria-label", "Zoom")
+  const button = (text: string, label: string, act: () => void) => {
+    const made = document.createElement("button")
+    made.type = "button"
+    made.textContent = text
+    made.title = label
+    made.setAttribute("aria-label", label)
+    made.addEventListener("click", act)
+    bar.append(made)
+  }
+  button("−", "Zoom out", () => workspace.zoomCenter(-1))
+  button("+", "Zoom in", () => workspace.zoomCenter(1))
+  button("⤢", "Show all blocks", () => workspace.zoomToFit())
+  host.append(bar)
+  return bar
+}

@@ -1,0 +1,44 @@
+import type {Shape} from "@rosy/codegen"
+import {describe, expect, test} from "vitest"
+import {plan, skeleton, values} from "../../src/blocks/plan.ts"
+import {small} from "./small.ts"
+
+const view = (type: string) => small.blockTypes.find(found => found.type === type)!
+const outline = (shape: Shape) =>
+  plan(shape).map(input => `${input.kind} ${input.name} ${input.fields.length}`)
+
+describe("the inputs of a block", () => {
+  test("words stand before the next socket, a row ends where it says so", () => {
+    expect(outline(view("function").shape({}))).toEqual([
+      "words row0 2",
+      "socket P0 1",
+      "words row1 0",
+      "socket E0 1",
+    ])
+  })
+
+  test("a stack ends its row by itself", () => {
+    expect(outline(view("do").shape({}))).toEqual(["words row0 1", "stack S 0"])
+  })
+
+  test("a block that grows keeps the names of its sockets", () => {
+    const sockets = (count: number) =>
+      plan(view("main").shape({count}))
+        .filter(input => input.kind === "socket")
+        .map(input => input.name)
+    expect(sockets(3)).toEqual(["C0", "C1", "C2"])
+    expect(sockets(2)).toEqual(sockets(3).slice(0, 2))
+  })
+})
+
+test("typing into a field changes values, not bones", () => {
+  const number = view("number")
+  const [one, two] = [number.shape({value: "1"}), number.shape({value: "2"})]
+  expect(skeleton(one)).toBe(skeleton(two))
+  expect(values(two).get("value")).toBe("2")
+})
+
+test("another socket changes the bones", () => {
+  const main = view("main")
+  expect(skeleton(main.shape({count: 1}))).not.toBe(skeleton(main.shape({count: 2})))
+})

@@ -1,0 +1,40 @@
+import {expect, test} from "vitest"
+import {flyoutBlock, search, toolboxInfo} from "../../src/blocks/toolbox.ts"
+import {small} from "./small.ts"
+
+const items = small.toolbox("reactions").flatMap(category => category.items)
+const found = (query: string) => search(items, query).map(item => item.label)
+
+test("every word of a query must be somewhere in the label, in any order", () => {
+  expect(found("drive velocity")).toEqual(["velocity drive speed"])
+  expect(found("drive sound")).toEqual([])
+})
+
+test("the start of a label counts more than the start of a word, and that more than the middle", () => {
+  const labels = ["xtrue", "not true", "true"]
+  const made = labels.map(label => ({label, block: {type: label}}))
+  expect(search(made, "true").map(item => item.label)).toEqual(["true", "not true", "xtrue"])
+})
+
+test("nothing is found for nothing", () => {
+  expect(found("  ")).toEqual([])
+})
+
+test("a block from the toolbox brings no id along, at any depth", () => {
+  const block = {
+    type: "a",
+    id: "1",
+    x: 3,
+    inputs: {L: {block: {type: "b", id: "2"}}},
+    next: {block: {type: "c", id: "3"}},
+  }
+  expect(JSON.stringify(flyoutBlock({block}))).not.toMatch(/"id"|"x"/)
+})
+
+test("search comes first and the names in scope last", () => {
+  const names = (toolboxInfo(small.toolbox("reactions")).contents as unknown as {name: string}[]).map(
+    c => c.name,
+  )
+  expect(names[0]).toBe("Search blocks")
+  expect(names.at(-1)).toBe("Names in scope")
+})
