@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent
 # Modules named GHC.* that belong to base and are no part of the compiler's API.
 GHC_IN_BASE = {
     "GHC.Generics", "GHC.Stack", "GHC.TypeLits", "GHC.Conc", "GHC.Exts", "GHC.Float", "GHC.IO",
-    "GHC.Records", "GHC.Stats", "GHC.Clock", "GHC.Word", "GHC.Foreign", "GHC.IO.Encoding", "GHC.IO.Handle", "GHC.Base",
+    "GHC.Records", "GHC.Stats", "GHC.Clock", "GHC.Word", "GHC.Fingerprint", "GHC.Foreign", "GHC.IO.Encoding", "GHC.IO.Handle", "GHC.Base",
 }  # fmt: skip
 
 TOP_LEVEL = {

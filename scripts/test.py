@@ -85,7 +85,7 @@ class Suite:
 
 def haskell_files() -> list[str]:
     listed = subprocess.run(
-        ["git", "ls-files", "*.hs", ":!*/gallery/*", ":!*/attacks/*", ":!examples/*"], cwd=ROOT, capture_output=True, check=True, text=True
+        ["git", "ls-files", "*.hs", ":!*/generated/*", ":!*/gallery/*", ":!*/attacks/*", ":!examples/*"], cwd=ROOT, capture_output=True, check=True, text=True
     )
     return [f for f in listed.stdout.split() if (ROOT / f).exists()]
 
