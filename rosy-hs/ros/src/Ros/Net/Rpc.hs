@@ -1,0 +1,160 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Ros.Net.Rpc
+-- Description : Calls over sockets: one out, many in.
+--
+-- In: a call and where to send it; or a function that answers calls. Out: the answer or what went
+-- wrong; or a server on a port of the system's choice. Every call has its own connection and a time
+-- limit. This module does not know what the calls mean.
+module Ros.Net.Rpc
+  ( -- * Asking
+    Uri (..),
+    readUri,
+    showUri,
+    call,
+    RpcError (..),
+    explainRpcError,
+
+    -- * Answering
+    listenAnywhere,
+    serveCalls,
+
+    -- * Sockets
+    connectTo,
+    accepting,
+  )
+where
+
+import Control.Applicative ((<|>))
+import Control.Concurrent (ThreadId, forkIOWithUnmask, killThread, myThreadId)
+import Control.Concurrent.MVar (modifyMVar_, newMVar, readMVar)
+import Control.Exception (IOException, bracket, bracketOnError, finally, mask_, onException, try)
+import Control.Monad (forever, void, when)
+import qualified Data.ByteString as B
+import Data.Char (isDigit, isSpace)
+import Data.List (stripPrefix)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
+import Network.Socket
+import Network.Socket.ByteString (recv)
+import Network.Socket.ByteString.Lazy (sendAll)
+import Ros.Net.Http
+import Ros.Net.XmlRpc
+import System.Timeout (timeout)
+
+-- | @http://host:port/@
+data Uri = Uri {uriHost :: String, uriPort :: Int}
+  deriving (Eq, Ord, Show)
+
+-- | Also without the @http@, and without a port: then it is the master's, 11311.
+readUri :: String -> Maybe Uri
+readUri t = case break (== ':') rest of
+  (host@(_ : _), ':' : digits) | d@(_ : _) <- takeWhile isDigit digits, length d < 6, read d < (65536 :: Int) -> Just (Uri host (read d))
+  (host@(_ : _), "") -> Just (Uri (takeWhile (/= '/') host) 11311)
+  _ -> Nothing
+  where
+    trimmed = filter (not . isSpace) t
+    rest = fromMaybe trimmed (stripPrefix "http://" trimmed <|> stripPrefix "rosrpc://" trimmed)
+
+showUri :: Uri -> String
+showUri (Uri h p) = "http://" ++ h ++ ":" ++ show p ++ "/"
+
+data RpcError
+  = -- | Nobody answers there.
+    Unreachable Uri String
+  | -- | It took too long.
+    Slow Uri
+  | -- | What came back is not XML-RPC.
+    Garbled Uri String
+  | -- | The other side says it failed.
+    Refused String
+  deriving (Eq, Show)
+
+explainRpcError :: RpcError -> String
+explainRpcError e = case e of
+  Unreachable u why -> "nothing answers at " ++ showUri u ++ " (" ++ why ++ ")"
+  Slow u -> showUri u ++ " did not answer in time"
+  Garbled u why -> showUri u ++ " answered with something else than XML-RPC (" ++ why ++ ")"
+  Refused why -> why
+
+-- | A call must be answered within 5 s: peers answer in a millisecond, and a node must notice a dead one.
+limit :: Int
+limit = 5000000
+
+call :: Uri -> Call -> IO (Either RpcError Value)
+call uri c = do
+  done <- timeout limit (try (bracket (connectTo (uriHost uri) (uriPort uri)) close exchange))
+  pure $ case done of
+    Nothing -> Left (Slow uri)
+    Just (Left e) -> Left (Unreachable uri (show (e :: IOException)))
+    Just (Right r) -> r
+  where
+    exchange s = do
+      sendAll s (post (uriHost uri ++ ":" ++ show (uriPort uri)) "/RPC2" (encodeCall c))
+      readAnswer s B.empty
+    readAnswer s seen = do
+      more <- recv s 65536
+      let bytes = seen <> more
+      case parseMessage bytes of
+        Whole _ body _ -> pure (understand body)
+        Bad why -> pure (Left (Garbled uri why))
+        More _
+          | not (B.null more) -> readAnswer s bytes
+          | Just (_, body) <- bodyAtEnd bytes -> pure (understand body)
+          | otherwise -> pure (Left (Garbled uri "the connection ended early"))
+    understand body = case decodeAnswer body of
+      Right (Answer v) -> Right v
+      Right (Fault why) -> Left (Refused why)
+      Left (NotXmlRpc wanted got) -> Left (Garbled uri ("expected " ++ wanted ++ ", got " ++ got))
+
+-- | TCP to a host by name or number, without delay for small packets.
+connectTo :: String -> Int -> IO Socket
+connectTo host port = do
+  addresses <- getAddrInfo (Just defaultHints {addrSocketType = Stream}) (Just host) (Just (show port))
+  attempt addresses
+  where
+    attempt [] = ioError (userError "no address")
+    attempt [a] = open a
+    attempt (a : as) = try (open a) >>= either (\(_ :: IOException) -> attempt as) pure
+    open a = bracketOnError (socket (addrFamily a) Stream defaultProtocol) close $ \s -> do
+      setSocketOption s NoDelay 1
+      connect s (addrAddress a)
+      pure s
+
+-- | A listening socket on a port of the system's choice; on loopback alone when others are not meant to
+-- reach this node.
+listenAnywhere :: Bool -> IO (Socket, Int)
+listenAnywhere onlyHere = bracketOnError (socket AF_INET Stream defaultProtocol) close $ \s -> do
+  bind s (SockAddrInet 0 (if onlyHere then tupleToHostAddress (127, 0, 0, 1) else 0))
+  listen s 128
+  port <- socketPort s
+  pure (s, fromIntegral port)
+
+-- | Accepts for ever, a thread per connection. When it ends, however it ends, so do they.
+accepting :: Socket -> (Socket -> IO ()) -> IO ()
+accepting listener serve = do
+  open <- newMVar (Map.empty :: Map.Map ThreadId ())
+  let child :: Socket -> (forall b. IO b -> IO b) -> IO ()
+      child s unmask = do
+        me <- myThreadId
+        modifyMVar_ open (pure . Map.insert me ())
+        void (try (unmask (setSocketOption s NoDelay 1 >> serve s)) :: IO (Either IOException ()))
+          `finally` (close s >> modifyMVar_ open (pure . Map.delete me))
+  forever (mask_ (accept listener >>= \(s, _) -> forkIOWithUnmask (child s) `onException` close s))
+    `finally` (readMVar open >>= mapM_ killThread . Map.keys)
+
+-- | Answers calls until it is cancelled.
+serveCalls :: Socket -> (Call -> IO Answer) -> IO ()
+serveCalls listener answer = accepting listener (`loop` B.empty)
+  where
+    loop s seen = case parseMessage seen of
+      Whole top body behind -> do
+        reply <- either (\(NotXmlRpc wanted _) -> pure (Fault ("expected " ++ wanted))) answer (decodeCall body)
+        sendAll s (ok (keepsAlive top) (encodeAnswer reply))
+        when (keepsAlive top) (loop s behind)
+      Bad _ -> sendAll s refusal
+      More top -> do
+        when (maybe False wantsContinue top && B.length seen < maxHead) (sendAll s "HTTP/1.1 100 Continue\r\n\r\n")
+        more <- recv s 65536
+        if B.null more then pure () else loop s (seen <> more)

@@ -1,0 +1,149 @@
+-- |
+-- Module      : Ros.Node.Publish
+-- Description : Topics that this node publishes.
+--
+-- In: messages from the program, connections from subscribers. Out: every message to every subscriber,
+-- in order; a subscriber that is slow loses the oldest ones once its queue is full, and holds up
+-- nobody else.
+module Ros.Node.Publish
+  ( Publisher,
+    PublisherOptions (..),
+    publisherOptions,
+    openPublication,
+    registerPublication,
+    publish,
+    subscriberCount,
+    serveSubscriber,
+    drained,
+  )
+where
+
+import Control.Concurrent.Async (race_)
+import Control.Concurrent.STM
+import Control.Exception (finally)
+import Control.Monad (forM_, unless, void, when)
+import qualified Data.ByteString as B
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
+import Data.Proxy (Proxy (..))
+import Network.Socket (Socket)
+import Network.Socket.ByteString (recv, sendAll, sendMany)
+import Ros.Message (Message (..), RosBinary (..))
+import Ros.Names (Naming (..))
+import Ros.Net.Master (registerPublisher)
+import Ros.Net.Tcpros
+import Ros.Node.Core
+import Ros.Queue
+
+-- | A topic open for messages of one type.
+data Publisher a = Publisher Core Publication
+
+data PublisherOptions = PublisherOptions
+  { -- | messages that may wait for a slow subscriber; then the oldest goes
+    queueSize :: Int,
+    -- | a new subscriber gets the last message at once
+    latched :: Bool
+  }
+
+-- | 1,000 messages, not latched: a burst of a second at 1 kHz is kept.
+publisherOptions :: PublisherOptions
+publisherOptions = PublisherOptions 1000 False
+
+-- | Registers the topic with the master, once per node and topic.
+openPublication :: forall a. Message a => Core -> PublisherOptions -> String -> IO (Publisher a)
+openPublication core options topic = do
+  fresh <- Publication offer (latched options) <$> newTVarIO Nothing <*> newTVarIO 0 <*> newTVarIO Map.empty <*> newTVarIO (queueSize options)
+  (isNew, p) <- atomically $ do
+    known <- readTVar (publications core)
+    case Map.lookup topic known of
+      Nothing -> writeTVar (publications core) (Map.insert topic fresh known) >> pure (True, fresh)
+      Just old
+        | offerMd5 (pubOffer old) /= offerMd5 offer -> throwSTM (TwoTypes topic (offerType (pubOffer old)) (offerType offer))
+        | otherwise -> modifyTVar' (pubBound old) (max (queueSize options)) >> pure (False, old)
+  when isNew (registerPublication core p)
+  pure (Publisher core p)
+  where
+    offer = Offer (ownName (coreNaming core)) topic (messageType kind) (messageMd5 kind) (messageDefinition kind)
+    kind = Proxy :: Proxy a
+
+-- | Tells the master. When it cannot be told now, "Ros.Node.Run" tells it later.
+registerPublication :: Core -> Publication -> IO ()
+registerPublication core p =
+  registerPublisher (master core) (offerTopic (pubOffer p)) (offerType (pubOffer p))
+    >>= either (const (atomically (writeTVar (unregistered core) True))) pure
+
+-- | Sends a message to all who subscribe. Does not wait for them.
+publish :: Message a => Publisher a -> a -> IO ()
+publish (Publisher _ p) message = do
+  n <- atomically (stateTVar (pubNext p) (\i -> (i, i + 1)))
+  let bytes = frame (put (numbered n message))
+  -- Here, so that an error in the message belongs to whoever publishes it.
+  bytes `seq` atomically $ do
+    when (pubLatched p) (writeTVar (pubLast p) (Just bytes))
+    outlets <- readTVar (pubOutlets p)
+    forM_ outlets (\o -> push (outletQueue o) bytes)
+
+-- | How many subscribers are connected now.
+subscriberCount :: Publisher a -> STM Int
+subscriberCount (Publisher _ p) = Map.size <$> readTVar (pubOutlets p)
+
+-- | One subscriber, from its header until it leaves.
+serveSubscriber :: Core -> Socket -> IO ()
+serveSubscriber core s = readHeader noBytes >>= maybe (pure ()) answer
+  where
+    readHeader seen = do
+      more <- recv s 65536
+      if B.null more
+        then pure Nothing
+        else case feed maxHeader seen more of
+          Right ([], rest) -> readHeader rest
+          Right (h : _, _) -> pure (Just h)
+          Left _ -> pure Nothing
+    answer bytes = do
+      known <- readTVarIO (publications core)
+      let agreed = do
+            theirs <- either (Left . TheyRefuse) Right (decodeFields bytes)
+            topic <- maybe (Left (MissingField "topic")) Right (lookup "topic" theirs)
+            p <- maybe (Left (UnknownTopic topic)) Right (Map.lookup topic known)
+            publisherAccepts (pubOffer p) theirs
+            pure (theirs, p)
+      case agreed of
+        Left why -> sendAll s (frame (encodeFields (errorFields why)))
+        Right (theirs, p) -> do
+          sendAll s (frame (encodeFields (publisherFields (pubLatched p) (pubOffer p))))
+          deliver core s p (fromMaybe "?" (lookup "callerid" theirs))
+
+-- | A subscriber's header is a few hundred bytes and a message definition.
+maxHeader :: Int
+maxHeader = 1024 * 1024
+
+deliver :: Core -> Socket -> Publication -> String -> IO ()
+deliver core s p peer = do
+  n <- freshId core
+  bound <- readTVarIO (pubBound p)
+  outlet <- Outlet peer <$> newQueue bound <*> newTVarIO False <*> newTVarIO (0, 0)
+  let writer = do
+        batch <- atomically (popAll (outletQueue outlet) <* writeTVar (outletBusy outlet) True)
+        sendMany s batch
+        atomically $ do
+          writeTVar (outletBusy outlet) False
+          (ms, bs) <- readTVar (outletSent outlet)
+          writeTVar (outletSent outlet) $! strict (ms + length batch, bs + sum (map B.length batch))
+        writer
+      -- A subscriber says nothing; when its side closes, this notices before the next message would.
+      untilClosed = recv s 4096 >>= \b -> unless (B.null b) untilClosed
+      leave = atomically (modifyTVar' (pubOutlets p) (Map.delete n))
+  -- The last message and the place among the outlets in one step: nothing falls between them.
+  atomically $ do
+    readTVar (pubLast p) >>= mapM_ (push (outletQueue outlet))
+    modifyTVar' (pubOutlets p) (Map.insert n outlet)
+  race_ (void writer) untilClosed `finally` leave
+  where
+    strict (a, b) = a `seq` b `seq` (a, b)
+
+-- | All that was published has left this program.
+drained :: Core -> STM Bool
+drained core = do
+  ps <- readTVar (publications core)
+  outlets <- concatMap Map.elems <$> mapM (readTVar . pubOutlets) (Map.elems ps)
+  and <$> mapM (\o -> (&&) <$> isEmpty (outletQueue o) <*> (not <$> readTVar (outletBusy o))) outlets

@@ -1,0 +1,203 @@
+-- |
+-- Module      : Ros.Node.Run
+-- Description : The life of a node, from its arguments to its last message.
+--
+-- In: a name, arguments and environment. Out: a running 'Core' for as long as an action needs it.
+-- However the action ends, what was published is sent, every topic is unregistered, and no thread or
+-- socket stays.
+module Ros.Node.Run
+  ( Settings (..),
+    settingsFromSystem,
+    withCore,
+  )
+where
+
+import Control.Concurrent (threadDelay)
+import Control.Concurrent.Async (forConcurrently_)
+import Control.Concurrent.MVar (newMVar, withMVar)
+import Control.Concurrent.STM
+import Control.Exception
+import Control.Monad (forM, forM_, forever, unless, void)
+import Data.Either (fromRight)
+import Data.List (isPrefixOf)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (catMaybes, fromMaybe, listToMaybe)
+import Network.Socket
+import Ros.Names
+import Ros.Net.Master
+import Ros.Net.Rpc
+import Ros.Net.Slave
+import Ros.Net.Tcpros (offerTopic, offerType)
+import Ros.Net.XmlRpc
+import Ros.Node.Core
+import Ros.Node.Publish
+import Ros.Node.Subscribe
+import System.Environment (getArgs, getEnvironment, getProgName)
+import System.Posix.Process (getProcessID)
+import System.Timeout (timeout)
+
+-- | What a node takes from outside the program.
+data Settings = Settings
+  { arguments :: Arguments,
+    environment :: [(String, String)],
+    programName :: String
+  }
+
+settingsFromSystem :: IO Settings
+settingsFromSystem = Settings . readArguments <$> getArgs <*> getEnvironment <*> getProgName
+
+-- | Runs the action inside a node of this name.
+withCore :: Settings -> String -> (Core -> IO a) -> IO a
+withCore settings name act = do
+  uri <- maybe (throwIO (StrangeMaster address)) pure (readUri address)
+  host <- hostFor settings uri
+  let onlyHere = "127." `isPrefixOf` host || host == "localhost"
+  withSocket onlyHere $ \calls callPort -> withSocket onlyHere $ \topics topicPort -> do
+    core <-
+      Core (nodeFullName (arguments settings) (set "ROS_NAMESPACE") name) uri (Uri host callPort) host topicPort (programName settings)
+        <$> newTVarIO Map.empty
+        <*> newTVarIO Map.empty
+        <*> newTVarIO Map.empty
+        <*> newTVarIO False
+        <*> newEmptyTMVarIO
+        <*> newTVarIO Map.empty
+        <*> newTVarIO 0
+    effects <- newTQueueIO
+    started <- newMVar ()
+    let start = withMVar started $ \() -> do
+          _ <- spawnLinked core (serveCalls calls (answering core effects))
+          _ <- spawnLinked core (accepting topics (serveSubscriber core))
+          _ <- spawnLinked core (forever (atomically (readTQueue effects) >>= carryOut core))
+          forM_ (privateParams (arguments settings)) $ \(k, v) -> setParam (master core) (resolve (coreNaming core) ('~' : k)) (literal v)
+          void (spawnLinked core (watchMaster core))
+    (start >> act core) `finally` finish core
+  where
+    address = fromMaybe "http://localhost:11311" (firstOf [special "__master" (arguments settings), set "ROS_MASTER_URI"])
+    set key = case lookup key (environment settings) of
+      Just "" -> Nothing
+      v -> v
+    withSocket onlyHere use = bracket (listenAnywhere onlyHere) (close . fst) (uncurry use)
+
+firstOf :: [Maybe a] -> Maybe a
+firstOf ms = listToMaybe (catMaybes ms)
+
+-- | The address that others are told: @__hostname@, @__ip@, @ROS_HOSTNAME@, @ROS_IP@, and without any of
+-- them the address by which this machine reaches the master.
+hostFor :: Settings -> Uri -> IO String
+hostFor settings uri = maybe (fromRight "127.0.0.1" <$> (try towards :: IO (Either IOException String))) pure told
+  where
+    told = firstOf ([special k (arguments settings) | k <- ["__hostname", "__ip"]] ++ [nonEmpty =<< lookup k (environment settings) | k <- ["ROS_HOSTNAME", "ROS_IP"]])
+    nonEmpty v = if null v then Nothing else Just v
+    towards = do
+      addresses <- getAddrInfo (Just defaultHints {addrSocketType = Datagram, addrFamily = AF_INET}) (Just (uriHost uri)) (Just (show (uriPort uri)))
+      case addresses of
+        [] -> pure "127.0.0.1"
+        a : _ -> bracket (socket AF_INET Datagram defaultProtocol) close $ \s -> do
+          connect s (addrAddress a) -- sends nothing: it only chooses the way
+          own <- getSocketName s
+          fromMaybe "127.0.0.1" . fst <$> getNameInfo [NI_NUMERICHOST] True False own
+
+-- | Answers a call; what it makes the node do comes after, in order, so that no caller waits for it.
+answering :: Core -> TQueue Effect -> Call -> IO Answer
+answering core effects c = do
+  s <- slaveOf core
+  let (reply, todo) = answerCall s c
+  atomically (mapM_ (writeTQueue effects) todo)
+  pure reply
+
+carryOut :: Core -> Effect -> IO ()
+carryOut core effect = case effect of
+  PublishersAre topic uris -> publishersAre core topic uris
+  EndBecause why -> requestEnd core (AskedTo why)
+  ParamIs key v -> atomically $ do
+    watchers <- readTVar (paramWatchers core)
+    mapM_ ($ v) (fromMaybe [] (Map.lookup (resolve (coreNaming core) key) watchers))
+
+slaveOf :: Core -> IO Slave
+slaveOf core = do
+  pid <- getProcessID
+  atomically $ do
+    ps <- readTVar (publications core)
+    ss <- readTVar (subscriptions core)
+    outs <- forM (Map.toList ps) $ \(t, p) -> readTVar (pubOutlets p) >>= mapM (outlet t) . Map.toList
+    ins <- forM (Map.toList ss) $ \(t, s) -> readTVar (subPublishers s) >>= fmap concat . mapM (inlet t) . Map.toList
+    pure
+      Slave
+        { slavePid = fromIntegral pid,
+          slaveMaster = coreMaster core,
+          slaveHost = coreHost core,
+          slavePort = coreTcpPort core,
+          published = [(t, offerType (pubOffer p)) | (t, p) <- Map.toList ps],
+          subscribed = [(t, offerType (subOffer s)) | (t, s) <- Map.toList ss],
+          connections = concat outs ++ concat ins
+        }
+  where
+    outlet t (n, o) = uncurry (Connection n (outletPeer o) Outbound t) <$> readTVar (outletSent o)
+    inlet t (u, i) = do
+      live <- readTVar (inletConnected i)
+      counts <- readTVar (inletReceived i)
+      pure [uncurry (Connection (inletId i) (showUri u) Inbound t) counts | live]
+
+-- | How often a node looks whether its master still knows it, microseconds. One small call; rospy and roscpp
+-- do not look, and stay unknown to a master that was restarted.
+watchEvery :: Int
+watchEvery = 1000000
+
+-- | Registers what the master does not know: at the start, if it was not there yet, and after it was
+-- restarted. Ends the node when another has taken its name.
+watchMaster :: Core -> IO ()
+watchMaster core = go True
+  where
+    go wasThere = do
+      found <- lookupNode (master core) (ownName (coreNaming core))
+      missed <- atomically (swapTVar (unregistered core) False)
+      case found of
+        Left (Refused _) -> registerAll core >> rest True
+        Right (Just u)
+          | u == coreUri core -> (if missed then registerAll core else pure ()) >> rest True
+          | not missed -> requestEnd core (AskedTo ("a new node is called " ++ ownName (coreNaming core)))
+        Right _ -> registerAll core >> rest True
+        Left why -> do
+          if wasThere then complain core (explainRpcError why ++ "; waiting for the ROS master") else pure ()
+          atomically (writeTVar (unregistered core) True)
+          rest False
+    rest there = threadDelay watchEvery >> go there
+
+registerAll :: Core -> IO ()
+registerAll core = do
+  readTVarIO (publications core) >>= mapM_ (registerPublication core)
+  readTVarIO (subscriptions core) >>= mapM_ (registerSubscription core)
+
+-- | Sends what is waiting, says goodbye, and ends all threads. A master that does not answer is given up
+-- after 'farewell'.
+finish :: Core -> IO ()
+finish core = do
+  requestEnd core Finished
+  void (timeout farewell (atomically (drained core >>= check)))
+  ps <- readTVarIO (publications core)
+  ss <- readTVarIO (subscriptions core)
+  ws <- readTVarIO (paramWatchers core)
+  let goodbyes =
+        [void (unregisterPublisher (master core) (offerTopic (pubOffer p))) | p <- Map.elems ps]
+          ++ [void (unregisterSubscriber (master core) (offerTopic (subOffer s))) | s <- Map.elems ss]
+          ++ [void (unsubscribeParam (master core) k) | k <- Map.keys ws]
+  unless (null goodbyes) (void (timeout farewell (forConcurrently_ goodbyes id)))
+  stopAll core
+
+-- | Half a second, in microseconds: a person who pressed Ctrl-C waits no longer, and a base's own watchdog
+-- takes 0.6 s.
+farewell :: Int
+farewell = 500000
+
+-- | A private parameter as rospy reads it from a command line: a number or truth value if it looks like one.
+literal :: String -> Value
+literal v = case reads v of
+  [(i, "")] -> VInt i
+  _ -> case reads v of
+    [(d, "")] -> VDouble d
+    _ -> case v of
+      "true" -> VBool True
+      "True" -> VBool True
+      "false" -> VBool False
+      "False" -> VBool False
+      _ -> VString v

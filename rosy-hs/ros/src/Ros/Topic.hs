@@ -1,0 +1,275 @@
+-- |
+-- Module      : Ros.Topic
+-- Description : A topic as a stream of actions.
+--
+-- A topic is an action that gives one value and the rest of the topic. Nothing happens until
+-- somebody pulls. In the laws below a topic stands for the list of values it gives:
+--
+-- > fmap f t   = map f t
+-- > f <*> t    = zipWith ($) f t      -- lock step: left is pulled first
+-- > filter p t = Prelude.filter p t
+--
+-- These functions need no threads and no clock; "Ros.Topic.Util" has those that do.
+module Ros.Topic
+  ( -- * What it is
+    Topic (..),
+
+    -- * Making one
+    repeat,
+    repeatM,
+    unfold,
+    iterate,
+    fromList,
+    cons,
+
+    -- * Taking one apart
+    uncons,
+    head,
+    tail,
+    take,
+    take_,
+    splitAt,
+    break,
+    tails,
+
+    -- * Changing the values
+    mapM,
+    mapM_,
+    forever,
+    force,
+    scan,
+    metamorph,
+    metamorphM,
+    bimetamorph,
+    bimetamorphM,
+    join,
+    concats,
+
+    -- * Choosing among them
+    filter,
+    catMaybes,
+    drop,
+    dropWhile,
+    takeWhile,
+    takeWhile_,
+
+    -- * Windows
+    consecutive,
+    slidingWindow,
+    subsample,
+    finiteDifference,
+    weightedMean,
+    simpsonsRule,
+    filterBy,
+    gate,
+
+    -- * Showing
+    showTopic,
+    hoist,
+  )
+where
+
+import qualified Control.Monad as M
+import Control.Monad.IO.Class (MonadIO (..))
+import Data.Bifunctor (bimap, second)
+import Prelude hiding (break, drop, dropWhile, filter, head, iterate, mapM, mapM_, repeat, splitAt, tail, take, takeWhile)
+import qualified Prelude as P
+
+-- | An action that gives a value and what comes after it. A topic has no end.
+newtype Topic m a = Topic {runTopic :: m (a, Topic m a)}
+
+instance Functor m => Functor (Topic m) where
+  fmap f (Topic t) = Topic (fmap (bimap f (fmap f)) t)
+
+-- | Lock step: one value from each, the left one first.
+instance Applicative m => Applicative (Topic m) where
+  pure x = let t = Topic (pure (x, t)) in t
+  Topic f <*> Topic t = Topic ((\(g, fs) (x, xs) -> (g x, fs <*> xs)) <$> f <*> t)
+
+-- | As fast as it is pulled.
+repeat :: Applicative m => a -> Topic m a
+repeat = pure
+
+-- | Runs the action at every pull.
+repeatM :: Monad m => m a -> Topic m a
+repeatM act = t where t = Topic (act >>= \x -> pure (x, t))
+
+unfold :: Functor m => (s -> m (a, s)) -> s -> Topic m a
+unfold step s = Topic (fmap (second (unfold step)) (step s))
+
+iterate :: Applicative m => (a -> a) -> a -> Topic m a
+iterate f = unfold (\x -> pure (x, f x))
+
+-- | The list, then its last value for ever: a topic has no end. The list must not be empty.
+fromList :: Applicative m => [a] -> Topic m a
+fromList xs = case xs of
+  [] -> errorWithoutStackTrace "Ros.Topic.fromList: the list is empty, and a topic has no end"
+  [x] -> pure x
+  x : rest -> Topic (pure (x, fromList rest))
+
+cons :: Applicative m => a -> Topic m a -> Topic m a
+cons x t = Topic (pure (x, t))
+
+uncons :: Topic m a -> m (a, Topic m a)
+uncons = runTopic
+
+head :: Functor m => Topic m a -> m a
+head = fmap fst . runTopic
+
+-- | Waits for one value and forgets it.
+tail :: Monad m => Topic m a -> Topic m a
+tail t = Topic (runTopic t >>= runTopic . snd)
+
+take :: Monad m => Int -> Topic m a -> m [a]
+take n = fmap fst . splitAt n
+
+take_ :: Monad m => Int -> Topic m a -> m ()
+take_ n = M.void . take n
+
+splitAt :: Monad m => Int -> Topic m a -> m ([a], Topic m a)
+splitAt = go []
+  where
+    go seen n t
+      | n <= 0 = pure (reverse seen, t)
+      | otherwise = runTopic t >>= \(x, rest) -> go (x : seen) (n - 1) rest
+
+-- | The values up to the first that satisfies the predicate, and the topic that starts with that one.
+break :: Monad m => (a -> Bool) -> Topic m a -> m ([a], Topic m a)
+break p = go []
+  where
+    go seen t = do
+      (x, rest) <- runTopic t
+      if p x then pure (reverse seen, Topic (pure (x, rest))) else go (x : seen) rest
+
+takeWhile :: Monad m => (a -> Bool) -> Topic m a -> m [a]
+takeWhile p = fmap fst . break (not . p)
+
+takeWhile_ :: Monad m => (a -> Bool) -> Topic m a -> m ()
+takeWhile_ p = M.void . takeWhile p
+
+drop :: Monad m => Int -> Topic m a -> Topic m a
+drop n t = Topic (splitAt n t >>= runTopic . snd)
+
+dropWhile :: Monad m => (a -> Bool) -> Topic m a -> Topic m a
+dropWhile p t = Topic (break (not . p) t >>= runTopic . snd)
+
+-- | At every value, the topic that starts there.
+tails :: Monad m => Topic m a -> Topic m (Topic m a)
+tails t = Topic $ do
+  (x, rest) <- runTopic t
+  pure (cons x rest, tails rest)
+
+mapM :: Monad m => (a -> m b) -> Topic m a -> Topic m b
+mapM f t = Topic $ do
+  (x, rest) <- runTopic t
+  y <- f x
+  pure (y, mapM f rest)
+
+-- | Runs the action on every value. Does not return.
+mapM_ :: Monad m => (a -> m b) -> Topic m a -> m ()
+mapM_ f t = runTopic t >>= \(x, rest) -> f x >> mapM_ f rest
+
+-- | Pulls for ever, for the effects.
+forever :: Monad m => Topic m a -> m b
+forever t = runTopic t >>= forever . snd
+
+-- | Computes every value before giving it.
+force :: Monad m => Topic m a -> Topic m a
+force t = Topic $ do
+  (x, rest) <- runTopic t
+  x `seq` pure (x, force rest)
+
+-- | > scan f z t = tail (scanl f z t)
+scan :: Monad m => (b -> a -> b) -> b -> Topic m a -> Topic m b
+scan f z t = Topic $ do
+  (x, rest) <- runTopic t
+  let y = f z x
+  y `seq` pure (y, scan f y rest)
+
+-- | A state that every value changes.
+metamorph :: Monad m => (s -> a -> (b, s)) -> s -> Topic m a -> Topic m b
+metamorph f = metamorphM (\s x -> pure (f s x))
+
+metamorphM :: Monad m => (s -> a -> m (b, s)) -> s -> Topic m a -> Topic m b
+metamorphM f s t = Topic $ do
+  (x, rest) <- runTopic t
+  (y, s') <- f s x
+  pure (y, metamorphM f s' rest)
+
+-- | Two topics in turn, the left one first, each with the state that the other left.
+bimetamorph :: Monad m => (s -> a -> (c, s)) -> (s -> b -> (c, s)) -> s -> Topic m a -> Topic m b -> Topic m c
+bimetamorph f g = bimetamorphM (\s x -> pure (f s x)) (\s y -> pure (g s y))
+
+bimetamorphM :: Monad m => (s -> a -> m (c, s)) -> (s -> b -> m (c, s)) -> s -> Topic m a -> Topic m b -> Topic m c
+bimetamorphM f g s l r = Topic $ do
+  (x, l') <- runTopic l
+  (z, s') <- f s x
+  pure (z, Topic (runTopic r >>= \(y, r') -> g s' y >>= \(w, s'') -> pure (w, bimetamorphM f g s'' l' r')))
+
+-- | Runs the actions that the topic gives.
+join :: Monad m => Topic m (m a) -> Topic m a
+join = mapM id
+
+-- | > concats t = concat t
+concats :: (Monad m, Foldable t) => Topic m (t a) -> Topic m a
+concats t = Topic $ do
+  (xs, rest) <- runTopic t
+  runTopic (foldr cons (concats rest) xs)
+
+filter :: Monad m => (a -> Bool) -> Topic m a -> Topic m a
+filter p t = Topic (runTopic t >>= \(x, rest) -> if p x then pure (x, filter p rest) else runTopic (filter p rest))
+
+catMaybes :: Monad m => Topic m (Maybe a) -> Topic m a
+catMaybes t = Topic $ do
+  (x, rest) <- runTopic t
+  maybe (runTopic (catMaybes rest)) (\y -> pure (y, catMaybes rest)) x
+
+-- | Each value with the one after it.
+consecutive :: Monad m => Topic m a -> Topic m (a, a)
+consecutive t = Topic (runTopic t >>= \(x, rest) -> runTopic (go x rest))
+  where
+    go x rest = Topic (runTopic rest >>= \(y, more) -> pure ((x, y), go y more))
+
+-- | The newest @n@ values, oldest first; starts when there are so many.
+slidingWindow :: Monad m => Int -> Topic m a -> Topic m [a]
+slidingWindow n t = Topic (splitAt (n - 1) t >>= \(xs, rest) -> runTopic (go xs rest))
+  where
+    go xs rest = Topic (runTopic rest >>= \(x, more) -> let w = xs ++ [x] in pure (w, go (P.drop 1 w) more))
+
+-- | Every @n@th value, from the first.
+subsample :: Monad m => Int -> Topic m a -> Topic m a
+subsample n t = Topic (runTopic t >>= \(x, rest) -> pure (x, subsample n (drop (n - 1) rest)))
+
+-- | > finiteDifference (-) = differences of neighbours
+finiteDifference :: Monad m => (a -> a -> b) -> Topic m a -> Topic m b
+finiteDifference f = fmap (\(x, y) -> f y x) . consecutive
+
+-- | @weightedMean w add scale@: a running mean, in which what came before weighs @w@ and each new value
+-- @1 - w@. For values that are not numbers, hence the two functions.
+weightedMean :: (Monad m, Num n) => n -> (a -> a -> a) -> (n -> a -> a) -> Topic m a -> Topic m a
+weightedMean w add scale t = Topic (runTopic t >>= \(x, more) -> pure (x, scan step x more))
+  where
+    step mean x = add (scale w mean) (scale (1 - w) x)
+
+-- | Integrates a signal of which each value is @dt@ seconds after the one before.
+simpsonsRule :: (Monad m, Fractional a) => a -> Topic m a -> Topic m a
+simpsonsRule dt t = scan (+) 0 (fmap area (subsample 2 (slidingWindow 3 t)))
+  where
+    area [a, b, c] = dt / 3 * (a + 4 * b + c)
+    area _ = 0
+
+-- | Lets a value pass when the next value of the other topic is true. One of each is pulled.
+filterBy :: Monad m => Topic m Bool -> Topic m a -> Topic m a
+filterBy keep t = catMaybes ((\k x -> if k then Just x else Nothing) <$> keep <*> t)
+
+-- | A value of the left for every value of the right.
+gate :: Applicative m => Topic m a -> Topic m b -> Topic m a
+gate t ticks = const <$> t <*> ticks
+
+-- | Prints every value as it passes.
+showTopic :: (MonadIO m, Show a) => Topic m a -> Topic m a
+showTopic = mapM (\x -> liftIO (print x) >> pure x)
+
+-- | The same topic in another monad.
+hoist :: Functor n => (forall x. m x -> n x) -> Topic m a -> Topic n a
+hoist f t = Topic (fmap (fmap (hoist f)) (f (runTopic t)))

@@ -1,0 +1,200 @@
+-- |
+-- Module      : Ros.Topic.Util
+-- Description : Topics that run side by side, are shared, or keep a rate.
+--
+-- Joining two topics that speak when they please needs a thread for each. Those threads start at the
+-- first pull, wait while nobody takes what they have found, end when nobody can any more, and hand
+-- an exception of their source to whoever pulls.
+module Ros.Topic.Util
+  ( -- * Two topics as one
+    (<+>),
+    interleave,
+    merge,
+    mergeList,
+    bothNew,
+    everyNew,
+    firstThenSecond,
+
+    -- * One topic as several
+    tee,
+    fan,
+    share,
+    partition,
+
+    -- * Time
+    topicRate,
+    interruptible,
+    topicOn,
+
+    -- * How two topics join, as pure steps
+    BothNew,
+    neitherNew,
+    stepBothNew,
+    EveryNew,
+    noneYet,
+    stepEveryNew,
+  )
+where
+
+import Control.Concurrent (forkIO)
+import Control.Concurrent.MVar (MVar, modifyMVar, newMVar)
+import Control.Concurrent.STM
+import Control.Exception (BlockedIndefinitelyOnMVar (..), BlockedIndefinitelyOnSTM (..), Handler (..), SomeException, catches, throwIO, try)
+import Control.Monad (void)
+import Data.Bifunctor (bimap)
+import Data.IORef (atomicModifyIORef', newIORef, readIORef)
+import Data.Maybe (fromMaybe)
+import Ros.Rate (rateLimiter)
+import Ros.Topic (Topic (..))
+import qualified Ros.Topic as Topic
+
+infixl 7 <+>
+
+-- | How many values of one source may wait to be taken: enough that a burst does not switch threads for
+-- each of its values, few enough that a source without a rhythm of its own fills no memory.
+ahead :: Int
+ahead = 16
+
+-- | Both topics, each value when it arrives. Nothing is dropped.
+(<+>) :: Topic IO a -> Topic IO b -> Topic IO (Either a b)
+l <+> r = interleave [fmap Left l, fmap Right r]
+
+merge :: Topic IO a -> Topic IO a -> Topic IO a
+merge l r = interleave [l, r]
+
+mergeList :: [Topic IO a] -> Topic IO a
+mergeList = interleave
+
+-- | All topics, each value when it arrives. Nothing is dropped; a source that is faster than the reader
+-- waits.
+interleave :: [Topic IO a] -> Topic IO a
+interleave sources = Topic $ do
+  found <- newTBQueueIO (fromIntegral (ahead * max 1 (length sources)))
+  mapM_ (forkIO . feed found) sources
+  runTopic (taking found)
+  where
+    taking found = Topic.mapM (either throwIO pure) (Topic.repeatM (atomically (readTBQueue found)))
+
+-- | Pulls for ever. Ends quietly when the reader is gone: then the queue can never empty, and the runtime
+-- says so.
+feed :: TBQueue (Either SomeException a) -> Topic IO a -> IO ()
+feed found = quietly . go
+  where
+    go t = do
+      pulled <- try (runTopic t)
+      case pulled of
+        Left e -> atomically (writeTBQueue found (Left e))
+        Right (x, rest) -> atomically (writeTBQueue found (Right x)) >> go rest
+    quietly act = act `catches` [Handler (\BlockedIndefinitelyOnSTM -> pure ()), Handler (\BlockedIndefinitelyOnMVar -> pure ())]
+
+-- | Pairs in which both values are new. The later one of the two decides when; of the side that came first,
+-- the newest value counts, and older ones are forgotten.
+bothNew :: Topic IO a -> Topic IO b -> Topic IO (a, b)
+bothNew l r = Topic.catMaybes (Topic.metamorph stepBothNew neitherNew (l <+> r))
+
+-- | What 'bothNew' remembers: the newest value of the side that came first.
+data BothNew a b = Neither | OneNew (Either a b)
+
+neitherNew :: BothNew a b
+neitherNew = Neither
+
+stepBothNew :: BothNew a b -> Either a b -> (Maybe (a, b), BothNew a b)
+stepBothNew (OneNew (Left x)) (Right y) = (Just (x, y), Neither)
+stepBothNew (OneNew (Right y)) (Left x) = (Just (x, y), Neither)
+stepBothNew _ new = (Nothing, OneNew new)
+
+-- | After both have spoken once: a pair for every value of either, with the other's newest.
+everyNew :: Topic IO a -> Topic IO b -> Topic IO (a, b)
+everyNew l r = Topic.catMaybes (Topic.metamorph stepEveryNew noneYet (l <+> r))
+
+-- | What 'everyNew' remembers: the newest value of each side.
+data EveryNew a b = EveryNew (Maybe a) (Maybe b)
+
+noneYet :: EveryNew a b
+noneYet = EveryNew Nothing Nothing
+
+stepEveryNew :: EveryNew a b -> Either a b -> (Maybe (a, b), EveryNew a b)
+stepEveryNew (EveryNew x y) new = ((,) <$> x' <*> y', EveryNew x' y')
+  where
+    x' = either Just (const x) new
+    y' = either (const y) Just new
+
+-- | A value of the left, then one of the right: pairs of the newest left and the first right after it.
+firstThenSecond :: Topic IO a -> Topic IO b -> Topic IO (a, b)
+firstThenSecond l r = Topic.catMaybes (Topic.metamorph step Nothing (l <+> r))
+  where
+    step _ (Left x) = (Nothing, Just x)
+    step (Just x) (Right y) = (Just (x, y), Nothing)
+    step Nothing (Right _) = (Nothing, Nothing)
+
+-- | Two readers of one topic. Its effects happen once, when the faster reader pulls; the slower one finds the
+-- values waiting. What both have read is forgotten.
+tee :: Topic IO a -> IO (Topic IO a, Topic IO a)
+tee t = (\shared -> (shared, shared)) <$> remembered t
+
+-- | As many readers as asked for.
+fan :: Int -> Topic IO a -> IO [Topic IO a]
+fan n t = replicate n <$> remembered t
+
+-- | Any number of readers, now or later: each sees what is pulled after its own first pull.
+share :: Topic IO a -> IO (Topic IO a)
+share t = do
+  start <- remembered t
+  newest <- newIORef (0 :: Int, start)
+  let follow n cell = Topic $ do
+        (x, rest) <- runTopic cell
+        atomicModifyIORef' newest (\now -> (if fst now > n then now else (n + 1, rest), ()))
+        pure (x, follow (n + 1) rest)
+  pure (Topic (readIORef newest >>= runTopic . uncurry follow))
+
+-- | A topic whose every step runs once and is remembered for as long as a reader stands before it.
+remembered :: Topic IO a -> IO (Topic IO a)
+remembered t = walk <$> newMVar (NotYet t)
+  where
+    walk :: MVar (Cell a) -> Topic IO a
+    walk cell = Topic $ do
+      (x, next) <- modifyMVar cell $ \now -> case now of
+        Known x next -> pure (now, (x, next))
+        NotYet source -> do
+          (x, rest) <- runTopic source
+          next <- newMVar (NotYet rest)
+          pure (Known x next, (x, next))
+      pure (x, walk next)
+
+data Cell a = NotYet (Topic IO a) | Known a (MVar (Cell a))
+
+-- | Those that satisfy the predicate, and the others.
+partition :: (a -> Bool) -> Topic IO a -> IO (Topic IO a, Topic IO a)
+partition p t = bimap (Topic.filter p) (Topic.filter (not . p)) <$> tee t
+
+-- | At most @hz@ values a second: the first at once, each later one no earlier than its turn.
+topicRate :: Double -> Topic IO a -> Topic IO a
+topicRate hz t = Topic $ do
+  pause <- rateLimiter hz (pure ())
+  let go u = Topic (pause >> runTopic u >>= \(x, rest) -> pure (x, go rest))
+  runTopic (go t)
+
+-- | The values of lists that arrive; a new list takes the place of what is left of the one before.
+interruptible :: Topic IO [a] -> Topic IO a
+interruptible lists = Topic $ do
+  latest <- newEmptyTMVarIO
+  void (forkIO (gather latest lists))
+  let next xs = Topic $ do
+        newer <- atomically (case xs of [] -> Just <$> takeTMVar latest; _ -> tryTakeTMVar latest)
+        case fromMaybe (Right xs) newer of
+          Left e -> throwIO (e :: SomeException)
+          Right [] -> runTopic (next [])
+          Right (x : rest) -> pure (x, next rest)
+  runTopic (next [])
+  where
+    gather latest t = do
+      pulled <- try (runTopic t)
+      atomically (tryTakeTMVar latest >> putTMVar latest (fst <$> pulled))
+      either (const (pure ())) (gather latest . snd) pulled
+
+-- | The newest value of the topic at every value of the other.
+topicOn :: Topic IO a -> Topic IO b -> Topic IO (a, b)
+topicOn t ticks = Topic.catMaybes (Topic.metamorph step Nothing (t <+> ticks))
+  where
+    step _ (Left x) = (Nothing, Just x)
+    step x (Right y) = (fmap (,y) x, x)

@@ -1,0 +1,178 @@
+-- |
+-- Description : Topics mean what lists mean.
+module Test.Ros.Topic (tests) where
+
+import Control.Concurrent.Async (concurrently, withAsync)
+import Control.Concurrent.MVar
+import Control.Concurrent.STM (atomically)
+import Control.Exception (ErrorCall (..), throwIO, try)
+import Data.Bifunctor (second)
+import Data.Foldable (toList)
+import Data.Functor.Identity (Identity (..))
+import Data.IORef
+import Data.List (mapAccumL, sort)
+import Data.Maybe (catMaybes)
+import Ros.Queue
+import Ros.Topic (Topic (..))
+import qualified Ros.Topic as T
+import Ros.Topic.Util
+import Test.Tasty
+import Test.Tasty.HUnit
+import Test.Tasty.QuickCheck
+
+tests :: TestTree
+tests = testGroup "topics" [pureOnes, joined, shared, queues]
+
+-- | The values 0, 1, 2, …; and the first ten of what a function makes of them.
+numbers :: Topic Identity Int
+numbers = T.iterate (+ 1) 0
+
+ten :: Topic Identity a -> [a]
+ten = runIdentity . T.take 10
+
+pureOnes :: TestTree
+pureOnes =
+  testGroup
+    "are lists without an end"
+    [ law "fmap" (fmap (* 3)) (map (* 3)),
+      law "<*>" (\t -> (,) <$> t <*> T.tail t) (\xs -> zip xs (tail xs)),
+      law "filter" (T.filter even) (filter even),
+      law "scan" (T.scan (+) 5) (tail . scanl (+) 5),
+      law "drop" (T.drop 4) (drop 4),
+      law "dropWhile" (T.dropWhile (< 7)) (dropWhile (< 7)),
+      law "consecutive" T.consecutive (\xs -> zip xs (tail xs)),
+      law "slidingWindow" (T.slidingWindow 3) (\xs -> [take 3 (drop i xs) | i <- [0 ..]]),
+      law "subsample" (T.subsample 3) (\xs -> [xs !! i | i <- [0, 3 ..]]),
+      law "concats" (T.concats . fmap (\x -> replicate (x `mod` 3) x)) (concatMap (\x -> replicate (x `mod` 3) x)),
+      law "catMaybes" (T.catMaybes . fmap (\x -> if odd x then Just x else Nothing)) (filter odd),
+      law "finiteDifference" (T.finiteDifference (-) . fmap (^ (2 :: Int))) (\xs -> zipWith (-) (tail (map (^ (2 :: Int)) xs)) (map (^ (2 :: Int)) xs)),
+      law "cons" (T.cons 9) (9 :),
+      law "metamorph" (T.metamorph (\s x -> (s + x, x)) 0) (\xs -> zipWith (+) (0 : xs) xs),
+      law "gate" (\t -> T.gate t (T.repeat ())) id,
+      law "filterBy" (\t -> T.filterBy (fmap even t) t) (filter even),
+      testCase "break stops before the value and keeps it" $
+        second ten (runIdentity (T.break (> 3) numbers)) @?= ([0 .. 3], [4 .. 13]),
+      testCase "takeWhile" $ runIdentity (T.takeWhile (< 4) numbers) @?= [0 .. 3],
+      testCase "tails start at each value" $ map T.head (ten (T.tails numbers)) @?= map Identity [0 .. 9],
+      testCase "Simpson's rule integrates a parabola exactly" $
+        let parabola = fmap (\i -> let x = fromIntegral i * 0.5 in x * x) numbers :: Topic Identity Double
+         in take 3 (ten (T.simpsonsRule 0.5 parabola)) @?= [1 / 3, 8 / 3, 9],
+      testCase "a running mean forgets with its weight" $
+        take 3 (ten (T.weightedMean 0.5 (+) (*) (fmap fromIntegral numbers) :: Topic Identity Double)) @?= [0, 0.5, 1.25],
+      testCase "a list ends in its last value" $ ten (T.fromList "abc") @?= "abcccccccc"
+    ]
+  where
+    law :: (Eq b, Show b) => String -> (Topic Identity Int -> Topic Identity b) -> ([Int] -> [b]) -> TestTree
+    law name onTopic onList = testCase name $ ten (onTopic numbers) @?= take 10 (onList [0 ..])
+
+joined :: TestTree
+joined =
+  testGroup
+    "join"
+    [ testProperty "bothNew: the later side decides, the earlier gives its newest, both are used once" $ \(xs :: [Either Int Char]) ->
+        run stepBothNew neitherNew xs === bothNewModel xs,
+      testProperty "everyNew: every value, with the other's newest" $ \(xs :: [Either Int Char]) ->
+        run stepEveryNew noneYet xs === everyNewModel xs,
+      testCase "merge drops nothing and keeps each side's order" $ do
+        xs <- T.take 2000 (merge (finite [0, 2 .. 1998]) (finite [1, 3 .. 1999]))
+        sort xs @?= [0 .. 1999 :: Int]
+        filter even xs @?= [0, 2 .. 1998],
+      testCase "a failing source fails whoever pulls" $ do
+        r <- try (T.take 5 (merge (T.repeatM (throwIO (ErrorCall "sensor"))) (T.repeatM (newEmptyMVar >>= takeMVar))))
+        either (\(ErrorCall e) -> e) (show :: [()] -> String) r @?= "sensor",
+      testCase "a source without rhythm is not pulled far ahead of its reader" $ do
+        pulled <- newIORef (0 :: Int)
+        let source = T.repeatM (atomicModifyIORef' pulled (\n -> (n + 1, n)))
+        _ <- T.take 3 (merge source source)
+        n <- readIORef pulled
+        assertBool (show n) (n < 100)
+    ]
+  where
+    run step s = catMaybes . snd . mapAccumL (\st x -> let (y, st') = step st x in (st', y)) s
+    -- Gives its values, then waits for ever.
+    finite :: [a] -> Topic IO a
+    finite = foldr (\x t -> Topic (pure (x, t))) (Topic (newEmptyMVar >>= takeMVar))
+
+bothNewModel :: [Either a b] -> [(a, b)]
+bothNewModel xs = case break isRight xs of
+  ([], _ : _) -> case span isRight xs of
+    (rs, Left x : rest) -> (x, right (last rs)) : bothNewModel rest
+    _ -> []
+  (ls, Right y : rest) -> (left (last ls), y) : bothNewModel rest
+  _ -> []
+  where
+    isRight = either (const False) (const True)
+    right = either (error "a left among the rights") id
+    left = either id (error "a right among the lefts")
+
+everyNewModel :: [Either a b] -> [(a, b)]
+everyNewModel xs =
+  [ (a, b)
+    | n <- [1 .. length xs],
+      let before = take n xs,
+      Just a <- [newest [x | Left x <- before]],
+      Just b <- [newest [y | Right y <- before]]
+  ]
+  where
+    newest ys = if null ys then Nothing else Just (last ys)
+
+shared :: TestTree
+shared =
+  testGroup
+    "share"
+    [ testProperty "tee: both readers see everything, whoever is faster, and effects happen once" $ \(order :: [Bool]) -> ioProperty $ do
+        pulled <- newIORef (0 :: Int)
+        (a, b) <- tee (T.repeatM (atomicModifyIORef' pulled (\n -> (n + 1, n))))
+        (xs, ys) <- inTurn order a b
+        n <- readIORef pulled
+        pure (conjoin [xs === take (length xs) [0 ..], ys === take (length ys) [0 ..], n === max (length xs) (length ys)]),
+      testCase "fan: readers in threads of their own see the same" $ do
+        source <- newIORef (0 :: Int)
+        readers <- fan 2 (T.repeatM (atomicModifyIORef' source (\n -> (n + 1, n))))
+        case readers of
+          [a, b] -> concurrently (T.take 500 a) (T.take 500 b) >>= (@?= ([0 .. 499], [0 .. 499]))
+          _ -> assertFailure "two readers were asked for",
+      testCase "share: a late reader begins where the topic stands" $ do
+        source <- newIORef (0 :: Int)
+        t <- share (T.repeatM (atomicModifyIORef' source (\n -> (n + 1, n))))
+        first <- T.take 3 t
+        later <- T.take 3 t
+        (first, later) @?= ([0, 1, 2], [3, 4, 5]),
+      testCase "partition gives each value to one side" $ do
+        source <- newIORef (0 :: Int)
+        (evens, odds) <- partition even (T.repeatM (atomicModifyIORef' source (\n -> (n + 1, n))))
+        (,) <$> T.take 3 evens <*> T.take 3 odds >>= (@?= ([0, 2, 4], [1, 3, 5])),
+      testCase "a rate limit gives the first value at once and loses none" $
+        T.take 3 (topicRate 1000 (T.fromList [1 :: Int, 2, 3])) >>= (@?= [1, 2, 3]),
+      testCase "topicOn: the newest value at each tick" $ do
+        ticks <- newEmptyMVar
+        values <- newEmptyMVar
+        let t = topicOn (T.repeatM (takeMVar values)) (T.repeatM (takeMVar ticks))
+        out <- newEmptyMVar
+        withAsync (T.mapM_ (putMVar out) t) $ \_ -> do
+          putMVar values 'a'
+          putMVar values 'b' -- taken, so 'a' is in the queue
+          putMVar values 'c' -- so is 'b'
+          putMVar ticks (1 :: Int)
+          (x, n) <- takeMVar out
+          assertBool [x] (x `elem` "bc" && n == 1)
+    ]
+  where
+    inTurn = go [] []
+    go xs ys order a b = case order of
+      [] -> pure (reverse xs, reverse ys)
+      True : rest -> runTopic a >>= \(x, a') -> go (x : xs) ys rest a' b
+      False : rest -> runTopic b >>= \(y, b') -> go xs (y : ys) rest a b'
+
+queues :: TestTree
+queues =
+  testGroup
+    "queues"
+    [ testProperty "a full queue keeps the newest, in order, and counts the others" $ \(Positive bound) (xs :: [Int]) -> ioProperty $ do
+        q <- newQueue bound
+        mapM_ (atomically . push q) xs
+        lost <- atomically (missed q)
+        kept <- if null xs then pure [] else atomically (popAll q)
+        let n = min bound (length xs)
+        pure (conjoin [toList kept === drop (length xs - n) xs, lost === length xs - n])
+    ]
