@@ -1,0 +1,198 @@
+{-# LANGUAGE DeriveGeneric #-}
+{-# LANGUAGE DefaultSignatures #-}
+{-# LANGUAGE FlexibleInstances #-}
+{-# LANGUAGE MultiParamTypeClasses #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+{-# LANGUAGE TypeApplications #-}
+{-# LANGUAGE TypeFamilies #-}
+{-# LANGUAGE UndecidableInstances #-}
+
+-- |
+-- Module      : Rosy.Command
+-- Description : The types a function may give.
+--
+-- > … -> Velocity                    -- one command
+-- > … -> Maybe Velocity              -- perhaps
+-- > … -> (Velocity, Led1)            -- both
+-- > … -> Either Sound Led1           -- one of them
+-- > … -> [Sound]                     -- each in order
+-- > … -> ()                          -- nothing
+--
+-- A function is a command too: it is carried out when its inputs are there.
+-- You need this class only to read an error message: a type that is not a 'Command' cannot be given.
+module Rosy.Command
+  ( -- * What it is
+    Command (..)
+
+    -- * Ending and reporting
+  , Done (..), Feedback (..), Cancel (..)
+
+    -- * What may end
+  , Ends, NotInATask
+  ) where
+
+import Control.Exception (throw)
+import Data.Dynamic (toDyn)
+import Data.Proxy (Proxy (..))
+import Data.Typeable (typeRep)
+import GHC.Generics (Generic)
+
+import Rosy.Core
+import Rosy.Problem (Fault (..))
+import Rosy.Robot
+import Rosy.Sense (both)
+import Rosy.Sensor
+import Rosy.Value
+
+-- | A type that a function may give. For a type that the program declares the instance is empty: it is an event of its own.
+class Command c where
+  -- | What a value of this type does.
+  command :: Plan c
+  default command :: Value c => Plan c
+  command = Plain (\x -> Then (Emit (toDyn (settled x)) (shown x)))
+
+-- | Ends the enclosing task with this value.
+newtype Done a = Done a
+  deriving (Eq, Ord, Show, Read, Generic)
+
+-- | Tells the one who called the task how far it is.
+newtype Feedback a = Feedback a
+  deriving (Eq, Ord, Show, Read, Generic)
+
+-- | Asks for a called task to be stopped.
+data Cancel = Cancel
+  deriving (Eq, Ord, Show, Read, Generic)
+
+instance Value a => Value (Done a)
+instance Value a => Value (Feedback a)
+instance Value Cancel
+
+instance Sensor Cancel
+instance Command Cancel
+
+-- ---------------------------------------------------------------------------------------------
+-- The robot
+
+act :: (c -> Action) -> Plan c
+act toAction = Plain (\c -> Then (Act (toAction c)))
+
+instance Command Velocity where
+  command = act (\(Velocity v w) -> SetVelocity (finite v) (finite w))
+    where
+      -- The wire has no word for an endless or undefined number, and no wheel can turn at one.
+      finite x
+        | isNaN x || isInfinite x = throw (NotANumber "speed")
+        | otherwise = x
+
+instance Command Led1 where command = act (\(Led1 c) -> SetLed1 c)
+instance Command Led2 where command = act (\(Led2 c) -> SetLed2 c)
+instance Command Sound where command = act PlaySound
+
+instance Command Say where
+  command = act (\(Say text) -> let line = take longestLine text in length line `seq` SayText (evaluated line))
+    where
+      evaluated line = foldr seq line line
+
+-- | The most characters of one 'Say'; a bubble shows far fewer. A choice of ours, so that an endless text ends.
+longestLine :: Int
+longestLine = 10000
+
+instance Default a => Command (Memory a) where
+  command = Plain (\(Memory x) -> Then (Remember (typeRep (Proxy @a)) (toDyn (settled x))))
+
+instance Default a => Command (Param a) where
+  command = Plain (\(Param x) -> Then (Share (typeRep (Proxy @a)) (toDyn (settled x))))
+
+instance Value a => Command (Done a) where
+  command = Plain (\(Done x) -> Then (End (toDyn (settled x))))
+
+instance Value a => Command (Feedback a) where
+  command = Plain (\(Feedback x) -> Then (Feed (toDyn (settled x))))
+
+instance Command Call where
+  command = Plain (\(Call calling) -> Then (StartCall calling))
+
+-- ---------------------------------------------------------------------------------------------
+-- Shapes
+
+instance Command () where command = Plain (\() rest -> rest)
+instance Command Never where command = Plain (\Never rest -> rest)
+
+instance (Sensor a, Command b) => Command (a -> b) where
+  command = case command of
+    Plain give -> Needing sense (\f x -> give (f x))
+    Needing more give -> Needing (both sense more) (\f (x, n) -> give (f x) n)
+
+instance Command a => Command (Maybe a) where
+  command = case command of
+    Plain give -> Plain (maybe id give)
+    Needing s give -> Needing s (\m n -> maybe id (`give` n) m)
+
+instance Command a => Command [a] where
+  command = case command of
+    Plain give -> Plain (\xs rest -> foldr give rest xs)
+    Needing s give -> Needing s (\xs n rest -> foldr (`give` n) rest xs)
+
+instance (Command a, Command b) => Command (Either a b) where
+  command = pair command command (\giveA giveB -> either giveA giveB)
+
+instance (Command a, Command b) => Command (a, b) where
+  command = pair command command (\giveA giveB (a, b) -> giveA a . giveB b)
+
+-- | Two plans as one, whose inputs are those of both.
+pair :: Plan a -> Plan b -> ((a -> Effects -> Effects) -> (b -> Effects -> Effects) -> c -> Effects -> Effects) -> Plan c
+pair (Plain a) (Plain b) join = Plain (join a b)
+pair (Plain a) (Needing s b) join = Needing s (\c n -> join a (`b` n) c)
+pair (Needing s a) (Plain b) join = Needing s (\c n -> join (`a` n) b c)
+pair (Needing s a) (Needing t b) join = Needing (both s t) (\c (n, m) -> join (`a` n) (`b` m) c)
+
+nested :: (c -> (a, b)) -> Plan (a, b) -> Plan c
+nested split (Plain give) = Plain (give . split)
+nested split (Needing s give) = Needing s (give . split)
+
+instance (Command a, Command b, Command c) => Command (a, b, c) where
+  command = nested (\(a, b, c) -> (a, (b, c))) command
+
+instance (Command a, Command b, Command c, Command d) => Command (a, b, c, d) where
+  command = nested (\(a, b, c, d) -> (a, (b, c, d))) command
+
+instance (Command a, Command b, Command c, Command d, Command e) => Command (a, b, c, d, e) where
+  command = nested (\(a, b, c, d, e) -> (a, (b, c, d, e))) command
+
+instance (Command a, Command b, Command c, Command d, Command e, Command f) => Command (a, b, c, d, e, f) where
+  command = nested (\(a, b, c, d, e, f) -> (a, (b, c, d, e, f))) command
+
+instance (Command a, Command b, Command c, Command d, Command e, Command f, Command g) => Command (a, b, c, d, e, f, g) where
+  command = nested (\(a, b, c, d, e, f, g) -> (a, (b, c, d, e, f, g))) command
+
+instance (Command a, Command b, Command c, Command d, Command e, Command f, Command g, Command h) => Command (a, b, c, d, e, f, g, h) where
+  command = nested (\(a, b, c, d, e, f, g, h) -> (a, (b, c, d, e, f, g, h))) command
+
+instance (Command a, Command b, Command c, Command d, Command e, Command f, Command g, Command h, Command i) => Command (a, b, c, d, e, f, g, h, i) where
+  command = nested (\(a, b, c, d, e, f, g, h, i) -> (a, (b, c, d, e, f, g, h, i))) command
+
+-- ---------------------------------------------------------------------------------------------
+-- What may end
+
+-- | @Ends end c@: wherever a @c@ gives 'Done', it is with a value of type @end@.
+-- This is how a 'Done' of another type than the task's is refused before the program runs.
+-- Types that say nothing about ending have the (incoherent, thus last) instance.
+class Ends end c
+
+-- | The @end@ of functions that are in no task, where 'Done' would have nothing to end.
+data NotInATask
+
+instance {-# INCOHERENT #-} Ends end c
+instance end ~ a => Ends end (Done a)
+instance Ends end b => Ends end (a -> b)
+instance Ends end a => Ends end (Maybe a)
+instance Ends end a => Ends end [a]
+instance (Ends end a, Ends end b) => Ends end (Either a b)
+instance (Ends end a, Ends end b) => Ends end (a, b)
+instance (Ends end a, Ends end b, Ends end c) => Ends end (a, b, c)
+instance (Ends end a, Ends end b, Ends end c, Ends end d) => Ends end (a, b, c, d)
+instance (Ends end a, Ends end b, Ends end c, Ends end d, Ends end e) => Ends end (a, b, c, d, e)
+instance (Ends end a, Ends end b, Ends end c, Ends end d, Ends end e, Ends end f) => Ends end (a, b, c, d, e, f)
+instance (Ends end a, Ends end b, Ends end c, Ends end d, Ends end e, Ends end f, Ends end g) => Ends end (a, b, c, d, e, f, g)
+instance (Ends end a, Ends end b, Ends end c, Ends end d, Ends end e, Ends end f, Ends end g, Ends end h) => Ends end (a, b, c, d, e, f, g, h)
+instance (Ends end a, Ends end b, Ends end c, Ends end d, Ends end e, Ends end f, Ends end g, Ends end h, Ends end i) => Ends end (a, b, c, d, e, f, g, h, i)

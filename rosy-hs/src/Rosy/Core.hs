@@ -1,0 +1,259 @@
+{-# LANGUAGE ExistentialQuantification #-}
+{-# LANGUAGE RankNTypes #-}
+{-# LANGUAGE StrictData #-}
+
+-- |
+-- Module      : Rosy.Core
+-- Description : The parts of a running program as data: inputs, outputs, functions, tasks.
+--
+-- "Rosy.Sensor", "Rosy.Command", "Rosy.Controller" and "Rosy.Task" translate a learner's Haskell into
+-- these types; "Rosy.Loop" gives them their meaning in time. Nothing here runs anything.
+module Rosy.Core
+  ( -- * What happens
+    Occurrence (..), Message (..), Odometry (..), Event (..)
+
+    -- * What a function may read
+  , Env (..), Memories, ScopeId
+
+    -- * Inputs
+  , Sense (..), Shape (..), Trigger (..), Reading (..), Interest, interestedIn, interestIn, odometryInterest
+
+    -- * Outputs
+  , Plan (..), Effects (..), Effect (..), Action (..)
+
+    -- * Functions
+  , Function (..), FunctionName, functionName, nameText, nameBytes
+
+    -- * Tasks
+  , Task (..), Program (..), Spec (..), Call (..), Calling (..)
+  ) where
+
+import Control.Monad (ap, liftM)
+import Data.Bits ((.&.))
+import qualified Data.ByteString as ByteString
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Dynamic (Dynamic)
+import Data.IntMap.Strict (IntMap)
+import Data.Map.Strict (Map)
+import Data.Typeable (TypeRep)
+import Data.Word (Word8)
+import System.Random (StdGen)
+
+import Rosy.Robot
+
+-- ---------------------------------------------------------------------------------------------
+-- What happens
+
+-- | A sensor message of the base.
+data Message
+  = ButtonMessage Button
+  | BumperMessage Bumper
+  | CliffMessage Cliff
+  | WheelMessage Wheel
+  | StatusMessage RobotStatus
+  | OdometryMessage Odometry
+  deriving (Eq, Show)
+
+-- | What one odometry message says, in the frame of the start: metres, radians, m/s, rad/s.
+data Odometry = Odometry
+  { odometryPosition :: Position
+  , odometryOrientation :: Orientation
+  , odometryVelocity :: Velocity
+  }
+  deriving (Eq, Show)
+
+-- | What may make a function fire.
+data Occurrence
+  = Sensed Message
+  | Tick
+  | Emitted Event
+
+-- | A value of a declared type on its way from the function that emitted it to those that take it.
+data Event = Event
+  { eventSerial :: Int
+  -- ^ How many events the program had emitted before; set when it is queued.
+  , eventValue :: Dynamic
+  , eventShown :: ~String
+  }
+
+-- ---------------------------------------------------------------------------------------------
+-- What a function may read
+
+-- | The number of a running task; 0 is the program outside tasks.
+type ScopeId = Int
+
+-- | One value per type.
+type Memories = Map TypeRep Dynamic
+
+-- | All that a function can read apart from events.
+data Env = Env
+  { envOdometry :: Maybe Odometry
+  , envTime :: Double
+  -- ^ Seconds, as 'Seconds' tells them.
+  , envGen :: StdGen
+  , envScope :: ScopeId
+  -- ^ Whose memory is read.
+  , envMemories :: IntMap Memories
+  , envParams :: Memories
+  }
+
+-- ---------------------------------------------------------------------------------------------
+-- Inputs
+
+-- | A set of kinds of 'Occurrence', so that a function is not bothered with what it does not take.
+type Interest = Word8
+
+-- | The kind of an occurrence, as a set of one.
+interestIn :: Occurrence -> Interest
+interestIn occurrence = case occurrence of
+  Sensed message -> case message of
+    ButtonMessage _ -> 1
+    BumperMessage _ -> 2
+    CliffMessage _ -> 4
+    WheelMessage _ -> 8
+    StatusMessage _ -> 16
+    OdometryMessage _ -> odometryInterest
+  Tick -> 64
+  Emitted _ -> 128
+
+-- | The set of odometry alone.
+odometryInterest :: Interest
+odometryInterest = 32
+
+-- | Whether the sets have something in common.
+interestedIn :: Interest -> Interest -> Bool
+interestedIn a b = a .&. b /= 0
+
+-- | An input of a function: when it has a value, and how that value is told in an error message.
+data Sense a = Sense
+  { senseTell :: a -> [String] -> [String]
+  , senseShape :: Shape a
+  }
+
+-- | The three kinds of input of LANGUAGE.md section 2 in two constructors.
+data Shape a
+  = -- | Has a value only after something happened. The state @s@ keeps what has not been used yet.
+    forall s. Triggered (Trigger s a)
+  | -- | Can be read at any time: a state, which odometry refreshes ('True'), or a sample.
+    Level Bool (Env -> (a, Env))
+
+-- | How an input follows what happens.
+data Trigger s a = Trigger
+  { interest :: Interest
+  , mayWait :: Bool
+  -- ^ Whether its reading may need odometry, so that a value may have to wait for the first one.
+  , turns :: Int
+  -- ^ How many values one occurrence can give: one per side of an 'Either'.
+  , unused :: ~s
+  -- ^ The state without any unused value.
+  , offer :: Int -> Occurrence -> s -> s
+  -- ^ In the given turn (from 0), what an occurrence of interest makes of the state.
+  , ready :: s -> Maybe (Reading a)
+  -- ^ The value, when every event of the input has one.
+  , used :: s -> s
+  -- ^ The state after that value was taken.
+  }
+
+-- | A value that is there for the reading, perhaps only once odometry has arrived.
+-- Reading gives back the environment because a generator that was read is used up.
+data Reading a = Reading
+  { needsOdometry :: Bool
+  , readNow :: Env -> (a, Env)
+  }
+
+-- ---------------------------------------------------------------------------------------------
+-- Outputs
+
+-- | How a value of type @c@ is carried out: at once, or after inputs of its own (it is a function).
+data Plan c
+  = Plain (c -> Effects -> Effects)
+  | forall n. Needing (Sense n) (c -> n -> Effects -> Effects)
+
+-- | What a firing does, in order. The spine is strict: when the first cell is there, all is computed.
+data Effects = Nothing' | Then Effect Effects
+
+-- | One thing a firing does.
+data Effect
+  = Act Action
+  | Emit Dynamic ~String
+  | Remember TypeRep Dynamic
+  | Share TypeRep Dynamic
+  | End Dynamic
+  | Feed Dynamic
+  | StartCall Calling
+
+-- | A command to the robot.
+data Action
+  = SetVelocity Double Double
+  | SetLed1 LedColor
+  | SetLed2 LedColor
+  | PlaySound Sound
+  | SayText String
+  deriving (Eq, Show)
+
+-- ---------------------------------------------------------------------------------------------
+-- Functions
+
+-- | A function of the program with its name.
+data Function = forall n. Function FunctionName (Sense n) (n -> Effects)
+
+-- | A name in two forms: as text, and as the UTF-8 bytes that are copied out when the function starts.
+data FunctionName = FunctionName {nameText :: String, nameBytes :: ByteString.ByteString}
+
+instance Show FunctionName where
+  showsPrec d = showsPrec d . nameText
+
+-- | Name a function.
+functionName :: String -> FunctionName
+functionName text = FunctionName text (Lazy.toStrict (Builder.toLazyByteString (Builder.stringUtf8 text)))
+
+-- ---------------------------------------------------------------------------------------------
+-- Tasks
+
+-- | An activity that ends with a value of type @end@. Tasks follow one another with @do@.
+newtype Task end = Task {runTask :: forall r. (end -> Program r) -> Program r}
+
+instance Functor Task where
+  fmap = liftM
+
+instance Applicative Task where
+  pure x = Task (\k -> k x)
+  (<*>) = ap
+
+instance Monad Task where
+  Task m >>= f = Task (\k -> m (\x -> runTask (f x) k))
+
+-- | What remains to be done before an @r@ is there.
+data Program r
+  = Return ~r
+  | forall end. RunTask (Spec end) (end -> Program r)
+  | -- | Fire once and go on; no task of its own.
+    Once Function (Program r)
+  | -- | Go on when so many seconds have passed.
+    WaitFor Double (Program r)
+  | forall a b. Both (Program a) (Program b) ((a, b) -> Program r)
+  | forall a b. First (Program a) (Program b) (Either a b -> Program r)
+
+-- | One task: what it does first, what it does all the time, what it does when it is stopped.
+data Spec end = Spec
+  { specStart :: Maybe Function
+  , specFunctions :: [Function]
+  , specStopped :: Maybe Function
+  , specEnd :: Dynamic -> Maybe end
+  -- ^ The value of a @Done@, if it has the type of this task.
+  , specType :: ~String
+  -- ^ That type, as Haskell writes it.
+  }
+
+-- | A command that starts a task beside the functions that are running. Made with @call@.
+newtype Call = Call Calling
+
+-- | A task to start, and what to do with what comes out of it.
+data Calling = forall end. Calling
+  { callProgram :: Program end
+  , callCancel :: Maybe Function
+  -- ^ Ends with a value when the task is to be cancelled.
+  , callFeedback :: Dynamic -> Maybe Function
+  , callResponse :: end -> Function
+  }

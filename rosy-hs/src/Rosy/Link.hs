@@ -1,0 +1,60 @@
+-- |
+-- Module      : Rosy.Link
+-- Description : The link to a robot, as a record of functions.
+--
+-- Whoever drives the loop ("Rosy.Run") hears batches and answers them; which wire they travel on is the link's affair.
+-- The simulator waits for each answer; a real robot does not wait.
+module Rosy.Link
+  ( -- * What it is
+    Link (..)
+  , Opening (..)
+  , Batch (..)
+  , Answer (..)
+  , Ending (..)
+  ) where
+
+import Rosy.Core (Action, FunctionName, Message)
+import Rosy.Problem (Problem)
+
+-- | A robot at the other end.
+data Link = Link
+  { open :: IO Opening
+  -- ^ Wait until the robot is there, and say what the program sends and takes.
+  , next :: IO (Maybe Batch)
+  -- ^ The next batch; 'Nothing' when the program is to stop.
+  , answer :: Answer -> IO ()
+  -- ^ What the program makes of the batch.
+  , end :: [Action] -> Ending -> IO ()
+  -- ^ The last words: commands, then zero velocity, then how it ended.
+  , atWork :: FunctionName -> IO ()
+  -- ^ Leaves the name of the function at work where it can be found if it never ends.
+  , atRest :: IO ()
+  -- ^ No function is at work.
+  }
+
+-- | What is known when a run starts.
+newtype Opening = Opening
+  { openingSeed :: Int
+  -- ^ Where the chance of this run comes from.
+  }
+
+-- | What the robot sensed since the last batch.
+data Batch = Batch
+  { batchStep :: Int
+  , batchTime :: Double
+  -- ^ Seconds.
+  , batchMessages :: [Message]
+  , batchTick :: Bool
+  -- ^ Whether the default-rate clock ticks after the messages.
+  }
+
+-- | What the program did with a batch.
+data Answer = Answer
+  { answerStep :: Int
+  , answerActions :: [Action]
+  , answerFired :: [FunctionName]
+  , answerEvents :: [String]
+  }
+
+-- | How a run ended.
+data Ending = EndedDone | EndedStopped | EndedError Problem

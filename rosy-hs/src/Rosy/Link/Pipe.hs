@@ -1,0 +1,122 @@
+{-# LANGUAGE ForeignFunctionInterface #-}
+
+-- |
+-- Module      : Rosy.Link.Pipe
+-- Description : The link to the simulator over one file descriptor.
+--
+-- Lines in, lines out, in lockstep: a batch is read up to its @step@ line and answered in one write. Plain blocking
+-- calls with a buffer of its own, so that it works in a process that was forked a moment ago and has no I/O manager.
+-- What the lines mean is in "Rosy.Wire". Never writes to standard output, which belongs to the program.
+module Rosy.Link.Pipe
+  ( pipeLink
+  ) where
+
+import Control.Exception
+import qualified Data.ByteString as ByteString
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Char8 as Char8
+import qualified Data.ByteString.Internal as Internal
+import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.ByteString.Unsafe as Unsafe
+import Control.Monad (unless, when)
+import Data.IORef
+import Data.Word (Word32, Word8)
+import Foreign.C.Error (throwErrnoIfMinus1Retry)
+import Foreign.C.Types (CInt (..), CSize (..))
+import Foreign.Marshal.Utils (copyBytes)
+import Foreign.Ptr (Ptr, castPtr, nullPtr, plusPtr)
+import Foreign.Storable (poke)
+import System.Posix.Types (CSsize (..))
+
+import Rosy.Core (Message, nameBytes)
+import Rosy.Link
+import Rosy.Problem (Fault (..))
+import Rosy.Wire
+
+foreign import ccall safe "read" c_read :: CInt -> Ptr Word8 -> CSize -> IO CSsize
+foreign import ccall safe "write" c_write :: CInt -> Ptr Word8 -> CSize -> IO CSsize
+
+-- | A link over a stream descriptor, used in both directions, and a page for the name of the function at work (see 'Rosy.Launch.onPipe').
+pipeLink :: CInt -> Ptr Word32 -> IO Link
+pipeLink descriptor page = do
+  rest <- newIORef ByteString.empty
+  tracing <- newIORef False
+  let heard = do
+        bytes <- readLineFrom descriptor rest
+        case readLine bytes of
+          Right l -> pure l
+          Left _ -> throwIO (Malformed (Char8.unpack (ByteString.take 500 bytes)))
+  pure Link
+    { open = do
+        l <- heard
+        case l of
+          StartLine 1 seed trace -> do
+            writeIORef tracing trace
+            send descriptor writeOpening
+            pure (Opening seed)
+          _ -> throwIO (Malformed "the first line is not a start of protocol 1")
+    , next = batch heard []
+    , answer = \a -> do
+        trace <- readIORef tracing
+        send descriptor (writeAnswer trace a)
+    , end = \commands ending -> send descriptor (writeEnding commands ending)
+    , atWork = \name -> unless (page == nullPtr) (leave page (nameBytes name))
+    , atRest = unless (page == nullPtr) (poke page 0)
+    }
+
+-- | Messages up to the end of the step.
+batch :: IO Line -> [Message] -> IO (Maybe Batch)
+batch heard messages = do
+  l <- heard
+  case l of
+    SensorLine message -> batch heard (message : messages)
+    StepLine step time -> pure (Just (Batch step time (reverse messages) (step `mod` ticksEvery == 0)))
+    StopLine -> pure Nothing
+    StartLine {} -> throwIO (Malformed "a second start")
+
+-- | The default rate is 10 Hz and a step is 20 ms: every fifth step ticks (protocol/README.md).
+ticksEvery :: Int
+ticksEvery = 5
+
+-- | The next line without its end. The reference keeps what was read beyond it.
+readLineFrom :: CInt -> IORef ByteString -> IO ByteString
+readLineFrom descriptor rest = readIORef rest >>= go []
+  where
+    -- Pieces without a line end, newest first.
+    go pieces bytes = case ByteString.elemIndex 10 bytes of
+      Just i -> do
+        writeIORef rest $! Unsafe.unsafeDrop (i + 1) bytes
+        let lastPiece = Unsafe.unsafeTake i bytes
+        pure (if null pieces then lastPiece else ByteString.concat (reverse (lastPiece : pieces)))
+      Nothing -> do
+        more <- lost (Internal.createAndTrim pieceSize (\p -> fromIntegral <$> throwErrnoIfMinus1Retry "read" (c_read descriptor p (fromIntegral pieceSize))))
+        when (ByteString.null more) (throwIO (LinkLost "closed"))
+        go (if ByteString.null bytes then pieces else bytes : pieces) more
+
+-- | How much is read at once, bytes: many times a batch, which is below 1 kB.
+pieceSize :: Int
+pieceSize = 16384
+
+-- | Write all of it.
+send :: CInt -> Builder.Builder -> IO ()
+send descriptor builder = mapM_ piece (Lazy.toChunks (Builder.toLazyByteString builder))
+  where
+    piece bytes = unless (ByteString.null bytes) $ do
+      n <- lost (Unsafe.unsafeUseAsCStringLen bytes (\(p, len) -> throwErrnoIfMinus1Retry "write" (c_write descriptor (castPtr p) (fromIntegral len))))
+      piece (ByteString.drop (fromIntegral n) bytes)
+
+-- | A descriptor that fails has lost its other end.
+lost :: IO a -> IO a
+lost io = io `catch` \e -> throwIO (LinkLost (show (e :: IOException)))
+
+-- | Write a name into the page: no length while the bytes change, then the bytes, then the length.
+leave :: Ptr Word32 -> ByteString -> IO ()
+leave page name = do
+  poke page 0
+  Unsafe.unsafeUseAsCStringLen name (\(p, len) -> copyBytes (page `plusPtr` 4) p (min len nameLimit))
+  poke page (fromIntegral (min (ByteString.length name) nameLimit))
+
+-- | What fits the page after its length, bytes.
+nameLimit :: Int
+nameLimit = 4092

@@ -1,0 +1,94 @@
+-- |
+-- Module      : Rosy.Run
+-- Description : Drives the loop over a link: hears batches, fires, answers.
+--
+-- This is the only place where the pure loop meets the world. It evaluates the firings one by one,
+-- says before each which function is at work, and turns what a function throws into a problem that names it.
+module Rosy.Run
+  ( runOn
+  ) where
+
+import Control.Exception
+import System.Random (mkStdGen)
+
+import Rosy.Core
+import Rosy.Link
+import Rosy.Loop
+import Rosy.Problem
+
+-- | Run a program on a link until it ends, is stopped, or fails. A lost link is thrown as a 'Fault'.
+runOn :: Link -> Program r -> IO ()
+runOn link program = do
+  opening <- open link
+  first <- next link
+  case first of
+    Nothing -> end link [] EndedStopped
+    Just batch -> do
+      let start = Start {startTime = batchTime batch, startGen = mkStdGen (openingSeed opening)}
+      batches link batch (begin start program)
+
+-- | Go through one batch, starting from a turn, then wait for the next.
+batches :: Link -> Batch -> Turn -> IO ()
+batches link batch turn0 = drive [] (occasions batch) turn0
+  where
+    -- Names of what fired, newest first, and what of the batch is to come.
+    drive fired todo turn = case turn of
+      Fires firing after -> do
+        let name = firingName firing
+        atWork link name
+        result <- try (evaluate (firingEffects firing))
+        case result of
+          Right _ -> drive (name : fired) todo after
+          Left exception -> do
+            inputs <- showInputs (firingInputs firing)
+            cleanUp link (EndedError (problemFrom (Just (nameText name)) inputs (Just (batchTime batch)) exception)) (firingFailed firing)
+      Settled network -> case todo of
+        what : rest -> drive fired rest (instant (batchTime batch) what network)
+        [] -> do
+          atRest link
+          let (report, network') = collect network
+          answer link Answer
+            { answerStep = batchStep batch
+            , answerActions = reportActions report
+            , answerFired = reverse fired
+            , answerEvents = reportEvents report
+            }
+          following <- next link
+          case following of
+            Nothing -> cleanUp link EndedStopped (stop network')
+            Just batch' -> batches link batch' (Settled network')
+      Ended outcome report -> end link (reportActions report) (endingOf batch outcome)
+
+-- | The instants of a batch in order.
+occasions :: Batch -> [What]
+occasions batch = map Hear (batchMessages batch) ++ [TickNow | batchTick batch]
+
+-- | Let the live tasks clean up; a clean-up that fails itself is passed over, for the first failure is the one to tell.
+cleanUp :: Link -> Ending -> Turn -> IO ()
+cleanUp link ending turn = case turn of
+  Fires firing after -> do
+    atWork link (firingName firing)
+    result <- try (evaluate (firingEffects firing)) :: IO (Either SomeException Effects)
+    cleanUp link ending (either (const (firingFailed firing)) (const after) result)
+  Settled network -> cleanUp link ending (stop network)
+  Ended _ report -> atRest link >> end link (reportActions report) ending
+
+endingOf :: Batch -> Outcome -> Ending
+endingOf batch outcome = case outcome of
+  Finished -> EndedDone
+  Stopped -> EndedStopped
+  Failed -> EndedStopped
+  EndedWrongly who given wanted ->
+    EndedError (problemFrom (Just who) [] (Just (batchTime batch)) (toException (WrongDone given wanted)))
+
+-- | Inputs as text, each cut to a length that fits a message; one that fails itself is told as @_@.
+showInputs :: [String] -> IO [String]
+showInputs = mapM showInput . take 20
+  where
+    showInput input = do
+      result <- try (let text = take inputLength input in evaluate (foldr seq text text))
+      pure (either (const "_" :: SomeException -> String) id result)
+
+-- | Longest text of one input in a problem, characters. A choice of ours.
+inputLength :: Int
+inputLength = 200

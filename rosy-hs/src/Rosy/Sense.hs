@@ -1,0 +1,170 @@
+{-# LANGUAGE BangPatterns #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- |
+-- Module      : Rosy.Sense
+-- Description : Making inputs and putting them together: both, either, either as it comes.
+--
+-- The combinators behind the instances of "Rosy.Sensor". Their meaning over lists of occurrences is in "Rosy.Model".
+module Rosy.Sense
+  ( -- * Making one
+    event, tick, state, sample, never, nothing
+
+    -- * Putting together
+  , both, oneOf, convert
+  ) where
+
+import Data.Bits ((.|.))
+
+import Rosy.Core
+import Rosy.Value (Value, shown)
+
+telling :: Value a => a -> [String] -> [String]
+telling x rest = shown x : rest
+
+-- | An input that has a value when the occurrence says so. It keeps the newest value that was not used.
+event :: Value a => Interest -> (Occurrence -> Maybe a) -> Sense a
+event kinds pick = Sense telling (Triggered Trigger
+  { interest = kinds
+  , mayWait = False
+  , turns = 1
+  , unused = Nothing
+  , offer = \turn occurrence old -> if turn /= 0 then old else case pick occurrence of
+      Just !x -> Just x
+      Nothing -> old
+  , ready = fmap (\x -> Reading False (\env -> (x, env)))
+  , used = const Nothing
+  })
+
+-- | The tick of the default rate, 10 Hz.
+tick :: Sense ()
+tick = event (interestIn Tick) ticked
+  where
+    ticked Tick = Just ()
+    ticked _ = Nothing
+
+-- | The current value of something that odometry refreshes.
+state :: Value a => (Odometry -> a) -> Sense a
+state view = Sense telling (Level True (\env -> (maybe unarrived view (envOdometry env), env)))
+  where
+    -- The loop reads a state only after odometry has arrived (rule 5).
+    unarrived = errorWithoutStackTrace "a state was read before it arrived"
+
+-- | Something that can be read at any time.
+sample :: Value a => (Env -> (a, Env)) -> Sense a
+sample look = Sense telling (Level False look)
+
+-- | An input that never has a value.
+never :: Sense a
+never = Sense (const id) idle
+
+-- | No input at all: always there, says nothing.
+nothing :: Sense ()
+nothing = Sense (const id) (Level False (\env -> ((), env)))
+
+-- | An input that is another one in different words.
+convert :: (a -> b) -> (b -> a) -> Sense a -> Sense b
+convert to from (Sense tell shape) = Sense (tell . from) (mapShape to shape)
+
+mapShape :: (a -> b) -> Shape a -> Shape b
+mapShape f (Triggered t) = Triggered t {ready = fmap (mapReading f) . ready t}
+mapShape f (Level refresh look) = Level refresh (mapLook f look)
+
+mapReading :: (a -> b) -> Reading a -> Reading b
+mapReading f (Reading need look) = Reading need (mapLook f look)
+
+mapLook :: (a -> b) -> (Env -> (a, Env)) -> Env -> (b, Env)
+mapLook f look env = case look env of (x, env') -> (f x, env')
+
+-- | All of these: has a value when both have one.
+both :: Sense a -> Sense b -> Sense (a, b)
+both (Sense tellA a) (Sense tellB b) = Sense (\(x, y) -> tellA x . tellB y) (bothShapes a b)
+
+bothShapes :: Shape a -> Shape b -> Shape (a, b)
+bothShapes (Triggered a) (Triggered b) = Triggered Trigger
+  { interest = interest a .|. interest b
+  , mayWait = mayWait a || mayWait b
+  , turns = max (turns a) (turns b)
+  , unused = Two (unused a) (unused b)
+  , offer = \turn occurrence (Two s t) -> Two (offer a turn occurrence s) (offer b turn occurrence t)
+  , ready = \(Two s t) -> case ready a s of
+      Nothing -> Nothing
+      Just (Reading needA lookA) -> case ready b t of
+        Nothing -> Nothing
+        Just (Reading needB lookB) -> Just (Reading (needA || needB) (bothLooks lookA lookB))
+  , used = \(Two s t) -> Two (used a s) (used b t)
+  }
+bothShapes (Triggered a) (Level refresh look) = withLevel refresh (\x -> bothLooks x look) a
+bothShapes (Level refresh look) (Triggered b) = withLevel refresh (bothLooks look) b
+bothShapes (Level refreshA lookA) (Level refreshB lookB) =
+  Level (refreshA || refreshB) (bothLooks lookA lookB)
+
+-- | An event together with something that is read when it happens.
+withLevel :: Bool -> ((Env -> (a, Env)) -> Env -> (b, Env)) -> Trigger s a -> Shape b
+withLevel refresh join t = Triggered t
+  { mayWait = mayWait t || refresh
+  , ready = fmap (\(Reading need look) -> Reading (need || refresh) (join look)) . ready t
+  }
+
+bothLooks :: (Env -> (a, Env)) -> (Env -> (b, Env)) -> Env -> ((a, b), Env)
+bothLooks lookA lookB env = case lookA env of
+  (x, env') -> case lookB env' of
+    (y, env'') -> ((x, y), env'')
+
+-- | Strict in both states, so that nothing piles up in an input that waits for its partner.
+data Two s t = Two !s !t
+
+-- | Either of these, as it comes: a new value of one side takes the place of an unused one.
+-- When one occurrence gives both sides a value, the left one has its turn first.
+oneOf :: forall a b. Sense a -> Sense b -> Sense (Either a b)
+oneOf (Sense tellA shapeA) (Sense tellB shapeB) = Sense (either tellA tellB) (join (triggering shapeA) (triggering shapeB))
+  where
+    join (Triggered a) (Triggered b) = Triggered Trigger
+      { interest = interest a .|. interest b
+      , mayWait = mayWait a || mayWait b
+      , turns = turns a + turns b
+      , unused = Slot (unused a) (unused b) Nothing
+      , offer = \turn occurrence slot@(Slot s t _) ->
+          if turn < turns a
+            then let s' = offer a turn occurrence s in case ready a s' of
+              Just reading -> Slot (used a s') t (Just (mapReading Left reading))
+              Nothing -> slot {slotLeft = s'}
+            else let t' = offer b (turn - turns a) occurrence t in case ready b t' of
+              Just reading -> Slot s (used b t') (Just (mapReading Right reading))
+              Nothing -> slot {slotRight = t'}
+      , ready = slotValue
+      , used = \slot -> slot {slotValue = Nothing}
+      }
+    join _ _ = idle -- 'triggering' gives nothing else
+
+data Slot s t r = Slot {slotLeft :: !s, slotRight :: !t, slotValue :: !(Maybe r)}
+
+-- | Inside an 'Either' a state triggers like an event (rule 4); a sample still never causes anything.
+triggering :: Shape a -> Shape a
+triggering shape@(Triggered _) = shape
+triggering (Level refresh look)
+  | refresh = Triggered Trigger
+      { interest = odometryInterest
+      , mayWait = False
+      , turns = 1
+      , unused = False
+      , offer = \turn occurrence old -> old || (turn == 0 && isOdometry occurrence)
+      , ready = \new -> if new then Just (Reading True look) else Nothing
+      , used = const False
+      }
+  | otherwise = idle
+  where
+    isOdometry (Sensed (OdometryMessage _)) = True
+    isOdometry _ = False
+
+-- | Never has a value.
+idle :: Shape a
+idle = Triggered Trigger
+  { interest = 0
+  , mayWait = False
+  , turns = 1
+  , unused = ()
+  , offer = \_ _ s -> s
+  , ready = const Nothing
+  , used = id
+  }

@@ -1,0 +1,345 @@
+{-# LANGUAGE CPP #-}
+{-# LANGUAGE BangPatterns #-}
+{-# LANGUAGE DefaultSignatures #-}
+{-# LANGUAGE FlexibleContexts #-}
+{-# LANGUAGE FlexibleInstances #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+{-# LANGUAGE TypeOperators #-}
+{-# LANGUAGE UndecidableInstances #-}
+
+-- |
+-- Module      : Rosy.Value
+-- Description : What Rosy can do with every value: show it, finish computing it, and start from nothing.
+--
+-- Traces and error messages show values of types that the learner declared without a single instance.
+-- The worker gives each declared type an empty instance of 'Value', whose methods come from "GHC.Generics".
+-- A type that has no instance, such as a function, still works: it is shown as @_@.
+-- This module knows nothing of robots.
+module Rosy.Value
+  ( -- * What it is
+    Value (..)
+  , Default (..)
+
+    -- * Using one
+  , shown
+  , settled
+
+    -- * Internals
+  , GValue
+  ) where
+
+import Data.Char (isAlpha)
+import Data.Int (Int16, Int32, Int64, Int8)
+import qualified Data.IntMap as IntMap
+import qualified Data.IntSet as IntSet
+import qualified Data.List.NonEmpty as NonEmpty
+import qualified Data.Map as Map
+import Data.Ratio (Ratio)
+import qualified Data.Sequence as Seq
+import qualified Data.Set as Set
+import Data.Typeable (Typeable)
+import Data.Word (Word16, Word32, Word64, Word8)
+import GHC.Generics
+import Numeric.Natural (Natural)
+
+-- | A value that Rosy can show, finish and begin with. Every declared type has an (empty) instance.
+class Typeable a => Value a where
+  -- | The value as Haskell's derived @Show@ writes it; what cannot be shown is @_@.
+  display :: Int -> a -> ShowS
+  default display :: (Generic a, GValue (Rep a)) => Int -> a -> ShowS
+  display d = gDisplay d . from
+
+  -- | Finish computing the value, visiting at most so many parts; gives what is left of the budget.
+  -- A firing is one transaction: what it writes is computed before the next one begins, so that an error
+  -- is blamed on the function that made it, and 'Rosy.Memory' keeps values instead of promises.
+  settle :: Int -> a -> Int
+  default settle :: (Generic a, GValue (Rep a)) => Int -> a -> Int
+  settle budget x = gSettle budget (from x)
+
+  -- | The value that memory of this type starts with: the first constructor with initial fields.
+  initial :: a
+  default initial :: (Generic a, GValue (Rep a)) => a
+  initial = to gInitial
+
+-- | Types that a 'Rosy.Memory' may hold: those with a value to start from.
+class Value a => Default a where
+  -- | What the memory holds before anything was written to it.
+  defaultValue :: a
+  defaultValue = initial
+
+-- | The most parts of one value that are computed when it is written, so that an endless list
+-- may be kept in memory. A choice of ours: it bounds the cost of one write to some 10 µs.
+settleBudget :: Int
+settleBudget = 1000
+
+-- | Evaluate a value (within the budget) before handing it on.
+settled :: Value a => a -> a
+settled x = settle settleBudget x `seq` x
+
+-- | The value as a learner would write it.
+shown :: Value a => a -> String
+shown x = display 0 x ""
+
+-- ---------------------------------------------------------------------------------------------
+-- What has no instance
+
+-- | The last resort, for fields that nobody can look into: functions of functions, actions, abstract types.
+instance {-# INCOHERENT #-} Typeable a => Value a where
+  display _ _ = showString "_"
+  settle budget x = x `seq` budget - 1
+  initial = errorWithoutStackTrace "this value has no default to start from"
+
+instance (Typeable a, Value b) => Value (a -> b) where
+  display _ _ = showString "_"
+  settle budget f = f `seq` budget - 1
+  initial = const initial
+
+-- ---------------------------------------------------------------------------------------------
+-- The Prelude's types
+
+showing :: Show a => Int -> a -> ShowS
+showing = showsPrec
+
+atom :: Int -> a -> Int
+atom budget x = x `seq` budget - 1
+
+#define NUMBER(T) instance Value T where { display = showing; settle = atom; initial = 0 }; \
+                  instance Default T
+
+NUMBER(Int)
+NUMBER(Int8)
+NUMBER(Int16)
+NUMBER(Int32)
+NUMBER(Int64)
+NUMBER(Word)
+NUMBER(Word8)
+NUMBER(Word16)
+NUMBER(Word32)
+NUMBER(Word64)
+NUMBER(Integer)
+NUMBER(Natural)
+NUMBER(Double)
+NUMBER(Float)
+
+instance (Integral a, Show a, Typeable a) => Value (Ratio a) where
+  display = showing
+  settle = atom
+  initial = 0
+instance (Integral a, Show a, Typeable a) => Default (Ratio a)
+
+instance Value Char where
+  display = showing
+  settle = atom
+  initial = ' '
+instance Default Char
+
+instance Value ()
+instance Default ()
+instance Value Bool
+instance Default Bool
+instance Value Ordering
+instance Default Ordering
+-- | Memory of a 'Maybe' starts with 'Nothing'.
+instance Value a => Value (Maybe a)
+instance Default a => Default (Maybe a)
+instance (Value a, Value b) => Value (Either a b)
+instance (Default a, Default b) => Default (Either a b)
+
+-- | Text.
+instance {-# OVERLAPPING #-} Value [Char] where
+  display = showing
+  settle = settleList
+  initial = ""
+
+instance Value a => Value [a] where
+  display _ = displayList
+  settle = settleList
+  initial = []
+instance Value a => Default [a]
+
+instance Value a => Value (NonEmpty.NonEmpty a) where
+  display d (x NonEmpty.:| xs) = showParen (d > 5) (display 6 x . showString " :| " . display 6 xs)
+  settle budget (x NonEmpty.:| xs) = settle (settle budget x) xs
+  initial = initial NonEmpty.:| []
+instance Default a => Default (NonEmpty.NonEmpty a)
+
+displayList :: Value a => [a] -> ShowS
+displayList xs = showChar '[' . separated xs . showChar ']'
+  where
+    separated [] = id
+    separated [y] = display 0 y
+    separated (y : ys) = display 0 y . showChar ',' . separated ys
+
+settleList :: Value a => Int -> [a] -> Int
+settleList !budget xs
+  | budget <= 0 = budget
+  | otherwise = case xs of
+      [] -> budget - 1
+      y : ys -> settleList (settle (budget - 1) y) ys
+
+instance (Value k, Value v) => Value (Map.Map k v) where
+  display d m = showParen (d > 10) (showString "fromList " . displayList (Map.toAscList m))
+  settle budget m = settleList budget (Map.elems m)
+  initial = Map.empty
+instance (Value k, Value v) => Default (Map.Map k v)
+
+instance Value a => Value (Set.Set a) where
+  display d s = showParen (d > 10) (showString "fromList " . displayList (Set.toAscList s))
+  settle = atom
+  initial = Set.empty
+instance Value a => Default (Set.Set a)
+
+instance Value a => Value (Seq.Seq a) where
+  display d s = showParen (d > 10) (showString "fromList " . displayList (foldr (:) [] s))
+  settle budget s = settleList budget (foldr (:) [] s)
+  initial = Seq.empty
+instance Value a => Default (Seq.Seq a)
+
+instance Value a => Value (IntMap.IntMap a) where
+  display d m = showParen (d > 10) (showString "fromList " . displayList (IntMap.toAscList m))
+  settle budget m = settleList budget (IntMap.elems m)
+  initial = IntMap.empty
+instance Value a => Default (IntMap.IntMap a)
+
+instance Value IntSet.IntSet where
+  display = showing
+  settle = atom
+  initial = IntSet.empty
+instance Default IntSet.IntSet
+
+-- ---------------------------------------------------------------------------------------------
+-- Tuples (the Generic instances of GHC 9.0 stop at seven)
+
+tupled :: [ShowS] -> ShowS
+tupled parts = showChar '(' . foldr1 (\a b -> a . showChar ',' . b) parts . showChar ')'
+
+#define D(x) display 0 x
+#define S(b,x) (settle (b) x)
+
+instance (Value a, Value b) => Value (a, b) where
+  display _ (a, b) = tupled [D(a), D(b)]
+  settle n (a, b) = S(S(n,a),b)
+  initial = (initial, initial)
+instance (Default a, Default b) => Default (a, b)
+
+instance (Value a, Value b, Value c) => Value (a, b, c) where
+  display _ (a, b, c) = tupled [D(a), D(b), D(c)]
+  settle n (a, b, c) = S(S(S(n,a),b),c)
+  initial = (initial, initial, initial)
+instance (Default a, Default b, Default c) => Default (a, b, c)
+
+instance (Value a, Value b, Value c, Value d) => Value (a, b, c, d) where
+  display _ (a, b, c, d) = tupled [D(a), D(b), D(c), D(d)]
+  settle n (a, b, c, d) = S(S(S(S(n,a),b),c),d)
+  initial = (initial, initial, initial, initial)
+instance (Default a, Default b, Default c, Default d) => Default (a, b, c, d)
+
+instance (Value a, Value b, Value c, Value d, Value e) => Value (a, b, c, d, e) where
+  display _ (a, b, c, d, e) = tupled [D(a), D(b), D(c), D(d), D(e)]
+  settle n (a, b, c, d, e) = S(S(S(S(S(n,a),b),c),d),e)
+  initial = (initial, initial, initial, initial, initial)
+instance (Default a, Default b, Default c, Default d, Default e) => Default (a, b, c, d, e)
+
+instance (Value a, Value b, Value c, Value d, Value e, Value f) => Value (a, b, c, d, e, f) where
+  display _ (a, b, c, d, e, f) = tupled [D(a), D(b), D(c), D(d), D(e), D(f)]
+  settle n (a, b, c, d, e, f) = S(S(S(S(S(S(n,a),b),c),d),e),f)
+  initial = (initial, initial, initial, initial, initial, initial)
+instance (Default a, Default b, Default c, Default d, Default e, Default f) => Default (a, b, c, d, e, f)
+
+instance (Value a, Value b, Value c, Value d, Value e, Value f, Value g) => Value (a, b, c, d, e, f, g) where
+  display _ (a, b, c, d, e, f, g) = tupled [D(a), D(b), D(c), D(d), D(e), D(f), D(g)]
+  settle n (a, b, c, d, e, f, g) = S(S(S(S(S(S(S(n,a),b),c),d),e),f),g)
+  initial = (initial, initial, initial, initial, initial, initial, initial)
+instance (Default a, Default b, Default c, Default d, Default e, Default f, Default g) => Default (a, b, c, d, e, f, g)
+
+instance (Value a, Value b, Value c, Value d, Value e, Value f, Value g, Value h) => Value (a, b, c, d, e, f, g, h) where
+  display _ (a, b, c, d, e, f, g, h) = tupled [D(a), D(b), D(c), D(d), D(e), D(f), D(g), D(h)]
+  settle n (a, b, c, d, e, f, g, h) = S(S(S(S(S(S(S(S(n,a),b),c),d),e),f),g),h)
+  initial = (initial, initial, initial, initial, initial, initial, initial, initial)
+instance (Default a, Default b, Default c, Default d, Default e, Default f, Default g, Default h) => Default (a, b, c, d, e, f, g, h)
+
+instance (Value a, Value b, Value c, Value d, Value e, Value f, Value g, Value h, Value i) => Value (a, b, c, d, e, f, g, h, i) where
+  display _ (a, b, c, d, e, f, g, h, i) = tupled [D(a), D(b), D(c), D(d), D(e), D(f), D(g), D(h), D(i)]
+  settle n (a, b, c, d, e, f, g, h, i) = S(S(S(S(S(S(S(S(S(n,a),b),c),d),e),f),g),h),i)
+  initial = (initial, initial, initial, initial, initial, initial, initial, initial, initial)
+instance (Default a, Default b, Default c, Default d, Default e, Default f, Default g, Default h, Default i) => Default (a, b, c, d, e, f, g, h, i)
+
+-- ---------------------------------------------------------------------------------------------
+-- Generics
+
+-- | How a declared type is shown, settled and begun, from its structure.
+class GValue f where
+  gDisplay :: Int -> f p -> ShowS
+  gSettle :: Int -> f p -> Int
+  gInitial :: f p
+
+instance GValue V1 where
+  gDisplay _ _ = showString "_"
+  gSettle budget x = x `seq` budget
+  gInitial = errorWithoutStackTrace "a type without constructors has no value"
+
+instance GValue f => GValue (D1 m f) where
+  gDisplay d (M1 x) = gDisplay d x
+  gSettle budget (M1 x) = gSettle budget x
+  gInitial = M1 gInitial
+
+-- The first constructor in the source is the leftmost of the sum.
+instance (GValue f, GValue g) => GValue (f :+: g) where
+  gDisplay d (L1 x) = gDisplay d x
+  gDisplay d (R1 x) = gDisplay d x
+  gSettle budget (L1 x) = gSettle budget x
+  gSettle budget (R1 x) = gSettle budget x
+  gInitial = L1 gInitial
+
+instance (Constructor c, GFields f) => GValue (C1 c f) where
+  gDisplay d m@(M1 x)
+    | conIsRecord m = showParen (d > 10) (name . showString " {" . commas (map field (fields 0 x)) . showChar '}')
+    | otherwise = case conFixity m of
+        Infix _ precedence
+          | [(_, a), (_, b)] <- fields (precedence + 1) x ->
+              showParen (d > precedence) (a . showChar ' ' . infixName . showChar ' ' . b)
+        _ -> case fields 11 x of
+          [] -> name
+          parts -> showParen (d > 10) (foldl (\acc (_, part) -> acc . showChar ' ' . part) name parts)
+    where
+      text = conName m
+      isOperator = take 1 text == ":"
+      name = if isOperator then showParen True (showString text) else showString text
+      infixName = if isOperator then showString text else showChar '`' . showString text . showChar '`'
+      field (label, part) = showParen (isSymbol label) (showString label) . showString " = " . part
+      isSymbol label = not (any (\c -> isAlpha c || c == '_') (take 1 label))
+      commas [] = id
+      commas ps = foldr1 (\a b -> a . showString ", " . b) ps
+  gSettle budget (M1 x)
+    | budget <= 0 = budget
+    | otherwise = settleFields (budget - 1) x
+  gInitial = M1 initialFields
+
+-- | The fields of one constructor, with their labels.
+class GFields f where
+  fields :: Int -> f p -> [(String, ShowS)]
+  settleFields :: Int -> f p -> Int
+  initialFields :: f p
+
+instance GFields U1 where
+  fields _ _ = []
+  settleFields budget _ = budget
+  initialFields = U1
+
+instance (GFields f, GFields g) => GFields (f :*: g) where
+  fields d (x :*: y) = fields d x ++ fields d y
+  settleFields budget (x :*: y) = settleFields (settleFields budget x) y
+  initialFields = initialFields :*: initialFields
+
+instance (Selector s, Value a) => GFields (S1 s (K1 i a)) where
+  fields d m@(M1 (K1 x)) = [(selName m, display d x)]
+  settleFields budget (M1 (K1 x))
+    | budget <= 0 = budget
+    | otherwise = settle budget x
+  initialFields = M1 (K1 initial)
+
+-- Unboxed fields such as @Int#@ can neither be shown nor begun by name.
+instance GFields (S1 s (URec u)) where
+  fields _ _ = [("", showString "_")]
+  settleFields budget _ = budget
+  initialFields = errorWithoutStackTrace "an unboxed field has no default"
