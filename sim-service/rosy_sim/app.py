@@ -1,0 +1,165 @@
+"""
+The web application: page socket, HTTP API, the built page. Holds the sessions and the worker; starts and
+ends them with itself.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import secrets
+from collections.abc import AsyncIterator, Coroutine
+from typing import Any
+from urllib.parse import urlsplit
+
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import JSONResponse, PlainTextResponse, Response
+from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
+from starlette.staticfiles import StaticFiles
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from .config import Config
+from .library import example, examples, world_names
+from .live import Lateness
+from .sentences import room_full
+from .session import Session
+from .wire import page
+from .worker.client import State, Worker
+
+__all__ = ["Service", "build_app"]
+
+_POLICY_VIOLATION, _TRY_AGAIN = 1008, 1013
+"""WebSocket close codes. RFC 6455, section 7.4.1, and its registry."""
+
+
+class Service:
+    """All that lives as long as the application."""
+
+    def __init__(self, config: Config) -> None:
+        self.config = config
+        self.late = Lateness()
+        self.sessions: dict[str, Session] = {}
+        self.worker = Worker(config, self._worker_changed)
+
+    def _worker_changed(self, state: State) -> None:
+        for session in self.sessions.values():
+            session.outbox.put(page.WorkerState(state))
+
+    @contextlib.asynccontextmanager
+    async def lifespan(self, _app: Starlette) -> AsyncIterator[None]:
+        """Keep a worker while the application runs."""
+        keeper = asyncio.create_task(self.worker.run())
+        try:
+            yield
+        finally:
+            for session in list(self.sessions.values()):
+                await session.close()
+            keeper.cancel()
+            with contextlib.suppress(asyncio.CancelledError):
+                await keeper
+
+    # Pages
+
+    async def serve_page(self, socket: WebSocket) -> None:
+        """One page from hello to goodbye."""
+        if not _same_origin(socket):
+            await socket.close(_POLICY_VIOLATION)
+            return
+        await socket.accept()
+        if len(self.sessions) >= self.config.limits.sessions:
+            full = room_full(self.config.limits.sessions)
+            await socket.send_text(page.encode(page.Refusal(full.message, full.hint)))
+            await socket.close(_TRY_AGAIN)
+            return
+        session = Session(secrets.token_urlsafe(9), self.worker, self.config.limits, self.late)
+        self.sessions[session.id] = session
+        try:
+            await _first_of(_receive(socket, session), _send(socket, session), session.outbox.overflowed.wait())
+        finally:
+            del self.sessions[session.id]
+            await session.close()
+
+    # HTTP
+
+    async def health(self, _request: Request) -> Response:
+        """State of the worker, number of pages, lateness of their steps."""
+        return JSONResponse(
+            {"worker": self.worker.state, "sessions": len(self.sessions), "lateness": self.late.summary()}
+        )
+
+    async def list_examples(self, _request: Request) -> Response:
+        """Name, title and lesson of each."""
+        return JSONResponse(examples(self.config.examples))
+
+    async def one_example(self, request: Request) -> Response:
+        """The project as it stands in its file."""
+        found = example(self.config.examples, request.path_params["name"])
+        if found is None:
+            return JSONResponse({"message": "There is no example of that name."}, status_code=404)
+        return Response(found, media_type="application/json")
+
+    async def list_worlds(self, _request: Request) -> Response:
+        """Names."""
+        return JSONResponse(world_names())
+
+
+async def _first_of(*works: Coroutine[Any, Any, object]) -> None:
+    """Until one is through; the others are cancelled, and what went wrong is raised."""
+    tasks = [asyncio.ensure_future(work) for work in works]
+    try:
+        done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+    finally:
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+    for task in done:
+        task.result()
+
+
+async def _receive(socket: WebSocket, session: Session) -> None:
+    """Until the page leaves."""
+    while True:
+        message = await socket.receive()
+        if message["type"] == "websocket.disconnect":
+            return
+        session.receive(message.get("text") or message.get("bytes") or "")
+
+
+async def _send(socket: WebSocket, session: Session) -> None:
+    """Until the page leaves or stops reading."""
+    try:
+        while True:
+            await socket.send_text(page.encode(await session.outbox.get()))
+    except (WebSocketDisconnect, RuntimeError):
+        # The page left while something was on its way; the receiver notices as well.
+        return
+
+
+def _same_origin(socket: WebSocket) -> bool:
+    """Browsers say where a page came from; only our own may drive a session. Other clients say nothing."""
+    origin = socket.headers.get("origin")
+    return origin is None or urlsplit(origin).netloc == socket.headers.get("host")
+
+
+async def _no_page(_request: Request) -> Response:
+    return PlainTextResponse("The page is not built yet; ./rosy start builds it.", status_code=503)
+
+
+def build_app(config: Config) -> Starlette:
+    """The application; its worker starts with its lifespan."""
+    service = Service(config)
+    routes: list[BaseRoute] = [
+        WebSocketRoute("/api/session", service.serve_page),
+        Route("/api/health", service.health),
+        Route("/api/examples", service.list_examples),
+        Route("/api/examples/{name}", service.one_example),
+        Route("/api/worlds", service.list_worlds),
+    ]
+    if config.page.is_dir():
+        routes.append(Mount("/", StaticFiles(directory=config.page, html=True)))
+    else:
+        routes.append(Route("/", _no_page))
+    app = Starlette(routes=routes, lifespan=service.lifespan)
+    app.state.service = service
+    return app

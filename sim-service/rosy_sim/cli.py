@@ -1,0 +1,190 @@
+"""
+The command line: ``serve``, ``run``, ``check``. What each does and how it exits is in DESIGN.md, section 5.
+
+Every expected failure ends as one sentence on stderr; the exit status is the error's own.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import math
+import os
+import random
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import BinaryIO, NoReturn
+
+import msgspec
+
+from .config import Config, discover
+from .errors import BadInput, RosyError
+from .inputs import read_inputs
+from .library import DEFAULT_WORLD, load_world, named_world, usable_arena
+from .program import ProgramFile, read_program
+from .run import Order, Outcome, run_program
+from .wire.problem import Problem
+from .worker.blocking import BlockingWorker
+from .world.arena import Arena
+from .world.world import World
+
+__all__ = ["main"]
+
+DEFAULT_SECONDS = 60.0
+"""How long `run` simulates when neither `--seconds` nor the program says, s."""
+
+MAX_SECONDS = 7 * 24 * 3600.0
+"""Longest run, s."""
+
+_EXITS = {"time": 0, "done": 0, "error": 2, "stuck": 2, "refused": 1}
+
+
+class _Parser(argparse.ArgumentParser):
+    """One sentence instead of a page of usage."""
+
+    def error(self, message: str) -> NoReturn:
+        raise BadInput(f"{self.prog}: {message}.")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command; returns the exit status."""
+    try:
+        options = _parser().parse_args(arguments)
+        config = discover()
+        if options.command == "serve":
+            from .serve import serve
+
+            return serve(config, options.host, options.port, not options.no_browser, options.unprotected)
+        if options.command == "check":
+            return _check(config, options)
+        return _run(config, options)
+    except RosyError as error:
+        print(f"rosy: {error}", file=sys.stderr)
+        return error.exit_status
+    except KeyboardInterrupt:
+        return 130
+    except BrokenPipeError:
+        # Whoever read our output has left; nothing more can be said to them.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(prog="rosy", description="A simulated Kobuki.", allow_abbrev=False)
+    commands = parser.add_subparsers(dest="command", required=True, parser_class=_Parser)
+    serve = commands.add_parser("serve", prog="rosy start", allow_abbrev=False)
+    serve.add_argument("--port", type=int, default=8080)
+    serve.add_argument("--host", default="127.0.0.1")
+    serve.add_argument("--no-browser", action="store_true")
+    serve.add_argument("--unprotected", action="store_true", help="listen beyond this machine even without a sandbox")
+    check = commands.add_parser("check", prog="rosy check", allow_abbrev=False)
+    check.add_argument("file", type=Path)
+    check.add_argument("--json", action="store_true")
+    run = commands.add_parser("run", prog="rosy run", allow_abbrev=False)
+    run.add_argument("file", type=Path)
+    run.add_argument("--world")
+    run.add_argument("--seconds", type=float)
+    run.add_argument("--seed", type=int)
+    run.add_argument("--speed", default="max")
+    run.add_argument("--trace", type=Path)
+    run.add_argument("--input", type=Path)
+    run.add_argument("--robot")
+    return parser
+
+
+def _check(config: Config, options: argparse.Namespace) -> int:
+    program = read_program(options.file)
+    with BlockingWorker(config) as worker:
+        worker.ready()
+        checked = worker.check(program.source)
+    if options.json:
+        answer = {"problems": checked.problems, "declarations": checked.declarations, "graph": checked.graph}
+        print(msgspec.json.encode(answer).decode())
+    else:
+        for found in checked.problems:
+            print(_sentence(options.file, found))
+        if not checked.problems:
+            print(f"{options.file}: no problems.")
+    return 1 if any(p.severity == "error" for p in checked.problems) else 0
+
+
+def _run(config: Config, options: argparse.Namespace) -> int:
+    if options.robot is not None:
+        raise BadInput("A real robot needs a program of its own: ./rosy build makes one, which takes --robot itself.")
+    program = read_program(options.file)
+    world = World(_arena(program, options))
+    order = Order(
+        seconds=_seconds(options.seconds),
+        seed=options.seed if options.seed is not None else random.SystemRandom().randrange(2**31),
+        speed=_speed(options.speed),
+        hands=tuple(read_inputs(options.input)) if options.input is not None else (),
+    )
+    with contextlib.ExitStack() as stack:
+        trace = stack.enter_context(_writable(options.trace)) if options.trace is not None else None
+        worker = stack.enter_context(BlockingWorker(config))
+        worker.ready()
+        outcome = run_program(worker, program.source, world, order, config.limits, _say, trace)
+    return _report(options.file, world, outcome)
+
+
+def _report(file: Path, world: World, outcome: Outcome) -> int:
+    sys.stdout.flush()
+    for found in outcome.problems:
+        print(_sentence(file, found), file=sys.stderr)
+    last = {
+        "time": outcome.steps / 50,
+        "pose": {"x": world.x, "y": world.y, "theta": world.theta},
+        "ended": outcome.ended if outcome.ended != "refused" else "error",
+        "steps": outcome.steps,
+        "wall": round(outcome.wall, 6),
+    }
+    print(msgspec.json.encode(last).decode())
+    return _EXITS[outcome.ended]
+
+
+def _say(text: str) -> None:
+    print(text, flush=True)
+
+
+def _sentence(file: Path, found: Problem) -> str:
+    where = f"{file}:{found.start.line}:{found.start.column}: " if found.start is not None else f"{file}: "
+    who = "warning: " if found.severity == "warning" else ""
+    return f"{where}{who}{found.message}" + (f" {found.hint}" if found.hint else "")
+
+
+def _arena(program: ProgramFile, options: argparse.Namespace) -> Arena:
+    if options.world is not None:
+        return usable_arena(load_world(options.world), options.world)
+    if program.world is None:
+        return usable_arena(named_world(DEFAULT_WORLD), DEFAULT_WORLD)
+    if isinstance(program.world, str):
+        return usable_arena(named_world(program.world), program.world)
+    return usable_arena(program.world, f"The world in {options.file}")
+
+
+def _seconds(wanted: float | None) -> float:
+    if wanted is None:
+        return DEFAULT_SECONDS
+    if not 0 <= wanted <= MAX_SECONDS:
+        raise BadInput(f"--seconds must be between 0 and {MAX_SECONDS:g}.")
+    return wanted
+
+
+def _speed(wanted: str) -> float | None:
+    if wanted == "max":
+        return None
+    try:
+        speed = float(wanted)
+    except ValueError:
+        speed = math.nan
+    if not 0.01 <= speed <= 1000:
+        raise BadInput("--speed must be a number between 0.01 and 1000, or max.")
+    return speed
+
+
+def _writable(path: Path) -> BinaryIO:
+    try:
+        return path.open("wb")
+    except OSError as error:
+        raise BadInput(f"{path} cannot be written: {error.strerror}.") from error

@@ -1,0 +1,48 @@
+"""
+What waits to be sent to one page. Bounded: a page that reads slowly gets fewer frames, and one that reads
+nothing at all is let go; neither holds up anybody else.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+
+from .wire.page import Answer, Frame
+
+__all__ = ["Outbox"]
+
+_MAX_FIRED = 200
+"""Firings remembered for one frame; a page shows the latest."""
+
+
+class Outbox:
+    """A queue in which a frame that has not been sent yet is replaced by the next."""
+
+    def __init__(self, limit: int) -> None:
+        self._limit = limit
+        self._waiting: deque[Answer] = deque()
+        self._something = asyncio.Event()
+        # Set when so much waits that the page must have stopped reading.
+        self.overflowed = asyncio.Event()
+
+    def put(self, answer: Answer) -> None:
+        """Add an answer; never blocks."""
+        waiting = self._waiting
+        if isinstance(answer, Frame) and waiting:
+            last = waiting[-1]
+            if isinstance(last, Frame) and last.run == answer.run:
+                answer.fired = (last.fired + answer.fired)[-_MAX_FIRED:]
+                waiting.pop()
+        if len(waiting) >= self._limit:
+            self.overflowed.set()
+        else:
+            waiting.append(answer)
+        self._something.set()
+
+    async def get(self) -> Answer:
+        """The next answer."""
+        while not self._waiting:
+            self._something.clear()
+            await self._something.wait()
+        return self._waiting.popleft()

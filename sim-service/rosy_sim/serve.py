@@ -1,0 +1,119 @@
+"""
+``./rosy start``: binds the port, serves the application until a signal, and leaves nothing behind.
+
+Where the machine cannot build the worker's sandbox, only loopback is served unless the person insists.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import ipaddress
+import shutil
+import socket
+import sys
+import webbrowser
+
+import uvicorn
+import uvloop
+
+from .app import build_app
+from .config import Config
+from .errors import BadInput, WorkerMissing
+from .worker.launch import sandbox_fault
+
+__all__ = ["serve"]
+
+
+def serve(config: Config, host: str, port: int, open_browser: bool, unprotected: bool) -> int:
+    """Serve until SIGINT or SIGTERM; returns the exit status."""
+    if not config.worker or shutil.which(config.worker[0]) is None:
+        raise WorkerMissing
+    _refuse_unprotected(config, host, unprotected)
+    listener = _bind(host, port)
+    bound = listener.getsockname()[1]
+    shown = f"[{host}]" if ":" in host else host
+    address = f"http://{shown}:{bound}/"
+    settings = uvicorn.Config(
+        build_app(config),
+        log_level="warning",
+        access_log=False,
+        ws="websockets-sansio",
+        ws_max_size=config.limits.page_message,
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=2,
+        lifespan="on",
+        loop="uvloop",
+    )
+    try:
+        with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
+            runner.run(_serve(_Server(settings, address, open_browser), listener))
+    finally:
+        listener.close()
+    return 0
+
+
+class _Server(uvicorn.Server):
+    """Says where it is once it is there."""
+
+    def __init__(self, config: uvicorn.Config, address: str, open_browser: bool) -> None:
+        super().__init__(config)
+        self._address = address
+        self._open_browser = open_browser
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        """As uvicorn does, then the address."""
+        await super().startup(sockets)
+        print(f"Rosy is ready at {self._address} (Ctrl-C ends it)", flush=True)
+        if self._open_browser:
+            await asyncio.to_thread(webbrowser.open, self._address)
+
+
+async def _serve(server: _Server, listener: socket.socket) -> None:
+    await server.serve(sockets=[listener])
+
+
+def _refuse_unprotected(config: Config, host: str, unprotected: bool) -> None:
+    fault = sandbox_fault() if config.sandbox else "the sandbox is turned off"
+    if fault is None:
+        return
+    if not (unprotected or _is_loopback(host)):
+        raise BadInput(
+            f"Programs cannot be locked in on this machine ({fault}), so Rosy only serves this machine itself; "
+            "leave out --host, or add --unprotected when you trust everybody who can reach it."
+        )
+    print(f"rosy: programs run without their sandbox: {fault}.", file=sys.stderr)
+
+
+def _is_loopback(host: str) -> bool:
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
+
+
+def _bind(host: str, port: int) -> socket.socket:
+    """
+    A listening socket.
+
+    Raises:
+        BadInput: the port is taken or out of range, or the host is not ours.
+    """
+    if not 0 <= port <= 65535:
+        raise BadInput(f"There is no port {port}; a port is a number from 0 to 65535.")
+    try:
+        family = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0][0]
+    except (socket.gaierror, UnicodeError) as error:
+        raise BadInput(f"There is no address called {host!r} here.") from error
+    listener = socket.socket(family, socket.SOCK_STREAM)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listener.bind((host, port))
+        listener.listen(1024)
+    except OSError as error:
+        listener.close()
+        if error.errno == errno.EADDRINUSE:
+            raise BadInput(f"Port {port} is in use; choose another with --port, or end what uses it.") from error
+        raise BadInput(f"Rosy cannot listen on {host}, port {port}: {error.strerror}.") from error
+    listener.set_inheritable(True)
+    return listener

@@ -1,0 +1,188 @@
+"""
+The robot link from the simulator's side, without any I/O.
+
+Feed it the bytes that arrived from the program, in pieces of any size; it returns the messages they
+complete and checks that they come in an order ``protocol/README.md`` section 2 allows. Whatever a
+program sends, the answer is messages or a ``LinkError`` that says what it broke.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+
+from ..world.events import Command
+from .lines import Lines, LineTooLong
+from .problem import Problem
+from .topics import BadMessage, read_command
+
+__all__ = [
+    "MAX_COMMANDS",
+    "MAX_LINE",
+    "Ended",
+    "LinkError",
+    "Publish",
+    "Ready",
+    "Settled",
+    "SimulatorLink",
+    "start_line",
+    "step_line",
+    "stop_line",
+]
+
+PROTOCOL = 1
+
+MAX_LINE = 1_000_000
+"""Longest line a program may send, bytes. A `settled` with its trace stays far below."""
+
+MAX_COMMANDS = 10_000
+"""Most commands in one step. A program that gives more is flooding."""
+
+MAX_FIRED = 100_000
+"""Most firings that one `settled` may report."""
+
+
+class LinkError(Exception):
+    """The program broke the protocol; the text says how. Never the learner's own doing."""
+
+
+class Publish(msgspec.Struct, tag="publish", tag_field="op"):
+    """A command message, not yet read."""
+
+    topic: str
+    msg: msgspec.Raw
+
+
+class Settled(msgspec.Struct, tag="settled", tag_field="op"):
+    """The end of the program's batch. ``commands`` and ``events`` only with trace."""
+
+    step: int
+    fired: list[str] = []
+    events: list[str] = []
+    commands: list[str] = []
+
+
+class Ended(msgspec.Struct, tag="ended", tag_field="op"):
+    """The program's last line."""
+
+    how: Literal["done", "error", "stopped"]
+    problem: Problem | None = None
+
+
+class Advertise(msgspec.Struct, tag="advertise", tag_field="op"):
+    """The program will give commands on a topic."""
+
+    topic: str
+    type: str = ""
+
+
+class Subscribe(msgspec.Struct, tag="subscribe", tag_field="op"):
+    """The program wants a sensor topic."""
+
+    topic: str
+    type: str = ""
+
+
+class Ready(msgspec.Struct, tag="ready", tag_field="op"):
+    """The program has said what it wants."""
+
+
+_Line = Publish | Settled | Ended | Advertise | Subscribe | Ready
+_decoder = msgspec.json.Decoder(_Line)
+
+Message = Ready | Command | Settled | Ended
+
+
+def start_line(seed: int, trace: bool) -> bytes:
+    """The first line."""
+    return msgspec.json.encode({"op": "start", "protocol": PROTOCOL, "seed": seed, "trace": trace}) + b"\n"
+
+
+def step_line(step: int) -> bytes:
+    """The end of a step's batch."""
+    return b'{"op":"step","step":%d,"time":%s}\n' % (step, repr(step / 50).encode())
+
+
+def stop_line() -> bytes:
+    """Asks the program to clean up and end."""
+    return b'{"op":"stop"}\n'
+
+
+class SimulatorLink:
+    """What the simulator knows about its end of the link."""
+
+    __slots__ = ("_commands", "_lines", "ended", "ready", "step", "subscribed")
+
+    def __init__(self) -> None:
+        self._lines = Lines(MAX_LINE)
+        # Commands since the last `settled`.
+        self._commands = 0
+        # Set by the program's `ready`, and by its `ended`.
+        self.ready = False
+        self.ended = False
+        # The step whose `settled` may come next; set by the owner when it sends a batch.
+        self.step: int | None = None
+        # Topics the program asked for.
+        self.subscribed: set[str] = set()
+
+    def feed(self, data: bytes) -> list[Message]:
+        """
+        Take bytes from the program; return the messages they complete, in order.
+
+        Raises:
+            LinkError: a line is not a message, comes at the wrong time, or there is too much of it.
+        """
+        try:
+            lines = self._lines.feed(data)
+        except LineTooLong as error:
+            raise LinkError(str(error)) from error
+        messages: list[Message] = []
+        for line in lines:
+            try:
+                message = _decoder.decode(line)
+            except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+                raise LinkError(f"a line is not a message: {error}") from error
+            understood = self._take(message)
+            if understood is not None:
+                messages.append(understood)
+        return messages
+
+    def _take(self, message: _Line) -> Message | None:
+        if self.ended:
+            raise LinkError("a line follows `ended`")
+        if isinstance(message, Publish):
+            return self._publish(message)
+        if isinstance(message, Settled):
+            return self._settled(message)
+        if isinstance(message, Ended):
+            self.ended = True
+            return message
+        if self.ready:
+            raise LinkError("the topics were already settled with `ready`")
+        if isinstance(message, Ready):
+            self.ready = True
+            return message
+        if isinstance(message, Subscribe):
+            if len(self.subscribed) > 100:
+                raise LinkError("more than 100 topics")
+            self.subscribed.add(message.topic)
+        return None
+
+    def _publish(self, message: Publish) -> Command:
+        self._commands += 1
+        if self._commands > MAX_COMMANDS:
+            raise LinkError(f"more than {MAX_COMMANDS} commands in one step")
+        try:
+            return read_command(message.topic, message.msg)
+        except BadMessage as error:
+            raise LinkError(str(error)) from error
+
+    def _settled(self, message: Settled) -> Settled:
+        if message.step != self.step:
+            raise LinkError(f"`settled` for step {message.step} instead of {self.step}")
+        if len(message.fired) > MAX_FIRED:
+            raise LinkError(f"more than {MAX_FIRED} firings in one step")
+        self._commands = 0
+        self.step = None
+        return message

@@ -1,0 +1,218 @@
+"""
+The page's messages, both ways. ``protocol/README.md``, section 4.
+
+Requests are read into values here; answers are values whose encoding is the frame.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Literal
+
+import msgspec
+
+from .hands import HandMessage
+from .problem import Problem
+
+__all__ = [
+    "BadRequest",
+    "Check",
+    "Checked",
+    "ChooseWorld",
+    "Forward",
+    "Frame",
+    "Hello",
+    "Input",
+    "Pause",
+    "Refusal",
+    "Request",
+    "Reset",
+    "Resume",
+    "Run",
+    "RunState",
+    "Said",
+    "SetSpeed",
+    "SoundPlayed",
+    "Speed",
+    "Stop",
+    "WorkerState",
+    "WorldShown",
+    "encode",
+    "read_request",
+]
+
+PROTOCOL = 1
+
+Speed = float | Literal["max"]
+
+MIN_SPEED, MAX_SPEED = 0.05, 64.0
+"""Slowest and fastest clock a page may ask for, times real time."""
+
+
+class ChooseWorld(msgspec.Struct, tag="world", tag_field="op"):
+    """A room by name or as JSON."""
+
+    world: Any
+
+
+class Check(msgspec.Struct, tag="check", tag_field="op"):
+    """Type-check while typing."""
+
+    id: int
+    source: str
+
+
+class Run(msgspec.Struct, tag="run", tag_field="op"):
+    """Compile and drive."""
+
+    run: int
+    source: str
+    seed: int | None = None
+    speed: Speed = 1.0
+
+
+class Stop(msgspec.Struct, tag="stop", tag_field="op"):
+    """End the run."""
+
+
+class Reset(msgspec.Struct, tag="reset", tag_field="op"):
+    """End the run and put everything back."""
+
+
+class SetSpeed(msgspec.Struct, tag="speed", tag_field="op"):
+    """Change the clock."""
+
+    speed: Speed
+
+
+class Pause(msgspec.Struct, tag="pause", tag_field="op"):
+    """Stop the clock."""
+
+
+class Resume(msgspec.Struct, tag="resume", tag_field="op"):
+    """Let it go."""
+
+
+class Forward(msgspec.Struct, tag="forward", tag_field="op"):
+    """One step while it stands."""
+
+
+class Input(HandMessage, tag="input", tag_field="op", kw_only=True):
+    """Hands."""
+
+
+Request = ChooseWorld | Check | Run | Stop | Reset | SetSpeed | Pause | Resume | Forward | Input
+
+_decoder = msgspec.json.Decoder(Request)
+
+
+class BadRequest(Exception):
+    """A message is none the service knows; the text says why."""
+
+
+def read_request(text: str | bytes) -> Request:
+    """
+    A page's message as a value.
+
+    Raises:
+        BadRequest: it is none.
+    """
+    try:
+        request: Request = _decoder.decode(text)
+    except (msgspec.DecodeError, RecursionError, UnicodeError) as error:
+        raise BadRequest(str(error)) from error
+    if isinstance(request, Run | SetSpeed) and request.speed != "max":
+        if not math.isfinite(request.speed) or request.speed <= 0:
+            raise BadRequest("a speed must be more than 0")
+        request.speed = max(MIN_SPEED, min(MAX_SPEED, request.speed))
+    return request
+
+
+class Hello(msgspec.Struct, tag="hello", tag_field="op", kw_only=True):
+    """The session exists."""
+
+    protocol: int = PROTOCOL
+    session: str
+
+
+class WorkerState(msgspec.Struct, tag="worker", tag_field="op"):
+    """How the worker is."""
+
+    state: Literal["starting", "ready", "restarting"]
+
+
+class WorldShown(msgspec.Struct, tag="world", tag_field="op"):
+    """The room to draw."""
+
+    world: Any
+
+
+class Checked(msgspec.Struct, tag="checked", tag_field="op"):
+    """As the worker's."""
+
+    id: int
+    problems: list[Problem]
+    declarations: msgspec.Raw
+    graph: msgspec.Raw
+
+
+class RunState(msgspec.Struct, tag="state", tag_field="op", omit_defaults=True):
+    """Where a run is. ``problems`` is always sent."""
+
+    run: int
+    state: Literal["compiling", "running", "ended"]
+    problems: list[Problem]
+    ended: Literal["done", "error", "stuck", "stopped", "time", "refused"] | None = None
+
+
+class Frame(msgspec.Struct, tag="frame", tag_field="op"):
+    """Ground truth for drawing."""
+
+    run: int
+    step: int
+    time: float
+    x: float
+    y: float
+    theta: float
+    v: float
+    w: float
+    bumpers: int
+    cliffs: int
+    wheels: int
+    buttons: int
+    led1: int
+    led2: int
+    fired: list[str]
+
+
+class Said(msgspec.Struct, tag="said", tag_field="op"):
+    """A line for the console."""
+
+    run: int
+    time: float
+    text: str
+
+
+class SoundPlayed(msgspec.Struct, tag="sound", tag_field="op"):
+    """A sound to play."""
+
+    run: int
+    time: float
+    sound: int
+
+
+class Refusal(msgspec.Struct, tag="refusal", tag_field="op"):
+    """The last message could not be served."""
+
+    message: str
+    hint: str = ""
+
+
+Answer = Hello | WorkerState | WorldShown | Checked | RunState | Frame | Said | SoundPlayed | Refusal
+
+_encoder = msgspec.json.Encoder()
+
+
+def encode(answer: Answer) -> str:
+    """The text of a frame."""
+    return _encoder.encode(answer).decode()

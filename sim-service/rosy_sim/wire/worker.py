@@ -1,0 +1,132 @@
+"""
+The worker's messages as values, and the requests as bytes. ``protocol/README.md``, section 3.
+
+Graph and declarations pass through unread: they are for the page.
+"""
+
+from __future__ import annotations
+
+import msgspec
+
+from .lines import Lines
+from .problem import Problem
+
+__all__ = [
+    "MAX_LINE",
+    "Answer",
+    "Checked",
+    "Failed",
+    "Gone",
+    "Refused",
+    "Started",
+    "WorkerReady",
+    "WorkerStream",
+    "build_request",
+    "check_request",
+    "kill_request",
+    "run_request",
+]
+
+MAX_LINE = 16_000_000
+"""Longest answer of the worker, bytes."""
+
+
+class WorkerReady(msgspec.Struct, tag="ready", tag_field="op"):
+    """The session is warm."""
+
+    protocol: int
+    ghc: str = ""
+
+
+class Checked(msgspec.Struct, tag="checked", tag_field="op"):
+    """A check's answer."""
+
+    id: int
+    problems: list[Problem]
+    declarations: msgspec.Raw = msgspec.Raw(b"[]")
+    graph: msgspec.Raw = msgspec.Raw(b'{"functions":[]}')
+
+
+class Started(msgspec.Struct, tag="started", tag_field="op"):
+    """``main`` is about to run."""
+
+    id: int
+    problems: list[Problem] = []
+    compile: float = 0.0
+
+
+class Refused(msgspec.Struct, tag="refused", tag_field="op"):
+    """It does not compile."""
+
+    id: int
+    problems: list[Problem]
+
+
+class Gone(msgspec.Struct, tag="gone", tag_field="op"):
+    """The child of a run has been reaped."""
+
+    id: int
+    exit: int | None = None
+    signal: int | None = None
+    firing: str | None = None
+    problem: Problem | None = None
+
+
+class Built(msgspec.Struct, tag="built", tag_field="op"):
+    """A native program has been written."""
+
+    id: int
+
+
+class Failed(msgspec.Struct, tag="failed", tag_field="op"):
+    """The request itself was wrong."""
+
+    message: str
+    id: int | None = None
+
+
+Answer = WorkerReady | Checked | Started | Refused | Gone | Built | Failed
+
+_decoder = msgspec.json.Decoder(Answer)
+
+
+class WorkerStream:
+    """Bytes from the worker in, answers out."""
+
+    __slots__ = ("_lines",)
+
+    def __init__(self) -> None:
+        self._lines = Lines(MAX_LINE)
+
+    def feed(self, data: bytes) -> list[Answer]:
+        """
+        Take bytes; return the answers they complete.
+
+        Raises:
+            LineTooLong, msgspec.DecodeError: the worker is out of its mind.
+        """
+        return [_decoder.decode(line) for line in self._lines.feed(data)]
+
+
+def _line(**fields: object) -> bytes:
+    return msgspec.json.encode(fields) + b"\n"
+
+
+def check_request(ident: int, source: str) -> bytes:
+    """Asks for problems, declarations and graph."""
+    return _line(op="check", id=ident, source=source)
+
+
+def run_request(ident: int, source: str, memory: int) -> bytes:
+    """Asks for a run; the robot link's descriptor rides along."""
+    return _line(op="run", id=ident, source=source, memory=memory)
+
+
+def kill_request(ident: int) -> bytes:
+    """Ends a check or a run."""
+    return _line(op="kill", id=ident)
+
+
+def build_request(ident: int, source: str, output: str) -> bytes:
+    """Asks for a native program."""
+    return _line(op="build", id=ident, source=source, output=output)

@@ -1,0 +1,314 @@
+"""
+The worker for a service with many pages: one process, restarted when it dies, asked from asyncio.
+
+Answers come home by ``id``. When the process dies, everything under way ends with ``WorkerLost``, the pages
+are told, and a new one is started at once (after a growing pause when it keeps dying).
+"""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import socket
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal, TypeVar
+
+import msgspec
+
+from ..config import Config
+from ..errors import WorkerLost, WorkerRefused
+from ..wire.lines import LineTooLong
+from ..wire.worker import (
+    Answer,
+    Checked,
+    Failed,
+    Gone,
+    Refused,
+    Started,
+    WorkerReady,
+    WorkerStream,
+    check_request,
+    kill_request,
+    run_request,
+)
+from .launch import WorkerProcess, launch
+
+__all__ = ["RunningProgram", "State", "Worker"]
+
+_T = TypeVar("_T")
+
+State = Literal["starting", "ready", "restarting"]
+
+_FIRST_PAUSE, _LAST_PAUSE = 0.02, 1.0
+"""Between a death and the next start, s; doubles while it keeps dying before it is ready."""
+
+
+@dataclass(slots=True)
+class RunningProgram:
+    """A run as the worker sees it."""
+
+    id: int
+    # Done when the worker says that the program starts, is refused, or is gone before either.
+    started: asyncio.Future[Started | Refused | Gone]
+    # Done when the child has been reaped; fails with WorkerLost when the worker dies first.
+    gone: asyncio.Future[Gone]
+
+
+class Worker:
+    """Use as a task: ``run()`` keeps a worker alive until it is cancelled."""
+
+    def __init__(self, config: Config, tell: Callable[[State], None]) -> None:
+        self._config = config
+        self._tell = tell
+        # What pages are told; changed by run() only.
+        self.state: State = "starting"
+        # The process id of the current worker, for tests and tables.
+        self.pid: int | None = None
+        self._ids = 0
+        self._socket: socket.socket | None = None
+        self._outgoing: deque[tuple[bytes, tuple[int, ...]]] = deque()
+        self._checks: dict[int, asyncio.Future[Checked]] = {}
+        self._runs: dict[int, RunningProgram] = {}
+        self._stream = WorkerStream()
+        self._ready = asyncio.Event()
+        self._closed = asyncio.Event()
+
+    # Keeping one alive
+
+    async def run(self) -> None:
+        """Start a worker, and another whenever it dies, for ever."""
+        pause = _FIRST_PAUSE
+        while True:
+            process = launch(self._config)
+            try:
+                await self._serve(process)
+                pause = _FIRST_PAUSE if self.state == "ready" else min(_LAST_PAUSE, pause * 2)
+            finally:
+                self._lose()
+                process.kill()
+                process.socket.close()
+                await _reap(process.pid)
+            self._say("restarting")
+            await asyncio.sleep(pause)
+
+    async def _serve(self, process: WorkerProcess) -> None:
+        """Until the worker closes its socket or does not become ready in time."""
+        loop = asyncio.get_running_loop()
+        process.socket.setblocking(False)
+        self._socket, self.pid = process.socket, process.pid
+        self._stream = WorkerStream()
+        self._ready.clear()
+        self._closed.clear()
+        loop.add_reader(process.socket, self._read)
+        try:
+            async with asyncio.timeout(self._config.limits.worker_ready) as limit:
+                closed = asyncio.ensure_future(self._closed.wait())
+                ready = asyncio.ensure_future(self._ready.wait())
+                try:
+                    await asyncio.wait((closed, ready), return_when=asyncio.FIRST_COMPLETED)
+                    limit.reschedule(None)
+                    await closed
+                finally:
+                    closed.cancel()
+                    ready.cancel()
+        except TimeoutError:
+            return
+        finally:
+            loop.remove_reader(process.socket)
+            loop.remove_writer(process.socket)
+
+    def _say(self, state: State) -> None:
+        if state != self.state:
+            self.state = state
+            self._tell(state)
+
+    def _lose(self) -> None:
+        """Everything under way has lost its worker."""
+        self._socket = self.pid = None
+        self._ready.clear()
+        for _, descriptors in self._outgoing:
+            _close(descriptors)
+        self._outgoing.clear()
+        checks, self._checks = self._checks, {}
+        runs, self._runs = self._runs, {}
+        for check in checks.values():
+            _fail(check)
+        for run in runs.values():
+            _fail(run.started)
+            _fail(run.gone)
+
+    # Asking
+
+    async def check(self, source: str) -> Checked:
+        """
+        Problems, declarations and graph. Cancelling it cancels the worker's work as well.
+
+        Raises:
+            WorkerLost: the worker died meanwhile.
+        """
+        await self._ready.wait()
+        ident = self._next()
+        answer: asyncio.Future[Checked] = asyncio.get_running_loop().create_future()
+        self._checks[ident] = answer
+        self._send(check_request(ident, source), ())
+        try:
+            async with asyncio.timeout(self._config.limits.compile):
+                return await answer
+        except (TimeoutError, asyncio.CancelledError):
+            self._checks.pop(ident, None)
+            self._send(kill_request(ident), ())
+            raise
+
+    async def start(self, source: str, link: socket.socket) -> RunningProgram:
+        """Ask for a run; ``link`` is handed over and closed here."""
+        try:
+            await self._ready.wait()
+        except asyncio.CancelledError:
+            link.close()
+            raise
+        loop = asyncio.get_running_loop()
+        program = RunningProgram(self._next(), loop.create_future(), loop.create_future())
+        for future in (program.started, program.gone):
+            # Nobody may be waiting any more when a worker dies.
+            future.add_done_callback(lambda f: f.cancelled() or f.exception())
+        self._runs[program.id] = program
+        self._send(run_request(program.id, source, self._config.limits.memory), (link.detach(),))
+        return program
+
+    def kill(self, program: RunningProgram) -> None:
+        """End a run at once; nothing happens when it has ended."""
+        if program.id in self._runs:
+            self._send(kill_request(program.id), ())
+
+    def _next(self) -> int:
+        self._ids += 1
+        return self._ids
+
+    # Bytes
+
+    def _send(self, data: bytes, descriptors: tuple[int, ...]) -> None:
+        if self._socket is None:
+            _close(descriptors)
+            return
+        self._outgoing.append((data, descriptors))
+        self._write()
+
+    def _write(self) -> None:
+        sock = self._socket
+        if sock is None:
+            return
+        loop = asyncio.get_running_loop()
+        while self._outgoing:
+            data, descriptors = self._outgoing[0]
+            try:
+                sent = socket.send_fds(sock, [data], descriptors)
+            except (BlockingIOError, InterruptedError):
+                loop.add_writer(sock, self._write)
+                return
+            except OSError:
+                self._closed.set()
+                return
+            _close(descriptors)
+            if sent < len(data):
+                self._outgoing[0] = (data[sent:], ())
+            else:
+                self._outgoing.popleft()
+        loop.remove_writer(sock)
+
+    def _read(self) -> None:
+        sock = self._socket
+        assert sock is not None
+        try:
+            data = sock.recv(65536)
+            if not data:
+                self._stop_reading(sock)
+                return
+            for answer in self._stream.feed(data):
+                self._take(answer)
+        except (BlockingIOError, InterruptedError):
+            return
+        except (OSError, LineTooLong, msgspec.DecodeError):
+            self._stop_reading(sock)
+
+    def _stop_reading(self, sock: socket.socket) -> None:
+        asyncio.get_running_loop().remove_reader(sock)
+        self._closed.set()
+
+    def _take(self, answer: Answer) -> None:
+        match answer:
+            case WorkerReady():
+                self._ready.set()
+                self._say("ready")
+            case Checked():
+                _answer(self._checks.pop(answer.id, None), answer)
+            case Started():
+                if answer.id in self._runs:
+                    _answer(self._runs[answer.id].started, answer)
+            case Refused():
+                refused = self._runs.pop(answer.id, None)
+                if refused is not None:
+                    _answer(refused.started, answer)
+                    _answer(refused.gone, Gone(answer.id))
+            case Gone():
+                run = self._runs.pop(answer.id, None)
+                if run is not None:
+                    _answer(run.started, answer)
+                    _answer(run.gone, answer)
+            case Failed():
+                self._fail_request(answer)
+            case _:
+                return
+
+    def _fail_request(self, answer: Failed) -> None:
+        if answer.id is None:
+            return
+        check = self._checks.pop(answer.id, None)
+        if check is not None and not check.done():
+            check.set_exception(WorkerRefused(answer.message))
+        run = self._runs.pop(answer.id, None)
+        if run is not None:
+            for future in (run.started, run.gone):
+                if not future.done():
+                    future.set_exception(WorkerRefused(answer.message))
+
+
+def _answer(future: asyncio.Future[_T] | None, value: _T) -> None:
+    if future is not None and not future.done():
+        future.set_result(value)
+
+
+def _fail(future: asyncio.Future[Any]) -> None:
+    if not future.done():
+        future.set_exception(WorkerLost())
+
+
+def _close(descriptors: tuple[int, ...]) -> None:
+    for descriptor in descriptors:
+        os.close(descriptor)
+
+
+def _wake(waiting: asyncio.Future[None]) -> None:
+    if not waiting.done():
+        waiting.set_result(None)
+
+
+async def _reap(pid: int) -> None:
+    """Wait for a killed child without stopping the loop."""
+    loop = asyncio.get_running_loop()
+    try:
+        watch = os.pidfd_open(pid)
+    except ProcessLookupError:
+        return
+    try:
+        dead: asyncio.Future[None] = loop.create_future()
+        loop.add_reader(watch, _wake, dead)
+        try:
+            await asyncio.shield(dead)
+        finally:
+            loop.remove_reader(watch)
+            # It has been killed, so this returns at once even when the wait was cancelled.
+            os.waitpid(pid, 0)  # noqa: ASYNC222
+    finally:
+        os.close(watch)

@@ -1,0 +1,302 @@
+"""
+The description of a room, and its reader: plain values in (as JSON gives them), an ``Arena`` out, or
+an ``ArenaError`` that says where the description is wrong and why.
+
+Messages are for learners who draw rooms by hand. The format is ``protocol/world.schema.json``; what a
+schema cannot say (rows of one length, a start on the floor) is checked here and in ``room.py``.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+__all__ = [
+    "DEFAULT_BOX_MASS",
+    "DEFAULT_TILE",
+    "MAX_SHAPES",
+    "MAX_SIDE",
+    "MAX_TILES",
+    "WALL_THICKNESS",
+    "Arena",
+    "ArenaError",
+    "Box",
+    "Pose",
+    "Round",
+    "Wall",
+    "read_arena",
+]
+
+WALL_THICKNESS = 0.05
+"""Of a wall drawn as a line, m. protocol/README.md, World."""
+
+DEFAULT_TILE = 0.5
+"""Side of a tile when the world does not say, m. protocol/README.md, World."""
+
+DEFAULT_BOX_MASS = 1.0
+"""Of a movable thing when the world does not say, kg: a Kobuki can push it."""
+
+MAX_SIDE = 100.0
+"""Largest room side, m. Keeps a hostile world from costing memory."""
+
+MAX_TILES = 40_000
+"""Largest tile grid."""
+
+MAX_SHAPES = 2_000
+"""Most walls, boxes and rounds together."""
+
+
+class ArenaError(Exception):
+    """A description that is no room: ``path`` says where (``boxes[2].w``), ``why`` says what is wrong."""
+
+    def __init__(self, path: str, why: str) -> None:
+        super().__init__(f"at {path}: {why}" if path else why)
+        self.path = path
+        self.why = why
+
+
+class Pose(NamedTuple):
+    """Where something stands: m, m, rad."""
+
+    x: float
+    y: float
+    theta: float
+
+
+@dataclass(frozen=True, slots=True)
+class Wall:
+    """A straight wall, ``WALL_THICKNESS`` wide with round ends."""
+
+    x0: float
+    y0: float
+    x1: float
+    y1: float
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A block given by its centre; ``mass`` in kg matters only when it is movable."""
+
+    x: float
+    y: float
+    w: float
+    h: float
+    theta: float = 0.0
+    movable: bool = False
+    mass: float = DEFAULT_BOX_MASS
+
+
+@dataclass(frozen=True, slots=True)
+class Round:
+    """A post or a drum of radius ``r``, given by its centre."""
+
+    x: float
+    y: float
+    r: float
+    movable: bool = False
+    mass: float = DEFAULT_BOX_MASS
+
+
+@dataclass(frozen=True, slots=True)
+class Arena:
+    """A room. ``tiles`` has its first row at the top; it is empty when the whole room is floor."""
+
+    name: str
+    width: float
+    height: float
+    start: Pose
+    tile: float = DEFAULT_TILE
+    tiles: tuple[str, ...] = ()
+    walls: tuple[Wall, ...] = ()
+    boxes: tuple[Box, ...] = ()
+    rounds: tuple[Round, ...] = ()
+    goals: tuple[object, ...] = ()
+
+    def tile_at(self, x: float, y: float) -> str:
+        """``#``, ``.`` or ``O`` under a point; the world outside is wall."""
+        if not (0 <= x < self.width and 0 <= y < self.height):
+            return "#"
+        if not self.tiles:
+            return "."
+        row = len(self.tiles) - 1 - int(y / self.tile)
+        column = int(x / self.tile)
+        if not (0 <= row < len(self.tiles) and column < len(self.tiles[0])):
+            return "#"
+        return self.tiles[row][column]
+
+    def is_hole(self, x: float, y: float) -> bool:
+        """Whether a point has no floor under it."""
+        return bool(self.tiles) and self.tile_at(x, y) == "O"
+
+
+def read_arena(value: object) -> Arena:
+    """
+    Check a world as JSON gives it and build the arena.
+
+    Raises:
+        ArenaError: the first thing that is wrong, with its path.
+    """
+    fields = _object(value, "")
+    known = {"name", "size", "start", "tile", "tiles", "walls", "boxes", "rounds", "goals", "title"}
+    for key in fields:
+        if key not in known:
+            raise ArenaError(key, "no such field in a world.")
+    name = fields.get("name", "")
+    if not isinstance(name, str):
+        raise ArenaError("name", "the name must be text.")
+    tile = _number(fields.get("tile", DEFAULT_TILE), "tile")
+    if not 0.05 <= tile <= 10:
+        raise ArenaError("tile", "a tile must be between 0.05 and 10 metres wide.")
+    tiles = _tiles(fields.get("tiles", []))
+    width, height = _size(fields.get("size"), tile, tiles)
+    walls = tuple(_wall(v, p) for v, p in _items(fields, "walls"))
+    boxes = tuple(_box(v, p) for v, p in _items(fields, "boxes"))
+    rounds = tuple(_round(v, p) for v, p in _items(fields, "rounds"))
+    if len(walls) + len(boxes) + len(rounds) > MAX_SHAPES:
+        raise ArenaError("walls", f"a world can hold at most {MAX_SHAPES} things.")
+    goals = tuple(v for v, _ in _items(fields, "goals"))
+    if "start" not in fields:
+        raise ArenaError("start", "the world does not say where the robot starts.")
+    start = _pose(fields["start"], "start")
+    return Arena(name, width, height, start, tile, tiles, walls, boxes, rounds, goals)
+
+
+def _object(value: object, path: str) -> dict[str, object]:
+    if not isinstance(value, dict):
+        raise ArenaError(
+            path, "expected an object with named fields." if path else "a world must be an object with named fields."
+        )
+    return value
+
+
+def _number(value: object, path: str) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise ArenaError(path, "expected a number.")
+    if not (math.isfinite(value) and abs(value) < 1e6):
+        raise ArenaError(path, "the number is too large.")
+    return float(value)
+
+
+def _required(fields: dict[str, object], key: str, path: str) -> float:
+    if key not in fields:
+        raise ArenaError(f"{path}.{key}", "this number is missing.")
+    return _number(fields[key], f"{path}.{key}")
+
+
+def _items(fields: dict[str, object], key: str) -> list[tuple[object, str]]:
+    value = fields.get(key, [])
+    if not isinstance(value, list):
+        raise ArenaError(key, "expected a list.")
+    return [(item, f"{key}[{i}]") for i, item in enumerate(value)]
+
+
+def _tiles(value: object) -> tuple[str, ...]:
+    if not isinstance(value, list):
+        raise ArenaError("tiles", "expected a list of rows.")
+    rows: list[str] = []
+    for i, row in enumerate(value):
+        path = f"tiles[{i}]"
+        if not isinstance(row, str):
+            raise ArenaError(path, "a row must be text.")
+        if rows and len(row) != len(rows[0]):
+            raise ArenaError(path, f"this row has {len(row)} tiles, the first one has {len(rows[0])}.")
+        for column, char in enumerate(row):
+            if char not in "#.O":
+                raise ArenaError(path, f"tile {column + 1} is {char!r}; use # for wall, . for floor and O for a hole.")
+        rows.append(row)
+    if rows and not rows[0]:
+        raise ArenaError("tiles[0]", "the row is empty.")
+    if rows and len(rows) * len(rows[0]) > MAX_TILES:
+        raise ArenaError("tiles", f"a world can have at most {MAX_TILES} tiles.")
+    if rows and not any("." in row for row in rows):
+        raise ArenaError("tiles", "there is no floor; the robot needs at least some tiles marked with a dot.")
+    return tuple(rows)
+
+
+def _size(value: object, tile: float, tiles: tuple[str, ...]) -> tuple[float, float]:
+    grid = (len(tiles[0]) * tile, len(tiles) * tile) if tiles else None
+    if value is None:
+        if grid is None:
+            raise ArenaError("size", "a world needs a size or tiles; without them there is no floor.")
+        width, height = grid
+    else:
+        if not isinstance(value, list) or len(value) != 2:
+            raise ArenaError("size", "expected two numbers, width and height.")
+        width, height = _number(value[0], "size[0]"), _number(value[1], "size[1]")
+        if grid is not None and (abs(width - grid[0]) > 1e-3 or abs(height - grid[1]) > 1e-3):
+            raise ArenaError(
+                "size", f"the tiles fill {grid[0]:g} by {grid[1]:g} metres; leave the size out or make it the same."
+            )
+    for i, side in enumerate((width, height)):
+        if not 0 < side <= MAX_SIDE:
+            raise ArenaError(
+                f"size[{i}]" if value is not None else "tiles",
+                f"a room must be more than 0 and at most {MAX_SIDE:g} metres long.",
+            )
+    return width, height
+
+
+def _pose(value: object, path: str) -> Pose:
+    fields = _object(value, path)
+    theta = _number(fields.get("theta", 0.0), f"{path}.theta")
+    return Pose(_required(fields, "x", path), _required(fields, "y", path), theta)
+
+
+def _point(value: object, path: str) -> tuple[float, float]:
+    if not isinstance(value, list) or len(value) != 2:
+        raise ArenaError(path, "expected a point: two numbers, x and y.")
+    return _number(value[0], f"{path}[0]"), _number(value[1], f"{path}[1]")
+
+
+def _wall(value: object, path: str) -> Wall:
+    fields = _object(value, path)
+    for key in ("from", "to"):
+        if key not in fields:
+            raise ArenaError(f"{path}.{key}", "this point is missing.")
+    return Wall(*_point(fields["from"], f"{path}.from"), *_point(fields["to"], f"{path}.to"))
+
+
+def _flag(fields: dict[str, object], key: str, path: str) -> bool:
+    value = fields.get(key, False)
+    if not isinstance(value, bool):
+        raise ArenaError(f"{path}.{key}", "expected true or false.")
+    return value
+
+
+def _positive(fields: dict[str, object], key: str, path: str) -> float:
+    value = _required(fields, key, path)
+    if not 0.01 <= value <= MAX_SIDE:
+        raise ArenaError(f"{path}.{key}", f"it must be between 0.01 and {MAX_SIDE:g} metres.")
+    return value
+
+
+def _mass(fields: dict[str, object], path: str) -> float:
+    value = _number(fields.get("mass", DEFAULT_BOX_MASS), f"{path}.mass")
+    if not 0.05 <= value <= 1000:
+        raise ArenaError(f"{path}.mass", "it must weigh between 0.05 and 1000 kilograms.")
+    return value
+
+
+def _box(value: object, path: str) -> Box:
+    fields = _object(value, path)
+    return Box(
+        _required(fields, "x", path),
+        _required(fields, "y", path),
+        _positive(fields, "w", path),
+        _positive(fields, "h", path),
+        _number(fields.get("theta", 0.0), f"{path}.theta"),
+        _flag(fields, "movable", path),
+        _mass(fields, path),
+    )
+
+
+def _round(value: object, path: str) -> Round:
+    fields = _object(value, path)
+    return Round(
+        _required(fields, "x", path),
+        _required(fields, "y", path),
+        _positive(fields, "r", path),
+        _flag(fields, "movable", path),
+        _mass(fields, path),
+    )

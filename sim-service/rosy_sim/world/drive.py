@@ -1,0 +1,60 @@
+"""
+The motors: a target speed, its limits, and the watchdog that stops a robot nobody talks to.
+
+Time comes in as ``dt``; nothing here knows where the robot is.
+"""
+
+from __future__ import annotations
+
+from .facts import (
+    COMMAND_TIMEOUT,
+    MAX_ACCELERATION,
+    MAX_ANGULAR_ACCELERATION,
+    MAX_ANGULAR_SPEED,
+    MAX_SPEED,
+)
+
+__all__ = ["Drive", "approach", "clamp"]
+
+_ROUNDING = 1e-9
+"""Thirty steps of 0.02 s must add up to the timeout of 0.6 s, s."""
+
+
+def clamp(limit: float, value: float) -> float:
+    """The nearest number to ``value`` within ``limit`` of zero."""
+    return max(-limit, min(limit, value))
+
+
+def approach(dt: float, acceleration: float, target: float, value: float) -> float:
+    """Move ``value`` towards ``target`` for ``dt`` seconds, no faster than ``acceleration`` either way."""
+    change = acceleration * dt
+    return max(value - change, min(value + change, target))
+
+
+class Drive:
+    """Two wheels' worth of motor, seen as a translational and a rotational speed."""
+
+    __slots__ = ("_age", "angular", "linear")
+
+    def __init__(self) -> None:
+        # What the last command asks for, within the limits; m/s and rad/s.
+        self.linear = 0.0
+        self.angular = 0.0
+        # Seconds since the last command; grows only in next().
+        self._age = 0.0
+
+    def command(self, linear: float, angular: float) -> None:
+        """Obey a velocity command from now on."""
+        self.linear = clamp(MAX_SPEED, linear)
+        self.angular = clamp(MAX_ANGULAR_SPEED, angular)
+        self._age = 0.0
+
+    def next(self, dt: float, v: float, w: float) -> tuple[float, float]:
+        """The speeds after ``dt`` seconds, from the speeds now."""
+        if self._age >= COMMAND_TIMEOUT - _ROUNDING:
+            self.linear = self.angular = 0.0
+        self._age += dt
+        return (
+            approach(dt, MAX_ACCELERATION, self.linear, v),
+            approach(dt, MAX_ANGULAR_ACCELERATION, self.angular, w),
+        )

@@ -1,0 +1,228 @@
+"""
+The solid things of a room, in pymunk: what is near a point, where a robot may stand, and how pushed
+boxes move. Distances are exact (Chipmunk's signed distance to a shape), so a robot is put back onto
+the surface of a wall rather than bounced out of it: it never ends inside one, at any speed.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import pymunk
+
+from .arena import WALL_THICKNESS, Arena, Box, Round
+from .facts import CONTACT_GAP, INERTIA, MASS, RADIUS
+
+__all__ = ["FLOOR_FRICTION", "GRAVITY", "Near", "Room"]
+
+GRAVITY = 9.81
+"""m/s². Presses movable boxes onto the floor; the robot's plane itself has none."""
+
+FLOOR_FRICTION = 0.3
+"""Of a movable box on the floor, without unit. Wood on linoleum; our choice."""
+
+_BORDER = 1.0
+"""How thick the wall around the room is, m: more than a robot can enter in a step."""
+
+_REACH = 0.5
+"""How far from the robot's centre a look around goes, m."""
+
+_TOUCH = 1e-6
+"""Overlap that counts as touching, m."""
+
+_TOLERATED = 5e-4
+"""Overlap with a wall that may remain when several walls push, m."""
+
+_BOX_GIVE = 1e-3
+"""Overlap with a movable box that the solver may work off by itself, m."""
+
+_PUSHES = 24
+"""How often a robot is pushed out before its last place is taken instead."""
+
+_AT_REST = 1e-4
+"""A box slower than this stands, m/s and rad/s."""
+
+_STATIC, _MOVABLE, _ROBOT = 1, 2, 4
+
+
+class Near(NamedTuple):
+    """What is around a place: how far one can go before touching anything, and what one touches."""
+
+    # Distance to the nearest surface beyond the contact gap, m; less than 0 when touching.
+    free: float
+    # Distance to the nearest movable surface, m.
+    free_of_boxes: float
+    # Directions (rad, in the room) from the centre towards each touched surface.
+    contacts: tuple[float, ...]
+
+
+class Room:
+    """Walls, blocks and boxes of an arena."""
+
+    def __init__(self, arena: Arena) -> None:
+        self._space = space = pymunk.Space()
+        space.iterations = 20
+        space.collision_slop = 2e-4
+        space.collision_bias = 1e-6
+        space.collision_persistence = 3
+        # The bodies of movable things, in the arena's order: boxes, then rounds.
+        self.movables: list[pymunk.Body] = []
+        self._movable_shapes: set[pymunk.Shape | None] = set()
+        self._rubbing_radii: list[float] = []
+        # Whether a movable thing still slides; set by push().
+        self.awake = False
+        self._all = pymunk.ShapeFilter(mask=_STATIC | _MOVABLE)
+        for x, y, w, h in _solid_rectangles(arena):
+            self._fixed(pymunk.Poly(space.static_body, [(x, y), (x + w, y), (x + w, y + h), (x, y + h)]))
+        for wall in arena.walls:
+            self._fixed(pymunk.Segment(space.static_body, (wall.x0, wall.y0), (wall.x1, wall.y1), WALL_THICKNESS / 2))
+        things: tuple[Box | Round, ...] = (*arena.boxes, *arena.rounds)
+        for thing in things:
+            self._thing(thing)
+        self._robot = pymunk.Body(MASS, INERTIA)
+        shape = pymunk.Circle(self._robot, RADIUS)
+        shape.filter = pymunk.ShapeFilter(categories=_ROBOT, mask=_MOVABLE)
+        shape.elasticity = 0.0
+        shape.friction = 0.1
+        space.add(self._robot, shape)
+
+    def _fixed(self, shape: pymunk.Shape) -> None:
+        shape.filter = pymunk.ShapeFilter(categories=_STATIC)
+        shape.elasticity = 0.0
+        shape.friction = 0.2
+        self._space.add(shape)
+
+    def _thing(self, thing: Box | Round) -> None:
+        body = self._space.static_body
+        if thing.movable:
+            if isinstance(thing, Box):
+                moment = pymunk.moment_for_box(thing.mass, (thing.w, thing.h))
+                radius = math.hypot(thing.w, thing.h) / 3
+            else:
+                moment = pymunk.moment_for_circle(thing.mass, 0, thing.r)
+                radius = thing.r * 2 / 3
+            body = pymunk.Body(thing.mass, moment)
+            body.position = (thing.x, thing.y)
+            body.angle = thing.theta if isinstance(thing, Box) else 0.0
+        shape: pymunk.Shape
+        if isinstance(thing, Box):
+            c, s = math.cos(thing.theta), math.sin(thing.theta)
+            half = [(i * thing.w / 2, j * thing.h / 2) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+            if thing.movable:
+                shape = pymunk.Poly(body, half)
+            else:
+                shape = pymunk.Poly(body, [(thing.x + c * a - s * b, thing.y + s * a + c * b) for a, b in half])
+        else:
+            shape = pymunk.Circle(body, thing.r, (0, 0) if thing.movable else (thing.x, thing.y))
+        if not thing.movable:
+            self._fixed(shape)
+            return
+        shape.filter = pymunk.ShapeFilter(categories=_MOVABLE)
+        shape.elasticity = 0.0
+        shape.friction = 0.2
+        self._space.add(body, shape)
+        self.movables.append(body)
+        self._movable_shapes.add(shape)
+        self._rubbing_radii.append(radius)
+
+    def poses(self) -> list[tuple[float, float, float]]:
+        """Where the movable things are now: x, y, theta of each, in the arena's order."""
+        return [(b.position.x, b.position.y, b.angle) for b in self.movables]
+
+    def look(self, x: float, y: float) -> Near:
+        """What is around a robot that stands at a point."""
+        free = free_of_boxes = _REACH - RADIUS
+        contacts: list[float] = []
+        for shape, _point, distance, gradient in self._space.point_query((x, y), _REACH, self._all):
+            gap = distance - RADIUS
+            free = min(free, gap - CONTACT_GAP)
+            if shape in self._movable_shapes:
+                free_of_boxes = min(free_of_boxes, gap)
+            if gap < CONTACT_GAP:
+                contacts.append(math.atan2(-gradient.y, -gradient.x))
+        return Near(free, free_of_boxes, tuple(contacts))
+
+    def place(self, x: float, y: float) -> tuple[float, float] | None:
+        """The place nearest to a point where the robot touches but does not enter anything, if one is near."""
+        for _ in range(_PUSHES):
+            depth, nx, ny = self._deepest(x, y)
+            if depth <= _TOUCH:
+                return x, y
+            x += nx * depth
+            y += ny * depth
+        return (x, y) if self._deepest(x, y)[0] <= _TOLERATED else None
+
+    def _deepest(self, x: float, y: float) -> tuple[float, float, float]:
+        deepest, nx, ny = 0.0, 0.0, 0.0
+        for shape, _point, distance, gradient in self._space.point_query((x, y), RADIUS, self._all):
+            depth = RADIUS - distance
+            if shape in self._movable_shapes:
+                depth -= _BOX_GIVE
+            if depth > deepest:
+                deepest, nx, ny = depth, gradient.x, gradient.y
+        return deepest, nx, ny
+
+    def push(self, x: float, y: float, theta: float, v: float, w: float, dt: float) -> tuple[float, float, float]:
+        """
+        Move the robot and all movable things for ``dt`` seconds.
+
+        Returns the robot's new x and y and the speed ahead that the things it pushes leave it.
+        """
+        robot = self._robot
+        c, s = math.cos(theta + w * dt / 2), math.sin(theta + w * dt / 2)
+        robot.position = (x, y)
+        robot.angle = theta
+        robot.velocity = (v * c, v * s)
+        robot.angular_velocity = w
+        self._space.step(dt)
+        self.awake = False
+        for body, radius in zip(self.movables, self._rubbing_radii, strict=True):
+            self._rub(body, radius, dt)
+        position, velocity = robot.position, robot.velocity
+        return position.x, position.y, velocity.x * c + velocity.y * s
+
+    def _rub(self, body: pymunk.Body, radius: float, dt: float) -> None:
+        """Floor friction: a box loses speed, and turning, at the rate its weight allows."""
+        loss = FLOOR_FRICTION * GRAVITY * dt
+        speed, spin = body.velocity.length, abs(body.angular_velocity)
+        if speed:
+            body.velocity = body.velocity * max(0.0, 1 - loss / speed)
+        if spin:
+            body.angular_velocity *= max(0.0, 1 - loss / (radius * spin))
+        if speed - loss > _AT_REST or spin * radius - loss > _AT_REST:
+            self.awake = True
+
+
+def _solid_rectangles(arena: Arena) -> list[tuple[float, float, float, float]]:
+    """The border and the wall tiles as few rectangles (x, y, w, h): runs of a row, merged upwards when equal."""
+    w, h, b = arena.width, arena.height, _BORDER
+    found = [(-b, -b, w + 2 * b, b), (-b, h, w + 2 * b, b), (-b, 0.0, b, h), (w, 0.0, b, h)]
+    open_runs: dict[tuple[int, int], int] = {}
+    rows = len(arena.tiles)
+    tile = arena.tile
+
+    def close(run: tuple[int, int], top: int, bottom: int) -> None:
+        found.append((run[0] * tile, (rows - bottom) * tile, (run[1] - run[0]) * tile, (bottom - top) * tile))
+
+    for i, row in enumerate((*arena.tiles, "")):
+        runs = _runs(row)
+        for run, top in list(open_runs.items()):
+            if run not in runs:
+                close(run, top, i)
+                del open_runs[run]
+        for run in runs:
+            open_runs.setdefault(run, i)
+    return found
+
+
+def _runs(row: str) -> list[tuple[int, int]]:
+    runs: list[tuple[int, int]] = []
+    start = None
+    for i, char in enumerate(row + "."):
+        if char == "#" and start is None:
+            start = i
+        elif char != "#" and start is not None:
+            runs.append((start, i))
+            start = None
+    return runs

@@ -1,0 +1,57 @@
+"""What tests share: a configuration with the fake worker, small worlds, and a place to play scripts."""
+
+from __future__ import annotations
+
+import socket
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rosy_sim.config import Config, Limits
+from rosy_sim.world.arena import read_arena
+from rosy_sim.world.world import World
+
+from .fake_program import play
+
+FAKE_WORKER = Path(__file__).with_name("fake_worker.py")
+
+Play = Callable[[str], Any]
+
+
+@contextmanager
+def playing(script: str) -> Iterator[socket.socket]:
+    """A link with a script at its other end."""
+    ours, theirs = socket.socketpair()
+    player = threading.Thread(target=play, args=(theirs, script), daemon=True)
+    player.start()
+    with ours:
+        yield ours
+
+
+def hall(**more: object) -> World:
+    """A world of 20 by 20 m with the robot in the middle."""
+    return World(read_arena({"size": [20, 20], "start": {"x": 10, "y": 10, "theta": 0}, **more}))
+
+
+@pytest.fixture
+def limits() -> Limits:
+    """Short, so that what must time out does so soon."""
+    return Limits(settle=0.3, ready=2.0, stop=0.3, gone=2.0, compile=5.0, worker_ready=10.0)
+
+
+@pytest.fixture
+def config(tmp_path: Path, limits: Limits) -> Config:
+    """A service with the fake worker and nothing else."""
+    return Config(
+        root=tmp_path,
+        page=tmp_path / "page",
+        examples=tmp_path / "examples",
+        worker=(sys.executable, str(FAKE_WORKER)),
+        sandbox=False,
+        limits=limits,
+    )

@@ -1,0 +1,104 @@
+"""
+A worker that compiles nothing: a source is a script of ``fake_program``, played in a forked child.
+
+Words of its own: ``refuse`` (does not compile), ``slow`` (never finishes compiling), ``die`` (the worker itself
+dies), ``babble`` (sends what is no answer). Run it as a program with its socket as descriptor 3.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import signal
+import socket
+import sys
+import threading
+from typing import Any
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from tests.fake_program import Script, play
+
+PROBLEM = {
+    "severity": "error", "kind": "type-mismatch", "message": "`move` gives a number.",
+    "hint": "The robot needs a Velocity.", "ghc": "",
+    "start": {"line": 1, "column": 1}, "end": {"line": 1, "column": 5},
+}  # fmt: skip
+
+
+class Worker:
+    def __init__(self) -> None:
+        self.socket = socket.socket(fileno=3)
+        self.children: dict[int, int] = {}
+        self.lock = threading.Lock()
+
+    def send(self, **message: Any) -> None:
+        with self.lock:
+            self.socket.sendall(json.dumps(message).encode() + b"\n")
+
+    def run(self) -> None:
+        self.send(op="ready", protocol=1, ghc="9.0.2")
+        rest = b""
+        descriptors: list[int] = []
+        while True:
+            data, arrived, _, _ = socket.recv_fds(self.socket, 1 << 16, 8)
+            if not data:
+                break
+            descriptors += arrived
+            *lines, rest = (rest + data).split(b"\n")
+            for line in lines:
+                self.take(json.loads(line), descriptors)
+        for pid in self.children.values():
+            os.kill(pid, signal.SIGKILL)
+
+    def take(self, request: dict[str, Any], descriptors: list[int]) -> None:
+        ident = request["id"]
+        match request["op"]:
+            case "check":
+                script = Script(request["source"])
+                if script.has("die"):
+                    os._exit(1)
+                if script.has("babble"):
+                    self.socket.sendall(b"what?\n")
+                if script.has("slow"):
+                    return
+                self.send(
+                    op="checked", id=ident, problems=[PROBLEM] if script.has("refuse") else [],
+                    declarations=[], graph={"functions": []},
+                )  # fmt: skip
+            case "run":
+                self.start(ident, request["source"], descriptors.pop(0))
+            case "kill":
+                with contextlib.suppress(KeyError, ProcessLookupError):
+                    os.kill(self.children[ident], signal.SIGKILL)
+
+    def start(self, ident: int, source: str, descriptor: int) -> None:
+        script = Script(source)
+        if script.has("die"):
+            os._exit(1)
+        if script.has("refuse") or script.has("slow"):
+            os.close(descriptor)
+            if script.has("refuse"):
+                self.send(op="refused", id=ident, problems=[PROBLEM])
+            return
+        self.send(op="started", id=ident, problems=[], compile=0.001)
+        pid = os.fork()
+        if pid == 0:
+            self.socket.close()
+            play(socket.socket(fileno=descriptor), source)
+            os._exit(0)
+        os.close(descriptor)
+        self.children[ident] = pid
+        threading.Thread(target=self.reap, args=(ident, pid), daemon=True).start()
+
+    def reap(self, ident: int, pid: int) -> None:
+        _, status = os.waitpid(pid, 0)
+        self.children.pop(ident, None)
+        if os.WIFSIGNALED(status):
+            self.send(op="gone", id=ident, signal=os.WTERMSIG(status), firing="move")
+        else:
+            self.send(op="gone", id=ident, exit=os.WEXITSTATUS(status))
+
+
+if __name__ == "__main__":
+    Worker().run()

@@ -1,0 +1,342 @@
+"""The service as a page sees it: a real server, a real WebSocket, a scripted worker."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager
+from dataclasses import replace
+from typing import Any
+
+import httpx
+import pytest
+import uvicorn
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+
+from rosy_sim.app import Service, build_app
+from rosy_sim.config import Config
+
+Message = dict[str, Any]
+
+
+class Page:
+    """A page that remembers all it was told."""
+
+    def __init__(self, socket: ClientConnection) -> None:
+        self.socket = socket
+        self.seen: list[Message] = []
+
+    async def send(self, op: str, **fields: Any) -> None:
+        await self.socket.send(json.dumps({"op": op, **fields}))
+
+    async def until(self, wanted: Callable[[Message], bool]) -> Message:
+        """The next message that fits; waits at most 10 s."""
+        async with asyncio.timeout(10):
+            while True:
+                message: Message = json.loads(await self.socket.recv())
+                self.seen.append(message)
+                if wanted(message):
+                    return message
+
+    async def op(self, op: str, **fields: Any) -> Message:
+        return await self.until(lambda m: m["op"] == op and all(m.get(k) == v for k, v in fields.items()))
+
+    async def ended(self, run: int) -> Message:
+        return await self.op("state", run=run, state="ended")
+
+
+@asynccontextmanager
+async def serving(config: Config) -> AsyncIterator[tuple[str, Service]]:
+    """A server on a free port of this machine."""
+    app = build_app(config)
+    server = uvicorn.Server(
+        uvicorn.Config(app, port=0, log_level="error", ws="websockets-sansio", timeout_graceful_shutdown=1)
+    )
+    task = asyncio.create_task(server.serve())
+    async with asyncio.timeout(10):
+        while not server.started:
+            await asyncio.sleep(0.005)
+    port = server.servers[0].sockets[0].getsockname()[1]
+    try:
+        yield f"127.0.0.1:{port}", app.state.service
+    finally:
+        server.should_exit = True
+        await task
+
+
+@asynccontextmanager
+async def opened(address: str, **options: Any) -> AsyncIterator[Page]:
+    async with connect(f"ws://{address}/api/session", **options) as socket:
+        yield Page(socket)
+
+
+def story(play: Callable[[Page, Service], Awaitable[None]], config: Config) -> None:
+    """Tell a story of one page."""
+
+    async def tell() -> None:
+        async with serving(config) as (address, service), opened(address) as page:
+            await play(page, service)
+
+    asyncio.run(tell())
+
+
+def test_a_page_is_greeted_with_its_room(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        world = await page.op("world")
+        assert [m["op"] for m in page.seen] == ["hello", "worker", "world"]
+        assert page.seen[0]["protocol"] == 1
+        assert world["world"]["size"] == [5, 4]
+        frame = await page.op("frame")
+        assert (frame["run"], frame["x"], frame["y"]) == (0, 1.5, 2.0)
+
+    story(play, config)
+
+
+def test_a_program_drives_into_the_wall_and_presses_the_bumper(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="drive:0.5 sound:4@2 say:hi@3 led:2@3", seed=1, speed="max")
+        await page.op("state", run=1, state="running")
+        assert (await page.op("sound"))["sound"] == 4
+        assert (await page.op("said"))["text"] == "hi"
+        frame = await page.until(lambda m: m["op"] == "frame" and m["bumpers"] != 0)
+        assert frame["bumpers"] == 2
+        assert frame["led1"] == 2
+        assert frame["x"] > 4
+        assert "move" in frame["fired"]
+        await page.send("stop")
+        assert (await page.ended(1))["ended"] == "stopped"
+
+    story(play, config)
+
+
+@pytest.mark.parametrize(
+    ("source", "ended", "kind"),
+    [
+        ("done@9", "done", None),
+        ("error@4", "error", "exception"),
+        ("hang@4", "stuck", "stuck"),
+        ("close@4", "error", "died"),
+        ("garble@4", "error", "broken-link"),
+        ("flood@4", "error", "broken-link"),
+        ("lie@4", "error", "broken-link"),
+        ("refuse", "refused", "type-mismatch"),
+        ("die", "error", "worker-lost"),
+    ],
+)
+def test_every_end_is_told_once(source: str, ended: str, kind: str | None, config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=3, source=source, speed="max")
+        state = await page.ended(3)
+        assert state["ended"] == ended
+        assert [p["kind"] for p in state["problems"]] == ([] if kind is None else [kind])
+        await page.send("run", run=4, source="done@2", speed="max")
+        assert (await page.ended(4))["ended"] == "done"
+        assert [m["run"] for m in page.seen if m["op"] == "state" and m["state"] == "ended"] == [3, 4]
+
+    story(play, config)
+
+
+def test_stop_works_while_compiling(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="slow")
+        await page.op("state", state="compiling")
+        await page.send("stop")
+        assert (await page.ended(1))["ended"] == "stopped"
+
+    story(play, config)
+
+
+def test_a_program_that_ignores_stop_is_killed(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="deaf")
+        await page.op("state", state="running")
+        await page.send("stop")
+        assert (await page.ended(1))["ended"] == "stopped"
+
+    story(play, config)
+
+
+def test_a_new_run_ends_the_old_one_and_starts_where_the_room_says(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="drive:0.7", speed="max")
+        await page.until(lambda m: m["op"] == "frame" and m["x"] > 2)
+        await page.send("run", run=2, source="")
+        assert (await page.ended(1))["ended"] == "stopped"
+        assert (await page.op("frame", run=2))["x"] == 1.5
+        await page.op("state", run=2, state="running")
+
+    story(play, config)
+
+
+def test_reset_puts_everything_back(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="drive:0.7", speed="max")
+        await page.until(lambda m: m["op"] == "frame" and m["x"] > 2)
+        await page.send("reset")
+        await page.ended(1)
+        await page.op("world")
+        assert (await page.op("frame"))["x"] == 1.5
+
+    story(play, config)
+
+
+def test_pause_forward_and_resume(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="drive:0.5", speed=1)
+        await page.send("pause")
+        await page.op("state", state="running")
+        for _step in range(3):
+            await page.send("forward")
+        first = await page.op("frame", step=3)
+        assert first["time"] == 0.06
+        await page.send("resume")
+        await page.until(lambda m: m["op"] == "frame" and m["step"] > 10)
+        await page.send("speed", speed="max")
+        await page.until(lambda m: m["op"] == "frame" and m["step"] > 1000)
+
+    story(play, config)
+
+
+def test_hands_reach_the_robot_and_a_hand_in_a_wall_is_refused(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("input", press="Button1")
+        assert (await page.until(lambda m: m["op"] == "frame" and m["buttons"] != 0))["buttons"] == 2
+        await page.send("input", lift="both")
+        await page.until(lambda m: m["op"] == "frame" and m["wheels"] == 3)
+        await page.send("input", teleport={"x": 3.0, "y": 1.0, "theta": 0.5})
+        await page.until(lambda m: m["op"] == "frame" and m["x"] == 3.0)
+        await page.send("input", teleport={"x": 50, "y": 1.0, "theta": 0.5})
+        assert "outside" in (await page.op("refusal"))["message"]
+
+    story(play, config)
+
+
+def test_another_room_is_shown_and_a_bad_one_refused(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.op("world")
+        await page.send("world", world="pits")
+        assert (await page.op("world"))["world"]["name"] == "pits"
+        await page.send("world", world={"tiles": ["##"], "start": {"x": 0, "y": 0}})
+        assert "floor" in (await page.op("refusal"))["message"]
+        await page.send("world", world="../../etc/passwd")
+        await page.op("refusal")
+
+    story(play, config)
+
+
+def test_a_newer_check_replaces_an_older_one(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("check", id=1, source="slow")
+        await page.send("check", id=2, source="refuse")
+        checked = await page.op("checked")
+        assert checked["id"] == 2
+        assert checked["problems"][0]["kind"] == "type-mismatch"
+
+    story(play, config)
+
+
+def test_a_dead_worker_is_replaced_and_pages_are_told(config: Config) -> None:
+    async def play(page: Page, service: Service) -> None:
+        await page.send("check", id=1, source="")
+        await page.op("checked")
+        before = service.worker.pid
+        await page.send("check", id=2, source="die")
+        await page.op("worker", state="restarting")
+        await page.op("worker", state="ready")
+        assert service.worker.pid not in (None, before)
+        await page.send("check", id=3, source="babble")
+        await page.op("worker", state="restarting")
+
+    story(play, config)
+
+
+GARBAGE: list[str | bytes] = [
+    "", "{", "null", "[]", "{}", '{"op":1}', '{"op":"fly"}', '{"op":"run"}', '{"op":"run","run":"x","source":1}',
+    '{"op":"speed","speed":-1}', '{"op":"speed","speed":"fast"}', '{"op":"input","press":"Button9"}', "[" * 100_000,
+    '{"op":"run","run":1,"source":"","speed":1e999}', '{"op":"world","world":17}', b"\xff\xfe", "\x00",
+    '{"op":"world","world":' + "[" * 5000 + "]" * 5000 + "}",
+]  # fmt: skip
+
+
+def test_garbage_is_refused_and_changes_nothing(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        for text in GARBAGE:
+            await page.socket.send(text)
+            await page.op("refusal")
+        await page.send("run", run=1, source="done@2", speed="max")
+        assert (await page.ended(1))["ended"] == "done"
+
+    story(play, config)
+
+
+def test_a_page_that_reads_nothing_is_let_go_and_harms_nobody(config: Config) -> None:
+    config = config.with_limits(replace(config.limits, page_queue=50))
+
+    async def tell() -> None:
+        async with (
+            serving(config) as (address, service),
+            opened(address, max_queue=1, close_timeout=0.1) as deaf,
+            opened(address) as page,
+        ):
+            # Requests that are refused at length, none of which is read.
+            await deaf.socket.send(json.dumps({"op": "run", "run": 1, "source": "", "speed": "max"}))
+            for _ in range(20_000):
+                if len(service.sessions) == 1:
+                    break
+                try:
+                    await deaf.socket.send('{"op":"' + "x" * 5000 + '"}')
+                except ConnectionClosed:
+                    break
+            await page.send("run", run=1, source="done@2", speed="max")
+            assert (await page.ended(1))["ended"] == "done"
+            async with asyncio.timeout(10):
+                while len(service.sessions) > 1:
+                    await asyncio.sleep(0.01)
+
+    asyncio.run(tell())
+
+
+def test_a_full_class_says_so(config: Config) -> None:
+    config = config.with_limits(replace(config.limits, sessions=1))
+
+    async def tell() -> None:
+        async with serving(config) as (address, _), opened(address), opened(address) as second:
+            assert "places" in (await second.op("refusal"))["message"]
+
+    asyncio.run(tell())
+
+
+def test_a_foreign_page_is_kept_out(config: Config) -> None:
+    async def tell() -> None:
+        async with serving(config) as (address, _):
+            with pytest.raises(InvalidStatus):
+                async with opened(address, origin="http://elsewhere.example"):
+                    pass
+            async with opened(address, origin=f"http://{address}") as page:
+                await page.op("hello")
+
+    asyncio.run(tell())
+
+
+def test_the_http_api(config: Config) -> None:
+    folder = config.examples / "move"
+    folder.mkdir(parents=True)
+    (folder / "program.rosy").write_text('{"rosy":1,"haskell":"main = simulate 1"}')
+    (folder / "README.md").write_text("# Move\n\nDrives ahead.\nFor ever.\n\nMore.\n")
+
+    async def tell() -> None:
+        async with serving(config) as (address, service), httpx.AsyncClient(base_url=f"http://{address}") as client:
+            assert (await client.get("/api/examples")).json() == [
+                {"name": "move", "title": "Move", "teaches": "Drives ahead. For ever."}
+            ]
+            assert (await client.get("/api/examples/move")).json()["rosy"] == 1
+            assert (await client.get("/api/examples/..%2Fmove")).status_code == 404
+            assert (await client.get("/api/examples/none")).status_code == 404
+            assert "room" in (await client.get("/api/worlds")).json()
+            health = (await client.get("/api/health")).json()
+            assert (health["worker"], health["sessions"]) == (service.worker.state, 0)
+            assert (await client.get("/")).status_code == 503
+
+    asyncio.run(tell())

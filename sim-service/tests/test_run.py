@@ -1,0 +1,108 @@
+"""A run without a page, with programs that behave and programs that do not."""
+
+from __future__ import annotations
+
+import io
+import json
+
+import pytest
+
+from rosy_sim.config import Config, Limits
+from rosy_sim.run import Order, Outcome, drive, run_program
+from rosy_sim.worker.blocking import BlockingWorker
+from rosy_sim.world.arena import Pose
+from rosy_sim.world.events import Press, Teleport
+
+from .conftest import hall, playing
+
+
+def run(
+    script: str, limits: Limits, seconds: float = 1.0, trace: io.BytesIO | None = None
+) -> tuple[Outcome, list[str]]:
+    said: list[str] = []
+    with playing(script) as link:
+        outcome = drive(link, hall(), Order(seconds, 1), limits, said.append, trace)
+    return outcome, said
+
+
+def test_time_ends_a_run_that_goes_on(limits: Limits) -> None:
+    outcome, _ = run("drive:0.5", limits)
+    assert (outcome.ended, outcome.steps, outcome.problems) == ("time", 50, [])
+
+
+def test_a_run_ends_when_the_program_is_done(limits: Limits) -> None:
+    outcome, said = run("drive:0.5 say:hello@3 done@7", limits)
+    assert (outcome.ended, outcome.steps, said) == ("done", 7, ["hello"])
+
+
+@pytest.mark.parametrize(
+    ("script", "ended", "kind"),
+    [
+        ("error@4", "error", "exception"),
+        ("hang@4", "stuck", "stuck"),
+        ("close@4", "error", "died"),
+        ("garble@4", "error", "broken-link"),
+        ("lie@4", "error", "broken-link"),
+        ("flood@4", "error", "broken-link"),
+        ("long@4", "error", "broken-link"),
+        ("mute", "stuck", "stuck"),
+    ],
+)
+def test_a_bad_program_ends_with_one_problem(script: str, ended: str, kind: str) -> None:
+    outcome, _ = run(script, Limits(settle=0.2, ready=0.2))
+    assert outcome.ended == ended
+    assert [p.kind for p in outcome.problems] == [kind]
+    assert outcome.problems[0].message
+
+
+def test_a_program_that_ignores_stop_does_not_hold_up_the_end(limits: Limits) -> None:
+    outcome, _ = run("deaf", limits)
+    assert outcome.ended == "time"
+
+
+def test_a_program_that_writes_byte_by_byte_gives_the_same_trace(limits: Limits) -> None:
+    traces = [io.BytesIO(), io.BytesIO()]
+    for script, trace in zip(("drive:0.5 turn:0.3", "drive:0.5 turn:0.3 drip"), traces, strict=True):
+        run(script, limits, seconds=0.4, trace=trace)
+    assert traces[0].getvalue() == traces[1].getvalue() != b""
+
+
+def test_a_trace_has_a_line_per_step_with_the_pose_at_its_start(limits: Limits) -> None:
+    trace = io.BytesIO()
+    run("drive:0.5", limits, seconds=0.2, trace=trace)
+    lines = [json.loads(line) for line in trace.getvalue().splitlines()]
+    assert [line["t"] for line in lines] == [k / 50 for k in range(10)]
+    assert set(lines[0]) == {"t", "x", "y", "theta", "v", "w", "events", "commands", "fired"}
+    assert lines[0]["x"] == 10.0
+    assert lines[9]["x"] > lines[1]["x"] > 10.0
+
+
+def test_hands_act_at_their_time(limits: Limits) -> None:
+    world = hall()
+    hands = ((0.1, Press(1, True)), (0.2, Teleport(Pose(3.0, 4.0, 1.0))))
+    with playing("") as link:
+        drive(link, world, Order(0.3, 1, hands=hands), limits, lambda _: None)
+    assert (world.x, world.y, world.theta) == (3.0, 4.0, 1.0)
+    assert world.bits.buttons == 2
+
+
+def test_a_worker_runs_a_program(config: Config) -> None:
+    with BlockingWorker(config) as worker:
+        assert worker.ready().protocol == 1
+        outcome = run_program(worker, "drive:0.5", hall(), Order(1.0, 1), config.limits, lambda _: None)
+    assert outcome.ended == "time"
+
+
+def test_a_worker_names_the_function_that_hangs(config: Config) -> None:
+    with BlockingWorker(config) as worker:
+        worker.ready()
+        outcome = run_program(worker, "hang@4", hall(), Order(1.0, 1), config.limits, lambda _: None)
+    assert outcome.problems[0].function == "move"
+    assert "`move`" in outcome.problems[0].message
+
+
+def test_a_program_that_does_not_compile_is_refused(config: Config) -> None:
+    with BlockingWorker(config) as worker:
+        worker.ready()
+        outcome = run_program(worker, "refuse", hall(), Order(1.0, 1), config.limits, lambda _: None)
+    assert (outcome.ended, outcome.problems[0].kind) == ("refused", "type-mismatch")
