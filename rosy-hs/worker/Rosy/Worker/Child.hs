@@ -1,0 +1,130 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Rosy.Worker.Child
+-- Description : What a forked child does, from its first breath to its exit.
+--
+-- A child gives up what it does not need, compiles, says what it found to its parent in one line, and, when it is to run
+-- the program, gives up the rest and runs it. It never returns.
+module Rosy.Worker.Child
+  ( Layers (..)
+  , allLayers
+  , Settings (..)
+  , checkChild
+  , runChild
+  , ranOutOfMemory
+  ) where
+
+import Control.Exception (AsyncException (HeapOverflow), IOException, displayException, fromException, try)
+import Control.Monad (when)
+import Data.Aeson (encode, object, (.=))
+import Data.Aeson.Types (Pair)
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Data.Text.Encoding (encodeUtf8)
+import Data.Word (Word64)
+import GHC.Clock (getMonotonicTime)
+import System.Posix.IO (closeFd)
+import System.Posix.Types (Fd (..))
+
+import Rosy.Worker.Ghc
+import Rosy.Worker.Kind (explainAll)
+import Rosy.Worker.Problem (Report (..), isError)
+import Rosy.Worker.Sys
+import Rosy.Worker.Wire (reportFields)
+
+-- | The protections, each of which can be switched off to see what the others catch.
+data Layers = Layers
+  { language :: Bool
+  -- ^ The import list and refused extensions.
+  , systemCalls :: Bool
+  -- ^ The seccomp filters.
+  , limits :: Bool
+  -- ^ Memory and process limits.
+  }
+
+allLayers :: Layers
+allLayers = Layers True True True
+
+data Settings = Settings
+  { layers :: Layers
+  , compileMemory :: Word64
+  -- ^ Bytes a check may take beyond what the worker has already.
+  , nullFd :: Fd
+  }
+
+-- | Exit code of the run-time system when the heap limit is reached (rts/RtsUtils.c, @EXIT_HEAPOVERFLOW@).
+ranOutOfMemory :: Int
+ranOutOfMemory = 251
+
+-- | How nice a running program is: below the service and the checks.
+runNiceness :: Int
+runNiceness = 5
+
+-- | Answers with the report's fields.
+checkChild :: Settings -> Session -> Fd -> Text -> IO ()
+checkChild settings session answer source = alone answer $ do
+  begin settings [answer]
+  (report, _) <- judge session source
+  writeAll answer ("C" <> line (reportFields report))
+
+-- | The report, and the program if it may run.
+judge :: Session -> Text -> IO (Report, Maybe Ready)
+judge session source = do
+  found <- analyse session source
+  let all' = refusals found ++ explainAll (outline found) (messages found)
+      report = Report all' (declared found) (connected found)
+  pure (report, if any isError all' then Nothing else ready found)
+
+-- | Answers @started@ or @refused@ with a letter before the line, then runs the program over the link.
+runChild :: Settings -> Session -> Fd -> Fd -> Page -> Word64 -> Text -> IO ()
+runChild settings session answer link page memory source = alone answer $ do
+  began <- getMonotonicTime
+  begin settings [answer, link]
+  (report, mayRun) <- judge session source
+  let found = problems report
+  case mayRun of
+    Nothing -> writeAll answer ("R" <> line ["problems" .= found])
+    Just program -> do
+      launch <- load session program
+      beNice runNiceness
+      when (limits (layers settings)) $ do
+        size <- dataSize
+        limitHeap memory
+        limitProcess (size + memory + heapSlack)
+      now <- getMonotonicTime
+      writeAll answer ("S" <> line ["problems" .= found, "compile" .= (now - began)])
+      closeFd answer
+      when (systemCalls (layers settings)) filterRunning
+      let Fd fd = link
+      launch fd page
+
+-- | Bytes for what a collection needs for a moment beside the heap itself.
+heapSlack :: Word64
+heapSlack = 32 * 1024 * 1024
+
+begin :: Settings -> [Fd] -> IO ()
+begin settings keep = do
+  beginChild keep (nullFd settings)
+  when (limits (layers settings)) $ do
+    size <- dataSize
+    limitData (size + compileMemory settings)
+  when (systemCalls (layers settings)) filterCompiling
+
+-- | Lives as a program's main does, so that a full heap is an exception there, and leaves at once. What went wrong
+-- in the compiler itself goes to the parent after an exclamation mark.
+alone :: Fd -> IO () -> IO ()
+alone answer life = asMain $ do
+  outcome <- try life
+  case outcome of
+    Right () -> exitNow 0
+    Left e
+      | Just HeapOverflow <- fromException e -> exitNow ranOutOfMemory
+      | otherwise -> do
+          _ <- try (writeAll answer ("!" <> encodeUtf8 (Text.pack (takeWhile (/= '\n') (displayException e))) <> "\n")) :: IO (Either IOException ())
+          exitNow 1
+
+line :: [Pair] -> ByteString
+line pairs = Lazy.toStrict (encode (object pairs)) <> "\n"

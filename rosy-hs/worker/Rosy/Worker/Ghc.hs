@@ -1,0 +1,282 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Rosy.Worker.Ghc
+-- Description : The one door to the compiler.
+--
+-- A program's text in, what the compiler thinks of it out, and a program that can be started. This module and
+-- the folder of its name are the only ones that import the compiler; all that leaves it is in our own nouns.
+module Rosy.Worker.Ghc
+  ( -- * A session
+    Library (..)
+  , Session
+  , start
+  , compilerVersion
+
+    -- * Asking
+  , Analysis (..)
+  , analyse
+
+    -- * Running
+  , Ready
+  , load
+  , asMain
+  ) where
+
+import Control.Exception (evaluate, try)
+import Data.IORef (modifyIORef', newIORef, readIORef)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Data.Time.Calendar (fromGregorian)
+import Data.Time.Clock (UTCTime (..))
+import Data.Word (Word32)
+import Foreign.C.Types (CInt)
+import Foreign.Ptr (Ptr)
+import Unsafe.Coerce (unsafeCoerce)
+
+import GHC.Data.Bag (bagToList)
+import GHC.Data.FastString (mkFastString)
+import GHC.Data.StringBuffer (StringBuffer, stringToStringBuffer)
+import GHC.Driver.Main (hscDesugar)
+import GHC.Driver.Pipeline (compileOne')
+import GHC.Driver.Session (DynFlags (..), mkHomeModule, parseDynamicFilePragma)
+import GHC.Driver.Types
+import GHC.Hs hiding (Warning)
+import GHC.Parser (parseModule)
+import GHC.Parser.Annotation (ApiAnns (..))
+import GHC.Parser.Header (getOptions)
+import GHC.Parser.Lexer (P (unP), ParseResult (..), getErrorMessages, getMessages, mkPState)
+import GHC.Runtime.Linker (getHValue)
+import GHC.Settings.Config (cProjectVersion)
+import GHC.Tc.Module (tcRnModule)
+import GHC.Tc.Types (TcGblEnv (..))
+import GHC.TopHandler (runMainIO)
+import GHC.Types.Name (Name, getName, getOccString, nameModule_maybe)
+import GHC.Types.SrcLoc
+import GHC.Unit.Module (mkModuleName, moduleNameString)
+import GHC.Unit.Module.Location (ModLocation (..))
+import GHCi.RemoteTypes (localRef, withForeignRef)
+
+import Rosy.Worker.Allow
+import Rosy.Worker.Ghc.Add
+import Rosy.Worker.Ghc.Describe
+import Rosy.Worker.Ghc.Names (leaves)
+import Rosy.Worker.Ghc.Report
+import Rosy.Worker.Ghc.Warm
+import Rosy.Worker.Place (Columns, columnsOf)
+import Rosy.Worker.Problem (Declaration, Function, Problem, Severity (..), isError, problemAt, problemNowhere)
+import Rosy.Worker.Raw (Outline (..), Raw (..))
+
+-- | As the worker's @ready@ says it.
+compilerVersion :: Text
+compilerVersion = Text.pack cProjectVersion
+
+-- | A session that has compiled a program already. Most of what the compiler knows about the library it finds out only when it
+-- is needed; what it found out before a fork, every child knows.
+start :: Library -> IO Session
+start library = do
+  session <- warm library
+  practised <- analyse session practice
+  case ready practised of
+    Just sample -> () <$ load session sample
+    Nothing -> pure ()
+  _ <- analyse session "hole = _ :: Velocity\nwrong = not hole + \"\" + undefinedName\n"
+  pure session
+
+-- | A program that touches most of the library.
+practice :: Text
+practice =
+  Text.unlines
+    [ "import qualified Data.Map as Map"
+    , "import Data.List (sortOn)"
+    , "data Mode = Go | Stop | Turn Double Seconds deriving (Eq, Show, Ord)"
+    , "data Step = Step { angle :: Double, count :: Int, name :: String }"
+    , "newtype M1 a = M1 a"
+    , "type Hit = Bool"
+    , "accelerate :: Velocity -> Memory Hit -> Velocity"
+    , "accelerate (Velocity v w) (Memory hit) = if hit then Velocity (v - 0.5) w else Velocity (v + 0.5) w"
+    , "play :: Bumper -> Maybe Sound"
+    , "play (Bumper _ Pressed) = Just ErrorSound"
+    , "play _ = Nothing"
+    , "hits :: Either (Either Bumper Cliff) Wheel -> (Led1, Memory Hit)"
+    , "hits _ = (Led1 Orange, Memory True)"
+    , "walk :: Mode -> StdGen -> Seconds -> Memory Mode"
+    , "walk Stop gen now = Memory (Turn (fst (randomR (0, pi) gen)) (now + 1))"
+    , "walk (Turn a t) _ now | now > t = Memory Go"
+    , "walk m _ _ = Memory m"
+    , "turn :: Double -> Task ()"
+    , "turn a = task (start a) (run a)"
+    , "  where start x (Orientation o) = Memory (o + x)"
+    , "        run x (Memory goal) (Orientation o) = if abs (goal - o) < 0.1 then Left (Done ()) else Right (Velocity 0 (goal - o + x - a))"
+    , "table :: Map.Map Int String"
+    , "table = Map.fromList (sortOn fst (zip [1 ..] (words \"one two three\")))"
+    , "square :: Task ()"
+    , "square = do { replicateM_ 4 (turn (pi / 2)); say (concatMap show (Map.toList table)); wait 1 }"
+    , "loose :: Step -> [M1 Int]"
+    , "loose s = [M1 (count s) | even (count s), let _ = mapM_ print (name s)]"
+    , "main = if length (show Go) > 3 then simulate (accelerate, play, hits, walk) else simulate square"
+    ]
+
+-- | What is known about a program after reading it and checking its types.
+data Analysis = Analysis
+  { refusals :: [Problem]
+  -- ^ Rosy's own findings: what may not be imported, no @main@.
+  , messages :: [Raw]
+  -- ^ The compiler's findings.
+  , outline :: Outline
+  , declared :: [Declaration]
+  , connected :: [Function]
+  , ready :: Maybe Ready
+  -- ^ Present when nothing stands in the way of a run.
+  }
+
+-- | A program that has passed the type checker.
+data Ready = Ready HscEnv ModSummary TcGblEnv Name
+
+-- | Reads and checks a program.
+analyse :: Session -> Text -> IO Analysis
+analyse session source = do
+  options <- optionsOf (hsc_dflags (environment session)) columns buffer
+  case options of
+    Left found -> pure (stopped found [])
+    Right flags -> case readProgram flags columns buffer of
+      Left raws -> pure (stopped [] raws)
+      Right (L at parsed, warnings) -> do
+        let refused = importRefusals columns parsed ++ declarationRefusals columns parsed
+        if null refused
+          then check session flags columns source (L at parsed) warnings
+          else pure (stopped refused warnings)
+  where
+    columns = columnsOf source
+    buffer = stringToStringBuffer (Text.unpack source)
+    stopped found raws = Analysis found raws (Outline source []) [] [] Nothing
+
+-- * Reading
+
+-- | The flags after the pragmas at the top of the file, or why one of them is refused.
+optionsOf :: DynFlags -> Columns -> StringBuffer -> IO (Either [Problem] DynFlags)
+optionsOf flags columns buffer = do
+  attempt <- try $ do
+    let options = getOptions flags buffer fileName
+    mapM_ (evaluate . length . unLoc) options
+    case concatMap refusal options of
+      [] -> do
+        (changed, _, _) <- parseDynamicFilePragma flags options
+        pure (Right changed)
+      found -> pure (Left found)
+  case attempt of
+    Right answer -> pure answer
+    Left e -> pure (Left [optionProblem (fromParser flags columns m) | m <- bagToList (srcErrorMessages e)])
+  where
+    refusal (L at option) = case option of
+      '-' : 'X' : extension
+        | isAllowedExtension (Text.pack extension) -> []
+        | otherwise -> [at `sayWith` ("extension", refuseExtension (Text.pack extension))]
+      _ -> [at `sayWith` ("options", refuseOptions)]
+    sayWith at (k, (m, h)) = say columns at k m h
+    optionProblem raw =
+      (maybe (problemNowhere "extension") (`problemAt` "extension") (region raw) "This line at the top of the program is not understood." "Remove it: the usual extensions are switched on already.")
+
+-- | The tree of a program with warnings about its text, or what keeps it from being read.
+readProgram :: DynFlags -> Columns -> StringBuffer -> Either [Raw] (Located HsModule, [Raw])
+readProgram flags columns buffer = case unP parseModule (mkPState flags buffer (mkRealSrcLoc (mkFastString fileName) 1 1)) of
+  POk state tree
+    | errors@(_ : _) <- bagToList (getErrorMessages state flags) -> Left (map (fromParser flags columns) errors)
+    | otherwise -> Right (tree, map (fromParser flags columns) (bagToList (fst (getMessages state flags))))
+  PFailed state -> Left (map (fromParser flags columns) (bagToList (getErrorMessages state flags)))
+
+fileName :: FilePath
+fileName = "Main.hs"
+
+say :: Columns -> SrcSpan -> Text -> Text -> Text -> Problem
+say columns s k m h = maybe (problemNowhere k m h) (\p -> problemAt p k m h) (placeOf columns s)
+
+importRefusals :: Columns -> HsModule -> [Problem]
+importRefusals columns parsed =
+  [ say columns s "import" m h
+  | L s i <- hsmodImports parsed
+  , let wanted = Text.pack (moduleNameString (unLoc (ideclName i)))
+  , not (isAllowedModule wanted)
+  , let (m, h) = refuseModule wanted
+  ]
+
+-- | Declarations that have no place in a robot program, whatever the extensions say.
+declarationRefusals :: Columns -> HsModule -> [Problem]
+declarationRefusals columns parsed = concatMap refusal (hsmodDecls parsed)
+  where
+    refusal (L s d) = case d of
+      ForD {} -> [say columns s "foreign" "A program cannot call functions of other languages." "A robot program is all Haskell."]
+      SpliceD {} -> [say columns s "syntax" "This line on its own has no meaning." "A line at the left edge starts a definition: a name, an equals sign and a value."]
+      RuleD {} -> [say columns s "pragma" "A program cannot change how it is compiled." "Remove these rules."]
+      AnnD {} -> [say columns s "pragma" "A program cannot change how it is compiled." "Remove this annotation."]
+      _ -> []
+
+-- * Checking
+
+check :: Session -> DynFlags -> Columns -> Text -> Located HsModule -> [Raw] -> IO Analysis
+check session flags columns source (L at parsed) warnings = do
+  noted <- newIORef []
+  let added = addRosy (rosyNames session) parsed
+      logging = flags {log_action = \_ r _ s doc -> modifyIORef' noted (fromLog flags columns r s doc :)}
+      env = (environment session) {hsc_dflags = logging}
+      summary = summaryOf logging source
+      placed = definitionSpans (placeOf columns) parsed
+      module' = HsParsedModule (L at (program added)) [] (ApiAnns mempty Nothing mempty mempty)
+  ((warned, failed), outcome) <- tcRnModule env summary False module'
+  let found = warnings ++ map (fromMessage flags columns) (bagToList failed ++ bagToList warned)
+      bad raws = any ((== Error) . gravity) raws
+      mains = [() | ("main", _) <- placed]
+      noMain = [problemNowhere "no-main" "The program does not say what the robot should do." "Add a line that starts with: main = simulate" | null mains, not (bad found)]
+      whole raws tcg next = Analysis noMain raws (Outline source placed) (describeDeclarations flags placed tcg) (describeFunctions flags (map Text.pack (concatMap leaves (controllers added))) tcg) next
+  case outcome of
+    Nothing -> pure (Analysis noMain found (Outline source placed) [] [] Nothing)
+    Just tcg
+      | bad found -> pure (whole found tcg Nothing)
+      | otherwise -> do
+          desugared <- try (hscDesugar env summary tcg)
+          logged <- reverse <$> readIORef noted
+          let raws = found ++ logged
+          case desugared of
+            Left e -> pure (whole (raws ++ map (fromMessage flags columns) (bagToList (srcErrorMessages e))) tcg Nothing)
+            Right _
+              | bad raws || any isError noMain -> pure (whole raws tcg Nothing)
+              | otherwise -> pure (whole raws tcg (Ready env summary tcg <$> mainOf tcg))
+  where
+    mainOf tcg = case [getName i | i <- typeEnvIds (tcg_type_env tcg), getOccString i == "main", nameModule_maybe (getName i) == Just (tcg_mod tcg)] of
+      n : _ -> Just n
+      [] -> Nothing
+
+summaryOf :: DynFlags -> Text -> ModSummary
+summaryOf flags source =
+  ModSummary
+    { ms_mod = mkHomeModule flags (mkModuleName "Main")
+    , ms_hsc_src = HsSrcFile
+    , ms_location = ModLocation {ml_hs_file = Just fileName, ml_hi_file = "Main.hi", ml_obj_file = "Main.o", ml_hie_file = "Main.hie"}
+    , ms_hs_date = UTCTime (fromGregorian 2000 1 1) 0
+    , ms_obj_date = Nothing
+    , ms_iface_date = Nothing
+    , ms_hie_date = Nothing
+    , ms_parsed_mod = Nothing
+    , ms_srcimps = []
+    , ms_textual_imps = []
+    , ms_hspp_file = fileName
+    , ms_hspp_opts = flags
+    , ms_hspp_buf = Just (stringToStringBuffer (Text.unpack source))
+    }
+
+-- * Running
+
+-- | Compiles a checked program to bytecode in this process and gives the action that runs it: over a link's
+-- descriptor, with a page for the name of the function at work.
+load :: Session -> Ready -> IO (CInt -> Ptr Word32 -> IO ())
+load session (Ready env summary checked name) = do
+  compiled <- compileOne' (Just checked) Nothing env summary 1 1 Nothing Nothing SourceModified
+  let home = env {hsc_HPT = addToHpt (hsc_HPT env) (mkModuleName "Main") compiled}
+  value <- getHValue home name
+  -- The type checker has made sure that main is an IO action.
+  action <- withForeignRef value localRef
+  pure (\fd page -> launcher session fd page (() <$ (unsafeCoerce action :: IO ())))
+
+-- | Runs an action as a program's main thread, the one that is told when the heap is full.
+asMain :: IO () -> IO ()
+asMain = runMainIO

@@ -1,0 +1,103 @@
+{-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE GADTs, RankNTypes, ScopedTypeVariables, TypeOperators #-}
+
+-- |
+-- Module      : Rosy.Worker.Ghc.Describe
+-- Description : Types of a checked program, as Haskell writes them.
+--
+-- The declarations with their types, and the graph: which sensors each function that the robot runs takes, and which
+-- commands it gives. Both are read off types; nothing runs.
+module Rosy.Worker.Ghc.Describe
+  ( describeDeclarations
+  , describeFunctions
+  , definitionSpans
+  ) where
+
+import Data.List (nub)
+import qualified Data.Map.Strict as Map
+import Data.Text (Text)
+import qualified Data.Text as Text
+
+import GHC.Builtin.Names (eitherTyConKey)
+import GHC.Builtin.Types (charTyCon, listTyCon, maybeTyCon, unitTyCon)
+import GHC.Core.DataCon (dataConName, dataConDisplayType)
+import GHC.Core.Ppr.TyThing (pprTypeForUser)
+import GHC.Core.TyCon (isTupleTyCon, tyConDataCons, tyConKind, tyConName)
+import GHC.Core.Type
+import GHC.Driver.Session (DynFlags)
+import GHC.Driver.Types (typeEnvIds, typeEnvTyCons)
+import GHC.Hs
+import GHC.Tc.Types (TcGblEnv (..))
+import GHC.Types.Name (getOccString)
+import GHC.Types.Name.Occurrence (occNameString)
+import GHC.Types.Name.Reader (RdrName, rdrNameOcc)
+import GHC.Types.SrcLoc
+import GHC.Types.Unique (hasKey)
+import GHC.Utils.Outputable (neverQualify, showSDocForUser)
+
+import Rosy.Worker.Problem (Declaration (..), Function (..), Span (..))
+
+-- | The top-level names of a program with the place of their whole definition, in order.
+definitionSpans :: (SrcSpan -> Maybe Span) -> HsModule -> [(Text, Span)]
+definitionSpans place parsed = concatMap placed (hsmodDecls parsed)
+  where
+    placed :: LHsDecl GhcPs -> [(Text, Span)]
+    placed (L whole d) = case d of
+      ValD _ b -> [(plain n, s) | Just s <- [place whole], n <- collectHsBindBinders b]
+      TyClD _ t@DataDecl {} -> own whole (tcdLName t) ++ concat [own part n | L part c <- dd_cons (tcdDataDefn t), n <- constructors c]
+      TyClD _ t@SynDecl {} -> own whole (tcdLName t)
+      TyClD _ t@ClassDecl {} -> own whole (tcdLName t)
+      _ -> []
+    constructors :: ConDecl GhcPs -> [Located RdrName]
+    constructors c = case c of
+      ConDeclH98 {con_name = n} -> [n]
+      ConDeclGADT {con_names = ns} -> ns
+    own whole (L _ n) = [(plain n, s) | Just s <- [place whole]]
+
+plain :: RdrName -> Text
+plain = Text.pack . occNameString . rdrNameOcc
+
+-- | Every name of 'definitionSpans' that has a type.
+describeDeclarations :: DynFlags -> [(Text, Span)] -> TcGblEnv -> [Declaration]
+describeDeclarations flags placed checked =
+  [Declaration n t s | (n, s) <- placed, Just t <- [Map.lookup n types]]
+  where
+    env = tcg_type_env checked
+    types =
+      Map.fromList $
+        [(occ (tyConName c), kindText (tyConKind c)) | c <- typeEnvTyCons env]
+          ++ [(occ (dataConName d), showType flags (dataConDisplayType flags d)) | c <- typeEnvTyCons env, d <- tyConDataCons c]
+          ++ [(occ i, showType flags (varType i)) | i <- typeEnvIds env]
+    kindText k = Text.replace "*" "Type" (showType flags k)
+    occ x = Text.pack (getOccString x)
+
+-- | The functions of these names with their inputs and outputs; names without a type of their own are left out.
+describeFunctions :: DynFlags -> [Text] -> TcGblEnv -> [Function]
+describeFunctions flags names checked =
+  [Function n (concatMap (flatten True) ins) (flatten False out) | n <- nub names, Just t <- [Map.lookup n types], let (ins, out) = arrows t]
+  where
+    types = Map.fromList [(Text.pack (getOccString i), varType i) | i <- typeEnvIds (tcg_type_env checked)]
+
+    arrows t = case splitFunTy_maybe (plainly t) of
+      Just (_, from, to) -> let (ins, out) = arrows to in (from : ins, out)
+      Nothing -> ([], t)
+    plainly t = let (_, rho) = splitForAllTys (see t) in dropConstraints rho
+    dropConstraints t = case splitFunTy_maybe t of
+      Just (_, c, rest) | isConstraint c -> plainly rest
+      _ -> t
+    isConstraint c = tcIsConstraintKind (typeKind c)
+
+    flatten isInput whole = case splitTyConApp_maybe (see whole) of
+      Just (c, args)
+        | c == unitTyCon -> [showType flags whole | isInput]
+        | isTupleTyCon c || c `hasKey` eitherTyConKey || c == maybeTyCon -> concatMap (flatten isInput) args
+        | c == listTyCon, [element] <- args, not (isChar element) -> flatten isInput element
+      _ | not isInput, Just _ <- splitFunTy_maybe (see whole) -> let (ins, out) = arrows whole in concatMap (flatten True) ins ++ flatten False out
+      _ -> [showType flags whole]
+    isChar t = fmap fst (splitTyConApp_maybe t) == Just charTyCon
+    -- Through a synonym, if it stands for one of the shapes.
+    see t = maybe t see (tcView t)
+
+-- | On one line, without module names.
+showType :: DynFlags -> Type -> Text
+showType flags = Text.unwords . Text.words . Text.pack . showSDocForUser flags neverQualify . pprTypeForUser

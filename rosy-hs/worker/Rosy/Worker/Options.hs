@@ -1,0 +1,89 @@
+-- |
+-- Module      : Rosy.Worker.Options
+-- Description : The command line of rosy-worker, and where the library is when nobody says.
+module Rosy.Worker.Options
+  ( Options (..)
+  , parseOptions
+  , usage
+  , findLibrary
+  ) where
+
+import Data.List (isPrefixOf, isSuffixOf, sort)
+import Data.Word (Word64)
+import System.Directory (doesDirectoryExist, listDirectory)
+import System.Environment (getExecutablePath)
+import System.FilePath (takeDirectory, (</>))
+import System.Posix.Types (Fd)
+import System.Process (readProcess)
+import Text.Read (readMaybe)
+
+import Rosy.Worker.Child (Layers (..), allLayers)
+import Rosy.Worker.Ghc (Library (..))
+
+data Options = Options
+  { socketFd :: Fd
+  , databases :: [FilePath]
+  , unit :: Maybe String
+  , libdir :: Maybe FilePath
+  , withLayers :: Layers
+  , checkSeconds :: Double
+  , checkMemory :: Word64
+  , checksTogether :: Int
+  }
+
+usage :: String
+usage =
+  unlines
+    [ "rosy-worker [--fd N] [--package-db DIR] [--rosy-unit ID] [--libdir DIR]"
+    , "            [--check-seconds S] [--check-memory BYTES] [--checks N] [--without language|system-calls|limits]"
+    , "Serves one Unix stream socket, descriptor 3 unless told otherwise. See protocol/README.md, section 3."
+    ]
+
+parseOptions :: [String] -> Either String Options
+parseOptions = go (Options 3 [] Nothing Nothing allLayers 10 (512 * 1024 * 1024) 2)
+  where
+    go o arguments = case arguments of
+      [] -> Right o
+      "--fd" : n : rest | Just fd <- readMaybe n -> go o {socketFd = fromIntegral (fd :: Int)} rest
+      "--package-db" : d : rest -> go o {databases = databases o ++ [d]} rest
+      "--rosy-unit" : u : rest -> go o {unit = Just u} rest
+      "--libdir" : d : rest -> go o {libdir = Just d} rest
+      "--check-seconds" : n : rest | Just x <- readMaybe n, x > 0 -> go o {checkSeconds = x} rest
+      "--check-memory" : n : rest | Just x <- readMaybe n -> go o {checkMemory = x} rest
+      "--checks" : n : rest | Just x <- readMaybe n, x > 0 -> go o {checksTogether = x} rest
+      "--without" : l : rest | Just f <- lookup l layerNames -> go o {withLayers = f (withLayers o)} rest
+      other : _ -> Left ("rosy-worker does not understand " ++ other ++ ".\n" ++ usage)
+    layerNames =
+      [ ("language", \l -> l {language = False})
+      , ("system-calls", \l -> l {systemCalls = False})
+      , ("limits", \l -> l {limits = False})
+      ]
+
+-- | The library that was named, or the one that was built in place beside this executable, and GHC's directory.
+findLibrary :: Options -> IO (Either String Library)
+findLibrary options = do
+  executable <- getExecutablePath
+  ghcDirectory <- maybe (takeWhile (/= '\n') <$> readProcess "ghc" ["--print-libdir"] "") pure (libdir options)
+  beside <- if null (databases options) then inPlace executable else pure (databases options)
+  named <- maybe (unitIn beside) (pure . Just) (unit options)
+  pure $ case named of
+    Just u -> Right (Library beside u ghcDirectory)
+    Nothing -> Left "The Rosy library was not found: build it, or say where it is with --package-db and --rosy-unit."
+
+-- | cabal keeps executables in dist-newstyle/build/… and databases in dist-newstyle/packagedb/ghc-….
+inPlace :: FilePath -> IO [FilePath]
+inPlace executable = do
+  let above = takeWhile (\d -> takeDirectory d /= d) (iterate takeDirectory executable)
+      candidates = [d </> "packagedb" | d <- above, "dist-newstyle" `isSuffixOf` d]
+  concat <$> mapM inside candidates
+  where
+    inside d = do
+      there <- doesDirectoryExist d
+      if there then map (d </>) . sort . filter ("ghc-" `isPrefixOf`) <$> listDirectory d else pure []
+
+unitIn :: [FilePath] -> IO (Maybe String)
+unitIn dirs = do
+  files <- concat <$> mapM listDirectory dirs
+  pure $ case [take (length f - length ".conf") f | f <- sort files, "rosy-" `isPrefixOf` f, ".conf" `isSuffixOf` f, not ("-rosy" `isSuffixOf` f)] of
+    u : _ -> Just u
+    [] -> Nothing

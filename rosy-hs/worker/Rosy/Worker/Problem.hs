@@ -1,0 +1,101 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Rosy.Worker.Problem
+-- Description : What the worker says about a program, as the protocol writes it.
+--
+-- Problems, declarations and the graph of a program ("protocol/README.md", sections 1 and 3). Pure data and
+-- its JSON; where the words come from is the business of "Rosy.Worker.Kind".
+module Rosy.Worker.Problem
+  ( -- * Places
+    Place (..)
+  , Span (..)
+
+    -- * Problems
+  , Severity (..)
+  , Problem (..)
+  , isError
+  , problemAt
+  , problemNowhere
+
+    -- * What a program declares
+  , Declaration (..)
+  , Function (..)
+  , Report (..)
+  , emptyReport
+  ) where
+
+import Data.Aeson (ToJSON (..), object, (.=))
+import Data.Text (Text)
+
+-- | A line and a column, both from 1, counted in characters (a tab is one).
+data Place = Place {line :: !Int, column :: !Int}
+  deriving (Eq, Ord, Show)
+
+-- | From a place up to, not including, another.
+data Span = Span {start :: !Place, end :: !Place}
+  deriving (Eq, Ord, Show)
+
+data Severity = Error | Warning
+  deriving (Eq, Ord, Show)
+
+-- | Something a learner must know. @message@ says what, @hint@ why or what to do.
+data Problem = Problem
+  { severity :: !Severity
+  , kind :: !Text
+  , place :: !(Maybe Span)
+  , function :: !(Maybe Text)
+  , message :: !Text
+  , hint :: !Text
+  , ghc :: !Text
+  }
+  deriving (Eq, Show)
+
+isError :: Problem -> Bool
+isError p = severity p == Error
+
+problemAt :: Span -> Text -> Text -> Text -> Problem
+problemAt s k m h = (problemNowhere k m h) {place = Just s}
+
+problemNowhere :: Text -> Text -> Text -> Problem
+problemNowhere k m h = Problem Error k Nothing Nothing m h ""
+
+-- | A top-level name with its type as Haskell writes it; the span is the whole of its definition.
+data Declaration = Declaration {name :: !Text, ofType :: !Text, at :: !Span}
+  deriving (Eq, Show)
+
+-- | A function that the robot runs, with what it takes and gives.
+data Function = Function {called :: !Text, inputs :: ![Text], outputs :: ![Text]}
+  deriving (Eq, Show)
+
+-- | All that a check finds.
+data Report = Report
+  { problems :: ![Problem]
+  , declarations :: ![Declaration]
+  , functions :: ![Function]
+  }
+  deriving (Eq, Show)
+
+emptyReport :: [Problem] -> Report
+emptyReport ps = Report ps [] []
+
+instance ToJSON Place where
+  toJSON (Place l c) = object ["line" .= l, "column" .= c]
+
+instance ToJSON Problem where
+  toJSON p =
+    object $
+      [ "severity" .= (if isError p then "error" else "warning" :: Text)
+      , "kind" .= kind p
+      , "message" .= message p
+      , "hint" .= hint p
+      , "ghc" .= ghc p
+      ]
+        ++ maybe [] (\s -> ["start" .= start s, "end" .= end s]) (place p)
+        ++ maybe [] (\f -> ["function" .= f]) (function p)
+
+instance ToJSON Declaration where
+  toJSON d = object ["name" .= name d, "type" .= ofType d, "start" .= start (at d), "end" .= end (at d)]
+
+instance ToJSON Function where
+  toJSON f = object ["name" .= called f, "inputs" .= inputs f, "outputs" .= outputs f]

@@ -1,0 +1,307 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Rosy.Worker.Server
+-- Description : The parent: one loop that relays between the service and the children it forks.
+--
+-- Waits in one place for the service, the children's answers and their ends. It compiles nothing itself and runs nothing
+-- of a learner's, so no program can harm it; a child may die at any moment and is always reaped.
+module Rosy.Worker.Server
+  ( Config (..)
+  , serve
+  ) where
+
+import Control.Monad (foldM, forM_)
+import Data.Aeson (Value (Null), encode, object, (.=))
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as ByteString
+import qualified Data.ByteString.Char8 as Char8
+import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.Map.Strict as Map
+import Data.Sequence (Seq (..), (|>))
+import qualified Data.Sequence as Seq
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Data.Text.Encoding (decodeUtf8With)
+import Data.Text.Encoding.Error (lenientDecode)
+import GHC.Clock (getMonotonicTime)
+import System.Mem (performMajorGC)
+import System.Posix.IO (closeFd)
+import System.Posix.Process (forkProcess)
+import System.Posix.Signals (sigKILL, signalProcess)
+import System.Posix.Types (Fd)
+
+import Rosy.Worker.Child
+import Rosy.Worker.Ghc (Session, compilerVersion)
+import Rosy.Worker.Problem (Problem (..), emptyReport, problemNowhere)
+import Rosy.Worker.Sys
+import Rosy.Worker.Wire
+
+data Config = Config
+  { socket :: Fd
+  , settings :: Settings
+  , compileSeconds :: Double
+  -- ^ Wall-clock seconds that reading and checking a program may take.
+  , checksAtOnce :: Int
+  }
+
+-- | What a child is for.
+data Purpose
+  = Checking Text
+  | -- | The page with the function at work; whether the program has started.
+    Running Page Bool
+
+data Job = Job
+  { jobId :: Id
+  , purpose :: Purpose
+  , answers :: Maybe Fd
+  -- ^ Until the child has closed it.
+  , heard :: Lines
+  , deadline :: Maybe Double
+  -- ^ When compiling must be done; 'getMonotonicTime'.
+  , answered :: Bool
+  , late :: Bool
+  -- ^ Ended by the worker for taking too long.
+  , lastWords :: Text
+  -- ^ What the compiler said when it failed itself.
+  }
+
+data State = State
+  { incoming :: Lines
+  , passengers :: Seq Fd
+  -- ^ Descriptors that rode in, for the run lines to come.
+  , outgoing :: Seq ByteString
+  , jobs :: Map.Map Int Job
+  -- ^ By process id.
+  , waiting :: Seq (Id, Text)
+  -- ^ Checks that have not begun.
+  , cache :: Map.Map Text ByteString
+  , cacheOrder :: Seq Text
+  , peerGone :: Bool
+  }
+
+-- | Serves until the service closes its end; then every child dies with this process.
+serve :: Config -> Session -> IO ()
+serve config session = do
+  ended <- watchChildren
+  performMajorGC
+  let begun = State noLines Seq.empty (Seq.singleton (answerLine (ReadyNow compilerVersion))) Map.empty Seq.empty Map.empty Seq.empty False
+  loop config session ended begun
+
+loop :: Config -> Session -> Fd -> State -> IO ()
+loop config session ended = go
+  where
+    go s
+      | peerGone s = forM_ (Map.keys (jobs s)) (signalProcess sigKILL . fromIntegral)
+      | otherwise = do
+          now <- getMonotonicTime
+          let listening = [(fd, pid) | (pid, Job {answers = Just fd}) <- Map.toList (jobs s)]
+              next = minimum (60 : [t - now | Job {deadline = Just t} <- Map.elems (jobs s)])
+          ready <-
+            poll
+              ((socket config, if Seq.null (outgoing s) then ToRead else ToWriteOrRead) : (ended, ToRead) : [(fd, ToRead) | (fd, _) <- listening])
+              (max 0 (ceiling (next * 1000)))
+          case ready of
+            (mine, canWrite) : (reaping, _) : children -> do
+              s1 <- foldM (\st ((fd, pid), (yes, _)) -> if yes then hear fd pid st else pure st) s (zip listening children)
+              s2 <- if reaping then drain ended >> reapAll s1 else pure s1
+              s3 <- expire s2
+              s4 <- if mine then listen config session s3 else pure s3
+              s5 <- beginChecks config session s4
+              s6 <- if canWrite || not (Seq.null (outgoing s5)) then flush config s5 else pure s5
+              go s6
+            _ -> go s
+
+-- * The service
+
+listen :: Config -> Session -> State -> IO State
+listen config session s = do
+  got <- receive (socket config)
+  case got of
+    NothingYet -> pure s
+    Closed -> pure s {peerGone = True}
+    Bytes bytes passenger -> do
+      let (lines', rest) = cut (incoming s) bytes
+      taken <- case passenger of
+        Nothing -> pure (passengers s)
+        Just fd
+          | Seq.length (passengers s) >= mostPassengers -> passengers s <$ closeFd fd
+          | otherwise -> pure (passengers s |> fd)
+      foldM (handle config session) s {incoming = rest, passengers = taken} lines'
+
+-- | Descriptors that may wait for their run line.
+mostPassengers :: Int
+mostPassengers = 64
+
+handle :: Config -> Session -> State -> Cut -> IO State
+handle _ _ s TooLong = pure (reply (Failed Null "This line is too long.") s)
+handle config session s (Line bytes)
+  | ByteString.null bytes = pure s
+  | otherwise = case parseRequest bytes of
+      Left (i, sentence) -> do
+        -- A run that cannot be read still brought its descriptor.
+        s' <- if "\"run\"" `ByteString.isInfixOf` bytes then dropPassenger s else pure s
+        pure (reply (Failed i sentence) s')
+      Right (Check i source) -> case Map.lookup source (cache s) of
+        Just fields -> pure (reply (Checked i fields) s)
+        Nothing -> pure s {waiting = waiting s |> (i, source)}
+      Right (Run i source memory) -> case passengers s of
+        Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
+        fd :<| others -> startRun config session i source memory fd s {passengers = others}
+      Right (Kill i) -> kill i s
+      Right (Build i _ _) -> pure (reply (Failed i "This worker does not build.") s)
+
+dropPassenger :: State -> IO State
+dropPassenger s = case passengers s of
+  Empty -> pure s
+  fd :<| others -> s {passengers = others} <$ closeFd fd
+
+reply :: Answer -> State -> State
+reply answer s = s {outgoing = outgoing s |> answerLine answer}
+
+flush :: Config -> State -> IO State
+flush config s = case outgoing s of
+  Empty -> pure s
+  first :<| rest -> do
+    sent <- send (socket config) first
+    case sent of
+      Gone -> pure s {peerGone = True}
+      Sent n
+        | n == ByteString.length first -> flush config s {outgoing = rest}
+        | otherwise -> pure s {outgoing = ByteString.drop n first :<| rest}
+
+kill :: Id -> State -> IO State
+kill i s = do
+  forM_ [pid | (pid, job) <- Map.toList (jobs s), jobId job == i] (signalProcess sigKILL . fromIntegral)
+  let (dropped, kept) = Seq.partition ((== i) . fst) (waiting s)
+  pure (foldr (\_ -> reply (GoneNow i (Right 9) Nothing Nothing)) s {waiting = kept} dropped)
+
+-- * Children
+
+-- | Starts the checks for which there is room.
+beginChecks :: Config -> Session -> State -> IO State
+beginChecks config session s
+  | (i, source) :<| others <- waiting s
+  , length [() | Job {purpose = Checking _} <- Map.elems (jobs s)] < checksAtOnce config = do
+      (mine, theirs) <- newPair
+      pid <- forkProcess (checkChild (settings config) session theirs source)
+      closeFd theirs
+      s' <- addJob config (fromIntegral pid) i (Checking source) mine s {waiting = others}
+      beginChecks config session s'
+  | otherwise = pure s
+
+startRun :: Config -> Session -> Id -> Text -> Int -> Fd -> State -> IO State
+startRun config session i source memory link s = do
+  (mine, theirs) <- newPair
+  page <- newPage
+  pid <- forkProcess (runChild (settings config) session theirs link page (fromIntegral (max 0 memory)) source)
+  keepPage page
+  closeFd theirs
+  closeFd link
+  addJob config (fromIntegral pid) i (Running page False) mine s
+
+addJob :: Config -> Int -> Id -> Purpose -> Fd -> State -> IO State
+addJob config pid i why fd s = do
+  now <- getMonotonicTime
+  pure s {jobs = Map.insert pid (Job i why (Just fd) noLines (Just (now + compileSeconds config)) False False "") (jobs s)}
+
+-- | Takes what a child has to say.
+hear :: Fd -> Int -> State -> IO State
+hear fd pid s = case Map.lookup pid (jobs s) of
+  Nothing -> pure s
+  Just job -> do
+    got <- receive fd
+    case got of
+      NothingYet -> pure s
+      Closed -> s {jobs = Map.insert pid job {answers = Nothing} (jobs s)} <$ closeFd fd
+      Bytes bytes passenger -> do
+        mapM_ closeFd passenger
+        let (found, rest) = cut (heard job) bytes
+            s' = s {jobs = Map.insert pid job {heard = rest} (jobs s)}
+        hear fd pid (foldl (\st c -> understand pid c st) s' found)
+
+-- | One line of a child. Only the first counts: a program may have got hold of the descriptor by then.
+understand :: Int -> Cut -> State -> State
+understand pid (Line bytes) s
+  | Just job <- Map.lookup pid (jobs s)
+  , not (answered job) =
+      let done answer p = reply answer s {jobs = Map.insert pid job {answered = True, deadline = Nothing, purpose = p} (jobs s)}
+       in case (purpose job, Char8.uncons bytes) of
+            (Checking source, Just ('C', fields)) -> remember source fields (done (Checked (jobId job) fields) (purpose job))
+            (Running page _, Just ('S', fields)) -> done (Started (jobId job) fields) (Running page True)
+            (Running page _, Just ('R', fields)) -> done (Refused (jobId job) fields) (Running page False)
+            (_, Just ('!', words')) -> s {jobs = Map.insert pid job {lastWords = decodeUtf8With lenientDecode words'} (jobs s)}
+            _ -> s
+understand _ _ s = s
+
+remember :: Text -> ByteString -> State -> State
+remember source fields s = shrink s {cache = Map.insert source fields (cache s), cacheOrder = cacheOrder s |> source}
+  where
+    shrink st = case cacheOrder st of
+      oldest :<| others | Seq.length (cacheOrder st) > mostRemembered -> st {cache = Map.delete oldest (cache st), cacheOrder = others}
+      _ -> st
+
+-- | Reports kept for sources that are checked again.
+mostRemembered :: Int
+mostRemembered = 256
+
+-- | Ends what compiles for too long.
+expire :: State -> IO State
+expire s = do
+  now <- getMonotonicTime
+  let over job = maybe False (<= now) (deadline job)
+  forM_ [pid | (pid, job) <- Map.toList (jobs s), over job] (signalProcess sigKILL . fromIntegral)
+  pure s {jobs = Map.map (\job -> if over job then job {deadline = Nothing, late = True} else job) (jobs s)}
+
+reapAll :: State -> IO State
+reapAll s = do
+  one <- reap
+  case one of
+    Nothing -> pure s
+    Just (pid, how) -> do
+      -- What it said before it ended may still be on its way.
+      s' <- maybe (pure s) (\fd -> hear fd pid s) (answers =<< Map.lookup pid (jobs s))
+      bury pid how s' >>= reapAll
+
+-- | The last word about a child.
+bury :: Int -> Ended -> State -> IO State
+bury pid how s = case Map.lookup pid (jobs s) of
+  Nothing -> pure s
+  Just job -> do
+    mapM_ closeFd (answers job)
+    let rest = s {jobs = Map.delete pid (jobs s)}
+        i = jobId job
+        wasKilled = how == Signalled 9 && not (late job)
+        gone = GoneNow i (case how of Exited n -> Left n; Signalled n -> Right n)
+    case purpose job of
+      Checking _
+        | answered job -> pure rest
+        | wasKilled -> pure (reply (gone Nothing Nothing) rest)
+        | otherwise -> pure (reply (Checked i (fieldsOf (compileProblem job how))) rest)
+      Running page started -> do
+        firing <- pageText page
+        freePage page
+        pure $
+          if started
+            then reply (gone (if Text.null firing || isExit how then Nothing else Just firing) (if how == Exited ranOutOfMemory then Just memoryProblem else Nothing)) rest
+            else
+              if answered job
+                then rest
+                else
+                  if wasKilled
+                    then reply (gone Nothing Nothing) rest
+                    else reply (Refused i (Lazy.toStrict (encode (object ["problems" .= [compileProblem job how]])))) rest
+  where
+    fieldsOf p = Lazy.toStrict (encode (object (reportFields (emptyReport [p]))))
+    isExit (Exited n) = n /= ranOutOfMemory
+    isExit _ = False
+
+memoryProblem :: Problem
+memoryProblem = problemNowhere "memory" "The program used up its memory." "Look for a list or a value that grows for ever."
+
+-- | Why a compilation ended without an answer.
+compileProblem :: Job -> Ended -> Problem
+compileProblem job how
+  | late job = problemNowhere "too-long" "The program takes too long to check." "Make it shorter, or split large expressions into several functions."
+  | how == Exited ranOutOfMemory = problemNowhere "too-large" "The program takes too much memory to check." "Make it shorter, or split large expressions into several functions."
+  | otherwise = (problemNowhere "compiler" "The program could not be checked." "Undo the last change and try again.") {ghc = lastWords job}

@@ -1,0 +1,231 @@
+{-# LANGUAGE ForeignFunctionInterface #-}
+
+-- |
+-- Module      : Rosy.Worker.Sys
+-- Description : The system calls of cbits/rosy_sys.c, as Haskell sees them.
+--
+-- Sockets with descriptors, one poll over everything, shared pages, and what a child gives up. Failures of calls
+-- that cannot fail on a working machine are exceptions.
+module Rosy.Worker.Sys
+  ( -- * Talking
+    Received (..)
+  , receive
+  , Sent (..)
+  , send
+
+    -- * Waiting
+  , watchChildren
+  , drain
+  , Wanted (..)
+  , poll
+  , Ended (..)
+  , reap
+
+    -- * Sharing
+  , Page
+  , newPage
+  , freePage
+  , pageText
+  , keepPage
+  , newPair
+  , writeAll
+
+    -- * Becoming a child
+  , beginChild
+  , beNice
+  , filterCompiling
+  , filterRunning
+  , limitData
+  , limitProcess
+  , limitHeap
+  , dataSize
+  , exitNow
+  ) where
+
+import Control.Exception (throwIO)
+import Control.Monad (when)
+import qualified Data.ByteString as ByteString
+import Data.ByteString.Internal (createAndTrim')
+import Data.ByteString (ByteString)
+import Data.ByteString.Unsafe (unsafeUseAsCStringLen)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Data.Text.Encoding (decodeUtf8With)
+import Data.Text.Encoding.Error (lenientDecode)
+import Data.Word (Word32, Word64, Word8)
+import Foreign.C.Error (getErrno, errnoToIOError)
+import Foreign.C.Types
+import Foreign.Marshal.Alloc (alloca)
+import Foreign.Marshal.Array (allocaArray, peekArray, withArrayLen)
+import Foreign.Ptr (Ptr, castPtr, nullPtr, plusPtr)
+import Foreign.Storable (peek)
+import System.Posix.Types (CSsize (..), Fd (..))
+
+foreign import ccall unsafe rosy_receive :: CInt -> Ptr Word8 -> CSize -> Ptr CInt -> IO CSsize
+foreign import ccall unsafe rosy_send :: CInt -> Ptr CChar -> CSize -> IO CSsize
+foreign import ccall unsafe rosy_watch_children :: IO CInt
+foreign import ccall unsafe rosy_drain :: CInt -> IO ()
+foreign import ccall safe rosy_poll :: CInt -> Ptr CInt -> Ptr CShort -> Ptr CShort -> CInt -> IO CInt
+foreign import ccall unsafe rosy_reap :: Ptr CInt -> Ptr CInt -> IO CInt
+foreign import ccall unsafe rosy_page :: IO (Ptr Word32)
+foreign import ccall unsafe rosy_page_free :: Ptr Word32 -> IO ()
+foreign import ccall unsafe rosy_page_keep :: Ptr Word32 -> IO ()
+foreign import ccall unsafe rosy_pair :: Ptr CInt -> IO CInt
+foreign import ccall unsafe rosy_write_all :: CInt -> Ptr CChar -> CSize -> IO CInt
+foreign import ccall unsafe rosy_nice :: CInt -> IO CInt
+foreign import ccall unsafe rosy_child_begin :: CInt -> Ptr CInt -> CInt -> IO CInt
+foreign import ccall unsafe rosy_filter_compiling :: IO CInt
+foreign import ccall unsafe rosy_filter_running :: IO CInt
+foreign import ccall unsafe rosy_limit_data :: Word64 -> IO CInt
+foreign import ccall unsafe rosy_limit_process :: Word64 -> IO CInt
+foreign import ccall unsafe rosy_limit_heap :: Word64 -> IO ()
+foreign import ccall unsafe rosy_data_size :: IO Word64
+foreign import ccall unsafe rosy_exit :: CInt -> IO ()
+
+orThrow :: String -> IO CInt -> IO CInt
+orThrow what action = do
+  result <- action
+  when (result < 0) $ do
+    errno <- getErrno
+    throwIO (errnoToIOError what errno Nothing Nothing)
+  pure result
+
+-- | What a read gave. The descriptor is one that rode along.
+data Received
+  = Bytes ByteString (Maybe Fd)
+  | NothingYet
+  | Closed
+
+receive :: Fd -> IO Received
+receive (Fd fd) = alloca $ \riding -> do
+  (bytes, got) <- createAndTrim' chunk $ \buffer -> do
+    n <- rosy_receive fd buffer (fromIntegral chunk) riding
+    pure (0, max 0 (fromIntegral n), n)
+  rode <- peek riding
+  let passenger = if got > 0 && rode >= 0 then Just (Fd rode) else Nothing
+  pure $ case got of
+    -2 -> NothingYet
+    n | n <= 0 -> Closed
+    _ -> Bytes bytes passenger
+  where
+    chunk = 65536
+
+-- | How many bytes went out, or that the other end is gone.
+data Sent = Sent Int | Gone
+
+send :: Fd -> ByteString -> IO Sent
+send (Fd fd) bytes = unsafeUseAsCStringLen bytes $ \(buffer, size) -> do
+  put <- rosy_send fd buffer (fromIntegral size)
+  pure $ case put of
+    -2 -> Sent 0
+    n | n < 0 -> Gone
+    n -> Sent (fromIntegral n)
+
+-- | A descriptor at which a byte arrives whenever a child has ended.
+watchChildren :: IO Fd
+watchChildren = Fd <$> orThrow "sigaction" rosy_watch_children
+
+drain :: Fd -> IO ()
+drain (Fd fd) = rosy_drain fd
+
+data Wanted = ToRead | ToWriteOrRead
+  deriving (Eq)
+
+-- | Waits until a descriptor is ready, or so many milliseconds; the flags say which are (to read, to write).
+poll :: [(Fd, Wanted)] -> Int -> IO [(Bool, Bool)]
+poll wanted milliseconds =
+  withArrayLen [fd | (Fd fd, _) <- wanted] $ \count fds ->
+    withArrayLen (map (events . snd) wanted) $ \_ wants ->
+      allocaArray (max 1 count) $ \got -> do
+        _ <- rosy_poll (fromIntegral count) fds wants got (fromIntegral milliseconds)
+        map (\e -> (readable e, writable e)) <$> peekArray count got
+  where
+    -- poll(2): POLLIN 1, POLLOUT 4, POLLERR 8, POLLHUP 16, POLLNVAL 32.
+    events ToRead = 1
+    events ToWriteOrRead = 5
+    readable e = any (bit e) [1, 8, 16, 32]
+    writable e = bit e 4
+    bit :: CShort -> CShort -> Bool
+    bit e b = (e `div` b) `mod` 2 == 1
+
+data Ended = Exited Int | Signalled Int
+  deriving (Eq, Show)
+
+-- | One child that has ended.
+reap :: IO (Maybe (Int, Ended))
+reap = alloca $ \how -> alloca $ \value -> do
+  pid <- rosy_reap how value
+  if pid == 0
+    then pure Nothing
+    else do
+      h <- peek how
+      v <- fromIntegral <$> peek value
+      pure (Just (fromIntegral pid, if h == 0 then Exited v else Signalled v))
+
+-- | Memory that a forked child shares with its parent, 4096 bytes.
+type Page = Ptr Word32
+
+newPage :: IO Page
+newPage = do
+  page <- rosy_page
+  when (page == nullPtr) (() <$ orThrow "mmap" (pure (-1)))
+  pure page
+
+freePage :: Page -> IO ()
+freePage = rosy_page_free
+
+-- | The text in a page: its length in bytes in the first word, UTF-8 after it. A child may have written anything.
+pageText :: Page -> IO Text
+pageText page = do
+  size <- peek page
+  bytes <- ByteString.packCStringLen (castPtr page `plusPtr` 4, fromIntegral (min 1024 size))
+  pure (Text.filter (>= ' ') (decodeUtf8With lenientDecode bytes))
+
+-- | Children that are forked from now on do not see the page.
+keepPage :: Page -> IO ()
+keepPage = rosy_page_keep
+
+-- | Two sockets that are connected to each other.
+newPair :: IO (Fd, Fd)
+newPair = allocaArray 2 $ \ends -> do
+  _ <- orThrow "socketpair" (rosy_pair ends)
+  both <- peekArray 2 ends
+  case both of
+    [a, b] -> pure (Fd a, Fd b)
+    _ -> error "newPair: two ends were asked for"
+
+-- | Writes everything, waiting as long as it takes.
+writeAll :: Fd -> ByteString -> IO ()
+writeAll (Fd fd) bytes =
+  () <$ unsafeUseAsCStringLen bytes (\(buffer, size) -> orThrow "write" (rosy_write_all fd buffer (fromIntegral size)))
+
+-- | See @rosy_child_begin@: the descriptors to keep, and one that stands in for 0 to 2.
+beginChild :: [Fd] -> Fd -> IO ()
+beginChild keep (Fd nullFd) =
+  () <$ withArrayLen [fd | Fd fd <- keep] (\n fds -> orThrow "becoming a child" (rosy_child_begin (fromIntegral n) fds nullFd))
+
+-- | Others go first. A refusal changes nothing that matters.
+beNice :: Int -> IO ()
+beNice n = () <$ rosy_nice (fromIntegral n)
+
+filterCompiling, filterRunning :: IO ()
+filterCompiling = () <$ orThrow "seccomp" rosy_filter_compiling
+filterRunning = () <$ orThrow "seccomp" rosy_filter_running
+
+-- | Bytes of private memory; a later limit may be larger.
+limitData :: Word64 -> IO ()
+limitData bytes = () <$ orThrow "setrlimit" (rosy_limit_data bytes)
+
+-- | Bytes of private memory for good (0: no limit).
+limitProcess :: Word64 -> IO ()
+limitProcess bytes = () <$ orThrow "setrlimit" (rosy_limit_process bytes)
+
+limitHeap :: Word64 -> IO ()
+limitHeap = rosy_limit_heap
+
+dataSize :: IO Word64
+dataSize = rosy_data_size
+
+-- | Ends this process at once: no finalizers, no last collection, which would cost more than the whole run.
+exitNow :: Int -> IO ()
+exitNow = rosy_exit . fromIntegral

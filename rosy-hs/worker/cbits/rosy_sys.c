@@ -1,0 +1,338 @@
+/*
+ * System calls of the worker that Haskell's libraries do not offer: descriptors that ride on a socket, one poll
+ * over everything, pages shared with children, and what a child gives up before it touches a stranger's program.
+ *
+ * Nothing here knows the protocol or the compiler. Each layer (filter, limits, descriptors) works without the others.
+ */
+#define _GNU_SOURCE
+#include "rosy_sys.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <poll.h>
+#include <signal.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/uio.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "Rts.h"
+
+/* ---- Receiving and sending ---------------------------------------------------------------------------------- */
+
+/* Reads what is there; a descriptor that rode along ends in *received_fd (else -1). Further ones are closed. */
+ssize_t rosy_receive(int fd, void *buffer, size_t size, int *received_fd) {
+  struct iovec part = {buffer, size};
+  union { char space[CMSG_SPACE(8 * sizeof(int))]; struct cmsghdr align; } control;
+  struct msghdr message = {.msg_iov = &part, .msg_iovlen = 1, .msg_control = &control, .msg_controllen = sizeof control};
+  ssize_t got;
+  *received_fd = -1;
+  do got = recvmsg(fd, &message, MSG_CMSG_CLOEXEC | MSG_DONTWAIT); while (got < 0 && errno == EINTR);
+  if (got < 0) return errno == EAGAIN || errno == EWOULDBLOCK ? -2 : -1;
+  for (struct cmsghdr *c = CMSG_FIRSTHDR(&message); c; c = CMSG_NXTHDR(&message, c)) {
+    if (c->cmsg_level != SOL_SOCKET || c->cmsg_type != SCM_RIGHTS) continue;
+    size_t count = (c->cmsg_len - CMSG_LEN(0)) / sizeof(int);
+    for (size_t i = 0; i < count; i++) {
+      int one;
+      memcpy(&one, CMSG_DATA(c) + i * sizeof(int), sizeof one);
+      if (*received_fd < 0) *received_fd = one; else close(one);
+    }
+  }
+  return got;
+}
+
+/* Writes what fits; -2 when nothing does for now, -1 when the other end is gone. */
+ssize_t rosy_send(int fd, const void *buffer, size_t size) {
+  ssize_t put;
+  do put = send(fd, buffer, size, MSG_DONTWAIT | MSG_NOSIGNAL); while (put < 0 && errno == EINTR);
+  if (put < 0) return errno == EAGAIN || errno == EWOULDBLOCK ? -2 : -1;
+  return put;
+}
+
+/* ---- Waiting ------------------------------------------------------------------------------------------------ */
+
+static int child_pipe[2] = {-1, -1};
+
+static void child_ended(int signal) {
+  int saved = errno;
+  (void)signal;
+  if (write(child_pipe[1], "", 1) < 0) { /* full: the reader is awake already */ }
+  errno = saved;
+}
+
+/* From now on a byte arrives at the returned descriptor whenever a child has ended. */
+int rosy_watch_children(void) {
+  struct sigaction action = {.sa_handler = child_ended, .sa_flags = SA_RESTART | SA_NOCLDSTOP};
+  if (pipe2(child_pipe, O_CLOEXEC | O_NONBLOCK) < 0) return -1;
+  if (sigaction(SIGCHLD, &action, NULL) < 0) return -1;
+  signal(SIGPIPE, SIG_IGN);
+  return child_pipe[0];
+}
+
+void rosy_drain(int fd) {
+  char waste[256];
+  while (read(fd, waste, sizeof waste) > 0) {}
+}
+
+/* poll(2) over parallel arrays. The RTS's timer signal may interrupt it: that counts as nothing yet. */
+int rosy_poll(int count, const int *fds, const short *wants, short *got, int milliseconds) {
+  struct pollfd *set = calloc(count > 0 ? count : 1, sizeof *set);
+  if (!set) return -1;
+  for (int i = 0; i < count; i++) { set[i].fd = fds[i]; set[i].events = wants[i]; }
+  int ready = poll(set, count, milliseconds);
+  for (int i = 0; i < count; i++) got[i] = ready > 0 ? set[i].revents : 0;
+  free(set);
+  return ready < 0 && errno == EINTR ? 0 : ready;
+}
+
+/* One ended child: its pid, and *how 0 = exit code, 1 = signal in *value. 0 when none has ended. */
+pid_t rosy_reap(int *how, int *value) {
+  int status;
+  pid_t pid = waitpid(-1, &status, WNOHANG);
+  if (pid <= 0) return 0;
+  *how = WIFSIGNALED(status);
+  *value = *how ? WTERMSIG(status) : WEXITSTATUS(status);
+  return pid;
+}
+
+/* ---- Sharing ------------------------------------------------------------------------------------------------ */
+
+/* A page of zeros that a forked child and its parent both see. */
+/* Later children do not inherit it: see rosy_page_keep. */
+void *rosy_page(void) {
+  void *page = mmap(NULL, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  return page == MAP_FAILED ? NULL : page;
+}
+
+void rosy_page_free(void *page) { munmap(page, 4096); }
+
+/* To be called in the parent after the fork: children forked from now on do not see this page. */
+void rosy_page_keep(void *page) { madvise(page, 4096, MADV_DONTFORK); }
+
+int rosy_pair(int *ends) { return socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends); }
+
+/* All of it, waiting as long as it takes. */
+int rosy_write_all(int fd, const char *buffer, size_t size) {
+  while (size > 0) {
+    ssize_t put = write(fd, buffer, size);
+    if (put < 0 && errno == EINTR) continue;
+    if (put <= 0) return -1;
+    buffer += put;
+    size -= (size_t)put;
+  }
+  return 0;
+}
+
+/* ---- Becoming a child --------------------------------------------------------------------------------------- */
+
+static int is_kept(int fd, int count, const int *keep) {
+  for (int i = 0; i < count; i++) if (keep[i] == fd) return 1;
+  return 0;
+}
+
+/*
+ * Dies with its parent, leads its own session, has nothing open but the kept descriptors and an empty 0, 1 and 2,
+ * can gain no privilege, write no file and start no core dump.
+ */
+int rosy_child_begin(int count, const int *keep, int null_fd) {
+  pid_t parent = getppid();
+  struct rlimit none = {0, 0};
+  if (prctl(PR_SET_PDEATHSIG, SIGKILL) < 0) return -1;
+  if (getppid() != parent || parent == 1) return -1;
+  signal(SIGCHLD, SIG_DFL);
+  setsid();
+  for (int fd = 0; fd < 3; fd++) if (dup2(null_fd, fd) < 0) return -1;
+  int last = 2;
+  for (int i = 0; i < count; i++) if (keep[i] > last) last = keep[i];
+  for (int fd = 3; fd < last; fd++) if (!is_kept(fd, count, keep)) close(fd);
+#ifdef SYS_close_range
+  if (syscall(SYS_close_range, last + 1, ~0U, 0) < 0)
+#endif
+    for (int fd = last + 1; fd < 65536; fd++) close(fd);
+  setrlimit(RLIMIT_CORE, &none);
+  setrlimit(RLIMIT_FSIZE, &none);
+  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) < 0) return -1;
+  prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
+  return 0;
+}
+
+/* Less important than whoever is not nice. */
+int rosy_nice(int niceness) { return setpriority(PRIO_PROCESS, 0, niceness); }
+
+/* Bytes of writable private memory now (VmData), the baseline that limits are counted from. */
+uint64_t rosy_data_size(void) {
+  uint64_t kilobytes = 0;
+  char line[256];
+  FILE *status = fopen("/proc/self/status", "re");
+  if (!status) return 0;
+  while (fgets(line, sizeof line, status))
+    if (sscanf(line, "VmData: %lu kB", &kilobytes) == 1) break;
+  fclose(status);
+  return kilobytes * 1024;
+}
+
+/* The kernel refuses more private memory than this; may be raised again. */
+int rosy_limit_data(uint64_t bytes) {
+  struct rlimit data;
+  if (getrlimit(RLIMIT_DATA, &data) < 0) return -1;
+  if (bytes < data.rlim_max) data.rlim_cur = bytes;
+  return setrlimit(RLIMIT_DATA, &data);
+}
+
+/* The kernel refuses more private memory than this, and further processes and threads. */
+int rosy_limit_process(uint64_t data_bytes) {
+  struct rlimit data = {data_bytes, data_bytes}, none = {0, 0};
+  if (data_bytes && setrlimit(RLIMIT_DATA, &data) < 0) return -1;
+  setrlimit(RLIMIT_NPROC, &none);
+  setrlimit(RLIMIT_MSGQUEUE, &none);
+  setrlimit(RLIMIT_MEMLOCK, &none);
+  return 0;
+}
+
+/* The run-time system raises HeapOverflow when its heap has grown by more than this. */
+void rosy_limit_heap(uint64_t bytes) {
+  RtsFlags.GcFlags.maxHeapSize = (mblocks_allocated * MBLOCK_SIZE + bytes) / BLOCK_SIZE;
+}
+
+void rosy_exit(int code) { _exit(code); }
+
+/* ---- Filters ------------------------------------------------------------------------------------------------ */
+
+#if defined(__x86_64__)
+#define ROSY_ARCH AUDIT_ARCH_X86_64
+#elif defined(__aarch64__)
+#define ROSY_ARCH AUDIT_ARCH_AARCH64
+#else
+#error "the filter knows x86-64 and aarch64"
+#endif
+
+#define LOAD(field) BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, field))
+#define ARGUMENT(n) (offsetof(struct seccomp_data, args) + 8 * (n))
+#define ALLOW BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)
+#define REFUSE BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM)
+#define MISSING BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS)
+
+/* What a running program needs: its link, memory, time, its own signals, its end. */
+static const int running_calls[] = {
+  __NR_read, __NR_write, __NR_readv, __NR_writev, __NR_close, __NR_lseek, __NR_fstat,
+  __NR_munmap, __NR_madvise, __NR_brk, __NR_mremap,
+  __NR_rt_sigaction, __NR_rt_sigprocmask, __NR_rt_sigreturn, __NR_sigaltstack, __NR_restart_syscall,
+  __NR_futex, __NR_sched_yield, __NR_getpid, __NR_gettid, __NR_getrusage,
+  __NR_clock_gettime, __NR_clock_getres, __NR_gettimeofday, __NR_nanosleep, __NR_clock_nanosleep,
+  __NR_timer_settime, __NR_timer_delete, __NR_timerfd_settime, __NR_getitimer, __NR_setitimer,
+  __NR_pselect6, __NR_ppoll, __NR_exit, __NR_exit_group, __NR_getrandom,
+#ifdef __NR_poll
+  __NR_poll, __NR_select, __NR_time,
+#endif
+};
+
+/* What the compiler needs besides: looking at the interfaces and libraries that are there. */
+static const int compiling_calls[] = {
+  __NR_pread64, __NR_newfstatat, __NR_statx, __NR_statfs, __NR_faccessat, __NR_readlinkat, __NR_getcwd, __NR_getdents64, __NR_uname,
+  __NR_setpriority, __NR_dup, __NR_dup3, __NR_prctl, __NR_seccomp, __NR_setrlimit, __NR_getrlimit, __NR_sysinfo, __NR_flock,
+  __NR_epoll_ctl, __NR_epoll_pwait, __NR_timer_create, __NR_getuid, __NR_geteuid, __NR_getgid, __NR_getegid, __NR_getppid,
+#ifdef __NR_stat
+  __NR_stat, __NR_lstat, __NR_access, __NR_readlink, __NR_dup2, __NR_epoll_wait,
+#endif
+};
+
+#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
+#define MOST 256
+
+static struct sock_filter code[MOST];
+static int length;
+
+static void put(struct sock_filter one) { if (length < MOST) code[length++] = one; }
+
+static void allow_each(const int *calls, size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    put((struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, calls[i], 0, 1));
+    put((struct sock_filter)ALLOW);
+  }
+}
+
+/* Allows a call when the bits of `mask` in argument n are all clear; the number is loaded again afterwards. */
+static void allow_without_bits(int call, int n, unsigned mask) {
+  put((struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 4));
+  put((struct sock_filter)BPF_STMT(BPF_LD | BPF_W | BPF_ABS, ARGUMENT(n)));
+  put((struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, mask, 1, 0));
+  put((struct sock_filter)ALLOW);
+  put((struct sock_filter)REFUSE);
+}
+
+/* Allows a call when argument n is exactly `value`. */
+static void allow_with_value(int call, int n, unsigned value) {
+  put((struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 4));
+  put((struct sock_filter)BPF_STMT(BPF_LD | BPF_W | BPF_ABS, ARGUMENT(n)));
+  put((struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, 1));
+  put((struct sock_filter)ALLOW);
+  put((struct sock_filter)REFUSE);
+}
+
+static void begin_filter(void) {
+  length = 0;
+  put((struct sock_filter)LOAD(arch));
+  put((struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, ROSY_ARCH, 1, 0));
+  put((struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS));
+  put((struct sock_filter)LOAD(nr));
+#if defined(__x86_64__)
+  /* The x32 calls share the numbers but not the meaning. */
+  put((struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000U, 0, 1));
+  put((struct sock_filter)REFUSE);
+#endif
+  allow_each(running_calls, COUNT(running_calls));
+  /* Its own threads may be signalled (abort, RTS), nobody else. */
+  allow_with_value(__NR_tgkill, 0, (unsigned)getpid());
+  /* fcntl: only F_GETFD, F_SETFD, F_GETFL and F_SETFL (1 to 4). */
+  put((struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, __NR_fcntl, 0, 5));
+  put((struct sock_filter)BPF_STMT(BPF_LD | BPF_W | BPF_ABS, ARGUMENT(1)));
+  put((struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JGT | BPF_K, 4, 2, 0));
+  put((struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, 0, 1, 0));
+  put((struct sock_filter)ALLOW);
+  put((struct sock_filter)REFUSE);
+}
+
+static int end_filter(void) {
+  put((struct sock_filter)REFUSE);
+  if (length >= MOST) { errno = E2BIG; return -1; }
+  struct sock_fprog program = {(unsigned short)length, code};
+  return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program, 0, 0);
+}
+
+/* While compiling: files may be opened for reading; no sockets, no processes, no signals to others. */
+int rosy_filter_compiling(void) {
+  begin_filter();
+  allow_each(compiling_calls, COUNT(compiling_calls));
+  allow_without_bits(__NR_openat, 2, O_WRONLY | O_RDWR | O_CREAT | O_TRUNC);
+#ifdef __NR_open
+  allow_without_bits(__NR_open, 1, O_WRONLY | O_RDWR | O_CREAT | O_TRUNC);
+#endif
+  /* The interpreter makes code for each data constructor of a program. */
+  static const int memory_calls[] = {__NR_mmap, __NR_mprotect};
+  allow_each(memory_calls, COUNT(memory_calls));
+  put((struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, __NR_prlimit64, 0, 4));
+  put((struct sock_filter)BPF_STMT(BPF_LD | BPF_W | BPF_ABS, ARGUMENT(0)));
+  put((struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, 0, 0, 1));
+  put((struct sock_filter)ALLOW);
+  put((struct sock_filter)REFUSE);
+  return end_filter();
+}
+
+/* While running: nothing is opened, and no memory becomes code. */
+int rosy_filter_running(void) {
+  begin_filter();
+  allow_without_bits(__NR_mmap, 2, 0x4 /* PROT_EXEC */);
+  allow_without_bits(__NR_mprotect, 2, 0x4 /* PROT_EXEC */);
+  return end_filter();
+}

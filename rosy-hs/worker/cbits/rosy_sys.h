@@ -1,0 +1,34 @@
+/* System calls of the worker that Haskell's libraries do not offer. See rosy_sys.c. */
+#ifndef ROSY_SYS_H
+#define ROSY_SYS_H
+#include <stdint.h>
+#include <sys/types.h>
+
+/* Receiving and sending. */
+ssize_t rosy_receive(int fd, void *buffer, size_t size, int *received_fd);
+ssize_t rosy_send(int fd, const void *buffer, size_t size);
+
+/* Waiting. */
+int rosy_watch_children(void);
+void rosy_drain(int fd);
+int rosy_poll(int count, const int *fds, const short *wants, short *got, int milliseconds);
+pid_t rosy_reap(int *how, int *value);
+
+/* Sharing. */
+void *rosy_page(void);
+void rosy_page_free(void *page);
+void rosy_page_keep(void *page);
+int rosy_pair(int *ends);
+int rosy_write_all(int fd, const char *buffer, size_t size);
+
+/* Becoming a child. */
+int rosy_child_begin(int count, const int *keep, int null_fd);
+int rosy_nice(int niceness);
+int rosy_filter_compiling(void);
+int rosy_filter_running(void);
+int rosy_limit_data(uint64_t bytes);
+int rosy_limit_process(uint64_t data_bytes);
+void rosy_limit_heap(uint64_t bytes);
+uint64_t rosy_data_size(void);
+void rosy_exit(int code);
+#endif
