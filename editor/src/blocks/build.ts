@@ -21,6 +21,8 @@ const built = new WeakMap<Blockly.Block, Built>()
 
 /// What the page does with things only it can answer.
 export interface BuildActions {
+  /// A block was made, on the workspace or in the toolbox. It may be moved at once, before any event tells of it.
+  made(block: Blockly.BlockSvg): void
   renamed(block: Blockly.Block, key: string, name: string): void
   pulled(field: Binder, event: PointerEvent): void
 }
@@ -50,6 +52,7 @@ export function registerBlocks(views: readonly BlockView[], actions: () => Build
         const state: Built = {view, extra: {}, shape, skeleton: ""}
         built.set(this, state)
         draw(this, state, shape, fieldActions)
+        if (this instanceof Blockly.BlockSvg) actions()?.made(this)
       },
       saveExtraState(this: Blockly.Block) {
         return extraOf(this)

@@ -9,6 +9,7 @@ export const styleSheet = `
 .rosyBlocks .injectionDiv { --blockly-active-node-color: var(--focus); --blockly-active-tree-color: var(--focus); }
 
 .rosyBlocks .blocklyMainBackground { stroke: none; }
+.rosyBlocks .blocklySvg pattern line { stroke: var(--line-strong); stroke-linecap: round; }
 .rosyBlocks .blocklyText, .rosyBlocks .rosyHint { fill: var(--on-block); }
 .rosyBlocks .injectionDiv .blocklyText.rosyStrong { font-weight: 700; }
 .rosyBlocks .injectionDiv .blocklyText.rosySignature { font: 500 12.5px "JetBrains Mono", ui-monospace, monospace; }
@@ -62,7 +63,7 @@ export const styleSheet = `
 .rosyBlocks .blocklyToolboxCategory:not(.blocklyToolboxSelected):hover { background: color-mix(in srgb, var(--sunken) 60%, transparent); }
 .rosyBlocks .blocklyToolboxSelected { background: var(--sunken) !important; }
 .rosyBlocks .blocklyToolboxCategory .blocklyTreeRowContentContainer { display: flex; gap: 10px; align-items: center; }
-.rosyBlocks .blocklyToolboxCategoryLabel, .rosyBlocks .blocklyToolboxSelected .blocklyToolboxCategoryLabel { font: inherit; color: var(--ink); white-space: normal; }
+.rosyBlocks .blocklyToolboxCategoryLabel, .rosyBlocks .blocklyToolboxSelected .blocklyToolboxCategoryLabel { font: inherit; font-size: 14.5px; color: var(--ink); white-space: nowrap; }
 .rosyBlocks .rosySwatch { width: 18px; height: 14px; flex: none; overflow: visible; }
 .rosyBlocks .rosySearch { width: 100%; min-width: 0; font: 400 14px Inter, system-ui, sans-serif; color: var(--ink); background: var(--sunken); border: 1px solid var(--line); border-radius: 8px; padding: 7px 10px; outline-offset: 1px; }
 .rosyBlocks .rosySearch::placeholder { color: var(--ink-2); opacity: 1; }

@@ -150,6 +150,8 @@ class Search extends Blockly.ToolboxCategory {
 
   override onNodeFocus(): void {
     super.onNodeFocus()
+    // What was searched last is shown again, and typing replaces it.
+    this.field?.select()
     void Blockly.renderManagement.finishQueuedRenders().then(() => this.match())
   }
 

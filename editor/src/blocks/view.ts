@@ -116,7 +116,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     comments: true,
     collapse: true,
     disable: false,
-    grid: {spacing: 22, length: 1, colour: "#00000000", snap: false},
+    grid: {spacing: 22, length: 1, colour: "#c6cad3", snap: false},
     move: {scrollbars: {horizontal: true, vertical: true}, drag: true, wheel: true},
     zoom: {
       controls: false,
@@ -136,17 +136,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
 
   const dragHost: DragHost = {asker: () => language.checker(saveBlocks(workspace)), refusal}
 
-  const adoptBlocks = () => {
-    for (const block of workspace.getAllBlocks(false)) {
-      if (block.isInsertionMarker() || draggable.has(block)) continue
-      draggable.add(block)
-      makeDraggable(block, dragHost)
-    }
-  }
-  const draggable = new WeakSet<Blockly.BlockSvg>()
-
   const refresh = (): SavedWorkspace => {
-    adoptBlocks()
     const saved = saveBlocks(workspace)
     inference = language.infer(saved)
     showInference(workspace, inference)
@@ -174,8 +164,6 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       for (const listener of selectListeners) listener(block?.id)
     }
     const dropped = event.type === Blockly.Events.BLOCK_DRAG && !(event as Blockly.Events.BlockDrag).isStart
-    // A block from the toolbox is moved before anything is told about it; it must be ours by then.
-    if (event.type === Blockly.Events.BLOCK_CREATE) adoptBlocks()
     if (dropped || !event.isUiEvent) announceLater()
   })
 
@@ -202,7 +190,8 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       }
       Blockly.Events.setGroup(false)
     },
-    pulled: (field, event) => pull(workspace, field, event, adoptBlocks),
+    made: block => makeDraggable(block, dragHost),
+    pulled: (field, event) => pull(workspace, field, event),
   }
   open = actions
 
@@ -299,31 +288,55 @@ function say(workspace: Blockly.WorkspaceSvg, message: string): void {
 }
 
 /// Takes a reference out of its binder and puts it under the pointer, which goes on dragging it.
-function pull(workspace: Blockly.WorkspaceSvg, field: Binder, event: PointerEvent, adopt: () => void): void {
+///
+/// One frame later: on the press Blockly asked for the pressed block to be brought to the front, which would take
+/// the focus from the new one, and Blockly drags what has the focus.
+function pull(workspace: Blockly.WorkspaceSvg, field: Binder, event: PointerEvent): void {
   const name = field.getValue() ?? ""
   if (haskellName(name) === null) return
   workspace.cancelCurrentGesture()
-  Blockly.Events.setGroup(true)
+  let pointer = event
+  const over = new AbortController()
+  window.addEventListener(
+    "pointermove",
+    move => {
+      if (move.pointerId === event.pointerId) pointer = move
+    },
+    {capture: true, signal: over.signal},
+  )
+  for (const end of ["pointerup", "pointercancel"]) {
+    window.addEventListener(end, () => over.abort(), {capture: true, signal: over.signal})
+  }
+  requestAnimationFrame(() => {
+    if (over.signal.aborted) return
+    over.abort()
+    dragReference(workspace, name, pointer)
+  })
+}
+
+function dragReference(workspace: Blockly.WorkspaceSvg, name: string, pointer: PointerEvent): void {
   const at = Blockly.utils.svgMath.screenToWsCoordinates(
     workspace,
-    new Blockly.utils.Coordinate(event.clientX, event.clientY),
+    new Blockly.utils.Coordinate(pointer.clientX, pointer.clientY),
   )
+  Blockly.Events.setGroup(true)
   const block = Blockly.serialization.blocks.append(
     {type: "name", extraState: {name}, x: at.x - 24, y: at.y - 14},
     workspace,
     {recordUndo: true},
   ) as Blockly.BlockSvg
-  adopt()
+  // Only what is drawn can have the focus.
+  Blockly.renderManagement.triggerQueuedRenders(workspace)
   // A press on the new block at the same spot: from here on it is an ordinary drag.
   block.getSvgRoot().dispatchEvent(
     new PointerEvent("pointerdown", {
       bubbles: true,
       cancelable: true,
-      clientX: event.clientX,
-      clientY: event.clientY,
-      pointerId: event.pointerId,
-      pointerType: event.pointerType,
-      isPrimary: event.isPrimary,
+      clientX: pointer.clientX,
+      clientY: pointer.clientY,
+      pointerId: pointer.pointerId,
+      pointerType: pointer.pointerType,
+      isPrimary: pointer.isPrimary,
       button: 0,
       buttons: 1,
     }),

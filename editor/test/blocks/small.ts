@@ -350,7 +350,7 @@ export const sample: SavedWorkspace = {
         y: 40,
         extraState: {name: "accelerate"},
         inputs: {
-          P0: {block: {type: "velocity_pattern", id: "pattern"}},
+          P0: {block: {type: "velocity_pattern", id: "pattern", extraState: {vl: "vl", va: "va"}}},
           E0: {
             block: {
               type: "velocity",

@@ -1,0 +1,113 @@
+/// The block view in the system's Chromium, for tests that need hands: a served page and a few gestures.
+
+import {fileURLToPath} from "node:url"
+import {type Browser, chromium, type Page} from "playwright-core"
+import {createServer, type ViteDevServer} from "vite"
+
+export interface Stage {
+  /// A fresh page with the block view; `query` as `dev/blocks.ts` reads it.
+  open(query?: string): Promise<Page>
+  close(): Promise<void>
+}
+
+export async function openStage(): Promise<Stage> {
+  const root = fileURLToPath(new URL("../..", import.meta.url))
+  const server: ViteDevServer = await createServer({
+    root,
+    configFile: false,
+    base: "/",
+    logLevel: "error",
+    cacheDir: fileURLToPath(new URL("../../node_modules/.vite-blocks", import.meta.url)),
+    server: {port: 0, host: "127.0.0.1", watch: null, hmr: false},
+    optimizeDeps: {include: ["blockly/core", "blockly/msg/en"], entries: ["dev/blocks.html"]},
+  })
+  await server.listen()
+  const address = server.resolvedUrls?.local[0]
+  if (address === undefined) throw new Error("expected the page to be served, found no address")
+  const browser: Browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"],
+  })
+  return {
+    async open(query = "") {
+      const page = await browser.newPage({viewport: {width: 1100, height: 800}, reducedMotion: "reduce"})
+      page.on("pageerror", error => {
+        throw error
+      })
+      await page.goto(`${address}dev/blocks.html?${query}`)
+      await page.waitForFunction("window.blocks !== undefined && document.fonts.status === 'loaded'")
+      return page
+    },
+    async close() {
+      await browser.close()
+      await server.close()
+    },
+  }
+}
+
+export interface Spot {
+  readonly x: number
+  readonly y: number
+}
+
+/// A point on the words of a block, near its left edge.
+export function grip(page: Page, id: string): Promise<Spot> {
+  return page.evaluate(block => {
+    const svg = window.Blockly.getMainWorkspace().getBlockById(block) as import("blockly/core").BlockSvg
+    const box = svg.pathObject.svgPath.getBoundingClientRect()
+    return {x: box.left + 9, y: box.top + Math.min(14, box.height / 2)}
+  }, id)
+}
+
+/// The middle of an empty socket.
+export function socket(page: Page, id: string, input: string): Promise<Spot> {
+  return page.evaluate(
+    ([block, name]) => {
+      const svg = window.Blockly.getMainWorkspace().getBlockById(block!) as import("blockly/core").BlockSvg
+      const connection = svg.getInput(name!)!.connection as import("blockly/core").RenderedConnection
+      const at = window.Blockly.utils.svgMath.wsToScreenCoordinates(
+        svg.workspace,
+        new window.Blockly.utils.Coordinate(connection.x, connection.y),
+      )
+      return {x: at.x, y: at.y}
+    },
+    [id, input],
+  )
+}
+
+/// Drags from one spot to another, in steps as a hand does, and lets go unless told to hold.
+export async function drag(page: Page, from: Spot, to: Spot, hold = false): Promise<void> {
+  await page.mouse.move(from.x, from.y)
+  await page.mouse.down()
+  await page.mouse.move(from.x + 8, from.y + 8, {steps: 2})
+  // A hand is slower than a frame.
+  await page.evaluate(() => new Promise(requestAnimationFrame))
+  await page.mouse.move(to.x, to.y, {steps: 8})
+  if (!hold) await page.mouse.up()
+}
+
+/// Waits until Blockly has drawn, told its events, and the view has answered.
+export async function settled(page: Page): Promise<void> {
+  await page.evaluate(async () => {
+    await window.Blockly.renderManagement.finishQueuedRenders()
+    await new Promise(done => setTimeout(done, 0))
+    await new Promise(done => requestAnimationFrame(() => setTimeout(done, 0)))
+  })
+}
+
+/// The blocks as nested lists of kinds, without ids and places: what a test is usually about.
+export function tree(page: Page): Promise<unknown> {
+  return page.evaluate(() => {
+    type Saved = import("@rosy/codegen").SavedBlock
+    const bare = (block: Saved): unknown => ({
+      [block.type]: Object.fromEntries([
+        ...Object.entries(block.inputs ?? {}).map(([name, input]) => [
+          name,
+          input.block ? bare(input.block) : null,
+        ]),
+        ...(block.next?.block === undefined ? [] : [["next", bare(block.next.block)]]),
+      ]),
+    })
+    return window.blocks.save().blocks.blocks.map(bare)
+  })
+}

@@ -1,0 +1,214 @@
+/// Stories of hands on blocks, with a small language, in a real browser.
+
+import {afterAll, beforeAll, describe, expect, test} from "vitest"
+import {drag, grip, openStage, type Stage, settled, socket, tree} from "./browser.ts"
+
+let stage: Stage
+beforeAll(async () => {
+  stage = await openStage()
+}, 30_000)
+afterAll(() => stage.close())
+
+const press = async (page: Awaited<ReturnType<Stage["open"]>>, ...keys: string[]) => {
+  for (const key of keys) await page.keyboard.press(key)
+  await settled(page)
+}
+
+describe("by mouse", () => {
+  test("a block that fits snaps into its socket", async () => {
+    const page = await stage.open("small")
+    const to = await socket(page, "empty", "L")
+    await drag(page, await grip(page, "half"), {x: to.x + 12, y: to.y + 4})
+    await settled(page)
+    expect(
+      await page.evaluate(() => window.Blockly.getMainWorkspace().getBlockById("half")?.getParent()?.id),
+    ).toBe("empty")
+    await page.close()
+  })
+
+  test("a block that does not fit stays loose, and the page says why while it hovers", async () => {
+    const page = await stage.open("small")
+    const to = await socket(page, "empty", "L")
+    await drag(page, await grip(page, "led"), {x: to.x + 14, y: to.y + 4}, true)
+    const line = page.locator(".rosyRefusal")
+    expect(await line.textContent()).toBe("This socket wants a Double, and this is a Led1.")
+    expect(await line.isVisible()).toBe(true)
+    expect(await page.locator("[aria-live]").allTextContents()).toContainEqual(
+      expect.stringContaining("wants a"),
+    )
+    await page.mouse.up()
+    await settled(page)
+    expect(await line.isVisible()).toBe(false)
+    expect(
+      await page.evaluate(() => window.Blockly.getMainWorkspace().getBlockById("led")?.getParent()),
+    ).toBeNull()
+    await page.close()
+  })
+
+  test("a name is dragged out of its binder, and the binder keeps it", async () => {
+    const page = await stage.open("small")
+    const binder = await page.locator(".rosyBinder", {hasText: "vl"}).boundingBox()
+    const to = await socket(page, "empty", "L")
+    await drag(page, {x: binder!.x + 10, y: binder!.y + 8}, {x: to.x + 12, y: to.y + 6})
+    await settled(page)
+    const saved = await page.evaluate(() =>
+      window.blocks.save().blocks.blocks.find(block => block.id === "empty"),
+    )
+    expect(saved?.inputs?.L?.block).toMatchObject({type: "name", extraState: {name: "vl"}})
+    await expect(page.locator(".rosyBinder", {hasText: "vl"}).count()).resolves.toBe(1)
+    await page.close()
+  })
+
+  test("a block comes out of the toolbox assembled", async () => {
+    const page = await stage.open("small&empty")
+    await page.locator(".blocklyToolboxCategory", {hasText: "Tell the robot"}).click()
+    const offered = await page.locator(".blocklyFlyout .blocklyDraggable").first().boundingBox()
+    await drag(page, {x: offered!.x + 12, y: offered!.y + 12}, {x: 500, y: 300})
+    await settled(page)
+    expect(await tree(page)).toEqual([{velocity: {L: {number: {}}, A: {number: {}}}}])
+    await page.close()
+  })
+})
+
+describe("changes", () => {
+  test("a rename changes the binder and its references, and one undo takes it back", async () => {
+    const page = await stage.open("small")
+    await page.locator(".rosyBinder", {hasText: "vl"}).click()
+    await page.keyboard.type("speed")
+    await press(page, "Enter")
+    const names = () =>
+      page.evaluate(() =>
+        JSON.stringify(window.blocks.save())
+          .match(/"(name|vl)":"(vl|speed)"/g)
+          ?.sort(),
+      )
+    expect(await names()).toEqual(['"name":"speed"', '"vl":"speed"'])
+    await page.evaluate(() => window.blocks.undo())
+    await settled(page)
+    expect(await names()).toEqual(['"name":"vl"', '"vl":"vl"'])
+    await page.close()
+  })
+
+  test("a name that Haskell refuses changes nothing and says why", async () => {
+    const page = await stage.open("small")
+    const before = await page.evaluate(() => JSON.stringify(window.blocks.save()))
+    await page.locator(".rosyBinder", {hasText: "vl"}).click()
+    await page.keyboard.type("My Speed")
+    await press(page, "Enter")
+    expect(await page.evaluate(() => JSON.stringify(window.blocks.save()))).toBe(before)
+    expect(await page.locator(".blocklyToast").textContent()).toContain("small letter")
+    await page.close()
+  })
+
+  test("typing a number tells the page with every digit, and undo takes the whole number back", async () => {
+    const page = await stage.open("small")
+    const at = await grip(page, "half")
+    await page.mouse.click(at.x + 10, at.y)
+    const before = await page.evaluate(() => window.changes)
+    await page.keyboard.type("0.75")
+    await settled(page)
+    const value = () =>
+      page.evaluate(() => JSON.stringify(window.blocks.save()).match(/"value":"([^"]*)"/)?.[1])
+    expect(await value()).toBe("0.75")
+    expect(await page.evaluate(() => window.changes)).toBeGreaterThan(before)
+    await press(page, "Enter")
+    await page.evaluate(() => window.blocks.undo())
+    await settled(page)
+    expect(await value()).toBe("0.5")
+    await page.close()
+  })
+
+  test("+ adds a socket and keeps the others, and undo takes it away", async () => {
+    const page = await stage.open("small")
+    const inputs = () =>
+      page.evaluate(() =>
+        Object.keys(window.blocks.save().blocks.blocks.find(block => block.id === "main")?.inputs ?? {}),
+      )
+    const sockets = () =>
+      page.evaluate(
+        () =>
+          window.Blockly.getMainWorkspace()
+            .getBlockById("main")
+            ?.inputList.filter(input => input.connection).length,
+      )
+    await page.locator(".rosyPress", {hasText: "+"}).click()
+    await settled(page)
+    expect(await sockets()).toBe(3)
+    expect(await inputs()).toEqual(["C0", "C1"])
+    await page.evaluate(() => window.blocks.undo())
+    await settled(page)
+    expect(await sockets()).toBe(2)
+    expect(await inputs()).toEqual(["C0", "C1"])
+    await page.close()
+  })
+})
+
+describe("by keyboard alone", () => {
+  test("from an empty workspace: search, place, fill a socket from the toolbox, step through", async () => {
+    const page = await stage.open("small&empty")
+    await page.evaluate(() => window.blocks.focus())
+    // T goes to the search; the first block found is one Enter away, and one more puts it down.
+    await press(page, "t")
+    await page.keyboard.type("just")
+    await press(page, "Enter", "Enter", "Enter")
+    expect(await tree(page)).toEqual([{just: {}}])
+    // Right leads into its socket; what is taken from the toolbox now goes there.
+    await press(page, "ArrowRight", "t")
+    await page.keyboard.type("sound")
+    await press(page, "Enter", "Enter", "Enter")
+    expect(await tree(page)).toEqual([{just: {V: {sound: {}}}}])
+    await page.close()
+  })
+})
+
+describe("what comes from elsewhere", () => {
+  test("a problem stands on its block until it is gone", async () => {
+    const page = await stage.open("small")
+    const mark = (problems: object[]) => page.evaluate(found => window.blocks.mark(found as never), problems)
+    await mark([
+      {severity: "error", kind: "type-mismatch", block: "led", message: "Lights go elsewhere.", hint: ""},
+    ])
+    expect(await page.locator(".rosyWrong").count()).toBe(1)
+    await mark([])
+    expect(await page.locator(".rosyWrong").count()).toBe(0)
+    await page.close()
+  })
+
+  test("a function that fires glows on its definition, and the light goes out", async () => {
+    const page = await stage.open("small")
+    await page.evaluate(() => window.blocks.glow(["play"]))
+    expect(await page.locator(".rosyFired").count()).toBe(1)
+    await page.locator(".rosyFired").waitFor({state: "detached"})
+    await page.close()
+  })
+
+  test("a file with blocks that nobody knows loads the others and names those", async () => {
+    const page = await stage.open("small&empty")
+    const left = await page.evaluate(() =>
+      window.blocks.load({
+        blocks: {
+          languageVersion: 0,
+          blocks: [
+            {type: "led", id: "a"},
+            {type: "from_the_future", id: "b"},
+            {type: "just", id: "c", inputs: {V: {block: {type: "wait", id: "d"}}}},
+          ],
+        },
+      }),
+    )
+    expect(left.left.map(block => block.id)).toEqual(["b", "c"])
+    expect(await tree(page)).toEqual([{led: {}}])
+    await page.close()
+  })
+
+  test("loading again what is there already replaces nothing", async () => {
+    const page = await stage.open("small")
+    const same = await page.evaluate(() => {
+      const before = window.Blockly.getMainWorkspace().getBlockById("accelerate")
+      window.blocks.load(window.blocks.save())
+      return before === window.Blockly.getMainWorkspace().getBlockById("accelerate")
+    })
+    expect(same).toBe(true)
+    await page.close()
+  })
+})
