@@ -19,6 +19,26 @@ export type {
   Verdict,
 } from "./api.ts"
 export {socketKey} from "./api.ts"
+export {blockTypes, blockView} from "./blocks/language.ts"
+export {readWorkspace} from "./blocks/read.ts"
+export {printProgram} from "./haskell/print.ts"
+export {hashOf, splitDeclarations} from "./haskell/split.ts"
 export type {BlockId, Extra, Json, Place, SavedBlock, SavedInput, SavedWorkspace} from "./saved.ts"
 export type {Connects, Family, Item, Row, Shape, Sort, StackSort} from "./shape.ts"
 export {setIn} from "./shape.ts"
+export {checker, fits} from "./workspace/check.ts"
+export type {Haskell} from "./workspace/haskell.ts"
+export {blockAt, spanOf, spanOfSocket, toHaskell} from "./workspace/haskell.ts"
+export {infer} from "./workspace/infer.ts"
+export {find, plug, without} from "./workspace/plug.ts"
+export type {Opened} from "./workspace/project.ts"
+export {
+  closeProject,
+  newProject,
+  newWorkspace,
+  openProject,
+  parseProject,
+  saveProject,
+} from "./workspace/project.ts"
+export {namesInScope, rename} from "./workspace/scope.ts"
+export {toolbox} from "./workspace/toolbox.ts"

@@ -1,0 +1,298 @@
+/// Definitions: functions from what the robot senses to what it should do, constants, and the program's entry.
+
+import {isOperator, isVariableName} from "../haskell/lexemes.ts"
+import type {Clause, Declaration, Expr, Pattern} from "../model/tree.ts"
+import type {Extra} from "../saved.ts"
+import type {Family, Item, Row} from "../shape.ts"
+import {partOf, pressPart, readRight, rightRows, savedPart, writeRight} from "./rightside.ts"
+import type {BlockSpec, Reader} from "./spec.ts"
+import {countIn, counting, objectsIn, textIn} from "./spec.ts"
+
+/// How a definition reads aloud; says nothing about its meaning.
+const readings: {readonly [as: string]: {family: Family; input: string; answer: string; what: string}} = {
+  event: {family: "event", input: "when", answer: "send", what: "what to send"},
+  state: {family: "state", input: "when it has", answer: "send", what: "what to send"},
+  command: {family: "command", input: "with", answer: "send", what: "what to send"},
+  memory: {family: "memory", input: "when it remembers", answer: "send", what: "what to send"},
+  task: {family: "task", input: "with", answer: "do", what: "what to do"},
+  plain: {family: "own", input: "with", answer: "is", what: "what it is"},
+}
+
+const define: BlockSpec = {
+  type: "define",
+  shape(extra) {
+    const name = textIn(extra, "name", "f")
+    const reading = readings[textIn(extra, "as", "plain")] ?? readings.plain!
+    const arity = countIn(extra, "arity", 0)
+    const equations = equationsOf(extra)
+    const rows: Row[] = [
+      [{kind: "binder", key: "name", value: name, aria: "name of the definition"}, {kind: "signature"}],
+    ]
+    for (const [i, equation] of equations.entries()) {
+      const inputs: Item[] = []
+      for (let j = 0; j < arity; j++) {
+        inputs.push({kind: "label", text: j === 0 ? reading.input : "and"})
+        inputs.push({
+          kind: "socket",
+          name: `P${i}_${j}`,
+          sort: "pattern",
+          aria: inputLabel(i, j, equations.length),
+        })
+      }
+      if (i === 0) {
+        inputs.push({kind: "button", action: "more-inputs", text: "+", aria: "one more input"})
+        if (arity > 0)
+          inputs.push({kind: "button", action: "fewer-inputs", text: "−", aria: "one input less"})
+      }
+      if (inputs.length > 0) rows.push(inputs)
+      rows.push(...rightRows(i, partOf(equation), reading.answer, reading.what))
+    }
+    if (arity > 0) {
+      const last: Item[] = [{kind: "button", action: "more-cases", text: "+", aria: "one more case"}]
+      if (equations.length > 1)
+        last.push({kind: "button", action: "fewer-cases", text: "−", aria: "remove the last case"})
+      rows.push(last)
+    }
+    return {
+      family: reading.family,
+      connects: {as: "definition"},
+      rows,
+      tooltip:
+        "Gives a name to what the robot does. Example: accelerate, when it has Velocity vl va, send Velocity (vl + 0.5) va.",
+      aria: `definition of ${name}`,
+    }
+  },
+  press(extra, action) {
+    const arity = countIn(extra, "arity", 0)
+    const equations = equationsOf(extra)
+    const [what = "", index = "0"] = action.split(".")
+    switch (what) {
+      case "more-inputs":
+        return {...extra, arity: Math.min(9, arity + 1)}
+      case "fewer-inputs":
+        return {...extra, arity: Math.max(0, arity - 1)}
+      case "more-cases":
+        return {...extra, equations: [...equations, {}]}
+      case "fewer-cases":
+        return {...extra, equations: equations.slice(0, Math.max(1, equations.length - 1))}
+      default:
+        return {
+          ...extra,
+          equations: equations.map((e, i) =>
+            i === Number(index) ? savedPart(pressPart(partOf(e), what)) : e,
+          ),
+        }
+    }
+  },
+  meaning: {
+    as: "definition",
+    read(r) {
+      const name = checkedName(r, "name", "f")
+      const arity = countIn(r.extra, "arity", 0)
+      const clauses = equationsOf(r.extra).map((equation, i): Clause => {
+        const patterns: Pattern[] = []
+        for (let j = 0; j < arity; j++) patterns.push(r.pattern(`P${i}_${j}`))
+        return {kind: "clause", patterns, right: readRight(r, i, partOf(equation)), from: r.from}
+      })
+      const signature = textIn(r.extra, "signature")
+      return {
+        kind: "function",
+        name,
+        clauses,
+        from: r.from,
+        ...(signature.trim() === "" ? {} : {signature: {kind: "type", text: signature, from: r.from}}),
+      }
+    },
+    write(d) {
+      if (d.kind !== "function") return undefined
+      const arity = d.clauses[0]?.patterns.length ?? 0
+      if (
+        d.clauses.length === 0 ||
+        d.clauses.some(c => c.patterns.length !== arity || c.comment !== undefined)
+      )
+        return undefined
+      const sockets: {[input: string]: Expr | Pattern} = {}
+      const stacks: {[input: string]: readonly Declaration[]} = {}
+      const equations: Extra[] = []
+      for (const [i, c] of d.clauses.entries()) {
+        c.patterns.forEach((p, j) => {
+          sockets[`P${i}_${j}`] = p
+        })
+        const right = writeRight(i, c.right)
+        if (right === undefined) return undefined
+        equations.push(savedPart(right.part))
+        Object.assign(sockets, right.sockets)
+        Object.assign(stacks, right.stacks)
+      }
+      const extra: Extra = {
+        name: d.name,
+        as: readingOf(d),
+        arity,
+        equations,
+        ...(d.signature === undefined ? {} : {signature: d.signature.text}),
+      }
+      return {extra, sockets, stacks}
+    },
+  },
+}
+
+function inputLabel(i: number, j: number, equations: number): string {
+  return equations > 1 ? `input ${j + 1} of case ${i + 1}` : `input ${j + 1}`
+}
+
+function equationsOf(extra: Extra): readonly Extra[] {
+  const equations = objectsIn(extra, "equations")
+  return equations.length === 0 ? [{}] : equations
+}
+
+const eventConstructors = /^(?:Bumper|Cliff|Wheel|Button)/
+
+/// The words that suit a definition read from text: by its first input or its answer.
+function readingOf(d: Declaration & {kind: "function"}): string {
+  const text = d.signature?.text ?? ""
+  const [input] = d.clauses.flatMap(c => c.patterns.slice(0, 1))
+  const body = d.clauses[0]?.right.body
+  if (input === undefined) {
+    if (/\bTask\b/.test(text)) return "task"
+    const head = body === undefined || Array.isArray(body) ? undefined : headOf(body as Expr)
+    return head !== undefined && ["Velocity", "Led1", "Led2", "Say"].includes(head) ? "command" : "plain"
+  }
+  const first = /^\s*(?:\(\s*)?([A-Z]\w*)/.exec(text.replace(/^.*=>/, ""))?.[1] ?? ""
+  const word = input.kind === "constructor-pattern" ? input.name : first
+  if (eventConstructors.test(word)) return "event"
+  if (["Velocity", "Position", "Orientation", "Pose", "Seconds", "Clock"].includes(word)) return "state"
+  return word === "Memory" || word === "Param" ? "memory" : /Task\b/.test(text) ? "task" : "plain"
+}
+
+function headOf(e: Expr): string | undefined {
+  return e.kind === "apply" ? headOf(e.fn) : e.kind === "constructor-name" ? e.name : undefined
+}
+
+/// A binder's name; one that Haskell would not accept is a problem, and the printer finds the nearest that it does.
+export function checkedName(r: Reader, key: string, otherwise: string): string {
+  const name = textIn(r.extra, key, otherwise)
+  if (!isVariableName(name) && !isOperator(name))
+    r.problem(
+      "name",
+      name.trim() === "" ? "This has no name yet." : `“${name}” cannot be a name here.`,
+      "A name is one word that starts with a small letter, and is not one of Haskell's own words.",
+    )
+  return name
+}
+
+const main: BlockSpec = {
+  type: "main",
+  shape(extra) {
+    const controllers = countIn(extra, "controllers", 1, 1)
+    const items: Item[] = [{kind: "label", text: "simulate", strong: true}]
+    for (let i = 0; i < controllers; i++) {
+      if (i > 0) items.push({kind: "label", text: "and"})
+      items.push({
+        kind: "socket",
+        name: `R${i}`,
+        sort: "expression",
+        aria: controllers > 1 ? `what to run, ${i + 1}` : "what to run",
+        hint: "function",
+      })
+    }
+    items.push({kind: "button", action: "more", text: "+", aria: "run one more"})
+    if (controllers > 1) items.push({kind: "button", action: "fewer", text: "−", aria: "run one less"})
+    return {
+      family: "task",
+      connects: {as: "top"},
+      rows: [items],
+      tooltip:
+        "What the program runs: functions that react, all at the same time, or a task. Example: simulate accelerate and play.",
+      aria: "the program: simulate",
+      help: "simulate",
+    }
+  },
+  press: counting("controllers", 1, 1),
+  meaning: {
+    as: "definition",
+    read(r) {
+      const count = countIn(r.extra, "controllers", 1, 1)
+      const items: Expr[] = []
+      for (let i = 0; i < count; i++) items.push(r.expr(`R${i}`))
+      const [only] = items
+      const what: Expr =
+        items.length === 1 && only !== undefined ? only : {kind: "tuple", items, from: r.from}
+      const body: Expr = {
+        kind: "apply",
+        fn: {kind: "variable", name: "simulate", from: r.from},
+        args: [what],
+        from: r.from,
+      }
+      return {
+        kind: "function",
+        name: "main",
+        signature: {kind: "type", text: "IO ()", from: r.from},
+        clauses: [{kind: "clause", patterns: [], right: {kind: "right", body, where: []}, from: r.from}],
+        from: r.from,
+      }
+    },
+    write(d) {
+      if (
+        d.kind !== "function" ||
+        d.name !== "main" ||
+        (d.signature !== undefined && d.signature.text.trim() !== "IO ()")
+      )
+        return undefined
+      const [clause, ...others] = d.clauses
+      if (
+        clause === undefined ||
+        others.length > 0 ||
+        clause.patterns.length > 0 ||
+        clause.right.where.length > 0
+      )
+        return undefined
+      const body = clause.right.body
+      if (Array.isArray(body)) return undefined
+      const call = body as Expr
+      const [argument] = call.kind === "apply" ? call.args : []
+      if (call.kind !== "apply" || call.args.length !== 1 || argument === undefined) return undefined
+      if (call.fn.kind !== "variable" || call.fn.name !== "simulate") return undefined
+      const items = argument.kind === "tuple" && argument.items.length > 1 ? argument.items : [argument]
+      return {
+        extra: {controllers: items.length},
+        sockets: Object.fromEntries(items.map((item, i) => [`R${i}`, item])),
+      }
+    },
+  },
+}
+
+const definePattern: BlockSpec = {
+  type: "define_pattern",
+  shape() {
+    return {
+      family: "own",
+      connects: {as: "definition"},
+      rows: [
+        [
+          {kind: "label", text: "let"},
+          {kind: "socket", name: "P", sort: "pattern", aria: "names"},
+          {kind: "label", text: "be"},
+          {kind: "socket", name: "E0_0", sort: "expression", aria: "what is taken apart"},
+        ],
+      ],
+      tooltip: "Takes a value apart and names the pieces. Example: let (angle, more) be randomR (0, pi) gen.",
+      aria: "definition of several names",
+    }
+  },
+  press: extra => extra,
+  meaning: {
+    as: "definition",
+    read: r => ({
+      kind: "binding",
+      pattern: r.pattern("P"),
+      right: {kind: "right", body: r.expr("E0_0"), where: []},
+      from: r.from,
+    }),
+    write: d =>
+      d.kind === "binding" && !Array.isArray(d.right.body) && d.right.where.length === 0
+        ? {extra: {}, sockets: {P: d.pattern, E0_0: d.right.body as Expr}}
+        : undefined,
+  },
+}
+
+export const definitions: readonly BlockSpec[] = [main, define, definePattern]

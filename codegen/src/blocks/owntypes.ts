@@ -1,0 +1,211 @@
+/// The program's own types: data with its constructors, and other names for types.
+
+import {constructorName, isConstructorName} from "../haskell/lexemes.ts"
+import type {Constructor} from "../model/tree.ts"
+import type {Extra, Json} from "../saved.ts"
+import type {Item, Row} from "../shape.ts"
+import type {BlockSpec, Reader} from "./spec.ts"
+import {objectsIn, textIn, wordsIn} from "./spec.ts"
+
+interface SavedConstructor {
+  readonly name: string
+  readonly fields: readonly {readonly name?: string; readonly type: string}[]
+}
+
+function constructorsOf(extra: Extra): readonly SavedConstructor[] {
+  return objectsIn(extra, "constructors").map(c => ({
+    name: textIn(c, "name", "A"),
+    fields: objectsIn(c, "fields").map(f => ({
+      type: textIn(f, "type", "Double"),
+      ...(typeof f.name === "string" ? {name: f.name} : {}),
+    })),
+  }))
+}
+
+function typeName(r: Reader, name: string): void {
+  if (!isConstructorName(name))
+    r.problem(
+      "name",
+      `“${name}” cannot be the name of a type.`,
+      `It is one word that starts with a capital, like ${constructorName(name)}.`,
+    )
+}
+
+const data: BlockSpec = {
+  type: "data",
+  shape(extra) {
+    const name = textIn(extra, "name", "Thing")
+    const parameters = wordsIn(extra, "parameters")
+    const constructors = constructorsOf(extra)
+    const rows: Row[] = [
+      [
+        {kind: "label", text: extra.newtype === true ? "new type" : "type", strong: true},
+        {kind: "text", key: "name", value: name, aria: "name of the type"},
+        ...parameters.map(
+          (p, i): Item => ({kind: "text", key: `parameters.${i}`, value: p, aria: `parameter ${i + 1}`}),
+        ),
+        {kind: "label", text: "is"},
+      ],
+    ]
+    constructors.forEach((c, i) => {
+      const items: Item[] = [
+        {kind: "label", text: i === 0 ? "either" : "or"},
+        {kind: "text", key: `constructors.${i}.name`, value: c.name, aria: `name of case ${i + 1}`},
+      ]
+      c.fields.forEach((f, j) => {
+        if (f.name !== undefined)
+          items.push({
+            kind: "text",
+            key: `constructors.${i}.fields.${j}.name`,
+            value: f.name,
+            aria: `name of part ${j + 1} of ${c.name}`,
+          })
+        items.push({
+          kind: "type",
+          key: `constructors.${i}.fields.${j}.type`,
+          value: f.type,
+          aria: `type of part ${j + 1} of ${c.name}`,
+        })
+      })
+      items.push({kind: "button", action: `more-fields.${i}`, text: "+", aria: `one more part of ${c.name}`})
+      if (c.fields.length > 0)
+        items.push({
+          kind: "button",
+          action: `fewer-fields.${i}`,
+          text: "−",
+          aria: `one part of ${c.name} less`,
+        })
+      rows.push(items)
+    })
+    if (extra.newtype !== true)
+      rows.push([
+        {kind: "button", action: "more", text: "+", aria: "one more case"},
+        ...(constructors.length > 1
+          ? [{kind: "button", action: "fewer", text: "−", aria: "remove the last case"} as const]
+          : []),
+      ])
+    return {
+      family: "own",
+      connects: {as: "top"},
+      rows,
+      tooltip:
+        "A type of your own. Its values can be sent and received like events. Example: type Mode is either Go or Stop.",
+      aria: `type ${name}`,
+    }
+  },
+  press(extra, action) {
+    const [what = "", index = "0"] = action.split(".")
+    const constructors: Json[] = objectsIn(extra, "constructors").map(c => ({...c}))
+    if (what === "more") constructors.push({name: `Case${constructors.length + 1}`, fields: []})
+    if (what === "fewer" && constructors.length > 1) constructors.pop()
+    const at = Number(index)
+    const c = constructors[at] as Extra | undefined
+    if (c !== undefined && what.endsWith("-fields")) {
+      const fields = objectsIn(c, "fields")
+      const named = fields.length > 0 && fields.every(f => typeof f.name === "string")
+      const more: Extra = {type: "Double", ...(named ? {name: `part${fields.length + 1}`} : {})}
+      constructors[at] = {...c, fields: what === "more-fields" ? [...fields, more] : fields.slice(0, -1)}
+    }
+    return {...extra, constructors}
+  },
+  meaning: {
+    as: "definition",
+    read(r) {
+      const name = textIn(r.extra, "name", "Thing")
+      typeName(r, name)
+      const constructors = constructorsOf(r.extra).map((c): Constructor => {
+        typeName(r, c.name)
+        return {
+          kind: "constructor",
+          name: c.name,
+          fields: c.fields.map(f => ({
+            type: {kind: "type", text: f.type, from: r.from} as const,
+            ...(f.name === undefined ? {} : {name: f.name}),
+          })),
+          from: r.from,
+        }
+      })
+      return {
+        kind: "data",
+        keyword:
+          r.extra.newtype === true && constructors.length === 1 && constructors[0]?.fields.length === 1
+            ? "newtype"
+            : "data",
+        name,
+        parameters: wordsIn(r.extra, "parameters"),
+        constructors,
+        deriving: wordsIn(r.extra, "deriving"),
+        from: r.from,
+      }
+    },
+    write: d =>
+      d.kind === "data"
+        ? {
+            extra: {
+              name: d.name,
+              ...(d.keyword === "newtype" ? {newtype: true} : {}),
+              ...(d.parameters.length > 0 ? {parameters: [...d.parameters]} : {}),
+              constructors: d.constructors.map(c => ({
+                name: c.name,
+                fields: c.fields.map(f => ({
+                  ...(f.name === undefined ? {} : {name: f.name}),
+                  type: f.type.text,
+                })),
+              })),
+              ...(d.deriving.length > 0 ? {deriving: [...d.deriving]} : {}),
+            },
+          }
+        : undefined,
+  },
+}
+
+const synonym: BlockSpec = {
+  type: "synonym",
+  shape(extra) {
+    const name = textIn(extra, "name", "Thing")
+    return {
+      family: "own",
+      connects: {as: "top"},
+      rows: [
+        [
+          {kind: "label", text: "type", strong: true},
+          {kind: "text", key: "name", value: name, aria: "new name"},
+          ...wordsIn(extra, "parameters").map(
+            (p, i): Item => ({kind: "text", key: `parameters.${i}`, value: p, aria: `parameter ${i + 1}`}),
+          ),
+          {kind: "label", text: "is another name for"},
+          {kind: "type", key: "type", value: textIn(extra, "type", "Bool"), aria: "type"},
+        ],
+      ],
+      tooltip: "Another name for a type, to say what it is for. Example: type Hit is another name for Bool.",
+      aria: `type ${name}`,
+    }
+  },
+  press: extra => extra,
+  meaning: {
+    as: "definition",
+    read(r) {
+      const name = textIn(r.extra, "name", "Thing")
+      typeName(r, name)
+      return {
+        kind: "synonym",
+        name,
+        parameters: wordsIn(r.extra, "parameters"),
+        type: {kind: "type", text: textIn(r.extra, "type", "Bool"), from: r.from},
+        from: r.from,
+      }
+    },
+    write: d =>
+      d.kind === "synonym"
+        ? {
+            extra: {
+              name: d.name,
+              ...(d.parameters.length > 0 ? {parameters: [...d.parameters]} : {}),
+              type: d.type.text,
+            },
+          }
+        : undefined,
+  },
+}
+
+export const ownTypes: readonly BlockSpec[] = [data, synonym]

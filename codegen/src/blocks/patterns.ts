@@ -1,0 +1,369 @@
+/// Patterns: how a definition looks at what it gets, and names its parts.
+
+import type {Pattern} from "../model/tree.ts"
+import type {Item} from "../shape.ts"
+import {checkedName} from "./definitions.ts"
+import type {BlockSpec} from "./spec.ts"
+import {countIn, counting, noButtons, textIn, wordsIn} from "./spec.ts"
+import {checkNumber, choiceItems, choiceValue} from "./values.ts"
+import {choiceOf, choices, lookOf} from "./vocabulary.ts"
+
+const name: BlockSpec = {
+  type: "pattern_name",
+  shape: extra => ({
+    family: "own",
+    connects: {as: "pattern"},
+    rows: [[{kind: "binder", key: "name", value: textIn(extra, "name", "x"), aria: "name"}]],
+    tooltip: "Gives a name to what is here. Drag the name out to use it.",
+    aria: `name ${textIn(extra, "name", "x")}`,
+  }),
+  press: noButtons,
+  meaning: {
+    as: "pattern",
+    read: r => ({kind: "name-pattern", name: checkedName(r, "name", "x"), from: r.from}),
+    write: p => (p.kind === "name-pattern" ? {extra: {name: p.name}} : undefined),
+  },
+}
+
+const any: BlockSpec = {
+  type: "pattern_any",
+  shape(extra) {
+    const what = textIn(extra, "what", "thing")
+    return {
+      family: "own",
+      connects: {as: "pattern"},
+      rows: [[{kind: "label", text: `any ${what}`}]],
+      tooltip: "Whatever is here, it does not matter.",
+      aria: `any ${what}`,
+    }
+  },
+  press: noButtons,
+  meaning: {
+    as: "pattern",
+    read: r => ({kind: "wildcard", from: r.from}),
+    write: p => (p.kind === "wildcard" ? {extra: {}} : undefined),
+  },
+}
+
+const construct: BlockSpec = {
+  type: "pattern_construct",
+  shape(extra) {
+    const con = textIn(extra, "con", "Just")
+    const look = lookOf(con)
+    const items: Item[] = [{kind: "label", text: look.word ?? con}]
+    for (let i = 0; i < countIn(extra, "args", 0); i++) {
+      const part = look.parts[i] ?? `part ${i + 1}`
+      items.push({
+        kind: "socket",
+        name: `A${i}`,
+        sort: "pattern",
+        aria: `${look.word ?? con}: ${part}`,
+        hint: part,
+      })
+    }
+    return {
+      family: look.asPattern,
+      connects: {as: "pattern"},
+      rows: [items],
+      tooltip: look.tooltip,
+      aria: look.word ?? con,
+      help: con,
+    }
+  },
+  press: noButtons,
+  meaning: {
+    as: "pattern",
+    read(r) {
+      const args: Pattern[] = []
+      for (let i = 0; i < countIn(r.extra, "args", 0); i++) args.push(r.pattern(`A${i}`))
+      return {kind: "constructor-pattern", name: textIn(r.extra, "con", "Just"), args, from: r.from}
+    },
+    write(p) {
+      if (p.kind !== "constructor-pattern" || p.name === "()") return undefined
+      if (p.args.length === 0 && choiceOf(p.name) !== undefined) return undefined
+      return {
+        extra: {con: p.name, args: p.args.length},
+        sockets: Object.fromEntries(p.args.map((a, i) => [`A${i}`, a])),
+      }
+    },
+  },
+}
+
+const choice: BlockSpec = {
+  type: "pattern_choice",
+  shape(extra) {
+    const type = textIn(extra, "of", "ButtonStatus")
+    const value = choiceValue(type, textIn(extra, "value"))
+    return {
+      family: choices[type]?.family ?? "own",
+      connects: {as: "pattern"},
+      rows: [choiceItems(type, value)],
+      tooltip: `Only when it is ${value}.`,
+      aria: `${choices[type]?.what ?? type} ${value}`,
+      help: type,
+    }
+  },
+  press: noButtons,
+  meaning: {
+    as: "pattern",
+    read: r => ({
+      kind: "constructor-pattern",
+      name: choiceValue(textIn(r.extra, "of", "ButtonStatus"), textIn(r.extra, "value")),
+      args: [],
+      from: r.from,
+    }),
+    write(p) {
+      const type = p.kind === "constructor-pattern" && p.args.length === 0 ? choiceOf(p.name) : undefined
+      return p.kind === "constructor-pattern" && type !== undefined
+        ? {extra: {of: type, value: p.name}}
+        : undefined
+    },
+  },
+}
+
+const number: BlockSpec = {
+  type: "pattern_number",
+  shape: extra => ({
+    family: "number",
+    connects: {as: "pattern"},
+    rows: [[{kind: "number", key: "value", value: textIn(extra, "value", "0"), aria: "exactly this number"}]],
+    tooltip: "Only when it is exactly this number.",
+    aria: `exactly ${textIn(extra, "value", "0")}`,
+  }),
+  press: noButtons,
+  meaning: {
+    as: "pattern",
+    read(r) {
+      const text = textIn(r.extra, "value", "0").trim()
+      checkNumber(r, text)
+      return {kind: "number-pattern", text, from: r.from}
+    },
+    write: p => (p.kind === "number-pattern" ? {extra: {value: p.text}} : undefined),
+  },
+}
+
+const string: BlockSpec = {
+  type: "pattern_text",
+  shape: extra => ({
+    family: "own",
+    connects: {as: "pattern"},
+    rows: [
+      [
+        {kind: "label", text: "“"},
+        {kind: "text", key: "value", value: textIn(extra, "value"), aria: "exactly this text"},
+        {kind: "label", text: "”"},
+      ],
+    ],
+    tooltip: "Only when it is exactly this text.",
+    aria: `exactly the text ${textIn(extra, "value")}`,
+  }),
+  press: noButtons,
+  meaning: {
+    as: "pattern",
+    read: r => ({kind: "string-pattern", value: textIn(r.extra, "value"), from: r.from}),
+    write: p => (p.kind === "string-pattern" ? {extra: {value: p.value}} : undefined),
+  },
+}
+
+const tuple: BlockSpec = {
+  type: "pattern_tuple",
+  shape(extra) {
+    const count = countIn(extra, "items", 2)
+    const items: Item[] = count === 0 ? [{kind: "label", text: "()"}] : []
+    for (let i = 0; i < count; i++) {
+      items.push({kind: "label", text: i === 0 ? "(" : ","})
+      items.push({kind: "socket", name: `I${i}`, sort: "pattern", aria: `part ${i + 1}`})
+    }
+    if (count > 0) items.push({kind: "label", text: ")"})
+    items.push({kind: "button", action: "more", text: "+", aria: "one more part"})
+    if (count > 2) items.push({kind: "button", action: "fewer", text: "−", aria: "one part less"})
+    return {
+      family: "own",
+      connects: {as: "pattern"},
+      rows: [items],
+      tooltip: "Several things that come together. Example: (angle, side).",
+      aria: `${count} things together`,
+    }
+  },
+  press(extra, action) {
+    const now = countIn(extra, "items", 2)
+    if (action === "more") return {...extra, items: now === 0 ? 2 : Math.min(9, now + 1)}
+    return {...extra, items: Math.max(2, now - 1)}
+  },
+  meaning: {
+    as: "pattern",
+    read(r) {
+      const count = countIn(r.extra, "items", 2)
+      const items: Pattern[] = []
+      if (count === 0) return {kind: "constructor-pattern", name: "()", args: [], from: r.from}
+      for (let i = 0; i < Math.max(2, count); i++) items.push(r.pattern(`I${i}`))
+      return {kind: "tuple-pattern", items, from: r.from}
+    },
+    write(p) {
+      if (p.kind === "constructor-pattern" && p.name === "()") return {extra: {items: 0}}
+      if (p.kind !== "tuple-pattern" || p.items.length === 1) return undefined
+      return {
+        extra: {items: p.items.length},
+        sockets: Object.fromEntries(p.items.map((x, i) => [`I${i}`, x])),
+      }
+    },
+  },
+}
+
+const list: BlockSpec = {
+  type: "pattern_list",
+  shape(extra) {
+    const count = countIn(extra, "items", 0)
+    const items: Item[] = [{kind: "label", text: count === 0 ? "empty list" : "list"}]
+    for (let i = 0; i < count; i++)
+      items.push({kind: "socket", name: `I${i}`, sort: "pattern", aria: `item ${i + 1}`})
+    items.push({kind: "button", action: "more", text: "+", aria: "one more item"})
+    if (count > 0) items.push({kind: "button", action: "fewer", text: "−", aria: "one item less"})
+    return {
+      family: "own",
+      connects: {as: "pattern"},
+      rows: [items],
+      tooltip: "Only when it is a list of exactly these.",
+      aria: count === 0 ? "empty list" : `list of ${count}`,
+    }
+  },
+  press: counting("items", 0, 0),
+  meaning: {
+    as: "pattern",
+    read(r) {
+      const items: Pattern[] = []
+      for (let i = 0; i < countIn(r.extra, "items", 0); i++) items.push(r.pattern(`I${i}`))
+      return {kind: "list-pattern", items, from: r.from}
+    },
+    write: p =>
+      p.kind === "list-pattern" && p.items.length <= 60
+        ? {extra: {items: p.items.length}, sockets: Object.fromEntries(p.items.map((x, i) => [`I${i}`, x]))}
+        : undefined,
+  },
+}
+
+const infix: BlockSpec = {
+  type: "pattern_infix",
+  shape(extra) {
+    const op = textIn(extra, "op", ":")
+    return {
+      family: "own",
+      connects: {as: "pattern"},
+      rows: [
+        [
+          {
+            kind: "socket",
+            name: "L",
+            sort: "pattern",
+            aria: op === ":" ? "first item" : "left",
+            hint: "first",
+          },
+          {kind: "label", text: op},
+          {
+            kind: "socket",
+            name: "R",
+            sort: "pattern",
+            aria: op === ":" ? "other items" : "right",
+            hint: "rest",
+          },
+        ],
+      ],
+      tooltip: "A list's first item and the rest. Example: x : xs.",
+      aria: op === ":" ? "first item and the rest" : `pattern ${op}`,
+    }
+  },
+  press: noButtons,
+  meaning: {
+    as: "pattern",
+    read: r => ({
+      kind: "infix-pattern",
+      op: textIn(r.extra, "op", ":"),
+      left: r.pattern("L"),
+      right: r.pattern("R"),
+      from: r.from,
+    }),
+    write: p =>
+      p.kind === "infix-pattern" ? {extra: {op: p.op}, sockets: {L: p.left, R: p.right}} : undefined,
+  },
+}
+
+const as: BlockSpec = {
+  type: "pattern_as",
+  shape: extra => ({
+    family: "own",
+    connects: {as: "pattern"},
+    rows: [
+      [
+        {kind: "binder", key: "name", value: textIn(extra, "name", "x"), aria: "name of the whole"},
+        {kind: "label", text: "which is"},
+        {kind: "socket", name: "P", sort: "pattern", aria: "what it is"},
+      ],
+    ],
+    tooltip: "Names the whole and looks inside at the same time.",
+    aria: `name ${textIn(extra, "name", "x")} for the whole`,
+  }),
+  press: noButtons,
+  meaning: {
+    as: "pattern",
+    read: r => ({
+      kind: "as-pattern",
+      name: checkedName(r, "name", "x"),
+      pattern: r.pattern("P"),
+      from: r.from,
+    }),
+    write: p => (p.kind === "as-pattern" ? {extra: {name: p.name}, sockets: {P: p.pattern}} : undefined),
+  },
+}
+
+const record: BlockSpec = {
+  type: "pattern_record",
+  shape(extra) {
+    const con = textIn(extra, "con", "Velocity")
+    const items: Item[] = [{kind: "label", text: con}]
+    wordsIn(extra, "fields").forEach((field, i) => {
+      items.push(
+        {kind: "label", text: `${field} =`},
+        {kind: "socket", name: `F${i}`, sort: "pattern", aria: `${con}: ${field}`, hint: field},
+      )
+    })
+    return {
+      family: lookOf(con).asPattern,
+      connects: {as: "pattern"},
+      rows: [items],
+      tooltip: `A ${con}, looked at by the names of its parts.`,
+      aria: `${con} by named parts`,
+      help: con,
+    }
+  },
+  press: noButtons,
+  meaning: {
+    as: "pattern",
+    read: r => ({
+      kind: "record-pattern",
+      name: textIn(r.extra, "con", "Velocity"),
+      fields: wordsIn(r.extra, "fields").map((field, i) => ({name: field, pattern: r.pattern(`F${i}`)})),
+      from: r.from,
+    }),
+    write: p =>
+      p.kind === "record-pattern"
+        ? {
+            extra: {con: p.name, fields: p.fields.map(f => f.name)},
+            sockets: Object.fromEntries(p.fields.map((f, i) => [`F${i}`, f.pattern])),
+          }
+        : undefined,
+  },
+}
+
+export const patterns: readonly BlockSpec[] = [
+  name,
+  any,
+  choice,
+  construct,
+  tuple,
+  list,
+  infix,
+  as,
+  record,
+  number,
+  string,
+]

@@ -1,0 +1,55 @@
+/// Haskell that no other block can say, kept to the letter and editable.
+
+import type {Extra} from "../saved.ts"
+import type {Connects, Shape} from "../shape.ts"
+import type {BlockSpec} from "./spec.ts"
+import {noButtons, textIn} from "./spec.ts"
+
+function shape(connects: Connects, what: string): (extra: Extra) => Shape {
+  return extra => ({
+    family: "own",
+    connects,
+    rows: [[{kind: "text", key: "text", value: textIn(extra, "text"), aria: what, lines: true}]],
+    tooltip: textIn(extra, "reason", "A piece of Haskell, as it stands."),
+    aria: what,
+  })
+}
+
+const reason = (extra: Extra) => (typeof extra.reason === "string" ? {reason: extra.reason} : {})
+const saved = (node: {text: string; reason?: string | undefined}): Extra => ({
+  text: node.text,
+  ...(node.reason === undefined ? {} : {reason: node.reason}),
+})
+
+export const raw: readonly BlockSpec[] = [
+  {
+    type: "raw_expression",
+    shape: shape({as: "expression"}, "Haskell expression"),
+    press: noButtons,
+    meaning: {
+      as: "expression",
+      read: r => ({kind: "raw", text: textIn(r.extra, "text"), ...reason(r.extra), from: r.from}),
+      write: e => (e.kind === "raw" ? {extra: saved(e)} : undefined),
+    },
+  },
+  {
+    type: "raw_pattern",
+    shape: shape({as: "pattern"}, "Haskell pattern"),
+    press: noButtons,
+    meaning: {
+      as: "pattern",
+      read: r => ({kind: "raw-pattern", text: textIn(r.extra, "text"), ...reason(r.extra), from: r.from}),
+      write: p => (p.kind === "raw-pattern" ? {extra: saved(p)} : undefined),
+    },
+  },
+  {
+    type: "raw_definition",
+    shape: shape({as: "definition"}, "Haskell definition"),
+    press: noButtons,
+    meaning: {
+      as: "definition",
+      read: r => ({kind: "raw-declaration", text: textIn(r.extra, "text"), ...reason(r.extra), from: r.from}),
+      write: d => (d.kind === "raw-declaration" ? {extra: saved(d)} : undefined),
+    },
+  },
+]

@@ -1,0 +1,245 @@
+/// From saved blocks to the program model.
+///
+/// Total: whatever a file holds, a program comes out; what is missing or strange is a hole or a piece of raw Haskell, and
+/// a problem on its block.
+
+import type {BlockProblem} from "../api.ts"
+import type {Declaration, Expr, Pattern, Program, Statement} from "../model/tree.ts"
+import type {BlockId, SavedBlock, SavedWorkspace} from "../saved.ts"
+import {blockView} from "./language.ts"
+import type {BlockSpec, Reader} from "./spec.ts"
+
+/// A tree of blocks that belongs to no definition: an expression, a pattern or steps.
+export type Loose =
+  | {readonly kind: "expression"; readonly block: BlockId; readonly expr: Expr}
+  | {readonly kind: "pattern"; readonly block: BlockId; readonly pattern: Pattern}
+  | {readonly kind: "steps"; readonly block: BlockId; readonly steps: readonly Statement[]}
+
+export interface ReadWorkspace {
+  readonly program: Program
+  readonly loose: readonly Loose[]
+  readonly problems: readonly BlockProblem[]
+}
+
+export interface ReadTree {
+  readonly declarations: readonly Declaration[]
+  readonly loose: Loose | undefined
+  readonly problems: readonly BlockProblem[]
+}
+
+/// Deeper trees are cut; nobody builds them, but a file may hold one.
+const deepest = 400
+
+export function readWorkspace(workspace: SavedWorkspace): ReadWorkspace {
+  const declarations: Declaration[] = []
+  const loose: Loose[] = []
+  const problems: BlockProblem[] = []
+  for (const block of inOrder(workspace.blocks.blocks)) {
+    const tree = readTree(block)
+    declarations.push(...tree.declarations)
+    if (tree.loose !== undefined) loose.push(tree.loose)
+    problems.push(...tree.problems)
+  }
+  return {program: {kind: "program", declarations}, loose, problems}
+}
+
+/// Definitions in the order in which the workspace keeps them, with `main` last, as Haskell programs have it.
+export function inOrder(blocks: readonly SavedBlock[]): readonly SavedBlock[] {
+  return [...blocks.filter(b => b.type !== "main"), ...blocks.filter(b => b.type === "main")]
+}
+
+/// One block that stands on the workspace, with all it carries.
+export function readTree(block: SavedBlock): ReadTree {
+  const reading = new Reading()
+  const as = blockView(block.type)?.meaning.as
+  if (as === "definition")
+    return {declarations: reading.definitions(block), loose: undefined, problems: reading.problems}
+  const id = block.id ?? ""
+  const loose: Loose | undefined =
+    as === "expression"
+      ? {kind: "expression", block: id, expr: reading.expr(block)}
+      : as === "pattern"
+        ? {kind: "pattern", block: id, pattern: reading.pattern(block)}
+        : as === "step"
+          ? {kind: "steps", block: id, steps: reading.steps(block)}
+          : undefined
+  // An empty socket of a loose block is nobody's problem; the whole block is.
+  const problems: BlockProblem[] = [
+    {
+      severity: "warning",
+      kind: "loose",
+      block: id,
+      message:
+        loose === undefined
+          ? "This block is of a kind that Rosy does not know."
+          : "This block belongs to no function, so it does nothing.",
+      hint:
+        loose === undefined ? "It may come from a newer version." : "Put it into a socket, or throw it away.",
+    },
+  ]
+  return {declarations: [], loose, problems}
+}
+
+class Reading {
+  readonly problems: BlockProblem[] = []
+  private depth = 0
+  /// Comments of expressions and patterns; the definition or step around them takes them over.
+  private remarks: string[] = []
+
+  definitions(first: SavedBlock): Declaration[] {
+    return chain(first).map(block => {
+      const spec = blockView(block.type)
+      if (spec?.meaning.as !== "definition") {
+        this.strange(block)
+        return {kind: "raw-declaration", text: "", from: {block: block.id ?? ""}}
+      }
+      const meaning = spec.meaning
+      return this.remarked(block, () => meaning.read(this.reader(block)))
+    })
+  }
+
+  steps(first: SavedBlock): Statement[] {
+    return chain(first).map(block => {
+      const spec = blockView(block.type)
+      if (spec?.meaning.as !== "step") {
+        this.strange(block)
+        return {kind: "statement", expr: this.hole(block.id ?? "", undefined)}
+      }
+      const meaning = spec.meaning
+      return this.remarked(block, () => meaning.read(this.reader(block)))
+    })
+  }
+
+  expr(block: SavedBlock): Expr {
+    const spec = blockView(block.type)
+    if (spec?.meaning.as !== "expression") {
+      this.strange(block)
+      return this.hole(block.id ?? "", undefined)
+    }
+    this.remark(block)
+    return spec.meaning.read(this.reader(block))
+  }
+
+  pattern(block: SavedBlock): Pattern {
+    const spec = blockView(block.type)
+    if (spec?.meaning.as !== "pattern") {
+      this.strange(block)
+      return {kind: "wildcard", from: {block: block.id ?? ""}}
+    }
+    this.remark(block)
+    return spec.meaning.read(this.reader(block))
+  }
+
+  private reader(block: SavedBlock): Reader {
+    const id = block.id ?? ""
+    const child = (input: string) => block.inputs?.[input]?.block ?? block.inputs?.[input]?.shadow
+    const within = <T>(go: () => T, otherwise: () => T): T => {
+      if (this.depth > deepest) return otherwise()
+      this.depth++
+      try {
+        return go()
+      } finally {
+        this.depth--
+      }
+    }
+    return {
+      extra: block.extraState ?? {},
+      from: {block: id},
+      expr: input => {
+        const inner = child(input)
+        return inner === undefined
+          ? this.empty(block, input)
+          : within(
+              () => this.expr(inner),
+              () => this.hole(id, input),
+            )
+      },
+      pattern: input => {
+        const inner = child(input)
+        const wildcard: Pattern = {kind: "wildcard", from: {block: id, input}}
+        return inner === undefined
+          ? wildcard
+          : within(
+              () => this.pattern(inner),
+              () => wildcard,
+            )
+      },
+      definitions: input => {
+        const inner = child(input)
+        return inner === undefined
+          ? []
+          : within(
+              () => this.definitions(inner),
+              () => [],
+            )
+      },
+      steps: input => {
+        const inner = child(input)
+        return inner === undefined
+          ? []
+          : within(
+              () => this.steps(inner),
+              () => [],
+            )
+      },
+      problem: (kind, message, hint, input) => {
+        this.problems.push({severity: "error", kind, block: id, input, message, hint})
+      },
+    }
+  }
+
+  private empty(block: SavedBlock, input: string): Expr {
+    this.problems.push({
+      severity: "error",
+      kind: "hole",
+      block: block.id ?? "",
+      input,
+      message: "Something is missing here.",
+      hint: `Fill the empty socket: ${socketWords(blockView(block.type), block, input)}.`,
+    })
+    return this.hole(block.id ?? "", input)
+  }
+
+  private hole(block: BlockId, input: string | undefined): Expr {
+    return {kind: "hole", from: {block, input}}
+  }
+
+  private strange(block: SavedBlock): void {
+    this.problems.push({
+      severity: "error",
+      kind: "unknown-block",
+      block: block.id ?? "",
+      message: "This block does not belong here.",
+      hint: "Take it out, and put another in its place.",
+    })
+  }
+
+  private remark(block: SavedBlock): void {
+    const text = block.icons?.comment?.text
+    if (text !== undefined && text.trim() !== "") this.remarks.push(text)
+  }
+
+  private remarked<T extends Declaration | Statement>(block: SavedBlock, read: () => T): T {
+    const outer = this.remarks
+    this.remarks = []
+    this.remark(block)
+    const node = read()
+    const remarks = this.remarks
+    this.remarks = outer
+    return remarks.length === 0 ? node : {...node, comment: remarks.join("\n")}
+  }
+}
+
+/// A block and those stacked below it.
+export function chain(first: SavedBlock): SavedBlock[] {
+  const blocks: SavedBlock[] = []
+  for (let b: SavedBlock | undefined = first; b !== undefined && blocks.length < 2000; b = b.next?.block)
+    blocks.push(b)
+  return blocks
+}
+
+function socketWords(spec: BlockSpec | undefined, block: SavedBlock, input: string): string {
+  for (const row of spec?.shape(block.extraState ?? {}).rows ?? [])
+    for (const item of row) if (item.kind === "socket" && item.name === input) return item.aria
+  return "a block"
+}

@@ -1,0 +1,422 @@
+/// Values: numbers, text, constructors with their parts, choices from a menu, tuples, lists, records.
+
+import {isNumberLiteral} from "../haskell/lexemes.ts"
+import type {Expr} from "../model/tree.ts"
+import type {Item} from "../shape.ts"
+import type {BlockSpec, Reader} from "./spec.ts"
+import {countIn, counting, noButtons, textIn, wordsIn} from "./spec.ts"
+import {choiceOf, choices, lookOf} from "./vocabulary.ts"
+
+const number: BlockSpec = {
+  type: "number",
+  shape: extra => ({
+    family: "number",
+    connects: {as: "expression"},
+    rows: [[{kind: "number", key: "value", value: textIn(extra, "value", "0"), aria: "number"}]],
+    tooltip: "A number. Example: 0.5.",
+    aria: `number ${textIn(extra, "value", "0")}`,
+  }),
+  press: noButtons,
+  meaning: {
+    as: "expression",
+    read(r) {
+      const text = textIn(r.extra, "value", "0").trim()
+      checkNumber(r, text)
+      return {kind: "number", text, from: r.from}
+    },
+    write: e =>
+      e.kind === "number"
+        ? {extra: {value: e.text}}
+        : e.kind === "negate" && e.expr.kind === "number" && !e.expr.text.startsWith("-")
+          ? {extra: {value: `-${e.expr.text}`}}
+          : undefined,
+  },
+}
+
+export function checkNumber(r: Reader, text: string): void {
+  if (!isNumberLiteral(text.replace(/^-/, "")))
+    r.problem("number", `“${text}” is not a number.`, "Write it with digits, like 2 or 0.5.")
+}
+
+const string: BlockSpec = {
+  type: "text",
+  shape: extra => ({
+    family: "own",
+    connects: {as: "expression"},
+    rows: [
+      [
+        {kind: "label", text: "“"},
+        {kind: "text", key: "value", value: textIn(extra, "value"), aria: "text"},
+        {kind: "label", text: "”"},
+      ],
+    ],
+    tooltip: "A piece of text. Example: “hello”.",
+    aria: `text ${textIn(extra, "value")}`,
+  }),
+  press: noButtons,
+  meaning: {
+    as: "expression",
+    read: r => ({kind: "string", value: textIn(r.extra, "value"), from: r.from}),
+    write: e => (e.kind === "string" ? {extra: {value: e.value}} : undefined),
+  },
+}
+
+const character: BlockSpec = {
+  type: "character",
+  shape: extra => ({
+    family: "own",
+    connects: {as: "expression"},
+    rows: [
+      [
+        {kind: "label", text: "‘"},
+        {kind: "text", key: "value", value: textIn(extra, "value", "a"), aria: "one character"},
+        {kind: "label", text: "’"},
+      ],
+    ],
+    tooltip: "One character. Example: ‘a’.",
+    aria: `character ${textIn(extra, "value", "a")}`,
+  }),
+  press: noButtons,
+  meaning: {
+    as: "expression",
+    read: r => ({kind: "character", value: textIn(r.extra, "value", "a"), from: r.from}),
+    write: e => (e.kind === "character" ? {extra: {value: e.value}} : undefined),
+  },
+}
+
+const construct: BlockSpec = {
+  type: "construct",
+  shape(extra) {
+    const name = textIn(extra, "con", "Just")
+    const look = lookOf(name)
+    const args = countIn(extra, "args", 0)
+    const items: Item[] = [{kind: "label", text: look.word ?? name}]
+    for (let i = 0; i < args; i++) {
+      const part = look.parts[i] ?? `part ${i + 1}`
+      items.push({
+        kind: "socket",
+        name: `A${i}`,
+        sort: "expression",
+        aria: `${look.word ?? name}: ${part}`,
+        hint: part,
+      })
+    }
+    return {
+      family: look.family,
+      connects: {as: "expression"},
+      rows: [items],
+      tooltip: look.tooltip,
+      aria: look.word ?? name,
+      help: name,
+    }
+  },
+  press: noButtons,
+  meaning: {
+    as: "expression",
+    read(r) {
+      const fn: Expr = {kind: "constructor-name", name: textIn(r.extra, "con", "Just"), from: r.from}
+      const count = countIn(r.extra, "args", 0)
+      if (count === 0) return fn
+      const args: Expr[] = []
+      for (let i = 0; i < count; i++) args.push(r.expr(`A${i}`))
+      return {kind: "apply", fn, args, from: r.from}
+    },
+    write(e) {
+      if (e.kind === "constructor-name")
+        return choiceOf(e.name) === undefined ? {extra: {con: e.name, args: 0}} : undefined
+      if (e.kind !== "apply" || e.fn.kind !== "constructor-name") return undefined
+      return {
+        extra: {con: e.fn.name, args: e.args.length},
+        sockets: Object.fromEntries(e.args.map((a, i) => [`A${i}`, a])),
+      }
+    },
+  },
+}
+
+export function choiceItems(type: string, value: string): Item[] {
+  const look = choices[type]
+  const options = look?.options ?? []
+  const all = options.includes(value) ? options : [value, ...options]
+  const menu: Item = {
+    kind: "menu",
+    key: "value",
+    value,
+    options: all.map(o => [o, o] as const),
+    aria: look?.what ?? type,
+  }
+  return look?.word === undefined ? [menu] : [{kind: "label", text: look.word}, menu]
+}
+
+export function choiceValue(type: string, value: string): string {
+  return value !== "" ? value : (choices[type]?.options[0] ?? "True")
+}
+
+const choice: BlockSpec = {
+  type: "choice",
+  shape(extra) {
+    const type = textIn(extra, "of", "Bool")
+    const value = choiceValue(type, textIn(extra, "value"))
+    return {
+      family: choices[type]?.family ?? "own",
+      connects: {as: "expression"},
+      rows: [choiceItems(type, value)],
+      tooltip: `One of ${(choices[type]?.options ?? [value]).join(", ")}.`,
+      aria: `${choices[type]?.what ?? type} ${value}`,
+      help: type,
+    }
+  },
+  press: noButtons,
+  meaning: {
+    as: "expression",
+    read: r => ({
+      kind: "constructor-name",
+      name: choiceValue(textIn(r.extra, "of", "Bool"), textIn(r.extra, "value")),
+      from: r.from,
+    }),
+    write(e) {
+      const type = e.kind === "constructor-name" ? choiceOf(e.name) : undefined
+      return e.kind === "constructor-name" && type !== undefined
+        ? {extra: {of: type, value: e.name}}
+        : undefined
+    },
+  },
+}
+
+const tuple: BlockSpec = {
+  type: "tuple",
+  shape(extra) {
+    const count = countIn(extra, "items", 2)
+    if (count === 0)
+      return {
+        family: "own",
+        connects: {as: "expression"},
+        rows: [
+          [
+            {kind: "label", text: "()"},
+            {kind: "button", action: "more", text: "+", aria: "one more part"},
+          ],
+        ],
+        tooltip: "The value that says nothing.",
+        aria: "nothing in particular",
+      }
+    const items: Item[] = []
+    for (let i = 0; i < count; i++) {
+      items.push({kind: "label", text: i === 0 ? "(" : ","})
+      items.push({kind: "socket", name: `I${i}`, sort: "expression", aria: `part ${i + 1}`})
+    }
+    items.push({kind: "label", text: ")"})
+    items.push({kind: "button", action: "more", text: "+", aria: "one more part"})
+    if (count > 2) items.push({kind: "button", action: "fewer", text: "−", aria: "one part less"})
+    return {
+      family: "own",
+      connects: {as: "expression"},
+      rows: [items],
+      tooltip:
+        "Several values together. Sent to the robot, all of them go out. Example: (Led1 Red, Led2 Red).",
+      aria: `${count} values together`,
+    }
+  },
+  press(extra, action) {
+    const now = countIn(extra, "items", 2)
+    if (action === "more") return {...extra, items: now === 0 ? 2 : Math.min(9, now + 1)}
+    return {...extra, items: Math.max(2, now - 1)}
+  },
+  meaning: {
+    as: "expression",
+    read(r) {
+      const count = countIn(r.extra, "items", 2)
+      if (count === 0) return {kind: "constructor-name", name: "()", from: r.from}
+      const items: Expr[] = []
+      for (let i = 0; i < Math.max(2, count); i++) items.push(r.expr(`I${i}`))
+      return {kind: "tuple", items, from: r.from}
+    },
+    write(e) {
+      if (e.kind === "constructor-name" && e.name === "()") return {extra: {items: 0}}
+      if (e.kind !== "tuple" || e.items.length === 1) return undefined
+      return {
+        extra: {items: e.items.length},
+        sockets: Object.fromEntries(e.items.map((x, i) => [`I${i}`, x])),
+      }
+    },
+  },
+}
+
+const list: BlockSpec = {
+  type: "list",
+  shape(extra) {
+    const count = countIn(extra, "items", 2)
+    const items: Item[] = [{kind: "label", text: count === 0 ? "empty list" : "list"}]
+    for (let i = 0; i < count; i++)
+      items.push({kind: "socket", name: `I${i}`, sort: "expression", aria: `item ${i + 1}`})
+    items.push({kind: "button", action: "more", text: "+", aria: "one more item"})
+    if (count > 0) items.push({kind: "button", action: "fewer", text: "−", aria: "one item less"})
+    return {
+      family: "own",
+      connects: {as: "expression"},
+      rows: [items],
+      tooltip: "Any number of values of one type, in order. Example: list 1 2 3.",
+      aria: count === 0 ? "empty list" : `list of ${count}`,
+    }
+  },
+  press: counting("items", 2, 0),
+  meaning: {
+    as: "expression",
+    read(r) {
+      const items: Expr[] = []
+      for (let i = 0; i < countIn(r.extra, "items", 2); i++) items.push(r.expr(`I${i}`))
+      return {kind: "list", items, from: r.from}
+    },
+    write: e =>
+      e.kind === "list" && e.items.length <= 60
+        ? {extra: {items: e.items.length}, sockets: Object.fromEntries(e.items.map((x, i) => [`I${i}`, x]))}
+        : e.kind === "constructor-name" && e.name === "[]"
+          ? {extra: {items: 0}}
+          : undefined,
+  },
+}
+
+const range: BlockSpec = {
+  type: "range",
+  shape(extra) {
+    const items: Item[] = [
+      {kind: "label", text: "from"},
+      {kind: "socket", name: "A", sort: "expression", aria: "first"},
+    ]
+    if (extra.step === true)
+      items.push(
+        {kind: "label", text: "then"},
+        {kind: "socket", name: "S", sort: "expression", aria: "second"},
+      )
+    if (extra.end !== false)
+      items.push({kind: "label", text: "to"}, {kind: "socket", name: "B", sort: "expression", aria: "last"})
+    items.push({
+      kind: "button",
+      action: "step",
+      text: extra.step === true ? "−" : "+",
+      aria: extra.step === true ? "remove the second value" : "set the second value",
+    })
+    return {
+      family: "own",
+      connects: {as: "expression"},
+      rows: [items],
+      tooltip: "The list of all values from one to another. Example: from 1 to 4.",
+      aria: "list from one value to another",
+    }
+  },
+  press: (extra, action) => (action === "step" ? {...extra, step: extra.step !== true} : extra),
+  meaning: {
+    as: "expression",
+    read: r => ({
+      kind: "range",
+      first: r.expr("A"),
+      ...(r.extra.step === true ? {second: r.expr("S")} : {}),
+      ...(r.extra.end !== false ? {last: r.expr("B")} : {}),
+      from: r.from,
+    }),
+    write(e) {
+      if (e.kind !== "range") return undefined
+      const sockets: {[input: string]: Expr} = {A: e.first}
+      if (e.second !== undefined) sockets.S = e.second
+      if (e.last !== undefined) sockets.B = e.last
+      return {
+        extra: {
+          ...(e.second !== undefined ? {step: true} : {}),
+          ...(e.last === undefined ? {end: false} : {}),
+        },
+        sockets,
+      }
+    },
+  },
+}
+
+const record: BlockSpec = {
+  type: "record",
+  shape(extra) {
+    const name = textIn(extra, "con", "Velocity")
+    const items: Item[] = [{kind: "label", text: name}]
+    wordsIn(extra, "fields").forEach((field, i) => {
+      items.push(
+        {kind: "label", text: `${field} =`},
+        {kind: "socket", name: `F${i}`, sort: "expression", aria: `${name}: ${field}`, hint: field},
+      )
+    })
+    return {
+      family: lookOf(name).family,
+      connects: {as: "expression"},
+      rows: [items],
+      tooltip: `Makes a ${name} from named parts.`,
+      aria: `${name} with named parts`,
+      help: name,
+    }
+  },
+  press: noButtons,
+  meaning: {
+    as: "expression",
+    read: r => ({
+      kind: "record",
+      name: textIn(r.extra, "con", "Velocity"),
+      fields: wordsIn(r.extra, "fields").map((name, i) => ({name, value: r.expr(`F${i}`)})),
+      from: r.from,
+    }),
+    write: e =>
+      e.kind === "record"
+        ? {
+            extra: {con: e.name, fields: e.fields.map(f => f.name)},
+            sockets: Object.fromEntries(e.fields.map((f, i) => [`F${i}`, f.value])),
+          }
+        : undefined,
+  },
+}
+
+const update: BlockSpec = {
+  type: "update",
+  shape(extra) {
+    const items: Item[] = [
+      {kind: "socket", name: "R", sort: "expression", aria: "what to change a copy of"},
+      {kind: "label", text: "but with"},
+    ]
+    wordsIn(extra, "fields").forEach((field, i) => {
+      items.push(
+        {kind: "label", text: `${field} =`},
+        {kind: "socket", name: `F${i}`, sort: "expression", aria: `new ${field}`, hint: field},
+      )
+    })
+    return {
+      family: "own",
+      connects: {as: "expression"},
+      rows: [items],
+      tooltip: "A copy of a record in which some parts are different.",
+      aria: "changed copy of a record",
+    }
+  },
+  press: noButtons,
+  meaning: {
+    as: "expression",
+    read: r => ({
+      kind: "update",
+      record: r.expr("R"),
+      fields: wordsIn(r.extra, "fields").map((name, i) => ({name, value: r.expr(`F${i}`)})),
+      from: r.from,
+    }),
+    write: e =>
+      e.kind === "update" && e.fields.length > 0
+        ? {
+            extra: {fields: e.fields.map(f => f.name)},
+            sockets: {R: e.record, ...Object.fromEntries(e.fields.map((f, i) => [`F${i}`, f.value]))},
+          }
+        : undefined,
+  },
+}
+
+export const values: readonly BlockSpec[] = [
+  number,
+  string,
+  character,
+  tuple,
+  list,
+  range,
+  choice,
+  construct,
+  record,
+  update,
+]

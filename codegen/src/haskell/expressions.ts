@@ -1,0 +1,375 @@
+/// Prints expressions and statements, with no more brackets than Haskell's fixities ask for.
+
+import type {Alternative, Declaration, Expr, FieldValue, Statement} from "../model/tree.ts"
+import {unreachable} from "../model/tree.ts"
+import type {Doc} from "./doc.ts"
+import {
+  align,
+  group,
+  hardline,
+  hasHardline,
+  ifBroken,
+  join,
+  line,
+  lines,
+  mark,
+  nest,
+  softline,
+} from "./doc.ts"
+import type {Fixities, Fixity} from "./fixity.ts"
+import {fixityOf} from "./fixity.ts"
+import {
+  characterLiteral,
+  constructorName,
+  isConstructorName,
+  isConstructorOperator,
+  isOperator,
+  numberLiteral,
+  stringLiteral,
+  variableName,
+} from "./lexemes.ts"
+import {printPattern} from "./patterns.ts"
+import {printType} from "./typetext.ts"
+
+/// What the printer needs besides the node; declarations are printed by `print.ts`.
+export interface Context {
+  readonly fixities: Fixities
+  readonly declarations: (ds: readonly Declaration[]) => Doc
+  readonly alternative: (a: Alternative) => Doc
+}
+
+export function printExpr(e: Expr, context: Context): Doc {
+  return mark(e, exprBody(e, context))
+}
+
+/// Whether the expression starts a block on its line and goes on below: `do`, `case`, `f $ do`.
+export function hangs(e: Expr): boolean {
+  switch (e.kind) {
+    case "do":
+      return e.statements.length > 0
+    case "case":
+      return true
+    case "infix":
+      return e.op === "$" && hangs(e.right)
+    case "lambda":
+      return e.parameters.length > 0 && hangs(e.body)
+    case "let":
+      return e.declarations.length === 0 && hangs(e.body)
+    default:
+      return false
+  }
+}
+
+function exprBody(e: Expr, context: Context): Doc {
+  switch (e.kind) {
+    case "variable":
+      return variableWord(e.name)
+    case "constructor-name":
+      return constructorWord(e.name)
+    case "number": {
+      const {negative, digits} = numberLiteral(e.text)
+      return negative ? `-${digits}` : digits
+    }
+    case "string":
+      return stringLiteral(e.value)
+    case "character":
+      return characterLiteral(e.value)
+    case "apply":
+      if (e.args.length === 0) return printExpr(e.fn, context)
+      return group([atom(e.fn, context, true), nest(e.args.map(a => [line, atom(a, context)]))])
+    case "infix":
+      return printInfix(e, context)
+    case "negate":
+      return ["-", tighter(e.expr, 7, context)]
+    case "section":
+      return printSection(e, context)
+    case "lambda":
+      if (e.parameters.length === 0) return printExpr(e.body, context)
+      return [
+        "\\",
+        join(
+          e.parameters.map(p => printPattern(p, "argument")),
+          " ",
+        ),
+        " ->",
+        hangs(e.body) ? [" ", printExpr(e.body, context)] : group(nest([line, printExpr(e.body, context)])),
+      ]
+    case "if":
+      return group([
+        "if ",
+        printExpr(e.condition, context),
+        nest([line, "then ", printExpr(e.yes, context), line, "else ", printExpr(e.no, context)]),
+      ])
+    case "case":
+      return [
+        "case ",
+        printExpr(e.scrutinee, context),
+        " of",
+        nest(
+          e.alternatives.length === 0
+            ? [hardline, "_ -> _"]
+            : e.alternatives.map(a => [hardline, context.alternative(a)]),
+        ),
+      ]
+    case "let":
+      if (e.declarations.length === 0) return printExpr(e.body, context)
+      return group([
+        "let ",
+        align(context.declarations(e.declarations)),
+        nest([line, "in ", printExpr(e.body, context)], 1),
+      ])
+    case "do":
+      if (e.statements.length === 0) return "_"
+      return ["do", nest(e.statements.map(s => [hardline, printStatement(s, context)]))]
+    case "tuple": {
+      const [only] = e.items
+      if (e.items.length === 1 && only !== undefined) return ["(", printExpr(only, context), ")"]
+      return bracketed("(", e.items, ")", context)
+    }
+    case "list":
+      return bracketed("[", e.items, "]", context)
+    case "range":
+      return [
+        "[",
+        printExpr(e.first, context),
+        e.second === undefined ? "" : [", ", printExpr(e.second, context)],
+        " ..",
+        e.last === undefined ? "" : [" ", printExpr(e.last, context)],
+        "]",
+      ]
+    case "comprehension":
+      if (e.statements.length === 0) return ["[", printExpr(e.body, context), "]"]
+      return group([
+        "[",
+        align([
+          printExpr(e.body, context),
+          line,
+          "| ",
+          join(
+            e.statements.map(s => printStatement(s, context)),
+            [",", line],
+          ),
+        ]),
+        "]",
+      ])
+    case "typed":
+      return [tighter(e.expr, 0, context), " :: ", printType(e.type)]
+    case "record":
+      return fieldsDoc(constructorWord(e.name), e.fields, context)
+    case "update":
+      if (e.fields.length === 0) return printExpr(e.record, context)
+      return fieldsDoc(atom(e.record, context, true), e.fields, context)
+    case "hole":
+      return "_"
+    case "raw":
+      return e.text.trim() === "" ? "_" : align(lines(e.text.trim()))
+    default:
+      return unreachable(e)
+  }
+}
+
+export function printStatement(s: Statement, context: Context): Doc {
+  return mark(s, [comment(s.comment), statementBody(s, context)])
+}
+
+function comment(text: string | undefined): Doc {
+  if (text === undefined || text.trim() === "") return ""
+  return text.split("\n").map(l => [l.trim() === "" ? "--" : `-- ${l.trimEnd()}`, hardline])
+}
+
+function statementBody(s: Statement, context: Context): Doc {
+  switch (s.kind) {
+    case "bind":
+      return [
+        printPattern(s.pattern, "top"),
+        " <-",
+        hangs(s.expr) ? [" ", printExpr(s.expr, context)] : group(nest([line, printExpr(s.expr, context)])),
+      ]
+    case "let-statement":
+      return s.declarations.length === 0
+        ? "let _ = ()"
+        : ["let ", align(context.declarations(s.declarations))]
+    case "statement":
+      // A `let … in` here would be read as a statement followed by a stray `in`.
+      return startsWithLet(s.expr) ? ["(", printExpr(s.expr, context), ")"] : printExpr(s.expr, context)
+    default:
+      return unreachable(s)
+  }
+}
+
+function startsWithLet(e: Expr): boolean {
+  return e.kind === "let" && e.declarations.length > 0
+}
+
+function bracketed(open: string, items: readonly Expr[], close: string, context: Context): Doc {
+  if (items.length === 0) return open + close
+  const docs = items.map(i => printExpr(i, context))
+  // A broken tuple or list has one item a line, commas first.
+  return group(
+    align([open, ifBroken(" "), docs.map((d, i) => (i === 0 ? d : [softline, ", ", d])), softline, close]),
+  )
+}
+
+function fieldsDoc(head: Doc, fields: readonly FieldValue[], context: Context): Doc {
+  const docs = fields.map(f => [variableName(f.name), " = ", printExpr(f.value, context)])
+  return group([head, " {", nest(join(docs, [",", line])), "}"])
+}
+
+function printInfix(e: Expr & {kind: "infix"}, context: Context): Doc {
+  const op = operatorWord(e.op)
+  if (e.op === "$" && hangs(e.right))
+    return [operand(e.left, e, "left", context), " $ ", printExpr(e.right, context)]
+  if (e.op === "$")
+    return group([
+      operand(e.left, e, "left", context),
+      " $",
+      nest([line, operand(e.right, e, "right", context)]),
+    ])
+  return group(nest(chain(e, op, context)))
+}
+
+/// A chain of operators of one precedence, as one group: it breaks before all of them or before none.
+function chain(e: Expr & {kind: "infix"}, op: string, context: Context): Doc {
+  const left = continues(e, e.left, "left", context)
+    ? mark(
+        e.left,
+        chain(e.left as Expr & {kind: "infix"}, operatorWord((e.left as Expr & {kind: "infix"}).op), context),
+      )
+    : operand(e.left, e, "left", context)
+  const right = continues(e, e.right, "right", context)
+    ? mark(
+        e.right,
+        chain(
+          e.right as Expr & {kind: "infix"},
+          operatorWord((e.right as Expr & {kind: "infix"}).op),
+          context,
+        ),
+      )
+    : operand(e.right, e, "right", context)
+  return [left, line, op, " ", right]
+}
+
+function continues(
+  parent: Expr & {kind: "infix"},
+  child: Expr,
+  side: "left" | "right",
+  context: Context,
+): boolean {
+  if (child.kind !== "infix" || child.op === "$") return false
+  const mine = fixityOf(parent.op, context.fixities)
+  const theirs = fixityOf(child.op, context.fixities)
+  return mine.precedence === theirs.precedence && mine.associates === side && theirs.associates === side
+}
+
+/// An operand of `parent`, in brackets where the fixities need them.
+function operand(child: Expr, parent: Expr & {kind: "infix"}, side: "left" | "right", context: Context): Doc {
+  const mine = fixityOf(parent.op, context.fixities)
+  const bare =
+    isOperandOf(child, mine, side, context) || (parent.op === "$" && side === "right" && isOpen(child))
+  return bare ? printExpr(child, context) : mark(child, ["(", exprBody(child, context), ")"])
+}
+
+function isOperandOf(child: Expr, mine: Fixity, side: "left" | "right", context: Context): boolean {
+  const inner = transparent(child)
+  const theirs = fixityOfExpr(inner, context)
+  if (theirs === "atom") return true
+  if (theirs === "open") return false
+  if (theirs.precedence !== mine.precedence) return theirs.precedence > mine.precedence
+  return mine.associates === side && theirs.associates === side
+}
+
+/// Extends as far to the right as it can, so anywhere but at the end it needs brackets.
+function isOpen(e: Expr): boolean {
+  const inner = transparent(e)
+  return (
+    ["lambda", "if", "case", "let", "do"].includes(inner.kind) && fixityOfExpr(inner, emptyContext) === "open"
+  )
+}
+
+const emptyContext = {fixities: new Map<string, Fixity>()}
+
+/// Nodes that print exactly as the one inside them.
+function transparent(e: Expr): Expr {
+  if (e.kind === "apply" && e.args.length === 0) return transparent(e.fn)
+  if (e.kind === "lambda" && e.parameters.length === 0) return transparent(e.body)
+  if (e.kind === "let" && e.declarations.length === 0) return transparent(e.body)
+  if (e.kind === "update" && e.fields.length === 0) return transparent(e.record)
+  return e
+}
+
+function fixityOfExpr(e: Expr, context: {fixities: Fixities}): Fixity | "atom" | "open" {
+  switch (e.kind) {
+    case "infix":
+      return fixityOf(e.op, context.fixities)
+    // The report reads unary minus as an operator of precedence 6 that associates to the left.
+    case "negate":
+      return {precedence: 6, associates: "left"}
+    case "number":
+      return numberLiteral(e.text).negative ? {precedence: 6, associates: "left"} : "atom"
+    case "apply":
+      return {precedence: 10, associates: "left"}
+    case "lambda":
+    case "if":
+    case "case":
+    case "let":
+    case "typed":
+      return "open"
+    case "do":
+      return e.statements.length === 0 ? "atom" : "open"
+    case "raw":
+      return isRawAtom(e.text) ? "atom" : "open"
+    default:
+      return "atom"
+  }
+}
+
+function isRawAtom(text: string): boolean {
+  return /^[\w'.]*$|^"[^"\\]*"$|^\([^()]*\)$|^\[[^[\]]*\]$/.test(text.trim())
+}
+
+/// An expression as a function's argument, or with `head` as the function itself.
+function atom(e: Expr, context: Context, head = false): Doc {
+  const inner = transparent(e)
+  const kind = fixityOfExpr(inner, context)
+  const bare = kind === "atom" || (head && inner.kind === "apply")
+  return bare ? printExpr(e, context) : mark(e, ["(", bracketBody(e, context), ")"])
+}
+
+/// Inside brackets of its own, a block-like expression is aligned so that its lines stay inside.
+function bracketBody(e: Expr, context: Context): Doc {
+  const doc = exprBody(e, context)
+  return hasHardline(doc) && !hangs(e) ? align(doc) : doc
+}
+
+function tighter(e: Expr, precedence: number, context: Context): Doc {
+  const kind = fixityOfExpr(transparent(e), context)
+  const bare = kind === "atom" || (kind !== "open" && kind.precedence >= precedence)
+  return bare ? printExpr(e, context) : mark(e, ["(", exprBody(e, context), ")"])
+}
+
+function printSection(e: Expr & {kind: "section"}, context: Context): Doc {
+  const op = operatorWord(e.op)
+  const mine = fixityOf(e.op, context.fixities)
+  const bare = isOperandOf(e.operand, mine, e.side, context)
+  const inner = bare
+    ? printExpr(e.operand, context)
+    : mark(e.operand, ["(", exprBody(e.operand, context), ")"])
+  // `(- x)` is a number, not a section. (Haskell 2010 report §3.5)
+  if (e.side === "right" && e.op === "-") return ["(subtract ", atom(e.operand, context), ")"]
+  return e.side === "left" ? ["(", inner, ` ${op})`] : [`(${op} `, inner, ")"]
+}
+
+function variableWord(name: string): string {
+  return isOperator(name) ? `(${name})` : variableName(name)
+}
+
+function constructorWord(name: string): string {
+  if (name === "()" || name === "[]" || /^\(,+\)$/.test(name)) return name
+  return isConstructorOperator(name) ? `(${name})` : constructorName(name)
+}
+
+/// An operator between two operands: a symbol, or a name in backticks.
+export function operatorWord(op: string): string {
+  if (isOperator(op) || isConstructorOperator(op)) return op
+  return `\`${isConstructorName(op) ? op : variableName(op)}\``
+}

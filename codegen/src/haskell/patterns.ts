@@ -1,0 +1,123 @@
+/// Prints patterns.
+
+import type {Pattern} from "../model/tree.ts"
+import {unreachable} from "../model/tree.ts"
+import type {Doc} from "./doc.ts"
+import {group, join, line, mark, nest} from "./doc.ts"
+import {fixityOf} from "./fixity.ts"
+import {
+  characterLiteral,
+  constructorName,
+  isConstructorName,
+  isConstructorOperator,
+  numberLiteral,
+  stringLiteral,
+  variableName,
+} from "./lexemes.ts"
+
+/// Where a pattern stands, which decides its brackets: alone, beside an operator, or as an argument.
+export type PatternPlace = "top" | "operand" | "argument"
+
+export function printPattern(p: Pattern, place: PatternPlace): Doc {
+  const bracketed =
+    place === "argument"
+      ? !isAtom(p)
+      : place === "operand"
+        ? p.kind === "infix-pattern" || isNegative(p)
+        : false
+  const doc = patternBody(p)
+  return mark(p, bracketed ? ["(", doc, ")"] : doc)
+}
+
+function patternBody(p: Pattern): Doc {
+  switch (p.kind) {
+    case "name-pattern":
+      return variableName(p.name)
+    case "wildcard":
+      return "_"
+    case "constructor-pattern":
+      return join([constructorWord(p.name), ...p.args.map(a => printPattern(a, "argument"))], " ")
+    case "number-pattern": {
+      const {negative, digits} = numberLiteral(p.text)
+      return negative ? `-${digits}` : digits
+    }
+    case "string-pattern":
+      return stringLiteral(p.value)
+    case "character-pattern":
+      return characterLiteral(p.value)
+    case "tuple-pattern": {
+      const [only] = p.items
+      if (p.items.length === 1 && only !== undefined) return ["(", printPattern(only, "top"), ")"]
+      return ["(", commas(p.items), ")"]
+    }
+    case "list-pattern":
+      return ["[", commas(p.items), "]"]
+    case "infix-pattern":
+      return printInfix(p)
+    case "as-pattern":
+      return [variableName(p.name), "@", printPattern(p.pattern, "argument")]
+    case "record-pattern":
+      return [
+        constructorWord(p.name),
+        " {",
+        join(
+          p.fields.map(f => [variableName(f.name), " = ", printPattern(f.pattern, "top")]),
+          ", ",
+        ),
+        "}",
+      ]
+    case "raw-pattern":
+      return p.text.trim() === "" ? "_" : p.text.replace(/\s*\n\s*/g, " ").trim()
+    default:
+      return unreachable(p)
+  }
+}
+
+function printInfix(p: Pattern & {kind: "infix-pattern"}): Doc {
+  const op = isConstructorOperator(p.op) ? p.op : isConstructorName(p.op) ? `\`${p.op}\`` : ":"
+  const mine = fixityOf(p.op)
+  const side = (child: Pattern, which: "left" | "right"): Doc => {
+    const theirs = child.kind === "infix-pattern" ? fixityOf(child.op) : undefined
+    const open =
+      theirs !== undefined &&
+      (theirs.precedence > mine.precedence ||
+        (theirs.precedence === mine.precedence && mine.associates === which && theirs.associates === which))
+    return printPattern(child, open ? "top" : "operand")
+  }
+  return [side(p.left, "left"), ` ${op} `, side(p.right, "right")]
+}
+
+function commas(items: readonly Pattern[]): Doc {
+  return group(
+    nest(
+      join(
+        items.map(i => printPattern(i, "top")),
+        [",", line],
+      ),
+      1,
+    ),
+  )
+}
+
+function constructorWord(name: string): string {
+  return isConstructorOperator(name) ? `(${name})` : constructorName(name)
+}
+
+function isNegative(p: Pattern): boolean {
+  return p.kind === "number-pattern" && numberLiteral(p.text).negative
+}
+
+function isAtom(p: Pattern): boolean {
+  switch (p.kind) {
+    case "constructor-pattern":
+      return p.args.length === 0
+    case "infix-pattern":
+      return false
+    case "number-pattern":
+      return !isNegative(p)
+    case "raw-pattern":
+      return /^[\w'.]*$|^\(.*\)$|^\[.*\]$|^[~!][\w']*$/s.test(p.text.trim())
+    default:
+      return true
+  }
+}

@@ -1,0 +1,257 @@
+/// Prints a program model as Haskell source.
+///
+/// Pure and total: any tree prints, and the same tree prints the same text. Beside the text it returns the span that each
+/// node ended up in, so that a compiler message finds its way back to a block. Expressions and patterns have files of their own;
+/// here are declarations, and what a whole program is.
+
+import type {PrintedProgram} from "../api.ts"
+import {boundBy} from "../model/names.ts"
+import type {
+  Alternative,
+  Clause,
+  Constructor,
+  DataDeclaration,
+  Declaration,
+  Expr,
+  Node,
+  Pattern,
+  Program,
+  RightSide,
+  TypeText,
+} from "../model/tree.ts"
+import {unreachable} from "../model/tree.ts"
+import type {Doc} from "./doc.ts"
+import {
+  align,
+  group,
+  hardline,
+  hasHardline,
+  ifBroken,
+  join,
+  layout,
+  line,
+  lines,
+  mark,
+  nest,
+  softline,
+} from "./doc.ts"
+import type {Context} from "./expressions.ts"
+import {hangs, printExpr, printStatement} from "./expressions.ts"
+import type {Fixity} from "./fixity.ts"
+import {fixitiesIn} from "./fixity.ts"
+import {constructorName, isConstructorOperator, isOperator, variableName} from "./lexemes.ts"
+import {printPattern} from "./patterns.ts"
+import {atomicType, printType} from "./typetext.ts"
+
+/// Columns; Haskell style guides agree on it.
+const width = 80
+
+/// The whole program, with a span per node.
+export function printProgram(
+  program: Program,
+): PrintedProgram & {readonly nodes: ReadonlyMap<object, {start: number; end: number}>} {
+  const context = contextOf(program)
+  const body = join(
+    program.declarations.map(d => printDeclaration(d, context)),
+    [hardline, hardline],
+  )
+  const {text, marks} = layout(
+    mark(program, program.declarations.length === 0 ? "" : [body, hardline]),
+    width,
+  )
+  const nodes = new Map(marks.map(m => [m.key, {start: m.start, end: m.end}]))
+  const spans = marks.map(({key, start, end}) => {
+    const from =
+      (key as Node).kind === "program" ? undefined : (key as {from?: {block: string; input?: string}}).from
+    return {start, end, block: from?.block, input: from?.input}
+  })
+  return {text, spans, nodes}
+}
+
+/// One declaration on its own, without a newline at its end.
+export function printDeclarationAlone(
+  declaration: Declaration,
+  fixities: ReadonlyMap<string, Fixity> = new Map(),
+): string {
+  return layout(printDeclaration(declaration, makeContext(fixities)), width).text
+}
+
+/// An expression or a pattern on its own, as the text of a raw block.
+export function printExprAlone(e: Expr): string {
+  return layout(printExpr(e, makeContext(new Map())), width).text
+}
+
+export function printPatternAlone(p: Pattern): string {
+  return layout(printPattern(p, "top"), width).text
+}
+
+function contextOf(program: Program): Context {
+  const own = new Map<string, Fixity>()
+  for (const d of program.declarations)
+    if (d.kind === "raw-declaration") for (const [op, fixity] of fixitiesIn(d.text)) own.set(op, fixity)
+  return makeContext(own)
+}
+
+function makeContext(fixities: ReadonlyMap<string, Fixity>): Context {
+  const context: Context = {
+    fixities,
+    declarations: ds =>
+      join(
+        ds.map(d => printDeclaration(d, context)),
+        hardline,
+      ),
+    alternative: a => printAlternative(a, context),
+  }
+  return context
+}
+
+function printDeclaration(d: Declaration, context: Context): Doc {
+  return mark(d, [comment(d.comment), declarationBody(d, context)])
+}
+
+function declarationBody(d: Declaration, context: Context): Doc {
+  switch (d.kind) {
+    case "function": {
+      const name = isOperator(d.name) ? `(${d.name})` : variableName(d.name)
+      const signature = d.signature === undefined ? [] : [signatureLine(name, d.signature)]
+      const clauses = d.clauses.map(c => printClause(d.name, c, context))
+      return join([...signature, ...(clauses.length === 0 ? [`${name} = _`] : clauses)], hardline)
+    }
+    case "binding":
+      return [printPattern(d.pattern, "top"), printRight(d.right, "=", context)]
+    case "data":
+      return printData(d)
+    case "synonym":
+      return group([
+        ["type ", join([constructorName(d.name), ...d.parameters.map(variableName)], " "), " ="],
+        nest([line, printType(d.type)]),
+      ])
+    case "raw-declaration":
+      return lines(d.text.trim() === "" ? "-- (nothing yet)" : d.text)
+    default:
+      return unreachable(d)
+  }
+}
+
+/// Lines above a node. A line that starts with a symbol would otherwise read as an operator after `--`.
+function comment(text: string | undefined): Doc {
+  if (text === undefined || text.trim() === "") return ""
+  return text.split("\n").map(l => [l.trim() === "" ? "--" : `-- ${l.trimEnd()}`, hardline])
+}
+
+function signatureLine(name: string, type: TypeText): Doc {
+  return group([name, nest([" ::", line, printType(type)])])
+}
+
+function printClause(name: string, clause: Clause, context: Context): Doc {
+  const patterns = clause.patterns
+  const [left, right] = patterns
+  const head =
+    isOperator(name) && patterns.length === 2 && left !== undefined && right !== undefined
+      ? [printPattern(left, "operand"), ` ${name} `, printPattern(right, "operand")]
+      : join(
+          [
+            isOperator(name) ? `(${name})` : variableName(name),
+            ...patterns.map(p => printPattern(p, "argument")),
+          ],
+          " ",
+        )
+  return mark(clause, [comment(clause.comment), head, printRight(clause.right, "=", context)])
+}
+
+function printAlternative(alternative: Alternative, context: Context): Doc {
+  return mark(alternative, [
+    comment(alternative.comment),
+    printPattern(alternative.pattern, "top"),
+    printRight(alternative.right, "->", context),
+  ])
+}
+
+function printRight(right: RightSide, sign: "=" | "->", context: Context): Doc {
+  return [printBody(right, sign, context), printWhere(right.where, context)]
+}
+
+function printBody(right: RightSide, sign: string, context: Context): Doc {
+  const body = right.body
+  if (isGuards(body)) {
+    if (body.length === 0) return ` ${sign} _`
+    return nest(
+      body.map(g => [
+        hardline,
+        mark(g, [
+          "| ",
+          g.guards.length === 0
+            ? "otherwise"
+            : align(
+                join(
+                  g.guards.map(s => printStatement(s, context)),
+                  [",", line],
+                ),
+              ),
+          hangs(g.body)
+            ? [` ${sign} `, printExpr(g.body, context)]
+            : group([` ${sign}`, nest([line, printExpr(g.body, context)])]),
+        ]),
+      ]),
+    )
+  }
+  if (hangs(body)) return [` ${sign} `, printExpr(body, context)]
+  return group([` ${sign}`, nest([line, printExpr(body, context)])])
+}
+
+function isGuards(body: RightSide["body"]): body is Exclude<RightSide["body"], {readonly kind: string}> {
+  return Array.isArray(body)
+}
+
+function printWhere(where: readonly Declaration[], context: Context): Doc {
+  if (where.length === 0) return ""
+  return nest([hardline, "where", nest([hardline, context.declarations(where)])])
+}
+
+function printData(d: DataDeclaration): Doc {
+  const head = [d.keyword, " ", join([constructorName(d.name), ...d.parameters.map(variableName)], " ")]
+  const deriving =
+    d.deriving.length === 0 ? "" : [line, "deriving (", join(d.deriving.map(constructorName), ", "), ")"]
+  const constructors = d.constructors.map(printConstructor)
+  if (constructors.length === 0) return group([head, nest(deriving)])
+  const [only] = constructors
+  if (constructors.length === 1 && only !== undefined) return group([head, " = ", only, nest(deriving)])
+  const broken = constructors.some(hasHardline)
+  return group([
+    head,
+    nest([
+      broken ? hardline : line,
+      constructors.map((c, i) => [i === 0 ? "= " : [line, "| "], c]),
+      deriving,
+    ]),
+  ])
+}
+
+function printConstructor(c: Constructor): Doc {
+  const name = isConstructorOperator(c.name) ? `(${c.name})` : constructorName(c.name)
+  if (c.fields.length > 0 && c.fields.every(f => f.name !== undefined)) {
+    const fields = c.fields.map(f => [variableName(f.name ?? ""), " :: ", printType(f.type)])
+    return mark(
+      c,
+      group([
+        name,
+        nest([
+          line,
+          "{",
+          ifBroken(" "),
+          fields.map((f, i) => [i === 0 ? "" : [softline, ", "], f]),
+          softline,
+          "}",
+        ]),
+      ]),
+    )
+  }
+  return mark(c, join([name, ...c.fields.map(f => atomicType(f.type))], " "))
+}
+
+/// The names a program's top level defines, in order; used to keep layout and text together.
+export function topNames(program: Program): string[] {
+  return program.declarations.map(d =>
+    d.kind === "binding" ? (boundBy(d.pattern)[0] ?? "_") : d.kind === "raw-declaration" ? "_" : d.name,
+  )
+}

@@ -1,0 +1,10 @@
+/// Whether anything is still missing, or is Haskell whose type only GHC knows.
+
+import {everyNode} from "./children.ts"
+import type {Node} from "./tree.ts"
+
+export function hasUnknowns(node: Node): boolean {
+  for (const n of everyNode(node))
+    if (n.kind === "hole" || n.kind === "raw" || n.kind === "raw-pattern") return true
+  return false
+}

@@ -1,0 +1,150 @@
+/// Reads types as Haskell writes them: `(Sensor a, Command b) => Maybe a -> [b]`.
+///
+/// A recursive descent over tokens; anything beyond Haskell 2010 types (forall, kinds, promotion) is answered with
+/// `undefined`, and what has such a type is left to GHC.
+
+import type {Constraint, Scheme, Type} from "./type.ts"
+import {app, con, fun, list, listOf, tupleOf, unit, variablesIn} from "./type.ts"
+
+export interface Signature {
+  readonly constraints: readonly Constraint[]
+  readonly type: Type
+}
+
+export function parseSignature(text: string): Signature | undefined {
+  const tokens = tokenize(text)
+  if (tokens === undefined) return undefined
+  const cut = topLevelArrow(tokens)
+  const constraints = cut < 0 ? [] : parseContext(tokens.slice(0, cut))
+  if (constraints === undefined) return undefined
+  const parser = new Parser(cut < 0 ? tokens : tokens.slice(cut + 1))
+  const type = parser.type()
+  return type === undefined || !parser.atEnd() ? undefined : {constraints, type}
+}
+
+export function parseType(text: string): Type | undefined {
+  const signature = parseSignature(text)
+  return signature === undefined || signature.constraints.length > 0 ? undefined : signature.type
+}
+
+export function parseScheme(text: string): Scheme | undefined {
+  const signature = parseSignature(text)
+  if (signature === undefined) return undefined
+  const variables = variablesIn(signature.type)
+  for (const c of signature.constraints) variablesIn(c.type, variables)
+  return {variables: [...variables], ...signature}
+}
+
+function tokenize(text: string): string[] | undefined {
+  const tokens = text.match(/[\p{L}_][\p{L}\p{N}_'.]*|->|→|=>|⇒|\(,+\)|[()[\],]|\S/gu) ?? []
+  const clean = tokens.map(t => (t === "→" ? "->" : t === "⇒" ? "=>" : t))
+  const known = clean.every(t => /^(?:[\p{L}_][\p{L}\p{N}_'.]*|->|=>|\(,+\)|[()[\],])$/u.test(t))
+  return known && !clean.includes("forall") ? clean : undefined
+}
+
+function topLevelArrow(tokens: readonly string[]): number {
+  let depth = 0
+  return tokens.findIndex(t => {
+    if (t === "(" || t === "[") depth++
+    if (t === ")" || t === "]") depth--
+    return depth === 0 && t === "=>"
+  })
+}
+
+function parseContext(tokens: readonly string[]): Constraint[] | undefined {
+  const bracketed = tokens[0] === "("
+  const inner = bracketed ? tokens.slice(1, -1) : tokens
+  const constraints: Constraint[] = []
+  let start = 0
+  let depth = 0
+  for (let i = 0; i <= inner.length; i++) {
+    const t = inner[i]
+    if (t === "(" || t === "[") depth++
+    if (t === ")" || t === "]") depth--
+    if (i < inner.length && !(t === "," && depth === 0)) continue
+    const part = inner.slice(start, i)
+    start = i + 1
+    if (part.length === 0) continue
+    const [name, ...rest] = part
+    const parser = new Parser(rest)
+    const type = parser.atomic()
+    if (name === undefined || type === undefined || !parser.atEnd()) return undefined
+    constraints.push({name: unqualified(name), type})
+  }
+  return constraints
+}
+
+function unqualified(name: string): string {
+  return name.replace(/^.*\./, "")
+}
+
+class Parser {
+  private at = 0
+  private readonly tokens: readonly string[]
+  constructor(tokens: readonly string[]) {
+    this.tokens = tokens
+  }
+
+  atEnd(): boolean {
+    return this.at === this.tokens.length
+  }
+
+  type(): Type | undefined {
+    const from = this.application()
+    if (from === undefined) return undefined
+    if (this.tokens[this.at] !== "->") return from
+    this.at++
+    const to = this.type()
+    return to === undefined ? undefined : fun(from, to)
+  }
+
+  private application(): Type | undefined {
+    const head = this.atomic()
+    if (head === undefined) return undefined
+    let type = head
+    for (;;) {
+      const before = this.at
+      const arg = this.atomic()
+      if (arg === undefined) {
+        this.at = before
+        return type
+      }
+      type = app(type, arg)
+    }
+  }
+
+  atomic(): Type | undefined {
+    const token = this.tokens[this.at]
+    if (token === undefined) return undefined
+    this.at++
+    if (/^\(,+\)$/.test(token)) return con(token)
+    if (token === "[") {
+      if (this.take("]")) return list
+      const item = this.type()
+      return item !== undefined && this.take("]") ? listOf(item) : undefined
+    }
+    if (token === "(") {
+      if (this.take(")")) return unit
+      if (this.take("->")) return this.take(")") ? con("->") : undefined
+      const items: Type[] = []
+      do {
+        const item = this.type()
+        if (item === undefined) return undefined
+        items.push(item)
+      } while (this.take(","))
+      if (!this.take(")")) return undefined
+      const [only] = items
+      return items.length === 1 && only !== undefined ? only : tupleOf(items)
+    }
+    if (!/^[\p{L}_]/u.test(token)) return undefined
+    const name = unqualified(token)
+    if (name === "") return undefined
+    return /^\p{Lu}/u.test(name) ? (name === "String" ? listOf(con("Char")) : con(name)) : {kind: "var", name}
+  }
+
+  private take(token: string): boolean {
+    if (this.tokens[this.at] !== token) return false
+    this.at++
+    return true
+  }
+}

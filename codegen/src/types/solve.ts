@@ -1,0 +1,138 @@
+/// Unification and class constraints.
+
+import type {Environment} from "./environment.ts"
+import {superclasses} from "./environment.ts"
+import type {Constraint, Meta, Type} from "./type.ts"
+import {prune, spine, substitute} from "./type.ts"
+
+export interface Rigid {
+  readonly kind: "var"
+  readonly name: string
+  /// Made for one signature while its function is checked.
+  readonly id: number
+  readonly level: number
+}
+
+/// Makes two types equal, or answers the two parts that cannot be.
+export function unify(a: Type, b: Type): {left: Type; right: Type} | undefined {
+  const l = prune(a)
+  const r = prune(b)
+  if (l === r) return undefined
+  if (l.kind === "meta") return bind(l, r) ? undefined : {left: l, right: r}
+  if (r.kind === "meta") return bind(r, l) ? undefined : {left: l, right: r}
+  if (l.kind === "con" && r.kind === "con" && l.name === r.name) return undefined
+  if (l.kind === "var" && r.kind === "var" && l.name === r.name && (l as Rigid).id === (r as Rigid).id)
+    return undefined
+  if (l.kind === "app" && r.kind === "app") return unify(l.fn, r.fn) ?? unify(l.arg, r.arg)
+  return {left: l, right: r}
+}
+
+/// Occurs check and level adjustment in one walk. A rigid variable cannot get into a type from outside its signature.
+function bind(meta: Meta, type: Type): boolean {
+  if (!mayHold(meta, type)) return false
+  lower(meta.level, type)
+  meta.is = type
+  return true
+}
+
+function mayHold(meta: Meta, type: Type): boolean {
+  const t = prune(type)
+  if (t === meta) return false
+  if (t.kind === "var") return ((t as Partial<Rigid>).level ?? 0) <= meta.level
+  return t.kind !== "app" || (mayHold(meta, t.fn) && mayHold(meta, t.arg))
+}
+
+function lower(level: number, type: Type): void {
+  const t = prune(type)
+  if (t.kind === "meta" && t.level > level) t.level = level
+  if (t.kind === "app") {
+    lower(level, t.fn)
+    lower(level, t.arg)
+  }
+}
+
+/// What a constraint comes down to: nothing, constraints on unknowns or variables, or a failure.
+export type Reduced =
+  | {readonly kind: "stuck"; readonly constraints: readonly Constraint[]}
+  | {readonly kind: "no"; readonly constraint: Constraint}
+
+export function reduce(
+  wanted: Constraint,
+  env: Environment,
+  givens: readonly Constraint[] = [],
+  depth = 0,
+): Reduced {
+  const type = prune(wanted.type)
+  const {head, args} = spine(type)
+  if (givens.some(g => superclasses(g.name, env).has(wanted.name) && sameType(g.type, type)))
+    return {kind: "stuck", constraints: []}
+  const instances = env.instances.get(wanted.name)
+  const everything = instances?.get("*")
+  if (head.kind !== "con") {
+    if (everything !== undefined && instances?.size === 1)
+      return applyInstance(everything, wanted, args, env, givens, depth)
+    return {kind: "stuck", constraints: [{name: wanted.name, type}]}
+  }
+  // A class nobody told us about is GHC's business.
+  if (!env.classes.has(wanted.name)) return {kind: "stuck", constraints: []}
+  const instance = instances?.get(head.name) ?? everything
+  if (instance === undefined || depth > 50) return {kind: "no", constraint: {name: wanted.name, type}}
+  return applyInstance(instance, wanted, args, env, givens, depth)
+}
+
+function applyInstance(
+  instance: {readonly constraints: readonly Constraint[]; readonly type: Type},
+  wanted: Constraint,
+  args: readonly Type[],
+  env: Environment,
+  givens: readonly Constraint[],
+  depth: number,
+): Reduced {
+  const {head, args: formal} = spine(instance.type)
+  const by = new Map<string, Type>()
+  if (head.kind === "var") by.set(head.name, wanted.type)
+  else {
+    if (formal.length !== args.length) return {kind: "no", constraint: wanted}
+    for (const [i, f] of formal.entries()) {
+      const actual = args[i]
+      if (actual === undefined) continue
+      if (f.kind === "var") by.set(f.name, actual)
+      // An instance for `[Char]` and its like: only that type.
+      else if (prune(actual).kind !== "meta" && !sameType(f, actual)) return {kind: "no", constraint: wanted}
+    }
+  }
+  const constraints: Constraint[] = []
+  for (const c of instance.constraints) {
+    const r = reduce({name: c.name, type: substitute(c.type, by)}, env, givens, depth + 1)
+    if (r.kind === "no")
+      return depth === 0 && !["Controller", "Runnable"].includes(wanted.name)
+        ? {kind: "no", constraint: r.constraint}
+        : r
+    constraints.push(...r.constraints)
+  }
+  return {kind: "stuck", constraints}
+}
+
+export function sameType(a: Type, b: Type): boolean {
+  const l = prune(a)
+  const r = prune(b)
+  if (l === r) return true
+  if (l.kind === "con" && r.kind === "con") return l.name === r.name
+  if (l.kind === "var" && r.kind === "var") return l.name === r.name && (l as Rigid).id === (r as Rigid).id
+  return l.kind === "app" && r.kind === "app" && sameType(l.fn, r.fn) && sameType(l.arg, r.arg)
+}
+
+/// Constraints without repetitions and without those that follow from another.
+export function simplify(constraints: readonly Constraint[], env: Environment): Constraint[] {
+  const kept: Constraint[] = []
+  for (const [i, c] of constraints.entries()) {
+    const follows = constraints.some(
+      (other, j) =>
+        i !== j &&
+        sameType(other.type, c.type) &&
+        (other.name === c.name ? j < i : superclasses(other.name, env).has(c.name)),
+    )
+    if (!follows) kept.push(c)
+  }
+  return kept
+}

@@ -1,0 +1,159 @@
+/// Types, constraints and schemes, and how they are written.
+
+/// A type variable of inference: unknown until `is` is set.
+export interface Meta {
+  readonly kind: "meta"
+  readonly id: number
+  /// How many bindings deep it was made; what is deeper than a binding is that binding's to generalise.
+  level: number
+  is: Type | undefined
+}
+
+export type Type =
+  | Meta
+  | {readonly kind: "con"; readonly name: string}
+  | {readonly kind: "app"; readonly fn: Type; readonly arg: Type}
+  /// A variable of a scheme, or one that a signature fixes; `rigid` ones equal only themselves.
+  | {readonly kind: "var"; readonly name: string}
+
+export interface Constraint {
+  readonly name: string
+  readonly type: Type
+}
+
+export interface Scheme {
+  readonly variables: readonly string[]
+  readonly constraints: readonly Constraint[]
+  readonly type: Type
+}
+
+export const con = (name: string): Type => ({kind: "con", name})
+export const app = (fn: Type, ...args: readonly Type[]): Type =>
+  args.reduce((f, arg) => ({kind: "app", fn: f, arg}), fn)
+export const fun = (from: Type, to: Type): Type => app(arrow, from, to)
+export const funs = (from: readonly Type[], to: Type): Type => from.reduceRight((t, f) => fun(f, t), to)
+export const listOf = (item: Type): Type => app(list, item)
+export const tupleOf = (items: readonly Type[]): Type =>
+  items.length === 0 ? unit : app(con(`(${",".repeat(items.length - 1)})`), ...items)
+
+export const arrow = con("->")
+export const list = con("[]")
+export const unit = con("()")
+export const bool = con("Bool")
+export const string = listOf(con("Char"))
+
+/// Follows what inference has found out, at the top only.
+export function prune(type: Type): Type {
+  let t = type
+  while (t.kind === "meta" && t.is !== undefined) t = t.is
+  return t
+}
+
+/// A type as its head and arguments: `Maybe Int` is `Maybe` and [`Int`].
+export function spine(type: Type): {head: Type; args: Type[]} {
+  const args: Type[] = []
+  let t = prune(type)
+  while (t.kind === "app") {
+    args.unshift(t.arg)
+    t = prune(t.fn)
+  }
+  return {head: t, args}
+}
+
+/// `a -> b` as its two sides.
+export function asFunction(type: Type): {from: Type; to: Type} | undefined {
+  const {head, args} = spine(type)
+  const [from, to] = args
+  return head.kind === "con" &&
+    head.name === "->" &&
+    args.length === 2 &&
+    from !== undefined &&
+    to !== undefined
+    ? {from, to}
+    : undefined
+}
+
+/// All unknowns in a type, each once, in reading order.
+export function metasIn(type: Type, found: Set<Meta> = new Set()): Set<Meta> {
+  const t = prune(type)
+  if (t.kind === "meta") found.add(t)
+  if (t.kind === "app") {
+    metasIn(t.fn, found)
+    metasIn(t.arg, found)
+  }
+  return found
+}
+
+export function variablesIn(type: Type, found: Set<string> = new Set()): Set<string> {
+  const t = prune(type)
+  if (t.kind === "var") found.add(t.name)
+  if (t.kind === "app") {
+    variablesIn(t.fn, found)
+    variablesIn(t.arg, found)
+  }
+  return found
+}
+
+export function substitute(type: Type, by: ReadonlyMap<string, Type>): Type {
+  const t = prune(type)
+  if (t.kind === "var") return by.get(t.name) ?? t
+  if (t.kind !== "app") return t
+  const fn = substitute(t.fn, by)
+  const arg = substitute(t.arg, by)
+  return fn === t.fn && arg === t.arg ? t : {kind: "app", fn, arg}
+}
+
+/// As Haskell writes it. Unknowns get letters, the same unknown the same letter within one `names`.
+export function showType(type: Type, names: Map<Meta, string> = new Map()): string {
+  return show(type, 0, names)
+}
+
+export function showScheme(scheme: Scheme): string {
+  const context = showConstraints(scheme.constraints)
+  return context + showType(scheme.type)
+}
+
+export function showConstraints(
+  constraints: readonly Constraint[],
+  names: Map<Meta, string> = new Map(),
+): string {
+  if (constraints.length === 0) return ""
+  const shown = [...new Set(constraints.map(c => `${c.name} ${show(c.type, 2, names)}`))].sort()
+  return shown.length === 1 ? `${shown[0]} => ` : `(${shown.join(", ")}) => `
+}
+
+/// `place`: 0 anywhere, 1 before an arrow, 2 as an argument.
+function show(type: Type, place: 0 | 1 | 2, names: Map<Meta, string>): string {
+  const {head, args} = spine(type)
+  const word =
+    head.kind === "meta" ? letter(head, names) : head.kind === "con" || head.kind === "var" ? head.name : "?"
+  if (head.kind === "con") {
+    const [first, second] = args
+    if (word === "->" && first !== undefined && second !== undefined && args.length === 2) {
+      const text = `${show(first, 1, names)} -> ${show(second, 0, names)}`
+      return place > 0 ? `(${text})` : text
+    }
+    if (word === "[]" && first !== undefined && args.length === 1) {
+      const item = spine(first)
+      return item.head.kind === "con" && item.head.name === "Char" ? "String" : `[${show(first, 0, names)}]`
+    }
+    if (/^\(,+\)$/.test(word) && args.length === word.length - 1)
+      return `(${args.map(a => show(a, 0, names)).join(", ")})`
+  }
+  if (args.length === 0) return word === "->" ? "(->)" : word
+  const text = [word === "->" ? "(->)" : word, ...args.map(a => show(a, 2, names))].join(" ")
+  return place === 2 ? `(${text})` : text
+}
+
+function letter(meta: Meta, names: Map<Meta, string>): string {
+  const known = names.get(meta)
+  if (known !== undefined) return known
+  const used = new Set(names.values())
+  for (let i = 0; ; i++) {
+    const name = `${"abcdefghijklmnopqrstuvwxyz"[i % 26]}${i < 26 ? "" : Math.floor(i / 26)}`
+    if (!used.has(name)) {
+      names.set(meta, name)
+      return name
+    }
+  }
+}

@@ -1,0 +1,68 @@
+/// A workspace as Haskell: read, infer, print.
+
+import type {BlockProblem, PrintedProgram, Span} from "../api.ts"
+import {printProgram} from "../haskell/print.ts"
+import {hasUnknowns} from "../model/holes.ts"
+import type {Declaration, Program} from "../model/tree.ts"
+import type {BlockId, SavedWorkspace} from "../saved.ts"
+import {showScheme} from "../types/type.ts"
+import type {Solved} from "./infer.ts"
+import {problemsOf, solve} from "./infer.ts"
+
+export interface Haskell extends PrintedProgram {
+  readonly problems: readonly BlockProblem[]
+  /// Per top-level declaration: its name, block and place in the text.
+  readonly declarations: readonly (Span & {readonly block: BlockId | undefined})[]
+}
+
+export function toHaskell(workspace: SavedWorkspace): Haskell {
+  const solved = solve(workspace)
+  const program = withSignatures(solved.read.program, solved)
+  const printed = printProgram(program)
+  const declarations = program.declarations.flatMap(d => {
+    const span = printed.nodes.get(d)
+    return span === undefined ? [] : [{...span, block: d.from?.block}]
+  })
+  return {text: printed.text, spans: printed.spans, problems: problemsOf(solved), declarations}
+}
+
+/// The program with the inferred type as signature where the learner wrote none. A definition with an empty socket whose
+/// type is still open gets none: it would promise what the socket may break.
+export function withSignatures(program: Program, {inferrer}: Pick<Solved, "inferrer">): Program {
+  return {
+    ...program,
+    declarations: program.declarations.map((d): Declaration => {
+      if (d.kind !== "function" || d.signature !== undefined) return d
+      const scheme = inferrer.schemes.get(d)
+      if (scheme === undefined || (scheme.variables.length > 0 && hasUnknowns(d))) return d
+      const text = showScheme(scheme)
+      if (text.includes("?")) return d
+      return {...d, signature: {kind: "type", text, from: d.from}}
+    }),
+  }
+}
+
+/// The innermost block whose text holds an offset.
+export function blockAt(printed: PrintedProgram, offset: number): BlockId | undefined {
+  let best: PrintedProgram["spans"][number] | undefined
+  for (const span of printed.spans)
+    if (span.block !== undefined && span.start <= offset && offset <= span.end)
+      if (best === undefined || span.end - span.start <= best.end - best.start) best = span
+  return best?.block
+}
+
+/// Where a block's text is; for a block with several pieces the one that holds the others.
+export function spanOf(printed: PrintedProgram, block: BlockId): Span | undefined {
+  let best: Span | undefined
+  for (const span of printed.spans)
+    if (span.block === block && span.input === undefined)
+      if (best === undefined || span.end - span.start > best.end - best.start)
+        best = {start: span.start, end: span.end}
+  return best
+}
+
+/// Where an empty socket's `_` is.
+export function spanOfSocket(printed: PrintedProgram, block: BlockId, input: string): Span | undefined {
+  const span = printed.spans.find(s => s.block === block && s.input === input)
+  return span === undefined ? undefined : {start: span.start, end: span.end}
+}

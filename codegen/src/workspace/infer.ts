@@ -1,0 +1,188 @@
+/// Types for a workspace: what each block is, what each socket wants, what is wrong.
+
+import type {BlockProblem, Inference, TypeInfo} from "../api.ts"
+import {socketKey} from "../api.ts"
+import {blockView} from "../blocks/language.ts"
+import type {ReadWorkspace} from "../blocks/read.ts"
+import {readWorkspace} from "../blocks/read.ts"
+import type {Declaration, Node, Origin} from "../model/tree.ts"
+import type {SavedBlock, SavedWorkspace} from "../saved.ts"
+import {withTypes} from "../types/environment.ts"
+import type {TypeProblem} from "../types/infer.ts"
+import {Inferrer} from "../types/infer.ts"
+import {library} from "../types/library.ts"
+import type {Meta, Scheme} from "../types/type.ts"
+import {showScheme, showType} from "../types/type.ts"
+import {familyOfType, problemWords} from "../types/words.ts"
+
+export interface Solved {
+  readonly read: ReadWorkspace
+  readonly inferrer: Inferrer
+  readonly globals: ReadonlyMap<string, Scheme>
+}
+
+/// Reads and infers everything on the workspace, loose blocks too.
+export function solve(workspace: SavedWorkspace): Solved {
+  return solveRead(readWorkspace(workspace))
+}
+
+export function solveRead(read: ReadWorkspace, watch?: Origin): Solved {
+  const declarations = read.program.declarations
+  const types = declarations.filter(d => d.kind === "data" || d.kind === "synonym")
+  const inferrer = new Inferrer(withTypes(library, types))
+  inferrer.watch = watch
+  for (const d of types) inferrer.declaredTypes(d)
+  const globals = inferrer.program(declarations)
+  for (const l of read.loose)
+    if (l.kind === "expression") inferrer.loose(l.expr, globals)
+    else if (l.kind === "pattern") inferrer.loosePattern(l.pattern)
+    else inferrer.looseStatements(l.steps, globals)
+  return {read, inferrer, globals}
+}
+
+export function infer(workspace: SavedWorkspace): Inference {
+  const solved = solve(workspace)
+  const {inferrer} = solved
+  const byId = new Map<string, SavedBlock>()
+  for (const block of everyBlock(workspace)) if (block.id !== undefined) byId.set(block.id, block)
+  const letters = new Map<Meta, string>()
+  const blocks = new Map<string, TypeInfo>()
+  const sockets = new Map<string, TypeInfo>()
+  for (const [node, type] of inferrer.types) {
+    const from = originOf(node)
+    if (from === undefined) continue
+    const as = node.kind === "wildcard" || node.kind.endsWith("-pattern") ? "pattern" : "value"
+    const key = from.input === undefined ? undefined : socketKey(from.block, from.input)
+    const known = key === undefined ? blocks.has(from.block) : sockets.has(key)
+    if (known) continue
+    const look = byId.get(from.block)
+    const otherwise =
+      key === undefined && look !== undefined
+        ? blockView(look.type)?.shape(look.extraState ?? {}).family
+        : undefined
+    const info: TypeInfo = {
+      type: showType(type, letters),
+      family: familyOfType(type, as) ?? otherwise ?? "own",
+    }
+    if (key === undefined) blocks.set(from.block, info)
+    else sockets.set(key, info)
+  }
+  for (const block of byId.values())
+    for (const [input, child] of Object.entries(block.inputs ?? {})) {
+      const inner = child.block?.id === undefined ? undefined : blocks.get(child.block.id)
+      if (inner !== undefined && block.id !== undefined) sockets.set(socketKey(block.id, input), inner)
+    }
+  const definitions = new Map<string, {name: string; type: string; family: TypeInfo["family"]}>()
+  for (const [d, scheme] of inferrer.schemes) {
+    if (d.kind !== "function" || d.from === undefined) continue
+    const look = byId.get(d.from.block)
+    const shown = look === undefined ? undefined : blockView(look.type)?.shape(look.extraState ?? {}).family
+    definitions.set(d.from.block, {
+      name: d.name,
+      type: d.signature?.text ?? showScheme(scheme),
+      family:
+        d.name === "main"
+          ? "task"
+          : shown !== undefined && shown !== "own"
+            ? shown
+            : (familyOfType(scheme.type, "value") ?? "own"),
+    })
+  }
+  return {blocks, sockets, definitions, problems: problemsOf(solved)}
+}
+
+/// Everything a learner must know about a workspace.
+export function problemsOf({read, inferrer}: Solved): BlockProblem[] {
+  return [
+    ...read.problems,
+    ...inferrer.problems.map(problemOf),
+    ...duplicates(read.program.declarations),
+    ...entry(read),
+  ]
+}
+
+function problemOf(problem: TypeProblem): BlockProblem {
+  const from = originOf(problem.node)
+  const words = problemWords(problem, whatIs(problem.node))
+  return {severity: "error", ...words, block: from?.block, input: from?.input}
+}
+
+/// A node's own word, for messages.
+export function whatIs(node: Node): string {
+  switch (node.kind) {
+    case "variable":
+    case "constructor-name":
+    case "name-pattern":
+    case "constructor-pattern":
+      return `\`${node.name}\``
+    case "number":
+    case "number-pattern":
+      return `\`${node.text}\``
+    case "string":
+      return "this text"
+    case "apply":
+      return whatIs(node.fn)
+    case "infix":
+    case "section":
+      return `\`${node.op}\``
+    default:
+      return "this"
+  }
+}
+
+function originOf(node: Node): Origin | undefined {
+  return node.kind === "program" ? undefined : node.from
+}
+
+/// Types that are declared twice; definitions of values are inference's to compare.
+function duplicates(declarations: readonly Declaration[]): BlockProblem[] {
+  const seen = new Set<string>()
+  return declarations.flatMap((d): BlockProblem[] => {
+    if (d.kind !== "data" && d.kind !== "synonym") return []
+    const names =
+      d.kind === "data" ? [`type ${d.name}`, ...d.constructors.map(c => c.name)] : [`type ${d.name}`]
+    const twice = names.filter(n => seen.has(n))
+    for (const n of names) seen.add(n)
+    return twice.map(n => ({
+      severity: "error",
+      kind: "duplicate",
+      block: d.from?.block,
+      message: `There are two definitions of \`${n.replace("type ", "")}\`.`,
+      hint: "Give one of them another name.",
+    }))
+  })
+}
+
+function entry(read: ReadWorkspace): BlockProblem[] {
+  const has = read.program.declarations.some(
+    d =>
+      (d.kind === "function" && d.name === "main") ||
+      (d.kind === "raw-declaration" && /^main\b/m.test(d.text)),
+  )
+  return has
+    ? []
+    : [
+        {
+          severity: "error",
+          kind: "no-main",
+          block: undefined,
+          message: "The program does not say what to run.",
+          hint: "Add a simulate block.",
+        },
+      ]
+}
+
+/// All blocks of a workspace, parents before children.
+export function* everyBlock(workspace: SavedWorkspace): Generator<SavedBlock> {
+  for (const block of workspace.blocks.blocks) yield* everyBlockIn(block)
+}
+
+export function* everyBlockIn(first: SavedBlock): Generator<SavedBlock> {
+  const todo = [first]
+  for (let block = todo.pop(); block !== undefined; block = todo.pop()) {
+    yield block
+    if (block.next?.block !== undefined) todo.push(block.next.block)
+    for (const input of Object.values(block.inputs ?? {}).reverse())
+      for (const child of [input.block, input.shadow]) if (child !== undefined) todo.push(child)
+  }
+}

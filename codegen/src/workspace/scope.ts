@@ -1,0 +1,123 @@
+/// Names: which are known at a place, and how one is renamed together with all that refers to it.
+
+import type {InScope, Renaming} from "../api.ts"
+import {readWorkspace} from "../blocks/read.ts"
+import {isOperator, isVariableName, reservedWords} from "../haskell/lexemes.ts"
+import {nameOf} from "../model/names.ts"
+import type {Declaration, Expr} from "../model/tree.ts"
+import type {Use} from "../model/uses.ts"
+import {bindersInDeclaration, usesInExpr, usesInProgram} from "../model/uses.ts"
+import type {BlockId, Extra, Json, Place, SavedBlock, SavedWorkspace} from "../saved.ts"
+import {setIn} from "../shape.ts"
+import type {Scheme} from "../types/type.ts"
+import {asFunction, showScheme} from "../types/type.ts"
+import {familyOfType} from "../types/words.ts"
+import {checker} from "./check.ts"
+import {everyBlock, solveRead} from "./infer.ts"
+import {find, without} from "./plug.ts"
+
+/// The names that a program's author brought into scope at a socket, nearest first; what fits comes first.
+export function namesInScope(workspace: SavedWorkspace, place: Place): InScope[] {
+  if ("below" in place) return []
+  const inside = find(workspace, place.block)?.inputs?.[place.input]?.block?.id
+  const open = inside === undefined ? workspace : without(workspace, inside)
+  const read = readWorkspace(open)
+  const {program} = read
+  const {inferrer, globals} = solveRead(read, place)
+  if (inferrer.watched === undefined) return []
+  const scope = inferrer.watched
+  const check = checker(open)
+  const names = [...scope].reverse().filter(([name]) => name !== "main")
+  const own = new Set(program.declarations.flatMap(bindersInDeclaration).map(([name]) => name))
+  const found = names.map(([name, inner]): InScope => {
+    // A top-level name that nothing nearer hides has its final, general type by now.
+    const local = !own.has(name) || (inner !== globals.get(name) && !inferrer.placeholders.has(inner))
+    const scheme = local ? inner : (globals.get(name) ?? inner)
+    const block = template(name, local ? 0 : arityOf(scheme))
+    const bare = template(name, 0)
+    const fitting = [block, bare].find(b => check.fits(place, b).fits)
+    return {
+      name,
+      type: showScheme(scheme),
+      family: familyOfType(scheme.type, "value") ?? "own",
+      block: fitting ?? block,
+      fits: fitting !== undefined,
+    }
+  })
+  return [...found.filter(n => n.fits), ...found.filter(n => !n.fits)]
+}
+
+function template(name: string, args: number): SavedBlock {
+  return {type: "name", extraState: {name, args, ...(args > 0 ? {fn: true} : {})}}
+}
+
+function arityOf(scheme: Scheme): number {
+  let count = 0
+  for (let f = asFunction(scheme.type); f !== undefined; f = asFunction(f.to)) count++
+  return Math.min(count, 9)
+}
+
+/// Renames what a block defines or names, at `key` of its `extraState`, and every block that refers to it.
+export function rename(workspace: SavedWorkspace, block: BlockId, key: string, name: string): Renaming {
+  const binder = find(workspace, block)
+  if (binder === undefined) return {ok: false, why: "This block is gone."}
+  if (reservedWords.has(name)) return {ok: false, why: `“${name}” is one of Haskell's own words.`}
+  if (!isVariableName(name) && !isOperator(name))
+    return {ok: false, why: "A name is one word that starts with a small letter."}
+  const old = textAt(binder.extraState ?? {}, key)
+  const changes = new Map<BlockId, Extra>([[block, setIn(binder.extraState ?? {}, key, name)]])
+  const before = usesIn(workspace)
+  for (const use of before) {
+    const user = use.node.from?.block
+    if (user === undefined || use.name !== old || binderBlock(use) !== block) continue
+    const node = find(workspace, user)
+    if (node !== undefined)
+      changes.set(user, setIn(changes.get(user) ?? node.extraState ?? {}, referenceKey(use.node), name))
+  }
+  const renamed = mapExtras(workspace, changes)
+  const after = usesIn(renamed)
+  const moved = after.find(
+    (use, i) => binderBlock(use) !== (before[i] === undefined ? undefined : binderBlock(before[i])),
+  )
+  if (moved !== undefined || before.length !== after.length)
+    return {ok: false, why: `\`${name}\` already means something else where this name is used.`}
+  if (definedTwice(renamed, name)) return {ok: false, why: `There is another definition called \`${name}\`.`}
+  return {ok: true, changes: [...changes].map(([id, extra]) => ({block: id, extra}))}
+}
+
+function textAt(extra: Extra, key: string): Json | undefined {
+  let at: Json | undefined = extra
+  for (const step of key.split(".")) at = (at as Extra | undefined)?.[step]
+  return at
+}
+
+function referenceKey(node: Expr): string {
+  return node.kind === "infix" || node.kind === "section" ? "op" : "name"
+}
+
+function binderBlock(use: Use): BlockId | undefined {
+  return use.binder?.from?.block
+}
+
+function usesIn(workspace: SavedWorkspace): Use[] {
+  const {program, loose} = readWorkspace(workspace)
+  return [
+    ...usesInProgram(program.declarations),
+    ...loose.flatMap(l => (l.kind === "expression" ? usesInExpr(l.expr) : [])),
+  ]
+}
+
+function definedTwice(workspace: SavedWorkspace, name: string): boolean {
+  const {program} = readWorkspace(workspace)
+  const defines = (d: Declaration) => d.kind === "function" && nameOf(d) === name
+  return program.declarations.filter(defines).length > 1
+}
+
+function mapExtras(workspace: SavedWorkspace, changes: ReadonlyMap<BlockId, Extra>): SavedWorkspace {
+  const copy = structuredClone(workspace)
+  for (const b of everyBlock(copy)) {
+    const extra = b.id === undefined ? undefined : changes.get(b.id)
+    if (extra !== undefined) b.extraState = extra
+  }
+  return copy
+}

@@ -1,0 +1,10 @@
+accelerate :: Velocity -> Velocity
+accelerate (Velocity vl va) = Velocity (vl + 0.5) va
+
+-- complain when we hit something
+play :: Bumper -> Maybe Sound
+play (Bumper _ Pressed) = Just ErrorSound
+play (Bumper _ Released) = Nothing
+
+main :: IO ()
+main = simulate (accelerate, play)
