@@ -6,6 +6,7 @@ import qualified Test.Ros.Generator
 import qualified Test.Ros.Messages
 import qualified Test.Ros.Names
 import qualified Test.Ros.Net
+import qualified Test.Ros.System
 import qualified Test.Ros.Topic
 import Test.Tasty
 
@@ -16,5 +17,6 @@ main =
       Test.Ros.Messages.tests,
       Test.Ros.Names.tests,
       Test.Ros.Net.tests,
+      Test.Ros.System.tests,
       Test.Ros.Topic.tests
     ]

@@ -23,6 +23,7 @@ module Ros.Net.Rpc
     -- * Sockets
     connectTo,
     accepting,
+    receiver,
   )
 where
 
@@ -33,6 +34,7 @@ import Control.Exception (IOException, bracket, bracketOnError, finally, mask_, 
 import Control.Monad (forever, void, when)
 import qualified Data.ByteString as B
 import Data.Char (isDigit, isSpace)
+import Data.IORef (newIORef, readIORef, writeIORef)
 import Data.List (stripPrefix)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
@@ -121,6 +123,17 @@ connectTo host port = do
       setSocketOption s NoDelay 1
       connect s (addrAddress a)
       pure s
+
+-- | Reads what has come; nothing at the end of the connection. The buffer begins small and grows while it
+-- is filled: with 64 kB for every two-byte message, half of a node's time would go to collecting them.
+receiver :: Socket -> IO (IO B.ByteString)
+receiver s = do
+  size <- newIORef 4096
+  pure $ do
+    n <- readIORef size
+    b <- recv s n
+    when (B.length b == n && n < 262144) (writeIORef size (n * 2))
+    pure b
 
 -- | A listening socket on a port of the system's choice; on loopback alone when others are not meant to
 -- reach this node.

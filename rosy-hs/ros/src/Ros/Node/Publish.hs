@@ -92,7 +92,7 @@ serveSubscriber :: Core -> Socket -> IO ()
 serveSubscriber core s = readHeader noBytes >>= maybe (pure ()) answer
   where
     readHeader seen = do
-      more <- recv s 65536
+      more <- recv s 4096
       if B.null more
         then pure Nothing
         else case feed maxHeader seen more of

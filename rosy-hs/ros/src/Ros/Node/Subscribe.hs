@@ -25,7 +25,7 @@ import qualified Data.Map.Strict as Map
 import Data.Proxy (Proxy (..))
 import qualified Data.Set as Set
 import Network.Socket (Socket, close)
-import Network.Socket.ByteString (recv, sendAll)
+import Network.Socket.ByteString (sendAll)
 import Ros.Message (Message (..), decode)
 import Ros.Names (Naming (..))
 import Ros.Net.Master (registerSubscriber)
@@ -136,15 +136,16 @@ lastPause = 1600000
 readMessages :: Subscription -> TVar Bool -> TVar (Int, Int) -> Socket -> IO (Either NoConnection ())
 readMessages s connected received socket = do
   sendAll socket (frame (encodeFields (subscriberFields (subOffer s))))
-  header noBytes
+  next <- receiver socket
+  header next noBytes
   where
-    header seen = do
-      more <- recv socket 65536
+    header next seen = do
+      more <- next
       if B.null more
         then pure (Left (Lost "it closed the connection"))
         else case feed maxFrame seen more of
           Left (TooLong n) -> pure (Left (Refusal ("a header of " ++ show n ++ " bytes")))
-          Right ([], rest) -> header rest
+          Right ([], rest) -> header next rest
           Right (h : messages, rest) -> case decodeFields h of
             Left why -> pure (Left (Refusal why))
             Right theirs -> case subscriberAccepts (subOffer s) theirs of
@@ -152,14 +153,14 @@ readMessages s connected received socket = do
               Right () -> do
                 atomically (writeTVar connected True)
                 deliver messages
-                body rest
-    body seen = do
-      more <- recv socket 65536
+                body next rest
+    body next seen = do
+      more <- next
       if B.null more
         then pure (Right ())
         else case feed maxFrame seen more of
           Left (TooLong n) -> pure (Left (Refusal ("a message of " ++ show n ++ " bytes")))
-          Right (messages, rest) -> deliver messages >> body rest
+          Right (messages, rest) -> deliver messages >> body next rest
     deliver [] = pure ()
     deliver messages = atomically $ do
       sinks <- readTVar (subSinks s)

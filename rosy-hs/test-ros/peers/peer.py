@@ -1,0 +1,193 @@
+"""
+A rospy node that does what its standard input says, one command a line, and says on its standard output what it sees.
+
+In: `sub TOPIC TYPE`, `pub TOPIC TYPE [latch]`, `send TOPIC JSON`, `flood TOPIC COUNT`, `echo FROM TO`, `time TOPIC BACK COUNT`,
+`connected TOPIC COUNT`, `heard TOPIC COUNT`, `watchdog TOPIC`, `slow TOPIC SECONDS`, `drive COUNT`, `quit`.
+Out: `ready`, `got TOPIC JSON` for every message, an answer per command. It never decides whether a test passes.
+"""
+
+import importlib
+import json
+import sys
+import threading
+import time
+
+import genpy.message
+import rospy
+
+
+def kind(name):
+    package, base = name.split("/")
+    return getattr(importlib.import_module(package + ".msg"), base)
+
+
+def plain(value):
+    """A message as JSON would have it."""
+    if isinstance(value, genpy.Message):
+        return {slot: plain(getattr(value, slot)) for slot in value.__slots__}
+    if isinstance(value, genpy.rostime.TVal):
+        return value.to_sec()
+    if isinstance(value, bytes):
+        return list(value)
+    if isinstance(value, (list, tuple)):
+        return [plain(v) for v in value]
+    return value
+
+
+def say(*words):
+    with lock:
+        sys.stdout.write(" ".join(words) + "\n")
+        sys.stdout.flush()
+
+
+lock = threading.Lock()
+publishers, counts, quiet = {}, {}, set()
+counted = threading.Condition()
+
+
+def heard(topic):
+    def on_message(message):
+        with counted:
+            counts[topic].append(getattr(message, "data", None))
+            counted.notify_all()
+        if topic not in quiet:
+            say("got", topic, json.dumps(plain(message)))
+
+    return on_message
+
+
+def make(name, text):
+    message = kind(name)()
+    genpy.message.fill_message_args(message, [json.loads(text)])
+    return message
+
+
+def subscribe(topic, type_name, *options):
+    counts[topic] = []
+    if "quiet" in options:
+        quiet.add(topic)
+    rospy.Subscriber(topic, kind(type_name), heard(topic), tcp_nodelay=True)
+    say("subscribed", topic)
+
+
+def publish(topic, type_name, *options):
+    publishers[topic] = (rospy.Publisher(topic, kind(type_name), queue_size=5000, latch="latch" in options, tcp_nodelay=True), type_name)
+    say("publishing", topic)
+
+
+def send(topic, *text):
+    publisher, type_name = publishers[topic]
+    publisher.publish(make(type_name, " ".join(text)))
+
+
+def connected(topic, count):
+    while publishers[topic][0].get_num_connections() < int(count):
+        time.sleep(0.005)
+    say("connected", topic)
+
+
+def flood(topic, count):
+    publisher, type_name = publishers[topic]
+    for i in range(int(count)):
+        publisher.publish(kind(type_name)(data=i))
+    say("flooded", topic)
+
+
+def wait_heard(topic, count):
+    """Says how many came in order, once there are so many."""
+    with counted:
+        counted.wait_for(lambda: len(counts[topic]) >= int(count))
+        say("heard", topic, str(counts[topic] == list(range(int(count)))))
+
+
+def echo(source, target):
+    publisher = rospy.Publisher(target, kind("kobuki_msgs/Led"), queue_size=100, tcp_nodelay=True)
+    rospy.Subscriber(source, kind("kobuki_msgs/BumperEvent"), lambda m: publisher.publish(kind("kobuki_msgs/Led")(m.state)), tcp_nodelay=True)
+    say("echoing", source)
+
+
+def measure(topic, back, count):
+    """Median and 95th percentile of a round trip, in milliseconds."""
+    came = threading.Event()
+    rospy.Subscriber(back, kind("kobuki_msgs/Led"), lambda _m: came.set(), tcp_nodelay=True)
+    publisher = rospy.Publisher(topic, kind("kobuki_msgs/BumperEvent"), queue_size=100, tcp_nodelay=True)
+    message = kind("kobuki_msgs/BumperEvent")(1, 1)
+    while True:  # until both ways are connected
+        publisher.publish(message)
+        if came.wait(0.02):
+            break
+    took = []
+    for _ in range(int(count)):
+        time.sleep(0.001)
+        came.clear()
+        began = time.perf_counter()
+        publisher.publish(message)
+        if not came.wait(5):
+            say("lost")
+            return
+        took.append((time.perf_counter() - began) * 1000)
+    took.sort()
+    say("took", f"{took[len(took) // 2]:.3f}", f"{took[int(len(took) * 0.95)]:.3f}")
+
+
+def watchdog(topic):
+    """What kobuki_node does: says so when 0.6 s pass without a command (cmd_vel_timeout), once per silence."""
+    last = [None]
+
+    def on_message(message):
+        last[0] = (time.monotonic(), message)
+        say("got", topic, json.dumps(plain(message)))
+
+    def look(_event):
+        if last[0] is not None and time.monotonic() - last[0][0] > 0.6:
+            last[0] = None
+            say("watchdog")
+
+    rospy.Subscriber(topic, kind("geometry_msgs/Twist"), on_message, tcp_nodelay=True)
+    rospy.Timer(rospy.Duration(0.1), look)
+    say("watching", topic)
+
+
+def param(verb, name, *text):
+    if verb == "set":
+        rospy.set_param(name, json.loads(" ".join(text)))
+        say("done")
+    else:
+        say("param", json.dumps(rospy.get_param(name)))
+
+
+def rosout():
+    from rosgraph_msgs.msg import Log
+
+    rospy.Subscriber("/rosout", Log, lambda m: say("log", m.name, str(m.level), m.function, m.msg))
+    say("listening")
+
+
+COMMANDS = {
+    "sub": subscribe,
+    "pub": publish,
+    "send": send,
+    "connected": connected,
+    "flood": flood,
+    "heard": wait_heard,
+    "echo": echo,
+    "time": measure,
+    "watchdog": watchdog,
+    "param": param,
+    "rosout": rosout,
+}
+
+
+def main():
+    rospy.init_node(sys.argv[1], disable_signals=True)
+    rospy.on_shutdown(lambda: say("shutdown"))
+    say("ready")
+    for line in sys.stdin:
+        words = line.split()
+        if words == ["quit"]:
+            break
+        COMMANDS[words[0]](*words[1:])
+    rospy.signal_shutdown("quit")
+
+
+main()
