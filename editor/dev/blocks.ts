@@ -1,12 +1,14 @@
 /// The block view on a page of its own, for looking at and for the browser tests: `/dev/blocks.html`.
 ///
-/// `?tone=dark` and `?small` (the tests' language) choose what is shown; the view stands at `window.blocks`.
+/// `?tone=dark`, `?small` (the tests' language), `?example=move`, `?empty` and `?level=haskell` choose what is shown;
+/// the view stands at `window.blocks`.
 
 import "@fontsource/inter/400.css"
 import "@fontsource/inter/500.css"
 import "@fontsource/inter/600.css"
 import "@fontsource/inter/700.css"
 import "@fontsource/jetbrains-mono/500.css"
+import * as codegen from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {type BlocksView, openBlocks} from "../src/blocks/index.ts"
 import {sample, small} from "../test/blocks/small.ts"
@@ -15,17 +17,37 @@ declare global {
   interface Window {
     blocks: BlocksView
     Blockly: typeof Blockly
+    codegen: typeof codegen
+    /// How often the view told of a change.
     changes: number
   }
+}
+
+const examples: Record<string, string> = import.meta.glob("../../examples/*/program.rosy", {
+  query: "?raw",
+  import: "default",
+  eager: true,
+})
+
+function wanted(): codegen.SavedWorkspace {
+  const name = asked.get("example") ?? "accelerateAndPlay"
+  const outcome = codegen.parseProject(examples[`../../examples/${name}/program.rosy`] ?? "")
+  return outcome.ok ? codegen.openProject(outcome.project).workspace : codegen.newWorkspace()
 }
 
 const asked = new URLSearchParams(location.search)
 const tone = asked.get("tone") === "dark" ? "dark" : "light"
 document.documentElement.dataset.theme = tone
-const view = openBlocks(document.getElementById("blocks")!, {language: small, tone})
-if (!asked.has("empty")) view.load(sample)
+const level = (asked.get("level") ?? "reactions") as codegen.Level
+const view = openBlocks(document.getElementById("blocks")!, {
+  language: asked.has("small") ? small : codegen,
+  tone,
+  level,
+})
+if (!asked.has("empty")) view.load(asked.has("small") ? sample : wanted())
 window.blocks = view
 window.Blockly = Blockly
+window.codegen = codegen
 window.changes = 0
 view.onChange(() => {
   window.changes++

@@ -54,6 +54,8 @@ export function registerBlocks(views: readonly BlockView[], actions: () => Build
         draw(this, state, shape, fieldActions)
         if (this instanceof Blockly.BlockSvg) actions()?.made(this)
       },
+      // Blockly pushes away blocks that lie near a socket of another. Here they lie where the learner put them.
+      bumpNeighbours() {},
       saveExtraState(this: Blockly.Block) {
         return extraOf(this)
       },

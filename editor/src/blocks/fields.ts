@@ -190,6 +190,11 @@ export class Binder extends Blockly.FieldTextInput {
     this.fieldGroup_.addEventListener("pointerdown", event => this.watch(event as PointerEvent))
   }
 
+  // A pattern that is nothing but a name is that name: its whole block is the field, in the block's own colour.
+  override applyColour(): void {
+    if (!this.isFullBlockField()) super.applyColour()
+  }
+
   private watch(down: PointerEvent): void {
     const block = this.getSourceBlock()
     if (block === null || block.isInFlyout || !block.isMovable() || down.button !== 0) return

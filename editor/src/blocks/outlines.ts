@@ -38,7 +38,7 @@ export const outlineOf: Readonly<Record<Family, Outline>> = {
 }
 
 /// Pixels.
-const maxPoint = 18
+const maxPoint = 12
 const maxPill = 20
 const roundRadius = 11
 const squareRadius = 3
@@ -117,7 +117,7 @@ export function pen(right: boolean, up: boolean): Pen {
 export function padding(outer: Outline, inner: Outline | undefined): number {
   switch (outer) {
     case "hexagon":
-      return inner === "hexagon" ? 9 : 20
+      return inner === "hexagon" ? 7 : 14
     case "pill":
       return inner === undefined ? 12 : inner === "pill" ? 4 : inner === "hexagon" ? 12 : 9
     case "round":

@@ -197,7 +197,9 @@ class Measures extends Blockly.zelos.RenderInfo {
 
   protected override populateTopRow_(): void {
     super.populateTopRow_()
-    if (this.outputConnection === null) this.topRow.minHeight = this.constants_.CORNER_RADIUS
+    if (this.outputConnection === null || this.hasStatementInput) {
+      this.topRow.minHeight = this.constants_.CORNER_RADIUS
+    }
   }
 
   // A round corner needs its whole radius, and a row claims only half of it.
@@ -206,6 +208,16 @@ class Measures extends Blockly.zelos.RenderInfo {
     if (this.outputConnection === null || this.hasStatementInput) {
       this.bottomRow.minHeight = this.constants_.CORNER_RADIUS
     }
+  }
+
+  // The top row of these blocks has room for its round corners already.
+  override getSpacerRowHeight_(
+    ...[before, after]: Parameters<Blockly.zelos.RenderInfo["getSpacerRowHeight_"]>
+  ): number {
+    const {Types} = Blockly.blockRendering
+    const round = this.outputConnection === null || this.hasStatementInput
+    if (round && Types.isTopRow(before) && Types.isInputRow(after) && !after.hasStatement) return 0
+    return super.getSpacerRowHeight_(before, after)
   }
 
   override getInRowSpacing_(

@@ -27,6 +27,7 @@ export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace)
   if (enabled) Blockly.Events.disable()
   try {
     const fresh: SavedBlock[] = []
+    const homeless: Blockly.Block[] = []
     for (const block of wanted.blocks.blocks) {
       if (block.id !== undefined && there.get(block.id) === JSON.stringify(block)) coming.add(block.id)
       else fresh.push(block)
@@ -34,13 +35,37 @@ export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace)
     for (const block of workspace.getTopBlocks(false)) if (!coming.has(block.id)) block.dispose(false)
     for (const block of fresh) {
       if (!possible(block, scratch)) left.push(block)
-      else Blockly.serialization.blocks.append(block as Blockly.serialization.blocks.State, workspace)
+      else {
+        const made = Blockly.serialization.blocks.append(
+          block as Blockly.serialization.blocks.State,
+          workspace,
+        )
+        if (block.x === undefined && block.y === undefined) homeless.push(made)
+      }
     }
+    placeBelow(workspace, homeless)
   } finally {
     scratch.dispose()
     if (enabled) Blockly.Events.enable()
   }
   return {left}
+}
+
+/// Pixels from the edge, and between blocks, for those that nobody has placed yet.
+const margin = 40
+const between = 28
+
+function placeBelow(workspace: Blockly.Workspace, blocks: readonly Blockly.Block[]): void {
+  if (!(workspace instanceof Blockly.WorkspaceSvg) || blocks.length === 0) return
+  Blockly.renderManagement.triggerQueuedRenders(workspace)
+  const rest = workspace.getTopBlocks(false).filter(block => !blocks.includes(block))
+  let y = Math.max(margin - between, ...rest.map(block => block.getBoundingRectangle().bottom)) + between
+  for (const block of blocks) {
+    if (!(block instanceof Blockly.BlockSvg)) continue
+    const box = block.getBoundingRectangle()
+    block.moveBy(margin - box.left, y - box.top)
+    y += box.getHeight() + between
+  }
 }
 
 /// Whether Blockly can load a block and all it carries.

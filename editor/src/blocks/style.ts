@@ -32,9 +32,13 @@ export const styleSheet = `
 .rosyBlocks .blocklyField.rosyBinder > .blocklyText { fill: var(--on-block); }
 .rosyBlocks .rosyBinder { cursor: grab; }
 .rosyBlocks .injectionDiv .rosyTypeEntry > .blocklyText { font: 500 13px "JetBrains Mono", ui-monospace, monospace; }
-.rosyBlocks .rosyPress > .blocklyFieldRect { fill: var(--on-block); fill-opacity: .18; }
+/* + and − are there when the hand is, and hardly seen otherwise. */
+.rosyBlocks .rosyPress > .blocklyFieldRect { fill: var(--on-block); fill-opacity: 0; }
 .rosyBlocks .blocklyField.rosyPress > .blocklyText { fill: var(--on-block); }
-.rosyBlocks .rosyPress { cursor: pointer; }
+.rosyBlocks .rosyPress { cursor: pointer; opacity: .4; }
+.rosyBlocks .blocklyBlock:hover > .rosyPress, .rosyBlocks .blocklyBlock:focus-within > .rosyPress, .rosyBlocks .blocklySelected > .rosyPress { opacity: 1; }
+.rosyBlocks .blocklyBlock:hover > .rosyPress > .blocklyFieldRect, .rosyBlocks .blocklyBlock:focus-within > .rosyPress > .blocklyFieldRect, .rosyBlocks .blocklySelected > .rosyPress > .blocklyFieldRect { fill-opacity: .2; }
+@media (hover: none) { .rosyBlocks .rosyPress { opacity: .75; } }
 .rosyBlocks .blocklyDraggable:not(.blocklyDisabled) .blocklyField:not(.blocklyEditing):not(.blocklyLabelField):hover > .blocklyFieldRect { stroke: var(--on-block); stroke-width: 2; stroke-opacity: 1; }
 .rosyBlocks .blocklyEditing > .blocklyFieldRect { stroke: var(--focus); stroke-width: 2; }
 .blocklyWidgetDiv .blocklyHtmlInput { color: #1c2230; background: #ffffff; border-radius: 13px; box-shadow: 0 0 0 3px color-mix(in srgb, var(--focus) 60%, transparent); }
@@ -68,7 +72,9 @@ export const styleSheet = `
 .rosyBlocks .rosySearch { width: 100%; min-width: 0; font: 400 14px Inter, system-ui, sans-serif; color: var(--ink); background: var(--sunken); border: 1px solid var(--line); border-radius: 8px; padding: 7px 10px; outline-offset: 1px; }
 .rosyBlocks .rosySearch::placeholder { color: var(--ink-2); opacity: 1; }
 .rosyBlocks .rosySearch:focus { outline: 2px solid var(--focus); }
-.rosyBlocks .rosySearchRow { padding: 0 2px 8px !important; background: none !important; }
+.rosyBlocks .rosySearchRow { padding: 0 0 8px !important; background: none !important; }
+.rosyBlocks .rosySearchRow .blocklyTreeRowContentContainer { width: 100%; }
+.rosyBlocks .blocklyToolboxCategoryContainer, .rosyBlocks .blocklyToolboxCategoryGroup { min-width: 0; width: 100%; }
 .rosyBlocks .blocklyFlyoutBackground { fill: var(--paper); fill-opacity: .97; }
 .rosyBlocks .blocklyFlyout { border-right: 1px solid var(--line); }
 .rosyBlocks .blocklyFlyoutLabelText { fill: var(--ink-2) !important; font: 550 13px Inter, system-ui, sans-serif !important; }
@@ -89,7 +95,8 @@ export const styleSheet = `
 .rosyBlocks .blocklyBubble .blocklyText, .rosyBlocks .blocklyText.blocklyBubbleText { fill: #1c2230; font: 500 13.5px Inter, system-ui, sans-serif; }
 .rosyBlocks .rosyWrong .blocklyIconGroup:not(:hover):not(:focus) { opacity: 1; }
 .rosyBlocks .blocklyWarningIcon .blocklyIconShape, .rosyBlocks .blocklyIconGroup .blocklyIconShape { fill: #ffffff; stroke: #1c2230; }
-.rosyBlocks .blocklyIconGroup .blocklyIconSymbol { fill: #b3261e; }
+.rosyBlocks .blocklyIconGroup .blocklyIconSymbol { fill: #1c2230; }
+.rosyBlocks .blocklyWarningIcon .blocklyIconSymbol { fill: #b3261e; }
 .rosyBlocks .blocklyIconGroup:not(:hover):not(:focus) { opacity: 1; }
 
 .rosyRefusal { position: absolute; z-index: 100; max-width: 300px; background: var(--ink); color: var(--paper); border-radius: 8px; padding: 7px 11px; font: 400 13.5px/1.4 Inter, system-ui, sans-serif; pointer-events: none; box-shadow: 0 4px 18px #0003; }
