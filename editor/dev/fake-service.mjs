@@ -56,6 +56,8 @@ sockets.on("connection", socket => {
   let room = world
   let timer
   let robot
+  let standing = false
+  let again
   const send = message => socket.send(JSON.stringify(message))
   const problem = (kind, message, hint, more = {}) => ({severity: "error", kind, message, hint, ghc: "", ...more})
   const end = (run, ended, problems = []) => {
@@ -87,7 +89,8 @@ sockets.on("connection", socket => {
     send({op: "frame", run, step: n, time: n * 0.02, x, y, theta, v, w: 0.2, bumpers: hit ? 2 : 0, cliffs: x < 2 && y < 1 ? 1 : 0, wheels: 0, buttons: 0, led1: hit ? 3 : 2, led2: 1, fired})
     if (source.includes("explode") && n > 40)
       return end(run, "error", [problem("exception", "`play` divided by zero.", "A number that may be 0 stands below the line.", {function: "play", time: n * 0.02, inputs: ["Bumper CenterBumper Pressed"]})])
-    timer = setTimeout(step, 20, run, source, n + 1)
+    again = () => step(run, source, n + 1)
+    if (!standing) timer = setTimeout(again, 20)
   }
 
   socket.on("message", data => {
@@ -108,6 +111,7 @@ sockets.on("connection", socket => {
         clearTimeout(timer)
         robot = undefined
         send({op: "state", run: message.run, state: "compiling"})
+        standing = false
         const begin = () => {
           if (message.source.includes("= _")) return end(message.run, "refused", [problem("hole", "`main` has an empty socket.", "Put a block into it.", {function: "main"})])
           send({op: "state", run: message.run, state: "running"})
@@ -116,6 +120,14 @@ sockets.on("connection", socket => {
         timer = setTimeout(begin, message.source.includes("slow") ? 3000 : 30)
         return
       }
+      case "pause":
+        standing = true
+        return
+      case "resume":
+        standing = false
+        return again()
+      case "forward":
+        return again()
       case "stop":
       case "reset":
         clearTimeout(timer)

@@ -18,6 +18,8 @@ export interface Desk {
   openFile(): void
   saveFile(): void
   saveHaskell(): void
+  /// The values of the run, for a spreadsheet.
+  saveTable(): void
   undo(): void
   redo(): void
   /// Brings the block and the text of a problem into sight.

@@ -45,6 +45,23 @@ export const ResetIcon = () => (
     <path d="M3.2 8a4.9 4.9 0 1 0 1.7-3.7M5 1.8v2.7h2.7" {...line} />
   </Picture>
 )
+export const PauseIcon = () => (
+  <Picture>
+    <rect x="3.5" y="2.5" width="3.2" height="11" rx="1" fill="currentColor" />
+    <rect x="9.3" y="2.5" width="3.2" height="11" rx="1" fill="currentColor" />
+  </Picture>
+)
+export const GoIcon = () => (
+  <Picture>
+    <path d="M4 3v10l9-5z" fill="currentColor" />
+  </Picture>
+)
+export const StepIcon = () => (
+  <Picture>
+    <path d="M3 3v10l7-5z" fill="currentColor" />
+    <rect x="11" y="3" width="2.4" height="10" rx="1" fill="currentColor" />
+  </Picture>
+)
 export const MoreIcon = () => (
   <Picture>
     <circle cx="3" cy="8" r="1.5" fill="currentColor" />

@@ -5,10 +5,13 @@ import {useLayoutEffect, useRef} from "preact/hooks"
 import {readout} from "../state/next.ts"
 import {isActive} from "../state/run.ts"
 import {Border} from "./border.tsx"
+import {ChartsPanel} from "./charts.tsx"
 import {ConsolePanel} from "./console.tsx"
-import {ResetIcon, SoundIcon} from "./icons.tsx"
+import {SoundIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {ProblemsPanel, problemCount} from "./problems.tsx"
+import {SensorsPanel} from "./sensors.tsx"
+import {TimeBar} from "./timebar.tsx"
 import {runWords, words} from "./words.ts"
 
 export function RoomRegion({shown}: {shown: boolean}): VNode {
@@ -44,6 +47,10 @@ function RoomBar(): VNode {
   const world = usePage(s => s.room.world?.name ?? "")
   const muted = usePage(s => s.muted)
   const known = worlds.includes(world)
+  const status = usePage(runWords)
+  const kind = usePage(s =>
+    s.clock === "standing" && isActive(s.run) ? "standing" : s.run.kind === "ended" ? s.run.how : s.run.kind,
+  )
   return (
     <div class="roombar">
       <h2>{words.room}</h2>
@@ -64,6 +71,9 @@ function RoomBar(): VNode {
         <span class="quiet">{world}</span>
       )}
       <span class="space" />
+      <span class={`state ${kind}`} role="status">
+        {status}
+      </span>
       <button
         type="button"
         class="plain icon"
@@ -109,44 +119,21 @@ function Invitation(): VNode | null {
   )
 }
 
-function TimeBar(): VNode {
-  const {store} = useDesk()
-  const time = usePage(s => (s.room.frame === null ? "0.0" : s.room.frame.time.toFixed(1)))
-  const status = usePage(runWords)
-  const kind = usePage(s => (s.run.kind === "ended" ? s.run.how : s.run.kind))
-  const untouched = usePage(s => s.room.frame === null && !isActive(s.run))
-  return (
-    <div class="timebar">
-      <button
-        type="button"
-        class="plain"
-        title={words.resetHint}
-        disabled={untouched}
-        onClick={() => store.dispatch({kind: "reset-pressed"})}
-      >
-        <ResetIcon />
-        {words.reset}
-      </button>
-      <span class={`state ${kind}`} role="status">
-        {status}
-      </span>
-      <span class="space" />
-      <span class="clock" title={words.clock} data-testid="clock">
-        {time} s
-      </span>
-    </div>
-  )
-}
+const tabs = ["console", "charts", "sensors", "problems"] as const
 
 function Tabs(): VNode {
   const {store} = useDesk()
   const tab = usePage(s => s.tab)
   const count = usePage(problemCount)
-  const tabs = ["console", "problems"] as const
+  const go = (from: number, by: number) => {
+    const name = tabs[(from + by + tabs.length) % tabs.length] ?? "console"
+    store.dispatch({kind: "tab", tab: name})
+    document.getElementById(`tab-${name}`)?.focus()
+  }
   return (
     <div class="tabs">
       <div role="tablist" aria-label={words.room}>
-        {tabs.map(name => (
+        {tabs.map((name, i) => (
           <button
             type="button"
             key={name}
@@ -157,10 +144,8 @@ function Tabs(): VNode {
             tabIndex={tab === name ? 0 : -1}
             onClick={() => store.dispatch({kind: "tab", tab: name})}
             onKeyDown={event => {
-              if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return
-              const other = name === "console" ? "problems" : "console"
-              store.dispatch({kind: "tab", tab: other})
-              document.getElementById(`tab-${other}`)?.focus()
+              if (event.key === "ArrowLeft") go(i, -1)
+              else if (event.key === "ArrowRight") go(i, 1)
             }}
           >
             {words.tabs[name]}
@@ -169,7 +154,10 @@ function Tabs(): VNode {
         ))}
       </div>
       <div class="tab-panel" id="tab-panel" role="tabpanel" aria-labelledby={`tab-${tab}`}>
-        {tab === "console" ? <ConsolePanel /> : <ProblemsPanel />}
+        {tab === "console" && <ConsolePanel />}
+        {tab === "charts" && <ChartsPanel />}
+        {tab === "sensors" && <SensorsPanel />}
+        {tab === "problems" && <ProblemsPanel />}
       </div>
     </div>
   )

@@ -2,6 +2,7 @@
 /// compiler and the blocks say comes from them.
 
 import type {Notice, PageState} from "../state/page.ts"
+import {isActive} from "../state/run.ts"
 
 export const words = {
   rosy: "Rosy",
@@ -11,12 +12,46 @@ export const words = {
   stopHint: "Stop (Space)",
   reset: "Reset",
   resetHint: "Put the robot back to the start",
+  pause: "Pause",
+  resume: "Go on",
+  forward: "One step (0.02 s)",
+  standing: "Paused",
+  lookBack: "Look back in the run",
+  lookingBack: "Looking back",
+  saveTable: "Save as a table (CSV)",
+  noRun: "Run the program to see its values.",
+  chartedValues: "Values to draw",
+  quantities: {
+    speed: "Speed",
+    turning: "Turning",
+    x: "x",
+    y: "y",
+    heading: "Heading",
+    bumperLeft: "Left bumper",
+    bumperCenter: "Centre bumper",
+    bumperRight: "Right bumper",
+    cliffLeft: "Left cliff",
+    cliffCenter: "Centre cliff",
+    cliffRight: "Right cliff",
+    wheelLeft: "Left wheel",
+    wheelRight: "Right wheel",
+  } as Readonly<Record<string, string>>,
+  /// What 1 and 0 mean, per kind of sensor.
+  senses: {
+    bumper: ["pressed", "released"],
+    cliff: ["hole", "floor"],
+    wheel: ["in the air", "on the ground"],
+  } as Readonly<Record<string, readonly [string, string]>>,
+  led: (n: number) => `LED ${n}`,
+  speed: "Speed",
+  fastest: "fastest",
   examples: "Examples",
   undo: "Undo",
   redo: "Redo",
   menu: "More",
   programName: "Name of the program",
   unnamed: "my program",
+  yourProgram: "Your program",
   saved: {saved: "saved", changed: "saving…", failed: "not saved"},
   view: "View",
   views: {blocks: "Blocks", both: "Blocks + Haskell", haskell: "Haskell"},
@@ -29,7 +64,7 @@ export const words = {
   soundOn: "Sound is on",
   soundOff: "Sound is off",
   clock: "Time of the run",
-  tabs: {console: "Console", problems: "Problems"},
+  tabs: {console: "Console", charts: "Charts", sensors: "Sensors", problems: "Problems"},
   emptyConsole: "What the robot senses and says appears here.",
   noProblems: "No problems.",
   times: (n: number) => `×${n}`,
@@ -70,6 +105,8 @@ export const words = {
 /// What the run is doing, in one or two words.
 export function runWords(state: PageState): string {
   const {run} = state
+  if (state.room.lookedAt !== null) return words.lookingBack
+  if (state.clock === "standing" && isActive(run)) return words.standing
   switch (run.kind) {
     case "ready":
       return "Ready"

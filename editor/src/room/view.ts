@@ -2,7 +2,7 @@
 /// not move is kept on a second canvas, and finished pieces of the trail as paths.
 
 import type {Frame, World} from "../state/messages.ts"
-import type {Point, RoomState} from "../state/room.ts"
+import {type Point, type RoomState, shownFrame} from "../state/room.ts"
 import {type Camera, fit, toScreen} from "./camera.ts"
 import {type Pose, poseAt, type Seen} from "./motion.ts"
 import {readPalette} from "./palette.ts"
@@ -71,12 +71,15 @@ export function openRoom(canvas: HTMLCanvasElement, changed: () => void): RoomVi
     ctx.globalAlpha = 0.55
     // One stroke for all pieces: where two meet, a second stroke would show through the first.
     const path = new Path2D()
-    for (const piece of room.trail.slice(0, -1)) path.addPath(pieceOf(piece))
-    const end = room.trail.at(-1)
+    const until = room.lookedAt ?? Number.POSITIVE_INFINITY
+    const pieces = room.trail.filter(piece => (piece[0]?.time ?? 0) <= until)
+    for (const piece of pieces.slice(0, -1)) path.addPath(pieceOf(piece))
+    const end = pieces.at(-1)
     if (end !== undefined) {
       // The tip is drawn to where the robot is shown, which lags one frame behind the last point.
-      addLine(path, end.slice(0, -1))
-      if (end.length === 1) path.moveTo(tip.x, tip.y)
+      const passed = room.lookedAt === null ? end.slice(0, -1) : end.filter(p => p.time <= until)
+      addLine(path, passed)
+      if (passed.length === 0) path.moveTo(tip.x, tip.y)
       path.lineTo(tip.x, tip.y)
     }
     ctx.stroke(path)
@@ -113,7 +116,8 @@ export function openRoom(canvas: HTMLCanvasElement, changed: () => void): RoomVi
 
   return {
     draw(room, now) {
-      const {world, frame} = room
+      const {world} = room
+      const frame = shownFrame(room)
       if (world !== drawnWorld) {
         under.setTransform(1, 0, 0, 1, 0, 0)
         under.clearRect(0, 0, still.width, still.height)
@@ -130,7 +134,8 @@ export function openRoom(canvas: HTMLCanvasElement, changed: () => void): RoomVi
       ctx.drawImage(still, 0, 0)
 
       if (frame !== lastFrame) {
-        before = frame !== null && lastFrame !== null && frame.run === lastFrame.run ? last : null
+        const follows = frame !== null && lastFrame !== null && frame.run === lastFrame.run
+        before = follows && room.lookedAt === null ? last : null
         last = frame === null ? null : {pose: frame, at: now}
         lastFrame = frame
       }
@@ -140,7 +145,7 @@ export function openRoom(canvas: HTMLCanvasElement, changed: () => void): RoomVi
       ctx.translate(pose.x, pose.y)
       ctx.rotate(pose.theta)
       drawRobot(ctx, frame ?? parked, palette, camera.scale)
-      if (room.speech !== null) drawSpeech(room.speech.text, pose)
+      if (room.speech !== null && room.lookedAt === null) drawSpeech(room.speech.text, pose)
       return last !== null && before !== null && now - last.at < last.at - before.at
     },
     recolour() {

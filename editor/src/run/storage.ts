@@ -24,6 +24,8 @@ export interface Shelf {
   /// The program that was open last, as the text of its project file.
   current(): {readonly id: string; readonly text: string} | null
   read(id: string): string | null
+  /// The storage key of a program, as other tabs announce it.
+  keyOf(id: string): string
   /// Answers whether the browser took it: its space is limited, and may be switched off.
   keep(id: string, name: string, text: string, at: number): boolean
   setCurrent(id: string | null): void
@@ -85,6 +87,7 @@ export function openShelf(storage: Storage): Shelf {
       return id === null || text === null ? null : {id, text}
     },
     read: id => read(programKey(id)),
+    keyOf: programKey,
     keep(id, name, text, at) {
       const others = kept().filter(k => k.id !== id)
       for (const old of others.slice(maxKept - 1)) storage.removeItem(programKey(old.id))

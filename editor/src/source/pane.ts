@@ -25,7 +25,6 @@ export interface SourcePane {
 
 export interface SourceOptions {
   readonly label: string
-  readonly placeholder: string
   /// The learner moved the cursor, to this offset.
   cursorMoved(offset: number): void
 }

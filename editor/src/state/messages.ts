@@ -107,6 +107,9 @@ export type ServiceMessage =
   | {readonly op: "sound"; readonly run: number; readonly time: number; readonly sound: number}
   | {readonly op: "refusal"; readonly message: string; readonly hint: string}
 
+/// How many seconds of the run pass in one of the learner's; `"max"` is as fast as it can.
+export type Speed = number | "max"
+
 export type PageMessage =
   | {readonly op: "world"; readonly world: string | World}
   | {readonly op: "check"; readonly id: number; readonly source: string}
@@ -115,10 +118,14 @@ export type PageMessage =
       readonly run: number
       readonly source: string
       readonly seed?: number
-      readonly speed: number | "max"
+      readonly speed: Speed
     }
   | {readonly op: "stop"}
   | {readonly op: "reset"}
+  | {readonly op: "speed"; readonly speed: Speed}
+  | {readonly op: "pause"}
+  | {readonly op: "resume"}
+  | {readonly op: "forward"}
 
 const place = object<Place>(get => ({line: get("line", number), column: get("column", number)}))
 

@@ -3,7 +3,7 @@
 import type {ServiceMessage} from "./messages.ts"
 import type {Order, PageEvent, PageState, Step} from "./page.ts"
 import {locate} from "./program.ts"
-import {addLine, clearRoom, ledNames, sensedBetween, showFrame, soundNames} from "./room.ts"
+import {addLine, clearRoom, ledNames, sensedBetween, showFrame, shownFrame, soundNames} from "./room.ts"
 import {isActive, nextRun} from "./run.ts"
 import {unreachable} from "./unreachable.ts"
 
@@ -30,6 +30,32 @@ export function next(state: PageState, event: PageEvent): Step {
       const room = clearRoom(state.room, null)
       const run = nextRun(state.run, event)
       return sending({...state, run, room, lines: [], findings: {...state.findings, run: []}}, {op: "reset"})
+    }
+    case "looked-back": {
+      const last = state.room.frame?.time ?? 0
+      // The end of the run is now: from there the picture goes on.
+      const lookedAt = event.time === null || event.time >= last ? null : event.time
+      const looking = {...state, room: {...state.room, lookedAt}}
+      const stands = lookedAt !== null && state.clock === "going" && isActive(state.run)
+      return stands ? sending({...looking, clock: "standing"}, {op: "pause"}) : still(looking)
+    }
+    case "charted":
+      return still({...state, charts: event.quantities})
+    case "pause-pressed":
+      return isActive(state.run) && state.clock === "going"
+        ? sending({...state, clock: "standing"}, {op: "pause"})
+        : still(state)
+    case "resume-pressed":
+      return state.clock === "standing"
+        ? sending({...present(state), clock: "going"}, {op: "resume"})
+        : still(state)
+    case "forward-pressed":
+      return isActive(state.run) && state.clock === "standing"
+        ? sending(present(state), {op: "forward"})
+        : still(state)
+    case "speed-chosen": {
+      const chosen = {...state, speed: event.speed}
+      return isActive(state.run) ? sending(chosen, {op: "speed", speed: event.speed}) : still(chosen)
     }
     case "opened": {
       const {opened} = event
@@ -71,7 +97,7 @@ export function next(state: PageState, event: PageEvent): Step {
       return check(changed)
     }
     case "selected":
-      return still({...state, selected: event.block})
+      return still({...state, selected: event.block, selectedIn: event.in})
     case "renamed":
       return still({...state, name: event.name, saved: "changed"})
     case "stored":
@@ -120,6 +146,11 @@ export function next(state: PageState, event: PageEvent): Step {
   }
 }
 
+/// Ends looking back.
+function present(state: PageState): PageState {
+  return {...state, room: {...state.room, lookedAt: null}}
+}
+
 function start(state: PageState): Step {
   const connected = state.link === "open"
   const run = state.runs + 1
@@ -127,11 +158,12 @@ function start(state: PageState): Step {
     ...state,
     run: nextRun(state.run, {kind: "run-pressed", connected, run}),
     runs: run,
+    clock: "going",
     room: clearRoom(state.room, run),
     lines: [],
     findings: {...state.findings, run: []},
     welcome: state.welcome === "fresh" ? "ran" : state.welcome,
-    tab: "console",
+    tab: state.tab === "problems" ? "console" : state.tab,
     notice: null,
     region: state.size === "phone" ? "room" : state.region,
   }
@@ -139,7 +171,7 @@ function start(state: PageState): Step {
 }
 
 function runMessage(state: PageState, run: number) {
-  return {op: "run", run, source: state.program.text, speed: 1} as const
+  return {op: "run", run, source: state.program.text, speed: state.speed} as const
 }
 
 /// Asks the compiler about the text as it is now.
@@ -214,7 +246,8 @@ function heard(state: PageState, message: ServiceMessage): Step {
 
 /// What a screen reader and a test can read of the robot; before a run it stands at the start.
 export function readout(state: PageState): {readonly [key: string]: string} | null {
-  const {frame, world} = state.room
+  const {world} = state.room
+  const frame = shownFrame(state.room)
   const pose = frame ?? world?.start
   if (pose === undefined) return null
   const led = (value: number) => ledNames[value] ?? "Black"

@@ -1,6 +1,6 @@
 /// All that the page knows, as one value without a DOM, and everything that can happen to it.
 
-import type {PageMessage, ServiceMessage, WorkerState, World} from "./messages.ts"
+import type {PageMessage, ServiceMessage, Speed, WorkerState, World} from "./messages.ts"
 import {type BlockId, emptyProgram, type Finding, type Program} from "./program.ts"
 import {type ConsoleLine, emptyRoom, type RoomState} from "./room.ts"
 import type {RunState} from "./run.ts"
@@ -9,7 +9,7 @@ export type View = "blocks" | "both" | "haskell"
 export type Region = "blocks" | "haskell" | "room"
 /// How much room the window has: all regions, two of them, or one at a time.
 export type Size = "wide" | "tablet" | "phone"
-export type Tab = "console" | "problems"
+export type Tab = "console" | "charts" | "sensors" | "problems"
 export type Theme = "auto" | "light" | "dark"
 
 export interface Example {
@@ -53,6 +53,9 @@ export interface PageState {
   readonly runs: number
   /// The newest question to the compiler; an answer to an older one is dropped.
   readonly checks: number
+  /// The run's clock: it goes, or it stands at a step until it is let go.
+  readonly clock: "going" | "standing"
+  readonly speed: Speed
   readonly room: RoomState
   readonly lines: readonly ConsoleLine[]
   readonly findings: {
@@ -61,6 +64,8 @@ export interface PageState {
     readonly run: readonly Finding[]
   }
   readonly selected: BlockId | null
+  /// Where the cursor is that chose it.
+  readonly selectedIn: "blocks" | "haskell"
   readonly welcome: "fresh" | "ran" | "over"
   readonly gallery: Gallery
   readonly dialog: "gallery" | "menu" | null
@@ -69,6 +74,8 @@ export interface PageState {
   readonly region: Region
   readonly size: Size
   readonly tab: Tab
+  /// The keys of the quantities that have a curve.
+  readonly charts: readonly string[]
   readonly theme: Theme
   readonly muted: boolean
   readonly worlds: readonly string[]
@@ -93,10 +100,13 @@ export const firstPage: PageState = {
   run: {kind: "ready"},
   runs: 0,
   checks: 0,
+  clock: "going",
+  speed: 1,
   room: emptyRoom,
   lines: [],
   findings: {blocks: [], compiler: [], run: []},
   selected: null,
+  selectedIn: "blocks",
   welcome: "over",
   gallery: {kind: "unasked"},
   dialog: null,
@@ -105,6 +115,7 @@ export const firstPage: PageState = {
   region: "blocks",
   size: "wide",
   tab: "console",
+  charts: ["speed", "bumperCenter"],
   theme: "auto",
   muted: false,
   worlds: [],
@@ -118,9 +129,16 @@ export type PageEvent =
   | {readonly kind: "run-pressed"}
   | {readonly kind: "stop-pressed"}
   | {readonly kind: "reset-pressed"}
+  | {readonly kind: "pause-pressed"}
+  | {readonly kind: "resume-pressed"}
+  | {readonly kind: "forward-pressed"}
+  /// The learner looks at this time of the run; `null` is now.
+  | {readonly kind: "looked-back"; readonly time: number | null}
+  | {readonly kind: "charted"; readonly quantities: readonly string[]}
+  | {readonly kind: "speed-chosen"; readonly speed: Speed}
   | {readonly kind: "opened"; readonly opened: Opened}
   | {readonly kind: "program-changed"; readonly program: Program; readonly findings: readonly Finding[]}
-  | {readonly kind: "selected"; readonly block: BlockId | null}
+  | {readonly kind: "selected"; readonly block: BlockId | null; readonly in: "blocks" | "haskell"}
   | {readonly kind: "renamed"; readonly name: string}
   | {readonly kind: "stored"; readonly ok: boolean}
   | {readonly kind: "world-chosen"; readonly world: string}

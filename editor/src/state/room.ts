@@ -1,10 +1,13 @@
 /// What the room shows: the world, the robot, the path it drove, what it says, and the console beside it.
 
 import type {Frame, World} from "./messages.ts"
+import {emptyRecording, frameAt, type Recording, record} from "./recording.ts"
 
 export interface Point {
   readonly x: number
   readonly y: number
+  /// When the robot was here, in seconds of the run.
+  readonly time: number
 }
 
 /// The path in pieces: only the last grows, so a long trail costs no more per frame than a short one, and a
@@ -22,14 +25,19 @@ export function extendTrail(trail: Trail, at: Point): Trail {
   const last = trail.at(-1)
   const tip = last?.at(-1)
   if (tip !== undefined && Math.hypot(at.x - tip.x, at.y - tip.y) < trailStep) return trail
-  if (last === undefined) return [[at]]
-  if (last.length < pieceLength) return [...trail.slice(0, -1), [...last, at]]
-  return [...trail.slice(-maxPieces + 1), [last.at(-1) as Point, at]]
+  const point = {x: at.x, y: at.y, time: at.time}
+  if (last === undefined) return [[point]]
+  if (last.length < pieceLength) return [...trail.slice(0, -1), [...last, point]]
+  return [...trail.slice(-maxPieces + 1), [last.at(-1) as Point, point]]
 }
 
 export interface RoomState {
   readonly world: World | null
+  /// The newest frame of the run.
   readonly frame: Frame | null
+  readonly recording: Recording
+  /// The learner looks back at this time of the run, in seconds; `null` shows the newest frame.
+  readonly lookedAt: number | null
   readonly trail: Trail
   /// What the robot says, and the run time in seconds at which it said it.
   readonly speech: {readonly text: string; readonly time: number} | null
@@ -39,7 +47,16 @@ export interface RoomState {
   readonly run: number | null
 }
 
-export const emptyRoom: RoomState = {world: null, frame: null, trail: [], speech: null, fired: {}, run: null}
+export const emptyRoom: RoomState = {
+  world: null,
+  frame: null,
+  recording: emptyRecording,
+  lookedAt: null,
+  trail: [],
+  speech: null,
+  fired: {},
+  run: null,
+}
 
 /// The room as it is before a run (or before any, with `run` null): the world stays.
 export function clearRoom(room: RoomState, run: number | null): RoomState {
@@ -56,7 +73,13 @@ export function showFrame(room: RoomState, frame: Frame): RoomState {
     frame.fired.length === 0
       ? room.fired
       : {...room.fired, ...Object.fromEntries(frame.fired.map(name => [name, frame.time]))}
-  return {...room, frame, trail: extendTrail(room.trail, frame), speech, fired}
+  const recording = record(room.recording, frame)
+  return {...room, frame, recording, trail: extendTrail(room.trail, frame), speech, fired}
+}
+
+/// The frame to draw: the newest, or the one the learner looks back at.
+export function shownFrame(room: RoomState): Frame | null {
+  return room.lookedAt === null ? room.frame : frameAt(room.recording, room.lookedAt)
 }
 
 /// A function glows this long after it fired, in seconds of the run.
@@ -64,6 +87,7 @@ const glowSeconds = 0.2
 
 /// The functions that glow now, in the order of their names.
 export function glowing(room: RoomState): readonly string[] {
+  if (room.lookedAt !== null) return [...new Set(shownFrame(room)?.fired)].sort()
   const now = room.frame?.time ?? 0
   return Object.keys(room.fired)
     .filter(name => now - (room.fired[name] ?? 0) <= glowSeconds)

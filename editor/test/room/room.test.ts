@@ -67,11 +67,11 @@ describe("the pose between two frames", () => {
 describe("the trail", () => {
   it("grows while the robot drives, not while it stands, and leaves its finished pieces as they were", () => {
     let trail: Trail = []
-    for (let i = 0; i < 500; i += 1) trail = extendTrail(trail, {x: i * 0.02, y: 0})
-    for (let i = 0; i < 500; i += 1) trail = extendTrail(trail, {x: 499 * 0.02, y: 0.001})
+    for (let i = 0; i < 500; i += 1) trail = extendTrail(trail, {x: i * 0.02, y: 0, time: i})
+    for (let i = 0; i < 500; i += 1) trail = extendTrail(trail, {x: 499 * 0.02, y: 0.001, time: 500})
     const points = trail.flat()
     expect(new Set(points.map(p => p.x)).size).toBe(500)
-    const later = extendTrail(trail, {x: 99, y: 0})
+    const later = extendTrail(trail, {x: 99, y: 0, time: 501})
     expect(later[0]).toBe(trail[0])
   })
 })

@@ -1,0 +1,55 @@
+/// Keeps the open program in the browser: shortly after each change, and at once when the page is left.
+///
+/// A program gets a place of its own with its first change. When another tab writes to the same place, this tab
+/// moves to a new one, so neither overwrites the other.
+
+import type {Shelf} from "../run/storage.ts"
+import type {Store} from "../store.ts"
+
+/// Milliseconds between a change and its being kept.
+const pause = 400
+
+export interface Autosave {
+  /// Another program is open: `id` is its place, or `null` when it has none yet.
+  opened(id: string | null): void
+}
+
+export function openAutosave(store: Store, shelf: Shelf, projectText: () => string): Autosave {
+  let place: string | null = null
+  let timer: ReturnType<typeof setTimeout> | undefined
+
+  const keep = () => {
+    clearTimeout(timer)
+    timer = undefined
+    if (store.now.saved === "saved") return
+    place ??= freshPlace()
+    const ok = shelf.keep(place, store.now.name, projectText(), Date.now())
+    store.dispatch({kind: "stored", ok})
+  }
+
+  store.onFrame(state => {
+    if (state.saved === "changed" && timer === undefined) timer = setTimeout(keep, pause)
+  })
+  window.addEventListener("pagehide", keep)
+  document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && keep())
+  window.addEventListener("storage", event => {
+    if (place === null || event.key !== shelf.keyOf(place)) return
+    place = freshPlace()
+    store.dispatch({kind: "notice", notice: {kind: "opened-elsewhere"}})
+  })
+
+  return {
+    opened(id) {
+      // What was changed a moment ago belongs to the program that is being left.
+      place = id
+      clearTimeout(timer)
+      timer = undefined
+      shelf.setCurrent(id)
+    },
+  }
+}
+
+/// `crypto.randomUUID` is missing where a page is served without TLS, as on a classroom's network.
+function freshPlace(): string {
+  return `${Date.now().toString(36)}-${Math.random().toString(36).slice(2, 8)}`
+}

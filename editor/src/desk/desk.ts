@@ -1,0 +1,227 @@
+/// Joins the parts: the store, the blocks, the Haskell pane, the room and the rim. Decides nothing that `state`
+/// could decide.
+
+import * as codegen from "@rosy/codegen"
+import {type BlocksView, openBlocks} from "../blocks/index.ts"
+import type {Desk} from "../page/desk.ts"
+import {words} from "../page/words.ts"
+import {openSpeaker} from "../room/sounds.ts"
+import {openRoom, type RoomView} from "../room/view.ts"
+import {download, fileName, pickFile} from "../run/files.ts"
+import {fetchExample, fetchExamples, fetchWorlds} from "../run/library.ts"
+import {openSession, type Session} from "../run/session.ts"
+import {type Liking, openShelf} from "../run/storage.ts"
+import {watchDark, watchKeys, watchSize} from "../run/window.ts"
+import {openSource, type SourcePane} from "../source/pane.ts"
+import type {Order, PageState} from "../state/page.ts"
+import {type Finding, innermostBlock, textOf} from "../state/program.ts"
+import {toCsv} from "../state/recording.ts"
+import {glowing} from "../state/room.ts"
+import {isActive} from "../state/run.ts"
+import {openStore} from "../store.ts"
+import {openAutosave} from "./autosave.ts"
+import {
+  blockProblem,
+  emptyProject,
+  type OpenedProject,
+  programOf,
+  readProject,
+  writeProject,
+} from "./programs.ts"
+
+/// What a newcomer finds.
+const firstExample = "accelerateAndPlay"
+
+export function openDesk(address: string): Desk {
+  const shelf = openShelf(window.localStorage)
+  const speaker = openSpeaker()
+  let session: Session | null = null
+  let blocks: BlocksView | null = null
+  let source: SourcePane | null = null
+  let room: RoomView | null = null
+  let current: OpenedProject = emptyProject()
+  let systemDark = false
+
+  const perform = (order: Order) => {
+    if (order.kind === "play") speaker.play(order.sound)
+    else session?.send(order.message)
+  }
+  const store = openStore(perform, shelf.liking())
+  const isDark = () => store.now.theme === "dark" || (store.now.theme === "auto" && systemDark)
+  const projectText = () =>
+    writeProject(current.project, blocks?.save() ?? current.workspace, store.now.name, store.now.worldName)
+  const autosave = openAutosave(store, shelf, projectText)
+
+  const paint = () => {
+    document.documentElement.dataset["theme"] = isDark() ? "dark" : "light"
+    blocks?.setTone(isDark() ? "dark" : "light")
+    room?.recolour()
+  }
+  store.onFrame(
+    drawParts(
+      () => ({blocks, source, room}),
+      () => store.redraw(),
+      paint,
+      liking => shelf.setLiking(liking),
+    ),
+  )
+
+  const show = (opened: OpenedProject, welcome: boolean, place: string | null) => {
+    current = opened
+    blocks?.load(opened.workspace)
+    autosave.opened(place)
+    const inference = blocks?.inference() ?? codegen.infer(opened.workspace)
+    const {program, findings} = programOf(opened.workspace, inference)
+    store.dispatch({
+      kind: "opened",
+      opened: {name: opened.project.name, world: opened.world, program, findings, welcome},
+    })
+    store.dispatch({kind: "history", undo: false, redo: false})
+  }
+  const openText = (name: string, text: string, welcome: boolean, place: string | null) => {
+    const opening = readProject(text)
+    if (opening.kind === "opened") show(opening.opened, welcome, place)
+    else {
+      const {message, hint} = opening
+      store.dispatch({kind: "notice", notice: {kind: "unreadable-file", name, message, hint}})
+    }
+  }
+  const openExample = async (name: string, welcome: boolean) => {
+    const answer = await fetchExample(name)
+    if (answer.kind === "there") openText(name, answer.value, welcome, null)
+    else store.dispatch({kind: "notice", notice: {kind: "example-missing", name}})
+  }
+  const openFirst = () => {
+    const wanted = new URLSearchParams(window.location.search).get("example")
+    const last = shelf.current()
+    if (wanted !== null) void openExample(wanted, wanted === firstExample)
+    else if (last !== null) openText(words.yourProgram, last.text, false, last.id)
+    else void openExample(firstExample, true)
+  }
+
+  const undo = () => blocks?.undo()
+  const redo = () => blocks?.redo()
+  const saveFile = () => download(fileName(store.now.name, "rosy"), projectText(), "application/json")
+
+  watchDark(dark => {
+    systemDark = dark
+    paint()
+  })
+  watchSize(size => store.dispatch({kind: "size", size}))
+  watchKeys({
+    space() {
+      if (!isActive(store.now.run)) return false
+      store.dispatch({kind: "stop-pressed"})
+      return true
+    },
+    run: () => store.dispatch({kind: "run-pressed"}),
+    undo,
+    redo,
+    save: saveFile,
+  })
+  session = openSession(address, {
+    heard: message => store.dispatch({kind: "heard", message}),
+    lost: () => store.dispatch({kind: "link-lost"}),
+    garbled: message => console.warn(`Rosy's service sent something this page does not know: ${message}`),
+  })
+  void fetchWorlds().then(w => w.kind === "there" && store.dispatch({kind: "worlds-listed", worlds: w.value}))
+
+  return {
+    store,
+    mountBlocks(host) {
+      blocks = openBlocks(host, {language: codegen, tone: isDark() ? "dark" : "light"})
+      blocks.onChange(({workspace, inference}) => {
+        store.dispatch({kind: "program-changed", ...programOf(workspace, inference)})
+        store.dispatch({kind: "history", undo: blocks?.canUndo() ?? false, redo: blocks?.canRedo() ?? false})
+      })
+      blocks.onSelect(block => store.dispatch({kind: "selected", block: block ?? null, in: "blocks"}))
+      openFirst()
+    },
+    mountSource(host) {
+      source = openSource(host, {
+        label: words.haskellPane,
+        cursorMoved(offset) {
+          const block = innermostBlock(store.now.program.spans, {start: offset, end: offset})
+          store.dispatch({kind: "selected", block, in: "haskell"})
+        },
+      })
+    },
+    mountRoom(canvas) {
+      room = openRoom(canvas, () => store.redraw())
+    },
+    openGallery() {
+      store.dispatch({kind: "dialog", dialog: "gallery"})
+      if (store.now.gallery.kind === "there") return
+      store.dispatch({kind: "gallery", gallery: {kind: "asked"}})
+      void fetchExamples().then(answer =>
+        store.dispatch({
+          kind: "gallery",
+          gallery: answer.kind === "there" ? {kind: "there", examples: answer.value} : {kind: "failed"},
+        }),
+      )
+    },
+    openExample: name => void openExample(name, false),
+    openKept(id) {
+      const text = shelf.read(id)
+      if (text !== null) openText(words.yourProgram, text, false, id)
+    },
+    kept: () => shelf.kept(),
+    newProgram: () => show(emptyProject(), false, null),
+    openFile: () => pickFile(".rosy,.json", (name, text) => openText(name, text, false, null)),
+    saveFile,
+    saveHaskell: () => download(fileName(store.now.name, "hs"), store.now.program.text, "text/plain"),
+    saveTable: () => download(fileName(store.now.name, "csv"), toCsv(store.now.room.recording), "text/csv"),
+    undo,
+    redo,
+    show(finding: Finding) {
+      const {size, view, region} = store.now
+      if (size === "phone" && region === "room") store.dispatch({kind: "region", region: "blocks"})
+      const blocksShown = size === "phone" ? store.now.region === "blocks" : view !== "haskell"
+      if (finding.range !== null) source?.reveal(finding.range)
+      if (finding.block !== null) {
+        store.dispatch({kind: "selected", block: finding.block, in: "blocks"})
+        if (blocksShown) blocks?.select(finding.block)
+      }
+    },
+  }
+}
+
+/// Draws what is not Preact's: each part is told only of what changed for it.
+function drawParts(
+  parts: () => {blocks: BlocksView | null; source: SourcePane | null; room: RoomView | null},
+  again: () => void,
+  paint: () => void,
+  remember: (liking: Liking) => void,
+): (state: PageState, now: number) => void {
+  let before: PageState | null = null
+  let glow = ""
+  return (state, now) => {
+    const {blocks, source, room} = parts()
+    const changed = (key: keyof PageState) => before === null || before[key] !== state[key]
+    if (changed("program")) source?.setProgram(state.program)
+    if (changed("findings")) {
+      const {compiler, run} = state.findings
+      source?.mark([...state.findings.blocks, ...compiler, ...run])
+      blocks?.mark([...compiler, ...run].map(blockProblem))
+    }
+    if (changed("selected") || changed("selectedIn") || changed("program")) {
+      const {selected, selectedIn} = state
+      source?.link(selected === null ? null : textOf(state.program.spans, selected))
+      blocks?.highlight(selected === null || selectedIn === "blocks" ? [] : [selected])
+      if (selected !== null && selectedIn === "haskell") blocks?.reveal(selected)
+    }
+    if (changed("room") || changed("run")) {
+      const names = isActive(state.run) ? glowing(state.room) : []
+      if (names.length > 0) blocks?.glow(names)
+      if (names.join(" ") !== glow) {
+        glow = names.join(" ")
+        source?.glow(state.program.definitions.filter(d => names.includes(d.name)))
+      }
+    }
+    if (changed("theme")) paint()
+    if (before !== null && (changed("theme") || changed("muted") || changed("view") || changed("layout")))
+      remember({theme: state.theme, muted: state.muted, view: state.view, layout: state.layout})
+    before = state
+    if (room?.draw(state.room, now)) again()
+  }
+}

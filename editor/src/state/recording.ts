@@ -1,0 +1,95 @@
+/// The frames of a run, kept in order, so that the learner can look back and draw curves of them. Pure.
+
+import type {Frame} from "./messages.ts"
+
+/// Frames in pieces: only the last piece is copied when a frame is added.
+export interface Recording {
+  readonly pieces: readonly (readonly Frame[])[]
+  readonly length: number
+}
+
+export const emptyRecording: Recording = {pieces: [], length: 0}
+
+const pieceLength = 256
+/// Pieces kept: 20 minutes at 50 frames a second. Then the oldest go.
+const maxPieces = 235
+
+export function record(recording: Recording, frame: Frame): Recording {
+  const {pieces} = recording
+  const last = pieces.at(-1)
+  if (last !== undefined && last.length < pieceLength)
+    return {pieces: [...pieces.slice(0, -1), [...last, frame]], length: recording.length + 1}
+  const kept = pieces.slice(-maxPieces + 1)
+  const length = kept.reduce((n, piece) => n + piece.length, 0)
+  return {pieces: [...kept, [frame]], length: length + 1}
+}
+
+/// The times of the first and the last frame, in seconds; `null` when there is none.
+export function spanOfTime(recording: Recording): {readonly from: number; readonly to: number} | null {
+  const first = recording.pieces[0]?.[0]
+  const last = recording.pieces.at(-1)?.at(-1)
+  return first === undefined || last === undefined ? null : {from: first.time, to: last.time}
+}
+
+/// The last frame at or before `time`; the first when there is none before.
+export function frameAt(recording: Recording, time: number): Frame | null {
+  const {pieces} = recording
+  let low = 0
+  let high = pieces.length - 1
+  while (low < high) {
+    const middle = Math.ceil((low + high) / 2)
+    if ((pieces[middle]?.[0]?.time ?? 0) <= time) low = middle
+    else high = middle - 1
+  }
+  const piece = pieces[low]
+  if (piece === undefined) return null
+  let at = piece.findIndex(f => f.time > time)
+  if (at < 0) at = piece.length
+  return piece[Math.max(0, at - 1)] ?? null
+}
+
+/// Every frame from `from` to `to` seconds.
+export function* framesBetween(recording: Recording, from: number, to: number): Generator<Frame> {
+  for (const piece of recording.pieces) {
+    if ((piece.at(-1)?.time ?? 0) < from) continue
+    if ((piece[0]?.time ?? 0) > to) return
+    for (const frame of piece) if (frame.time >= from && frame.time <= to) yield frame
+  }
+}
+
+/// A value of a frame that can be shown as a number over time.
+export interface Quantity {
+  readonly key: string
+  readonly unit: string
+  readonly of: (frame: Frame) => number
+  /// The block family whose colour the curve has.
+  readonly family: "state" | "event" | "command" | "memory" | "task" | "number" | "choice" | "own"
+}
+
+const bit = (bits: number, mask: number) => (bits & mask ? 1 : 0)
+
+/// What can be charted and what the table of sensors lists, in its order.
+export const quantities: readonly Quantity[] = [
+  {key: "speed", unit: "m/s", of: f => f.v, family: "state"},
+  {key: "turning", unit: "rad/s", of: f => f.w, family: "memory"},
+  {key: "x", unit: "m", of: f => f.x, family: "number"},
+  {key: "y", unit: "m", of: f => f.y, family: "task"},
+  {key: "heading", unit: "rad", of: f => f.theta, family: "choice"},
+  {key: "bumperLeft", unit: "", of: f => bit(f.bumpers, 4), family: "event"},
+  {key: "bumperCenter", unit: "", of: f => bit(f.bumpers, 2), family: "event"},
+  {key: "bumperRight", unit: "", of: f => bit(f.bumpers, 1), family: "event"},
+  {key: "cliffLeft", unit: "", of: f => bit(f.cliffs, 4), family: "own"},
+  {key: "cliffCenter", unit: "", of: f => bit(f.cliffs, 2), family: "own"},
+  {key: "cliffRight", unit: "", of: f => bit(f.cliffs, 1), family: "own"},
+  {key: "wheelLeft", unit: "", of: f => bit(f.wheels, 2), family: "command"},
+  {key: "wheelRight", unit: "", of: f => bit(f.wheels, 1), family: "command"},
+]
+
+/// A table of the whole run for a spreadsheet: a header, then a row per frame.
+export function toCsv(recording: Recording): string {
+  const rows = [["time", ...quantities.map(q => q.key)].join(",")]
+  for (const piece of recording.pieces)
+    for (const f of piece)
+      rows.push([f.time.toFixed(2), ...quantities.map(q => +q.of(f).toFixed(5))].join(","))
+  return `${rows.join("\n")}\n`
+}

@@ -1,0 +1,74 @@
+/// The frames of a run, found again.
+
+import fc from "fast-check"
+import {describe, expect, it} from "vitest"
+import type {Frame} from "../../src/state/messages.ts"
+import {emptyRecording, frameAt, framesBetween, record, spanOfTime, toCsv} from "../../src/state/recording.ts"
+
+const frame = (step: number): Frame => ({
+  run: 1,
+  step,
+  time: step * 0.02,
+  x: step,
+  y: 0,
+  theta: 0,
+  v: 0,
+  w: 0,
+  bumpers: step % 2 ? 4 : 0,
+  cliffs: 0,
+  wheels: 0,
+  buttons: 0,
+  led1: 0,
+  led2: 0,
+  fired: [],
+})
+const recorded = (steps: number) => {
+  let recording = emptyRecording
+  for (let i = 0; i < steps; i += 1) recording = record(recording, frame(i))
+  return recording
+}
+
+describe("a recording", () => {
+  it("finds the frame shown at any time", () => {
+    fc.assert(
+      fc.property(
+        fc.integer({min: 1, max: 900}),
+        fc.double({min: -1, max: 30, noNaN: true}),
+        (steps, time) => {
+          const found = frameAt(recorded(steps), time)
+          const wanted = Math.min(
+            steps - 1,
+            Math.max(0, [...Array(steps).keys()].filter(i => i * 0.02 <= time).length - 1),
+          )
+          expect(found?.step).toBe(wanted)
+        },
+      ),
+      {numRuns: 40},
+    )
+  })
+
+  it("gives the frames between two times, across its pieces", () => {
+    const steps = [...framesBetween(recorded(600), 5, 5.2)].map(f => f.step)
+    expect(steps).toEqual([250, 251, 252, 253, 254, 255, 256, 257, 258, 259, 260])
+  })
+
+  it("knows nothing when it is empty", () => {
+    expect(frameAt(emptyRecording, 1)).toBeNull()
+    expect(spanOfTime(emptyRecording)).toBeNull()
+  })
+
+  it("forgets the oldest after twenty minutes", () => {
+    const long = recorded(61_000)
+    expect(long.length).toBeLessThanOrEqual(235 * 256)
+    expect(spanOfTime(long)?.from).toBeGreaterThan(0)
+    expect(spanOfTime(long)?.to).toBe(60_999 * 0.02)
+  })
+
+  it("becomes a table", () => {
+    expect(toCsv(recorded(2)).split("\n").slice(0, 3)).toEqual([
+      "time,speed,turning,x,y,heading,bumperLeft,bumperCenter,bumperRight,cliffLeft,cliffCenter,cliffRight,wheelLeft,wheelRight",
+      "0.00,0,0,0,0,0,0,0,0,0,0,0,0,0",
+      "0.02,0,0,1,0,0,1,0,0,0,0,0,0,0",
+    ])
+  })
+})
