@@ -1,14 +1,42 @@
 /// How the page is built and served while it is being worked on. The service (sim-service) serves `dist/` as
 /// it stands; in development its API is proxied, at the address in ROSY_SERVICE when that is set.
 
+import {readdirSync, readFileSync} from "node:fs"
+import {createRequire} from "node:module"
+import {dirname, extname, join} from "node:path"
 import {fileURLToPath} from "node:url"
-import {defineConfig} from "vitest/config"
+import {defineConfig, type Plugin} from "vitest/config"
 
 const service = process.env.ROSY_SERVICE ?? "http://127.0.0.1:8080"
+
+const mediaTypes: Record<string, string> = {".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif"}
+
+/// Blockly asks for its pictures by address, under `media/`; they come from its package, so that nothing is
+/// fetched from elsewhere. Its sounds and cursors are not used.
+function blocklyMedia(): Plugin {
+  const folder = join(dirname(createRequire(import.meta.url).resolve("blockly")), "media")
+  const pictures = readdirSync(folder).filter(name => extname(name) in mediaTypes)
+  return {
+    name: "rosy-blockly-media",
+    configureServer(server) {
+      server.middlewares.use("/media", (request, response, next) => {
+        const name = (request.url ?? "").replace(/^\//, "").replace(/\?.*$/, "")
+        if (!pictures.includes(name)) return next()
+        response.setHeader("content-type", mediaTypes[extname(name)] ?? "")
+        response.end(readFileSync(join(folder, name)))
+      })
+    },
+    generateBundle() {
+      for (const name of pictures)
+        this.emitFile({type: "asset", fileName: `media/${name}`, source: readFileSync(join(folder, name))})
+    },
+  }
+}
 
 export default defineConfig({
   root: fileURLToPath(new URL(".", import.meta.url)),
   base: "./",
+  plugins: [blocklyMedia()],
   build: {target: "es2022", chunkSizeWarningLimit: 2500},
   server: {proxy: {"/api": {target: service, ws: true}, "/rosbridge": {target: service, ws: true}}},
   test: {environment: "node", include: ["test/**/*.test.ts", "test/**/*.test.tsx"]},

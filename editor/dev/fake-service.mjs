@@ -4,7 +4,10 @@
 ///
 ///   node dev/fake-service.mjs [PORT]      prints its address; 0 takes any free port
 
+import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {createServer} from "node:http"
+import {join} from "node:path"
+import {fileURLToPath} from "node:url"
 import {WebSocketServer} from "ws"
 
 const world = {
@@ -18,23 +21,16 @@ const world = {
 }
 const worlds = {corridor: world, empty: {name: "empty", size: [6, 4], start: {x: 1, y: 2, theta: 0}}}
 
-const haskell = `accelerate :: Velocity -> Velocity
-accelerate (Velocity vl va) =
-  Velocity (vl + 0.5) va
-
--- complain when we hit something
-play :: Bumper -> Maybe Sound
-play (Bumper _ Pressed) = Just ErrorSound
-play (Bumper _ Released) = Nothing
-
-main = simulate (accelerate, play)
-`
-const project = (name, text) => ({rosy: 1, name, haskell: text, layout: {declarations: [], loose: []}, world: "corridor", settings: {}})
-const examples = {
-  move: ["Drive", "A velocity by itself is a program.", "main = simulate (Velocity 0.5 0)\n"],
-  accelerateAndPlay: ["Drive and complain", "Two functions run side by side.", haskell],
-  forwardBackward: ["There and back", "Memory remembers that something was hit.", "type Hit = Bool\n\nmain = simulate ()\n"],
-}
+// The project's own examples, from the folder in ROSY_EXAMPLES or beside the editor.
+const folder = process.env.ROSY_EXAMPLES ?? fileURLToPath(new URL("../../examples", import.meta.url))
+const examples = Object.fromEntries(
+  readdirSync(folder, {withFileTypes: true})
+    .filter(entry => entry.isDirectory() && existsSync(join(folder, entry.name, "program.rosy")))
+    .map(({name}) => {
+      const about = readFileSync(join(folder, name, "README.md"), "utf8").split("\n").filter(line => line !== "")
+      return [name, [about[0].replace(/^# */, ""), about[1].split(/(?<=\.) /)[0], join(folder, name, "program.rosy")]]
+    }),
+)
 
 const http = createServer((request, response) => {
   const path = decodeURIComponent(new URL(request.url, "http://x").pathname)
@@ -46,7 +42,7 @@ const http = createServer((request, response) => {
     return answer(Object.entries(examples).map(([name, [title, teaches]]) => ({name, title, teaches})))
   if (path === "/api/worlds") return answer(Object.keys(worlds))
   const name = path.replace("/api/examples/", "")
-  if (Object.hasOwn(examples, name)) return answer(project(name, examples[name][2]))
+  if (Object.hasOwn(examples, name)) return response.end(readFileSync(examples[name][2]))
   response.statusCode = 404
   response.end()
 })

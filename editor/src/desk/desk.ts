@@ -147,7 +147,10 @@ export function openDesk(address: string): Desk {
       })
     },
     mountRoom(canvas) {
-      room = openRoom(canvas, () => store.redraw())
+      room = openRoom(canvas, {
+        changed: () => store.redraw(),
+        placed: teleport => store.dispatch({kind: "hand", hand: {teleport}}),
+      })
     },
     openGallery() {
       store.dispatch({kind: "dialog", dialog: "gallery"})

@@ -4,10 +4,13 @@ import {
   type BlockProblem,
   closeProject,
   type Inference,
+  newProject,
   newWorkspace,
+  type Opened,
   openProject,
   type Project,
   parseProject,
+  type SavedBlock,
   type SavedWorkspace,
   saveProject,
   toHaskell,
@@ -36,22 +39,22 @@ export function readProject(text: string): Opening {
     kind: "opened",
     opened: {
       project,
-      workspace: openProject(project),
+      workspace: withRaw(openProject(project)),
       // A room that cannot be read leaves the room as it is; the project file keeps it.
       world: typeof room === "string" ? (room === "" ? null : room) : room.kind === "ok" ? room.value : null,
     },
   }
 }
 
+/// Text without blocks of its own is shown as raw blocks, so that it is seen and nothing of it is lost.
+function withRaw({workspace, changed}: Opened): SavedWorkspace {
+  if (changed.length === 0) return workspace
+  const raw = changed.map(({text}): SavedBlock => ({type: "raw_definition", extraState: {text: text.trim()}}))
+  return {blocks: {...workspace.blocks, blocks: [...workspace.blocks.blocks, ...raw]}}
+}
+
 export function emptyProject(): OpenedProject {
-  const project: Project = {
-    name: "",
-    haskell: "",
-    layout: {declarations: [], loose: []},
-    world: "",
-    settings: {},
-  }
-  return {project, workspace: newWorkspace(), world: null}
+  return {project: newProject(""), workspace: newWorkspace(), world: null}
 }
 
 /// The text of the project file for the blocks as they are.

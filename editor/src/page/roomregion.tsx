@@ -2,6 +2,7 @@
 
 import type {VNode} from "preact"
 import {useLayoutEffect, useRef} from "preact/hooks"
+import type {Hand} from "../state/messages.ts"
 import {readout} from "../state/next.ts"
 import {isActive} from "../state/run.ts"
 import {Border} from "./border.tsx"
@@ -25,12 +26,16 @@ export function RoomRegion({shown}: {shown: boolean}): VNode {
     <section class="region room" aria-label={words.room} hidden={!shown}>
       <RoomBar />
       <div class="canvas-host">
+        {/* biome-ignore-start lint/a11y/noNoninteractiveTabindex: the robot is moved and the view zoomed by keys */}
         <canvas
           ref={canvas}
-          role="img"
+          role="application"
+          tabIndex={0}
           aria-label={words.roomLabel(world)}
           aria-describedby="robot-readout"
         />
+        {/* biome-ignore-end lint/a11y/noNoninteractiveTabindex: see above */}
+        <Hands />
         <Readout />
         <Invitation />
       </div>
@@ -102,6 +107,51 @@ function Readout(): VNode {
           </div>
         ))}
     </dl>
+  )
+}
+
+/// The robot's three buttons and its wheels, for the learner's hands, while a program runs.
+function Hands(): VNode | null {
+  const {store} = useDesk()
+  const running = usePage(s => s.run.kind === "running")
+  const lifted = usePage(s => ((s.room.frame?.wheels ?? 0) & 3) !== 0)
+  const pressed = usePage(s => s.room.frame?.buttons ?? 0)
+  if (!running) return null
+  const hand = (h: Hand) => store.dispatch({kind: "hand", hand: h})
+  const button = (n: number) => {
+    const name = `Button${n}`
+    const isKey = (key: string) => key === " " || key === "Enter"
+    return (
+      <button
+        type="button"
+        key={n}
+        class="hand"
+        aria-label={words.robotButton(n)}
+        title={words.robotButton(n)}
+        aria-pressed={(pressed & (1 << n)) !== 0}
+        onPointerDown={() => hand({press: name})}
+        onPointerUp={() => hand({release: name})}
+        onPointerCancel={() => hand({release: name})}
+        onKeyDown={event => isKey(event.key) && !event.repeat && hand({press: name})}
+        onKeyUp={event => isKey(event.key) && hand({release: name})}
+      >
+        B{n}
+      </button>
+    )
+  }
+  return (
+    <fieldset class="hands" aria-label={words.hands}>
+      {[0, 1, 2].map(button)}
+      <button
+        type="button"
+        class="hand"
+        title={words.liftHint}
+        aria-pressed={lifted}
+        onClick={() => hand(lifted ? {lower: "both"} : {lift: "both"})}
+      >
+        {words.lift}
+      </button>
+    </fieldset>
   )
 }
 

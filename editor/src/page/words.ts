@@ -99,7 +99,12 @@ export const words = {
     restarting:
       "The helper that reads Haskell is restarting. Your program is kept; run it again in a moment.",
   },
-  roomLabel: (world: string) => `The room ${world} from above, with the robot in it`,
+  roomLabel: (world: string) =>
+    `The room ${world} from above, with the robot in it. While it runs, the arrow keys move the robot, comma and full stop turn it; plus and minus zoom.`,
+  hands: "Touch the robot",
+  robotButton: (n: number) => `Press button ${n} of the robot`,
+  lift: "Lift",
+  liftHint: "Lift the robot off the floor, and put it down again",
 } as const
 
 /// What the run is doing, in one or two words.

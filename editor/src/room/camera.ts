@@ -24,3 +24,41 @@ export function toScreen(camera: Camera, x: number, y: number): {x: number; y: n
 export function toRoom(camera: Camera, x: number, y: number): {x: number; y: number} {
   return {x: (x - camera.left) / camera.scale, y: (camera.bottom - y) / camera.scale}
 }
+
+/// How the learner looks at the room: `null` is all of it. The point `x`, `y` of the room (metres) is in the
+/// middle, `zoom` times as large as when all is seen.
+export type Look = {readonly zoom: number; readonly x: number; readonly y: number} | null
+
+const closest = 12
+
+/// The view of a world of `width` × `height` metres on a canvas of `w` × `h` pixels.
+export function lookAt(look: Look, width: number, height: number, w: number, h: number): Camera {
+  const whole = fit(width, height, w, h)
+  if (look === null) return whole
+  const scale = whole.scale * look.zoom
+  return {scale, left: w / 2 - look.x * scale, bottom: h / 2 + look.y * scale}
+}
+
+/// The look after the picture was moved by so many pixels.
+export function pan(look: Look, camera: Camera, w: number, h: number, dx: number, dy: number): Look {
+  const middle = toRoom(camera, w / 2 - dx, h / 2 - dy)
+  return {zoom: look?.zoom ?? 1, ...middle}
+}
+
+/// The look after coming `factor` times closer, with the room's point under `x`, `y` (pixels) staying there.
+export function zoom(
+  look: Look,
+  camera: Camera,
+  size: {readonly w: number; readonly h: number},
+  factor: number,
+  x: number,
+  y: number,
+): Look {
+  const old = look?.zoom ?? 1
+  const now = Math.min(closest, Math.max(1, old * factor))
+  // All the way out is the whole room again.
+  if (now === 1) return null
+  const point = toRoom(camera, x, y)
+  const scale = (camera.scale / old) * now
+  return {zoom: now, x: point.x + (size.w / 2 - x) / scale, y: point.y + (y - size.h / 2) / scale}
+}

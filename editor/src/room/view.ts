@@ -3,7 +3,8 @@
 
 import type {Frame, World} from "../state/messages.ts"
 import {type Point, type RoomState, shownFrame} from "../state/room.ts"
-import {type Camera, fit, toScreen} from "./camera.ts"
+import {type Camera, type Look, lookAt, pan, toScreen, zoom} from "./camera.ts"
+import {watchGestures} from "./gestures.ts"
 import {type Pose, poseAt, type Seen} from "./motion.ts"
 import {readPalette} from "./palette.ts"
 import {drawRobot} from "./robot.ts"
@@ -19,7 +20,14 @@ export interface RoomView {
 
 const parked = {bumpers: 0, cliffs: 0, wheels: 0, led1: 0, led2: 0}
 
-export function openRoom(canvas: HTMLCanvasElement, changed: () => void): RoomView {
+export interface RoomListener {
+  /// The picture must be drawn again.
+  changed(): void
+  /// The learner took the robot to this pose (room coordinates).
+  placed(pose: Pose): void
+}
+
+export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): RoomView {
   const ctx = canvas.getContext("2d")
   const still = document.createElement("canvas")
   const under = still.getContext("2d")
@@ -29,6 +37,9 @@ export function openRoom(canvas: HTMLCanvasElement, changed: () => void): RoomVi
   let size = {w: 0, h: 0, ratio: 1}
   let drawnWorld: World | null = null
   let camera: Camera = {scale: 1, left: 0, bottom: 0}
+  // How the room is looked at is no knowledge of the page's: it is gone with the canvas.
+  let look: Look = null
+  let shown: Pose | null = null
   let before: Seen | null = null
   let last: Seen | null = null
   let lastFrame: Frame | null = null
@@ -42,11 +53,27 @@ export function openRoom(canvas: HTMLCanvasElement, changed: () => void): RoomVi
       c.height = Math.max(1, Math.round(size.h * size.ratio))
     }
     drawnWorld = null
-    changed()
+    listener.changed()
   }
   const watcher = new ResizeObserver(measure)
   watcher.observe(canvas)
   measure()
+
+  const looked = (to: Look) => {
+    look = to
+    drawnWorld = null
+    listener.changed()
+  }
+  watchGestures(canvas, {
+    camera: () => camera,
+    robot: () => shown,
+    placed: pose => listener.placed(pose),
+    panned: (dx, dy) => {
+      if (look !== null) looked(pan(look, camera, size.w, size.h, dx, dy))
+    },
+    zoomed: (factor, x, y) => looked(zoom(look, camera, size, factor, x, y)),
+    fitted: () => looked(null),
+  })
 
   const metres = (c: CanvasRenderingContext2D) => {
     const k = size.ratio * camera.scale
@@ -123,14 +150,17 @@ export function openRoom(canvas: HTMLCanvasElement, changed: () => void): RoomVi
         under.clearRect(0, 0, still.width, still.height)
         drawnWorld = world
         if (world !== null) {
-          camera = fit(world.size[0], world.size[1], size.w, size.h)
+          camera = lookAt(look, world.size[0], world.size[1], size.w, size.h)
           metres(under)
           drawWorld(under, world, palette, camera.scale)
         }
       }
       ctx.setTransform(1, 0, 0, 1, 0, 0)
       ctx.clearRect(0, 0, canvas.width, canvas.height)
-      if (world === null) return false
+      if (world === null) {
+        shown = null
+        return false
+      }
       ctx.drawImage(still, 0, 0)
 
       if (frame !== lastFrame) {
@@ -140,6 +170,7 @@ export function openRoom(canvas: HTMLCanvasElement, changed: () => void): RoomVi
         lastFrame = frame
       }
       const pose = last === null ? world.start : poseAt(before, last, now)
+      shown = pose
       drawTrail(room, pose)
       metres(ctx)
       ctx.translate(pose.x, pose.y)
@@ -151,7 +182,7 @@ export function openRoom(canvas: HTMLCanvasElement, changed: () => void): RoomVi
     recolour() {
       palette = readPalette(canvas)
       drawnWorld = null
-      changed()
+      listener.changed()
     },
     dispose() {
       watcher.disconnect()

@@ -110,6 +110,14 @@ export type ServiceMessage =
 /// How many seconds of the run pass in one of the learner's; `"max"` is as fast as it can.
 export type Speed = number | "max"
 
+/// What the learner's hands do to the robot.
+export type Hand =
+  | {readonly press: string}
+  | {readonly release: string}
+  | {readonly lift: "left" | "right" | "both"}
+  | {readonly lower: "left" | "right" | "both"}
+  | {readonly teleport: {readonly x: number; readonly y: number; readonly theta: number}}
+
 export type PageMessage =
   | {readonly op: "world"; readonly world: string | World}
   | {readonly op: "check"; readonly id: number; readonly source: string}
@@ -126,6 +134,7 @@ export type PageMessage =
   | {readonly op: "pause"}
   | {readonly op: "resume"}
   | {readonly op: "forward"}
+  | ({readonly op: "input"} & Hand)
 
 const place = object<Place>(get => ({line: get("line", number), column: get("column", number)}))
 

@@ -39,6 +39,10 @@ export function next(state: PageState, event: PageEvent): Step {
       const stands = lookedAt !== null && state.clock === "going" && isActive(state.run)
       return stands ? sending({...looking, clock: "standing"}, {op: "pause"}) : still(looking)
     }
+    case "hand":
+      return state.run.kind === "running"
+        ? sending(present(state), {op: "input", ...event.hand})
+        : still(state)
     case "charted":
       return still({...state, charts: event.quantities})
     case "pause-pressed":

@@ -1,6 +1,6 @@
 /// All that the page knows, as one value without a DOM, and everything that can happen to it.
 
-import type {PageMessage, ServiceMessage, Speed, WorkerState, World} from "./messages.ts"
+import type {Hand, PageMessage, ServiceMessage, Speed, WorkerState, World} from "./messages.ts"
 import {type BlockId, emptyProgram, type Finding, type Program} from "./program.ts"
 import {type ConsoleLine, emptyRoom, type RoomState} from "./room.ts"
 import type {RunState} from "./run.ts"
@@ -135,6 +135,7 @@ export type PageEvent =
   /// The learner looks at this time of the run; `null` is now.
   | {readonly kind: "looked-back"; readonly time: number | null}
   | {readonly kind: "charted"; readonly quantities: readonly string[]}
+  | {readonly kind: "hand"; readonly hand: Hand}
   | {readonly kind: "speed-chosen"; readonly speed: Speed}
   | {readonly kind: "opened"; readonly opened: Opened}
   | {readonly kind: "program-changed"; readonly program: Program; readonly findings: readonly Finding[]}

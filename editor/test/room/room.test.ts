@@ -2,7 +2,7 @@
 
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {fit, toRoom, toScreen} from "../../src/room/camera.ts"
+import {fit, type Look, lookAt, pan, toRoom, toScreen, zoom} from "../../src/room/camera.ts"
 import {poseAt, shortest} from "../../src/room/motion.ts"
 import {extendTrail, type Trail} from "../../src/state/room.ts"
 
@@ -34,6 +34,45 @@ describe("the camera", () => {
         expect(back.y).toBeCloseTo(y, 6)
       }),
     )
+  })
+})
+
+describe("looking closer", () => {
+  const view = {w: 640, h: 480}
+  it("keeps the point under the pointer where it is, until the whole room is seen again", () => {
+    fc.assert(
+      fc.property(
+        fc.array(
+          fc.record({
+            factor: fc.double({min: 0.5, max: 2, noNaN: true}),
+            x: fc.integer({min: 0, max: 640}),
+            y: fc.integer({min: 0, max: 480}),
+          }),
+          {maxLength: 12},
+        ),
+        steps => {
+          let look: Look = null
+          for (const {factor, x, y} of steps) {
+            const before = lookAt(look, 10, 8, view.w, view.h)
+            const point = toRoom(before, x, y)
+            look = zoom(look, before, view, factor, x, y)
+            if (look === null) continue
+            const after = toScreen(lookAt(look, 10, 8, view.w, view.h), point.x, point.y)
+            expect(after.x).toBeCloseTo(x, 6)
+            expect(after.y).toBeCloseTo(y, 6)
+          }
+        },
+      ),
+    )
+  })
+
+  it("moves the room with the hand", () => {
+    const look = {zoom: 2, x: 5, y: 4}
+    const camera = lookAt(look, 10, 8, view.w, view.h)
+    const corner = toScreen(camera, 0, 0)
+    const moved = toScreen(lookAt(pan(look, camera, view.w, view.h, 30, -10), 10, 8, view.w, view.h), 0, 0)
+    expect(moved.x - corner.x).toBeCloseTo(30)
+    expect(moved.y - corner.y).toBeCloseTo(-10)
   })
 })
 

@@ -154,6 +154,37 @@ describe("the connection", () => {
   })
 })
 
+describe("time", () => {
+  const pause = {kind: "pause-pressed"} as const
+  const resume = {kind: "resume-pressed"} as const
+  const driving = play(open, press, running(1), frame(1, {time: 1, x: 1}), frame(1, {time: 2, x: 2})).state
+
+  it("stands, goes one step, and goes on", () => {
+    const {state, ops} = play(driving, pause, {kind: "forward-pressed"}, resume)
+    expect(ops).toEqual(["pause", "forward", "resume"])
+    expect(state.clock).toBe("going")
+  })
+
+  it("does not stand when nothing runs, and goes again with the next run", () => {
+    expect(play(open, pause).ops).toEqual([])
+    expect(play(driving, pause, stop, press).state.clock).toBe("going")
+  })
+
+  it("stands while the learner looks back, and is now again at the end or when it goes on", () => {
+    const back = play(driving, {kind: "looked-back", time: 1.5})
+    expect(back.ops).toEqual(["pause"])
+    expect(readout(back.state)).toMatchObject({time: "1.00", x: "1.000"})
+    expect(readout(play(back.state, resume).state)).toMatchObject({time: "2.00"})
+    expect(play(back.state, {kind: "looked-back", time: 2}).state.room.lookedAt).toBeNull()
+  })
+
+  it("runs at the chosen speed, and changes it while it runs", () => {
+    const fast = play(open, {kind: "speed-chosen", speed: 4}, press)
+    expect(fast.sent).toMatchObject([{op: "run", speed: 4}])
+    expect(play(fast.state, {kind: "speed-chosen", speed: "max"}).sent).toEqual([{op: "speed", speed: "max"}])
+  })
+})
+
 describe("reset", () => {
   it("ends the run and puts the robot, the trail and the console back; late frames do not move it", () => {
     const {state, ops} = play(open, press, running(1), frame(1, {bumpers: 2}), reset, frame(1, {x: 9}))
