@@ -19,19 +19,6 @@ export function ChartsPanel(): VNode {
     })
   return (
     <div class="charts">
-      <fieldset class="chips" aria-label={words.chartedValues}>
-        {quantities.map(q => (
-          <button
-            type="button"
-            key={q.key}
-            aria-pressed={chosen.includes(q.key)}
-            style={{"--curve": `var(--${q.family})`}}
-            onClick={() => toggle(q.key)}
-          >
-            {words.quantities[q.key]}
-          </button>
-        ))}
-      </fieldset>
       {empty ? (
         <p class="quiet">{words.noRun}</p>
       ) : (
@@ -41,6 +28,19 @@ export function ChartsPanel(): VNode {
             .map(q => (
               <Strip key={q.key} quantity={q} />
             ))}
+          <fieldset class="chips" aria-label={words.chartedValues}>
+            {quantities.map(q => (
+              <button
+                type="button"
+                key={q.key}
+                aria-pressed={chosen.includes(q.key)}
+                style={{"--curve": `var(--${q.family})`}}
+                onClick={() => toggle(q.key)}
+              >
+                {words.quantities[q.key]}
+              </button>
+            ))}
+          </fieldset>
           <p>
             <button type="button" class="link" onClick={() => desk.saveTable()}>
               {words.saveTable}

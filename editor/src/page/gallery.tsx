@@ -4,6 +4,7 @@ import type {VNode} from "preact"
 import {useEffect, useRef} from "preact/hooks"
 import {CloseIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
+import {Said} from "./said.tsx"
 import {words} from "./words.ts"
 
 export function GalleryDialog(): VNode | null {
@@ -70,7 +71,9 @@ function Examples(): VNode {
           >
             <b>{example.title === "" ? example.name : example.title}</b>
             {example.title !== "" && example.title !== example.name && <code>{example.name}</code>}
-            <span>{example.teaches}</span>
+            <span>
+              <Said text={example.teaches} strong={null} />
+            </span>
           </button>
         </li>
       ))}

@@ -4,6 +4,7 @@ import type {VNode} from "preact"
 import type {PageState} from "../state/page.ts"
 import type {Finding} from "../state/program.ts"
 import {useDesk, usePage} from "./pick.ts"
+import {Said} from "./said.tsx"
 import {words} from "./words.ts"
 
 /// All problems, errors first, each told once: the compiler repeats what the blocks know already.
@@ -66,18 +67,5 @@ function Card({finding}: {finding: Finding}): VNode {
         )}
       </div>
     </article>
-  )
-}
-
-/// A sentence with its code in code (between backticks) and the name of the function it is about in bold.
-function Said({text, strong}: {text: string; strong: string | null}): VNode {
-  return (
-    <>
-      {text.split(/(`[^`]+`)/).map(part => {
-        const code = part.startsWith("`") && part.endsWith("`") && part.length > 2 ? part.slice(1, -1) : null
-        if (code === null) return part
-        return code === strong ? <b key={part}>{code}</b> : <code key={part}>{code}</code>
-      })}
-    </>
   )
 }

@@ -27,6 +27,7 @@ export function RoomRegion({shown}: {shown: boolean}): VNode {
       <RoomBar />
       <div class="canvas-host">
         {/* biome-ignore-start lint/a11y/noNoninteractiveTabindex: the robot is moved and the view zoomed by keys */}
+        {/* biome-ignore-start lint/a11y/noInteractiveElementToNoninteractiveRole: an application takes keys */}
         <canvas
           ref={canvas}
           role="application"
@@ -35,6 +36,7 @@ export function RoomRegion({shown}: {shown: boolean}): VNode {
           aria-describedby="robot-readout"
         />
         {/* biome-ignore-end lint/a11y/noNoninteractiveTabindex: see above */}
+        {/* biome-ignore-end lint/a11y/noInteractiveElementToNoninteractiveRole: see above */}
         <Hands />
         <Readout />
         <Invitation />
@@ -203,7 +205,7 @@ function Tabs(): VNode {
           </button>
         ))}
       </div>
-      <div class="tab-panel" id="tab-panel" role="tabpanel" aria-labelledby={`tab-${tab}`}>
+      <div class="tab-panel" key={tab} id="tab-panel" role="tabpanel" aria-labelledby={`tab-${tab}`}>
         {tab === "console" && <ConsolePanel />}
         {tab === "charts" && <ChartsPanel />}
         {tab === "sensors" && <SensorsPanel />}

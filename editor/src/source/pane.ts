@@ -36,6 +36,7 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
       extensions: [
         EditorState.readOnly.of(true),
         EditorView.contentAttributes.of({"aria-label": options.label, "data-testid": "haskell"}),
+        EditorView.lineWrapping,
         drawSelection(),
         bracketMatching(),
         highlightSelectionMatches(),

@@ -120,7 +120,7 @@ export const firstPage: PageState = {
   muted: false,
   worlds: [],
   can: {undo: false, redo: false},
-  layout: {haskell: 380, room: 420, canvas: 0.56},
+  layout: {haskell: 360, room: 410, canvas: 0.56},
 }
 
 export type PageEvent =
