@@ -1,6 +1,7 @@
 /// Joins the parts: the store, the blocks, the Haskell pane, the room and the rim. Decides nothing that `state`
 /// could decide.
 
+import type {SavedWorkspace} from "@rosy/codegen"
 import * as codegen from "@rosy/codegen"
 import {type BlocksView, openBlocks} from "../blocks/index.ts"
 import type {Desk} from "../page/desk.ts"
@@ -22,9 +23,9 @@ import {openStore} from "../store.ts"
 import {openAutosave} from "./autosave.ts"
 import {
   blockProblem,
+  documentOf,
   emptyProject,
   type OpenedProject,
-  programOf,
   readProject,
   writeProject,
 } from "./programs.ts"
@@ -40,6 +41,8 @@ export function openDesk(address: string): Desk {
   let source: SourcePane | null = null
   let room: RoomView | null = null
   let current: OpenedProject = emptyProject()
+  /// The blocks as the block view has them; when the document has others, they are loaded.
+  let shown: SavedWorkspace = current.workspace
   let systemDark = false
 
   const perform = (order: Order) => {
@@ -49,7 +52,7 @@ export function openDesk(address: string): Desk {
   const store = openStore(perform, shelf.liking())
   const isDark = () => store.now.theme === "dark" || (store.now.theme === "auto" && systemDark)
   const projectText = () =>
-    writeProject(current.project, blocks?.save() ?? current.workspace, store.now.name, store.now.worldName)
+    writeProject(current.project, store.now.document.workspace, store.now.name, store.now.worldName)
   const autosave = openAutosave(store, shelf, projectText)
 
   const paint = () => {
@@ -57,6 +60,11 @@ export function openDesk(address: string): Desk {
     blocks?.setTone(isDark() ? "dark" : "light")
     room?.recolour()
   }
+  store.onFrame(({document}) => {
+    if (document.workspace === shown || blocks === null) return
+    shown = document.workspace
+    blocks.load(shown)
+  })
   store.onFrame(
     drawParts(
       () => ({blocks, source, room}),
@@ -68,15 +76,13 @@ export function openDesk(address: string): Desk {
 
   const show = (opened: OpenedProject, welcome: boolean, place: string | null) => {
     current = opened
-    blocks?.load(opened.workspace)
+    shown = opened.workspace
+    blocks?.load(shown)
     autosave.opened(place)
     const inference = blocks?.inference() ?? codegen.infer(opened.workspace)
-    const {program, findings} = programOf(opened.workspace, inference)
-    store.dispatch({
-      kind: "opened",
-      opened: {name: opened.project.name, world: opened.world, program, findings, welcome},
-    })
-    store.dispatch({kind: "history", undo: false, redo: false})
+    const document = documentOf(opened.workspace, inference)
+    const {project, world} = opened
+    store.dispatch({kind: "opened", opened: {name: project.name, world, document, welcome}})
   }
   const openText = (name: string, text: string, welcome: boolean, place: string | null) => {
     const opening = readProject(text)
@@ -99,8 +105,8 @@ export function openDesk(address: string): Desk {
     else void openExample(firstExample, true)
   }
 
-  const undo = () => blocks?.undo()
-  const redo = () => blocks?.redo()
+  const undo = () => store.dispatch({kind: "undo-pressed"})
+  const redo = () => store.dispatch({kind: "redo-pressed"})
   const saveFile = () => download(fileName(store.now.name, "rosy"), projectText(), "application/json")
 
   watchDark(dark => {
@@ -131,8 +137,10 @@ export function openDesk(address: string): Desk {
     mountBlocks(host) {
       blocks = openBlocks(host, {language: codegen, tone: isDark() ? "dark" : "light"})
       blocks.onChange(({workspace, inference}) => {
-        store.dispatch({kind: "program-changed", ...programOf(workspace, inference)})
-        store.dispatch({kind: "history", undo: blocks?.canUndo() ?? false, redo: blocks?.canRedo() ?? false})
+        if (JSON.stringify(workspace) === JSON.stringify(store.now.document.workspace)) return
+        shown = workspace
+        const document = documentOf(workspace, inference)
+        store.dispatch({kind: "program-changed", document, by: "blocks", at: performance.now()})
       })
       blocks.onSelect(block => store.dispatch({kind: "selected", block: block ?? null, in: "blocks"}))
       openFirst()
@@ -141,7 +149,7 @@ export function openDesk(address: string): Desk {
       source = openSource(host, {
         label: words.haskellPane,
         cursorMoved(offset) {
-          const block = innermostBlock(store.now.program.spans, {start: offset, end: offset})
+          const block = innermostBlock(store.now.document.program.spans, {start: offset, end: offset})
           store.dispatch({kind: "selected", block, in: "haskell"})
         },
       })
@@ -172,7 +180,8 @@ export function openDesk(address: string): Desk {
     newProgram: () => show(emptyProject(), false, null),
     openFile: () => pickFile(".rosy,.json", (name, text) => openText(name, text, false, null)),
     saveFile,
-    saveHaskell: () => download(fileName(store.now.name, "hs"), store.now.program.text, "text/plain"),
+    saveHaskell: () =>
+      download(fileName(store.now.name, "hs"), store.now.document.program.text, "text/plain"),
     saveTable: () => download(fileName(store.now.name, "csv"), toCsv(store.now.room.recording), "text/csv"),
     undo,
     redo,
@@ -201,15 +210,16 @@ function drawParts(
   return (state, now) => {
     const {blocks, source, room} = parts()
     const changed = (key: keyof PageState) => before === null || before[key] !== state[key]
-    if (changed("program")) source?.setProgram(state.program)
-    if (changed("findings")) {
+    const {program} = state.document
+    if (changed("document")) source?.setProgram(program)
+    if (changed("findings") || changed("document")) {
       const {compiler, run} = state.findings
-      source?.mark([...state.findings.blocks, ...compiler, ...run])
+      source?.mark([...state.document.findings, ...compiler, ...run])
       blocks?.mark([...compiler, ...run].map(blockProblem))
     }
-    if (changed("selected") || changed("selectedIn") || changed("program")) {
+    if (changed("selected") || changed("selectedIn") || changed("document")) {
       const {selected, selectedIn} = state
-      source?.link(selected === null ? null : textOf(state.program.spans, selected))
+      source?.link(selected === null ? null : textOf(program.spans, selected))
       blocks?.highlight(selected === null || selectedIn === "blocks" ? [] : [selected])
       if (selected !== null && selectedIn === "haskell") blocks?.reveal(selected)
     }
@@ -218,7 +228,7 @@ function drawParts(
       if (names.length > 0) blocks?.glow(names)
       if (names.join(" ") !== glow) {
         glow = names.join(" ")
-        source?.glow(state.program.definitions.filter(d => names.includes(d.name)))
+        source?.glow(program.definitions.filter(d => names.includes(d.name)))
       }
     }
     if (changed("theme")) paint()

@@ -16,6 +16,7 @@ import {
   toHaskell,
 } from "@rosy/codegen"
 import {decode} from "../state/decode.ts"
+import type {Document} from "../state/history.ts"
 import {type World, world} from "../state/messages.ts"
 import {type Finding, type Program, type Span, textOf} from "../state/program.ts"
 
@@ -69,10 +70,7 @@ export function writeProject(
 }
 
 /// The program that the blocks are, and what is wrong with them.
-export function programOf(
-  workspace: SavedWorkspace,
-  inference: Inference,
-): {readonly program: Program; readonly findings: readonly Finding[]} {
+export function documentOf(workspace: SavedWorkspace, inference: Inference): Document {
   const printed = toHaskell(workspace)
   const spans = printed.spans.flatMap((s): Span[] =>
     s.block === undefined ? [] : [{start: s.start, end: s.end, block: s.block}],
@@ -83,7 +81,7 @@ export function programOf(
   })
   const families = Object.fromEntries([...inference.blocks].map(([block, {family}]) => [block, family]))
   const program = {text: printed.text, spans, definitions, families}
-  return {program, findings: inference.problems.map(p => findingOf(program, p))}
+  return {program, workspace, findings: inference.problems.map(p => findingOf(program, p))}
 }
 
 function findingOf(program: Program, problem: BlockProblem): Finding {

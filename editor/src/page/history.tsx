@@ -7,7 +7,8 @@ import {words} from "./words.ts"
 
 export function History(): VNode {
   const desk = useDesk()
-  const can = usePage(s => s.can)
+  const canUndo = usePage(s => s.history.past.length > 0)
+  const canRedo = usePage(s => s.history.future.length > 0)
   return (
     <span class="pair">
       <button
@@ -15,7 +16,7 @@ export function History(): VNode {
         class="plain icon"
         title={words.undo}
         aria-label={words.undo}
-        disabled={!can.undo}
+        disabled={!canUndo}
         onClick={() => desk.undo()}
       >
         <UndoIcon />
@@ -25,7 +26,7 @@ export function History(): VNode {
         class="plain icon"
         title={words.redo}
         aria-label={words.redo}
-        disabled={!can.redo}
+        disabled={!canRedo}
         onClick={() => desk.redo()}
       >
         <RedoIcon />

@@ -8,8 +8,9 @@ import {Said} from "./said.tsx"
 import {words} from "./words.ts"
 
 /// All problems, errors first, each told once: the compiler repeats what the blocks know already.
-export function allFindings(state: PageState): readonly Finding[] {
-  const {blocks, compiler, run} = state.findings
+export function allFindings(state: Pick<PageState, "findings" | "document">): readonly Finding[] {
+  const {compiler, run} = state.findings
+  const blocks = state.document.findings
   const holes = new Set(blocks.map(f => f.block))
   const all = [...run, ...blocks, ...compiler.filter(f => f.block === null || !holes.has(f.block))]
   return [...all.filter(f => f.severity === "error"), ...all.filter(f => f.severity === "warning")]
@@ -20,9 +21,9 @@ export function problemCount(state: PageState): number {
 }
 
 export function ProblemsPanel(): VNode {
-  const key = usePage(s => s.findings)
-  const {store} = useDesk()
-  const findings = allFindings({...store.now, findings: key})
+  const told = usePage(s => s.findings)
+  const document = usePage(s => s.document)
+  const findings = allFindings({findings: told, document})
   return (
     <div class="problems" data-testid="problems">
       {findings.length === 0 && <p class="quiet">{words.noProblems}</p>}

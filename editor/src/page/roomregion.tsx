@@ -160,7 +160,7 @@ function Hands(): VNode | null {
 /// After a newcomer's first run: what to try next.
 function Invitation(): VNode | null {
   const show = usePage(s => s.welcome === "ran" && (isActive(s.run) || s.run.kind === "ended"))
-  const invites = usePage(s => s.program.text.includes(words.invite[1]))
+  const invites = usePage(s => s.document.program.text.includes(words.invite[1]))
   if (!show || !invites) return null
   const [before, code, after] = words.invite
   return (

@@ -11,7 +11,7 @@ export function RunButton(): VNode {
   const active = usePage(s => isActive(s.run))
   // Until the robot answers; the mark appears by itself after half a second (page.css).
   const busy = usePage(s => s.run.kind === "compiling" || s.run.kind === "waiting")
-  const inviting = usePage(s => s.welcome === "fresh" && s.program.text !== "")
+  const inviting = usePage(s => s.welcome === "fresh" && s.document.program.text !== "")
   return (
     <button
       type="button"

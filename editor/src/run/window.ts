@@ -42,7 +42,26 @@ function belongsElsewhere(target: EventTarget | null): boolean {
   )
 }
 
+/// Text fields keep their own undo while they are being edited.
+function isTextField(target: EventTarget | null): boolean {
+  return target instanceof Element && target.closest("input, textarea") !== null
+}
+
 export function watchKeys(keys: Keys): void {
+  // Before anybody else hears of them: the program has one history, and the workspace would use its own.
+  window.addEventListener(
+    "keydown",
+    event => {
+      const key = event.key.toLowerCase()
+      if (!(event.ctrlKey || event.metaKey) || (key !== "z" && key !== "y") || isTextField(event.target))
+        return
+      event.preventDefault()
+      event.stopPropagation()
+      if (key === "y" || event.shiftKey) keys.redo()
+      else keys.undo()
+    },
+    {capture: true},
+  )
   window.addEventListener("keydown", event => {
     const command = event.ctrlKey || event.metaKey
     if (command && event.key === "Enter") {
@@ -53,10 +72,6 @@ export function watchKeys(keys: Keys): void {
       keys.save()
     } else if (event.key === " " && !belongsElsewhere(event.target)) {
       if (keys.space()) event.preventDefault()
-    } else if (command && event.key.toLowerCase() === "z" && !belongsElsewhere(event.target)) {
-      event.preventDefault()
-      if (event.shiftKey) keys.redo()
-      else keys.undo()
     }
   })
 }

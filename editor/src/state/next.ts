@@ -1,5 +1,6 @@
 /// One step of the page: what happened turns one state into the next, and says what to send. Pure.
 
+import {type Document, emptyHistory, redo, remember, undo} from "./history.ts"
 import type {ServiceMessage} from "./messages.ts"
 import type {Order, PageEvent, PageState, Step} from "./page.ts"
 import {locate} from "./program.ts"
@@ -68,12 +69,13 @@ export function next(state: PageState, event: PageEvent): Step {
         ...state,
         name: opened.name,
         saved: "saved",
-        program: opened.program,
+        document: opened.document,
+        history: emptyHistory,
         worldName: opened.world,
         run: nextRun(state.run, {kind: "reset-pressed"}),
         room,
         lines: [],
-        findings: {blocks: opened.findings, compiler: [], run: []},
+        findings: {compiler: [], run: []},
         selected: null,
         welcome: opened.welcome ? "fresh" : "over",
         dialog: null,
@@ -87,18 +89,16 @@ export function next(state: PageState, event: PageEvent): Step {
       return {state: asked.state, orders: [{kind: "send", message: ready}, ...asked.orders]}
     }
     case "program-changed": {
-      const findings = {...state.findings, blocks: event.findings}
-      if (event.program.text === state.program.text)
-        return still({...state, program: event.program, findings, saved: "changed"})
-      // What the compiler and the last run said was about the old text.
-      const changed: PageState = {
-        ...state,
-        program: event.program,
-        findings: {...findings, compiler: [], run: []},
-        saved: "changed",
-        welcome: state.welcome === "ran" ? "over" : state.welcome,
-      }
-      return check(changed)
+      const history = remember(state.history, state.document, event.by, event.at)
+      return changeTo({...state, history}, event.document)
+    }
+    case "undo-pressed": {
+      const back = undo(state.history, state.document)
+      return back === null ? still(state) : changeTo({...state, history: back.history}, back.document)
+    }
+    case "redo-pressed": {
+      const on = redo(state.history, state.document)
+      return on === null ? still(state) : changeTo({...state, history: on.history}, on.document)
     }
     case "selected":
       return still({...state, selected: event.block, selectedIn: event.in})
@@ -143,11 +143,20 @@ export function next(state: PageState, event: PageEvent): Step {
       return still({...state, layout: event.layout})
     case "muted":
       return still({...state, muted: event.muted})
-    case "history":
-      return still({...state, can: {undo: event.undo, redo: event.redo}})
     default:
       return unreachable(event)
   }
+}
+
+/// Makes another document the program. What the compiler and the last run said was about the old text.
+function changeTo(state: PageState, document: Document): Step {
+  const changed: PageState = {...state, document, saved: "changed"}
+  if (document.program.text === state.document.program.text) return still(changed)
+  return check({
+    ...changed,
+    findings: {compiler: [], run: []},
+    welcome: state.welcome === "ran" ? "over" : state.welcome,
+  })
 }
 
 /// Ends looking back.
@@ -175,15 +184,15 @@ function start(state: PageState): Step {
 }
 
 function runMessage(state: PageState, run: number) {
-  return {op: "run", run, source: state.program.text, speed: state.speed} as const
+  return {op: "run", run, source: state.document.program.text, speed: state.speed} as const
 }
 
 /// Asks the compiler about the text as it is now.
 function check(state: PageState): Step {
   const id = state.checks + 1
   const asked = {...state, checks: id}
-  if (state.link !== "open" || state.program.text === "") return still(asked)
-  return sending(asked, {op: "check", id, source: state.program.text})
+  if (state.link !== "open" || state.document.program.text === "") return still(asked)
+  return sending(asked, {op: "check", id, source: state.document.program.text})
 }
 
 function heard(state: PageState, message: ServiceMessage): Step {
@@ -205,7 +214,7 @@ function heard(state: PageState, message: ServiceMessage): Step {
       return still({...state, room: {...state.room, world: message.world}})
     case "checked": {
       if (message.id !== state.checks) return still(state)
-      const compiler = message.problems.map(p => locate(state.program, p, "compiler"))
+      const compiler = message.problems.map(p => locate(state.document.program, p, "compiler"))
       return still({...state, findings: {...state.findings, compiler}})
     }
     case "state": {
@@ -213,7 +222,7 @@ function heard(state: PageState, message: ServiceMessage): Step {
       if (run === state.run) return still(state)
       if (message.state !== "ended") return still({...state, run})
       const found = message.problems.map(p =>
-        locate(state.program, p, message.ended === "refused" ? "compiler" : "run"),
+        locate(state.document.program, p, message.ended === "refused" ? "compiler" : "run"),
       )
       const findings =
         message.ended === "refused" ? {...state.findings, compiler: found} : {...state.findings, run: found}

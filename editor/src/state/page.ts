@@ -1,7 +1,8 @@
 /// All that the page knows, as one value without a DOM, and everything that can happen to it.
 
+import {type Document, emptyDocument, emptyHistory, type History} from "./history.ts"
 import type {Hand, PageMessage, ServiceMessage, Speed, WorkerState, World} from "./messages.ts"
-import {type BlockId, emptyProgram, type Finding, type Program} from "./program.ts"
+import type {BlockId, Finding} from "./program.ts"
 import {type ConsoleLine, emptyRoom, type RoomState} from "./room.ts"
 import type {RunState} from "./run.ts"
 
@@ -35,8 +36,7 @@ export type Notice =
 export interface Opened {
   readonly name: string
   readonly world: string | World | null
-  readonly program: Program
-  readonly findings: readonly Finding[]
+  readonly document: Document
   /// A newcomer's program: Run pulses once, and after the first run a line invites to change a number.
   readonly welcome: boolean
 }
@@ -44,7 +44,8 @@ export interface Opened {
 export interface PageState {
   readonly name: string
   readonly saved: "saved" | "changed" | "failed"
-  readonly program: Program
+  readonly document: Document
+  readonly history: History
   readonly worldName: string | World | null
   readonly link: "connecting" | "open" | "lost"
   readonly worker: WorkerState
@@ -59,7 +60,6 @@ export interface PageState {
   readonly room: RoomState
   readonly lines: readonly ConsoleLine[]
   readonly findings: {
-    readonly blocks: readonly Finding[]
     readonly compiler: readonly Finding[]
     readonly run: readonly Finding[]
   }
@@ -79,7 +79,6 @@ export interface PageState {
   readonly theme: Theme
   readonly muted: boolean
   readonly worlds: readonly string[]
-  readonly can: {readonly undo: boolean; readonly redo: boolean}
   readonly layout: Layout
 }
 
@@ -93,7 +92,8 @@ export interface Layout {
 export const firstPage: PageState = {
   name: "",
   saved: "saved",
-  program: emptyProgram,
+  document: emptyDocument,
+  history: emptyHistory,
   worldName: null,
   link: "connecting",
   worker: "starting",
@@ -104,7 +104,7 @@ export const firstPage: PageState = {
   speed: 1,
   room: emptyRoom,
   lines: [],
-  findings: {blocks: [], compiler: [], run: []},
+  findings: {compiler: [], run: []},
   selected: null,
   selectedIn: "blocks",
   welcome: "over",
@@ -119,7 +119,6 @@ export const firstPage: PageState = {
   theme: "auto",
   muted: false,
   worlds: [],
-  can: {undo: false, redo: false},
   layout: {haskell: 360, room: 410, canvas: 0.56},
 }
 
@@ -138,7 +137,15 @@ export type PageEvent =
   | {readonly kind: "hand"; readonly hand: Hand}
   | {readonly kind: "speed-chosen"; readonly speed: Speed}
   | {readonly kind: "opened"; readonly opened: Opened}
-  | {readonly kind: "program-changed"; readonly program: Program; readonly findings: readonly Finding[]}
+  /// The learner changed the program in one of its views; `at` is now, in milliseconds.
+  | {
+      readonly kind: "program-changed"
+      readonly document: Document
+      readonly by: "blocks" | "haskell"
+      readonly at: number
+    }
+  | {readonly kind: "undo-pressed"}
+  | {readonly kind: "redo-pressed"}
   | {readonly kind: "selected"; readonly block: BlockId | null; readonly in: "blocks" | "haskell"}
   | {readonly kind: "renamed"; readonly name: string}
   | {readonly kind: "stored"; readonly ok: boolean}
@@ -154,7 +161,6 @@ export type PageEvent =
   | {readonly kind: "theme"; readonly theme: Theme}
   | {readonly kind: "layout"; readonly layout: Layout}
   | {readonly kind: "muted"; readonly muted: boolean}
-  | {readonly kind: "history"; readonly undo: boolean; readonly redo: boolean}
 
 /// What a step of the page asks of the world outside: messages to send, sounds to play.
 export type Order =

@@ -1,6 +1,7 @@
 /// What Run, Stop and Reset do, also when answers come late, twice, or not at all.
 
 import {describe, expect, it} from "vitest"
+import {type Document, emptyDocument} from "../../src/state/history.ts"
 import type {Frame, Problem, ServiceMessage} from "../../src/state/messages.ts"
 import {next, readout} from "../../src/state/next.ts"
 import {firstPage, type Order, type PageEvent, type PageState} from "../../src/state/page.ts"
@@ -64,7 +65,8 @@ const program = {
   ],
   families: {},
 }
-const open = play({...firstPage, program}, hello, hear({op: "worker", state: "ready"})).state
+const document: Document = {...emptyDocument, program}
+const open = play({...firstPage, document}, hello, hear({op: "worker", state: "ready"})).state
 const problem: Problem = {
   severity: "error",
   kind: "type-mismatch",
@@ -118,7 +120,7 @@ describe("a run", () => {
   })
 
   it("pressed before the service answers is sent when it does", () => {
-    const waiting = play({...firstPage, program}, press)
+    const waiting = play({...firstPage, document}, press)
     expect(waiting.state.run.kind).toBe("waiting")
     expect(waiting.ops).toEqual([])
     const {state, ops} = play(waiting.state, hello)
@@ -127,7 +129,7 @@ describe("a run", () => {
   })
 
   it("that waits for the service can be stopped, and is then not sent", () => {
-    const {state, ops} = play({...firstPage, program}, press, stop, hello)
+    const {state, ops} = play({...firstPage, document}, press, stop, hello)
     expect(state.run.kind).toBe("ready")
     expect(ops).toEqual(["check"])
   })
@@ -199,8 +201,9 @@ describe("the compiler", () => {
   it("is asked after every change of the text, and only its newest answer counts", () => {
     const change = (t: string): PageEvent => ({
       kind: "program-changed",
-      program: {...program, text: t},
-      findings: [],
+      document: {...document, program: {...program, text: t}},
+      by: "blocks",
+      at: 0,
     })
     const {state, sent} = play(open, change("a"), change("b"))
     const ids = sent.flatMap(m => (m.op === "check" ? [m.id] : []))
@@ -211,7 +214,22 @@ describe("the compiler", () => {
   })
 
   it("is not asked when blocks only moved", () => {
-    expect(play(open, {kind: "program-changed", program, findings: []}).sent).toEqual([])
+    expect(play(open, {kind: "program-changed", document, by: "blocks", at: 0}).sent).toEqual([])
+  })
+})
+
+describe("undo", () => {
+  it("brings back the program before, asks the compiler about it, and redo the one after", () => {
+    const other = {...document, program: {...program, text: "main = simulate ()\n"}}
+    const changed = play(open, {kind: "program-changed", document: other, by: "blocks", at: 0})
+    const back = play(changed.state, {kind: "undo-pressed"})
+    expect(back.state.document).toBe(document)
+    expect(back.sent).toMatchObject([{op: "check", source: text}])
+    expect(play(back.state, {kind: "redo-pressed"}).state.document).toBe(other)
+  })
+
+  it("does nothing when there is nothing to undo", () => {
+    expect(play(open, {kind: "undo-pressed"}).state).toBe(open)
   })
 })
 

@@ -1,0 +1,60 @@
+/// One history for the program, whichever view it was changed in: undo and redo walk through documents in the
+/// order they were made. Pure.
+
+import type {SavedWorkspace} from "@rosy/codegen"
+import {emptyProgram, type Finding, type Program} from "./program.ts"
+
+/// The program at one moment, as text and as blocks.
+export interface Document {
+  readonly program: Program
+  /// The blocks with their places.
+  readonly workspace: SavedWorkspace
+  /// What is wrong with the blocks.
+  readonly findings: readonly Finding[]
+}
+
+export const emptyDocument: Document = {
+  program: emptyProgram,
+  workspace: {blocks: {languageVersion: 0, blocks: []}},
+  findings: [],
+}
+
+export interface History {
+  readonly past: readonly Document[]
+  readonly future: readonly Document[]
+  /// Where and when the last change was made, in milliseconds; `null` when none can be joined to it.
+  readonly last: {readonly by: "blocks" | "haskell"; readonly at: number} | null
+}
+
+export const emptyHistory: History = {past: [], future: [], last: null}
+
+/// Changes of the text in the same view that follow each other within this time are one step, in milliseconds.
+const joinWithin = 700
+/// Steps kept.
+const maxSteps = 500
+
+/// The history after `before` was changed.
+export function remember(history: History, before: Document, by: "blocks" | "haskell", at: number): History {
+  const {last, past} = history
+  const joins = last !== null && last.by === by && at - last.at < joinWithin && past.length > 0
+  return {
+    past: joins ? past : [...past.slice(-maxSteps + 1), before],
+    future: [],
+    last: {by, at},
+  }
+}
+
+export function undo(history: History, now: Document): {history: History; document: Document} | null {
+  const document = history.past.at(-1)
+  if (document === undefined) return null
+  return {
+    document,
+    history: {past: history.past.slice(0, -1), future: [now, ...history.future], last: null},
+  }
+}
+
+export function redo(history: History, now: Document): {history: History; document: Document} | null {
+  const [document, ...future] = history.future
+  if (document === undefined) return null
+  return {document, history: {past: [...history.past, now], future, last: null}}
+}
