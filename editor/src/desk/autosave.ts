@@ -44,7 +44,7 @@ export function openAutosave(store: Store, shelf: Shelf, projectText: () => stri
       place = id
       clearTimeout(timer)
       timer = undefined
-      shelf.setCurrent(id)
+      if (id !== null) shelf.setCurrent(id)
     },
   }
 }

@@ -28,7 +28,7 @@ export interface Shelf {
   keyOf(id: string): string
   /// Answers whether the browser took it: its space is limited, and may be switched off.
   keep(id: string, name: string, text: string, at: number): boolean
-  setCurrent(id: string | null): void
+  setCurrent(id: string): void
   liking(): Liking
   setLiking(liking: Liking): void
 }
@@ -98,7 +98,7 @@ export function openShelf(storage: Storage): Shelf {
       )
     },
     setCurrent(id) {
-      write(currentKey, id ?? "")
+      write(currentKey, id)
     },
     liking() {
       const text = read(likingKey)
