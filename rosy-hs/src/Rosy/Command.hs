@@ -1,5 +1,5 @@
-{-# LANGUAGE DeriveGeneric #-}
 {-# LANGUAGE DefaultSignatures #-}
+{-# LANGUAGE DeriveGeneric #-}
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE MultiParamTypeClasses #-}
 {-# LANGUAGE ScopedTypeVariables #-}
@@ -22,21 +22,24 @@
 -- You need this class only to read an error message: a type that is not a 'Command' cannot be given.
 module Rosy.Command
   ( -- * What it is
-    Command (..)
+    Command (..),
 
     -- * Ending and reporting
-  , Done (..), Feedback (..), Cancel (..)
+    Done (..),
+    Feedback (..),
+    Cancel (..),
 
     -- * What may end
-  , Ends, NotInATask
-  ) where
+    Ends,
+    NotInATask,
+  )
+where
 
 import Control.Exception (throw)
 import Data.Dynamic (toDyn)
 import Data.Proxy (Proxy (..))
 import Data.Typeable (typeRep)
 import GHC.Generics (Generic)
-
 import Rosy.Core
 import Rosy.Problem (Fault (..))
 import Rosy.Robot
@@ -64,17 +67,20 @@ data Cancel = Cancel
   deriving (Eq, Ord, Show, Read, Generic)
 
 instance Value a => Value (Done a)
+
 instance Value a => Value (Feedback a)
+
 instance Value Cancel
 
 instance Sensor Cancel
+
 instance Command Cancel
 
 -- ---------------------------------------------------------------------------------------------
 -- The robot
 
 act :: (c -> Action) -> Plan c
-act toAction = Plain (\c -> Then (Act (toAction c)))
+act toAction = Plain (Then . Act . toAction)
 
 instance Command Velocity where
   command = act (\(Velocity v w) -> SetVelocity (finite v) (finite w))
@@ -85,7 +91,9 @@ instance Command Velocity where
         | otherwise = x
 
 instance Command Led1 where command = act (\(Led1 c) -> SetLed1 c)
+
 instance Command Led2 where command = act (\(Led2 c) -> SetLed2 c)
+
 instance Command Sound where command = act PlaySound
 
 instance Command Say where
@@ -116,6 +124,7 @@ instance Command Call where
 -- Shapes
 
 instance Command () where command = Plain (\() rest -> rest)
+
 instance Command Never where command = Plain (\Never rest -> rest)
 
 instance (Sensor a, Command b) => Command (a -> b) where
@@ -130,11 +139,11 @@ instance Command a => Command (Maybe a) where
 
 instance Command a => Command [a] where
   command = case command of
-    Plain give -> Plain (\xs rest -> foldr give rest xs)
+    Plain give -> Plain (flip (foldr give))
     Needing s give -> Needing s (\xs n rest -> foldr (`give` n) rest xs)
 
 instance (Command a, Command b) => Command (Either a b) where
-  command = pair command command (\giveA giveB -> either giveA giveB)
+  command = pair command command either
 
 instance (Command a, Command b) => Command (a, b) where
   command = pair command command (\giveA giveB (a, b) -> giveA a . giveB b)
@@ -183,16 +192,29 @@ class Ends end c
 data NotInATask
 
 instance {-# INCOHERENT #-} Ends end c
+
 instance end ~ a => Ends end (Done a)
+
 instance Ends end b => Ends end (a -> b)
+
 instance Ends end a => Ends end (Maybe a)
+
 instance Ends end a => Ends end [a]
+
 instance (Ends end a, Ends end b) => Ends end (Either a b)
+
 instance (Ends end a, Ends end b) => Ends end (a, b)
+
 instance (Ends end a, Ends end b, Ends end c) => Ends end (a, b, c)
+
 instance (Ends end a, Ends end b, Ends end c, Ends end d) => Ends end (a, b, c, d)
+
 instance (Ends end a, Ends end b, Ends end c, Ends end d, Ends end e) => Ends end (a, b, c, d, e)
+
 instance (Ends end a, Ends end b, Ends end c, Ends end d, Ends end e, Ends end f) => Ends end (a, b, c, d, e, f)
+
 instance (Ends end a, Ends end b, Ends end c, Ends end d, Ends end e, Ends end f, Ends end g) => Ends end (a, b, c, d, e, f, g)
+
 instance (Ends end a, Ends end b, Ends end c, Ends end d, Ends end e, Ends end f, Ends end g, Ends end h) => Ends end (a, b, c, d, e, f, g, h)
+
 instance (Ends end a, Ends end b, Ends end c, Ends end d, Ends end e, Ends end f, Ends end g, Ends end h, Ends end i) => Ends end (a, b, c, d, e, f, g, h, i)

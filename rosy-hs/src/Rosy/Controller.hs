@@ -15,13 +15,14 @@
 -- from the program's text ("Rosy.Program"); where a name is missing it is @function 1@, @function 2@ and so on.
 module Rosy.Controller
   ( -- * What it is
-    Controller (..)
+    Controller (..),
 
     -- * Names of its functions
-  , Names (..)
-  , functionsOf
-  , single
-  ) where
+    Names (..),
+    functionsOf,
+    single,
+  )
+where
 
 import Rosy.Command
 import Rosy.Core

@@ -10,23 +10,47 @@
 -- these types; "Rosy.Loop" gives them their meaning in time. Nothing here runs anything.
 module Rosy.Core
   ( -- * What happens
-    Occurrence (..), Message (..), Odometry (..), Event (..)
+    Occurrence (..),
+    Message (..),
+    Odometry (..),
+    Event (..),
 
     -- * What a function may read
-  , Env (..), Memories, ScopeId
+    Env (..),
+    Memories,
+    ScopeId,
 
     -- * Inputs
-  , Sense (..), Shape (..), Trigger (..), Reading (..), Interest, interestedIn, interestIn, odometryInterest
+    Sense (..),
+    Shape (..),
+    Trigger (..),
+    Reading (..),
+    Interest,
+    interestedIn,
+    interestIn,
+    odometryInterest,
 
     -- * Outputs
-  , Plan (..), Effects (..), Effect (..), Action (..)
+    Plan (..),
+    Effects (..),
+    Effect (..),
+    Action (..),
 
     -- * Functions
-  , Function (..), FunctionName, functionName, nameText, nameBytes
+    Function (..),
+    FunctionName,
+    functionName,
+    nameText,
+    nameBytes,
 
     -- * Tasks
-  , Task (..), Program (..), Spec (..), Call (..), Calling (..)
-  ) where
+    Task (..),
+    Program (..),
+    Spec (..),
+    Call (..),
+    Calling (..),
+  )
+where
 
 import Control.Monad (ap, liftM)
 import Data.Bits ((.&.))
@@ -38,9 +62,8 @@ import Data.IntMap.Strict (IntMap)
 import Data.Map.Strict (Map)
 import Data.Typeable (TypeRep)
 import Data.Word (Word8)
-import System.Random (StdGen)
-
 import Rosy.Robot
+import System.Random (StdGen)
 
 -- ---------------------------------------------------------------------------------------------
 -- What happens
@@ -57,9 +80,9 @@ data Message
 
 -- | What one odometry message says, in the frame of the start: metres, radians, m/s, rad/s.
 data Odometry = Odometry
-  { odometryPosition :: Position
-  , odometryOrientation :: Orientation
-  , odometryVelocity :: Velocity
+  { odometryPosition :: Position,
+    odometryOrientation :: Orientation,
+    odometryVelocity :: Velocity
   }
   deriving (Eq, Show)
 
@@ -71,10 +94,10 @@ data Occurrence
 
 -- | A value of a declared type on its way from the function that emitted it to those that take it.
 data Event = Event
-  { eventSerial :: Int
-  -- ^ How many events the program had emitted before; set when it is queued.
-  , eventValue :: Dynamic
-  , eventShown :: ~String
+  { -- | How many events the program had emitted before; set when it is queued.
+    eventSerial :: Int,
+    eventValue :: Dynamic,
+    eventShown :: ~String
   }
 
 -- ---------------------------------------------------------------------------------------------
@@ -88,14 +111,14 @@ type Memories = Map TypeRep Dynamic
 
 -- | All that a function can read apart from events.
 data Env = Env
-  { envOdometry :: Maybe Odometry
-  , envTime :: Double
-  -- ^ Seconds, as 'Seconds' tells them.
-  , envGen :: StdGen
-  , envScope :: ScopeId
-  -- ^ Whose memory is read.
-  , envMemories :: IntMap Memories
-  , envParams :: Memories
+  { envOdometry :: Maybe Odometry,
+    -- | Seconds, as 'Seconds' tells them.
+    envTime :: Double,
+    envGen :: StdGen,
+    -- | Whose memory is read.
+    envScope :: ScopeId,
+    envMemories :: IntMap Memories,
+    envParams :: Memories
   }
 
 -- ---------------------------------------------------------------------------------------------
@@ -127,8 +150,8 @@ interestedIn a b = a .&. b /= 0
 
 -- | An input of a function: when it has a value, and how that value is told in an error message.
 data Sense a = Sense
-  { senseTell :: a -> [String] -> [String]
-  , senseShape :: Shape a
+  { senseTell :: a -> [String] -> [String],
+    senseShape :: Shape a
   }
 
 -- | The three kinds of input of LANGUAGE.md section 2 in two constructors.
@@ -140,26 +163,26 @@ data Shape a
 
 -- | How an input follows what happens.
 data Trigger s a = Trigger
-  { interest :: Interest
-  , mayWait :: Bool
-  -- ^ Whether its reading may need odometry, so that a value may have to wait for the first one.
-  , turns :: Int
-  -- ^ How many values one occurrence can give: one per side of an 'Either'.
-  , unused :: ~s
-  -- ^ The state without any unused value.
-  , offer :: Int -> Occurrence -> s -> s
-  -- ^ In the given turn (from 0), what an occurrence of interest makes of the state.
-  , ready :: s -> Maybe (Reading a)
-  -- ^ The value, when every event of the input has one.
-  , used :: s -> s
-  -- ^ The state after that value was taken.
+  { interest :: Interest,
+    -- | Whether its reading may need odometry, so that a value may have to wait for the first one.
+    mayWait :: Bool,
+    -- | How many values one occurrence can give: one per side of an 'Either'.
+    turns :: Int,
+    -- | The state without any unused value.
+    unused :: ~s,
+    -- | In the given turn (from 0), what an occurrence of interest makes of the state.
+    offer :: Int -> Occurrence -> s -> s,
+    -- | The value, when every event of the input has one.
+    ready :: s -> Maybe (Reading a),
+    -- | The state after that value was taken.
+    used :: s -> s
   }
 
 -- | A value that is there for the reading, perhaps only once odometry has arrived.
 -- Reading gives back the environment because a generator that was read is used up.
 data Reading a = Reading
-  { needsOdometry :: Bool
-  , readNow :: Env -> (a, Env)
+  { needsOdometry :: Bool,
+    readNow :: Env -> (a, Env)
   }
 
 -- ---------------------------------------------------------------------------------------------
@@ -237,23 +260,24 @@ data Program r
 
 -- | One task: what it does first, what it does all the time, what it does when it is stopped.
 data Spec end = Spec
-  { specStart :: Maybe Function
-  , specFunctions :: [Function]
-  , specStopped :: Maybe Function
-  , specEnd :: Dynamic -> Maybe end
-  -- ^ The value of a @Done@, if it has the type of this task.
-  , specType :: ~String
-  -- ^ That type, as Haskell writes it.
+  { specStart :: Maybe Function,
+    specFunctions :: [Function],
+    specStopped :: Maybe Function,
+    -- | The value of a @Done@, if it has the type of this task.
+    specEnd :: Dynamic -> Maybe end,
+    -- | That type, as Haskell writes it.
+    specType :: ~String
   }
 
 -- | A command that starts a task beside the functions that are running. Made with @call@.
 newtype Call = Call Calling
 
 -- | A task to start, and what to do with what comes out of it.
-data Calling = forall end. Calling
-  { callProgram :: Program end
-  , callCancel :: Maybe Function
-  -- ^ Ends with a value when the task is to be cancelled.
-  , callFeedback :: Dynamic -> Maybe Function
-  , callResponse :: end -> Function
+data Calling = forall end.
+  Calling
+  { callProgram :: Program end,
+    -- | Ends with a value when the task is to be cancelled.
+    callCancel :: Maybe Function,
+    callFeedback :: Dynamic -> Maybe Function,
+    callResponse :: end -> Function
   }

@@ -5,17 +5,35 @@
 -- Plain arithmetic in plain numbers; the type names say which unit is meant.
 module Rosy.Geometry
   ( -- * Units
-    Degrees, Radians, Centimeters, Meters
-  , degreesToRadians, radiansToDegrees, normRadians
-  , centimetersToMeters, metersToCentimeters
-  , doubleToSeconds, secondsToDouble
+    Degrees,
+    Radians,
+    Centimeters,
+    Meters,
+    degreesToRadians,
+    radiansToDegrees,
+    normRadians,
+    centimetersToMeters,
+    metersToCentimeters,
+    doubleToSeconds,
+    secondsToDouble,
 
     -- * Orientations
-  , degreesToOrientation, orientationToDegrees, normOrientation
+    degreesToOrientation,
+    orientationToDegrees,
+    normOrientation,
 
     -- * Vectors
-  , Vec, positionToVec, vecToPosition, scalarVec, magnitudeVec, angleVec, addVec, subVec, extVec
-  ) where
+    Vec,
+    positionToVec,
+    vecToPosition,
+    scalarVec,
+    magnitudeVec,
+    angleVec,
+    addVec,
+    subVec,
+    extVec,
+  )
+where
 
 import Rosy.Robot
 
@@ -48,8 +66,9 @@ radiansToDegrees r = r * 180 / pi
 normRadians :: Radians -> Radians
 normRadians r
   | r > negate pi && r <= pi = r
-  | otherwise = let turned = r - 2 * pi * fromIntegral (ceiling ((r - pi) / (2 * pi)) :: Integer)
-                 in if turned <= negate pi then pi else min pi turned
+  | otherwise =
+    let turned = r - 2 * pi * fromIntegral (ceiling ((r - pi) / (2 * pi)) :: Integer)
+     in if turned <= negate pi then pi else min pi turned
 
 -- | >>> centimetersToMeters 32
 -- 0.32

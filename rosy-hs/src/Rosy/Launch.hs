@@ -1,3 +1,5 @@
+{-# LANGUAGE TupleSections #-}
+
 -- |
 -- Module      : Rosy.Launch
 -- Description : Starting a program's @main@ with a robot to talk to.
@@ -6,12 +8,13 @@
 -- 'simulate' finds the link in the one process-wide variable of the library.
 module Rosy.Launch
   ( -- * Launching
-    onPipe
+    onPipe,
 
     -- * What main calls
-  , simulate
-  , simulateNamed
-  ) where
+    simulate,
+    simulateNamed,
+  )
+where
 
 import Control.Exception
 import Control.Monad (unless)
@@ -19,15 +22,14 @@ import Data.IORef
 import Data.Word (Word32)
 import Foreign.C.Types (CInt)
 import Foreign.Ptr (Ptr)
-import System.IO (hFlush, hPutStrLn, stderr, stdout)
-import System.IO.Unsafe (unsafePerformIO)
-
 import Rosy.Controller (Names (..))
 import Rosy.Link
 import Rosy.Link.Pipe (pipeLink)
 import Rosy.Problem
 import Rosy.Run (runOn)
 import Rosy.Runnable
+import System.IO (hFlush, hPutStrLn, stderr, stdout)
+import System.IO.Unsafe (unsafePerformIO)
 
 -- | What the process knows of its robot.
 data Robot
@@ -64,7 +66,7 @@ onPipe descriptor page mainOf = do
   link <- pipeLink descriptor page
   ended <- newIORef False
   let once' commands ending = do
-        before <- atomicModifyIORef' ended (\e -> (True, e))
+        before <- atomicModifyIORef' ended (True,)
         unless before (end link commands ending)
       link' = link {end = once'}
   writeIORef robot (Ready link')

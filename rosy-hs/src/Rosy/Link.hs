@@ -6,54 +6,55 @@
 -- The simulator waits for each answer; a real robot does not wait.
 module Rosy.Link
   ( -- * What it is
-    Link (..)
-  , Opening (..)
-  , Batch (..)
-  , Answer (..)
-  , Ending (..)
-  ) where
+    Link (..),
+    Opening (..),
+    Batch (..),
+    Answer (..),
+    Ending (..),
+  )
+where
 
 import Rosy.Core (Action, FunctionName, Message)
 import Rosy.Problem (Problem)
 
 -- | A robot at the other end.
 data Link = Link
-  { open :: IO Opening
-  -- ^ Wait until the robot is there, and say what the program sends and takes.
-  , next :: IO (Maybe Batch)
-  -- ^ The next batch; 'Nothing' when the program is to stop.
-  , answer :: Answer -> IO ()
-  -- ^ What the program makes of the batch.
-  , end :: [Action] -> Ending -> IO ()
-  -- ^ The last words: commands, then zero velocity, then how it ended.
-  , atWork :: FunctionName -> IO ()
-  -- ^ Leaves the name of the function at work where it can be found if it never ends.
-  , atRest :: IO ()
-  -- ^ No function is at work.
+  { -- | Wait until the robot is there, and say what the program sends and takes.
+    open :: IO Opening,
+    -- | The next batch; 'Nothing' when the program is to stop.
+    next :: IO (Maybe Batch),
+    -- | What the program makes of the batch.
+    answer :: Answer -> IO (),
+    -- | The last words: commands, then zero velocity, then how it ended.
+    end :: [Action] -> Ending -> IO (),
+    -- | Leaves the name of the function at work where it can be found if it never ends.
+    atWork :: FunctionName -> IO (),
+    -- | No function is at work.
+    atRest :: IO ()
   }
 
 -- | What is known when a run starts.
 newtype Opening = Opening
-  { openingSeed :: Int
-  -- ^ Where the chance of this run comes from.
+  { -- | Where the chance of this run comes from.
+    openingSeed :: Int
   }
 
 -- | What the robot sensed since the last batch.
 data Batch = Batch
-  { batchStep :: Int
-  , batchTime :: Double
-  -- ^ Seconds.
-  , batchMessages :: [Message]
-  , batchTick :: Bool
-  -- ^ Whether the default-rate clock ticks after the messages.
+  { batchStep :: Int,
+    -- | Seconds.
+    batchTime :: Double,
+    batchMessages :: [Message],
+    -- | Whether the default-rate clock ticks after the messages.
+    batchTick :: Bool
   }
 
 -- | What the program did with a batch.
 data Answer = Answer
-  { answerStep :: Int
-  , answerActions :: [Action]
-  , answerFired :: [FunctionName]
-  , answerEvents :: [String]
+  { answerStep :: Int,
+    answerActions :: [Action],
+    answerFired :: [FunctionName],
+    answerEvents :: [String]
   }
 
 -- | How a run ended.

@@ -1,6 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE ExistentialQuantification #-}
 {-# LANGUAGE RankNTypes #-}
+{-# LANGUAGE TupleSections #-}
 
 -- |
 -- Module      : Rosy.Loop
@@ -11,36 +12,36 @@
 -- whoever drives the loop ("Rosy.Run") can say which function is at work, and catch what it throws, before going on.
 module Rosy.Loop
   ( -- * What it is
-    Network
-  , Turn (..)
-  , Firing (..)
-  , Outcome (..)
+    Network,
+    Turn (..),
+    Firing (..),
+    Outcome (..),
 
     -- * Running one
-  , Start (..)
-  , begin
-  , What (..)
-  , instant
-  , stop
+    Start (..),
+    begin,
+    What (..),
+    instant,
+    stop,
 
     -- * What came of it
-  , Report (..)
-  , collect
+    Report (..),
+    collect,
 
     -- * Limits
-  , roundLimit
-  , stepLimit
-  ) where
+    roundLimit,
+    stepLimit,
+  )
+where
 
 import Data.Bits ((.|.))
 import Data.Dynamic (Dynamic, dynTypeRep, fromDynamic, toDyn)
 import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.Map.Strict as Map
-import System.Random (StdGen)
-
 import Rosy.Core
 import Rosy.Value (shown)
+import System.Random (StdGen)
 
 -- | The most rounds of user events in one instant (rule 8); what is pending then waits for the next instant.
 roundLimit :: Int
@@ -65,13 +66,13 @@ data Turn
 
 -- | A function at work.
 data Firing = Firing
-  { firingName :: !FunctionName
-  , firingInputs :: [String]
-  -- ^ What it was given, as Haskell shows it. Computed only when something asks.
-  , firingEffects :: Effects
-  -- ^ Evaluating this is the firing. It throws what the function throws.
-  , firingFailed :: Turn
-  -- ^ What follows when it threw: the clean-up of all live tasks, then 'Ended'.
+  { firingName :: !FunctionName,
+    -- | What it was given, as Haskell shows it. Computed only when something asks.
+    firingInputs :: [String],
+    -- | Evaluating this is the firing. It throws what the function throws.
+    firingEffects :: Effects,
+    -- | What follows when it threw: the clean-up of all live tasks, then 'Ended'.
+    firingFailed :: Turn
   }
 
 -- | How a program ends by itself or is ended.
@@ -85,9 +86,9 @@ data Outcome
 
 -- | What a step leaves for the outside, in order.
 data Report = Report
-  { reportActions :: [Action]
-  , reportEvents :: [String]
-  -- ^ Events sensed and emitted, as Haskell shows them.
+  { reportActions :: [Action],
+    -- | Events sensed and emitted, as Haskell shows them.
+    reportEvents :: [String]
   }
 
 -- ---------------------------------------------------------------------------------------------
@@ -98,22 +99,22 @@ data Network = forall r. Network !(Running r) !World
 
 -- | The state that all parts share.
 data World = World
-  { env :: !Env
-  , queue :: ![Event]
-  -- ^ Emitted and not yet delivered, newest first.
-  , emitted :: !Int
-  , actions :: ![Action]
-  -- ^ Newest first; so are the events heard.
-  , heard :: ![String]
-  , ending :: !(Maybe Dynamic)
-  -- ^ The value of the first 'Done' of the functions that are firing.
-  , fed :: ![Dynamic]
-  -- ^ Feedback on its way out, newest first.
-  , begun :: ![Calling]
-  -- ^ Calls to start, newest first.
-  , nextScope :: !ScopeId
-  , cleanups :: !(IntMap Function)
-  -- ^ What the live tasks do when they are stopped.
+  { env :: !Env,
+    -- | Emitted and not yet delivered, newest first.
+    queue :: ![Event],
+    emitted :: !Int,
+    -- | Newest first; so are the events heard.
+    actions :: ![Action],
+    heard :: ![String],
+    -- | The value of the first 'Done' of the functions that are firing.
+    ending :: !(Maybe Dynamic),
+    -- | Feedback on its way out, newest first.
+    fed :: ![Dynamic],
+    -- | Calls to start, newest first.
+    begun :: ![Calling],
+    nextScope :: !ScopeId,
+    -- | What the live tasks do when they are stopped.
+    cleanups :: !(IntMap Function)
   }
 
 -- | A function with the state of its inputs: its name, what it listens to, its birth (events with a smaller serial
@@ -242,8 +243,8 @@ offerTo scope occurrence (Live name kinds born inputs machine state0 waiting0 gi
   | not (interestedIn kinds (interestIn occurrence)) = pure (same state0 waiting0)
   | Emitted e <- occurrence, eventSerial e < born = pure (same state0 waiting0)
   | otherwise = do
-      there <- world (arrived . env)
-      if there && not (null waiting0) then late waiting0 else turn there waiting0 0 state0
+    there <- world (arrived . env)
+    if there && not (null waiting0) then late waiting0 else turn there waiting0 0 state0
   where
     same s waiting = Live name kinds born inputs machine s waiting give
     fires = fire scope name (senseTell inputs) give
@@ -257,19 +258,19 @@ offerTo scope occurrence (Live name kinds born inputs machine state0 waiting0 gi
     turn there waiting i s
       | i == turns machine = pure (same s waiting)
       | otherwise =
-          let !s' = offer machine i occurrence s
-           in case ready machine s' of
-                Nothing -> turn there waiting (i + 1) s'
-                Just reading
-                  | needsOdometry reading && not there ->
-                      let !s'' = used machine s' in turn there (waiting ++ [reading]) (i + 1) s''
-                  | otherwise -> do
-                      fires reading
-                      over <- world ending
-                      let !s'' = used machine s'
-                      case over of
-                        Nothing -> turn there waiting (i + 1) s''
-                        Just _ -> pure (same s'' waiting)
+        let !s' = offer machine i occurrence s
+         in case ready machine s' of
+              Nothing -> turn there waiting (i + 1) s'
+              Just reading
+                | needsOdometry reading && not there ->
+                  let !s'' = used machine s' in turn there (waiting ++ [reading]) (i + 1) s''
+                | otherwise -> do
+                  fires reading
+                  over <- world ending
+                  let !s'' = used machine s'
+                  case over of
+                    Nothing -> turn there waiting (i + 1) s''
+                    Just _ -> pure (same s'' waiting)
 
 -- ---------------------------------------------------------------------------------------------
 -- Tasks: getting on
@@ -428,18 +429,26 @@ stopCalled (Called running _ _ _) = stopRunning running
 -- | Start the tasks that were called since the last look.
 startCalls :: Int -> ScopeId -> Step [Called]
 startCalls left scope = do
-  calls <- Step (\w k -> case begun w of
-    [] -> k [] w
-    found -> k (reverse found) w {begun = []})
+  calls <-
+    Step
+      ( \w k -> case begun w of
+          [] -> k [] w
+          found -> k (reverse found) w {begun = []}
+      )
   case calls of
     [] -> pure []
     _ -> concat <$> mapM start calls
   where
-    start (Calling program cancel feedback response) = do
+    -- What the caller's functions ended with is not for the called, and comes first.
+    start (Calling program canceller feedback response) = do
       born <- world emitted
       outer <- takeFed
+      ended <- takeEnding
       running <- advance left program
-      reports outer scope (Called running (fmap (liven born) cancel) feedback response)
+      called <- reports outer scope (Called running (fmap (liven born) canceller) feedback response)
+      case ended of
+        Nothing -> pure called
+        Just _ -> called <$ change (\w -> w {ending = ended})
 
 -- ---------------------------------------------------------------------------------------------
 -- Tasks: what happens
@@ -460,13 +469,13 @@ deliver occurrence running = case running of
     over <- world ending
     case over of
       Nothing -> pure (Giving scope live' rest)
-      Just _ -> afterOnce stepLimit scope (Function (liveName live) (Sense (const id) (Level False (\e -> ((), e)))) (const Nothing')) rest
+      Just _ -> afterOnce stepLimit scope (Function (liveName live) (Sense (const id) (Level False ((),))) (const Nothing')) rest
   Working scope live called spec k -> work scope occurrence live called spec k
   Waiting moment rest
     | Emitted _ <- occurrence -> pure running
     | otherwise -> do
-        now <- world (envTime . env)
-        if now >= moment then advance stepLimit rest else pure running
+      now <- world (envTime . env)
+      if now + rounding >= moment then advance stepLimit rest else pure running
   Paused rest
     | Emitted _ <- occurrence -> pure running
     | otherwise -> advance stepLimit rest
@@ -483,6 +492,11 @@ deliver occurrence running = case running of
       _ -> do
         y <- deliver occurrence b
         against stepLimit x y k
+
+-- | Instants come at sums of steps of 20 ms, whose last digits are rounded: a moment is reached when it is this near, seconds.
+-- Far below the shortest time between two messages, far above the rounding of a year in seconds.
+rounding :: Double
+rounding = 1e-7
 
 -- | One task at work: its functions in order, then the tasks they called before, oldest first. The first 'Done' ends it.
 work :: ScopeId -> Occurrence -> [Live] -> [Called] -> Spec end -> (end -> Program r) -> Step (Running r)
@@ -504,12 +518,15 @@ work scope occurrence live0 called0 spec k = leaves live0 [] []
       over <- takeEnding
       case over of
         Nothing -> calls cs (result ++ kept) live (if null more then fresh else fresh ++ more)
-        Just value -> finish stepLimit scope (functionName "end of a call") value (result ++ cs ++ kept ++ fresh ++ more) spec k
+        Just value -> finish stepLimit scope (functionName "end of a call") value (reverse kept ++ result ++ cs ++ fresh ++ more) spec k
 
 takeFed :: Step [Dynamic]
-takeFed = Step (\w k -> case fed w of
-  [] -> k [] w
-  found -> k found w {fed = []})
+takeFed =
+  Step
+    ( \w k -> case fed w of
+        [] -> k [] w
+        found -> k found w {fed = []}
+    )
 
 -- | A called task sees what happened: first whether it is to be cancelled, then its own functions, then its reports.
 deliverCalled :: ScopeId -> Occurrence -> Called -> Step [Called]
@@ -543,27 +560,28 @@ reports outer scope called@(Called running _ feedback response) = do
 
 -- | How a program starts.
 data Start = Start
-  { startTime :: !Double
-  -- ^ Seconds, see 'Rosy.Seconds'.
-  , startGen :: !StdGen
+  { -- | Seconds, see 'Rosy.Seconds'.
+    startTime :: !Double,
+    startGen :: !StdGen
   }
 
 -- | Begin a program: start its tasks as far as they go without an input.
 begin :: Start -> Program r -> Turn
 begin start program = runStep (advance stepLimit program) world0 resting
   where
-    world0 = World
-      { env = Env Nothing (startTime start) (startGen start) 0 IntMap.empty Map.empty
-      , queue = []
-      , emitted = 0
-      , actions = []
-      , heard = []
-      , ending = Nothing
-      , fed = []
-      , begun = []
-      , nextScope = 0
-      , cleanups = IntMap.empty
-      }
+    world0 =
+      World
+        { env = Env Nothing (startTime start) (startGen start) 0 IntMap.empty Map.empty,
+          queue = [],
+          emitted = 0,
+          actions = [],
+          heard = [],
+          ending = Nothing,
+          fed = [],
+          begun = [],
+          nextScope = 0,
+          cleanups = IntMap.empty
+        }
 
 -- | What an instant is about.
 data What = Hear !Message | TickNow
@@ -585,14 +603,17 @@ rounds :: Int -> Running r -> Step (Running r)
 rounds left running
   | left == 0 = pure running
   | otherwise = case running of
-      Returned _ -> pure running
-      _ -> do
-        pending <- Step (\w k -> case queue w of
-          [] -> k [] w
-          found -> k (reverse found) w {queue = []})
-        case pending of
-          [] -> pure running
-          _ -> each pending running >>= rounds (left - 1)
+    Returned _ -> pure running
+    _ -> do
+      pending <-
+        Step
+          ( \w k -> case queue w of
+              [] -> k [] w
+              found -> k (reverse found) w {queue = []}
+          )
+      case pending of
+        [] -> pure running
+        _ -> each pending running >>= rounds (left - 1)
   where
     each [] r = pure r
     each (e : es) r = deliver (Emitted e) r >>= each es

@@ -9,15 +9,17 @@
 -- The fields are those of protocol/README.md section 1; places in the text are added by those who know the text.
 module Rosy.Problem
   ( -- * What can go wrong
-    Fault (..)
+    Fault (..),
 
     -- * What the learner reads
-  , Problem (..)
-  , problemFrom
-  ) where
+    Problem (..),
+    problemFrom,
+  )
+where
 
 import Control.Exception
 import Data.List (isPrefixOf)
+import Data.Maybe (fromMaybe)
 
 -- | A failure that Rosy itself finds.
 data Fault
@@ -37,59 +39,60 @@ instance Exception Fault
 
 -- | A problem at run time.
 data Problem = Problem
-  { problemKind :: String
-  , problemFunction :: Maybe String
-  , problemMessage :: String
-  , problemHint :: String
-  , problemOriginal :: String
-  -- ^ What Haskell said; may be empty.
-  , problemTime :: Maybe Double
-  , problemInputs :: [String]
+  { problemKind :: String,
+    problemFunction :: Maybe String,
+    problemMessage :: String,
+    problemHint :: String,
+    -- | What Haskell said; may be empty.
+    problemOriginal :: String,
+    problemTime :: Maybe Double,
+    problemInputs :: [String]
   }
   deriving (Eq, Show)
 
 -- | The problem that an exception is. Takes the function at work, what it was given, and the time.
 problemFrom :: Maybe String -> [String] -> Maybe Double -> SomeException -> Problem
-problemFrom function inputs time exception = Problem
-  { problemKind = kind
-  , problemFunction = function
-  , problemMessage = message
-  , problemHint = hint
-  , problemOriginal = takeWhile (/= '\0') (take 2000 (displayException exception))
-  , problemTime = time
-  , problemInputs = inputs
-  }
+problemFrom function inputs time exception =
+  Problem
+    { problemKind = kind,
+      problemFunction = function,
+      problemMessage = message,
+      problemHint = hint,
+      problemOriginal = takeWhile (/= '\0') (take 2000 (displayException exception)),
+      problemTime = time,
+      problemInputs = inputs
+    }
   where
-    (kind, message, hint) = sentence (maybe "The program" id function) exception
+    (kind, message, hint) = sentence (fromMaybe "The program" function) exception
 
 -- | Kind, message and hint.
 sentence :: String -> SomeException -> (String, String, String)
 sentence who exception
   | Just fault <- fromException exception = faultSentence who fault
   | Just (PatternMatchFail _) <- fromException exception =
-      ("exception", who ++ " has no case for what it was given.", "Add a case for it, or one that starts with _.")
+    ("exception", who ++ " has no case for what it was given.", "Add a case for it, or one that starts with _.")
   | Just arithmetic <- fromException exception = case arithmetic of
-      DivideByZero -> ("exception", who ++ " divided by zero.", "Check the number before dividing.")
-      other -> ("exception", who ++ " computed a number that does not exist.", show other ++ ".")
+    DivideByZero -> ("exception", who ++ " divided by zero.", "Check the number before dividing.")
+    other -> ("exception", who ++ " computed a number that does not exist.", show other ++ ".")
   | Just async <- fromException exception = case async of
-      StackOverflow -> ("memory", who ++ " needed too much memory.", "It may call itself without end.")
-      HeapOverflow -> ("memory", who ++ " needed too much memory.", "It may build something without end.")
-      _ -> ("stopped", "The program was stopped.", "")
+    StackOverflow -> ("memory", who ++ " needed too much memory.", "It may call itself without end.")
+    HeapOverflow -> ("memory", who ++ " needed too much memory.", "It may build something without end.")
+    _ -> ("stopped", "The program was stopped.", "")
   | Just NonTermination <- fromException exception =
-      ("exception", who ++ " waits for its own answer.", "It may use a value to compute that same value.")
+    ("exception", who ++ " waits for its own answer.", "It may use a value to compute that same value.")
   | Just (ErrorCall text) <- fromException exception = errorSentence who text
   | otherwise = ("exception", who ++ " failed.", firstLine (displayException exception))
 
 errorSentence :: String -> String -> (String, String, String)
 errorSentence who text
   | "Prelude." `isPrefixOf` text && "empty list" `elem'` text =
-      ("exception", who ++ " took something out of an empty list.", "Check that the list has something in it first.")
+    ("exception", who ++ " took something out of an empty list.", "Check that the list has something in it first.")
   | "Prelude.undefined" `isPrefixOf` text =
-      ("exception", who ++ " reached undefined.", "Put a value in its place.")
+    ("exception", who ++ " reached undefined.", "Put a value in its place.")
   | "Prelude.read" `isPrefixOf` text =
-      ("exception", who ++ " could not read a text as a value.", "Check how the text is written.")
+    ("exception", who ++ " could not read a text as a value.", "Check how the text is written.")
   | "Prelude.!!" `isPrefixOf` text =
-      ("exception", who ++ " looked for something past the end of a list.", "A list of n things has the places 0 to n - 1.")
+    ("exception", who ++ " looked for something past the end of a list.", "A list of n things has the places 0 to n - 1.")
   | otherwise = ("exception", who ++ " stopped with an error: " ++ firstLine text, "")
   where
     needle `elem'` hay = any (needle `isPrefixOf`) (suffixes hay)

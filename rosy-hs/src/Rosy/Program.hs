@@ -36,20 +36,25 @@
 --   Names are a service, not a duty: a tree of another shape than the controller falls back to @function 1@, @function 2@ …
 module Rosy.Program
   ( -- * Instances
-    Generic, Value, Default, Sensor, Command, Typeable
+    Generic,
+    Value,
+    Default,
+    Sensor,
+    Command,
+    Typeable,
 
     -- * Names
-  , Names (..)
-  , simulateNamed
-  , taskNamed
-  , taskWithNamed
-  , onceNamed
-  , callNamed
-  ) where
+    Names (..),
+    simulateNamed,
+    taskNamed,
+    taskWithNamed,
+    onceNamed,
+    callNamed,
+  )
+where
 
 import Data.Typeable (Typeable)
 import GHC.Generics (Generic)
-
 import Rosy.Command (Command)
 import Rosy.Controller (Names (..))
 import Rosy.Launch (simulateNamed)

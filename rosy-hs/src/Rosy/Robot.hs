@@ -14,31 +14,59 @@
 -- because 'Button0' is the number in @Button Button0 Pressed@ and one name cannot be both.
 module Rosy.Robot
   ( -- * Events
-    Bumper (..), BumperSide (..), BumperStatus
-  , Cliff (..), CliffSide (..), CliffStatus (..)
-  , Wheel (..), WheelSide (..), WheelStatus (..)
-  , Button (..), ButtonNumber (..), ButtonStatus (..)
-  , RobotStatus (..)
+    Bumper (..),
+    BumperSide (..),
+    BumperStatus,
+    Cliff (..),
+    CliffSide (..),
+    CliffStatus (..),
+    Wheel (..),
+    WheelSide (..),
+    WheelStatus (..),
+    Button (..),
+    ButtonNumber (..),
+    ButtonStatus (..),
+    RobotStatus (..),
 
     -- ** One side only
-  , BumperLeft (..), BumperCenter (..), BumperRight (..)
-  , CliffLeft (..), CliffCenter (..), CliffRight (..)
-  , WheelLeft (..), WheelRight (..)
-  , ButtonZero (..), ButtonOne (..), ButtonTwo (..)
+    BumperLeft (..),
+    BumperCenter (..),
+    BumperRight (..),
+    CliffLeft (..),
+    CliffCenter (..),
+    CliffRight (..),
+    WheelLeft (..),
+    WheelRight (..),
+    ButtonZero (..),
+    ButtonOne (..),
+    ButtonTwo (..),
 
     -- * State
-  , Velocity (..), Position (..), Orientation (..), Pose (..)
-  , velocityLinear, velocityAngular, positionX, positionY, posePosition, poseOrientation
+    Velocity (..),
+    Position (..),
+    Orientation (..),
+    Pose (..),
+    velocityLinear,
+    velocityAngular,
+    positionX,
+    positionY,
+    posePosition,
+    poseOrientation,
 
     -- * Samples
-  , Seconds (..), Clock (..)
+    Seconds (..),
+    Clock (..),
 
     -- * Commands
-  , Led1 (..), Led2 (..), LedColor (..), Sound (..), Say (..)
-  ) where
+    Led1 (..),
+    Led2 (..),
+    LedColor (..),
+    Sound (..),
+    Say (..),
+  )
+where
 
 import GHC.Generics (Generic)
-
 import Rosy.Value (Default, Value (..))
 
 -- | A bumper was pressed or released.
@@ -214,70 +242,137 @@ newtype Say = Say String
   deriving (Eq, Ord, Show, Read, Generic)
 
 instance Value Bumper
+
 instance Default Bumper
+
 instance Value BumperSide
+
 instance Default BumperSide
+
 instance Value Cliff
+
 instance Default Cliff
+
 instance Value CliffSide
+
 instance Default CliffSide
+
 instance Value CliffStatus
+
 instance Default CliffStatus
+
 instance Value Wheel
+
 instance Default Wheel
+
 instance Value WheelSide
+
 instance Default WheelSide
+
 instance Value WheelStatus
+
 instance Default WheelStatus
+
 instance Value Button
+
 instance Default Button
+
 instance Value ButtonNumber
+
 instance Default ButtonNumber
+
 instance Value ButtonStatus
+
 instance Default ButtonStatus
+
 instance Value RobotStatus
+
 instance Default RobotStatus
+
 instance Value BumperLeft
+
 instance Default BumperLeft
+
 instance Value BumperCenter
+
 instance Default BumperCenter
+
 instance Value BumperRight
+
 instance Default BumperRight
+
 instance Value CliffLeft
+
 instance Default CliffLeft
+
 instance Value CliffCenter
+
 instance Default CliffCenter
+
 instance Value CliffRight
+
 instance Default CliffRight
+
 instance Value WheelLeft
+
 instance Default WheelLeft
+
 instance Value WheelRight
+
 instance Default WheelRight
+
 instance Value ButtonZero
+
 instance Default ButtonZero
+
 instance Value ButtonOne
+
 instance Default ButtonOne
+
 instance Value ButtonTwo
+
 instance Default ButtonTwo
+
 instance Value Velocity
+
 instance Default Velocity
+
 instance Value Position
+
 instance Default Position
+
 instance Value Orientation
+
 instance Default Orientation
+
 instance Value Pose
+
 instance Default Pose
+
 instance Value Seconds
+
 instance Default Seconds
+
 instance Value Clock
+
 instance Default Clock
+
 instance Value LedColor
+
 instance Default LedColor
+
 instance Value Led1
+
 instance Default Led1
+
 instance Value Led2
+
 instance Default Led2
+
 instance Value Sound
+
 instance Default Sound
+
 instance Value Say
+
 instance Default Say

@@ -5,16 +5,16 @@
 -- This is the only place where the pure loop meets the world. It evaluates the firings one by one,
 -- says before each which function is at work, and turns what a function throws into a problem that names it.
 module Rosy.Run
-  ( runOn
-  ) where
+  ( runOn,
+  )
+where
 
 import Control.Exception
-import System.Random (mkStdGen)
-
 import Rosy.Core
 import Rosy.Link
 import Rosy.Loop
 import Rosy.Problem
+import System.Random (mkStdGen)
 
 -- | Run a program on a link until it ends, is stopped, or fails. A lost link is thrown as a 'Fault'.
 runOn :: Link -> Program r -> IO ()
@@ -29,7 +29,7 @@ runOn link program = do
 
 -- | Go through one batch, starting from a turn, then wait for the next.
 batches :: Link -> Batch -> Turn -> IO ()
-batches link batch turn0 = drive [] (occasions batch) turn0
+batches link batch = drive [] (occasions batch)
   where
     -- Names of what fired, newest first, and what of the batch is to come.
     drive fired todo turn = case turn of
@@ -47,12 +47,14 @@ batches link batch turn0 = drive [] (occasions batch) turn0
         [] -> do
           atRest link
           let (report, network') = collect network
-          answer link Answer
-            { answerStep = batchStep batch
-            , answerActions = reportActions report
-            , answerFired = reverse fired
-            , answerEvents = reportEvents report
-            }
+          answer
+            link
+            Answer
+              { answerStep = batchStep batch,
+                answerActions = reportActions report,
+                answerFired = reverse fired,
+                answerEvents = reportEvents report
+              }
           following <- next link
           case following of
             Nothing -> cleanUp link EndedStopped (stop network')

@@ -10,8 +10,9 @@
 -- so a controller that gives one is refused before it runs.
 module Rosy.Runnable
   ( -- * What it is
-    Runnable (..)
-  ) where
+    Runnable (..),
+  )
+where
 
 import Rosy.Command
 import Rosy.Controller
@@ -30,10 +31,11 @@ instance {-# OVERLAPPABLE #-} (Controller c, Ends NotInATask c) => Runnable c wh
 
 -- | Functions that are in no task.
 outside :: [Function] -> Spec ()
-outside list = Spec
-  { specStart = Nothing
-  , specFunctions = list
-  , specStopped = Nothing
-  , specEnd = const Nothing
-  , specType = "nothing: it is not in a task"
-  }
+outside list =
+  Spec
+    { specStart = Nothing,
+      specFunctions = list,
+      specStopped = Nothing,
+      specEnd = const Nothing,
+      specType = "nothing: it is not in a task"
+    }

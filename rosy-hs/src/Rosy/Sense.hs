@@ -1,5 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE ScopedTypeVariables #-}
+{-# LANGUAGE TupleSections #-}
 
 -- |
 -- Module      : Rosy.Sense
@@ -8,14 +9,21 @@
 -- The combinators behind the instances of "Rosy.Sensor". Their meaning over lists of occurrences is in "Rosy.Model".
 module Rosy.Sense
   ( -- * Making one
-    event, tick, state, sample, never, nothing
+    event,
+    tick,
+    state,
+    sample,
+    never,
+    nothing,
 
     -- * Putting together
-  , both, oneOf, convert
-  ) where
+    both,
+    oneOf,
+    convert,
+  )
+where
 
 import Data.Bits ((.|.))
-
 import Rosy.Core
 import Rosy.Value (Value, shown)
 
@@ -24,17 +32,25 @@ telling x rest = shown x : rest
 
 -- | An input that has a value when the occurrence says so. It keeps the newest value that was not used.
 event :: Value a => Interest -> (Occurrence -> Maybe a) -> Sense a
-event kinds pick = Sense telling (Triggered Trigger
-  { interest = kinds
-  , mayWait = False
-  , turns = 1
-  , unused = Nothing
-  , offer = \turn occurrence old -> if turn /= 0 then old else case pick occurrence of
-      Just !x -> Just x
-      Nothing -> old
-  , ready = fmap (\x -> Reading False (\env -> (x, env)))
-  , used = const Nothing
-  })
+event kinds pick =
+  Sense
+    telling
+    ( Triggered
+        Trigger
+          { interest = kinds,
+            mayWait = False,
+            turns = 1,
+            unused = Nothing,
+            offer = \turn occurrence old ->
+              if turn /= 0
+                then old
+                else case pick occurrence of
+                  Just !x -> Just x
+                  Nothing -> old,
+            ready = fmap (\x -> Reading False (x,)),
+            used = const Nothing
+          }
+    )
 
 -- | The tick of the default rate, 10 Hz.
 tick :: Sense ()
@@ -60,7 +76,7 @@ never = Sense (const id) idle
 
 -- | No input at all: always there, says nothing.
 nothing :: Sense ()
-nothing = Sense (const id) (Level False (\env -> ((), env)))
+nothing = Sense (const id) (Level False ((),))
 
 -- | An input that is another one in different words.
 convert :: (a -> b) -> (b -> a) -> Sense a -> Sense b
@@ -81,30 +97,34 @@ both :: Sense a -> Sense b -> Sense (a, b)
 both (Sense tellA a) (Sense tellB b) = Sense (\(x, y) -> tellA x . tellB y) (bothShapes a b)
 
 bothShapes :: Shape a -> Shape b -> Shape (a, b)
-bothShapes (Triggered a) (Triggered b) = Triggered Trigger
-  { interest = interest a .|. interest b
-  , mayWait = mayWait a || mayWait b
-  , turns = max (turns a) (turns b)
-  , unused = Two (unused a) (unused b)
-  , offer = \turn occurrence (Two s t) -> Two (offer a turn occurrence s) (offer b turn occurrence t)
-  , ready = \(Two s t) -> case ready a s of
-      Nothing -> Nothing
-      Just (Reading needA lookA) -> case ready b t of
-        Nothing -> Nothing
-        Just (Reading needB lookB) -> Just (Reading (needA || needB) (bothLooks lookA lookB))
-  , used = \(Two s t) -> Two (used a s) (used b t)
-  }
-bothShapes (Triggered a) (Level refresh look) = withLevel refresh (\x -> bothLooks x look) a
+bothShapes (Triggered a) (Triggered b) =
+  Triggered
+    Trigger
+      { interest = interest a .|. interest b,
+        mayWait = mayWait a || mayWait b,
+        turns = max (turns a) (turns b),
+        unused = Two (unused a) (unused b),
+        offer = \turn occurrence (Two s t) -> Two (offer a turn occurrence s) (offer b turn occurrence t),
+        ready = \(Two s t) -> case ready a s of
+          Nothing -> Nothing
+          Just (Reading needA lookA) -> case ready b t of
+            Nothing -> Nothing
+            Just (Reading needB lookB) -> Just (Reading (needA || needB) (bothLooks lookA lookB)),
+        used = \(Two s t) -> Two (used a s) (used b t)
+      }
+bothShapes (Triggered a) (Level refresh look) = withLevel refresh (`bothLooks` look) a
 bothShapes (Level refresh look) (Triggered b) = withLevel refresh (bothLooks look) b
 bothShapes (Level refreshA lookA) (Level refreshB lookB) =
   Level (refreshA || refreshB) (bothLooks lookA lookB)
 
 -- | An event together with something that is read when it happens.
 withLevel :: Bool -> ((Env -> (a, Env)) -> Env -> (b, Env)) -> Trigger s a -> Shape b
-withLevel refresh join t = Triggered t
-  { mayWait = mayWait t || refresh
-  , ready = fmap (\(Reading need look) -> Reading (need || refresh) (join look)) . ready t
-  }
+withLevel refresh join t =
+  Triggered
+    t
+      { mayWait = mayWait t || refresh,
+        ready = fmap (\(Reading need look) -> Reading (need || refresh) (join look)) . ready t
+      }
 
 bothLooks :: (Env -> (a, Env)) -> (Env -> (b, Env)) -> Env -> ((a, b), Env)
 bothLooks lookA lookB env = case lookA env of
@@ -119,22 +139,28 @@ data Two s t = Two !s !t
 oneOf :: forall a b. Sense a -> Sense b -> Sense (Either a b)
 oneOf (Sense tellA shapeA) (Sense tellB shapeB) = Sense (either tellA tellB) (join (triggering shapeA) (triggering shapeB))
   where
-    join (Triggered a) (Triggered b) = Triggered Trigger
-      { interest = interest a .|. interest b
-      , mayWait = mayWait a || mayWait b
-      , turns = turns a + turns b
-      , unused = Slot (unused a) (unused b) Nothing
-      , offer = \turn occurrence slot@(Slot s t _) ->
-          if turn < turns a
-            then let s' = offer a turn occurrence s in case ready a s' of
-              Just reading -> Slot (used a s') t (Just (mapReading Left reading))
-              Nothing -> slot {slotLeft = s'}
-            else let t' = offer b (turn - turns a) occurrence t in case ready b t' of
-              Just reading -> Slot s (used b t') (Just (mapReading Right reading))
-              Nothing -> slot {slotRight = t'}
-      , ready = slotValue
-      , used = \slot -> slot {slotValue = Nothing}
-      }
+    join (Triggered a) (Triggered b) =
+      Triggered
+        Trigger
+          { interest = interest a .|. interest b,
+            mayWait = mayWait a || mayWait b,
+            turns = turns a + turns b,
+            unused = Slot (unused a) (unused b) Nothing,
+            offer = \turn occurrence slot@(Slot s t _) ->
+              if turn < turns a
+                then
+                  let s' = offer a turn occurrence s
+                   in case ready a s' of
+                        Just reading -> Slot (used a s') t (Just (mapReading Left reading))
+                        Nothing -> slot {slotLeft = s'}
+                else
+                  let t' = offer b (turn - turns a) occurrence t
+                   in case ready b t' of
+                        Just reading -> Slot s (used b t') (Just (mapReading Right reading))
+                        Nothing -> slot {slotRight = t'},
+            ready = slotValue,
+            used = \slot -> slot {slotValue = Nothing}
+          }
     join _ _ = idle -- 'triggering' gives nothing else
 
 data Slot s t r = Slot {slotLeft :: !s, slotRight :: !t, slotValue :: !(Maybe r)}
@@ -143,15 +169,17 @@ data Slot s t r = Slot {slotLeft :: !s, slotRight :: !t, slotValue :: !(Maybe r)
 triggering :: Shape a -> Shape a
 triggering shape@(Triggered _) = shape
 triggering (Level refresh look)
-  | refresh = Triggered Trigger
-      { interest = odometryInterest
-      , mayWait = False
-      , turns = 1
-      , unused = False
-      , offer = \turn occurrence old -> old || (turn == 0 && isOdometry occurrence)
-      , ready = \new -> if new then Just (Reading True look) else Nothing
-      , used = const False
-      }
+  | refresh =
+    Triggered
+      Trigger
+        { interest = odometryInterest,
+          mayWait = False,
+          turns = 1,
+          unused = False,
+          offer = \turn occurrence old -> old || (turn == 0 && isOdometry occurrence),
+          ready = \new -> if new then Just (Reading True look) else Nothing,
+          used = const False
+        }
   | otherwise = idle
   where
     isOdometry (Sensed (OdometryMessage _)) = True
@@ -159,12 +187,14 @@ triggering (Level refresh look)
 
 -- | Never has a value.
 idle :: Shape a
-idle = Triggered Trigger
-  { interest = 0
-  , mayWait = False
-  , turns = 1
-  , unused = ()
-  , offer = \_ _ s -> s
-  , ready = const Nothing
-  , used = id
-  }
+idle =
+  Triggered
+    Trigger
+      { interest = 0,
+        mayWait = False,
+        turns = 1,
+        unused = (),
+        offer = \_ _ s -> s,
+        ready = const Nothing,
+        used = id
+      }

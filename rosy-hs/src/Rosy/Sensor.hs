@@ -1,6 +1,7 @@
-{-# LANGUAGE DeriveGeneric #-}
 {-# LANGUAGE DefaultSignatures #-}
+{-# LANGUAGE DeriveGeneric #-}
 {-# LANGUAGE FlexibleInstances #-}
+{-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE ScopedTypeVariables #-}
 {-# LANGUAGE TypeApplications #-}
 
@@ -18,24 +19,27 @@
 -- You need this class only to read an error message: a type that is not a 'Sensor' cannot be sensed.
 module Rosy.Sensor
   ( -- * What it is
-    Sensor (..)
+    Sensor (..),
 
     -- * Special inputs
-  , Memory (..), Param (..), Never (..)
-  ) where
+    Memory (..),
+    Param (..),
+    Never (..),
+  )
+where
 
 import Data.Dynamic (fromDynamic, toDyn)
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import Data.Proxy (Proxy (..))
 import Data.Typeable (typeRep)
 import GHC.Generics (Generic)
-import System.Random (StdGen, split)
-
 import Rosy.Core
 import Rosy.Robot
 import Rosy.Sense
 import Rosy.Value
+import System.Random (StdGen, split)
 
 -- | A type that a function may take. For a type that the program declares the instance is empty: it is an event of its own.
 class Sensor a where
@@ -63,7 +67,9 @@ data Never = Never
   deriving (Eq, Ord, Show, Read, Generic)
 
 instance Value a => Value (Memory a)
+
 instance Value a => Value (Param a)
+
 instance Value Never
 
 -- ---------------------------------------------------------------------------------------------
@@ -76,48 +82,63 @@ message like pick = event (interestIn (Sensed like)) fromSensed
     fromSensed _ = Nothing
 
 bumpers :: Value a => (Bumper -> Maybe a) -> Sense a
-bumpers view = message (BumperMessage (Bumper LeftBumper Pressed)) (\m -> case m of BumperMessage b -> view b; _ -> Nothing)
+bumpers view = message (BumperMessage (Bumper LeftBumper Pressed)) (\case BumperMessage b -> view b; _ -> Nothing)
 
 cliffs :: Value a => (Cliff -> Maybe a) -> Sense a
-cliffs view = message (CliffMessage (Cliff LeftCliff Hole)) (\m -> case m of CliffMessage c -> view c; _ -> Nothing)
+cliffs view = message (CliffMessage (Cliff LeftCliff Hole)) (\case CliffMessage c -> view c; _ -> Nothing)
 
 wheels :: Value a => (Wheel -> Maybe a) -> Sense a
-wheels view = message (WheelMessage (Wheel LeftWheel Air)) (\m -> case m of WheelMessage w -> view w; _ -> Nothing)
+wheels view = message (WheelMessage (Wheel LeftWheel Air)) (\case WheelMessage w -> view w; _ -> Nothing)
 
 buttons :: Value a => (Button -> Maybe a) -> Sense a
-buttons view = message (ButtonMessage (Button Button0 Pressed)) (\m -> case m of ButtonMessage b -> view b; _ -> Nothing)
+buttons view = message (ButtonMessage (Button Button0 Pressed)) (\case ButtonMessage b -> view b; _ -> Nothing)
 
 instance Sensor Bumper where sense = bumpers Just
+
 instance Sensor BumperLeft where sense = bumpers (\(Bumper side s) -> if side == LeftBumper then Just (BumperLeft s) else Nothing)
+
 instance Sensor BumperCenter where sense = bumpers (\(Bumper side s) -> if side == CenterBumper then Just (BumperCenter s) else Nothing)
+
 instance Sensor BumperRight where sense = bumpers (\(Bumper side s) -> if side == RightBumper then Just (BumperRight s) else Nothing)
 
 instance Sensor Cliff where sense = cliffs Just
+
 instance Sensor CliffLeft where sense = cliffs (\(Cliff side s) -> if side == LeftCliff then Just (CliffLeft s) else Nothing)
+
 instance Sensor CliffCenter where sense = cliffs (\(Cliff side s) -> if side == CenterCliff then Just (CliffCenter s) else Nothing)
+
 instance Sensor CliffRight where sense = cliffs (\(Cliff side s) -> if side == RightCliff then Just (CliffRight s) else Nothing)
 
 instance Sensor Wheel where sense = wheels Just
+
 instance Sensor WheelLeft where sense = wheels (\(Wheel side s) -> if side == LeftWheel then Just (WheelLeft s) else Nothing)
+
 instance Sensor WheelRight where sense = wheels (\(Wheel side s) -> if side == RightWheel then Just (WheelRight s) else Nothing)
 
 instance Sensor Button where sense = buttons Just
+
 instance Sensor ButtonZero where sense = buttons (\(Button n s) -> if n == Button0 then Just (ButtonZero s) else Nothing)
+
 instance Sensor ButtonOne where sense = buttons (\(Button n s) -> if n == Button1 then Just (ButtonOne s) else Nothing)
+
 instance Sensor ButtonTwo where sense = buttons (\(Button n s) -> if n == Button2 then Just (ButtonTwo s) else Nothing)
 
 instance Sensor RobotStatus where
-  sense = message (StatusMessage Online) (\m -> case m of StatusMessage s -> Just s; _ -> Nothing)
+  sense = message (StatusMessage Online) (\case StatusMessage s -> Just s; _ -> Nothing)
 
 instance Sensor Velocity where sense = state odometryVelocity
+
 instance Sensor Position where sense = state odometryPosition
+
 instance Sensor Orientation where sense = state odometryOrientation
+
 instance Sensor Pose where sense = state (\o -> Pose (odometryPosition o) (odometryOrientation o))
 
 -- ---------------------------------------------------------------------------------------------
 -- Samples
 
 instance Sensor Seconds where sense = sample (\env -> (Seconds (envTime env), env))
+
 instance Sensor Clock where sense = sample (\env -> (clockAt (envTime env), env))
 
 -- | A fresh generator each time it is read; two inputs of one function differ.
@@ -131,9 +152,7 @@ instance Default a => Sensor (Param a) where
   sense = sample (\env -> (Param (recall (envParams env)), env))
 
 recall :: forall a. Default a => Memories -> a
-recall memories = case Map.lookup (typeRep (Proxy @a)) memories >>= fromDynamic of
-  Just x -> x
-  Nothing -> defaultValue
+recall memories = fromMaybe defaultValue (Map.lookup (typeRep (Proxy @a)) memories >>= fromDynamic)
 
 -- | Hours, minutes, seconds and milliseconds of so many seconds, round the clock.
 clockAt :: Double -> Clock
@@ -146,6 +165,7 @@ clockAt time = Clock (s `div` 3600 `mod` 24) (s `div` 60 `mod` 60) (s `mod` 60) 
 -- Shapes
 
 instance Sensor () where sense = tick
+
 instance Sensor Never where sense = never
 
 instance (Sensor a, Sensor b) => Sensor (Either a b) where

@@ -20,28 +20,40 @@
 -- * One task may take 64 steps (tasks begun and ended) in one instant; then it goes on in the next.
 module Rosy.Task
   ( -- * What it is
-    Task
+    Task,
 
     -- * Making one
-  , task, once, say, wait
+    task,
+    once,
+    say,
+    wait,
 
     -- * With what happens when it is stopped
-  , taskWith, TaskOptions (..), taskOptions
+    taskWith,
+    TaskOptions (..),
+    taskOptions,
 
     -- * Together
-  , parallel, race
+    parallel,
+    race,
 
     -- * From a controller
-  , Call, call, CallOptions (..), callOptions
+    Call,
+    call,
+    CallOptions (..),
+    callOptions,
 
     -- * With names
-  , taskNamed, taskWithNamed, onceNamed, callNamed
-  ) where
+    taskNamed,
+    taskWithNamed,
+    onceNamed,
+    callNamed,
+  )
+where
 
 import Data.Dynamic (fromDynamic)
 import Data.Proxy (Proxy (..))
 import Data.Typeable (Typeable, typeRep)
-
 import Rosy.Command
 import Rosy.Controller
 import Rosy.Core
@@ -60,10 +72,10 @@ taskNamed nameOfInit names begin ctrl = fromSpec (single nameOfInit "start of a 
 
 -- | What a task does besides its controller.
 data TaskOptions starting stopped = TaskOptions
-  { starting :: starting
-  -- ^ Once, before the controller begins.
-  , stopped :: stopped
-  -- ^ Once, when the task is stopped before its 'Done'. Inputs that would have to be waited for make it skip.
+  { -- | Once, before the controller begins.
+    starting :: starting,
+    -- | Once, when the task is stopped before its 'Done'. Inputs that would have to be waited for make it skip.
+    stopped :: stopped
   }
 
 -- | Nothing at the start, nothing when stopped. Change what you need: @taskOptions { stopped = Velocity 0 0 }@.
@@ -75,9 +87,14 @@ taskWith :: (Command starting, Command stopped, Controller ctrl, Typeable end, E
 taskWith = taskWithNamed (Names []) (Names []) (Names [])
 
 -- | 'taskWith' with the names of its functions: of 'starting', of 'stopped', and of the controller.
-taskWithNamed
-  :: (Command starting, Command stopped, Controller ctrl, Typeable end, Ends end ctrl)
-  => Names -> Names -> Names -> TaskOptions starting stopped -> ctrl -> Task end
+taskWithNamed ::
+  (Command starting, Command stopped, Controller ctrl, Typeable end, Ends end ctrl) =>
+  Names ->
+  Names ->
+  Names ->
+  TaskOptions starting stopped ->
+  ctrl ->
+  Task end
 taskWithNamed nameOfStart nameOfStop names options ctrl =
   fromSpec
     (single nameOfStart "start of a task" (starting options))
@@ -113,12 +130,12 @@ race a b = Task (First (runTask a Return) (runTask b Return))
 
 -- | How a called task reports, and when it is to be stopped.
 data CallOptions when feed see end res = CallOptions
-  { cancelOn :: when -> Maybe Cancel
-  -- ^ Gives 'Cancel' when the task is to be stopped.
-  , onFeedback :: feed -> see
-  -- ^ What to do with each 'Feedback' of the task.
-  , onEnd :: end -> res
-  -- ^ What to do with the value the task ends with.
+  { -- | Gives 'Cancel' when the task is to be stopped.
+    cancelOn :: when -> Maybe Cancel,
+    -- | What to do with each 'Feedback' of the task.
+    onFeedback :: feed -> see,
+    -- | What to do with the value the task ends with.
+    onEnd :: end -> res
   }
 
 -- | Never cancelled, feedback and value ignored. Change what you need: @callOptions { onEnd = Done }@.
@@ -130,15 +147,20 @@ call :: (Sensor when, Typeable feed, Command see, Command res) => Task end -> Ca
 call = callNamed (Names [])
 
 -- | 'call' with the names of its functions: of 'cancelOn', 'onFeedback' and 'onEnd', in this order.
-callNamed
-  :: (Sensor when, Typeable feed, Command see, Command res)
-  => Names -> Task end -> CallOptions when feed see end res -> Call
-callNamed names called options = Call Calling
-  { callProgram = runTask called Return
-  , callCancel = Just (single cancelName "cancel of a call" (cancels . cancelOn options))
-  , callFeedback = \value -> single feedbackName "feedback of a call" . onFeedback options <$> fromDynamic value
-  , callResponse = single endName "end of a call" . onEnd options
-  }
+callNamed ::
+  (Sensor when, Typeable feed, Command see, Command res) =>
+  Names ->
+  Task end ->
+  CallOptions when feed see end res ->
+  Call
+callNamed names called options =
+  Call
+    Calling
+      { callProgram = runTask called Return,
+        callCancel = Just (single cancelName "cancel of a call" (cancels . cancelOn options)),
+        callFeedback = fmap (single feedbackName "feedback of a call" . onFeedback options) . fromDynamic,
+        callResponse = single endName "end of a call" . onEnd options
+      }
   where
     (cancelName, feedbackName, endName) = case names of
       Names [a, b, c] -> (a, b, c)

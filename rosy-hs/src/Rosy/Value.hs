@@ -1,9 +1,10 @@
-{-# LANGUAGE CPP #-}
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DefaultSignatures #-}
+{-# LANGUAGE DerivingVia #-}
 {-# LANGUAGE FlexibleContexts #-}
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE ScopedTypeVariables #-}
+{-# LANGUAGE StandaloneDeriving #-}
 {-# LANGUAGE TypeOperators #-}
 {-# LANGUAGE UndecidableInstances #-}
 
@@ -17,16 +18,17 @@
 -- This module knows nothing of robots.
 module Rosy.Value
   ( -- * What it is
-    Value (..)
-  , Default (..)
+    Value (..),
+    Default (..),
 
     -- * Using one
-  , shown
-  , settled
+    shown,
+    settled,
 
     -- * Internals
-  , GValue
-  ) where
+    GValue,
+  )
+where
 
 import Data.Char (isAlpha)
 import Data.Int (Int16, Int32, Int64, Int8)
@@ -97,57 +99,111 @@ instance (Typeable a, Value b) => Value (a -> b) where
 -- ---------------------------------------------------------------------------------------------
 -- The Prelude's types
 
-showing :: Show a => Int -> a -> ShowS
-showing = showsPrec
-
 atom :: Int -> a -> Int
 atom budget x = x `seq` budget - 1
 
-#define NUMBER(T) instance Value T where { display = showing; settle = atom; initial = 0 }; \
-                  instance Default T
+-- | Numbers are shown as they are and start at 0.
+newtype Number a = Number a
 
-NUMBER(Int)
-NUMBER(Int8)
-NUMBER(Int16)
-NUMBER(Int32)
-NUMBER(Int64)
-NUMBER(Word)
-NUMBER(Word8)
-NUMBER(Word16)
-NUMBER(Word32)
-NUMBER(Word64)
-NUMBER(Integer)
-NUMBER(Natural)
-NUMBER(Double)
-NUMBER(Float)
+instance (Show a, Num a, Typeable a) => Value (Number a) where
+  display d (Number x) = showsPrec d x
+  settle budget (Number x) = atom budget x
+  initial = Number 0
+
+deriving via Number Int instance Value Int
+
+instance Default Int
+
+deriving via Number Int8 instance Value Int8
+
+instance Default Int8
+
+deriving via Number Int16 instance Value Int16
+
+instance Default Int16
+
+deriving via Number Int32 instance Value Int32
+
+instance Default Int32
+
+deriving via Number Int64 instance Value Int64
+
+instance Default Int64
+
+deriving via Number Word instance Value Word
+
+instance Default Word
+
+deriving via Number Word8 instance Value Word8
+
+instance Default Word8
+
+deriving via Number Word16 instance Value Word16
+
+instance Default Word16
+
+deriving via Number Word32 instance Value Word32
+
+instance Default Word32
+
+deriving via Number Word64 instance Value Word64
+
+instance Default Word64
+
+deriving via Number Integer instance Value Integer
+
+instance Default Integer
+
+deriving via Number Natural instance Value Natural
+
+instance Default Natural
+
+deriving via Number Double instance Value Double
+
+instance Default Double
+
+deriving via Number Float instance Value Float
+
+instance Default Float
 
 instance (Integral a, Show a, Typeable a) => Value (Ratio a) where
-  display = showing
+  display = showsPrec
   settle = atom
   initial = 0
+
 instance (Integral a, Show a, Typeable a) => Default (Ratio a)
 
 instance Value Char where
-  display = showing
+  display = showsPrec
   settle = atom
   initial = ' '
+
 instance Default Char
 
 instance Value ()
+
 instance Default ()
+
 instance Value Bool
+
 instance Default Bool
+
 instance Value Ordering
+
 instance Default Ordering
+
 -- | Memory of a 'Maybe' starts with 'Nothing'.
 instance Value a => Value (Maybe a)
+
 instance Default a => Default (Maybe a)
+
 instance (Value a, Value b) => Value (Either a b)
+
 instance (Default a, Default b) => Default (Either a b)
 
 -- | Text.
 instance {-# OVERLAPPING #-} Value [Char] where
-  display = showing
+  display = showsPrec
   settle = settleList
   initial = ""
 
@@ -155,12 +211,14 @@ instance Value a => Value [a] where
   display _ = displayList
   settle = settleList
   initial = []
+
 instance Value a => Default [a]
 
 instance Value a => Value (NonEmpty.NonEmpty a) where
   display d (x NonEmpty.:| xs) = showParen (d > 5) (display 6 x . showString " :| " . display 6 xs)
   settle budget (x NonEmpty.:| xs) = settle (settle budget x) xs
   initial = initial NonEmpty.:| []
+
 instance Default a => Default (NonEmpty.NonEmpty a)
 
 displayList :: Value a => [a] -> ShowS
@@ -174,37 +232,42 @@ settleList :: Value a => Int -> [a] -> Int
 settleList !budget xs
   | budget <= 0 = budget
   | otherwise = case xs of
-      [] -> budget - 1
-      y : ys -> settleList (settle (budget - 1) y) ys
+    [] -> budget - 1
+    y : ys -> settleList (settle (budget - 1) y) ys
 
 instance (Value k, Value v) => Value (Map.Map k v) where
   display d m = showParen (d > 10) (showString "fromList " . displayList (Map.toAscList m))
   settle budget m = settleList budget (Map.elems m)
   initial = Map.empty
+
 instance (Value k, Value v) => Default (Map.Map k v)
 
 instance Value a => Value (Set.Set a) where
   display d s = showParen (d > 10) (showString "fromList " . displayList (Set.toAscList s))
   settle = atom
   initial = Set.empty
+
 instance Value a => Default (Set.Set a)
 
 instance Value a => Value (Seq.Seq a) where
   display d s = showParen (d > 10) (showString "fromList " . displayList (foldr (:) [] s))
   settle budget s = settleList budget (foldr (:) [] s)
   initial = Seq.empty
+
 instance Value a => Default (Seq.Seq a)
 
 instance Value a => Value (IntMap.IntMap a) where
   display d m = showParen (d > 10) (showString "fromList " . displayList (IntMap.toAscList m))
   settle budget m = settleList budget (IntMap.elems m)
   initial = IntMap.empty
+
 instance Value a => Default (IntMap.IntMap a)
 
 instance Value IntSet.IntSet where
-  display = showing
+  display = showsPrec
   settle = atom
   initial = IntSet.empty
+
 instance Default IntSet.IntSet
 
 -- ---------------------------------------------------------------------------------------------
@@ -213,55 +276,60 @@ instance Default IntSet.IntSet
 tupled :: [ShowS] -> ShowS
 tupled parts = showChar '(' . foldr1 (\a b -> a . showChar ',' . b) parts . showChar ')'
 
-#define D(x) display 0 x
-#define S(b,x) (settle (b) x)
-
 instance (Value a, Value b) => Value (a, b) where
-  display _ (a, b) = tupled [D(a), D(b)]
-  settle n (a, b) = S(S(n,a),b)
+  display _ (a, b) = tupled [display 0 a, display 0 b]
+  settle n (a, b) = settle (settle n a) b
   initial = (initial, initial)
+
 instance (Default a, Default b) => Default (a, b)
 
 instance (Value a, Value b, Value c) => Value (a, b, c) where
-  display _ (a, b, c) = tupled [D(a), D(b), D(c)]
-  settle n (a, b, c) = S(S(S(n,a),b),c)
+  display _ (a, b, c) = tupled [display 0 a, display 0 b, display 0 c]
+  settle n (a, b, c) = settle (settle (settle n a) b) c
   initial = (initial, initial, initial)
+
 instance (Default a, Default b, Default c) => Default (a, b, c)
 
 instance (Value a, Value b, Value c, Value d) => Value (a, b, c, d) where
-  display _ (a, b, c, d) = tupled [D(a), D(b), D(c), D(d)]
-  settle n (a, b, c, d) = S(S(S(S(n,a),b),c),d)
+  display _ (a, b, c, d) = tupled [display 0 a, display 0 b, display 0 c, display 0 d]
+  settle n (a, b, c, d) = settle (settle (settle (settle n a) b) c) d
   initial = (initial, initial, initial, initial)
+
 instance (Default a, Default b, Default c, Default d) => Default (a, b, c, d)
 
 instance (Value a, Value b, Value c, Value d, Value e) => Value (a, b, c, d, e) where
-  display _ (a, b, c, d, e) = tupled [D(a), D(b), D(c), D(d), D(e)]
-  settle n (a, b, c, d, e) = S(S(S(S(S(n,a),b),c),d),e)
+  display _ (a, b, c, d, e) = tupled [display 0 a, display 0 b, display 0 c, display 0 d, display 0 e]
+  settle n (a, b, c, d, e) = settle (settle (settle (settle (settle n a) b) c) d) e
   initial = (initial, initial, initial, initial, initial)
+
 instance (Default a, Default b, Default c, Default d, Default e) => Default (a, b, c, d, e)
 
 instance (Value a, Value b, Value c, Value d, Value e, Value f) => Value (a, b, c, d, e, f) where
-  display _ (a, b, c, d, e, f) = tupled [D(a), D(b), D(c), D(d), D(e), D(f)]
-  settle n (a, b, c, d, e, f) = S(S(S(S(S(S(n,a),b),c),d),e),f)
+  display _ (a, b, c, d, e, f) = tupled [display 0 a, display 0 b, display 0 c, display 0 d, display 0 e, display 0 f]
+  settle n (a, b, c, d, e, f) = settle (settle (settle (settle (settle (settle n a) b) c) d) e) f
   initial = (initial, initial, initial, initial, initial, initial)
+
 instance (Default a, Default b, Default c, Default d, Default e, Default f) => Default (a, b, c, d, e, f)
 
 instance (Value a, Value b, Value c, Value d, Value e, Value f, Value g) => Value (a, b, c, d, e, f, g) where
-  display _ (a, b, c, d, e, f, g) = tupled [D(a), D(b), D(c), D(d), D(e), D(f), D(g)]
-  settle n (a, b, c, d, e, f, g) = S(S(S(S(S(S(S(n,a),b),c),d),e),f),g)
+  display _ (a, b, c, d, e, f, g) = tupled [display 0 a, display 0 b, display 0 c, display 0 d, display 0 e, display 0 f, display 0 g]
+  settle n (a, b, c, d, e, f, g) = settle (settle (settle (settle (settle (settle (settle n a) b) c) d) e) f) g
   initial = (initial, initial, initial, initial, initial, initial, initial)
+
 instance (Default a, Default b, Default c, Default d, Default e, Default f, Default g) => Default (a, b, c, d, e, f, g)
 
 instance (Value a, Value b, Value c, Value d, Value e, Value f, Value g, Value h) => Value (a, b, c, d, e, f, g, h) where
-  display _ (a, b, c, d, e, f, g, h) = tupled [D(a), D(b), D(c), D(d), D(e), D(f), D(g), D(h)]
-  settle n (a, b, c, d, e, f, g, h) = S(S(S(S(S(S(S(S(n,a),b),c),d),e),f),g),h)
+  display _ (a, b, c, d, e, f, g, h) = tupled [display 0 a, display 0 b, display 0 c, display 0 d, display 0 e, display 0 f, display 0 g, display 0 h]
+  settle n (a, b, c, d, e, f, g, h) = settle (settle (settle (settle (settle (settle (settle (settle n a) b) c) d) e) f) g) h
   initial = (initial, initial, initial, initial, initial, initial, initial, initial)
+
 instance (Default a, Default b, Default c, Default d, Default e, Default f, Default g, Default h) => Default (a, b, c, d, e, f, g, h)
 
 instance (Value a, Value b, Value c, Value d, Value e, Value f, Value g, Value h, Value i) => Value (a, b, c, d, e, f, g, h, i) where
-  display _ (a, b, c, d, e, f, g, h, i) = tupled [D(a), D(b), D(c), D(d), D(e), D(f), D(g), D(h), D(i)]
-  settle n (a, b, c, d, e, f, g, h, i) = S(S(S(S(S(S(S(S(S(n,a),b),c),d),e),f),g),h),i)
+  display _ (a, b, c, d, e, f, g, h, i) = tupled [display 0 a, display 0 b, display 0 c, display 0 d, display 0 e, display 0 f, display 0 g, display 0 h, display 0 i]
+  settle n (a, b, c, d, e, f, g, h, i) = settle (settle (settle (settle (settle (settle (settle (settle (settle n a) b) c) d) e) f) g) h) i
   initial = (initial, initial, initial, initial, initial, initial, initial, initial, initial)
+
 instance (Default a, Default b, Default c, Default d, Default e, Default f, Default g, Default h, Default i) => Default (a, b, c, d, e, f, g, h, i)
 
 -- ---------------------------------------------------------------------------------------------
@@ -295,12 +363,12 @@ instance (Constructor c, GFields f) => GValue (C1 c f) where
   gDisplay d m@(M1 x)
     | conIsRecord m = showParen (d > 10) (name . showString " {" . commas (map field (fields 0 x)) . showChar '}')
     | otherwise = case conFixity m of
-        Infix _ precedence
-          | [(_, a), (_, b)] <- fields (precedence + 1) x ->
-              showParen (d > precedence) (a . showChar ' ' . infixName . showChar ' ' . b)
-        _ -> case fields 11 x of
-          [] -> name
-          parts -> showParen (d > 10) (foldl (\acc (_, part) -> acc . showChar ' ' . part) name parts)
+      Infix _ precedence
+        | [(_, a), (_, b)] <- fields (precedence + 1) x ->
+          showParen (d > precedence) (a . showChar ' ' . infixName . showChar ' ' . b)
+      _ -> case fields 11 x of
+        [] -> name
+        parts -> showParen (d > 10) (foldl (\acc (_, part) -> acc . showChar ' ' . part) name parts)
     where
       text = conName m
       isOperator = take 1 text == ":"

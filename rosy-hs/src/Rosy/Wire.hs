@@ -8,27 +8,27 @@
 -- hold both directions. Integers leave without a decimal point, because real rosbridge servers refuse @1.0@ for one.
 module Rosy.Wire
   ( -- * What arrives
-    Line (..)
-  , readLine
+    Line (..),
+    readLine,
 
     -- * What leaves
-  , writeOpening
-  , writeAnswer
-  , writeEnding
+    writeOpening,
+    writeAnswer,
+    writeEnding,
 
     -- * In words
-  , tellAction
-  ) where
+    tellAction,
+  )
+where
 
-import Data.Aeson (Object, Value (..), (.:), (.:?), (.!=))
+import Data.Aeson (Object, Value (..), (.!=), (.:), (.:?))
 import qualified Data.Aeson as Aeson
 import qualified Data.Aeson.Encoding as Encoding
 import Data.Aeson.Types (Parser, parseEither)
 import Data.ByteString (ByteString)
-import qualified Data.ByteString.Builder as Builder
 import Data.ByteString.Builder (Builder)
+import qualified Data.ByteString.Builder as Builder
 import Data.Text (Text)
-
 import Rosy.Core
 import Rosy.Link
 import Rosy.Problem
@@ -117,19 +117,19 @@ writeOpening =
     topicLine op (topic, kind) =
       "{\"op\":\"" <> op <> "\",\"topic\":\"" <> topic <> "\",\"type\":\"" <> kind <> "\"}\n"
     commandTopics =
-      [ (velocityTopic, "geometry_msgs/Twist")
-      , ("/mobile_base/commands/led1", "kobuki_msgs/Led")
-      , ("/mobile_base/commands/led2", "kobuki_msgs/Led")
-      , ("/mobile_base/commands/sound", "kobuki_msgs/Sound")
-      , ("/rosy/say", "std_msgs/String")
+      [ (velocityTopic, "geometry_msgs/Twist"),
+        ("/mobile_base/commands/led1", "kobuki_msgs/Led"),
+        ("/mobile_base/commands/led2", "kobuki_msgs/Led"),
+        ("/mobile_base/commands/sound", "kobuki_msgs/Sound"),
+        ("/rosy/say", "std_msgs/String")
       ]
     sensorTopics =
-      [ ("/mobile_base/events/button", "kobuki_msgs/ButtonEvent")
-      , ("/mobile_base/events/bumper", "kobuki_msgs/BumperEvent")
-      , ("/mobile_base/events/cliff", "kobuki_msgs/CliffEvent")
-      , ("/mobile_base/events/wheel_drop", "kobuki_msgs/WheelDropEvent")
-      , ("/mobile_base/events/robot_state", "kobuki_msgs/RobotStateEvent")
-      , ("/odom", "nav_msgs/Odometry")
+      [ ("/mobile_base/events/button", "kobuki_msgs/ButtonEvent"),
+        ("/mobile_base/events/bumper", "kobuki_msgs/BumperEvent"),
+        ("/mobile_base/events/cliff", "kobuki_msgs/CliffEvent"),
+        ("/mobile_base/events/wheel_drop", "kobuki_msgs/WheelDropEvent"),
+        ("/mobile_base/events/robot_state", "kobuki_msgs/RobotStateEvent"),
+        ("/odom", "nav_msgs/Odometry")
       ]
 
 velocityTopic :: Builder
@@ -139,11 +139,14 @@ velocityTopic = "/mobile_base/commands/velocity"
 writeAnswer :: Bool -> Answer -> Builder
 writeAnswer trace a =
   foldMap action (answerActions a)
-    <> "{\"op\":\"settled\",\"step\":" <> Builder.intDec (answerStep a)
-    <> ",\"fired\":" <> list (text . nameText) (answerFired a)
-    <> (if trace
-          then ",\"events\":" <> list text (answerEvents a) <> ",\"commands\":" <> list (text . tellAction) (answerActions a)
-          else mempty)
+    <> "{\"op\":\"settled\",\"step\":"
+    <> Builder.intDec (answerStep a)
+    <> ",\"fired\":"
+    <> list (text . nameText) (answerFired a)
+    <> ( if trace
+           then ",\"events\":" <> list text (answerEvents a) <> ",\"commands\":" <> list (text . tellAction) (answerActions a)
+           else mempty
+       )
     <> "}\n"
 
 -- | The last batch: commands, zero velocity, and how the program ended.
@@ -170,11 +173,15 @@ problem :: Problem -> Builder
 problem p =
   "{\"severity\":\"error\",\"kind\":" <> text (problemKind p)
     <> foldMap (\f -> ",\"function\":" <> text f) (problemFunction p)
-    <> ",\"message\":" <> text (problemMessage p)
-    <> ",\"hint\":" <> text (problemHint p)
-    <> ",\"ghc\":" <> text (problemOriginal p)
+    <> ",\"message\":"
+    <> text (problemMessage p)
+    <> ",\"hint\":"
+    <> text (problemHint p)
+    <> ",\"ghc\":"
+    <> text (problemOriginal p)
     <> foldMap (\t -> ",\"time\":" <> Builder.doubleDec t) (problemTime p)
-    <> ",\"inputs\":" <> list text (problemInputs p)
+    <> ",\"inputs\":"
+    <> list text (problemInputs p)
     <> "}"
 
 text :: String -> Builder

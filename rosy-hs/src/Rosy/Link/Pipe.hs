@@ -8,18 +8,19 @@
 -- calls with a buffer of its own, so that it works in a process that was forked a moment ago and has no I/O manager.
 -- What the lines mean is in "Rosy.Wire". Never writes to standard output, which belongs to the program.
 module Rosy.Link.Pipe
-  ( pipeLink
-  ) where
+  ( pipeLink,
+  )
+where
 
 import Control.Exception
-import qualified Data.ByteString as ByteString
+import Control.Monad (unless, when)
 import Data.ByteString (ByteString)
+import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Internal as Internal
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Unsafe as Unsafe
-import Control.Monad (unless, when)
 import Data.IORef
 import Data.Word (Word32, Word8)
 import Foreign.C.Error (throwErrnoIfMinus1Retry)
@@ -27,14 +28,14 @@ import Foreign.C.Types (CInt (..), CSize (..))
 import Foreign.Marshal.Utils (copyBytes)
 import Foreign.Ptr (Ptr, castPtr, nullPtr, plusPtr)
 import Foreign.Storable (poke)
-import System.Posix.Types (CSsize (..))
-
 import Rosy.Core (Message, nameBytes)
 import Rosy.Link
 import Rosy.Problem (Fault (..))
 import Rosy.Wire
+import System.Posix.Types (CSsize (..))
 
 foreign import ccall safe "read" c_read :: CInt -> Ptr Word8 -> CSize -> IO CSsize
+
 foreign import ccall safe "write" c_write :: CInt -> Ptr Word8 -> CSize -> IO CSsize
 
 -- | A link over a stream descriptor, used in both directions, and a page for the name of the function at work (see 'Rosy.Launch.onPipe').
@@ -47,23 +48,24 @@ pipeLink descriptor page = do
         case readLine bytes of
           Right l -> pure l
           Left _ -> throwIO (Malformed (Char8.unpack (ByteString.take 500 bytes)))
-  pure Link
-    { open = do
-        l <- heard
-        case l of
-          StartLine 1 seed trace -> do
-            writeIORef tracing trace
-            send descriptor writeOpening
-            pure (Opening seed)
-          _ -> throwIO (Malformed "the first line is not a start of protocol 1")
-    , next = batch heard []
-    , answer = \a -> do
-        trace <- readIORef tracing
-        send descriptor (writeAnswer trace a)
-    , end = \commands ending -> send descriptor (writeEnding commands ending)
-    , atWork = \name -> unless (page == nullPtr) (leave page (nameBytes name))
-    , atRest = unless (page == nullPtr) (poke page 0)
-    }
+  pure
+    Link
+      { open = do
+          l <- heard
+          case l of
+            StartLine 1 seed trace -> do
+              writeIORef tracing trace
+              send descriptor writeOpening
+              pure (Opening seed)
+            _ -> throwIO (Malformed "the first line is not a start of protocol 1"),
+        next = batch heard [],
+        answer = \a -> do
+          trace <- readIORef tracing
+          send descriptor (writeAnswer trace a),
+        end = \commands ending -> send descriptor (writeEnding commands ending),
+        atWork = unless (page == nullPtr) . leave page . nameBytes,
+        atRest = unless (page == nullPtr) (poke page 0)
+      }
 
 -- | Messages up to the end of the step.
 batch :: IO Line -> [Message] -> IO (Maybe Batch)

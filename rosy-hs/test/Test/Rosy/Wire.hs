@@ -1,0 +1,172 @@
+{-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE TupleSections #-}
+
+-- |
+-- Module      : Test.Rosy.Wire
+-- Description : The golden conversations of protocol/goldens/link, held over a real socket.
+--
+-- Each file has a program of its name here. The simulator's lines go in; the program's lines must be those of the file.
+-- With ROSY_ACCEPT=1 in the environment the files are written anew instead; read the difference before you keep it.
+module Test.Rosy.Wire (tests) where
+
+import Control.Exception (bracket)
+import Data.Aeson (Value (..), object, (.:), (.=))
+import qualified Data.Aeson as Aeson
+import Data.Aeson.Types (parseMaybe)
+import qualified Data.ByteString as ByteString
+import qualified Data.ByteString.Char8 as Char8
+import qualified Data.ByteString.Lazy as Lazy
+import Data.List (isInfixOf, sort)
+import Foreign.Ptr (nullPtr)
+import Network.Socket
+import Network.Socket.ByteString (recv, sendAll)
+import Rosy
+import Rosy.Core (Message (..), Odometry (..))
+import Rosy.Launch (onPipe)
+import Rosy.Program (Names (..), simulateNamed, taskNamed)
+import Rosy.Wire
+import System.Directory (listDirectory)
+import System.Environment (lookupEnv)
+import System.FilePath (dropExtension, takeExtension, (</>))
+import Test.Tasty (TestTree, testGroup)
+import Test.Tasty.HUnit
+
+tests :: TestTree
+tests =
+  testGroup
+    "Wire and Pipe"
+    [ testGroup "hold the golden conversations" [testCase name (converse name main') | (name, main') <- programs],
+      testCase "every golden conversation has a program here" $ do
+        files <- listDirectory goldens
+        sort [dropExtension f | f <- files, takeExtension f == ".jsonl"] @?= sort (map fst programs),
+      testCase "a line outside the protocol ends the program with a problem" $ do
+        answer <- held [start, "{\"op\":\"dance\"}"] (simulate (Velocity 0.5 0))
+        assertBool (show answer) ("malformed" `isInfixOf` show (last answer)),
+      testCase "a second simulate is told, not run" $ do
+        answer <- held [start, step0, stop'] (simulate (Say "one") >> simulate (Say "two"))
+        length [() | a <- answer, "two" `isInfixOf` show a] @?= 0,
+      testCase "a main without simulate ends as done, with the wheels at rest" $ do
+        answer <- held [start] (pure ())
+        map Line' answer @?= map Line' [object ["op" .= publish, "topic" .= velocity, "msg" .= object ["linear" .= object ["x" .= zero], "angular" .= object ["z" .= zero]]], object ["op" .= ended, "how" .= done]],
+      testCase "a heading comes out of the quaternion" $
+        case readLine (odom "0.5" "0.8660254037844386") of
+          Right (SensorLine (OdometryMessage o)) -> do
+            (odometryPosition o, odometryVelocity o) @?= (Position 1 2, Velocity 0.5 0.25)
+            assertBool (show o) (abs (odometryOrientation o - Orientation (pi / 3)) < 1e-9)
+          other -> assertFailure (show other),
+      testCase "a heading is never outside -π to π" $
+        case readLine (odom "-0.7071067811865476" "-0.7071067811865475") of
+          Right (SensorLine (OdometryMessage o)) -> assertBool (show o) (abs (odometryOrientation o - Orientation (pi / 2)) < 1e-9)
+          other -> assertFailure (show other),
+      testCase "a number out of range is refused" $
+        assertBool "" (either (const True) (const False) (readLine "{\"op\":\"publish\",\"topic\":\"/mobile_base/events/bumper\",\"msg\":{\"bumper\":3,\"state\":1}}"))
+    ]
+  where
+    start = "{\"op\":\"start\",\"protocol\":1,\"seed\":1,\"trace\":false}"
+    step0 = "{\"op\":\"step\",\"step\":0,\"time\":0}"
+    stop' = "{\"op\":\"stop\"}"
+    (publish, velocity, ended, done) = ("publish", "/mobile_base/commands/velocity", "ended", "done") :: (String, String, String, String)
+    zero = 0 :: Double
+    odom z w =
+      ByteString.concat
+        [ "{\"op\":\"publish\",\"topic\":\"/odom\",\"msg\":{\"header\":{\"seq\":3},\"pose\":{\"pose\":{\"position\":{\"x\":1,\"y\":2.0,\"z\":0},\"orientation\":{\"x\":0,\"y\":0,\"z\":",
+          z,
+          ",\"w\":",
+          w,
+          "}}},\"twist\":{\"twist\":{\"linear\":{\"x\":0.5,\"y\":0},\"angular\":{\"z\":0.25}}}}}"
+        ]
+
+goldens :: FilePath
+goldens = "protocol/goldens/link"
+
+-- | The program of each conversation, with the names that the worker would find in its text.
+programs :: [(String, IO ())]
+programs =
+  [ ("move", simulateNamed (Name "main") (Velocity 0.5 0)),
+    ("bump", simulateNamed (Names [Name "accelerate", Name "play"]) (accelerate, play)),
+    ("said", simulateNamed (Names [Name "greet", Name "light"]) (greet, light)),
+    ("error", simulateNamed (Names [Name "retreat"]) [retreat]),
+    ("done", simulate (taskNamed (Name "start") (Names [Name "accelerate", Name "untilBump"]) (Led1 Green) (accelerate, untilBump))),
+    ("events", simulateNamed (Names [Name "lift", Name "alarm", Name "count"]) (lift, alarm, count))
+  ]
+  where
+    accelerate :: Velocity -> Velocity
+    accelerate (Velocity v w) = Velocity (v + 0.5) w
+    play :: Bumper -> Maybe Sound
+    play (Bumper _ Pressed) = Just ErrorSound
+    play _ = Nothing
+    greet :: Button -> Maybe Say
+    greet (Button n Pressed) = Just (Say ("Hello, \"" ++ show n ++ "\" — günaydın!\n"))
+    greet _ = Nothing
+    light :: ButtonOne -> (Led1, Led2)
+    light (ButtonOne Pressed) = (Led1 Orange, Led2 Red)
+    light _ = (Led1 Black, Led2 Black)
+    retreat :: Cliff -> Velocity -> Velocity
+    retreat (Cliff LeftCliff _) v = v
+    retreat (Cliff _ Hole) _ = errorWithoutStackTrace "which way is back?"
+    retreat _ v = v
+    untilBump :: Bumper -> (Led1, Done ())
+    untilBump _ = (Led1 Black, Done ())
+    lift :: Wheel -> Memory Int -> Either Cancel (Memory Int)
+    lift (Wheel _ Air) _ = Left Cancel
+    lift _ (Memory n) = Right (Memory (n + 10))
+    alarm :: Cancel -> Orientation -> Sound
+    alarm Cancel _ = ErrorSound
+    count :: Maybe Cancel -> Memory Int -> (Memory Int, Say)
+    count c (Memory n) = (Memory (n + 1), Say (maybe "tick " (const "cancel ") c ++ show n))
+
+-- | Hold the conversation of a file.
+converse :: String -> IO () -> Assertion
+converse name main' = do
+  let file = goldens </> name ++ ".jsonl"
+  entries <- map parsed . Char8.lines <$> ByteString.readFile file
+  let simulator = [l | ("sim", l) <- entries]
+      program = [l | ("prog", l) <- entries]
+  answers <- held (map (Lazy.toStrict . Aeson.encode) simulator) main'
+  accepted <- lookupEnv "ROSY_ACCEPT"
+  case accepted of
+    Just _ -> ByteString.writeFile file (Char8.unlines (map (Lazy.toStrict . Aeson.encode . entry) (interleaved simulator answers)))
+    Nothing -> do
+      mapM_ (uncurry (assertEqual "line by line")) (zip (map Line' answers) (map Line' program))
+      length answers @?= length program
+  where
+    parsed bytes = case Aeson.decodeStrict' bytes >>= parseMaybe (\o -> (,) <$> o .: "from" <*> o .: "line") of
+      Just (from, l) -> (from :: String, l :: Value)
+      Nothing -> error ("not a line of a conversation: " ++ show bytes)
+    entry (from, l) = object ["from" .= (from :: String), "line" .= l]
+
+newtype Line' = Line' Value deriving (Eq)
+
+instance Show Line' where
+  show (Line' v) = Char8.unpack (Lazy.toStrict (Aeson.encode v))
+
+-- | Each side speaks until its batch ends.
+interleaved :: [Value] -> [Value] -> [(String, Value)]
+interleaved [] prog = map ("prog",) prog
+interleaved sim prog = map ("sim",) batch ++ map ("prog",) reply ++ interleaved sim' prog'
+  where
+    (batch, sim') = through ["start", "step", "stop"] sim
+    (reply, prog') = through ["ready", "settled", "ended"] prog
+    through ops ls = case break (\l -> op l `elem` map Just ops) ls of
+      (before, l : rest) -> (before ++ [l], rest)
+      (before, []) -> (before, [])
+    op :: Value -> Maybe String
+    op (Object o) = parseMaybe (.: "op") o
+    op _ = Nothing
+
+-- | Say these lines to a program over a socket, hang up, and hear all that it said.
+held :: [ByteString.ByteString] -> IO () -> IO [Value]
+held ls main' = bracket (socketPair AF_UNIX Stream defaultProtocol) (\(a, b) -> close a >> close b) $ \(ours, theirs) -> do
+  sendAll ours (Char8.unlines ls)
+  shutdown ours ShutdownSend
+  withFdSocket theirs (\fd -> onPipe fd nullPtr main')
+  shutdown theirs ShutdownSend
+  bytes <- readAll ours
+  pure (map decoded (Char8.lines bytes))
+  where
+    readAll s = do
+      piece <- recv s 65536
+      if ByteString.null piece then pure "" else (piece <>) <$> readAll s
+    decoded bytes = case Aeson.decodeStrict' bytes of
+      Just v -> v
+      Nothing -> error ("the program did not say JSON: " ++ show bytes)
