@@ -19,6 +19,7 @@ from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from .bridge import Client
 from .config import Config
 from .library import example, examples, world_names
 from .live import Lateness
@@ -80,6 +81,22 @@ class Service:
             del self.sessions[session.id]
             await session.close()
 
+    async def serve_ros(self, socket: WebSocket) -> None:
+        """
+        A ROS client of a session's robot. Any page may connect that knows the session's name, which is
+        random: that is what lets Foxglove or a learner's own page of roslib in.
+        """
+        session = self.sessions.get(socket.path_params["session"])
+        if session is None or session.bridge.full:
+            await socket.close(_POLICY_VIOLATION)
+            return
+        await socket.accept()
+        client = session.join()
+        try:
+            await _first_of(_receive_ros(socket, session, client), _send_ros(socket, client), session.closed.wait())
+        finally:
+            session.leave(client)
+
     # HTTP
 
     async def health(self, _request: Request) -> Response:
@@ -126,6 +143,23 @@ async def _receive(socket: WebSocket, session: Session) -> None:
         session.receive(message.get("text") or message.get("bytes") or "")
 
 
+async def _receive_ros(socket: WebSocket, session: Session, client: Client) -> None:
+    while True:
+        message = await socket.receive()
+        if message["type"] == "websocket.disconnect":
+            return
+        session.receive_ros(client, message.get("text") or message.get("bytes") or "")
+
+
+async def _send_ros(socket: WebSocket, client: Client) -> None:
+    try:
+        while True:
+            await socket.send_text(await client.get())
+    except (WebSocketDisconnect, RuntimeError):
+        # The client left while something was on its way.
+        return
+
+
 async def _send(socket: WebSocket, session: Session) -> None:
     """Until the page leaves or stops reading."""
     try:
@@ -151,6 +185,7 @@ def build_app(config: Config) -> Starlette:
     service = Service(config)
     routes: list[BaseRoute] = [
         WebSocketRoute("/api/session", service.serve_page),
+        WebSocketRoute("/rosbridge/{session}", service.serve_ros),
         Route("/api/health", service.health),
         Route("/api/examples", service.list_examples),
         Route("/api/examples/{name}", service.one_example),

@@ -75,9 +75,9 @@ def discover() -> Config:
         root=root,
         page=Path(os.environ.get("ROSY_PAGE") or root / "editor" / "dist"),
         examples=Path(os.environ.get("ROSY_EXAMPLES") or root / "examples"),
-        worker=(str(executable),) if executable is not None else (),
+        worker=(str(executable), *_compiler()) if executable is not None else (),
         sandbox=os.environ.get("ROSY_SANDBOX", "on") != "off",
-        visible=_visible(root, executable),
+        visible=_visible(executable),
     )
 
 
@@ -88,6 +88,14 @@ def _built_worker(root: Path) -> Path | None:
     return max(built, key=lambda path: path.stat().st_mtime, default=None)
 
 
-def _visible(root: Path, executable: Path | None) -> tuple[Path, ...]:
-    wanted = [root / "dist-newstyle", *([executable.parent] if executable is not None else [])]
-    return tuple(path for path in wanted if path.is_dir())
+def _compiler() -> tuple[str, ...]:
+    """Where Debian keeps GHC's libraries; elsewhere the worker asks ``ghc``, which takes a little longer."""
+    return ("--libdir", "/usr/lib/ghc") if Path("/usr/lib/ghc/settings").exists() else ()
+
+
+def _visible(executable: Path | None) -> tuple[Path, ...]:
+    """The build folder the worker lies in, with the library beside it (rosy-hs/worker/README.md)."""
+    if executable is None:
+        return ()
+    built = [folder for folder in executable.parents if folder.name == "dist-newstyle"]
+    return (built[0] if built else executable.parent,)

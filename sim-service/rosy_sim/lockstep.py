@@ -43,7 +43,8 @@ class Lockstep:
         # What the program did in the current step; cleared by sense().
         self.commands: list[Command] = []
         self.settled: Settled | None = None
-        self._events: list[Event] = []
+        # What the robot sensed in the current step; set by sense().
+        self.events: list[Event] = []
         # The program's last word.
         self.ended: Ended | None = None
         # Ground truth when the current step was sensed.
@@ -65,7 +66,7 @@ class Lockstep:
     def sense(self) -> bytes:
         """The batch of the current step. Call when ready or settled and integrated."""
         world = self.world
-        self._events = events = world.sense()
+        self.events = events = world.sense()
         self.commands = []
         self.settled = None
         self._link.step = self.step
@@ -116,7 +117,7 @@ class Lockstep:
         if settled is not None:
             events, commands, fired = settled.events, settled.commands, settled.fired
         else:
-            events = [show_event(e) for e in self._events]
+            events = [show_event(e) for e in self.events]
             commands, fired = [show_command(c) for c in self.commands], []
         return (
             _encoder.encode(

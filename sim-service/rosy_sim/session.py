@@ -13,6 +13,7 @@ import random
 import socket
 from typing import Any
 
+from .bridge import Bridge, Client
 from .config import Limits
 from .errors import BadInput, RosyError, WorkerLost
 from .library import DEFAULT_WORLD, named_world, usable_arena
@@ -25,7 +26,7 @@ from .wire.hands import hands_of
 from .wire.problem import Problem
 from .wire.worker import Gone, Refused, Started
 from .worker.client import RunningProgram, Worker
-from .world.events import Velocity
+from .world.events import Command, Event, Say, Sound, Velocity
 from .world.facts import STEP
 from .world.world import HandRefused, World
 
@@ -61,8 +62,15 @@ class Session:
         # Frames: when the last one went out, and what fired since.
         self._framed = 0.0
         self._fired: list[str] = []
-        # The clock of a robot without a program: rolls it to rest.
-        self._idle: asyncio.TimerHandle | None = None
+        # Set by close(): no clock may start any more.
+        self.closed = asyncio.Event()
+        # ROS clients of this robot.
+        self.bridge = Bridge()
+        # The clock of a robot without a program: rolls it to rest, and serves ROS clients.
+        self._idle: asyncio.Handle | None = None
+        self._due = 0.0
+        # Steps since the session began, with and without programs; and of the last run.
+        self._clock = 0
         self._step = 0
         self._greet()
 
@@ -123,6 +131,7 @@ class Session:
                 for hand in hands_of(request):
                     self.world.hand(hand)
                 self._frame(force=True)
+                self._wake()
 
     def _choose(self, wanted: object) -> None:
         value: object = named_world(wanted) if isinstance(wanted, str) else wanted
@@ -231,6 +240,7 @@ class Session:
             self._frame(force=True)
             self._over(self._run, "stopped", [])
         self.world.command(Velocity(0.0, 0.0))
+        self._wake()
 
     def _bury(self, program: RunningProgram | None) -> None:
         if program is not None:
@@ -241,6 +251,7 @@ class Session:
     def on_step(self, lockstep: Lockstep) -> None:
         """A step has passed."""
         self._step = lockstep.step
+        self._tell_bridge(lockstep.events)
         for text in lockstep.said():
             self.outbox.put(page.Said(self._run, lockstep.time, text))
         for sound in lockstep.sounds():
@@ -272,7 +283,7 @@ class Session:
             task = self._loop.create_task(self._ask_why(program, run, ending, time))
             self._burials.add(task)
             task.add_done_callback(self._burials.discard)
-        self._roll()
+        self._wake()
 
     async def _ask_why(self, program: RunningProgram | None, run: int, ending: Ending, time: float) -> None:
         """The worker knows what a silent program was doing."""
@@ -332,20 +343,63 @@ class Session:
             )
         )
 
+    def _wake(self) -> None:
+        """Let the idle clock go when there is something for it to do."""
+        if self._idle is None and not self.closed.is_set():
+            self._due = self._loop.time()
+            self._idle = self._loop.call_soon(self._roll)
+
     def _roll(self) -> None:
-        """Without a program: let the robot come to rest, 20 ms at a time."""
+        """Without a program: 20 ms at a time until the robot is at rest and no ROS client listens."""
         self._idle = None
         world = self.world
-        if self._live is not None or self._compiling is not None or not (world.v or world.w or world.room.awake):
+        moving = world.v or world.w or world.room.awake
+        if self._live is not None or self._compiling is not None or not (moving or self.bridge):
             return
+        events = world.sense()
         world.integrate()
-        self._frame(force=not (world.v or world.w))
-        self._idle = self._loop.call_later(STEP, self._roll)
+        self._tell_bridge(events)
+        self._frame(force=bool(moving) and not (world.v or world.w))
+        self._due = max(self._due + STEP, self._loop.time() - STEP)
+        self._idle = self._loop.call_at(self._due, self._roll)
+
+    # ROS clients
+
+    def join(self) -> Client:
+        """A ROS client connects."""
+        client = self.bridge.join()
+        self._wake()
+        return client
+
+    def leave(self, client: Client) -> None:
+        """A ROS client is gone."""
+        self.bridge.leave(client)
+
+    def receive_ros(self, client: Client, text: str | bytes) -> None:
+        """Serve one message of a ROS client."""
+        for command in self.bridge.receive(client, text, self._loop.time()):
+            self._obey(command)
+
+    def _obey(self, command: Command) -> None:
+        self.world.command(command)
+        match command:
+            case Say(text):
+                self.outbox.put(page.Said(self._run, self._clock / 50, text))
+            case Sound(sound):
+                self.outbox.put(page.SoundPlayed(self._run, self._clock / 50, sound))
+            case _:
+                self._frame(force=self._live is None)
+
+    def _tell_bridge(self, events: list[Event]) -> None:
+        self._clock += 1
+        if events or self.bridge:
+            self.bridge.sensed(events, self.world.odometry(), self._clock / 50, self._loop.time())
 
     # The end
 
     async def close(self) -> None:
         """End everything this session started."""
+        self.closed.set()
         if self._idle is not None:
             self._idle.cancel()
         self._end_now()

@@ -1,0 +1,204 @@
+"""The robot as a rosbridge server: the checklist of its clients, and what hostile ones try."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import threading
+from typing import Any
+
+import pytest
+import roslibpy
+from hypothesis import given
+from hypothesis import strategies as st
+from websockets.asyncio.client import connect
+
+from rosy_sim.config import Config
+from rosy_sim.wire.rosbridge import MAX_SUBSCRIPTIONS, BridgeClient
+from rosy_sim.world.events import Led, Velocity
+
+from .test_app import Page, opened, serving
+
+BUMPER = "/mobile_base/events/bumper"
+
+
+def say(client: BridgeClient, now: float = 0.0, **message: Any) -> list[dict[str, Any]]:
+    return [json.loads(text) for text in client.receive(json.dumps(message), now).texts]
+
+
+def test_topics_are_echoed_as_the_client_wrote_them() -> None:
+    client = BridgeClient()
+    say(client, op="subscribe", topic="odom")
+    say(client, op="subscribe", topic="/odom")
+    assert [json.loads(t)["topic"] for t in client.deliver("/odom", {}, 0.0)] == ["odom", "/odom"]
+
+
+def test_latched_values_come_at_once_and_others_do_not() -> None:
+    client = BridgeClient()
+    client.deliver("/mobile_base/events/robot_state", {"state": 1}, 0.0)
+    client.deliver(BUMPER, {"bumper": 0, "state": 1}, 0.0)
+    first = say(client, op="subscribe", topic="/mobile_base/events/robot_state")
+    assert [m["msg"] for m in first] == [{"state": 1}]
+    assert say(client, op="subscribe", topic=BUMPER) == []
+
+
+def test_throttling_drops_or_queues() -> None:
+    dropping, queueing = BridgeClient(), BridgeClient()
+    say(dropping, op="subscribe", topic="/odom", throttle_rate=100)
+    say(queueing, op="subscribe", topic="/odom", throttle_rate=100, queue_length=2)
+    for client, expected in ((dropping, [0, 5, 10]), (queueing, [0, 1, 2, 6, 7])):
+        got = []
+        for step in range(11):
+            now = step * 0.02
+            got += client.drain(now)
+            got += client.deliver("/odom", {"n": step}, now)
+        for step in range(11, 25):
+            got += client.drain(step * 0.02)
+        numbers = [json.loads(t)["msg"]["n"] for t in got]
+        assert numbers[:3] == expected[:3] if client is dropping else numbers[0] == 0
+        assert numbers == sorted(numbers)
+
+
+def test_the_smallest_wish_wins_and_unsubscribing_ends_it() -> None:
+    client = BridgeClient()
+    say(client, op="subscribe", topic="/odom", id="a", throttle_rate=1000)
+    say(client, op="subscribe", topic="/odom", id="b", throttle_rate=0)
+    assert len(client.deliver("/odom", {}, 0.0) + client.deliver("/odom", {}, 0.01)) == 2
+    say(client, op="unsubscribe", topic="/odom", id="b")
+    assert client.deliver("/odom", {}, 0.02) == []
+    say(client, op="unsubscribe", topic="/odom")
+    assert client.deliver("/odom", {}, 9.0) == []
+
+
+def test_publishing_commands_the_robot() -> None:
+    client = BridgeClient()
+    reply = client.receive('{"op":"publish","topic":"mobile_base/commands/led1","msg":{"value":2}}', 0.0)
+    assert reply.commands == [Led(1, 2)]
+    reply = client.receive(
+        '{"op":"publish","topic":"/mobile_base/commands/velocity","msg":{"linear":{"x":1},"angular":{"z":0.5}}}', 0.0
+    )
+    assert reply.commands == [Velocity(1.0, 0.5)]
+
+
+@pytest.mark.parametrize("msg", [{"value": 1.0}, {"value": 300}, {"value": None}, {"value": "1"}, 7, None])
+def test_a_message_that_does_not_fit_is_dropped_silently_unless_asked(msg: object) -> None:
+    client = BridgeClient()
+    message = {"op": "publish", "topic": "/mobile_base/commands/led1", "msg": msg}
+    assert (client.receive(json.dumps(message), 0.0).commands, say(client, **message)) == ([], [])
+    say(client, op="set_level", level="error")
+    assert [m["op"] for m in say(client, **message)] == ["status"]
+
+
+@pytest.mark.parametrize(
+    ("service", "args", "key"),
+    [
+        ("/rosapi/topics", {}, "topics"), ("rosapi/topics", None, "types"),
+        ("/rosapi/topic_type", {"topic": "/odom"}, "type"), ("/rosapi/topic_type", ["/odom"], "type"),
+        ("/rosapi/topics_for_type", {"type": "kobuki_msgs/Led"}, "topics"), ("/rosapi/nodes", {}, "nodes"),
+        ("/rosapi/services", {}, "services"), ("/rosapi/get_time", {}, "time"), ("/rosapi/get_param_names", {}, "names"),
+        ("/rosapi/publishers", {"topic": "/odom"}, "publishers"),
+        ("/rosapi/message_details", {"type": "nav_msgs/Odometry"}, "typedefs"),
+    ],
+)  # fmt: skip
+def test_rosapi_answers(service: str, args: object, key: str) -> None:
+    [answer] = say(BridgeClient(), op="call_service", service=service, args=args, id="x:1")
+    assert (answer["service"], answer["id"], answer["result"]) == (service, "x:1", True)
+    assert answer["values"][key]
+
+
+def test_an_unknown_service_fails() -> None:
+    [answer] = say(BridgeClient(), op="call_service", service="/fly")
+    assert answer["result"] is False
+    assert "id" not in answer
+
+
+@given(st.recursive(st.none() | st.booleans() | st.floats() | st.text(), lambda x: st.lists(x) | st.dictionaries(
+    st.sampled_from(["op", "topic", "msg", "id", "service", "args", "throttle_rate", "queue_length", "level"])
+    | st.text(max_size=3),
+    x | st.sampled_from(["subscribe", "publish", "call_service", "set_level", "/odom", "unsubscribe", "advertise"]),
+)))  # fmt: skip
+def test_no_message_breaks_it(value: object) -> None:
+    client = BridgeClient()
+    client.receive(json.dumps(value), 0.0)
+    client.deliver("/odom", {}, 1.0)
+    client.drain(2.0)
+
+
+@given(st.binary())
+def test_no_bytes_break_it(data: bytes) -> None:
+    BridgeClient().receive(data, 0.0)
+
+
+def test_subscriptions_are_bounded() -> None:
+    client = BridgeClient()
+    for i in range(10 * MAX_SUBSCRIPTIONS):
+        say(client, op="subscribe", topic="/odom", id=str(i))
+    assert len(client._subscriptions["/odom"].wishes) <= MAX_SUBSCRIPTIONS
+
+
+def test_a_hostile_client_harms_nobody(config: Config) -> None:
+    async def tell() -> None:
+        async with serving(config) as (address, service), opened(address) as page:
+            hello = await page.op("hello")
+            async with connect(f"ws://{address}/rosbridge/{hello['session']}") as ros:
+                for text in ("", "{", "[" * 50_000, '{"op":"publish"}', '{"op":"subscribe","topic":7}', "\x00"):
+                    await ros.send(text)
+                await ros.send('{"op":"subscribe","topic":"/odom"}')
+                message = json.loads(await asyncio.wait_for(ros.recv(), 10))
+            assert message["msg"]["header"]["frame_id"] == "odom"
+            assert len(message["msg"]["pose"]["covariance"]) == 36
+            await page.send("run", run=1, source="done@2", speed="max")
+            assert (await page.ended(1))["ended"] == "done"
+            assert len(service.sessions) == 1
+
+    asyncio.run(tell())
+
+
+def test_roslibpy_lists_drives_and_hears_the_bumper(config: Config) -> None:
+    """The real client: topics, a latched value, velocity until the wall, the bumper, an error."""
+
+    async def tell() -> None:
+        async with serving(config) as (address, _), opened(address) as page:
+            hello = await page.op("hello")
+            host, _, port = address.partition(":")
+            result: dict[str, Any] = {}
+            client = threading.Thread(target=_teleoperate, args=(host, int(port), hello["session"], result))
+            client.start()
+            await page.until(lambda m: m["op"] == "frame" and m["led1"] == 3)
+            await page.until(lambda m: m["op"] == "frame" and m["bumpers"] != 0)
+            await asyncio.to_thread(client.join, 10)
+            assert not client.is_alive()
+            assert result["topics"] > 8
+            assert result["online"] == {"state": 1}
+            assert result["bump"] == {"bumper": 1, "state": 1}
+            assert "does not exist" in result["error"]
+
+    asyncio.run(tell())
+
+
+def _teleoperate(host: str, port: int, session: str, result: dict[str, Any]) -> None:
+    ros = roslibpy.Ros(f"ws://{host}:{port}/rosbridge/{session}")
+    ros.run(timeout=10)
+    result["topics"] = len(ros.get_topics())
+    online, bump = threading.Event(), threading.Event()
+
+    def heard(key: str, event: threading.Event, msg: Any) -> None:
+        result[key] = dict(msg)
+        event.set()
+
+    roslibpy.Topic(ros, "/mobile_base/events/robot_state", "kobuki_msgs/RobotStateEvent").subscribe(
+        lambda msg: heard("online", online, msg)
+    )
+    roslibpy.Topic(ros, BUMPER, "kobuki_msgs/BumperEvent").subscribe(lambda msg: heard("bump", bump, msg))
+    roslibpy.Topic(ros, "/mobile_base/commands/led1", "kobuki_msgs/Led").publish(roslibpy.Message({"value": 3}))
+    try:
+        roslibpy.Service(ros, "/fly", "std_srvs/Empty").call(roslibpy.ServiceRequest(), timeout=5)
+    except roslibpy.ServiceException as error:
+        result["error"] = str(error)
+    velocity = roslibpy.Topic(ros, "/mobile_base/commands/velocity", "geometry_msgs/Twist")
+    for _ in range(200):
+        velocity.publish(roslibpy.Message({"linear": {"x": 0.7, "y": 0, "z": 0}, "angular": {"x": 0, "y": 0, "z": 0}}))
+        if bump.wait(0.1):
+            break
+    online.wait(5)
+    ros.terminate()
