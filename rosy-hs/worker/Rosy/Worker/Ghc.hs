@@ -46,7 +46,7 @@ import GHC.Parser (parseModule)
 import GHC.Parser.Annotation (ApiAnns (..))
 import GHC.Parser.Header (getOptions)
 import GHC.Parser.Lexer (P (unP), ParseResult (..), getErrorMessages, getMessages, mkPState)
-import GHC.Runtime.Linker (getHValue)
+import GHC.Runtime.Linker (getHValue, unload)
 import GHC.Settings.Config (cProjectVersion)
 import GHC.Tc.Module (tcRnModule)
 import GHC.Tc.Types (TcGblEnv (..))
@@ -78,7 +78,10 @@ start library = do
   session <- warm library
   practised <- analyse session practice
   case ready practised of
-    Just sample -> () <$ load session sample
+    Just sample -> do
+      _ <- load session sample
+      -- The linker keeps what it has linked by name: without this every program's main would be the practice's.
+      unload (environment session) []
     Nothing -> pure ()
   _ <- analyse session "hole = _ :: Velocity\nwrong = not hole + \"\" + undefinedName\n"
   pure session
