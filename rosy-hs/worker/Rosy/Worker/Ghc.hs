@@ -65,7 +65,7 @@ import Rosy.Worker.Ghc.Report
 import Rosy.Worker.Ghc.Warm
 import Rosy.Worker.Place (Columns, columnsOf)
 import Rosy.Worker.Problem (Declaration, Function, Problem, Severity (..), isError, problemAt, problemNowhere)
-import Rosy.Worker.Raw (Outline (..), Raw (..))
+import Rosy.Worker.Raw (Outline (..), Raw (..), noOutline)
 
 -- | As the worker's @ready@ says it.
 compilerVersion :: Text
@@ -152,7 +152,7 @@ analyse session source = do
   where
     columns = columnsOf source
     buffer = stringToStringBuffer (Text.unpack source)
-    stopped found raws = Analysis found raws (Outline source []) [] [] Nothing
+    stopped found raws = Analysis found raws (noOutline source) [] [] Nothing
 
 -- * Reading
 
@@ -224,15 +224,18 @@ check session flags columns source (L at parsed) warnings = do
       env = (environment session) {hsc_dflags = logging}
       summary = summaryOf logging source
       placed = definitionSpans (placeOf columns) parsed
+      outlined = Outline source placed (signatureSpans (placeOf columns) parsed) []
       module' = HsParsedModule (L at (program added)) [] (ApiAnns mempty Nothing mempty mempty)
   ((warned, failed), outcome) <- tcRnModule env summary False module'
   let found = warnings ++ map (fromMessage flags columns) (bagToList failed ++ bagToList warned)
       bad raws = any ((== Error) . gravity) raws
       mains = [() | ("main", _) <- placed]
-      noMain = [problemNowhere "no-main" "The program does not say what the robot should do." "Add a line that starts with: main = simulate" | null mains, not (bad found)]
-      whole raws tcg next = Analysis noMain raws (Outline source placed) (describeDeclarations flags placed tcg) (describeFunctions flags (map Text.pack (concatMap leaves (controllers added))) tcg) next
+      noMain = [problemNowhere "no-main" "The program does not say what the robot should do." "Add a line that starts with: main = simulate" | null mains]
+      whole raws tcg next =
+        let connections = describeFunctions flags (map Text.pack (concatMap leaves (controllers added))) tcg
+         in Analysis noMain raws outlined {connectedTo = connections} (describeDeclarations flags placed tcg) connections next
   case outcome of
-    Nothing -> pure (Analysis noMain found (Outline source placed) [] [] Nothing)
+    Nothing -> pure (Analysis noMain found outlined [] [] Nothing)
     Just tcg
       | bad found -> pure (whole found tcg Nothing)
       | otherwise -> do

@@ -1,14 +1,185 @@
 {-# LANGUAGE OverloadedStrings #-}
+
 -- |
 -- Module      : Rosy.Worker.Kind
 -- Description : What the compiler said, in words for learners.
-module Rosy.Worker.Kind (explainAll) where
+--
+-- Takes each message apart (its reason, its parts, the types in it) and says the same in two short sentences: first what,
+-- then why or what to do. GHC 9.0 keeps its messages as documents, so some of this reads text; all such reading is in
+-- this module and its folder. What is not understood keeps its place and GHC's own words.
+module Rosy.Worker.Kind
+  ( explainAll
+  ) where
 
+import Data.List (nub, nubBy)
+import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
+import Data.Text (Text)
 import qualified Data.Text as Text
+
+import Rosy.Worker.Kind.Syntax (explainSyntax)
+import Rosy.Worker.Kind.Types
+import Rosy.Worker.Kind.Words
 import Rosy.Worker.Problem
 import Rosy.Worker.Raw
 
+-- | All messages about a program as problems, in the order of the text; consequences of others left out.
 explainAll :: Outline -> [Raw] -> [Problem]
-explainAll _ = map one
+explainAll outline = withoutEchoes . map explained . filter worthwhile
   where
-    one r = Problem (gravity r) (Text.pack (show (reason r))) (region r) Nothing (Text.unlines (important r)) "" (Text.unlines (important r ++ context r ++ supplementary r))
+    explained raw = located outline ((explain outline raw) {ghc = original raw})
+    -- Rosy says this itself.
+    worthwhile raw = not ("The IO action ‘main’ is not defined" `Text.isPrefixOf` Text.concat (take 1 (important raw)))
+
+-- | GHC's own words without what Rosy added.
+original :: Raw -> Text
+original raw = Text.strip (scrub (Text.intercalate "\n" (filter (not . Text.null . Text.strip) (map dull (important raw) ++ context raw ++ supplementary raw))))
+  where
+    -- The instances that GHC happens to know are no help to anybody.
+    dull t = Text.unlines (takeWhile (not . isNoise) (Text.lines t))
+    isNoise l = any (`Text.isInfixOf` l) ["These potential instance", "There are instances for similar types", "Matching instances:"]
+
+-- | Adds the function that a problem is about.
+located :: Outline -> Problem -> Problem
+located outline p = case function p of
+  Just _ -> p
+  Nothing -> p {function = place p >>= enclosing outline}
+
+enclosing :: Outline -> Span -> Maybe Text
+enclosing outline s = listToMaybe [n | (n, within) <- bindings outline, start within <= start s, end s <= end within]
+
+-- | One problem a place, and nothing that only follows from something else.
+withoutEchoes :: [Problem] -> [Problem]
+withoutEchoes ps = nubBy (\x y -> place x == place y && kind x == kind y) (filter (not . echo) ps)
+  where
+    causes = [function p | p <- ps, kind p `elem` ["hole", "not-in-scope", "negative-number", "too-many-arguments"]]
+    echo p = kind p `elem` ["ambiguous-type", "not-a-sensor", "not-a-command"] && (function p `elem` causes || Just "main" `elem` causes)
+      || kind p == "ambiguous-type" && length [q | q <- ps, function q == function p, kind q == "ambiguous-type", place q < place p] > 0
+
+-- | The kind and the sentences for one message.
+explain :: Outline -> Raw -> Problem
+explain outline raw = case reason raw of
+  Syntax -> explainSyntax (text outline) said (region raw)
+  Tabs -> problem "tab" "There is a tab in the program." "Use spaces: how wide a tab is depends on who looks at it."
+  Hole -> hole
+  Scope -> notInScope
+  IncompletePatterns -> missingCases
+  OverlappingPatterns -> problem "unreachable" "This case is never reached." "The cases above it take everything already."
+  MissingFields -> problem "missing-field" "A value is missing in this record." ("Give it a value too" <> maybe "." (\f -> ": " <> f <> ".") (listToMaybe (drop 1 (quotes said))))
+  MissingMethods -> problem "missing-method" "This instance is not complete." ("Define " <> sentenceList (drop 0 (quotes said)) <> " as well.")
+  Other -> problem "other" "The compiler has a remark about this." "Its own words are one click away."
+  Types -> fromMaybe unknown (listToMaybe (mapMaybe (\f -> f) [shape, explainTypes outline raw]))
+  where
+    said = flat (Text.unwords (important raw))
+    everything = flat (Text.unwords (important raw ++ context raw ++ supplementary raw))
+    problem k m h = Problem (gravity raw) k (region raw) Nothing m h ""
+    names = quotes said
+    firstName = fromMaybe "this" (listToMaybe names)
+    saying t = t `Text.isInfixOf` said
+    unknown = problem "other" "The compiler does not accept this." "Its own words are one click away."
+
+    -- What is missing, and which names at hand would fit.
+    hole = case between "::" "Where:" said of
+      Just wanted
+        | Text.length wanted > 2 ->
+            let t = simple wanted
+                fits = take 3 [n | (n, u) <- atHand everything, simple u == t]
+             in problem "hole" "Something is missing here." (if null fits then "What fits is " <> a t <> "." else "What fits is " <> a t <> ", for example " <> sentenceList fits <> ".")
+      _ -> problem "hole" "Something is missing here." "Put a value in this place."
+
+    notInScope = problem "not-in-scope" ("There is nothing called " <> quoted unknownName <> ".") (nearMiss everything unknownName)
+    unknownName = Text.takeWhile (/= ' ') (fromMaybe "?" (after "not in scope: " said))
+
+    missingCases =
+      let missing = maybe [] (filter (not . Text.null) . map Text.strip . Text.lines) (after "Patterns not matched:" (Text.unlines (important raw)))
+          more = length missing - 1
+          owner = fromMaybe "" (between "equation for ‘" "’" said)
+       in problem
+            "missing-cases"
+            (if Text.null owner then "This says nothing about some cases." else quoted owner <> " says nothing about some cases.")
+            ( case missing of
+                [] -> "Add an equation for what is left."
+                m : _ -> "Add one for " <> quoted m <> (if more > 0 then ", and for " <> number more <> " more." else ".")
+            )
+
+    -- Messages about the form of a program, which have no types in them.
+    shape
+      | Just rest <- after "Not in scope: " said = Just (undefinedThing rest)
+      | saying "not in scope:" = Just notInScope
+      | saying "Multiple declarations of" || saying "Conflicting definitions for" = Just (problem "duplicate" (quoted firstName <> " is defined twice.") (otherPlace "Rename one of them, or put equations of the same function next to each other."))
+      | saying "Duplicate type signatures" = Just (problem "duplicate" (quoted firstName <> " has two types.") "Remove one of them.")
+      | saying "lacks an accompanying binding" = Just (problem "missing-definition" (quoted firstName <> " has a type but no definition.") (lacking everything))
+      | saying "different numbers of arguments" = Just (problem "argument-count" ("The equations of " <> quoted firstName <> " take different numbers of values.") "Give each of them the same number of patterns: _ stands for anything.")
+      | saying "Ambiguous occurrence" = Just (problem "ambiguous-name" (quoted firstName <> " is the name of two things.") (if "Prelude" `Text.isInfixOf` everything then "One comes with Haskell: give yours another name." else "Give yours another name."))
+      | saying "The last statement in a 'do' block" = Just (problem "incomplete" "A do block cannot end like this." "Its last line says what to do: add one.")
+      | saying "Empty 'do' block" = Just (problem "incomplete" "Nothing follows this ‘do’." "Write what to do on the next line, indented.")
+      | saying "should have" && saying "arguments, but has been given" || saying "should have" && saying "argument, but has been given" = Just (patternArguments firstName)
+      | saying "does not have the required strict field" = Just (problem "missing-field" ("This " <> quoted firstName <> " is not complete.") ("Write it as " <> quoted firstName <> " and its values in order."))
+      | saying "does not have field" = Just (problem "unknown-field" (quoted firstName <> " has no field called " <> maybe "that" quoted (listToMaybe (drop 1 names)) <> ".") ("Write it as " <> quoted firstName <> " and its values in order."))
+      | saying "is not a (visible) field" || saying "is not a record selector" = Just (problem "unknown-field" (quoted firstName <> " is not a field.") "Write the constructor and its values in order.")
+      | saying "Expecting" && saying "more argument" = Just (problem "type-argument" (quoted (fromMaybe firstName (listToMaybe names)) <> " needs another type beside it.") (if firstName == "Memory" then "Say what is remembered, for example: Memory Bool." else "Say of what, for example: " <> firstName <> " Double."))
+      | saying "Expected kind" && saying "but" = Just (problem "type-argument" (quoted (typeHead (fromMaybe "" (listToMaybe (drop 1 names)))) <> " is a complete type: nothing can follow it.") "Remove what stands behind it, or put an arrow -> between.")
+      | saying "Expected a type, but" || saying "Expected a constraint" = Just (problem "type-argument" (quoted firstName <> " cannot stand in this place of a type.") "Check the type for a missing arrow or bracket.")
+      | saying "Parse error in pattern" || saying "Pattern syntax in expression" = Just (problem "pattern" "This cannot stand on the left of an equals sign." "Write names, constructors and _ there, each with brackets around it if it has parts.")
+      | saying "Illegal" || saying "Perhaps you intended to use" || saying "Perhaps you meant to use" = Just (problem "extension" "This needs a language extension that is not switched on." "There is nearly always a simpler way to say it.")
+      | saying "No explicit implementation" = Just (problem "missing-method" "This instance is not complete." "Define its functions as well.")
+      | saying "Duplicate instance declarations" = Just (problem "duplicate" "Rosy has done this for you already." "Remove this instance.")
+      | saying "does not export" = Just (problem "not-in-scope" ("The module " <> quoted firstName <> " has no " <> maybe "such name" quoted (listToMaybe (drop 1 names)) <> ".") "Check its spelling.")
+      | saying "Could not find module" || saying "Could not load module" = Just (problem "import" ("The module " <> quoted firstName <> " is not available here.") "Remove this import.")
+      | otherwise = Nothing
+
+    undefinedThing rest
+      | "A data constructor of that name" `Text.isInfixOf` said = problem "not-a-type" (quoted firstName <> " is a value, not a type.") "In a type, write the type that it belongs to."
+      | "No module named" `Text.isInfixOf` everything
+      , qualifier <- fromMaybe "" (listToMaybe (drop 1 names)) =
+          problem "not-in-scope" (quoted qualifier <> " is not imported.") (importHint qualifier)
+      | "type constructor or class" `Text.isPrefixOf` rest = problem "not-in-scope" ("There is no type called " <> quoted firstName <> ".") (nearMiss everything firstName)
+      | otherwise = problem "not-in-scope" ("There is nothing called " <> quoted firstName <> ".") (nearMiss everything firstName)
+
+    patternArguments c =
+      let counts = mapMaybe readNumber (Text.words (fromMaybe "" (after "should have" said)))
+       in case counts of
+            wanted : given : _ -> problem "pattern-arguments" (quoted c <> " holds " <> number wanted <> (if wanted == 1 then " value" else " values") <> ", but here " <> (if given == 1 then "one is" else number given <> " are") <> " named.") "Name each of them: _ stands for one that is not needed."
+            _ -> problem "pattern-arguments" (quoted c <> " does not hold that many values.") "Name each of them: _ stands for one that is not needed."
+
+    otherPlace advice = case nub (mapMaybe lineIn (filter ("Main.hs:" `Text.isPrefixOf`) (Text.words said))) of
+      l : _ | Just l /= fmap (line . start) (region raw) -> "The other is in line " <> Text.pack (show l) <> ": rename one of them."
+      _ -> advice
+    lineIn w = readNumber (Text.takeWhile (/= ':') (Text.drop (Text.length "Main.hs:") w))
+
+readNumber :: Text -> Maybe Int
+readNumber t = case reads (Text.unpack (Text.dropWhileEnd (`elem` (".,:" :: String)) t)) of
+  [(n, "")] -> Just n
+  _ -> Nothing
+
+typeHead :: Type -> Type
+typeHead t = fromMaybe t (listToMaybe (atoms t))
+
+-- | The names that GHC thinks may have been meant.
+nearMiss :: Text -> Text -> Text
+nearMiss everything unknownName = case candidates of
+  [] -> "Check its spelling, or define it."
+  xs -> "Did you mean " <> sentenceList (take 3 xs) <> "?"
+  where
+    candidates = nub (filter (/= unknownName) (maybe [] quotes (after "Perhaps you meant" everything)))
+
+lacking :: Text -> Text
+lacking everything = case maybe [] quotes (after "Perhaps you meant" everything) of
+  x : _ -> "Did you mean " <> quoted x <> "?"
+  [] -> "Write an equation for it below its type."
+
+importHint :: Text -> Text
+importHint q = case lookup q known of
+  Just m -> "Write at the top: import qualified " <> m <> " as " <> q <> "."
+  Nothing -> "Import the module, or leave out what stands before the dot."
+  where
+    known = [("Map", "Data.Map"), ("Set", "Data.Set"), ("M", "Data.Map"), ("S", "Data.Set"), ("Seq", "Data.Sequence"), ("List", "Data.List"), ("Char", "Data.Char"), ("IntMap", "Data.IntMap")]
+
+-- | The local names that GHC lists, with their types.
+atHand :: Text -> [(Text, Type)]
+atHand everything = maybe [] entries (after "Relevant bindings include" everything)
+  where
+    entries t = case Text.breakOn " :: " t of
+      (_, rest) | Text.null rest -> []
+      (before, rest) ->
+        let (type', more) = Text.breakOn " (bound at" (Text.drop 4 rest)
+         in (fromMaybe "" (listToMaybe (reverse (Text.words before))), type') : entries (Text.drop 1 (Text.dropWhile (/= ')') more))

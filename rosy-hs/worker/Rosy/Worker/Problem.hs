@@ -61,7 +61,7 @@ problemNowhere :: Text -> Text -> Text -> Problem
 problemNowhere k m h = Problem Error k Nothing Nothing m h ""
 
 -- | A top-level name with its type as Haskell writes it; the span is the whole of its definition.
-data Declaration = Declaration {name :: !Text, ofType :: !Text, at :: !Span}
+data Declaration = Declaration {declares :: !Text, ofType :: !Text, covers :: !Span}
   deriving (Eq, Show)
 
 -- | A function that the robot runs, with what it takes and gives.
@@ -95,7 +95,7 @@ instance ToJSON Problem where
         ++ maybe [] (\f -> ["function" .= f]) (function p)
 
 instance ToJSON Declaration where
-  toJSON d = object ["name" .= name d, "type" .= ofType d, "start" .= start (at d), "end" .= end (at d)]
+  toJSON d = object ["name" .= declares d, "type" .= ofType d, "start" .= start (covers d), "end" .= end (covers d)]
 
 instance ToJSON Function where
   toJSON f = object ["name" .= called f, "inputs" .= inputs f, "outputs" .= outputs f]

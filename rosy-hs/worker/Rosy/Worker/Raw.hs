@@ -13,7 +13,7 @@ module Rosy.Worker.Raw
 
 import Data.Text (Text)
 
-import Rosy.Worker.Problem (Severity, Span)
+import Rosy.Worker.Problem (Function, Severity, Span)
 
 -- | Why the compiler spoke, as far as it says so with a flag rather than with words.
 data Reason
@@ -57,7 +57,11 @@ data Outline = Outline
   -- ^ The program, as typed.
   , bindings :: [(Text, Span)]
   -- ^ Top-level names with the places of their definitions, in order.
+  , signatures :: [(Text, Span)]
+  -- ^ Top-level names with the places of their type signatures.
+  , connectedTo :: [Function]
+  -- ^ The functions that the robot runs.
   }
 
 noOutline :: Text -> Outline
-noOutline source = Outline source []
+noOutline source = Outline source [] [] []

@@ -11,6 +11,7 @@ module Rosy.Worker.Ghc.Describe
   ( describeDeclarations
   , describeFunctions
   , definitionSpans
+  , signatureSpans
   ) where
 
 import Data.List (nub)
@@ -53,6 +54,10 @@ definitionSpans place parsed = concatMap placed (hsmodDecls parsed)
       ConDeclH98 {con_name = n} -> [n]
       ConDeclGADT {con_names = ns} -> ns
     own whole (L _ n) = [(plain n, s) | Just s <- [place whole]]
+
+-- | The top-level names of a program with the place of their type signature.
+signatureSpans :: (SrcSpan -> Maybe Span) -> HsModule -> [(Text, Span)]
+signatureSpans place parsed = [(plain n, s) | L whole (SigD _ (TypeSig _ ns _)) <- hsmodDecls parsed, Just s <- [place whole], L _ n <- ns]
 
 plain :: RdrName -> Text
 plain = Text.pack . occNameString . rdrNameOcc

@@ -1,0 +1,3 @@
+main = simulate move
+
+move = velocity 0.5 0

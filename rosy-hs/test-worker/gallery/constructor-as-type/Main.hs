@@ -1,0 +1,4 @@
+main = simulate play
+
+play :: LeftBumper -> Sound
+play _ = ErrorSound

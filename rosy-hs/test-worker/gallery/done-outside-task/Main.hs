@@ -1,0 +1,4 @@
+main = simulate finish
+
+finish :: Bumper -> Done ()
+finish _ = Done ()

@@ -1,0 +1,5 @@
+main = simulate move
+
+move :: Velocity
+move :: Velocity
+move = Velocity 0.5 0

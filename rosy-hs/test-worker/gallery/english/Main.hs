@@ -1,0 +1,1 @@
+drive forward until you hit a wall

@@ -1,0 +1,4 @@
+main = simulate drive
+
+drive :: Memory Bool -> Velocity
+drive hit = if hit then Velocity 0 0 else Velocity 0.5 0

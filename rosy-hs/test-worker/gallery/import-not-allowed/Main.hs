@@ -1,0 +1,3 @@
+import System.IO.Unsafe
+
+main = simulate (Velocity 0.5 0)

@@ -1,0 +1,3 @@
+import Data.Lists
+
+main = simulate (Velocity 0.5 0)

@@ -1,0 +1,3 @@
+import System.Directory (removeFile)
+
+main = simulate (Velocity 0.5 0)

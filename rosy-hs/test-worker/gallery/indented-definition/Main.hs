@@ -1,0 +1,3 @@
+main = simulate move
+
+  move = Velocity 0.5 0

@@ -1,0 +1,5 @@
+main = simulate move
+
+move = Velocity (twice 1) 0
+
+twice f = f f

@@ -1,0 +1,5 @@
+main = simulate dance
+
+dance :: Task ()
+dance = do
+  side <- pure LeftBumper

@@ -1,0 +1,3 @@
+main = simulate move
+
+move = let v = 0.5

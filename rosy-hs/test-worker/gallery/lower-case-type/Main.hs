@@ -1,0 +1,4 @@
+main = simulate play
+
+play :: bumper -> Sound
+play _ = ErrorSound

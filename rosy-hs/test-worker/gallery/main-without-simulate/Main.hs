@@ -1,0 +1,4 @@
+main = accelerate
+
+accelerate :: Velocity -> Velocity
+accelerate (Velocity v w) = Velocity (v + 0.5) w

@@ -1,0 +1,4 @@
+main = simulate move
+
+move :: Velocity
+move = Velocity 0.5

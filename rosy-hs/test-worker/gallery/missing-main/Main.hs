@@ -1,0 +1,2 @@
+accelerate :: Velocity -> Velocity
+accelerate (Velocity v w) = Velocity (v + 0.5) w

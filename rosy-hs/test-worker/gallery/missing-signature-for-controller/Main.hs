@@ -1,0 +1,3 @@
+main = simulate same
+
+same x = x

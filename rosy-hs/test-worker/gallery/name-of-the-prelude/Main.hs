@@ -1,0 +1,4 @@
+main = simulate lookup
+
+lookup :: Bumper -> Sound
+lookup _ = ErrorSound

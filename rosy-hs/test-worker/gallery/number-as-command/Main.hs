@@ -1,0 +1,4 @@
+main = simulate speed
+
+speed :: Bumper -> Double
+speed _ = 0.5

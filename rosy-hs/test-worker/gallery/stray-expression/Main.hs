@@ -1,0 +1,3 @@
+main = simulate move
+
+Velocity 0.5 0

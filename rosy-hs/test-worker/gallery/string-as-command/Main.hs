@@ -1,0 +1,4 @@
+main = simulate greet
+
+greet :: Bumper -> String
+greet _ = "hello"

@@ -1,0 +1,4 @@
+main = simulate shout
+
+shout :: String -> Say
+shout s = Say s

@@ -1,0 +1,6 @@
+main = simulate dance
+
+dance :: Task ()
+dance = do
+    wait 1
+	say "hello"

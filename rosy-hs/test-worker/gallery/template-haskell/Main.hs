@@ -1,0 +1,3 @@
+{-# LANGUAGE TemplateHaskell #-}
+
+main = simulate (Velocity 0.5 0)

@@ -1,0 +1,4 @@
+main = simulate greet
+
+greet :: Seconds -> Say
+greet t = Say ("time: " ++ t)

@@ -1,0 +1,4 @@
+main = simulate drive
+
+drive :: Velocity Double -> Velocity
+drive v = v

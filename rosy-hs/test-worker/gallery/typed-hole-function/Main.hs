@@ -1,0 +1,4 @@
+main = simulate play
+
+play :: Bumper -> Maybe Sound
+play (Bumper side status) = _

@@ -1,0 +1,3 @@
+main = simulate move
+
+move = Velocity (Map.size m) 0

@@ -1,0 +1,3 @@
+main = simulate move
+
+move = Velocty 0.5 0

@@ -1,0 +1,3 @@
+main = simulate move
+
+move = Velocity quickly 0

@@ -1,0 +1,4 @@
+main = simulate play
+
+play :: Bumper -> Maybe Sond
+play _ = Just ErrorSound

@@ -1,0 +1,3 @@
+{-# LANGUAGE Robots #-}
+
+main = simulate (Velocity 0.5 0)
