@@ -1,0 +1,106 @@
+/// What the conversion of one definition knows and collects: its text, its comments, where each node came from, what was kept as text.
+
+import type {Fixities} from "../haskell/fixity.ts"
+import type {Comment, Range} from "./lexer.ts"
+import type {Cause} from "./reasons.ts"
+import {reasons} from "./reasons.ts"
+import type {Syntax} from "./syntax.ts"
+
+export class Context {
+  readonly text: string
+  readonly fixities: Fixities
+  /// Where each model node stands in `text`.
+  readonly spans = new Map<object, Range>()
+  /// Set when keeping a piece as text would move its lines against each other, so that only the whole can be kept.
+  displaced: Cause | undefined
+  private readonly comments: readonly Comment[]
+  private readonly taken: boolean[]
+
+  constructor(text: string, comments: readonly Comment[], fixities: Fixities) {
+    this.text = text
+    this.comments = comments
+    this.fixities = fixities
+    this.taken = comments.map(() => false)
+  }
+
+  of(node: Range): string {
+    return this.text.slice(node.start, node.end)
+  }
+
+  /// Remembers where a new node stands.
+  at<const T extends object>(range: Range, node: T): T {
+    this.spans.set(node, {start: range.start, end: range.end})
+    return node
+  }
+
+  /// The exact text of a piece that blocks cannot say. Its later lines are moved left as far as its first line was from the margin.
+  exact(node: Range, cause: Cause): {text: string; reason: string} {
+    this.comments.forEach((c, i) => {
+      if (c.start >= node.start && c.end <= node.end) this.taken[i] = true
+    })
+    const [first = "", ...others] = this.of(node).split(/\r?\n/)
+    const column = this.columnOf(node.start)
+    const lines = others.map(line => {
+      const expanded = expandTabs(line)
+      const indent = expanded.length - expanded.trimStart().length
+      if (expanded.trim() !== "" && indent < column) this.displaced = "displaced"
+      return expanded.slice(Math.min(column, indent))
+    })
+    return {text: [first, ...lines].join("\n"), reason: reasons[cause]}
+  }
+
+  private columnOf(at: number): number {
+    return expandTabs(this.text.slice(this.text.lastIndexOf("\n", at - 1) + 1, at)).length
+  }
+
+  /// Comments between two places that no inner node took, and one that follows on the same line.
+  takeComments(from: number, to: number): {comment?: string} {
+    const lines: string[] = []
+    this.comments.forEach((c, i) => {
+      if (this.taken[i] || c.start < from) return
+      if (c.end > to && (c.start < to || /[^ \t]/.test(this.text.slice(to, c.start)))) return
+      this.taken[i] = true
+      lines.push(...wordsOf(this.of(c), c.kind))
+    })
+    return lines.length === 0 ? {} : {comment: lines.join("\n")}
+  }
+
+  /// A type as text on one line, its comments left for the node around it.
+  typeText(node: Range): string {
+    let text = ""
+    let at = node.start
+    for (const c of this.comments)
+      if (c.start >= at && c.end <= node.end) {
+        text += `${this.text.slice(at, c.start)} `
+        at = c.end
+      }
+    return (text + this.text.slice(at, node.end)).replace(/\s+/g, " ").trim()
+  }
+}
+
+function expandTabs(line: string): string {
+  if (!line.includes("\t")) return line
+  let out = ""
+  for (const c of line) out += c === "\t" ? " ".repeat(8 - (out.length % 8)) : c
+  return out
+}
+
+/// A comment's lines without its marks.
+export function wordsOf(text: string, kind: Comment["kind"]): string[] {
+  if (kind === "line") return [text.replace(/^-- ?/, "").trimEnd()]
+  const inner = text.slice(2, -2).split(/\r?\n/).map(l => l.trim())
+  while (inner.length > 1 && inner[0] === "") inner.shift()
+  while (inner.length > 1 && inner[inner.length - 1] === "") inner.pop()
+  return inner
+}
+
+/// How many expressions a piece of syntax holds; says how much a raw node swallowed.
+export function weigh(node: Syntax): number {
+  return node.children.reduce((n, c) => n + weigh(c), weighty.has(node.type) ? 1 : 0)
+}
+
+const weighty = new Set(
+  "apply arithmetic_sequence case conditional constructor do infix lambda lambda_case left_section let_in list list_comprehension literal multi_way_if negation prefix_id projection record right_section tuple unit variable".split(
+    " ",
+  ),
+)

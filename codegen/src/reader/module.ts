@@ -1,0 +1,290 @@
+/// A file as its pieces in order: header, definitions, and what stands between them.
+///
+/// The slices of all pieces, one after the other, are the file, byte for byte. A definition is converted when its text has not been seen in
+/// the reading before; the rest is taken over, node for node.
+
+import type {Language, Parser, Tree} from "web-tree-sitter"
+import type {Fixities, Fixity} from "../haskell/fixity.ts"
+import {fixitiesIn} from "../haskell/fixity.ts"
+import {everyNode} from "../model/children.ts"
+import {boundBy} from "../model/names.ts"
+import type {Declaration} from "../model/tree.ts"
+import {Context, wordsOf} from "./context.ts"
+import {readTop} from "./declarations.ts"
+import type {Comment, Item, Lexed, Range} from "./lexer.ts"
+import {lex} from "./lexer.ts"
+import type {Cause} from "./reasons.ts"
+import {reasons} from "./reasons.ts"
+import type {NodeNames, Parsed, Syntax} from "./syntax.ts"
+import {copyTree, namedChildren, nodeNames} from "./syntax.ts"
+
+/// A part of a file. `header` holds `module`, imports, pragmas and directives, which have no blocks; `end` what follows the last definition.
+export interface Piece extends Range {
+  readonly kind: "header" | "declaration" | "end"
+  /// From the end of the piece before to the end of this one: `text.slice(start, end)`.
+  readonly slice: string
+  /// The definition itself, in the file; without the comment above it. Empty for other kinds.
+  readonly core: Range
+  /// The comment directly above the definition.
+  readonly remark: Range | undefined
+  /// The names it defines: a function, a type, or all names of a pattern.
+  readonly names: readonly string[]
+  /// What it says. A raw one has the exact text, and the reason why blocks cannot say it. Absent in a header.
+  readonly declaration: Declaration | undefined
+  /// It holds something that is not Haskell, or lacks something.
+  readonly broken: boolean
+  /// Where each node of `declaration` stands, counted from `core.start`.
+  readonly spans: ReadonlyMap<object, Range>
+}
+
+export interface Module {
+  readonly text: string
+  readonly pieces: readonly Piece[]
+  /// Operators whose binding the file declares.
+  readonly fixities: ReadonlyMap<string, Fixity>
+}
+
+interface Converted {
+  readonly declaration: Declaration
+  readonly broken: boolean
+  readonly spans: ReadonlyMap<object, Range>
+}
+
+/// Longer definitions are kept as text: nobody shows them as blocks, and a broken one would cost the parser seconds.
+const longest = 40_000
+
+/// Reads Haskell; remembers the last reading so that the next one costs only what changed.
+export class Reader {
+  private readonly parser: Parser
+  private readonly names: NodeNames
+  private known = new Map<string, Converted>()
+
+  /// @internal Use `openReader`.
+  constructor(parser: Parser, language: Language) {
+    this.parser = parser
+    this.names = nodeNames(language)
+  }
+
+  read(text: string): Module {
+    const lexed = lex(text)
+    const fixities = fixitiesOf(text, lexed)
+    const key = JSON.stringify([...fixities])
+    const seen = new Map<string, Converted>()
+    const pieces: Piece[] = []
+    let start = 0
+    for (const part of partsOf(text, lexed)) {
+      let piece: Omit<Piece, "slice" | "start" | "end" | "kind">
+      if (part.kind === "declaration") {
+        const source = `${key}\0${part.trouble ?? ""}\0${part.comment}\0${part.source}`
+        // Two equal definitions must not share their nodes.
+        const converted = (seen.has(source) ? undefined : this.known.get(source)) ?? this.convert(part, fixities)
+        seen.set(source, converted)
+        piece = {...converted, core: part.core, remark: part.remark, names: namesOf(converted.declaration, part.name)}
+      } else
+        piece = {core: part.core, remark: undefined, names: [], declaration: undefined, broken: false, spans: new Map()}
+      pieces.push({...piece, kind: part.kind, slice: text.slice(start, part.end), start, end: part.end})
+      start = part.end
+    }
+    this.known = seen
+    return {text, pieces, fixities}
+  }
+
+  private convert(part: Part, fixities: Fixities): Converted {
+    const comments = part.inner.map(c => ({...c, start: c.start - part.core.start, end: c.end - part.core.start}))
+    // The first line keeps its column: what stands below is indented against it.
+    const shift = part.column
+    const source = " ".repeat(shift) + part.source
+    const shifted = comments.map(c => ({...c, start: c.start + shift, end: c.end + shift}))
+    const context = new Context(source, shifted, fixities)
+    const parsed = part.trouble !== undefined || part.source.length > longest ? undefined : this.parse(source)
+    const made: Declaration | Cause =
+      part.trouble ??
+      (parsed === undefined ? "large" : parsed.broken ? "broken" : readTop(topOf(parsed.root), context))
+    const above = part.comment === "" ? [] : part.comment.split("\n")
+    if (typeof made !== "string") {
+      const beside = context.takeComments(0, source.length).comment
+      const remarks = [...above, ...(made.kind === "raw-declaration" || beside === undefined ? [] : [beside])]
+      const declaration = remarks.length === 0 ? made : {...made, comment: remarks.join("\n")}
+      const spans = new Map([...context.spans].map(([node, s]) => [node, {start: s.start - shift, end: s.end - shift}]))
+      spans.set(declaration, {start: 0, end: part.source.length})
+      return {declaration, broken: false, spans}
+    }
+    const declaration: Declaration = {
+      kind: "raw-declaration",
+      text: part.source.replaceAll("\r\n", "\n"),
+      reason: reasons[made],
+      ...(above.length === 0 ? {} : {comment: above.join("\n")}),
+    }
+    return {declaration, broken: made === "broken", spans: new Map([[declaration, {start: 0, end: part.source.length}]])}
+  }
+
+  private parse(source: string): Parsed | undefined {
+    // Haskell counts letters without case as small ones; the grammar does not know them.
+    const plain = /\p{Lo}/u.test(source) ? source.replace(/\p{Lo}/gu, c => "a".repeat(c.length)) : source
+    const tree: Tree | null = this.parser.parse(`${plain}\n`)
+    if (tree === null) return undefined
+    const parsed = copyTree(tree, this.names)
+    tree.delete()
+    return parsed
+  }
+}
+
+function topOf(root: Syntax): Syntax[] {
+  return namedChildren(root).flatMap(c => (c.type === "declarations" ? namedChildren(c) : [c]))
+}
+
+/// The fixity declarations of the top level. (Those inside a definition keep that definition from becoming blocks.)
+function fixitiesOf(text: string, lexed: Lexed): Map<string, Fixity> {
+  const found = new Map<string, Fixity>()
+  for (const item of lexed.items)
+    if (item.kind === "declaration" && text.startsWith("infix", item.start))
+      for (const [op, fixity] of fixitiesIn(text.slice(item.start, item.end))) found.set(op, fixity)
+  return found
+}
+
+function namesOf(d: Declaration, guessed: string): readonly string[] {
+  switch (d.kind) {
+    case "function":
+    case "data":
+    case "synonym":
+      return [d.name]
+    case "binding":
+      return boundBy(d.pattern)
+    case "raw-declaration":
+      return guessed === "" ? [] : [guessed]
+  }
+}
+
+// --- From items to parts -----------------------------------------------------------------------------------------
+
+interface Part {
+  readonly kind: Piece["kind"]
+  readonly core: Range
+  readonly remark: Range | undefined
+  readonly end: number
+  readonly name: string
+  readonly source: string
+  /// The words of the comment above.
+  readonly comment: string
+  /// Comments inside the core.
+  readonly inner: readonly Comment[]
+  readonly column: number
+  readonly trouble: Cause | undefined
+}
+
+function partsOf(text: string, {items, comments}: Lexed): Part[] {
+  const parts: Part[] = []
+  let nextComment = 0
+  let end = 0
+  for (const group of groupsOf(items)) {
+    const first = group[0]
+    const last = group[group.length - 1]
+    if (first === undefined || last === undefined) continue
+    const core = {start: first.start, end: last.end}
+    const before: Comment[] = []
+    const inner: Comment[] = []
+    for (; nextComment < comments.length; nextComment++) {
+      const c = comments[nextComment]
+      if (c === undefined || c.start >= core.end) break
+      if (c.start >= core.start) inner.push(c)
+      else if (c.start >= end) before.push(c)
+    }
+    const isDeclaration = first.kind === "declaration" || parts.some(p => p.kind === "declaration")
+    const remarks = isDeclaration ? remarksAbove(text, before, core.start, end) : []
+    const [top] = remarks
+    const lineStart = text.lastIndexOf("\n", core.start - 1) + 1
+    end = endOfLine(text, core.end, comments)
+    parts.push({
+      kind: isDeclaration ? "declaration" : "header",
+      core,
+      remark: top === undefined ? undefined : {start: top.start, end: remarks[remarks.length - 1]?.end ?? top.end},
+      end,
+      name: first.name,
+      source: text.slice(core.start, core.end),
+      comment: remarks.flatMap(c => wordsOf(text.slice(c.start, c.end), c.kind)).join("\n"),
+      inner,
+      column: /^[ \uFEFF]*$/.test(text.slice(lineStart, core.start)) ? core.start - lineStart : 0,
+      trouble: first.trouble ?? (first.kind === "declaration" ? undefined : "directive"),
+    })
+  }
+  if (end < text.length || parts.length === 0) {
+    const empty = {start: text.length, end: text.length}
+    parts.push({kind: "end", core: empty, remark: undefined, end: text.length, name: "", source: "", comment: "", inner: [], column: 0, trouble: undefined})
+  }
+  return parts
+}
+
+/// A signature and the equations of one name belong together.
+function groupsOf(items: readonly Item[]): Item[][] {
+  const groups: Item[][] = []
+  for (const item of items) {
+    const last = groups[groups.length - 1]
+    const [head] = last ?? []
+    const joins =
+      head !== undefined && item.kind === "declaration" && head.kind === "declaration" && item.name !== "" && item.name === head.name
+    if (joins && !item.signature) last?.push(item)
+    else groups.push([item])
+  }
+  return groups
+}
+
+/// The comments that stand directly above, without an empty line between them and what they are about.
+function remarksAbove(text: string, before: readonly Comment[], core: number, end: number): Comment[] {
+  const remarks: Comment[] = []
+  let below = core
+  for (let i = before.length - 1; i >= 0; i--) {
+    const c = before[i]
+    if (c === undefined) break
+    const between = text.slice(c.end, below)
+    const lineStart = Math.max(end, text.lastIndexOf("\n", c.start - 1) + 1)
+    const alone = text.slice(lineStart, c.start).trim() === "" && (lineStart > end || end === 0 || text[end - 1] === "\n")
+    if (!/^[ \t]*\r?\n[ \t]*$/.test(between) || !alone) break
+    remarks.unshift(c)
+    below = c.start
+  }
+  return remarks
+}
+
+/// The end of the line on which something ends, with a comment that stands behind it, if only that does.
+function endOfLine(text: string, from: number, comments: readonly Comment[]): number {
+  let at = from
+  for (;;) {
+    const newline = text.indexOf("\n", at)
+    const line = newline === -1 ? text.length : newline + 1
+    if (text.slice(at, line).trim() === "") return line
+    const spaces = /^[ \t]*/.exec(text.slice(at, line))?.[0].length ?? 0
+    const comment = commentAt(comments, at + spaces)
+    if (comment === undefined) return at
+    at = comment.end
+  }
+}
+
+function commentAt(comments: readonly Comment[], start: number): Comment | undefined {
+  let low = 0
+  let high = comments.length
+  while (low < high) {
+    const middle = (low + high) >> 1
+    if ((comments[middle]?.start ?? 0) < start) low = middle + 1
+    else high = middle
+  }
+  return comments[low]?.start === start ? comments[low] : undefined
+}
+
+/// How many expressions a definition holds, and those that were kept as text.
+export function expressionsIn(d: Declaration): {all: number; raw: readonly {text: string; reason: string | undefined}[]} {
+  let all = 0
+  const raw: {text: string; reason: string | undefined}[] = []
+  for (const node of everyNode(d)) {
+    if (node.kind === "raw") raw.push({text: node.text, reason: node.reason})
+    if (isExpression(node.kind)) all++
+  }
+  return {all, raw}
+}
+
+const expressionKinds = new Set(
+  "variable constructor-name number string character apply infix negate section lambda if case let do tuple list range comprehension typed record update hole raw".split(" "),
+)
+
+function isExpression(kind: string): boolean {
+  return expressionKinds.has(kind)
+}

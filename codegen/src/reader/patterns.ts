@@ -1,0 +1,143 @@
+/// Patterns: from syntax to model.
+
+import {isConstructorName, isConstructorOperator, isNumberLiteral, isVariableName} from "../haskell/lexemes.ts"
+import type {FieldPattern, Pattern} from "../model/tree.ts"
+import type {Link} from "./chain.ts"
+import {resolve} from "./chain.ts"
+import type {Context} from "./context.ts"
+import {literalValue} from "./literals.ts"
+import type {Cause} from "./reasons.ts"
+import type {Syntax} from "./syntax.ts"
+import {child, childrenIn, namedChildren, onlyNamed} from "./syntax.ts"
+
+export function readPattern(node: Syntax, context: Context): Pattern {
+  const made = make(node, context)
+  return typeof made === "string" ? raw(node, made, context) : made
+}
+
+function raw(node: Syntax, cause: Cause, context: Context): Pattern {
+  return context.at(node, {kind: "raw-pattern", ...context.exact(node, cause)} as const)
+}
+
+function make(node: Syntax, context: Context): Pattern | Cause {
+  const text = context.of(node)
+  switch (node.type) {
+    case "variable":
+      return isVariableName(text) ? context.at(node, {kind: "name-pattern", name: text}) : "name"
+    case "wildcard":
+      return context.at(node, {kind: "wildcard"})
+    case "constructor":
+    case "qualified":
+    case "prefix_id":
+    case "unit":
+    case "apply":
+      return construct(node, context)
+    case "literal":
+      return literal(node, text, context)
+    case "negation": {
+      const digits = context.of(child(node, "number") ?? node)
+      return isNumberLiteral(digits) ? context.at(node, {kind: "number-pattern", text: `-${digits}`}) : "literal"
+    }
+    case "parens": {
+      const inner = child(node, "pattern")
+      if (inner === undefined) return "pattern"
+      const made = make(inner, context)
+      return typeof made === "string" ? raw(node, made, context) : made
+    }
+    case "tuple":
+      return context.at(node, {kind: "tuple-pattern", items: childrenIn(node, "element").map(e => readPattern(e, context))})
+    case "list":
+      return context.at(node, {kind: "list-pattern", items: childrenIn(node, "element").map(e => readPattern(e, context))})
+    case "infix":
+      return infix(node, context)
+    case "as": {
+      const name = context.of(child(node, "bind") ?? node)
+      const inner = child(node, "pattern")
+      if (!isVariableName(name)) return "name"
+      return inner === undefined
+        ? "pattern"
+        : context.at(node, {kind: "as-pattern", name, pattern: readPattern(inner, context)})
+    }
+    case "record":
+      return record(node, context)
+    case "strict":
+      return "bang"
+    case "irrefutable":
+      return "lazy"
+    case "view_pattern":
+      return "viewPattern"
+    case "signature":
+      return "typedPattern"
+    default:
+      return "pattern"
+  }
+}
+
+function literal(node: Syntax, text: string, context: Context): Pattern | Cause {
+  const kind = onlyNamed(node)?.type
+  if (kind === "integer" || kind === "float")
+    return isNumberLiteral(text) ? context.at(node, {kind: "number-pattern", text}) : "literal"
+  const value = literalValue(text)
+  if (value === undefined) return "literal"
+  return context.at(node, kind === "char" ? {kind: "character-pattern", value} : {kind: "string-pattern", value})
+}
+
+/// A constructor with its arguments; applications nest to the left.
+function construct(node: Syntax, context: Context): Pattern | Cause {
+  const args: Syntax[] = []
+  let head = node
+  while (head.type === "apply") {
+    const argument = child(head, "argument")
+    const fn = child(head, "function")
+    if (argument === undefined || fn === undefined) return "pattern"
+    args.unshift(argument)
+    head = fn
+  }
+  if (args.some(a => a.type === "explicit_type" || a.type === "type_binder")) return "typeApplication"
+  const name = head.type === "prefix_id" ? context.of(onlyNamed(head) ?? head) : context.of(head)
+  if (name === "()") return context.at(node, {kind: "constructor-pattern", name, args: []})
+  const fits = head.type === "prefix_id" ? isConstructorOperator(name) : isConstructorName(name)
+  if (!fits) return head.type === "constructor" ? "name" : "pattern"
+  return context.at(node, {kind: "constructor-pattern", name, args: args.map(a => readPattern(a, context))})
+}
+
+function infix(node: Syntax, context: Context): Pattern | Cause {
+  const links: Link<Pattern>[] = []
+  const ranges: Syntax[] = []
+  for (let n: Syntax | undefined = node; n !== undefined; ) {
+    const isLink: boolean = n.type === "infix"
+    const operand = isLink ? child(n, "left_operand") : n
+    const operator = isLink ? child(n, "operator") : undefined
+    if (operand === undefined) return "pattern"
+    links.push({kind: "operand", value: readPattern(operand, context)})
+    ranges.push(operand)
+    if (operator === undefined) break
+    const op = operator.type === "infix_id" ? context.of(onlyNamed(operator) ?? operator) : context.of(operator)
+    if (!isConstructorOperator(op) && !isConstructorName(op)) return "pattern"
+    links.push({kind: "operator", op})
+    ranges.push(operator)
+    n = child(n, "right_operand")
+  }
+  const range = (from: number, to: number) => ({start: ranges[from]?.start ?? node.start, end: ranges[to]?.end ?? node.end})
+  return (
+    resolve<Pattern>(links, context.fixities, {
+      infix: (op, left, right, from, to) => context.at(range(from, to), {kind: "infix-pattern", op, left, right} as const),
+      negate: operand => operand,
+    }) ?? "operators"
+  )
+}
+
+function record(node: Syntax, context: Context): Pattern | Cause {
+  const name = context.of(child(node, "constructor") ?? node)
+  if (!isConstructorName(name)) return "name"
+  const fields: FieldPattern[] = []
+  for (const field of childrenIn(node, "field")) {
+    if (namedChildren(field).some(c => c.type === "wildcard" && c.field !== "pattern")) return "wildcards"
+    const label = child(field, "field")
+    const pattern = child(field, "pattern")
+    if (pattern === undefined) return "puns"
+    if (label === undefined || !isVariableName(context.of(label))) return "name"
+    fields.push({name: context.of(label), pattern: readPattern(pattern, context)})
+  }
+  return context.at(node, {kind: "record-pattern", name, fields})
+}

@@ -1,0 +1,92 @@
+/// A syntax tree as plain objects, copied from tree-sitter's in one walk.
+///
+/// Asking tree-sitter's own nodes costs a call into WebAssembly each time; one walk with a cursor costs six a node. Comments are left out:
+/// `lexer.ts` knows them. Offsets are UTF-16 units of the text that was parsed.
+
+import type {Language, Tree} from "web-tree-sitter"
+
+export interface Syntax {
+  /// As the grammar names it: `"infix"`, `"literal"`; of tokens without a name their text.
+  readonly type: string
+  readonly named: boolean
+  readonly field: string | undefined
+  readonly start: number
+  readonly end: number
+  readonly children: readonly Syntax[]
+}
+
+export interface Parsed {
+  readonly root: Syntax
+  /// Something in it is not Haskell, or is missing.
+  readonly broken: boolean
+}
+
+export interface NodeNames {
+  readonly types: readonly (string | undefined)[]
+  readonly named: readonly boolean[]
+  readonly fields: readonly (string | undefined)[]
+}
+
+export function nodeNames(language: Language): NodeNames {
+  const types: (string | undefined)[] = []
+  const named: boolean[] = []
+  for (let id = 0; id < language.nodeTypeCount; id++) {
+    types.push(language.nodeTypeForId(id) ?? undefined)
+    named.push(language.nodeTypeIsNamed(id))
+  }
+  return {types, named, fields: language.fields.map(f => f ?? undefined)}
+}
+
+const skipped = new Set(["comment", "haddock", "pragma"])
+
+export function copyTree(tree: Tree, names: NodeNames): Parsed {
+  const cursor = tree.walk()
+  let broken = tree.rootNode.hasError
+  const copy = (): Syntax | undefined => {
+    const id = cursor.nodeTypeId
+    const type = names.types[id] ?? "ERROR"
+    if (type === "ERROR" || id === 65535) broken = true
+    const fieldId = cursor.currentFieldId
+    const start = cursor.startIndex
+    const end = cursor.endIndex
+    const children: Syntax[] = []
+    if (cursor.gotoFirstChild()) {
+      do {
+        const child = copy()
+        if (child !== undefined) children.push(child)
+      } while (cursor.gotoNextSibling())
+      cursor.gotoParent()
+    }
+    if (skipped.has(type)) return undefined
+    return {type, named: names.named[id] ?? true, field: fieldId === 0 ? undefined : names.fields[fieldId], start, end, children}
+  }
+  const root = copy()
+  cursor.delete()
+  return {root: root ?? {type: "haskell", named: true, field: undefined, start: 0, end: 0, children: []}, broken}
+}
+
+export function child(node: Syntax, field: string): Syntax | undefined {
+  for (const c of node.children) if (c.field === field) return c
+  return undefined
+}
+
+export function childrenIn(node: Syntax, field: string): Syntax[] {
+  return node.children.filter(c => c.field === field && c.named)
+}
+
+export function namedChildren(node: Syntax): Syntax[] {
+  return node.children.filter(c => c.named)
+}
+
+export function onlyNamed(node: Syntax): Syntax | undefined {
+  const [only, ...others] = namedChildren(node)
+  return others.length === 0 ? only : undefined
+}
+
+export function hasToken(node: Syntax, token: string): boolean {
+  return node.children.some(c => !c.named && c.type === token)
+}
+
+export function tokensOf(node: Syntax, token: string): number {
+  return node.children.filter(c => !c.named && c.type === token).length
+}
