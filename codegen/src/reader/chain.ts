@@ -47,9 +47,15 @@ export function resolve<T>(links: readonly Link<T>[], fixities: Fixities, build:
       if (link === undefined) return done
       if (link.kind !== "operator") return undefined
       const own = fixityOf(link.op, fixities)
-      if (outer.precedence === own.precedence && (outer.associates !== own.associates || outer.associates === "none"))
+      if (
+        outer.precedence === own.precedence &&
+        (outer.associates !== own.associates || outer.associates === "none")
+      )
         return undefined
-      if (outer.precedence > own.precedence || (outer.precedence === own.precedence && outer.associates === "left"))
+      if (
+        outer.precedence > own.precedence ||
+        (outer.precedence === own.precedence && outer.associates === "left")
+      )
         return done
       at++
       const right = negated(own)

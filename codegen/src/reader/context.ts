@@ -11,8 +11,8 @@ export class Context {
   readonly fixities: Fixities
   /// Where each model node stands in `text`.
   readonly spans = new Map<object, Range>()
-  /// Set when keeping a piece as text would move its lines against each other, so that only the whole can be kept.
-  displaced: Cause | undefined
+  /// Set when only the whole can be kept as text: it is broken, or keeping a piece would move its lines against each other.
+  whole: Cause | undefined
   private readonly comments: readonly Comment[]
   private readonly taken: boolean[]
 
@@ -43,7 +43,7 @@ export class Context {
     const lines = others.map(line => {
       const expanded = expandTabs(line)
       const indent = expanded.length - expanded.trimStart().length
-      if (expanded.trim() !== "" && indent < column) this.displaced = "displaced"
+      if (expanded.trim() !== "" && indent < column) this.whole ??= "displaced"
       return expanded.slice(Math.min(column, indent))
     })
     return {text: [first, ...lines].join("\n"), reason: reasons[cause]}
@@ -88,7 +88,10 @@ function expandTabs(line: string): string {
 /// A comment's lines without its marks.
 export function wordsOf(text: string, kind: Comment["kind"]): string[] {
   if (kind === "line") return [text.replace(/^-- ?/, "").trimEnd()]
-  const inner = text.slice(2, -2).split(/\r?\n/).map(l => l.trim())
+  const inner = text
+    .slice(2, -2)
+    .split(/\r?\n/)
+    .map(l => l.trim())
   while (inner.length > 1 && inner[0] === "") inner.shift()
   while (inner.length > 1 && inner[inner.length - 1] === "") inner.pop()
   return inner

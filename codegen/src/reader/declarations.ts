@@ -1,7 +1,16 @@
 /// Declarations: from syntax to model. Signatures and equations of one name become one definition, at the top and inside others.
 
 import {isConstructorName, isOperator, isVariableName} from "../haskell/lexemes.ts"
-import type {Clause, Constructor, Declaration, Expr, Guarded, Pattern, RightSide, TypeText} from "../model/tree.ts"
+import type {
+  Clause,
+  Constructor,
+  Declaration,
+  Expr,
+  Guarded,
+  Pattern,
+  RightSide,
+  TypeText,
+} from "../model/tree.ts"
 import type {Context} from "./context.ts"
 import type {Reading} from "./expressions.ts"
 import {readExpr, readStatements} from "./expressions.ts"
@@ -19,7 +28,7 @@ export function readTop(nodes: readonly Syntax[], context: Context): Declaration
   if (only === undefined) return "declaration"
   if (groups.length > 1) return "several"
   const made = readGroup(only, r)
-  return context.displaced ?? made
+  return context.whole ?? made
 }
 
 function readingOf(context: Context): Reading {
@@ -38,8 +47,13 @@ function readLocal(binds: Syntax, r: Reading): Declaration[] {
     const made = readGroup(group, r)
     const remark = r.context.takeComments(from, range.end)
     from = range.end
-    if (group[0]?.type === "fixity") r.context.displaced = "localFixity"
-    if (typeof made === "string") return r.context.at(range, {kind: "raw-declaration", ...r.context.exact(range, made), ...remark} as const)
+    if (group[0]?.type === "fixity") r.context.whole ??= "localFixity"
+    if (typeof made === "string")
+      return r.context.at(range, {
+        kind: "raw-declaration",
+        ...r.context.exact(range, made),
+        ...remark,
+      } as const)
     return r.context.at(range, {...made, ...remark})
   })
 }
@@ -77,7 +91,8 @@ interface Head {
 
 /// `f x y`, ``x `f` y``, `(x <+> y) z`, or just `c`.
 function headOf(node: Syntax, context: Context): Head | undefined {
-  if (node.type !== "function" && node.type !== "bind" && node.type !== "function_head_parens") return undefined
+  if (node.type !== "function" && node.type !== "bind" && node.type !== "function_head_parens")
+    return undefined
   const more = child(node, "patterns")
   const patterns = more === undefined ? [] : namedChildren(more)
   const name = child(node, "name")
@@ -97,7 +112,9 @@ function headOf(node: Syntax, context: Context): Head | undefined {
 
 /// Without the brackets or backticks around it.
 function plainName(node: Syntax, context: Context): string {
-  return node.type === "prefix_id" || node.type === "infix_id" ? context.of(onlyNamed(node) ?? node) : context.of(node)
+  return node.type === "prefix_id" || node.type === "infix_id"
+    ? context.of(onlyNamed(node) ?? node)
+    : context.of(node)
 }
 
 // --- Functions and bindings --------------------------------------------------------------------------------------
@@ -113,7 +130,6 @@ const others: {readonly [type: string]: Cause} = {
   data_instance: "family",
   foreign_import: "foreign",
   foreign_export: "foreign",
-  top_splice: "template",
 }
 
 function readGroup(group: readonly Syntax[], r: Reading): Declaration | Cause {
@@ -126,10 +142,16 @@ function readGroup(group: readonly Syntax[], r: Reading): Declaration | Cause {
     case "type_synomym":
       return synonym(first, r.context)
     case "signature":
-      return child(first, "names") !== undefined ? "names" : group.length === 1 ? "lonely" : definition(group, r)
+      return child(first, "names") !== undefined
+        ? "names"
+        : group.length === 1
+          ? "lonely"
+          : definition(group, r)
     case "function":
     case "bind":
       return definition(group, r)
+    case "top_splice":
+      return r.context.of(first).startsWith("$") ? "template" : "broken"
     default:
       return others[first.type] ?? "declaration"
   }
@@ -198,15 +220,18 @@ function guarded(match: Syntax, r: Reading): Guarded {
 
 function data(node: Syntax, context: Context): Declaration | Cause {
   const name = child(node, "name")
-  if (name?.type !== "name" || ["context", "forall", "kind"].some(f => child(node, f) !== undefined)) return "data"
+  if (name?.type !== "name" || ["context", "forall", "kind"].some(f => child(node, f) !== undefined))
+    return "data"
   const parameters = readParameters(node, context)
   if (parameters === undefined) return "data"
   const constructors: Constructor[] = []
   const nodes =
-    node.type === "newtype" ? childrenIn(node, "constructor") : childrenIn(child(node, "constructors") ?? node, "constructor")
+    node.type === "newtype"
+      ? childrenIn(node, "constructor")
+      : childrenIn(child(node, "constructors") ?? node, "constructor")
   if (child(node, "constructors")?.type === "gadt_constructors") return "data"
   for (const c of nodes) {
-    const made = constructor(c, context)
+    const made = readConstructor(c, context)
     if (typeof made === "string") return made
     constructors.push(made)
   }
@@ -227,22 +252,32 @@ function readParameters(node: Syntax, context: Context): string[] | undefined {
   const params = child(node, "patterns")
   if (params === undefined) return []
   const all = namedChildren(params)
-  return all.every(p => p.type === "variable" && isVariableName(context.of(p))) ? all.map(p => context.of(p)) : undefined
+  return all.every(p => p.type === "variable" && isVariableName(context.of(p)))
+    ? all.map(p => context.of(p))
+    : undefined
 }
 
-function constructor(node: Syntax, context: Context): Constructor | Cause {
+function readConstructor(node: Syntax, context: Context): Constructor | Cause {
   if (node.type === "newtype_constructor") {
     const name = child(node, "name")
     const field = child(node, "field")
     if (name === undefined || field === undefined || !isConstructorName(context.of(name))) return "data"
-    const fields = field.type === "record" ? recordFields(childrenIn(field, "field"), context) : plainFields(namedChildren(field), context)
+    const fields =
+      field.type === "record"
+        ? recordFields(childrenIn(field, "field"), context)
+        : plainFields(namedChildren(field), context)
     return typeof fields === "string"
       ? fields
       : context.at(node, {kind: "constructor", name: context.of(name), fields} as const)
   }
   const inner = child(node, "constructor")
   const name = inner && child(inner, "name")
-  if (inner === undefined || name === undefined || child(node, "forall") !== undefined || child(node, "context") !== undefined)
+  if (
+    inner === undefined ||
+    name === undefined ||
+    child(node, "forall") !== undefined ||
+    child(node, "context") !== undefined
+  )
     return "data"
   if (!isConstructorName(context.of(name))) return "data"
   const fields =
@@ -285,7 +320,13 @@ function synonym(node: Syntax, context: Context): Declaration | Cause {
   const name = child(node, "name")
   const type = child(node, "type")
   const parameters = readParameters(node, context)
-  if (name?.type !== "name" || type === undefined || type.type === "signature" || parameters === undefined || hasToken(node, "instance"))
+  if (
+    name?.type !== "name" ||
+    type === undefined ||
+    type.type === "signature" ||
+    parameters === undefined ||
+    hasToken(node, "instance")
+  )
     return "synonym"
   return context.at(node, {kind: "synonym", name: context.of(name), parameters, type: typeOf(type, context)})
 }

@@ -3,7 +3,13 @@
 /// The grammar nests every operator chain to the right and every application to the left; here chains get their fixities and
 /// applications become flat. Round brackets leave no trace: the printer knows where Haskell needs them.
 
-import {isConstructorName, isConstructorOperator, isNumberLiteral, isOperator, isVariableName} from "../haskell/lexemes.ts"
+import {
+  isConstructorName,
+  isConstructorOperator,
+  isNumberLiteral,
+  isOperator,
+  isVariableName,
+} from "../haskell/lexemes.ts"
 import type {Alternative, Declaration, Expr, FieldValue, RightSide, Statement} from "../model/tree.ts"
 import type {Link} from "./chain.ts"
 import {resolve} from "./chain.ts"
@@ -79,6 +85,8 @@ function make(node: Syntax, r: Reading): Expr | Cause {
     case "do": {
       if (!hasToken(node, "do")) return "doVariant"
       const statements = readStatements(childrenIn(node, "statement"), node.start, r)
+      // The grammar allows what Haskell does not: no step, or a last one that does nothing.
+      if (statements[statements.length - 1]?.kind !== "statement") context.whole = "broken"
       return at({kind: "do", statements})
     }
     case "tuple": {
@@ -115,14 +123,16 @@ function make(node: Syntax, r: Reading): Expr | Cause {
 }
 
 function word(name: string, at: (e: Expr) => Expr): Expr | Cause {
-  if (isVariableName(name) || (isOperator(name) && !isConstructorOperator(name))) return at({kind: "variable", name})
+  if (isVariableName(name) || (isOperator(name) && !isConstructorOperator(name)))
+    return at({kind: "variable", name})
   if (isConstructorName(name) || isConstructorOperator(name)) return at({kind: "constructor-name", name})
   return name === "_" ? at({kind: "hole"}) : "name"
 }
 
 function literal(node: Syntax, text: string, at: (e: Expr) => Expr): Expr | Cause {
   const kind = onlyNamed(node)?.type
-  if (kind === "integer" || kind === "float") return isNumberLiteral(text) ? at({kind: "number", text}) : "literal"
+  if (kind === "integer" || kind === "float")
+    return isNumberLiteral(text) ? at({kind: "number", text}) : "literal"
   const value = literalValue(text)
   if (value === undefined) return "literal"
   return at(kind === "char" ? {kind: "character", value} : {kind: "string", value})
@@ -131,7 +141,12 @@ function literal(node: Syntax, text: string, at: (e: Expr) => Expr): Expr | Caus
 // --- Applications and operators ----------------------------------------------------------------------------------
 
 /// One link of a chain, with its place. An operand keeps its syntax until it is read.
-type Piece = Range & ({readonly kind: "minus"} | {readonly kind: "operator"; readonly op: string} | {readonly kind: "operand"; readonly parts: readonly Syntax[]})
+type Piece = Range &
+  (
+    | {readonly kind: "minus"}
+    | {readonly kind: "operator"; readonly op: string}
+    | {readonly kind: "operand"; readonly parts: readonly Syntax[]}
+  )
 
 function chain(node: Syntax, r: Reading): Expr | Cause {
   const pieces: Piece[] = []
@@ -144,10 +159,14 @@ function chain(node: Syntax, r: Reading): Expr | Cause {
     const made = application(p.parts, r)
     return {kind: "operand", value: typeof made === "string" ? raw(p, made, r) : made}
   })
-  const over = (from: number, to: number): Range => ({start: pieces[from]?.start ?? node.start, end: pieces[to]?.end ?? node.end})
+  const over = (from: number, to: number): Range => ({
+    start: pieces[from]?.start ?? node.start,
+    end: pieces[to]?.end ?? node.end,
+  })
   return (
     resolve<Expr>(links, r.context.fixities, {
-      infix: (op, left, right, from, to) => r.context.at(over(from, to), {kind: "infix", op, left, right} as const),
+      infix: (op, left, right, from, to) =>
+        r.context.at(over(from, to), {kind: "infix", op, left, right} as const),
       negate: (expr, from, to) =>
         r.context.at(
           over(from, to),
@@ -220,7 +239,11 @@ function wordsOf(node: Syntax): Syntax[] {
       end: field?.start ?? node.end,
     }
     const name = field === undefined ? undefined : (onlyNamed(field) ?? field)
-    return [...(inner === undefined ? [] : wordsOf(inner)), {...dot, type: "."}, ...(name === undefined ? [] : [name])]
+    return [
+      ...(inner === undefined ? [] : wordsOf(inner)),
+      {...dot, type: "."},
+      ...(name === undefined ? [] : [name]),
+    ]
   }
   return [node]
 }
@@ -241,7 +264,11 @@ function application(parts: readonly Syntax[], r: Reading): Expr | Cause {
   }
   if (args.length === 0) return fn
   const last = args[args.length - 1] ?? head
-  return r.context.at({start: head.start, end: last.end}, {kind: "apply", fn, args: args.map(a => readExpr(a, r))} as const)
+  return r.context.at({start: head.start, end: last.end}, {
+    kind: "apply",
+    fn,
+    args: args.map(a => readExpr(a, r)),
+  } as const)
 }
 
 function isTypeArgument(node: Syntax): boolean {
@@ -264,7 +291,9 @@ function section(node: Syntax, r: Reading): Expr | Cause {
     child(node, "operator") ?? node.children.find(c => c.named && c !== operand && c.field === undefined)
   if (operand === undefined || operator === undefined) return "expression"
   const op = operatorOf(operator, r)
-  return op === undefined ? "name" : r.context.at(node, {kind: "section", op, side, operand: readExpr(operand, r)})
+  return op === undefined
+    ? "name"
+    : r.context.at(node, {kind: "section", op, side, operand: readExpr(operand, r)})
 }
 
 // --- The rest ----------------------------------------------------------------------------------------------------
@@ -280,15 +309,19 @@ function lambda(node: Syntax, r: Reading): Expr | Cause {
 function caseOf(node: Syntax, r: Reading): Expr | Cause {
   const scrutinee = namedChildren(node).find(c => c.field === undefined)
   const alternatives = child(node, "alternatives")
-  if (scrutinee === undefined || alternatives === undefined) return "expression"
-  const all = childrenIn(alternatives, "alternative")
-  if (all.length === 0) return "emptyCase"
+  if (scrutinee === undefined) return "expression"
+  const all = alternatives === undefined ? [] : childrenIn(alternatives, "alternative")
+  if (all.length === 0) r.context.whole = "broken"
   const read: Alternative[] = []
   for (const a of all) {
     const pattern = child(a, "pattern")
     if (pattern === undefined) return "expression"
     read.push(
-      r.context.at(a, {kind: "alternative", pattern: readPattern(pattern, r.context), right: r.right(a)} as const),
+      r.context.at(a, {
+        kind: "alternative",
+        pattern: readPattern(pattern, r.context),
+        right: r.right(a),
+      } as const),
     )
   }
   return r.context.at(node, {kind: "case", scrutinee: readExpr(scrutinee, r), alternatives: read})
@@ -332,7 +365,9 @@ function record(node: Syntax, r: Reading): Expr | Cause {
   }
   const made = r.context.of(of)
   if (isConstructorName(made)) return r.context.at(node, {kind: "record", name: made, fields})
-  return fields.length === 0 ? "expression" : r.context.at(node, {kind: "update", record: readExpr(of, r), fields})
+  return fields.length === 0
+    ? "expression"
+    : r.context.at(node, {kind: "update", record: readExpr(of, r), fields})
 }
 
 // --- Statements --------------------------------------------------------------------------------------------------

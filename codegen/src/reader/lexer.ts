@@ -29,6 +29,8 @@ export interface Item extends Range {
 export interface Lexed {
   readonly items: readonly Item[]
   readonly comments: readonly Comment[]
+  /// Operators that start with two dashes, as `-->`: the grammar takes them for comments.
+  readonly dashed: readonly Range[]
 }
 
 interface Token extends Range {
@@ -49,7 +51,8 @@ function isSymbol(c: string | undefined): boolean {
 }
 
 /// All tokens and comments in order. Words, strings and pragmas are whole; of other symbols each character is a token.
-function scan(text: string): {tokens: Token[]; comments: Comment[]} {
+function scan(text: string): {tokens: Token[]; comments: Comment[]; dashed: Range[]} {
+  const dashed: Range[] = []
   const tokens: Token[] = []
   const comments: Comment[] = []
   let at = 0
@@ -108,11 +111,12 @@ function scan(text: string): {tokens: Token[]; comments: Comment[]} {
       else if (isSymbol(c)) {
         let i = at
         while (isSymbol(text[i])) i++
+        if (c === "-" && text[at + 1] === "-") dashed.push({start: at, end: i})
         token("symbol", i)
       } else token("symbol", at + (text.codePointAt(at)! > 0xffff ? 2 : 1))
     }
   }
-  return {tokens, comments}
+  return {tokens, comments, dashed}
 }
 
 /// Two dashes or more start a comment unless another symbol follows: `-->` is an operator (report §2.3).
@@ -167,7 +171,7 @@ const continues = new Set([")", "]", "}", ",", ";", "=", "|", "->", "then", "els
 
 /// The top-level items of a file, and its comments.
 export function lex(text: string): Lexed {
-  const {tokens, comments} = scan(text)
+  const {tokens, comments, dashed} = scan(text)
   const items: Item[] = []
   let margin: number | undefined
   let open: {start: number; kind: ItemKind; tokens: Token[]} | undefined
@@ -197,8 +201,15 @@ export function lex(text: string): Lexed {
       if (said === "{") {
         close()
         const last = tokens[tokens.length - 1] ?? t
-        items.push({kind: "declaration", start: t.start, end: last.end, name: "", signature: false, trouble: "braces"})
-        return {items, comments}
+        items.push({
+          kind: "declaration",
+          start: t.start,
+          end: last.end,
+          name: "",
+          signature: false,
+          trouble: "braces",
+        })
+        return {items, comments, dashed}
       }
       margin = t.firstOnLine ? t.column : columnOf(text, t.start)
       close()
@@ -216,14 +227,18 @@ export function lex(text: string): Lexed {
     }
     close()
     const kind: ItemKind =
-      t.kind === "pragma" || t.kind === "directive" ? t.kind : said === "import" || said === "module" ? said : "declaration"
+      t.kind === "pragma" || t.kind === "directive"
+        ? t.kind
+        : said === "import" || said === "module"
+          ? said
+          : "declaration"
     open = {start: t.start, kind, tokens: [t]}
     inModule = kind === "module" && items.every(item => item.kind !== "declaration" && item.kind !== "import")
     // A pragma or a directive is an item of its own, whatever stands behind it.
     if (standing && (tokens[i + 1]?.firstOnLine ?? true)) close()
   }
   close()
-  return {items, comments}
+  return {items, comments, dashed}
 }
 
 function columnOf(text: string, at: number): number {
@@ -234,7 +249,9 @@ function columnOf(text: string, at: number): number {
 }
 
 const keywords = new Set(
-  "class data default deriving foreign import infix infixl infixr instance module newtype pattern type".split(" "),
+  "class data default deriving foreign import infix infixl infixr instance module newtype pattern type".split(
+    " ",
+  ),
 )
 
 /// `f` of `f x = …`, `x <+> y = …` defines `<+>`; the type of a `data`, `newtype` or `type`.
@@ -249,9 +266,11 @@ function nameOf(text: string, tokens: readonly Token[]): {name: string; signatur
   if (tokens[0]?.kind !== "word") return nobody
   const head = said(0)
   if (["data", "newtype", "type"].includes(head)) return /^\p{Lu}/u.test(said(1)) ? named(said(1), 2) : nobody
-  if (keywords.has(head) || !/^[\p{Ll}\p{Lo}_]/u.test(head) || said(1) === "," || said(1) === "@") return nobody
+  if (keywords.has(head) || !/^[\p{Ll}\p{Lo}_]/u.test(head) || said(1) === "," || said(1) === "@")
+    return nobody
   if (said(1) === "`") return named(said(2), 4)
   // With a space behind it, it is an operator; without, a mark on the pattern that follows.
-  const operator = tokens[1]?.kind === "symbol" && isSymbol(said(1)[0]) && !/^(?:=|::|\||<-|->)$/.test(said(1))
+  const operator =
+    tokens[1]?.kind === "symbol" && isSymbol(said(1)[0]) && !/^(?:=|::|\||<-|->)$/.test(said(1))
   return operator && /\s/.test(text[tokens[1]?.end ?? 0] ?? " ") ? named(said(1), 3) : named(head, 1)
 }

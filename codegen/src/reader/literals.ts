@@ -1,7 +1,9 @@
 /// What Haskell's string and character literals stand for. (Haskell 2010 report §2.6)
 
 const named: readonly string[] =
-  "NUL SOH STX ETX EOT ENQ ACK BEL BS HT LF VT FF CR SO SI DLE DC1 DC2 DC3 DC4 NAK SYN ETB CAN EM SUB ESC FS GS RS US SP".split(" ")
+  "NUL SOH STX ETX EOT ENQ ACK BEL BS HT LF VT FF CR SO SI DLE DC1 DC2 DC3 DC4 NAK SYN ETB CAN EM SUB ESC FS GS RS US SP".split(
+    " ",
+  )
 
 const single: {readonly [letter: string]: string} = {
   a: "\x07",
@@ -57,5 +59,7 @@ export function literalValue(text: string): string | undefined {
       value += String.fromCodePoint(code)
     }
   }
-  return /[\uD800-\uDBFF](?![\uDC00-\uDFFF])|(?<![\uD800-\uDBFF])[\uDC00-\uDFFF]/.test(value) ? undefined : value
+  return /[\uD800-\uDBFF](?![\uDC00-\uDFFF])|(?<![\uD800-\uDBFF])[\uDC00-\uDFFF]/.test(value)
+    ? undefined
+    : value
 }

@@ -77,11 +77,24 @@ export class Reader {
       if (part.kind === "declaration") {
         const source = `${key}\0${part.trouble ?? ""}\0${part.comment}\0${part.source}`
         // Two equal definitions must not share their nodes.
-        const converted = (seen.has(source) ? undefined : this.known.get(source)) ?? this.convert(part, fixities)
+        const converted =
+          (seen.has(source) ? undefined : this.known.get(source)) ?? this.convert(part, fixities)
         seen.set(source, converted)
-        piece = {...converted, core: part.core, remark: part.remark, names: namesOf(converted.declaration, part.name)}
+        piece = {
+          ...converted,
+          core: part.core,
+          remark: part.remark,
+          names: namesOf(converted.declaration, part.name),
+        }
       } else
-        piece = {core: part.core, remark: undefined, names: [], declaration: undefined, broken: false, spans: new Map()}
+        piece = {
+          core: part.core,
+          remark: undefined,
+          names: [],
+          declaration: undefined,
+          broken: false,
+          spans: new Map(),
+        }
       pieces.push({...piece, kind: part.kind, slice: text.slice(start, part.end), start, end: part.end})
       start = part.end
     }
@@ -90,13 +103,18 @@ export class Reader {
   }
 
   private convert(part: Part, fixities: Fixities): Converted {
-    const comments = part.inner.map(c => ({...c, start: c.start - part.core.start, end: c.end - part.core.start}))
+    const comments = part.inner.map(c => ({
+      ...c,
+      start: c.start - part.core.start,
+      end: c.end - part.core.start,
+    }))
     // The first line keeps its column: what stands below is indented against it.
     const shift = part.column
     const source = " ".repeat(shift) + part.source
     const shifted = comments.map(c => ({...c, start: c.start + shift, end: c.end + shift}))
     const context = new Context(source, shifted, fixities)
-    const parsed = part.trouble !== undefined || part.source.length > longest ? undefined : this.parse(source)
+    const parsed =
+      part.trouble !== undefined || part.source.length > longest ? undefined : this.parse(source, part, shift)
     const made: Declaration | Cause =
       part.trouble ??
       (parsed === undefined ? "large" : parsed.broken ? "broken" : readTop(topOf(parsed.root), context))
@@ -105,7 +123,9 @@ export class Reader {
       const beside = context.takeComments(0, source.length).comment
       const remarks = [...above, ...(made.kind === "raw-declaration" || beside === undefined ? [] : [beside])]
       const declaration = remarks.length === 0 ? made : {...made, comment: remarks.join("\n")}
-      const spans = new Map([...context.spans].map(([node, s]) => [node, {start: s.start - shift, end: s.end - shift}]))
+      const spans = new Map(
+        [...context.spans].map(([node, s]) => [node, {start: s.start - shift, end: s.end - shift}]),
+      )
       spans.set(declaration, {start: 0, end: part.source.length})
       return {declaration, broken: false, spans}
     }
@@ -115,10 +135,18 @@ export class Reader {
       reason: reasons[made],
       ...(above.length === 0 ? {} : {comment: above.join("\n")}),
     }
-    return {declaration, broken: made === "broken", spans: new Map([[declaration, {start: 0, end: part.source.length}]])}
+    return {
+      declaration,
+      broken: made === "broken",
+      spans: new Map([[declaration, {start: 0, end: part.source.length}]]),
+    }
   }
 
-  private parse(source: string): Parsed | undefined {
+  private parse(source: string, part: Part, shift: number): Parsed | undefined {
+    for (const d of part.dashed) {
+      const at = d.start - part.core.start + shift
+      source = `${source.slice(0, at)}${"+".repeat(d.end - d.start)}${source.slice(at + d.end - d.start)}`
+    }
     // Haskell counts letters without case as small ones; the grammar does not know them.
     const plain = /\p{Lo}/u.test(source) ? source.replace(/\p{Lo}/gu, c => "a".repeat(c.length)) : source
     const tree: Tree | null = this.parser.parse(`${plain}\n`)
@@ -168,11 +196,12 @@ interface Part {
   readonly comment: string
   /// Comments inside the core.
   readonly inner: readonly Comment[]
+  readonly dashed: readonly Range[]
   readonly column: number
   readonly trouble: Cause | undefined
 }
 
-function partsOf(text: string, {items, comments}: Lexed): Part[] {
+function partsOf(text: string, {items, comments, dashed}: Lexed): Part[] {
   const parts: Part[] = []
   let nextComment = 0
   let end = 0
@@ -197,19 +226,33 @@ function partsOf(text: string, {items, comments}: Lexed): Part[] {
     parts.push({
       kind: isDeclaration ? "declaration" : "header",
       core,
-      remark: top === undefined ? undefined : {start: top.start, end: remarks[remarks.length - 1]?.end ?? top.end},
+      remark:
+        top === undefined ? undefined : {start: top.start, end: remarks[remarks.length - 1]?.end ?? top.end},
       end,
       name: first.name,
       source: text.slice(core.start, core.end),
       comment: remarks.flatMap(c => wordsOf(text.slice(c.start, c.end), c.kind)).join("\n"),
       inner,
+      dashed: dashed.filter(d => d.start >= core.start && d.end <= core.end),
       column: /^[ \uFEFF]*$/.test(text.slice(lineStart, core.start)) ? core.start - lineStart : 0,
       trouble: first.trouble ?? (first.kind === "declaration" ? undefined : "directive"),
     })
   }
   if (end < text.length || parts.length === 0) {
     const empty = {start: text.length, end: text.length}
-    parts.push({kind: "end", core: empty, remark: undefined, end: text.length, name: "", source: "", comment: "", inner: [], column: 0, trouble: undefined})
+    parts.push({
+      kind: "end",
+      core: empty,
+      remark: undefined,
+      end: text.length,
+      name: "",
+      source: "",
+      comment: "",
+      inner: [],
+      dashed: [],
+      column: 0,
+      trouble: undefined,
+    })
   }
   return parts
 }
@@ -221,7 +264,11 @@ function groupsOf(items: readonly Item[]): Item[][] {
     const last = groups[groups.length - 1]
     const [head] = last ?? []
     const joins =
-      head !== undefined && item.kind === "declaration" && head.kind === "declaration" && item.name !== "" && item.name === head.name
+      head !== undefined &&
+      item.kind === "declaration" &&
+      head.kind === "declaration" &&
+      item.name !== "" &&
+      item.name === head.name
     if (joins && !item.signature) last?.push(item)
     else groups.push([item])
   }
@@ -237,7 +284,8 @@ function remarksAbove(text: string, before: readonly Comment[], core: number, en
     if (c === undefined) break
     const between = text.slice(c.end, below)
     const lineStart = Math.max(end, text.lastIndexOf("\n", c.start - 1) + 1)
-    const alone = text.slice(lineStart, c.start).trim() === "" && (lineStart > end || end === 0 || text[end - 1] === "\n")
+    const alone =
+      text.slice(lineStart, c.start).trim() === "" && (lineStart > end || end === 0 || text[end - 1] === "\n")
     if (!/^[ \t]*\r?\n[ \t]*$/.test(between) || !alone) break
     remarks.unshift(c)
     below = c.start
@@ -271,7 +319,10 @@ function commentAt(comments: readonly Comment[], start: number): Comment | undef
 }
 
 /// How many expressions a definition holds, and those that were kept as text.
-export function expressionsIn(d: Declaration): {all: number; raw: readonly {text: string; reason: string | undefined}[]} {
+export function expressionsIn(d: Declaration): {
+  all: number
+  raw: readonly {text: string; reason: string | undefined}[]
+} {
   let all = 0
   const raw: {text: string; reason: string | undefined}[] = []
   for (const node of everyNode(d)) {
@@ -282,7 +333,9 @@ export function expressionsIn(d: Declaration): {all: number; raw: readonly {text
 }
 
 const expressionKinds = new Set(
-  "variable constructor-name number string character apply infix negate section lambda if case let do tuple list range comprehension typed record update hole raw".split(" "),
+  "variable constructor-name number string character apply infix negate section lambda if case let do tuple list range comprehension typed record update hole raw".split(
+    " ",
+  ),
 )
 
 function isExpression(kind: string): boolean {

@@ -1,6 +1,11 @@
 /// Patterns: from syntax to model.
 
-import {isConstructorName, isConstructorOperator, isNumberLiteral, isVariableName} from "../haskell/lexemes.ts"
+import {
+  isConstructorName,
+  isConstructorOperator,
+  isNumberLiteral,
+  isVariableName,
+} from "../haskell/lexemes.ts"
 import type {FieldPattern, Pattern} from "../model/tree.ts"
 import type {Link} from "./chain.ts"
 import {resolve} from "./chain.ts"
@@ -36,7 +41,9 @@ function make(node: Syntax, context: Context): Pattern | Cause {
       return literal(node, text, context)
     case "negation": {
       const digits = context.of(child(node, "number") ?? node)
-      return isNumberLiteral(digits) ? context.at(node, {kind: "number-pattern", text: `-${digits}`}) : "literal"
+      return isNumberLiteral(digits)
+        ? context.at(node, {kind: "number-pattern", text: `-${digits}`})
+        : "literal"
     }
     case "parens": {
       const inner = child(node, "pattern")
@@ -45,9 +52,15 @@ function make(node: Syntax, context: Context): Pattern | Cause {
       return typeof made === "string" ? raw(node, made, context) : made
     }
     case "tuple":
-      return context.at(node, {kind: "tuple-pattern", items: childrenIn(node, "element").map(e => readPattern(e, context))})
+      return context.at(node, {
+        kind: "tuple-pattern",
+        items: childrenIn(node, "element").map(e => readPattern(e, context)),
+      })
     case "list":
-      return context.at(node, {kind: "list-pattern", items: childrenIn(node, "element").map(e => readPattern(e, context))})
+      return context.at(node, {
+        kind: "list-pattern",
+        items: childrenIn(node, "element").map(e => readPattern(e, context)),
+      })
     case "infix":
       return infix(node, context)
     case "as": {
@@ -79,7 +92,10 @@ function literal(node: Syntax, text: string, context: Context): Pattern | Cause 
     return isNumberLiteral(text) ? context.at(node, {kind: "number-pattern", text}) : "literal"
   const value = literalValue(text)
   if (value === undefined) return "literal"
-  return context.at(node, kind === "char" ? {kind: "character-pattern", value} : {kind: "string-pattern", value})
+  return context.at(
+    node,
+    kind === "char" ? {kind: "character-pattern", value} : {kind: "string-pattern", value},
+  )
 }
 
 /// A constructor with its arguments; applications nest to the left.
@@ -112,16 +128,21 @@ function infix(node: Syntax, context: Context): Pattern | Cause {
     links.push({kind: "operand", value: readPattern(operand, context)})
     ranges.push(operand)
     if (operator === undefined) break
-    const op = operator.type === "infix_id" ? context.of(onlyNamed(operator) ?? operator) : context.of(operator)
+    const op =
+      operator.type === "infix_id" ? context.of(onlyNamed(operator) ?? operator) : context.of(operator)
     if (!isConstructorOperator(op) && !isConstructorName(op)) return "pattern"
     links.push({kind: "operator", op})
     ranges.push(operator)
     n = child(n, "right_operand")
   }
-  const range = (from: number, to: number) => ({start: ranges[from]?.start ?? node.start, end: ranges[to]?.end ?? node.end})
+  const range = (from: number, to: number) => ({
+    start: ranges[from]?.start ?? node.start,
+    end: ranges[to]?.end ?? node.end,
+  })
   return (
     resolve<Pattern>(links, context.fixities, {
-      infix: (op, left, right, from, to) => context.at(range(from, to), {kind: "infix-pattern", op, left, right} as const),
+      infix: (op, left, right, from, to) =>
+        context.at(range(from, to), {kind: "infix-pattern", op, left, right} as const),
       negate: operand => operand,
     }) ?? "operators"
   )

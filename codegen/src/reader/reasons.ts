@@ -30,7 +30,6 @@ export const reasons = {
   parallel: "A list is built from several lists side by side.",
   doVariant: "A special kind of do. Blocks have the plain one.",
   statement: "Blocks have no shape for this kind of step.",
-  emptyCase: "A look at a value without any case.",
   operators: "It is not clear which of these operators binds tighter. Add brackets.",
   name: "Blocks cannot spell this name.",
   literal: "Blocks cannot spell this value.",
@@ -38,7 +37,8 @@ export const reasons = {
   lazy: "A ~ in front says not to look at the value yet.",
   viewPattern: "This looks at a value through a function.",
   typedPattern: "A type is written inside a pattern.",
-  guards: "This condition also takes a value apart or asks several things. Blocks show one question for each condition.",
+  guards:
+    "This condition also takes a value apart or asks several things. Blocks show one question for each condition.",
   empty: "There is nothing after the equals sign.",
   large: "This has more parts than one block can hold.",
   deep: "This is nested too deep for blocks.",

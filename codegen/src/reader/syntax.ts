@@ -58,11 +58,21 @@ export function copyTree(tree: Tree, names: NodeNames): Parsed {
       cursor.gotoParent()
     }
     if (skipped.has(type)) return undefined
-    return {type, named: names.named[id] ?? true, field: fieldId === 0 ? undefined : names.fields[fieldId], start, end, children}
+    return {
+      type,
+      named: names.named[id] ?? true,
+      field: fieldId === 0 ? undefined : names.fields[fieldId],
+      start,
+      end,
+      children,
+    }
   }
   const root = copy()
   cursor.delete()
-  return {root: root ?? {type: "haskell", named: true, field: undefined, start: 0, end: 0, children: []}, broken}
+  return {
+    root: root ?? {type: "haskell", named: true, field: undefined, start: 0, end: 0, children: []},
+    broken,
+  }
 }
 
 export function child(node: Syntax, field: string): Syntax | undefined {

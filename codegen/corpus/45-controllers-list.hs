@@ -1,0 +1,11 @@
+main :: IO ()
+main = simulate
+  [ Left bump
+  , Right cliff
+  ]
+
+bump :: Bumper -> Sound
+bump _ = ErrorSound
+
+cliff :: Cliff -> Sound
+cliff _ = OffSound

@@ -1,0 +1,12 @@
+type Hit = Bool
+
+bump :: Bumper -> Memory Hit
+bump _ = Memory True
+
+drive :: Memory Hit -> Velocity -> Velocity
+drive (Memory hit) (Velocity vl va)
+  | hit       = Velocity (vl - 0.5) va
+  | otherwise = Velocity (vl + 0.5) va
+
+main :: IO ()
+main = simulate (bump, drive)
