@@ -114,7 +114,7 @@ build_haskell() {
 
 need_node() {
   command -v node >/dev/null || give_up "Node 20 or newer is needed. See https://nodejs.org, or on Debian: apt-get install nodejs npm"
-  node -e 'process.exit(Number(process.versions.node.split(".")[0]) < 20)' || give_up "Node 20 or newer is needed; this is $(node --version)."
+  node -e 'process.exit(Number(process.versions.node.split(".")[0]) < 20 ? 1 : 0)' || give_up "Node 20 or newer is needed; this is $(node --version)."
   step npm "$(sha1sum <"$ROSY_ROOT/package-lock.json")" "Installing the packages of the page." install_node
 }
 install_node() { (cd "$ROSY_ROOT" && npm ci --no-audit --no-fund); }
