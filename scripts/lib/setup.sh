@@ -117,7 +117,9 @@ need_node() {
   node -e 'process.exit(Number(process.versions.node.split(".")[0]) < 20 ? 1 : 0)' || give_up "Node 20 or newer is needed; this is $(node --version)."
   step npm "$(sha1sum <"$ROSY_ROOT/package-lock.json")" "Installing the packages of the page." install_node
 }
-install_node() { (cd "$ROSY_ROOT" && npm ci --no-audit --no-fund); }
+# Not `npm ci`: it wants the lock file to list the builds of esbuild and Biome for every system there is, and a registry
+# mirror need not have them all. The versions are the lock file's all the same, and it is left as it is.
+install_node() { (cd "$ROSY_ROOT" && npm install --no-save --no-audit --no-fund); }
 
 need_codegen() {
   need_node
