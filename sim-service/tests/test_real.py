@@ -1,0 +1,151 @@
+"""The four first programs with the real worker, when it is built: the whole path, byte for byte."""
+
+from __future__ import annotations
+
+import asyncio
+import io
+import json
+import os
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rosy_sim.config import Config, Limits, discover
+from rosy_sim.library import named_world, usable_arena
+from rosy_sim.run import Order, Outcome, run_program
+from rosy_sim.worker.blocking import BlockingWorker
+from rosy_sim.world.world import World
+
+from .test_app import opened, serving
+
+pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]
+
+MOVE = "move :: Velocity\nmove = Velocity 0.5 0\n\nmain = simulate move\n"
+ACCELERATE = "accelerate :: Velocity -> Velocity\naccelerate (Velocity v w) = Velocity (v + 0.5) w\n"
+AND_PLAY = (
+    ACCELERATE
+    + "\nplay :: Bumper -> Maybe Sound\nplay (Bumper _ Pressed) = Just ErrorSound\nplay _ = Nothing\n"
+    + "\nmain = simulate (accelerate, play)\n"
+)
+FORWARD_BACKWARD = """type Hit = Bool
+
+hit :: Bumper -> Memory Hit
+hit _ = Memory True
+
+drive :: Memory Hit -> Velocity -> Velocity
+drive (Memory True) (Velocity v w) = Velocity (v - 0.5) w
+drive _ (Velocity v w) = Velocity (v + 0.5) w
+
+main = simulate (hit, drive)
+"""
+PROGRAMS = {
+    "move": MOVE,
+    "accelerate": ACCELERATE + "\nmain = simulate accelerate\n",
+    "accelerateAndPlay": AND_PLAY,
+    "forwardBackward": FORWARD_BACKWARD,
+}
+
+
+@pytest.fixture(scope="module")
+def real() -> Config:
+    return discover().with_limits(Limits(settle=1.0))
+
+
+def run(config: Config, source: str, order: Order) -> tuple[Outcome, list[dict[str, Any]], bytes, World]:
+    world = World(usable_arena(named_world("room"), "room"))
+    trace = io.BytesIO()
+    with BlockingWorker(config) as worker:
+        worker.ready()
+        outcome = run_program(worker, source, world, order, config.limits, lambda _: None, trace)
+    return outcome, [json.loads(line) for line in trace.getvalue().splitlines()], trace.getvalue(), world
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_a_program_gives_the_same_bytes_at_any_speed(name: str, real: Config) -> None:
+    order = Order(seconds=8.0, seed=3)
+    outcome, lines, once, _ = run(real, PROGRAMS[name], order)
+    assert (outcome.ended, outcome.steps, len(lines)) == ("time", 400, 400)
+    assert any("Bumper CenterBumper Pressed" in line["events"] for line in lines)
+    assert max(line["x"] for line in lines) > 4.8
+    assert run(real, PROGRAMS[name], replace(order, speed=20.0))[2] == once
+
+
+def test_the_error_sound_plays_once_at_the_wall(real: Config) -> None:
+    _, lines, _, _ = run(real, AND_PLAY, Order(8.0, 1))
+    assert [c for line in lines for c in line["commands"] if "Sound" in c] == ["ErrorSound"]
+
+
+def test_forward_backward_ends_at_the_wall_behind(real: Config) -> None:
+    _, _, _, world = run(real, FORWARD_BACKWARD, Order(20.0, 1))
+    assert world.x == pytest.approx(0.17575, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("source", "ended", "kind", "function"),
+    [
+        ("main = simulate (1 + True)", "refused", None, None),
+        ("spin :: Bumper -> Velocity\nspin b = spin b\n"
+         "main = simulate (Velocity 0.7 0, spin)", "stuck", "stuck", "spin"),
+        ("boom :: Bumper -> Velocity\nboom _ = Velocity (fromIntegral (div 1 (0 :: Int))) 0\n"
+         "main = simulate (Velocity 0.7 0, boom)", "error", None, "boom"),
+        ('main = simulate (say "hello")', "done", None, None),
+    ],
+)  # fmt: skip
+def test_an_end_names_what_caused_it(
+    source: str, ended: str, kind: str | None, function: str | None, real: Config
+) -> None:
+    outcome, _, _, _ = run(real, source, Order(20.0, 1))
+    assert outcome.ended == ended
+    assert len(outcome.problems) == (0 if ended == "done" else len(outcome.problems) or 1)
+    if kind is not None:
+        assert outcome.problems[0].kind == kind
+    if function is not None:
+        assert outcome.problems[0].function == function
+
+
+def test_ten_runs_stopped_at_any_moment_leave_nothing_behind(real: Config) -> None:
+    async def tell() -> None:
+        async with serving(real) as (address, service), opened(address) as page:
+            for run in range(1, 11):
+                await page.send("run", run=run, source=MOVE, speed="max" if run % 2 else 1)
+                if run % 3:
+                    await page.op("state", run=run, state="running")
+                await page.send("stop" if run % 2 else "reset")
+                await page.ended(run)
+            await page.send("check", id=1, source=MOVE)
+            await page.op("checked")
+            assert service.worker.pid is not None
+            leader = service.worker.pid
+        left.append(leader)
+
+    left: list[int] = []
+    asyncio.run(tell())
+    assert not Path(f"/proc/{left[0]}").exists()
+    assert not [command for command in _children(os.getpid()) if "rosy-worker" in command]
+
+
+def test_a_killed_worker_is_replaced_and_its_run_ends_with_a_sentence(real: Config) -> None:
+    async def tell() -> None:
+        async with serving(real) as (address, service), opened(address) as page:
+            for run in (1, 2, 3):
+                await page.send("run", run=run, source=MOVE, speed="max")
+                await page.until(lambda m: m["op"] == "frame" and m["step"] > 5)
+                assert service.worker.pid is not None
+                os.kill(service.worker.pid, 9)
+                ended = await page.ended(run)
+                assert ended["problems"][0]["kind"] == "worker-lost"
+                await page.op("worker", state="ready")
+
+    asyncio.run(tell())
+
+
+def _children(pid: int) -> list[str]:
+    """Command lines of the processes below one."""
+    found = []
+    for task in Path(f"/proc/{pid}/task").iterdir():
+        for child in (task / "children").read_text().split():
+            with_args = Path(f"/proc/{child}/cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
+            found += [with_args, *_children(int(child))]
+    return found
