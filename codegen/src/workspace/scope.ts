@@ -27,6 +27,7 @@ export function namesInScope(workspace: SavedWorkspace, place: Place): InScope[]
   if (inferrer.watched === undefined) return []
   const scope = inferrer.watched
   const check = checker(open)
+  const runs = find(workspace, place.block)?.type === "main"
   const names = [...scope].reverse().filter(([name]) => name !== "main")
   const own = new Set(program.declarations.flatMap(bindersInDeclaration).map(([name]) => name))
   const found = names.map(([name, inner]): InScope => {
@@ -35,7 +36,8 @@ export function namesInScope(workspace: SavedWorkspace, place: Place): InScope[]
     const scheme = local ? inner : (globals.get(name) ?? inner)
     const block = template(name, local ? 0 : arityOf(scheme))
     const bare = template(name, 0)
-    const fitting = [block, bare].find(b => check.fits(place, b).fits)
+    // What a program runs are functions as they are; anywhere else a function is mostly wanted for its answer.
+    const fitting = (runs ? [bare, block] : [block, bare]).find(b => check.fits(place, b).fits)
     return {
       name,
       type: showScheme(scheme),

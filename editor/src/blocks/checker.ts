@@ -106,6 +106,7 @@ class Checker extends Blockly.ConnectionChecker {
     if (movement === undefined || marker) {
       return sorted ? Blockly.Connection.CAN_CONNECT : Blockly.Connection.REASON_CHECKS_FAILED
     }
+    if (standsAlone(socket)) return Blockly.Connection.REASON_CHECKS_FAILED
     const near = isDragging && Number.isFinite(distance) ? gap(a, b) : Number.POSITIVE_INFINITY
     // Which sentence a refusal has is only worth asking when somebody will read it.
     if (!sorted && near > refusalReach) return Blockly.Connection.REASON_CHECKS_FAILED
@@ -125,8 +126,18 @@ class Checker extends Blockly.ConnectionChecker {
     if (!super.doTypeChecks(a, b)) return false
     if (movement === undefined) return true
     const [socket, plug] = a.isSuperior() ? [a, b] : [b, a]
+    if (standsAlone(socket)) return false
     return movement.verdict(placeOf(socket), plug.getSourceBlock().id).fits
   }
+}
+
+/// Definitions stack in `where` and `let` only: on the workspace each stands alone.
+function standsAlone(socket: Blockly.Connection): boolean {
+  return (
+    socket.getParentInput() === null &&
+    (socket.getCheck()?.includes("definition") ?? false) &&
+    socket.getSourceBlock().getSurroundParent() === null
+  )
 }
 
 function gap(a: Blockly.Connection, b: Blockly.Connection): number {

@@ -13,6 +13,10 @@ export interface DragHost {
   readonly refusal: RefusalLine
 }
 
+/// Pixels from the corner of an empty workspace, and between blocks, where the keys put a new one.
+const freePlace = 30
+const freeGap = 28
+
 class Dragging extends Blockly.dragging.BlockDragStrategy {
   private readonly moved: Blockly.BlockSvg
   private readonly host: DragHost
@@ -33,6 +37,18 @@ class Dragging extends Blockly.dragging.BlockDragStrategy {
       beginMovement(this.moved.workspace, new Movement(this.host.asker(), origin(this.moved)))
     }
     return super.startDrag(event)
+  }
+
+  /// A block that the keys bring comes below all others: definitions are read, and printed, from top to bottom.
+  protected override positionNewBlock(offered: Blockly.BlockSvg, made: Blockly.BlockSvg): void {
+    super.positionNewBlock(offered, made)
+    if (!this.byKeyboard) return
+    const others = made.workspace.getTopBlocks(false).filter(block => block !== made)
+    const boxes = others.map(block => block.getBoundingRectangle())
+    const box = made.getBoundingRectangle()
+    const x = Math.min(...boxes.map(other => other.left), box.left + freePlace)
+    const y = Math.max(...boxes.map(other => other.bottom), freePlace - freeGap) + freeGap
+    made.moveBy(x - box.left, y - box.top, ["cleanup"])
   }
 
   /// Asks about every socket there is. The keys need it to step from one to the next, the pointer does not.

@@ -29,12 +29,6 @@ export function haskellNumber(text: string): string | null {
     .replace(/^(-?)0+(?=\d)/, "$1")
 }
 
-/// `text` as a name a learner may give to a value or function, or null. Haskell 2010 report §2.4.
-export function haskellName(text: string): string | null {
-  const trimmed = text.trim()
-  return /^[a-z_][A-Za-z0-9_']*$/.test(trimmed) ? trimmed : null
-}
-
 /// @internal Words of a block.
 export class Words extends Blockly.FieldLabel {
   override isSerializable(): boolean {
@@ -231,8 +225,9 @@ export class Press extends Blockly.Field<string> {
     return false
   }
 
-  override getAriaValue(): string {
-    return "button"
+  // A block that is read aloud does not list its buttons; one that has the focus says what it does.
+  override computeAriaLabel(typed = true): string {
+    return typed ? (this.getAriaTypeName() ?? "") : ""
   }
 
   override initView(): void {

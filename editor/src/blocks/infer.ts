@@ -2,9 +2,9 @@
 ///
 /// Touches only blocks whose look changes; typing a number repaints nothing.
 
-import {type BlockProblem, type Inference, socketKey} from "@rosy/codegen"
+import {type BlockProblem, type Family, type Inference, socketKey} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
-import {shapeOf} from "./build.ts"
+import {extraOf, shapeOf} from "./build.ts"
 import {Signature} from "./fields.ts"
 import {lookOf, setLook} from "./looks.ts"
 import {styleName} from "./theme.ts"
@@ -14,8 +14,13 @@ export function headerType(type: string): string {
   return type.replaceAll("->", "→")
 }
 
-/// Paints `inference` onto the blocks of a workspace.
-export function showInference(workspace: Blockly.WorkspaceSvg, inference: Inference): void {
+/// Paints `inference` onto the blocks of a workspace. `names` are families of names from elsewhere, for blocks in the
+/// toolbox, which stand outside the program.
+export function showInference(
+  workspace: Blockly.WorkspaceSvg,
+  inference: Inference,
+  names?: ReadonlyMap<string, Family>,
+): void {
   const holes = new Set(
     inference.problems
       .filter(
@@ -28,7 +33,8 @@ export function showInference(workspace: Blockly.WorkspaceSvg, inference: Infere
     const shape = shapeOf(block)
     if (shape === undefined) continue
     const definition = inference.definitions.get(block.id)
-    const family = definition?.family ?? inference.blocks.get(block.id)?.family ?? shape.family
+    const called = names?.get(String(extraOf(block).name ?? ""))
+    const family = called ?? definition?.family ?? inference.blocks.get(block.id)?.family ?? shape.family
     const style = styleName(family, shape.connects.as === "pattern")
     if (block.getStyleName() !== style) block.setStyle(style)
     let changed = false
@@ -44,7 +50,11 @@ export function showInference(workspace: Blockly.WorkspaceSvg, inference: Infere
       if (connection === null || input.type !== Blockly.inputs.inputTypes.VALUE) continue
       const key = socketKey(block.id, input.name)
       const wanted = inference.sockets.get(key)?.family ?? lookOf(connection).family
-      const look = {family: wanted, hint: lookOf(connection).hint, hole: holes.has(key)}
+      const look = {
+        family: wanted,
+        hint: lookOf(connection).hint,
+        hole: names === undefined && holes.has(key),
+      }
       changed = setLook(connection, look) || changed
     }
     if (changed) block.queueRender()

@@ -1,8 +1,17 @@
-/// The place that the learner has chosen, and the names that can be used there.
+/// The place that the learner has chosen, and what can be used there.
 
-import type {InScope, Place} from "@rosy/codegen"
+import {
+  type Family,
+  type InScope,
+  type Place,
+  type SavedWorkspace,
+  socketKey,
+  type ToolboxCategory,
+  type ToolboxItem,
+} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {placeOf} from "./checker.ts"
+import type {Language} from "./language.ts"
 import {flyoutBlock} from "./toolbox.ts"
 
 /// The chosen place: the socket with the focus, the first empty socket of the chosen block, or the place the block
@@ -37,4 +46,40 @@ export function scopeItems(names: readonly InScope[] | undefined): Blockly.utils
     if (others.length > 0) items.push(label("Other names here"), ...others.map(flyoutBlock))
   }
   return items as unknown as Blockly.utils.toolbox.FlyoutItemInfoArray
+}
+
+/// More than this is a list to read, not an answer.
+const mostSuggestions = 14
+
+/// Names and ready blocks that fit at a place: first the names, then what is of the family that the socket wants.
+export function suggest(
+  language: Language,
+  workspace: SavedWorkspace,
+  place: Place,
+  categories: readonly ToolboxCategory[],
+): readonly ToolboxItem[] {
+  const names = language.namesInScope(workspace, place).filter(name => name.fits)
+  const wanted: Family | undefined =
+    "below" in place
+      ? "task"
+      : language.infer(workspace).sockets.get(socketKey(place.block, place.input))?.family
+  const ordered = [
+    ...categories.filter(category => category.family === wanted),
+    ...categories.filter(category => category.family !== wanted),
+  ]
+  const check = language.checker(workspace)
+  const found: ToolboxItem[] = names.map(nameItem)
+  const seen = new Set<string>()
+  for (const item of ordered.flatMap(category => category.items)) {
+    if (found.length >= mostSuggestions) break
+    const key = JSON.stringify(item.block)
+    if (seen.has(key)) continue
+    seen.add(key)
+    if (check.fits(place, item.block).fits) found.push(item)
+  }
+  return found
+}
+
+export function nameItem(name: InScope): ToolboxItem {
+  return {label: name.name, block: name.block}
 }

@@ -1,7 +1,7 @@
 /// The toolbox: codegen's ready blocks in categories, each with a swatch of its family's colour and outline, a
 /// search over their words, and the names that can be used at the chosen socket.
 
-import type {Family, ToolboxCategory, ToolboxItem} from "@rosy/codegen"
+import type {BlockView, Family, SavedBlock, ToolboxCategory, ToolboxItem} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {outlineOf, pen, sides} from "./outlines.ts"
 
@@ -17,7 +17,7 @@ interface CategoryInfo {
   readonly kind: string
   readonly name: string
   readonly family?: Family
-  readonly items?: readonly ToolboxItem[]
+  readonly items?: readonly Findable[]
   readonly contents?: ItemInfo[]
   readonly custom?: string
   readonly toolboxitemid?: string
@@ -45,8 +45,14 @@ function withoutIds(block: ToolboxItem["block"]): ToolboxItem["block"] {
 }
 
 /// What Blockly shows beside the workspace.
-export function toolboxInfo(categories: readonly ToolboxCategory[]): Blockly.utils.toolbox.ToolboxInfo {
-  const items = categories.flatMap(category => category.items)
+export function toolboxInfo(
+  categories: readonly ToolboxCategory[],
+  views: readonly BlockView[],
+): Blockly.utils.toolbox.ToolboxInfo {
+  const items = findable(
+    categories.flatMap(category => category.items),
+    views,
+  )
   const search: CategoryInfo = {kind: searchKind, name: "Search blocks", items, contents: []}
   const shown = categories.map(
     (category): CategoryInfo => ({
@@ -63,23 +69,54 @@ export function toolboxInfo(categories: readonly ToolboxCategory[]): Blockly.uti
   }
 }
 
-/// Items whose words hold every word of the query, best first: at the start of the label, of a word, anywhere.
-export function search(items: readonly ToolboxItem[], query: string): readonly ToolboxItem[] {
+/// An item with the words it can be found by.
+export interface Findable {
+  readonly item: ToolboxItem
+  readonly label: string
+  /// What stands on its blocks: labels, names, constructors.
+  readonly words: string
+}
+
+/// Items with their words, from the shapes of their blocks.
+export function findable(items: readonly ToolboxItem[], views: readonly BlockView[]): readonly Findable[] {
+  const byType = new Map(views.map(view => [view.type, view]))
+  function* said(block: SavedBlock): Generator<string> {
+    for (const part of byType
+      .get(block.type)
+      ?.shape(block.extraState ?? {})
+      .rows.flat() ?? []) {
+      if (part.kind === "label") yield part.text
+      else if ("value" in part) yield part.value
+    }
+    for (const input of Object.values(block.inputs ?? {}))
+      if (input.block !== undefined) yield* said(input.block)
+    if (block.next?.block !== undefined) yield* said(block.next.block)
+  }
+  return items.map(item => ({
+    item,
+    label: item.label.toLowerCase(),
+    words: [...said(item.block)].join(" ").toLowerCase(),
+  }))
+}
+
+/// Items whose words hold every word of the query, best first: at the start of the label, of a word of the label,
+/// anywhere in it, on the blocks.
+export function search(items: readonly Findable[], query: string): readonly ToolboxItem[] {
   const words = query
     .toLowerCase()
     .split(/\s+/)
     .filter(word => word !== "")
   if (words.length === 0) return []
-  const rank = (label: string) =>
+  const rank = ({label, words: others}: Findable) =>
     words.reduce((sum, word) => {
       const at = label.indexOf(word)
-      if (at < 0) return Number.NEGATIVE_INFINITY
-      return sum + (at === 0 ? 3 : label[at - 1] === " " ? 2 : 1)
+      if (at >= 0) return sum + (at === 0 ? 4 : label[at - 1] === " " ? 3 : 2)
+      return others.includes(word) ? sum + 1 : Number.NEGATIVE_INFINITY
     }, 0)
   return items
-    .map((item, order) => ({item, order, rank: rank(item.label.toLowerCase())}))
+    .map((found, order) => ({item: found.item, order, rank: rank(found)}))
     .filter(found => found.rank > 0)
-    .sort((a, b) => b.rank - a.rank || a.order - b.order)
+    .sort((one, two) => two.rank - one.rank || one.order - two.order)
     .map(found => found.item)
 }
 
@@ -119,6 +156,20 @@ class Category extends Blockly.ToolboxCategory {
 
   // The swatch has the colour already.
   protected override addColourBorder_(): void {}
+}
+
+/// What is known about the chosen place of a workspace, asked when the search opens.
+export interface Nearby {
+  /// Names that can be used there, as items.
+  names(): readonly ToolboxItem[]
+  /// Ready blocks and names that fit there, best first; undefined when no place is chosen.
+  suggestions(): readonly ToolboxItem[] | undefined
+}
+
+const nearby = new WeakMap<Blockly.WorkspaceSvg, Nearby>()
+
+export function setNearby(workspace: Blockly.WorkspaceSvg, answers: Nearby): void {
+  nearby.set(workspace, answers)
 }
 
 class Search extends Blockly.ToolboxCategory {
@@ -178,20 +229,26 @@ class Search extends Blockly.ToolboxCategory {
   private match(): void {
     const items = (this.toolboxItemDef_ as unknown as CategoryInfo).items ?? []
     const query = this.field?.value.trim() ?? ""
-    const found = search(items, query)
+    const here = nearby.get(this.workspace_)
+    const suggested = query === "" ? here?.suggestions() : undefined
+    const found = suggested ?? search([...findable(here?.names() ?? [], []), ...items], query)
     const label = (text: string) => ({kind: "label", text}) as unknown as ItemInfo
-    const shown: ItemInfo[] =
-      query === ""
-        ? [label("Type to find a block")]
-        : found.length === 0
-          ? [label("No block has these words")]
-          : found.map(flyoutBlock)
-    if (query !== "") {
-      Blockly.utils.aria.announceDynamicAriaState(
-        found.length === 1 ? "1 block found" : `${found.length} blocks found`,
-      )
-    }
-    this.flyoutItems_ = shown as FlyoutInfo
+    const heading =
+      suggested !== undefined
+        ? suggested.length > 0
+          ? "Fits here"
+          : "Nothing in the toolbox fits here"
+        : query === ""
+          ? "Type to find a block"
+          : found.length === 0
+            ? "No block has these words"
+            : undefined
+    const counted = found.length === 1 ? "1 block found" : `${found.length} blocks found`
+    if (query !== "" || suggested !== undefined) Blockly.utils.aria.announceDynamicAriaState(counted)
+    this.flyoutItems_ = [
+      ...(heading === undefined ? [] : [label(heading)]),
+      ...found.map(flyoutBlock),
+    ] as FlyoutInfo
     this.parentToolbox_.refreshSelection()
   }
 }

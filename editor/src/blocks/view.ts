@@ -10,17 +10,17 @@ import {type BuildActions, change, registerBlocks} from "./build.ts"
 import {checkerName, registerChecker} from "./checker.ts"
 import {type DragHost, makeDraggable} from "./drag.ts"
 import type {Tone} from "./families.ts"
-import {type Binder, haskellName} from "./fields.ts"
+import type {Binder} from "./fields.ts"
 import {showInference} from "./infer.ts"
 import type {Language} from "./language.ts"
 import {Marks} from "./marks.ts"
 import {RefusalLine} from "./refusal.ts"
 import {registerRenderer, rendererName} from "./renderer.ts"
 import {loadBlocks, saveBlocks} from "./saved.ts"
-import {chosenPlace, scopeItems} from "./scope.ts"
+import {chosenPlace, nameItem, scopeItems, suggest} from "./scope.ts"
 import {styleSheet} from "./style.ts"
 import {themes} from "./theme.ts"
-import {focusSearch, registerToolbox, scopeKey, toolboxInfo} from "./toolbox.ts"
+import {focusSearch, registerToolbox, scopeKey, setNearby, toolboxInfo} from "./toolbox.ts"
 
 export interface BlocksOptions {
   readonly language: Language
@@ -108,7 +108,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     renderer: rendererName,
     theme: blocklyThemes.get(options.tone)!,
     plugins: {connectionChecker: checkerName},
-    toolbox: toolboxInfo(language.toolbox(level)),
+    toolbox: toolboxInfo(language.toolbox(level), language.blockTypes),
     media: options.media ?? "media/",
     rtl: options.rightToLeft ?? false,
     sounds: false,
@@ -167,18 +167,43 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     if (dropped || !event.isUiEvent) announceLater()
   })
 
+  // The blocks of the toolbox have families too, by their own types and those of the names they say.
+  let painting = false
+  const paintToolboxLater = () => {
+    if (painting) return
+    painting = true
+    queueMicrotask(() => {
+      painting = false
+      const flyout = workspace.getFlyout()?.getWorkspace()
+      if (flyout === undefined) return
+      const place = chosenPlace(workspace)
+      const names = place === undefined ? [] : language.namesInScope(saveBlocks(workspace), place)
+      showInference(
+        flyout,
+        language.infer(saveBlocks(flyout)),
+        new Map(names.map(name => [name.name, name.family])),
+      )
+    })
+  }
+
   workspace.registerToolboxCategoryCallback(scopeKey, () => {
     const place = chosenPlace(workspace)
     return scopeItems(place === undefined ? undefined : language.namesInScope(saveBlocks(workspace), place))
   })
+  setNearby(workspace, {
+    names() {
+      const place = chosenPlace(workspace)
+      return place === undefined ? [] : language.namesInScope(saveBlocks(workspace), place).map(nameItem)
+    },
+    suggestions() {
+      const place = chosenPlace(workspace)
+      return place && suggest(language, saveBlocks(workspace), place, language.toolbox(level))
+    },
+  })
 
   const actions: BuildActions = {
     renamed: (block, key, wanted) => {
-      const name = haskellName(wanted)
-      const answer =
-        name === null
-          ? ({ok: false, why: "A name starts with a small letter and has no spaces."} as const)
-          : language.rename(saveBlocks(workspace), block.id, key, name)
+      const answer = language.rename(saveBlocks(workspace), block.id, key, wanted.trim())
       if (!answer.ok) {
         say(workspace, answer.why)
         return
@@ -190,7 +215,10 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       }
       Blockly.Events.setGroup(false)
     },
-    made: block => makeDraggable(block, dragHost),
+    made(block) {
+      makeDraggable(block, dragHost)
+      if (block.isInFlyout) paintToolboxLater()
+    },
     pulled: (field, event) => pull(workspace, field, event),
   }
   open = actions
@@ -247,7 +275,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     setLevel(wanted) {
       if (wanted === level) return
       level = wanted
-      workspace.updateToolbox(toolboxInfo(language.toolbox(level)))
+      workspace.updateToolbox(toolboxInfo(language.toolbox(level), language.blockTypes))
     },
     undo: () => workspace.undo(false),
     redo: () => workspace.undo(true),
@@ -293,7 +321,7 @@ function say(workspace: Blockly.WorkspaceSvg, message: string): void {
 /// the focus from the new one, and Blockly drags what has the focus.
 function pull(workspace: Blockly.WorkspaceSvg, field: Binder, event: PointerEvent): void {
   const name = field.getValue() ?? ""
-  if (haskellName(name) === null) return
+  if (name === "") return
   workspace.cancelCurrentGesture()
   let pointer = event
   const over = new AbortController()

@@ -1,5 +1,5 @@
 import {describe, expect, test} from "vitest"
-import {haskellName, haskellNumber} from "../../src/blocks/fields.ts"
+import {haskellNumber} from "../../src/blocks/fields.ts"
 
 describe("what is typed into a number", () => {
   test.each([
@@ -17,12 +17,5 @@ describe("what is typed into a number", () => {
 
   test.each(["", "-", ".", "x", "1.2.3", "NaN", "Infinity", "0x10", "1 2"])("%j is refused", typed =>
     expect(haskellNumber(typed)).toBeNull(),
-  )
-})
-
-describe("what is typed into a name", () => {
-  test.each(["x", "speed'", "_", "runTurn2"])("%j is one", typed => expect(haskellName(typed)).toBe(typed))
-  test.each(["", "Speed", "2x", "a b", "a-b", "é"])("%j is none", typed =>
-    expect(haskellName(typed)).toBeNull(),
   )
 })

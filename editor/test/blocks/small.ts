@@ -264,6 +264,7 @@ export const small: Language = {
     }
   },
   rename(workspace, block, key, name) {
+    if (!/^[a-z]\w*$/.test(name)) return {ok: false, why: "A name is one word with a small letter first."}
     const all = [...blocksOf(workspace)]
     const old = all.find(found => found.id === block)?.extraState?.[key]
     const changes = all

@@ -1,8 +1,11 @@
 import {expect, test} from "vitest"
-import {flyoutBlock, search, toolboxInfo} from "../../src/blocks/toolbox.ts"
+import {findable, flyoutBlock, search, toolboxInfo} from "../../src/blocks/toolbox.ts"
 import {small} from "./small.ts"
 
-const items = small.toolbox("reactions").flatMap(category => category.items)
+const items = findable(
+  small.toolbox("reactions").flatMap(category => category.items),
+  small.blockTypes,
+)
 const found = (query: string) => search(items, query).map(item => item.label)
 
 test("every word of a query must be somewhere in the label, in any order", () => {
@@ -12,8 +15,16 @@ test("every word of a query must be somewhere in the label, in any order", () =>
 
 test("the start of a label counts more than the start of a word, and that more than the middle", () => {
   const labels = ["xtrue", "not true", "true"]
-  const made = labels.map(label => ({label, block: {type: label}}))
+  const made = findable(
+    labels.map(label => ({label, block: {type: label}})),
+    [],
+  )
   expect(search(made, "true").map(item => item.label)).toEqual(["true", "not true", "xtrue"])
+})
+
+test("what stands on a block finds it too, after what its label says", () => {
+  expect(found("errorsound")).toEqual(["sound play"])
+  expect(found("velocity")).toEqual(["velocity drive speed"])
 })
 
 test("nothing is found for nothing", () => {
@@ -32,9 +43,9 @@ test("a block from the toolbox brings no id along, at any depth", () => {
 })
 
 test("search comes first and the names in scope last", () => {
-  const names = (toolboxInfo(small.toolbox("reactions")).contents as unknown as {name: string}[]).map(
-    c => c.name,
-  )
+  const names = (
+    toolboxInfo(small.toolbox("reactions"), small.blockTypes).contents as unknown as {name: string}[]
+  ).map(c => c.name)
   expect(names[0]).toBe("Search blocks")
   expect(names.at(-1)).toBe("Names in scope")
 })

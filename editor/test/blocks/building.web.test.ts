@@ -1,0 +1,108 @@
+/// The paper's first programs, built from an empty workspace with the real language.
+
+import {readFileSync} from "node:fs"
+import {afterAll, beforeAll, describe, expect, test} from "vitest"
+import {openStage, type Stage, settled} from "./browser.ts"
+import {Keys} from "./keys.ts"
+
+let stage: Stage
+beforeAll(async () => {
+  stage = await openStage()
+}, 30_000)
+afterAll(() => stage.close())
+
+/// The example as it stands in `examples/`, without its comments, which nobody builds from blocks.
+function example(name: string): string {
+  const text = readFileSync(new URL(`../../../examples/${name}/Main.hs`, import.meta.url), "utf8")
+  return text
+    .split("\n")
+    .filter(line => !line.startsWith("--"))
+    .join("\n")
+    .trim()
+}
+
+async function start(): Promise<Keys> {
+  const page = await stage.open("empty")
+  await page.evaluate(() => {
+    window.blocks.load(window.codegen.newWorkspace())
+    window.blocks.focus()
+  })
+  await settled(page)
+  return new Keys(page)
+}
+
+async function accelerate(keys: Keys): Promise<void> {
+  await keys.take("when it has a velocity")
+  await keys.goTo("what to send")
+  await keys.take("velocity drive and turn")
+  await keys.goTo(/number: 0\.5$/)
+  await keys.press("Delete")
+  await keys.goTo(/speed, metres a second$/)
+  await keys.take("plus")
+  await keys.goTo("left side")
+  await keys.take("vl")
+  await keys.goTo("right side")
+  await keys.take("number")
+  await keys.goTo(/number: 0$/)
+  await keys.press("Delete")
+  await keys.goTo(/turning, radians a second$/)
+  await keys.take("va")
+}
+
+async function run(keys: Keys, ...names: readonly string[]): Promise<void> {
+  for (const [at, name] of names.entries()) {
+    await keys.choose("simulate")
+    if (at > 0) {
+      await keys.goTo("run one more")
+      await keys.press("Enter")
+      await keys.choose("simulate")
+    }
+    await keys.goTo(at === 0 ? /^what to run/ : `what to run, ${at + 1}`)
+    await keys.take(name)
+  }
+}
+
+describe("by keyboard alone", () => {
+  test("move", async () => {
+    const keys = await start()
+    await keys.take("send always")
+    await run(keys, "move")
+    expect((await keys.haskell()).trim()).toBe(example("move"))
+    await keys.page.close()
+  }, 30_000)
+
+  test("accelerate", async () => {
+    const keys = await start()
+    await accelerate(keys)
+    await run(keys, "accelerate")
+    expect((await keys.haskell()).trim()).toBe(example("accelerate"))
+    await keys.page.close()
+  }, 30_000)
+
+  test("accelerateAndPlay", async () => {
+    const keys = await start()
+    await accelerate(keys)
+    await keys.take("when the bumper is pressed")
+    await keys.goTo("Edit name of the definition: onBump")
+    await keys.write("play")
+    await keys.choose("play")
+    await keys.goTo(/^what to send/)
+    await keys.take("just")
+    await keys.goTo("just: value")
+    await keys.take("play a sound")
+    await keys.choose("play")
+    await keys.goTo("one more case")
+    await keys.press("Enter")
+    await keys.choose("play")
+    await keys.goTo("input 1 of case 2")
+    await keys.take("bumper event")
+    await keys.goTo("status: Pressed")
+    await keys.press("Enter", "ArrowDown", "Enter")
+    await keys.choose("play")
+    await keys.goTo("what to send")
+    await keys.take("nothing no value")
+    await run(keys, "accelerate", "play")
+    expect((await keys.haskell()).trim()).toBe(example("accelerateAndPlay"))
+    await keys.page.close()
+  }, 30_000)
+})

@@ -1,0 +1,73 @@
+/// A learner without a mouse: only keys, and what a screen reader would say about where the focus is.
+
+import type {Page} from "playwright-core"
+import {settled} from "./browser.ts"
+
+/// More steps than any story needs from one place of a block to another.
+const patience = 80
+
+export class Keys {
+  readonly page: Page
+
+  constructor(page: Page) {
+    this.page = page
+  }
+
+  async press(...keys: readonly string[]): Promise<void> {
+    for (const key of keys) {
+      await this.page.keyboard.press(key)
+      await settled(this.page)
+    }
+  }
+
+  /// What has the focus, as it is read aloud.
+  heard(): Promise<string> {
+    return this.page.evaluate(() => document.activeElement?.getAttribute("aria-label") ?? "")
+  }
+
+  /// T, some words, and the first block found; it goes to the chosen socket, or stands free.
+  async take(words: string): Promise<void> {
+    await this.press("t")
+    await this.page.keyboard.type(words)
+    await settled(this.page)
+    // Into the blocks found, take the first, put it down.
+    await this.press("Enter", "Enter", "Enter")
+  }
+
+  /// Right, until something is read that sounds like `label`.
+  async goTo(label: string | RegExp): Promise<void> {
+    const heard: string[] = []
+    for (let step = 0; step < patience; step++) {
+      await this.press("ArrowRight")
+      const now = await this.heard()
+      if (typeof label === "string" ? now === label : label.test(now)) return
+      heard.push(now)
+    }
+    throw new Error(`expected to come to ${label}, came by ${[...new Set(heard)].join(" / ")}`)
+  }
+
+  /// The top-level block whose label has these words.
+  async choose(words: string): Promise<void> {
+    await this.press("w")
+    const heard: string[] = []
+    for (let step = 0; step < patience; step++) {
+      await this.press(step === 0 ? "ArrowDown" : "n")
+      const now = await this.heard()
+      if (now.includes(words)) return
+      heard.push(now)
+    }
+    throw new Error(`expected a stack with ${words}, heard ${[...new Set(heard)].join(" / ")}`)
+  }
+
+  /// Opens the field that has the focus, types into it, and closes it.
+  async write(text: string): Promise<void> {
+    await this.press("Enter")
+    await this.page.keyboard.press("Control+a")
+    await this.page.keyboard.type(text)
+    await this.press("Enter")
+  }
+
+  haskell(): Promise<string> {
+    return this.page.evaluate(() => window.codegen.toHaskell(window.blocks.save()).text)
+  }
+}
