@@ -7,12 +7,15 @@ Where the machine cannot build the worker's sandbox, only loopback is served unl
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import errno
 import ipaddress
 import shutil
+import signal
 import socket
 import sys
 import webbrowser
+from collections.abc import Iterator
 
 import uvicorn
 import uvloop
@@ -29,8 +32,15 @@ def serve(config: Config, host: str, port: int, open_browser: bool, unprotected:
     """Serve until SIGINT or SIGTERM; returns the exit status."""
     if not config.worker or shutil.which(config.worker[0]) is None:
         raise WorkerMissing
-    _refuse_unprotected(config, host, unprotected)
+    fault = sandbox_fault() if config.sandbox else "the sandbox is turned off"
+    if fault is not None and not (unprotected or _is_loopback(host)):
+        raise BadInput(
+            f"Programs cannot be locked in on this machine ({fault}), so Rosy only serves this machine itself; "
+            "leave out --host, or add --unprotected when you trust everybody who can reach it."
+        )
     listener = _bind(host, port)
+    if fault is not None:
+        print(f"rosy: programs run without their sandbox: {fault}.", file=sys.stderr)
     bound = listener.getsockname()[1]
     shown = f"[{host}]" if ":" in host else host
     address = f"http://{shown}:{bound}/"
@@ -61,6 +71,22 @@ class _Server(uvicorn.Server):
         self._address = address
         self._open_browser = open_browser
 
+    @contextlib.contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        """A signal ends the service well: unlike uvicorn's own, this does not die of it afterwards."""
+        loop = asyncio.get_running_loop()
+        for number in (signal.SIGINT, signal.SIGTERM):
+            loop.add_signal_handler(number, self._asked_to_end)
+        try:
+            yield
+        finally:
+            for number in (signal.SIGINT, signal.SIGTERM):
+                loop.remove_signal_handler(number)
+
+    def _asked_to_end(self) -> None:
+        self.force_exit = self.should_exit
+        self.should_exit = True
+
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         """As uvicorn does, then the address."""
         await super().startup(sockets)
@@ -71,18 +97,6 @@ class _Server(uvicorn.Server):
 
 async def _serve(server: _Server, listener: socket.socket) -> None:
     await server.serve(sockets=[listener])
-
-
-def _refuse_unprotected(config: Config, host: str, unprotected: bool) -> None:
-    fault = sandbox_fault() if config.sandbox else "the sandbox is turned off"
-    if fault is None:
-        return
-    if not (unprotected or _is_loopback(host)):
-        raise BadInput(
-            f"Programs cannot be locked in on this machine ({fault}), so Rosy only serves this machine itself; "
-            "leave out --host, or add --unprotected when you trust everybody who can reach it."
-        )
-    print(f"rosy: programs run without their sandbox: {fault}.", file=sys.stderr)
 
 
 def _is_loopback(host: str) -> bool:

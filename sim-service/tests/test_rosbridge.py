@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import roslibpy
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from roslibpy.core import ServiceException
 from websockets.asyncio.client import connect
@@ -113,6 +113,7 @@ def test_an_unknown_service_fails() -> None:
     assert "id" not in answer
 
 
+@settings(max_examples=50)
 @given(st.recursive(st.none() | st.booleans() | st.floats() | st.text(), lambda x: st.lists(x) | st.dictionaries(
     st.sampled_from(["op", "topic", "msg", "id", "service", "args", "throttle_rate", "queue_length", "level"])
     | st.text(max_size=3),

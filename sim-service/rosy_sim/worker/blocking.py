@@ -103,15 +103,15 @@ class BlockingWorker:
             raise WorkerLost(str(error)) from error
 
     def _wait(self, limit: float, *kinds: type[Answer]) -> Answer:
-        """The next answer of one of these kinds; others are passed over."""
+        """The next answer of one of these kinds to the latest request; others are passed over."""
         deadline = time.monotonic() + limit
         while True:
             while self._answers:
                 answer = self._answers.pop(0)
-                if isinstance(answer, kinds):
-                    return answer
-                if isinstance(answer, Failed):
+                if isinstance(answer, Failed) and answer.id in (None, self._next):
                     raise WorkerRefused(answer.message)
+                if isinstance(answer, kinds) and (isinstance(answer, WorkerReady) or answer.id == self._next):
+                    return answer
             left = deadline - time.monotonic()
             if left <= 0 or not select.select([self._socket], [], [], left)[0]:
                 raise WorkerLost(f"no answer within {limit:g} s")

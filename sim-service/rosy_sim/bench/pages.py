@@ -1,0 +1,132 @@
+"""
+Many pages at once, each with a program at real time: how late their steps begin, and what they cost.
+
+The service runs here with the real worker; the pages are bare sockets in another process, so that their work does
+not count as ours.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import base64
+import json
+import multiprocessing
+import os
+import resource
+import selectors
+import socket
+import time
+from multiprocessing.connection import Connection
+
+import uvicorn
+import uvloop
+
+from ..app import Service, build_app
+from ..config import Config
+
+__all__ = ["report"]
+
+_PROGRAM = """accelerate :: Velocity -> Velocity
+accelerate (Velocity v w) = Velocity (v + 0.3) 0.4
+
+main = simulate accelerate
+"""
+
+
+def report(config: Config, count: int, seconds: float) -> None:
+    """Print a row."""
+    with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
+        runner.run(_measure(config, count, seconds))
+
+
+async def _measure(config: Config, count: int, seconds: float) -> None:
+    app = build_app(config)
+    service: Service = app.state.service
+    settings = uvicorn.Config(
+        app,
+        port=0,
+        log_level="error",
+        ws="websockets-sansio",
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=1,
+    )
+    server = uvicorn.Server(settings)
+    serving = asyncio.create_task(server.serve())
+    while not (server.started and service.worker.state == "ready"):  # noqa: ASYNC110 (nothing to wait on)
+        await asyncio.sleep(0.02)
+    port = server.servers[0].sockets[0].getsockname()[1]
+    ours, theirs = multiprocessing.Pipe()
+    crowd = multiprocessing.get_context("spawn").Process(target=_crowd, args=(port, count, theirs), daemon=True)
+    crowd.start()
+    await asyncio.to_thread(ours.recv)
+    service.late.clear()
+    before, began = _cpu(), time.perf_counter()
+    ours.send("count")
+    await asyncio.sleep(seconds)
+    ours.send("stop")
+    frames, octets = await asyncio.to_thread(ours.recv)
+    took, cost = time.perf_counter() - began, _cpu() - before
+    late = service.late.summary()
+    rate = late["steps"] / took / count
+    print(
+        f"  {count:>3} pages: {rate:5.1f} steps/s each; a step begins late by {late['p50'] * 1e3:.1f} ms (median), "
+        f"{late['p99'] * 1e3:.1f} (p99), {late['worst'] * 1e3:.1f} (worst); "
+        f"{frames / took / count:.0f} frames/s and {octets / took / count / 1e3:.1f} kB/s to each; "
+        f"service {cost / took * 100:.0f} % of a core",
+        flush=True,
+    )
+    crowd.join(5)
+    crowd.kill()
+    server.should_exit = True
+    await serving
+
+
+def _cpu() -> float:
+    used = resource.getrusage(resource.RUSAGE_SELF)
+    return used.ru_utime + used.ru_stime
+
+
+def _crowd(port: int, count: int, talk: Connection) -> None:
+    """Open the pages, wait until all of them drive, then count what they are sent."""
+    pages = [_open(port) for _ in range(count)]
+    request = json.dumps({"op": "run", "run": 1, "source": _PROGRAM, "seed": 1, "speed": 1}).encode()
+    for page in pages:
+        page.sendall(_masked(request))
+    waiting = set(pages)
+    seen = dict.fromkeys(pages, b"")
+    with selectors.DefaultSelector() as selector:
+        for page in pages:
+            page.setblocking(False)
+            selector.register(page, selectors.EVENT_READ, page)
+        while waiting:
+            for key, _ in selector.select(1):
+                page = key.data
+                data = page.recv(1 << 16)
+                seen[page] = (seen[page] + data)[-4096:]
+                if b'"step":1' in seen[page]:
+                    waiting.discard(page)
+        talk.send("driving")
+        frames = octets = 0
+        while not (talk.poll() and talk.recv() == "stop"):
+            for key, _ in selector.select(0.05):
+                data = key.data.recv(1 << 16)
+                octets += len(data)
+                frames += data.count(b'"op":"frame"')
+    talk.send((frames, octets))
+
+
+def _open(port: int) -> socket.socket:
+    """A WebSocket by hand. RFC 6455, section 4.1."""
+    page = socket.create_connection(("127.0.0.1", port))
+    key = base64.b64encode(os.urandom(16)).decode()
+    page.sendall(
+        f"GET /api/session HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+        f"Sec-WebSocket-Key: {key}\r\nSec-WebSocket-Version: 13\r\n\r\n".encode()
+    )
+    assert b" 101 " in page.recv(1000)
+    return page
+
+
+def _masked(data: bytes) -> bytes:
+    """A text frame with a zero mask. RFC 6455, section 5.2; a request here is between 126 and 65535 bytes."""
+    return b"\x81\xfe" + len(data).to_bytes(2, "big") + b"\0\0\0\0" + data

@@ -1,0 +1,195 @@
+"""The command line as a person meets it: exit statuses, last lines, and one sentence for every mistake."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+import httpx
+import pytest
+
+from .conftest import FAKE_WORKER
+
+ROOT = Path(__file__).resolve().parents[1]
+
+
+@pytest.fixture
+def environment(tmp_path: Path) -> dict[str, str]:
+    """A project root with nothing but the fake worker."""
+    worker = tmp_path / "worker"
+    worker.write_text(f'#!/bin/sh\nexec "{sys.executable}" "{FAKE_WORKER}"\n')
+    worker.chmod(0o755)
+    kept = {key: value for key, value in os.environ.items() if not key.startswith("ROSY_")}
+    return {
+        **kept,
+        "PYTHONPATH": str(ROOT),
+        "ROSY_ROOT": str(tmp_path),
+        "ROSY_WORKER": str(worker),
+        "ROSY_SANDBOX": "off",
+        "NO_COLOR": "1",
+    }
+
+
+def rosy(environment: dict[str, str], *arguments: object) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "rosy_sim", *map(str, arguments)],
+        env=environment, capture_output=True, text=True, timeout=30, check=False, cwd=environment["ROSY_ROOT"],
+    )  # fmt: skip
+
+
+def last(done: subprocess.CompletedProcess[str]) -> dict[str, object]:
+    line: dict[str, object] = json.loads(done.stdout.splitlines()[-1])
+    return line
+
+
+def test_a_run_ends_with_its_json(environment: dict[str, str], tmp_path: Path) -> None:
+    program = tmp_path / "p.hs"
+    program.write_text("drive:0.5 say:hi@3")
+    done = rosy(environment, "run", program, "--seconds", 2, "--seed", 1)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.splitlines()[0] == "hi"
+    assert set(last(done)) == {"time", "pose", "ended", "steps", "wall"}
+    assert (last(done)["time"], last(done)["ended"], last(done)["steps"]) == (2.0, "time", 100)
+
+
+@pytest.mark.parametrize(
+    ("script", "ended", "status"),
+    [("done@9", "done", 0), ("error@4", "error", 2), ("hang@4", "stuck", 2), ("refuse", "error", 1)],
+)
+def test_the_exit_status_says_how_it_ended(
+    script: str, ended: str, status: int, environment: dict[str, str], tmp_path: Path
+) -> None:
+    program = tmp_path / "p.hs"
+    program.write_text(script)
+    done = rosy(environment, "run", program)
+    assert (done.returncode, last(done)["ended"]) == (status, ended)
+    assert len(done.stderr.splitlines()) == (0 if status == 0 else 1)
+
+
+def test_a_project_brings_its_world_and_inputs_their_hands(environment: dict[str, str], tmp_path: Path) -> None:
+    project = tmp_path / "p.rosy"
+    world = {"size": [3, 3], "start": {"x": 1, "y": 1}}
+    project.write_text(json.dumps({"rosy": 1, "name": "p", "haskell": "drive:0.5", "world": world}))
+    inputs = tmp_path / "i.jsonl"
+    inputs.write_text(
+        '{"t":0.5,"press":"Button0"}\n\n{"t":1,"teleport":{"x":2,"y":2,"theta":1.5}}\n{"t":1,"lift":"both"}\n'
+    )
+    trace = tmp_path / "t.jsonl"
+    done = rosy(environment, "run", project, "--seconds", 2, "--input", inputs, "--trace", trace)
+    assert last(done)["pose"] == {"x": 2.0, "y": 2.0, "theta": 1.5}
+    assert len(trace.read_text().splitlines()) == 100
+
+
+def test_check_prints_sentences_or_json(environment: dict[str, str], tmp_path: Path) -> None:
+    program = tmp_path / "p.hs"
+    program.write_text("refuse")
+    done = rosy(environment, "check", program)
+    assert done.returncode == 1
+    assert done.stdout == f"{program}:1:1: `move` gives a number. The robot needs a Velocity.\n"
+    done = rosy(environment, "check", program, "--json")
+    assert (done.returncode, set(json.loads(done.stdout))) == (1, {"problems", "declarations", "graph"})
+    program.write_text("drive:0.5")
+    assert rosy(environment, "check", program).returncode == 0
+
+
+BAD_FILES = {
+    "missing.hs": None, "folder.hs": "", "latin.hs": b"caf\xe9", "cut.rosy": '{"rosy":1,"haskell":"ma',
+    "future.rosy": '{"rosy":2,"haskell":""}', "list.rosy": "[]", "empty.rosy": "", "no-program.rosy": '{"rosy":1}',
+    "wordy.rosy": '{"rosy":"one","haskell":""}',
+    "floorless.rosy": '{"rosy":1,"haskell":"","world":{"tiles":["##"],"start":{"x":0,"y":0}}}',
+
+    "nowhere.rosy": '{"rosy":1,"haskell":"","world":"atlantis"}', "number.rosy": '{"rosy":1,"haskell":"","world":7}',
+    "deep.rosy": "[" * 100_000, "long.hs": "x" * 200_001, "zero.rosy": b"\0\0\0",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", BAD_FILES)
+@pytest.mark.parametrize("command", ["run", "check"])
+def test_a_bad_file_gives_one_sentence(command: str, name: str, environment: dict[str, str], tmp_path: Path) -> None:
+    path, content = tmp_path / name, BAD_FILES[name]
+    if name.startswith("folder"):
+        path.mkdir()
+    elif content is not None:
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    if command == "check" and '"world"' in str(content):
+        return
+    one_sentence(rosy(environment, command, path))
+
+
+def one_sentence(done: subprocess.CompletedProcess[str], status: int = 1) -> None:
+    assert done.returncode == status, done.stderr
+    assert done.stdout == ""
+    [line] = done.stderr.splitlines()
+    assert line.startswith("rosy: ")
+    assert line.rstrip().endswith((".", "?"))
+    assert "Traceback" not in line
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--world", "atlantis"], ["--world", "gone.json"], ["--seconds", "-1"], ["--seconds", "x"], ["--speed", "fast"],
+        ["--speed", "0"], ["--seed", "x"], ["--input", "gone.jsonl"], ["--trace", "no/such/folder/t"], ["--fly"],
+        ["--robot", "ws://localhost:9090"],
+    ],
+)  # fmt: skip
+def test_a_bad_option_gives_one_sentence(options: list[str], environment: dict[str, str], tmp_path: Path) -> None:
+    program = tmp_path / "p.hs"
+    program.write_text("drive:0.5")
+    one_sentence(rosy(environment, "run", program, *options))
+
+
+@pytest.mark.parametrize(
+    "line", ["x", "{}", '{"t":-1,"press":"Button0"}', '{"t":1}', '{"t":1,"press":"Button7"}', '{"t":1,"fly":1}']
+)
+def test_a_bad_input_line_is_named(line: str, environment: dict[str, str], tmp_path: Path) -> None:
+    (tmp_path / "p.hs").write_text("")
+    (tmp_path / "i.jsonl").write_text('{"t":1,"press":"Button0"}\n' + line + "\n")
+    done = rosy(environment, "run", tmp_path / "p.hs", "--input", tmp_path / "i.jsonl")
+    one_sentence(done)
+    assert "Line 2" in done.stderr
+
+
+def test_no_command_gives_one_sentence(environment: dict[str, str]) -> None:
+    one_sentence(rosy(environment))
+    one_sentence(rosy(environment, "dance"))
+
+
+def test_a_worker_that_is_missing_or_dies_gives_one_sentence(environment: dict[str, str], tmp_path: Path) -> None:
+    (tmp_path / "p.hs").write_text("die")
+    one_sentence(rosy(environment, "check", tmp_path / "p.hs"), 2)
+    one_sentence(rosy({**environment, "ROSY_WORKER": "/nowhere"}, "check", tmp_path / "p.hs"), 2)
+
+
+def test_a_port_in_use_gives_one_sentence(environment: dict[str, str]) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        one_sentence(rosy(environment, "serve", "--no-browser", "--port", port))
+    one_sentence(rosy(environment, "serve", "--no-browser", "--port", 70000))
+    one_sentence(rosy(environment, "serve", "--no-browser", "--host", "no.such.host.invalid"))
+
+
+def test_without_a_sandbox_only_this_machine_is_served(environment: dict[str, str]) -> None:
+    one_sentence(rosy(environment, "serve", "--no-browser", "--host", "0.0.0.0", "--port", 0))
+
+
+@pytest.mark.parametrize("sent", [signal.SIGTERM, signal.SIGINT])
+def test_a_signal_ends_the_service_and_its_worker(sent: int, environment: dict[str, str]) -> None:
+    with subprocess.Popen(
+        [sys.executable, "-m", "rosy_sim", "serve", "--no-browser", "--port", "0"],
+        env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    ) as service:  # fmt: skip
+        assert service.stdout is not None
+        address = service.stdout.readline().split(" at ")[1].split()[0]
+        health = httpx.get(f"{address}api/health").json()
+        assert health["sessions"] == 0
+        children = Path(f"/proc/{service.pid}/task/{service.pid}/children").read_text().split()
+        assert children
+        service.send_signal(sent)
+        assert service.wait(10) == 0
+    assert not any(Path(f"/proc/{child}").exists() for child in children)
