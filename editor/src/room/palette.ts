@@ -4,6 +4,7 @@ export interface Palette {
   readonly floor: string
   readonly grid: string
   readonly wall: string
+  readonly solid: string
   readonly box: string
   readonly hole: string
   readonly ink: string
@@ -24,6 +25,7 @@ export function readPalette(element: Element): Palette {
     floor: token("--floor"),
     grid: token("--floor-line"),
     wall: token("--wall"),
+    solid: token("--solid"),
     box: token("--box"),
     hole: token("--hole"),
     ink: token("--ink"),

@@ -16,7 +16,7 @@ export function drawWorld(
   ctx.fillStyle = palette.floor
   ctx.fillRect(0, 0, width, height)
   drawGrid(ctx, width, height, palette, scale)
-  drawTiles(ctx, world, palette)
+  drawTiles(ctx, world, palette, scale)
   ctx.lineCap = "round"
   ctx.strokeStyle = palette.wall
   ctx.lineWidth = wallThickness
@@ -30,15 +30,15 @@ export function drawWorld(
     ctx.save()
     ctx.translate(box.x, box.y)
     ctx.rotate(box.theta)
-    roundBox(ctx, -box.w / 2, -box.h / 2, box.w, box.h, Math.min(0.03, box.w / 4, box.h / 4))
-    ctx.fillStyle = box.movable ? palette.box : palette.wall
-    ctx.fill()
-    if (box.movable) {
-      ctx.lineWidth = 1.5 / scale
-      ctx.strokeStyle = palette.wall
-      ctx.stroke()
-    }
+    ctx.beginPath()
+    ctx.roundRect(-box.w / 2, -box.h / 2, box.w, box.h, Math.min(0.03, box.w / 4, box.h / 4))
+    drawThing(ctx, box.movable, palette, scale)
     ctx.restore()
+  }
+  for (const {x, y, r, movable} of world.rounds) {
+    ctx.beginPath()
+    ctx.arc(x, y, r, 0, 2 * Math.PI)
+    drawThing(ctx, movable, palette, scale)
   }
   // The outer border of `size` is always a wall; it is drawn outside, so that the whole floor shows.
   const border = Math.max(wallThickness, 5 / scale)
@@ -70,28 +70,45 @@ function drawGrid(
   ctx.stroke()
 }
 
-function drawTiles(ctx: CanvasRenderingContext2D, world: World, palette: Palette): void {
-  const {tile, tiles} = world
-  tiles.forEach((row, r) => {
-    // The first row is the top.
-    const y = world.size[1] - (r + 1) * tile
-    ;[...row].forEach((cell, c) => {
-      if (cell === ".") return
-      ctx.fillStyle = cell === "O" ? palette.hole : palette.wall
-      // Half a centimetre of overlap hides the seams between neighbours.
-      ctx.fillRect(c * tile - 0.005, y - 0.005, tile + 0.01, tile + 0.01)
-    })
-  })
+/// What can be pushed is light with an outline, what cannot is as dark as a wall.
+function drawThing(ctx: CanvasRenderingContext2D, movable: boolean, palette: Palette, scale: number): void {
+  ctx.fillStyle = movable ? palette.box : palette.wall
+  ctx.fill()
+  if (!movable) return
+  ctx.lineWidth = 1.5 / scale
+  ctx.strokeStyle = palette.wall
+  ctx.stroke()
 }
 
-function roundBox(
-  ctx: CanvasRenderingContext2D,
-  x: number,
-  y: number,
-  w: number,
-  h: number,
-  r: number,
-): void {
-  ctx.beginPath()
-  ctx.roundRect(x, y, w, h, r)
+function drawTiles(ctx: CanvasRenderingContext2D, world: World, palette: Palette, scale: number): void {
+  const {tile, tiles} = world
+  const rows = tiles.map(row => [...row])
+  const isWall = (r: number, c: number) => (rows[r]?.[c] ?? "#") === "#"
+  const edges = new Path2D()
+  rows.forEach((row, r) => {
+    // The first row is the top.
+    const top = world.size[1] - r * tile
+    row.forEach((cell, c) => {
+      const left = c * tile
+      if (cell === ".") return
+      ctx.fillStyle = cell === "O" ? palette.hole : palette.solid
+      // Half a centimetre of overlap hides the seams between neighbours.
+      ctx.fillRect(left - 0.005, top - tile - 0.005, tile + 0.01, tile + 0.01)
+      if (cell !== "#") return
+      const edge = (open: boolean, x1: number, y1: number, x2: number, y2: number) => {
+        if (!open) return
+        edges.moveTo(x1, y1)
+        edges.lineTo(x2, y2)
+      }
+      edge(!isWall(r - 1, c), left, top, left + tile, top)
+      edge(!isWall(r + 1, c), left, top - tile, left + tile, top - tile)
+      edge(!isWall(r, c - 1), left, top, left, top - tile)
+      edge(!isWall(r, c + 1), left + tile, top, left + tile, top - tile)
+    })
+  })
+  // Only the faces that a robot can reach are dark: the rest of a thick wall stays quiet.
+  ctx.lineCap = "round"
+  ctx.lineWidth = Math.max(wallThickness, 3 / scale)
+  ctx.strokeStyle = palette.wall
+  ctx.stroke(edges)
 }

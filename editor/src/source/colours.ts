@@ -58,6 +58,11 @@ export function classOf(
   }
 }
 
+function endOfLine(text: string, from: number): number {
+  const at = text.indexOf("\n", from)
+  return at < 0 ? text.length : at
+}
+
 function decorate(program: Program): DecorationSet {
   const {text} = program
   // The smallest span that starts where a word does belongs to the block that printed the word.
@@ -71,10 +76,14 @@ function decorate(program: Program): DecorationSet {
   }
   const starts = new Set(program.definitions.map(d => d.name))
   const builder = new RangeSetBuilder<Decoration>()
+  let typesUntil = -1
   for (const token of tokens(text)) {
     const word = text.slice(token.start, token.end)
+    // In a signature a name is a type, and has the family of its name whatever block it came from.
+    if (word === "::") typesUntil = endOfLine(text, token.end)
     const atLineStart = token.start === 0 || text[token.start - 1] === "\n"
-    const name = classOf(token, word, blockAt.get(token.start)?.family, atLineStart && starts.has(word))
+    const family = token.start < typesUntil ? undefined : blockAt.get(token.start)?.family
+    const name = classOf(token, word, family, atLineStart && starts.has(word))
     if (name !== null) builder.add(token.start, token.end, Decoration.mark({class: name}))
   }
   return builder.finish()

@@ -55,6 +55,13 @@ export interface World {
     readonly theta: number
     readonly movable: boolean
   }[]
+  /// Posts and drums, by their centre and radius.
+  readonly rounds: readonly {
+    readonly x: number
+    readonly y: number
+    readonly r: number
+    readonly movable: boolean
+  }[]
 }
 
 /// One picture of the robot: ground truth in room coordinates. Bits as in kobuki_msgs/SensorState: right 1,
@@ -156,9 +163,18 @@ const pair: Decoder<readonly [number, number]> = (v, path) => {
   return [number(v[0], `${path}[0]`), number(v[1], `${path}[1]`)]
 }
 
+/// A world of tiles may leave its size out: the tiles say it.
+function sizeOfTiles(tiles: readonly string[], tile: number): readonly [number, number] | null {
+  const first = tiles[0]
+  return first === undefined ? null : [first.length * tile, tiles.length * tile]
+}
+
 export const world = object<World>(get => ({
   name: get("name", optional(string, "")),
-  size: get("size", pair),
+  size:
+    get("size", optional(pair, null)) ??
+    sizeOfTiles(get("tiles", optional(list(string), [])), get("tile", optional(number, 0.5))) ??
+    get("size", pair),
   start: get(
     "start",
     object(at => ({x: at("x", number), y: at("y", number), theta: at("theta", optional(number, 0))})),
@@ -176,6 +192,20 @@ export const world = object<World>(get => ({
           w: at("w", number),
           h: at("h", number),
           theta: at("theta", optional(number, 0)),
+          movable: at("movable", optional(boolean, false)),
+        })),
+      ),
+      [],
+    ),
+  ),
+  rounds: get(
+    "rounds",
+    optional(
+      list(
+        object(at => ({
+          x: at("x", number),
+          y: at("y", number),
+          r: at("r", number),
           movable: at("movable", optional(boolean, false)),
         })),
       ),
