@@ -30,6 +30,9 @@ import {
   writeProject,
 } from "./programs.ts"
 
+/// Milliseconds between the last change and the question to the compiler.
+const checkPause = 150
+
 /// What a newcomer finds.
 const firstExample = "accelerateAndPlay"
 
@@ -45,9 +48,14 @@ export function openDesk(address: string): Desk {
   let shown: SavedWorkspace = current.workspace
   let systemDark = false
 
+  let checking: ReturnType<typeof setTimeout> | undefined
   const perform = (order: Order) => {
     if (order.kind === "play") speaker.play(order.sound)
-    else session?.send(order.message)
+    else if (order.message.op === "check") {
+      // While somebody types only the last text is worth a question.
+      clearTimeout(checking)
+      checking = setTimeout(() => session?.send(order.message), checkPause)
+    } else session?.send(order.message)
   }
   const store = openStore(perform, shelf.liking())
   const isDark = () => store.now.theme === "dark" || (store.now.theme === "auto" && systemDark)
@@ -152,6 +160,7 @@ export function openDesk(address: string): Desk {
           const block = innermostBlock(store.now.document.program.spans, {start: offset, end: offset})
           store.dispatch({kind: "selected", block, in: "haskell"})
         },
+        edited: () => undefined,
       })
     },
     mountRoom(canvas) {
@@ -217,6 +226,7 @@ function drawParts(
       source?.mark([...state.document.findings, ...compiler, ...run])
       blocks?.mark([...compiler, ...run].map(blockProblem))
     }
+    if (changed("declared")) source?.setDeclared(state.declared)
     if (changed("selected") || changed("selectedIn") || changed("document")) {
       const {selected, selectedIn} = state
       source?.link(selected === null ? null : textOf(program.spans, selected))

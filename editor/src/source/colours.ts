@@ -1,32 +1,21 @@
 /// The colours of the Haskell pane: each name in the colour its block has. A word that was printed from a block
-/// takes that block's family; other words take the family that LANGUAGE.md §1 gives the name.
+/// takes that block's family; other words take the family that codegen gives the name.
 
-import {RangeSetBuilder, StateEffect, StateField} from "@codemirror/state"
+import {type Extension, RangeSetBuilder, StateEffect, StateField} from "@codemirror/state"
 import {Decoration, type DecorationSet, EditorView} from "@codemirror/view"
-import type {Family, Program} from "../state/program.ts"
+import {knownNames} from "@rosy/codegen"
+import {emptyProgram, type Family, type Program} from "../state/program.ts"
 import {type Token, tokens} from "./lexer.ts"
 
-const byFamily: Partial<Record<Family, string>> = {
-  event:
-    "Bumper BumperLeft BumperCenter BumperRight LeftBumper CenterBumper RightBumper Pressed Released " +
-    "Cliff CliffLeft CliffCenter CliffRight LeftCliff CenterCliff RightCliff Hole Floor " +
-    "Wheel WheelLeft WheelRight LeftWheel RightWheel Air Ground " +
-    "Button Button0 Button1 Button2 RobotStatus Online Offline",
-  state: "Velocity Position Orientation Pose Seconds Clock StdGen",
-  command:
-    "Led1 Led2 LedColor Black Green Orange Red Sound OnSound OffSound RechargeSound ButtonSound ErrorSound " +
-    "CleaningStartSound CleaningEndSound Say",
-  memory: "Memory Param Maybe Just Nothing",
-  task: "Task Done Never task once say wait parallel race forever taskWith call simulate",
-  choice: "Bool True False Either Left Right Ordering",
-  number: "Int Integer Double Float Degrees Radians Centimeters Meters",
-}
-
-const familyOfName: ReadonlyMap<string, Family> = new Map(
-  Object.entries(byFamily).flatMap(([family, names]) =>
-    names.split(" ").map(name => [name, family as Family] as const),
-  ),
-)
+// A type and its constructor share a name as a rule; the type's family is what a learner thinks of. Of values only
+// the words of tasks are coloured: the rest would make the page motley.
+const familyOfName: ReadonlyMap<string, Family> = new Map([
+  ...knownNames()
+    .filter(n => n.kind !== "value" || n.family === "task")
+    .map(n => [n.name, n.family] as const),
+  ["Memory", "memory"],
+  ["Param", "memory"],
+])
 
 /// The class of a token; `null` for plain ink.
 export function classOf(
@@ -92,11 +81,23 @@ function decorate(program: Program): DecorationSet {
 /// Tells the pane that its text now is this program's.
 export const programShown = StateEffect.define<Program>()
 
-export const colours = StateField.define<DecorationSet>({
-  create: () => Decoration.none,
-  update(set, transaction) {
-    for (const effect of transaction.effects) if (effect.is(programShown)) return decorate(effect.value)
-    return set.map(transaction.changes)
+interface Coloured {
+  readonly program: Program
+  readonly set: DecorationSet
+}
+
+const coloured = StateField.define<Coloured>({
+  create: () => ({program: emptyProgram, set: Decoration.none}),
+  update(before, transaction) {
+    for (const effect of transaction.effects)
+      if (effect.is(programShown) && effect.value.text === transaction.newDoc.toString())
+        return {program: effect.value, set: decorate(effect.value)}
+    if (!transaction.docChanged) return before
+    // Colours at once while typing; the blocks of the words follow with the next program.
+    const program = {...before.program, text: transaction.newDoc.toString(), spans: []}
+    return {program, set: decorate(program)}
   },
-  provide: field => EditorView.decorations.from(field),
+  provide: field => EditorView.decorations.from(field, value => value.set),
 })
+
+export const colours: Extension = coloured

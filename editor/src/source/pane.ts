@@ -1,19 +1,27 @@
-/// The Haskell pane: CodeMirror, in step with the blocks. It is read here and edited there; the blocks' text is
-/// set with as few changes as it takes, so that the cursor and the scroll position stay.
+/// The Haskell pane: CodeMirror, in step with the blocks. What the learner types goes out as text; what comes in from
+/// the blocks or from undo is set with as few changes as it takes, so that the cursor and the scroll position stay.
 
-import {standardKeymap} from "@codemirror/commands"
+import {closeBrackets, closeBracketsKeymap, completionKeymap} from "@codemirror/autocomplete"
+import {defaultKeymap, indentWithTab} from "@codemirror/commands"
 import {bracketMatching} from "@codemirror/language"
-import {type Diagnostic, lintGutter, setDiagnostics} from "@codemirror/lint"
+import {type Diagnostic, lintGutter, lintKeymap, setDiagnostics} from "@codemirror/lint"
 import {highlightSelectionMatches, search, searchKeymap} from "@codemirror/search"
-import {EditorState} from "@codemirror/state"
+import {Annotation, Compartment, EditorState} from "@codemirror/state"
 import {drawSelection, EditorView, keymap} from "@codemirror/view"
+import type {Declared} from "../state/messages.ts"
 import type {Finding, Program} from "../state/program.ts"
 import {colours, programShown} from "./colours.ts"
 import {difference} from "./difference.ts"
+import {layout} from "./layout.ts"
 import {marks, type Range, setGlowing, setLinked} from "./marks.ts"
+import {names, setDeclared} from "./names.ts"
 
 export interface SourcePane {
   setProgram(program: Program): void
+  /// Whether the learner may type; before text can be read it is only shown.
+  setEditable(editable: boolean): void
+  /// The program's own names, for completion and explanations.
+  setDeclared(declared: readonly Declared[]): void
   /// Marks the text of the block under the cursor; scrolls to it unless the cursor is in the text itself.
   link(range: Range | null): void
   glow(ranges: readonly Range[]): void
@@ -27,27 +35,52 @@ export interface SourceOptions {
   readonly label: string
   /// The learner moved the cursor, to this offset.
   cursorMoved(offset: number): void
+  /// The learner changed the text.
+  edited(text: string): void
 }
 
+/// Marks changes that come from the page and not from the learner.
+const fromPage = Annotation.define<true>()
+
 export function openSource(host: HTMLElement, options: SourceOptions): SourcePane {
+  const editable = new Compartment()
   const view = new EditorView({
     parent: host,
     state: EditorState.create({
       extensions: [
-        EditorState.readOnly.of(true),
-        EditorView.contentAttributes.of({"aria-label": options.label, "data-testid": "haskell"}),
+        editable.of(EditorState.readOnly.of(true)),
+        EditorView.contentAttributes.of({
+          "aria-label": options.label,
+          "data-testid": "haskell",
+          spellcheck: "false",
+        }),
         EditorView.lineWrapping,
         drawSelection(),
         bracketMatching(),
+        closeBrackets(),
         highlightSelectionMatches(),
         search({top: true}),
-        keymap.of([...searchKeymap, ...standardKeymap]),
+        layout,
+        names,
+        keymap.of([
+          ...closeBracketsKeymap,
+          ...completionKeymap,
+          ...searchKeymap,
+          ...lintKeymap,
+          ...defaultKeymap,
+          indentWithTab,
+        ]),
+        // Tabs and foreign line ends become what the rest of the program has.
+        EditorState.tabSize.of(8),
+        EditorView.clipboardInputFilter.of(text => text.replaceAll("\t", "        ")),
         colours,
         marks,
         lintGutter(),
         EditorView.updateListener.of(update => {
-          const byHand = update.transactions.some(t => t.isUserEvent("select"))
-          if (byHand) options.cursorMoved(update.state.selection.main.head)
+          const mine = update.transactions.some(t => t.annotation(fromPage) === true)
+          if (update.docChanged && !mine) options.edited(update.state.doc.toString())
+          else if (update.selectionSet && update.transactions.some(t => t.isUserEvent("select")))
+            options.cursorMoved(update.state.selection.main.head)
         }),
       ],
     }),
@@ -55,16 +88,21 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
 
   return {
     setProgram(program) {
-      const old = view.state.doc.toString()
-      const changes = difference(old, program.text)
+      const changes = difference(view.state.doc.toString(), program.text)
       view.dispatch({
         ...(changes === null ? {} : {changes}),
+        annotations: fromPage.of(true),
         effects: programShown.of(program),
       })
     },
+    setEditable(on) {
+      view.dispatch({effects: editable.reconfigure(EditorState.readOnly.of(!on))})
+    },
+    setDeclared(declared) {
+      view.dispatch({effects: setDeclared.of(declared)})
+    },
     link(range) {
-      const effects: ReturnType<typeof setLinked.of>[] = [setLinked.of(range)]
-      view.dispatch({effects})
+      view.dispatch({effects: setLinked.of(range)})
       if (range !== null && !view.hasFocus && range.start <= view.state.doc.length)
         view.dispatch({effects: EditorView.scrollIntoView(range.start, {y: "nearest", yMargin: 40})})
     },

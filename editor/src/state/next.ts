@@ -3,7 +3,7 @@
 import {type Document, emptyHistory, redo, remember, undo} from "./history.ts"
 import type {ServiceMessage} from "./messages.ts"
 import type {Order, PageEvent, PageState, Step} from "./page.ts"
-import {locate} from "./program.ts"
+import {type Finding, locate, movedRange} from "./program.ts"
 import {addLine, clearRoom, ledNames, sensedBetween, showFrame, shownFrame, soundNames} from "./room.ts"
 import {isActive, nextRun} from "./run.ts"
 import {unreachable} from "./unreachable.ts"
@@ -148,13 +148,21 @@ export function next(state: PageState, event: PageEvent): Step {
   }
 }
 
-/// Makes another document the program. What the compiler and the last run said was about the old text.
+const moved =
+  (before: Document, after: Document) =>
+  (finding: Finding): Finding =>
+    finding.range === null
+      ? finding
+      : {...finding, range: movedRange(before.program.text, after.program.text, finding.range)}
+
+/// Makes another document the program. What the last run said was about the old one.
 function changeTo(state: PageState, document: Document): Step {
   const changed: PageState = {...state, document, saved: "changed"}
   if (document.program.text === state.document.program.text) return still(changed)
   return check({
     ...changed,
-    findings: {compiler: [], run: []},
+    // What the compiler said stands, moved along, until it has read the new text: marks do not flicker while typing.
+    findings: {compiler: state.findings.compiler.map(moved(state.document, document)), run: []},
     welcome: state.welcome === "ran" ? "over" : state.welcome,
   })
 }
@@ -215,7 +223,7 @@ function heard(state: PageState, message: ServiceMessage): Step {
     case "checked": {
       if (message.id !== state.checks) return still(state)
       const compiler = message.problems.map(p => locate(state.document.program, p, "compiler"))
-      return still({...state, findings: {...state.findings, compiler}})
+      return still({...state, declared: message.declarations, findings: {...state.findings, compiler}})
     }
     case "state": {
       const run = nextRun(state.run, {kind: "heard", message})

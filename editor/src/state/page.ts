@@ -1,7 +1,7 @@
 /// All that the page knows, as one value without a DOM, and everything that can happen to it.
 
 import {type Document, emptyDocument, emptyHistory, type History} from "./history.ts"
-import type {Hand, PageMessage, ServiceMessage, Speed, WorkerState, World} from "./messages.ts"
+import type {Declared, Hand, PageMessage, ServiceMessage, Speed, WorkerState, World} from "./messages.ts"
 import type {BlockId, Finding} from "./program.ts"
 import {type ConsoleLine, emptyRoom, type RoomState} from "./room.ts"
 import type {RunState} from "./run.ts"
@@ -57,6 +57,8 @@ export interface PageState {
   /// The run's clock: it goes, or it stands at a step until it is let go.
   readonly clock: "going" | "standing"
   readonly speed: Speed
+  /// The program's own names with the types that the compiler found.
+  readonly declared: readonly Declared[]
   readonly room: RoomState
   readonly lines: readonly ConsoleLine[]
   readonly findings: {
@@ -102,6 +104,7 @@ export const firstPage: PageState = {
   checks: 0,
   clock: "going",
   speed: 1,
+  declared: [],
   room: emptyRoom,
   lines: [],
   findings: {compiler: [], run: []},

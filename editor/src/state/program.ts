@@ -106,3 +106,21 @@ export function locate(program: Program, problem: Problem, from: "compiler" | "r
     range: range ?? (named === null ? null : {start: named.start, end: named.end}),
   }
 }
+
+/// Where a range is after `old` became `now`: it moves with the text around it, and shrinks with what it lost.
+export function movedRange(
+  old: string,
+  now: string,
+  range: {readonly start: number; readonly end: number},
+): {start: number; end: number} {
+  const most = Math.min(old.length, now.length)
+  let head = 0
+  while (head < most && old[head] === now[head]) head += 1
+  let tail = 0
+  while (tail < most - head && old[old.length - 1 - tail] === now[now.length - 1 - tail]) tail += 1
+  const shift = now.length - old.length
+  const move = (at: number) =>
+    at <= head ? at : at >= old.length - tail ? at + shift : Math.min(at, now.length - tail)
+  const start = move(range.start)
+  return {start, end: Math.max(start, move(range.end))}
+}
