@@ -127,9 +127,10 @@ def test_ten_runs_stopped_at_any_moment_leave_nothing_behind(real: Config) -> No
         left.append(leader)
 
     left: list[int] = []
+    before = _children(os.getpid())
     asyncio.run(tell())
     assert not Path(f"/proc/{left[0]}").exists()
-    assert not [command for command in _children(os.getpid()) if "rosy-worker" in command]
+    assert _children(os.getpid()) == before
 
 
 def test_a_killed_worker_is_replaced_and_its_run_ends_with_a_sentence(real: Config) -> None:
