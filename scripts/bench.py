@@ -1,8 +1,8 @@
 """
 Runs the benchmarks of all parts, each beside its peer in one run, and passes their tables through.
 
-In: names (none: all). Out: tables of medians, 95th percentiles and ratios. It measures nothing itself: a benchmark lives with the part it measures and is a command
-listed here.
+In: names (none: all). Out: tables of medians, 95th percentiles and ratios. It measures nothing itself: a benchmark lives with the part it measures and is a
+command listed here.
 """
 
 from __future__ import annotations

@@ -83,6 +83,13 @@ class Suite:
     report: Path | None = None
 
 
+def reported(name: str, command: list[str]) -> Suite:
+    """A suite that leaves a JSON report. Playwright's own settings say where; Vitest is told."""
+    report = STATE / "reports" / f"{name}.json"
+    where = [f"--outputFile.json={report}"] if "vitest" in command else []
+    return Suite(name, [*command, *where], json_report(report), report)
+
+
 def haskell_files() -> list[str]:
     listed = subprocess.run(
         ["git", "ls-files", "*.hs", ":!*/generated/*", ":!*/gallery/*", ":!*/attacks/*", ":!examples/*"], cwd=ROOT, capture_output=True, check=True, text=True
@@ -92,7 +99,6 @@ def haskell_files() -> list[str]:
 
 def suites() -> list[Suite]:
     python = sys.executable
-    reports = STATE / "reports"
     vitest = ["npx", "vitest", "run", "--reporter=default", "--reporter=json"]
     hs = haskell_files()
     return [
@@ -106,10 +112,10 @@ def suites() -> list[Suite]:
         Suite("lint-hs", ["hlint", *hs], by_exit),
         Suite("borders", [python, "scripts/borders.py"], plain),
         Suite("haskell", ["cabal", "test", "--offline", "-j2", "--test-show-details=direct", "all"], tasty),
-        Suite("python", [python, "-m", "pytest", "-q", "sim-service"], pytest_count),
-        Suite("codegen", [*vitest, "--root", "codegen", f"--outputFile.json={reports}/codegen.json"], json_report(reports / "codegen.json"), reports / "codegen.json"),
-        Suite("editor", [*vitest, "--root", "editor", f"--outputFile.json={reports}/editor.json"], json_report(reports / "editor.json"), reports / "editor.json"),
-        Suite("e2e", ["npx", "playwright", "test", "-c", "e2e-tests"], json_report(reports / "e2e.json"), reports / "e2e.json"),
+        Suite("python", [python, "-m", "pytest", "sim-service"], pytest_count),
+        reported("codegen", [*vitest, "--root", "codegen"]),
+        reported("editor", [*vitest, "--root", "editor"]),
+        reported("e2e", ["npx", "playwright", "test", "-c", "e2e-tests"]),
     ]  # fmt: skip
 
 

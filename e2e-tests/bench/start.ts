@@ -16,7 +16,9 @@ const port = 20_000 + Math.floor(Math.random() * 10_000)
 function row(name: string, times: readonly number[]): void {
   const sorted = [...times].sort((a, b) => a - b)
   const at = (q: number) => sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? Number.NaN
-  console.log(`  ${name.padEnd(58)} median ${at(0.5).toFixed(1).padStart(8)} ms   p95 ${at(0.95).toFixed(1).padStart(8)} ms   (${times.length} runs)`)
+  console.log(
+    `  ${name.padEnd(58)} median ${at(0.5).toFixed(1).padStart(8)} ms   p95 ${at(0.95).toFixed(1).padStart(8)} ms   (${times.length} runs)`,
+  )
 }
 
 async function answers(url: string): Promise<void> {
@@ -32,10 +34,15 @@ async function answers(url: string): Promise<void> {
   throw new Error("the service did not start")
 }
 
-const service = spawn(`${root}rosy`, ["start", "--no-browser", "--port", String(port)], {stdio: ["ignore", "ignore", "inherit"]})
+const service = spawn(`${root}rosy`, ["start", "--no-browser", "--port", String(port)], {
+  stdio: ["ignore", "ignore", "inherit"],
+})
 try {
   await answers(`http://127.0.0.1:${port}/api/health`)
-  const browser = await chromium.launch({executablePath: process.env["ROSY_CHROMIUM"] ?? "/usr/bin/chromium", args: ["--no-sandbox", "--disable-gpu"]})
+  const browser = await chromium.launch({
+    executablePath: process.env["ROSY_CHROMIUM"] ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--disable-gpu"],
+  })
   const page = await browser.newPage({viewport: {width: 1440, height: 900}})
   // Listens to the page's own socket from the moment it opens.
   await page.addInitScript(() => {
@@ -47,7 +54,8 @@ try {
         super(url, protocols)
         this.addEventListener("message", event => {
           const m = JSON.parse(String(event.data))
-          if (m.op === "state" && m.state === "running" && seen.running === 0) seen.running = performance.now()
+          if (m.op === "state" && m.state === "running" && seen.running === 0)
+            seen.running = performance.now()
           if (m.op === "frame" && seen.moved === 0 && m.v !== 0 && m.step > 0) seen.moved = performance.now()
         })
       }
@@ -98,11 +106,23 @@ try {
     return performance.now() - began
   }
   const peers = Math.max(3, Math.floor(RUNS / 5))
-  row("runghc", Array.from({length: peers}, () => time("runghc", [...packages.map(p => `--ghc-arg=${p}`), "Main.hs"])))
+  row(
+    "runghc",
+    Array.from({length: peers}, () => time("runghc", [...packages.map(p => `--ghc-arg=${p}`), "Main.hs"])),
+  )
   row(
     "ghc -O0, then the program",
     Array.from({length: peers}, () => {
-      const compile = time("ghc", ["-O0", "-dynamic", "-fforce-recomp", "-v0", ...packages, "Main.hs", "-o", "program"])
+      const compile = time("ghc", [
+        "-O0",
+        "-dynamic",
+        "-fforce-recomp",
+        "-v0",
+        ...packages,
+        "Main.hs",
+        "-o",
+        "program",
+      ])
       return compile + time("./program", [])
     }),
   )

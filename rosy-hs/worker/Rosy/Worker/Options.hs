@@ -8,7 +8,7 @@ module Rosy.Worker.Options
   , findLibrary
   ) where
 
-import Data.List (isPrefixOf, isSuffixOf, sort)
+import Data.List (isPrefixOf, isSuffixOf, sort, sortOn)
 import Data.Word (Word64)
 import System.Directory (doesDirectoryExist, listDirectory)
 import System.Environment (getExecutablePath)
@@ -84,6 +84,7 @@ inPlace executable = do
 unitIn :: [FilePath] -> IO (Maybe String)
 unitIn dirs = do
   files <- concat <$> mapM listDirectory dirs
-  pure $ case [take (length f - length ".conf") f | f <- sort files, "rosy-" `isPrefixOf` f, ".conf" `isSuffixOf` f, not ("-rosy" `isSuffixOf` f)] of
+  -- The package's other libraries and its tests stand beside it, as rosy-0.1.0-inplace-ros.conf and the like.
+  pure $ case sortOn length [take (length f - length ".conf") f | f <- sort files, "rosy-" `isPrefixOf` f, ".conf" `isSuffixOf` f] of
     u : _ -> Just u
     [] -> Nothing
