@@ -1,9 +1,19 @@
 -- | The tests of the language. This module only puts them together; each module mirrors the one it tests.
 module Main (main) where
 
+import qualified Test.Rosy.Controller
 import qualified Test.Rosy.Model
+import qualified Test.Rosy.Task
 import qualified Test.Rosy.Wire
 import Test.Tasty (defaultMain, testGroup)
 
 main :: IO ()
-main = defaultMain (testGroup "rosy" [Test.Rosy.Model.tests, Test.Rosy.Wire.tests])
+main =
+  defaultMain $
+    testGroup
+      "rosy"
+      [ Test.Rosy.Controller.tests,
+        Test.Rosy.Task.tests,
+        Test.Rosy.Model.tests,
+        Test.Rosy.Wire.tests
+      ]

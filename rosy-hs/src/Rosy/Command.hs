@@ -1,6 +1,7 @@
 {-# LANGUAGE DefaultSignatures #-}
 {-# LANGUAGE DeriveGeneric #-}
 {-# LANGUAGE FlexibleInstances #-}
+{-# LANGUAGE LinearTypes #-}
 {-# LANGUAGE MultiParamTypeClasses #-}
 {-# LANGUAGE ScopedTypeVariables #-}
 {-# LANGUAGE TypeApplications #-}
@@ -195,7 +196,8 @@ instance {-# INCOHERENT #-} Ends end c
 
 instance end ~ a => Ends end (Done a)
 
-instance Ends end b => Ends end (a -> b)
+-- Of any multiplicity: that of a lambda is only settled after this instance is chosen.
+instance Ends end b => Ends end (a %m -> b)
 
 instance Ends end a => Ends end (Maybe a)
 

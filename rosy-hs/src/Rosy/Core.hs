@@ -247,16 +247,16 @@ instance Applicative Task where
 instance Monad Task where
   Task m >>= f = Task (\k -> m (\x -> runTask (f x) k))
 
--- | What remains to be done before an @r@ is there.
+-- | What remains to be done before an @r@ is there. Lazy in what follows, for a task may go on for ever.
 data Program r
   = Return ~r
   | forall end. RunTask (Spec end) (end -> Program r)
   | -- | Fire once and go on; no task of its own.
-    Once Function (Program r)
+    Once Function ~(Program r)
   | -- | Go on when so many seconds have passed.
-    WaitFor Double (Program r)
-  | forall a b. Both (Program a) (Program b) ((a, b) -> Program r)
-  | forall a b. First (Program a) (Program b) (Either a b -> Program r)
+    WaitFor Double ~(Program r)
+  | forall a b. Both ~(Program a) ~(Program b) ((a, b) -> Program r)
+  | forall a b. First ~(Program a) ~(Program b) (Either a b -> Program r)
 
 -- | One task: what it does first, what it does all the time, what it does when it is stopped.
 data Spec end = Spec
@@ -275,7 +275,7 @@ newtype Call = Call Calling
 -- | A task to start, and what to do with what comes out of it.
 data Calling = forall end.
   Calling
-  { callProgram :: Program end,
+  { callProgram :: ~(Program end),
     -- | Ends with a value when the task is to be cancelled.
     callCancel :: Maybe Function,
     callFeedback :: Dynamic -> Maybe Function,
