@@ -1,6 +1,8 @@
 /// What the command line does, without doing it: arguments in, output and exit status out.
 
-import {openProject, parseProject} from "./workspace/project.ts"
+import type {Reader} from "./reader/index.ts"
+import {causeOf, layoutOf, openView} from "./reader/index.ts"
+import {newProject, openProject, parseProject, saveProject} from "./workspace/project.ts"
 
 export interface Outcome {
   readonly out: string
@@ -12,7 +14,7 @@ export interface Outcome {
 export function commands(command: string, args: readonly string[], read: (path: string) => string): Outcome {
   const [path] = args
   if (command !== "to-haskell" || path === undefined || args.length > 1)
-    return {out: "", err: "Usage: to-haskell FILE.rosy", status: 2}
+    return {out: "", err: "Usage: to-haskell FILE.rosy, or to-blocks FILE.hs -o FILE.rosy", status: 2}
   let text: string
   try {
     text = read(path)
@@ -44,4 +46,34 @@ function toHaskellText(text: string): Outcome {
       status: 0,
     }
   return {out: project.haskell, err: "", status: 0}
+}
+
+/// Haskell as a project with blocks. Everything is kept, so the only thing that can be lost is what was no text to begin with.
+export function toBlocks(name: string, bytes: Uint8Array, reader: Reader): Outcome {
+  const text = new TextDecoder("utf-8", {ignoreBOM: true}).decode(bytes)
+  const view = openView(reader, text)
+  const out = saveProject({...newProject(name), haskell: text, layout: layoutOf(view)})
+  const notes = view.declarations.flatMap(s => {
+    const d = view.module.pieces[s.piece]?.declaration
+    return s.block.type === "raw_definition" && causeOf(String(s.block.extraState?.reason)) !== "directive"
+      ? [
+          `${s.name === "_" ? firstLine(d?.kind === "raw-declaration" ? d.text : "") : s.name} stays as text. ${s.block.extraState?.reason ?? ""}`.trim(),
+        ]
+      : []
+  })
+  const same = sameBytes(new TextEncoder().encode(text), bytes)
+  if (same) return {out, err: notes.join("\n"), status: 0}
+  return {
+    out,
+    err: ["Some characters of this file are not UTF-8 and were replaced.", ...notes].join("\n"),
+    status: 1,
+  }
+}
+
+function firstLine(text: string): string {
+  return `“${text.split("\n")[0]?.trim() ?? ""}”`
+}
+
+function sameBytes(a: Uint8Array, b: Uint8Array): boolean {
+  return a.length === b.length && a.every((x, i) => x === b[i])
 }

@@ -136,7 +136,6 @@ describe("cutting text into declarations", () => {
     const text = "-- c\nf :: Int -> Int\nf 0 = 1\nf n = n\n  where\n\n    x = 1\n\n-- own\n\ng = 2\n"
     expect(splitDeclarations(text).map(p => [p.name, text.slice(p.from, p.to)])).toEqual([
       ["f", "-- c\nf :: Int -> Int\nf 0 = 1\nf n = n\n  where\n\n    x = 1"],
-      [undefined, "-- own"],
       ["g", "g = 2"],
     ])
   })

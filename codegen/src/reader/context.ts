@@ -2,9 +2,9 @@
 
 import type {Fixities} from "../haskell/fixity.ts"
 import type {Comment, Range} from "./lexer.ts"
+import {wordsOf} from "./lexer.ts"
 import type {Cause} from "./reasons.ts"
 import {reasons} from "./reasons.ts"
-import type {Syntax} from "./syntax.ts"
 
 export class Context {
   readonly text: string
@@ -84,26 +84,3 @@ function expandTabs(line: string): string {
   for (const c of line) out += c === "\t" ? " ".repeat(8 - (out.length % 8)) : c
   return out
 }
-
-/// A comment's lines without its marks.
-export function wordsOf(text: string, kind: Comment["kind"]): string[] {
-  if (kind === "line") return [text.replace(/^-- ?/, "").trimEnd()]
-  const inner = text
-    .slice(2, -2)
-    .split(/\r?\n/)
-    .map(l => l.trim())
-  while (inner.length > 1 && inner[0] === "") inner.shift()
-  while (inner.length > 1 && inner[inner.length - 1] === "") inner.pop()
-  return inner
-}
-
-/// How many expressions a piece of syntax holds; says how much a raw node swallowed.
-export function weigh(node: Syntax): number {
-  return node.children.reduce((n, c) => n + weigh(c), weighty.has(node.type) ? 1 : 0)
-}
-
-const weighty = new Set(
-  "apply arithmetic_sequence case conditional constructor do infix lambda lambda_case left_section let_in list list_comprehension literal multi_way_if negation prefix_id projection record right_section tuple unit variable".split(
-    " ",
-  ),
-)

@@ -1,12 +1,20 @@
-/// Haskell text to program model, and back into the text it came from.
+/// Haskell text to program model and blocks, and back into the text it came from.
 ///
 /// ```ts
 /// const reader = await openReader({runtime, grammar})   // the bytes of two .wasm files, fetched or read by the caller
-/// const module = reader.read(text)                      // never throws, whatever the text
+/// reader.read(text).pieces                              // never throws, whatever the text; the slices joined are the text
+///
+/// let view = openView(reader, project.haskell, project.layout)   // a value: text, blocks, and what belongs to what
+/// view = syncText(reader, view, newText)                // the text was edited: blocks follow
+/// view = syncBlocks(reader, view, workspace)            // blocks were edited: the text follows
+/// workspaceOf(view), view.text, layoutOf(view)          // for Blockly, for the editor, for the file
+/// blockAt(spansOf(view), offset)                        // which block stands for this place in the text
 /// ```
 ///
-/// `module.pieces` holds the file in order; their slices joined are the file. A definition has its model (`declaration`), or a raw
-/// one with its exact text and the reason why blocks cannot say it. Nothing here touches the DOM, the network or a clock.
+/// A definition has its model (`declaration`), or a raw one with its exact text and the reason why blocks cannot say it. Broken text
+/// keeps the last good blocks (`dimmed`). Give every edit of the page to one of the two `sync` functions, in order, with one
+/// reader for a program: it remembers the last text, so that a keystroke costs only the definition that changed.
+/// Nothing here touches the DOM, the network or a clock.
 
 import {Language, Parser} from "web-tree-sitter"
 import {Reader} from "./module.ts"
@@ -25,8 +33,15 @@ export async function openReader(wasm: ReaderWasm): Promise<Reader> {
   return new Reader(new Parser().setLanguage(language), language)
 }
 
+export type {BlockSpan} from "./blocks.ts"
 export type {Range} from "./lexer.ts"
 export type {Module, Piece} from "./module.ts"
-export {Reader} from "./module.ts"
+export {expressionsIn, Reader} from "./module.ts"
+export type {Size} from "./place.ts"
+export {guessSize} from "./place.ts"
 export type {Cause} from "./reasons.ts"
 export {causeOf, reasons} from "./reasons.ts"
+export type {Shown, View, ViewOptions} from "./view.ts"
+export {layoutOf, openView, spansOf, syncBlocks, syncText, workspaceOf} from "./view.ts"
+export type {Edits} from "./writeback.ts"
+export {writeBack} from "./writeback.ts"

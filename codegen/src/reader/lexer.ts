@@ -55,10 +55,11 @@ function scan(text: string): {tokens: Token[]; comments: Comment[]; dashed: Rang
   const dashed: Range[] = []
   const tokens: Token[] = []
   const comments: Comment[] = []
-  let at = 0
-  let lineStart = 0
+  // A byte order mark takes no column.
+  let at = text.startsWith("\uFEFF") ? 1 : 0
+  let lineStart = at
   let first = true
-  let columns = {from: 0, to: 0, column: 0}
+  let columns = {from: lineStart, to: lineStart, column: 0}
 
   const column = (): number => {
     if (columns.from !== lineStart || columns.to > at) columns = {from: lineStart, to: lineStart, column: 0}
@@ -242,7 +243,7 @@ export function lex(text: string): Lexed {
 }
 
 function columnOf(text: string, at: number): number {
-  const start = text.lastIndexOf("\n", at - 1) + 1
+  const start = Math.max(text.lastIndexOf("\n", at - 1) + 1, text.startsWith("\uFEFF") ? 1 : 0)
   let column = 0
   for (let i = start; i < at; i++) column = text[i] === "\t" ? column + 8 - (column % 8) : column + 1
   return column
@@ -263,14 +264,44 @@ function nameOf(text: string, tokens: readonly Token[]): {name: string; signatur
   const named = (name: string, next: number) => ({name, signature: said(next) === "::"})
   const nobody = {name: "", signature: false}
   if (said(0) === "(" && said(2) === ")" && tokens[1]?.kind === "symbol") return named(said(1), 3)
-  if (tokens[0]?.kind !== "word") return nobody
   const head = said(0)
   if (["data", "newtype", "type"].includes(head)) return /^\p{Lu}/u.test(said(1)) ? named(said(1), 2) : nobody
-  if (keywords.has(head) || !/^[\p{Ll}\p{Lo}_]/u.test(head) || said(1) === "," || said(1) === "@")
-    return nobody
-  if (said(1) === "`") return named(said(2), 4)
-  // With a space behind it, it is an operator; without, a mark on the pattern that follows.
-  const operator =
-    tokens[1]?.kind === "symbol" && isSymbol(said(1)[0]) && !/^(?:=|::|\||<-|->)$/.test(said(1))
-  return operator && /\s/.test(text[tokens[1]?.end ?? 0] ?? " ") ? named(said(1), 3) : named(head, 1)
+  if (keywords.has(head)) return nobody
+  const operator = operatorDefined(text, tokens)
+  if (operator !== undefined) return {name: operator, signature: false}
+  const isName = tokens[0]?.kind === "word" && /^[\p{Ll}\p{Lo}_]/u.test(head)
+  return isName && said(1) !== "," && said(1) !== "@" ? named(head, 1) : nobody
+}
+
+/// The operator between the patterns of an equation, before its `=` or `|`.
+function operatorDefined(text: string, tokens: readonly Token[]): string | undefined {
+  let depth = 0
+  for (const [i, t] of tokens.entries()) {
+    const said = text.slice(t.start, t.end)
+    if ("([{".includes(said)) depth++
+    else if (")]}".includes(said)) depth--
+    else if (depth === 0) {
+      const next = tokens[i + 1]
+      if (said === "=" || said === "|" || said === "::") return undefined
+      if (said === "`" && next !== undefined && /^[\p{Ll}_]/u.test(text.slice(next.start, next.end)))
+        return text.slice(next.start, next.end)
+      // With a space behind it, it is an operator; without, a mark on the pattern that follows.
+      const spaced =
+        t.kind === "symbol" && isSymbol(said[0]) && !said.startsWith(":") && /\s/.test(text[t.end] ?? " ")
+      if (spaced && !/^(?:<-|->|\\|@|~)$/.test(said)) return i === 0 ? undefined : said
+    }
+  }
+  return undefined
+}
+
+/// A comment's lines without its marks.
+export function wordsOf(text: string, kind: Comment["kind"]): string[] {
+  if (kind === "line") return [text.replace(/^-- ?/, "").trimEnd()]
+  const inner = text
+    .slice(2, -2)
+    .split(/\r?\n/)
+    .map(l => l.trim())
+  while (inner.length > 1 && inner[0] === "") inner.shift()
+  while (inner.length > 1 && inner[inner.length - 1] === "") inner.pop()
+  return inner
 }
