@@ -3,6 +3,7 @@
 /// late to know a type.
 
 import * as Blockly from "blockly/core"
+import {Code} from "./code.ts"
 import type {FieldItem} from "./plan.ts"
 
 /// What a field does when the learner has changed or used it.
@@ -97,6 +98,29 @@ export class Entry extends Blockly.FieldTextInput {
     if (this.fieldGroup_ !== null) {
       Blockly.utils.dom.addClass(this.fieldGroup_, this.kind === "type" ? "rosyTypeEntry" : "rosyEntry")
     }
+  }
+}
+
+/// @internal Several lines of Haskell.
+export class CodeEntry extends Code {
+  readonly key: string
+  private readonly actions: FieldActions
+  private live = false
+
+  constructor(key: string, value: string, aria: string, actions: FieldActions) {
+    super(value, undefined, {spellcheck: false, ariaTypeName: aria})
+    this.key = key
+    this.actions = actions
+    this.live = true
+  }
+
+  override isSerializable(): boolean {
+    return false
+  }
+
+  protected override doValueUpdate_(value: string): void {
+    super.doValueUpdate_(value)
+    if (this.live) this.actions.changed(this, this.key, value)
   }
 }
 
@@ -210,13 +234,17 @@ export class Binder extends Blockly.FieldTextInput {
   }
 }
 
+/// Pixels.
+const pressMargin = 7
+const pressHeight = 20
+
 /// @internal `+` and `−`.
 export class Press extends Blockly.Field<string> {
   readonly action: string
   private readonly actions: FieldActions
 
   constructor(text: string, action: string, aria: string, actions: FieldActions) {
-    super(text, undefined, {ariaTypeName: aria})
+    super(text, undefined, {ariaTypeName: aria, tooltip: aria})
     this.action = action
     this.actions = actions
   }
@@ -243,6 +271,14 @@ export class Press extends Blockly.Field<string> {
     return true
   }
 
+  protected override updateSize_(): void {
+    super.updateSize_(pressMargin)
+    // Lower than other fields, so that a row of buttons is hardly a row.
+    this.size_ = new Blockly.utils.Size(this.size_.width, pressHeight)
+    this.positionTextElement_(pressMargin, this.size_.width - 2 * pressMargin)
+    this.positionBorderRect_()
+  }
+
   protected override showEditor_(): void {
     const block = this.getSourceBlock()
     if (block !== null) this.actions.pressed(block, this.action)
@@ -263,6 +299,7 @@ export function makeField(item: FieldItem, actions: FieldActions): Blockly.Field
     case "reference":
       return new Words(item.value, "rosyReference")
     case "text":
+      if (item.lines === true) return new CodeEntry(item.key, item.value, item.aria, actions)
       return new Entry(item.key, item.value, "text", item.aria, actions)
     case "number":
       return new Entry(item.key, item.value, "number", item.aria, actions)

@@ -35,25 +35,41 @@ export type PlannedInput =
 /// The inputs of a block, first to last.
 export function plan(shape: Shape): readonly PlannedInput[] {
   const inputs: PlannedInput[] = []
-  shape.rows.forEach((row, at) => {
+  const rows = compact(shape.rows)
+  rows.forEach((row, at) => {
     let fields: FieldItem[] = []
+    const began = inputs.length
     for (const item of row) {
       if (item.kind === "socket") {
         inputs.push({kind: "socket", name: item.name, fields, item})
         fields = []
       } else if (item.kind === "stack") {
-        inputs.push({kind: "stack", name: item.name, fields, item})
+        // What stands before a stack stands above it, as in the arm of a C.
+        const before = inputs[inputs.length - 1]
+        if (fields.length > 0 || (began < inputs.length && before?.kind === "socket")) {
+          inputs.push({kind: "words", name: `above${item.name}`, fields, ends: true})
+        }
+        inputs.push({kind: "stack", name: item.name, fields: [], item})
         fields = []
       } else fields.push(item)
     }
     const last = row[row.length - 1]
-    const ends = at < shape.rows.length - 1
+    const ends = at < rows.length - 1
     // A stack always ends its row by itself.
     if (fields.length > 0 || (ends && last?.kind !== "stack")) {
       inputs.push({kind: "words", name: `row${at}`, fields, ends})
     }
   })
   return inputs
+}
+
+/// A second row of nothing but buttons belongs to the header: it would be an empty line most of the time.
+function compact(rows: Shape["rows"]): Shape["rows"] {
+  const [header, second, ...rest] = rows
+  const pressed = second?.length !== 0 && second?.every(item => item.kind === "button")
+  if (header === undefined || second === undefined || !pressed) return rows
+  if (header.some(item => item.kind === "stack" || item.kind === "socket")) return rows
+  return [[...header, ...second], ...rest]
 }
 
 /// Equal for two shapes that differ only in the values of their fields, so that typing into a field does not

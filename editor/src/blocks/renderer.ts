@@ -4,6 +4,7 @@
 /// Never decides what fits: an outline is only a picture of a type.
 
 import * as Blockly from "blockly/core"
+import {Press} from "./fields.ts"
 import {lookOf} from "./looks.ts"
 import {type Outline, outlineOf, outlines, padding, pen, sides} from "./outlines.ts"
 
@@ -191,6 +192,13 @@ class BottomEdge extends Blockly.zelos.BottomRow {
   }
 }
 
+/// Pixels: the height of a row that holds only `+` and `−`.
+const pressRow = 18
+
+function isPress(element: Blockly.blockRendering.Measurable): boolean {
+  return Blockly.blockRendering.Types.isField(element) && element.field instanceof Press
+}
+
 class Measures extends Blockly.zelos.RenderInfo {
   override topRow = new TopEdge(this.constants_)
   override bottomRow = new BottomEdge(this.constants_)
@@ -237,6 +245,8 @@ class Measures extends Blockly.zelos.RenderInfo {
 
   override addInput_(input: Blockly.Input, row: Parameters<Blockly.zelos.RenderInfo["addInput_"]>[1]): void {
     super.addInput_(input, row)
+    if (input.fieldRow.length > 0 && row.elements.every(isPress))
+      row.minHeight = Math.min(row.minHeight, pressRow)
     const last = row.elements[row.elements.length - 1]
     if (last === undefined || !Blockly.blockRendering.Types.isInlineInput(last)) return
     const connection = input.connection

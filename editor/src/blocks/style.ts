@@ -32,6 +32,9 @@ export const styleSheet = `
 .rosyBlocks .blocklyField.rosyBinder > .blocklyText { fill: var(--on-block); }
 .rosyBlocks .rosyBinder { cursor: grab; }
 .rosyBlocks .injectionDiv .rosyTypeEntry > .blocklyText { font: 500 13px "JetBrains Mono", ui-monospace, monospace; }
+.rosyBlocks .injectionDiv .rosyCode .blocklyText { font: 500 13px "JetBrains Mono", ui-monospace, monospace; fill: #1c2230; }
+.blocklyWidgetDiv .rosyCodeInput { font-family: "JetBrains Mono", ui-monospace, monospace !important; font-weight: 500 !important; text-align: left; resize: none; white-space: pre; overflow: hidden; }
+
 /* + and − are there when the hand is, and hardly seen otherwise. */
 .rosyBlocks .rosyPress > .blocklyFieldRect { fill: var(--on-block); fill-opacity: 0; }
 .rosyBlocks .blocklyField.rosyPress > .blocklyText { fill: var(--on-block); }
@@ -92,11 +95,14 @@ export const styleSheet = `
 .blocklyMenuItemSelected .blocklyMenuItemCheckbox::before { content: "✓"; color: var(--rosy); font-weight: 700; margin-left: 4px; }
 .blocklyMenuItemContent .blocklyShortcutContainer .blocklyShortcut { color: var(--ink-2) !important; }
 .blocklyTooltipDiv { background: var(--ink) !important; color: var(--paper) !important; border: 0 !important; border-radius: 8px; box-shadow: 0 4px 18px #0003 !important; font: 400 13.5px/1.4 Inter, system-ui, sans-serif !important; opacity: 1 !important; padding: 7px 11px !important; max-width: 320px; }
-.rosyBlocks .blocklyBubble .blocklyText, .rosyBlocks .blocklyText.blocklyBubbleText { fill: #1c2230; font: 500 13.5px Inter, system-ui, sans-serif; }
+.rosyBlocks .blocklyEmboss { filter: none; }
+.rosyBlocks .blocklyBubble .blocklyBubbleTail, .rosyBlocks .blocklyBubble .blocklyDraggable { fill: var(--paper) !important; stroke: var(--line-strong); stroke-width: 1; }
+.rosyBlocks .blocklyBubble .blocklyText, .rosyBlocks .injectionDiv .blocklyText.blocklyBubbleText { fill: var(--ink); font: 500 13.5px Inter, system-ui, sans-serif; }
 .rosyBlocks .rosyWrong .blocklyIconGroup:not(:hover):not(:focus) { opacity: 1; }
 .rosyBlocks .blocklyWarningIcon .blocklyIconShape, .rosyBlocks .blocklyIconGroup .blocklyIconShape { fill: #ffffff; stroke: #1c2230; }
 .rosyBlocks .blocklyIconGroup .blocklyIconSymbol { fill: #1c2230; }
-.rosyBlocks .blocklyWarningIcon .blocklyIconSymbol { fill: #b3261e; }
+.rosyBlocks .blocklyWarningIcon .blocklyIconShape { fill: #b3261e; stroke: #ffffff; }
+.rosyBlocks .blocklyWarningIcon .blocklyIconSymbol { fill: #ffffff; }
 .rosyBlocks .blocklyIconGroup:not(:hover):not(:focus) { opacity: 1; }
 
 .rosyRefusal { position: absolute; z-index: 100; max-width: 300px; background: var(--ink); color: var(--paper); border-radius: 8px; padding: 7px 11px; font: 400 13.5px/1.4 Inter, system-ui, sans-serif; pointer-events: none; box-shadow: 0 4px 18px #0003; }

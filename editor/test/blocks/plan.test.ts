@@ -31,6 +31,31 @@ describe("the inputs of a block", () => {
   })
 })
 
+describe("rows that read well", () => {
+  const words = (text: string) => ({kind: "label", text}) as const
+  const button = {kind: "button", action: "more", text: "+", aria: "one more"} as const
+  const stack = {kind: "stack", name: "S", sort: "step", aria: "steps"} as const
+  const shape = (...rows: Shape["rows"]): Shape => ({
+    family: "own",
+    connects: {as: "top"},
+    rows,
+    tooltip: "",
+    aria: "",
+  })
+
+  test("words before a stack stand above it", () => {
+    expect(outline(shape([words("let"), stack]))).toEqual(["words aboveS 1", "stack S 0"])
+  })
+
+  test("a second row of buttons joins the header, a later one stays", () => {
+    expect(outline(shape([words("f")], [button], [words("is")], [button]))).toEqual([
+      "words row0 2",
+      "words row1 1",
+      "words row2 1",
+    ])
+  })
+})
+
 test("typing into a field changes values, not bones", () => {
   const number = view("number")
   const [one, two] = [number.shape({value: "1"}), number.shape({value: "2"})]

@@ -1,12 +1,15 @@
 /// Stories of hands on blocks, with a small language, in a real browser.
 
-import {afterAll, beforeAll, describe, expect, test} from "vitest"
+import {afterAll, beforeAll, describe, expect, test, vi} from "vitest"
 import {drag, grip, openStage, type Stage, settled, socket, tree} from "./browser.ts"
+
+// A browser on a busy machine is slow; a story that hangs still ends.
+vi.setConfig({testTimeout: 40_000, hookTimeout: 40_000})
 
 let stage: Stage
 beforeAll(async () => {
   stage = await openStage()
-}, 30_000)
+})
 afterAll(() => stage.close())
 
 const press = async (page: Awaited<ReturnType<Stage["open"]>>, ...keys: string[]) => {
@@ -139,6 +142,37 @@ describe("changes", () => {
     await settled(page)
     expect(await sockets()).toBe(2)
     expect(await inputs()).toEqual(["C0", "C1"])
+    await page.close()
+  })
+})
+
+describe("several lines of Haskell", () => {
+  test("Enter makes a line, Escape takes the edit back, a click elsewhere keeps it", async () => {
+    const page = await stage.open("empty")
+    await page.evaluate(() =>
+      window.blocks.load({
+        blocks: {
+          languageVersion: 0,
+          blocks: [{type: "raw_definition", id: "raw", x: 30, y: 30, extraState: {text: "one = 1"}}],
+        },
+      }),
+    )
+    await settled(page)
+    const text = () => page.evaluate(() => String(window.blocks.save().blocks.blocks[0]?.extraState?.text))
+    const lines = page.locator(".rosyCode text")
+    await lines.first().click()
+    await page.keyboard.press("Control+End")
+    await page.keyboard.press("Enter")
+    await page.keyboard.type("two = 2")
+    await page.mouse.click(700, 600)
+    await settled(page)
+    expect(await text()).toBe("one = 1\ntwo = 2")
+    expect(await lines.count()).toBe(2)
+    await lines.first().click()
+    await page.keyboard.type("nonsense")
+    await page.keyboard.press("Escape")
+    await settled(page)
+    expect(await text()).toBe("one = 1\ntwo = 2")
     await page.close()
   })
 })
