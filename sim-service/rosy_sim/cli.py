@@ -37,6 +37,9 @@ DEFAULT_SECONDS = 60.0
 MAX_SECONDS = 7 * 24 * 3600.0
 """Longest run, s."""
 
+GOAL_MISSED = 3
+"""Exit status of a run that went well but missed a goal of its world."""
+
 _EXITS = {"time": 0, "done": 0, "error": 2, "stuck": 2, "refused": 1}
 
 
@@ -132,15 +135,19 @@ def _report(file: Path, world: World, outcome: Outcome) -> int:
     sys.stdout.flush()
     for found in outcome.problems:
         print(_sentence(file, found), file=sys.stderr)
-    last = {
+    last: dict[str, object] = {
         "time": outcome.steps / 50,
         "pose": {"x": world.x, "y": world.y, "theta": world.theta},
         "ended": outcome.ended if outcome.ended != "refused" else "error",
         "steps": outcome.steps,
         "wall": round(outcome.wall, 6),
     }
+    if outcome.goals:
+        last["goals"] = [state._asdict() for state in outcome.goals]
     print(msgspec.json.encode(last).decode())
-    return _EXITS[outcome.ended]
+    status = _EXITS[outcome.ended]
+    missed = any(state.state != "done" for state in outcome.goals)
+    return GOAL_MISSED if status == 0 and missed else status
 
 
 def _say(text: str) -> None:

@@ -19,6 +19,7 @@ import msgspec
 from .wire.link import Ended, Ready, Settled, SimulatorLink, start_line, step_line, stop_line
 from .wire.topics import event_line, odometry_line, show_command, show_event
 from .world.events import Command, Event, Say, Sound
+from .world.goals import Goals, Moment
 from .world.world import World
 
 __all__ = ["Lockstep", "State"]
@@ -36,6 +37,8 @@ class Lockstep:
         self._seed = seed
         self._trace = trace
         self._link = SimulatorLink()
+        # How far the run is with the goals of its world.
+        self.goals = Goals(world.arena.goals)
         # Where the conversation is: opening until `ready`; thinking from sense() to `settled`.
         self.state: State = "opening"
         # Steps integrated so far, and with it the simulated time in units of 20 ms.
@@ -99,8 +102,12 @@ class Lockstep:
 
     def integrate(self) -> None:
         """Let the step's 20 ms pass."""
-        self.world.integrate()
+        world = self.world
+        world.integrate()
         self.step += 1
+        if self.goals:
+            bits = world.bits
+            self.goals.observe(Moment(self.step / 50, world.x, world.y, bits.bumpers, bits.cliffs, bits.wheels))
 
     def said(self) -> list[str]:
         """What the program said in the current step."""

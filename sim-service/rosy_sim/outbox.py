@@ -33,6 +33,7 @@ class Outbox:
             last = waiting[-1]
             if isinstance(last, Frame) and last.run == answer.run:
                 answer.fired = (last.fired + answer.fired)[-_MAX_FIRED:]
+                answer.boxes = answer.boxes or last.boxes
                 waiting.pop()
         if len(waiting) >= self._limit:
             self.overflowed.set()

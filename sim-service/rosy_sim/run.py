@@ -22,6 +22,7 @@ from .wire.worker import Gone, Refused
 from .worker.blocking import BlockingWorker
 from .world.events import Hand
 from .world.facts import STEP
+from .world.goals import GoalState
 from .world.world import HandRefused, World
 
 __all__ = ["Ended", "Order", "Outcome", "drive", "run_program"]
@@ -47,6 +48,7 @@ class Outcome:
     problems: list[Problem] = field(default_factory=list)
     steps: int = 0
     wall: float = 0.0
+    goals: list[GoalState] = field(default_factory=list)
 
 
 class _Stuck(Exception):
@@ -102,7 +104,8 @@ def drive(
         ended, problems = "error", [broken_link(str(error), lockstep.time)]
     except OSError:
         ended, problems = "error", [worker_lost(lockstep.time)]
-    return Outcome(ended, problems, lockstep.step, time.perf_counter() - began)
+    lockstep.goals.finish(lockstep.time)
+    return Outcome(ended, problems, lockstep.step, time.perf_counter() - began, lockstep.goals.states)
 
 
 def _steps(

@@ -28,6 +28,7 @@ from .wire.worker import Gone, Refused, Started
 from .worker.client import RunningProgram, Worker
 from .world.events import Command, Event, Say, Sound, Velocity
 from .world.facts import STEP
+from .world.goals import GoalState
 from .world.world import HandRefused, World
 
 __all__ = ["Session"]
@@ -59,6 +60,10 @@ class Session:
         self._checking: asyncio.Task[None] | None = None
         # Tasks that see a finished run to its grave.
         self._burials: set[asyncio.Task[None]] = set()
+        # Where the page was last told that the movable things are.
+        self._shown_boxes: list[tuple[float, float, float]] = []
+        # The goals as the page was last told.
+        self._shown_goals: list[page.Goal] = []
         # Frames: when the last one went out, and what fired since.
         self._framed = 0.0
         self._fired: list[str] = []
@@ -139,10 +144,13 @@ class Session:
         self._end_now()
         self._world_json = value
         self.world = World(arena)
+        self._shown_boxes = []
         self._show_world()
 
     def _renew(self) -> None:
         self.world = World(self.world.arena)
+        self._shown_boxes = []
+        self._shown_goals = []
         self._fired = []
         self._step = 0
 
@@ -259,6 +267,8 @@ class Session:
         if lockstep.settled is not None:
             self._fired += lockstep.settled.fired
         self._frame(force=self._paused)
+        if lockstep.goals:
+            self._show_goals(lockstep.goals.states)
 
     def on_end(self, ending: Ending, detail: str) -> None:
         """The run is over."""
@@ -268,6 +278,9 @@ class Session:
         self.world.command(Velocity(0.0, 0.0))
         self._frame(force=True)
         time = lockstep.time
+        if lockstep.goals:
+            lockstep.goals.finish(time)
+            self._show_goals(lockstep.goals.states)
         if ending in ("done", "stopped"):
             self._bury(program)
             self._over(run, "done" if ending == "done" else "stopped", [])
@@ -307,6 +320,13 @@ class Session:
             problem = died(gone, time)
         self._over(run, "stuck" if ending == "stuck" else "error", [problem])
 
+    def _show_goals(self, states: list[GoalState]) -> None:
+        """Tell the page about goals when something about them has changed visibly."""
+        goals = [page.Goal(s.kind, s.title, s.state, round(s.progress, 2), s.time) for s in states]
+        if goals != self._shown_goals:
+            self._shown_goals = goals
+            self.outbox.put(page.GoalsShown(self._run, goals))
+
     def _tell(self, state: Any, problems: list[Problem] | None = None) -> None:
         self.outbox.put(page.RunState(self._run, state, problems or []))
 
@@ -340,8 +360,19 @@ class Session:
                 world.leds[0],
                 world.leds[1],
                 fired,
+                self._moved_boxes(),
             )
         )
+
+    def _moved_boxes(self) -> list[tuple[float, float, float]] | None:
+        """Where the movable things are, when they are not where the page knows them."""
+        if not self.world.room.movables:
+            return None
+        poses = self.world.room.poses()
+        if poses == self._shown_boxes:
+            return None
+        self._shown_boxes = poses
+        return poses
 
     def _wake(self) -> None:
         """Let the idle clock go when there is something for it to do."""

@@ -213,6 +213,21 @@ def test_hands_reach_the_robot_and_a_hand_in_a_wall_is_refused(config: Config) -
     story(play, config)
 
 
+def test_goals_and_pushed_boxes_are_shown(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        goal = {"kind": "reach", "x": 3, "y": 2, "r": 0.2}
+        box = {"x": 2.5, "y": 2, "w": 0.3, "h": 0.3, "movable": True, "mass": 0.5}
+        room = {"size": [5, 4], "start": {"x": 1.5, "y": 2}, "goals": [goal], "boxes": [box]}
+        await page.send("world", world=room)
+        assert (await page.until(lambda m: m["op"] == "frame" and "boxes" in m))["boxes"] == [[2.5, 2.0, 0.0]]
+        await page.send("run", run=1, source="drive:0.5", speed="max")
+        await page.until(lambda m: m["op"] == "frame" and m.get("boxes", [[0]])[0][0] > 3)
+        shown = await page.until(lambda m: m["op"] == "goals" and m["goals"][0]["state"] == "done")
+        assert shown["goals"][0]["progress"] == 1.0
+
+    story(play, config)
+
+
 def test_another_room_is_shown_and_a_bad_one_refused(config: Config) -> None:
     async def play(page: Page, _: Service) -> None:
         await page.op("world")

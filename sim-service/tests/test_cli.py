@@ -85,6 +85,21 @@ def test_a_project_brings_its_world_and_inputs_their_hands(environment: dict[str
     assert len(trace.read_text().splitlines()) == 100
 
 
+@pytest.mark.parametrize(("x", "status", "state"), [(2.0, 0, "done"), (9.0, 3, "missed")])
+def test_a_goal_decides_the_exit_status(
+    x: float, status: int, state: str, environment: dict[str, str], tmp_path: Path
+) -> None:
+    goal = {"kind": "reach", "x": x, "y": 1, "r": 0.3}
+    world = tmp_path / "w.json"
+    world.write_text(json.dumps({"size": [4, 2], "start": {"x": 1, "y": 1}, "goals": [goal]}))
+    (tmp_path / "p.hs").write_text("drive:0.5")
+    done = rosy(environment, "run", tmp_path / "p.hs", "--world", world, "--seconds", 5)
+    assert done.returncode == status
+    told = last(done)["goals"]
+    assert isinstance(told, list)
+    assert [goal["state"] for goal in told] == [state]
+
+
 def test_check_prints_sentences_or_json(environment: dict[str, str], tmp_path: Path) -> None:
     program = tmp_path / "p.hs"
     program.write_text("refuse")

@@ -21,6 +21,8 @@ __all__ = [
     "ChooseWorld",
     "Forward",
     "Frame",
+    "Goal",
+    "GoalsShown",
     "Hello",
     "Input",
     "Pause",
@@ -165,8 +167,8 @@ class RunState(msgspec.Struct, tag="state", tag_field="op", omit_defaults=True):
     ended: Literal["done", "error", "stuck", "stopped", "time", "refused"] | None = None
 
 
-class Frame(msgspec.Struct, tag="frame", tag_field="op"):
-    """Ground truth for drawing."""
+class Frame(msgspec.Struct, tag="frame", tag_field="op", omit_defaults=True):
+    """Ground truth for drawing. ``boxes`` only when movable things have moved since the last frame with them."""
 
     run: int
     step: int
@@ -183,6 +185,7 @@ class Frame(msgspec.Struct, tag="frame", tag_field="op"):
     led1: int
     led2: int
     fired: list[str]
+    boxes: list[tuple[float, float, float]] | None = None
 
 
 class Said(msgspec.Struct, tag="said", tag_field="op"):
@@ -201,6 +204,23 @@ class SoundPlayed(msgspec.Struct, tag="sound", tag_field="op"):
     sound: int
 
 
+class Goal(msgspec.Struct):
+    """How far a goal of the world is: ``progress`` from 0 to 1, ``time`` when it was done or missed."""
+
+    kind: str
+    title: str
+    state: Literal["open", "done", "missed"]
+    progress: float
+    time: float | None
+
+
+class GoalsShown(msgspec.Struct, tag="goals", tag_field="op"):
+    """All goals of the world, in its order, when one of them has changed."""
+
+    run: int
+    goals: list[Goal]
+
+
 class Refusal(msgspec.Struct, tag="refusal", tag_field="op"):
     """The last message could not be served."""
 
@@ -208,7 +228,7 @@ class Refusal(msgspec.Struct, tag="refusal", tag_field="op"):
     hint: str = ""
 
 
-Answer = Hello | WorkerState | WorldShown | Checked | RunState | Frame | Said | SoundPlayed | Refusal
+Answer = Hello | WorkerState | WorldShown | Checked | RunState | Frame | Said | SoundPlayed | GoalsShown | Refusal
 
 _encoder = msgspec.json.Encoder()
 

@@ -8,9 +8,11 @@ schema cannot say (rows of one length, a start on the floor) is checked here and
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import NamedTuple
+
+from .fields import MAX_SIDE, ArenaError, flag, items, number, objekt, point, positive, required
+from .goals import Goal, read_goals
 
 __all__ = [
     "DEFAULT_BOX_MASS",
@@ -37,23 +39,11 @@ DEFAULT_TILE = 0.5
 DEFAULT_BOX_MASS = 1.0
 """Of a movable thing when the world does not say, kg: a Kobuki can push it."""
 
-MAX_SIDE = 100.0
-"""Largest room side, m. Keeps a hostile world from costing memory."""
-
 MAX_TILES = 40_000
 """Largest tile grid."""
 
 MAX_SHAPES = 2_000
 """Most walls, boxes and rounds together."""
-
-
-class ArenaError(Exception):
-    """A description that is no room: ``path`` says where (``boxes[2].w``), ``why`` says what is wrong."""
-
-    def __init__(self, path: str, why: str) -> None:
-        super().__init__(f"at {path}: {why}" if path else why)
-        self.path = path
-        self.why = why
 
 
 class Pose(NamedTuple):
@@ -111,7 +101,7 @@ class Arena:
     walls: tuple[Wall, ...] = ()
     boxes: tuple[Box, ...] = ()
     rounds: tuple[Round, ...] = ()
-    goals: tuple[object, ...] = ()
+    goals: tuple[Goal, ...] = ()
 
     def tile_at(self, x: float, y: float) -> str:
         """``#``, ``.`` or ``O`` under a point; the world outside is wall."""
@@ -137,7 +127,7 @@ def read_arena(value: object) -> Arena:
     Raises:
         ArenaError: the first thing that is wrong, with its path.
     """
-    fields = _object(value, "")
+    fields = objekt(value, "")
     known = {"name", "size", "start", "tile", "tiles", "walls", "boxes", "rounds", "goals", "title"}
     for key in fields:
         if key not in known:
@@ -145,50 +135,21 @@ def read_arena(value: object) -> Arena:
     name = fields.get("name", "")
     if not isinstance(name, str):
         raise ArenaError("name", "the name must be text.")
-    tile = _number(fields.get("tile", DEFAULT_TILE), "tile")
+    tile = number(fields.get("tile", DEFAULT_TILE), "tile")
     if not 0.05 <= tile <= 10:
         raise ArenaError("tile", "a tile must be between 0.05 and 10 metres wide.")
     tiles = _tiles(fields.get("tiles", []))
     width, height = _size(fields.get("size"), tile, tiles)
-    walls = tuple(_wall(v, p) for v, p in _items(fields, "walls"))
-    boxes = tuple(_box(v, p) for v, p in _items(fields, "boxes"))
-    rounds = tuple(_round(v, p) for v, p in _items(fields, "rounds"))
+    walls = tuple(_wall(v, p) for v, p in items(fields, "walls"))
+    boxes = tuple(_box(v, p) for v, p in items(fields, "boxes"))
+    rounds = tuple(_round(v, p) for v, p in items(fields, "rounds"))
     if len(walls) + len(boxes) + len(rounds) > MAX_SHAPES:
         raise ArenaError("walls", f"a world can hold at most {MAX_SHAPES} things.")
-    goals = tuple(v for v, _ in _items(fields, "goals"))
+    goals = read_goals(fields)
     if "start" not in fields:
         raise ArenaError("start", "the world does not say where the robot starts.")
     start = _pose(fields["start"], "start")
     return Arena(name, width, height, start, tile, tiles, walls, boxes, rounds, goals)
-
-
-def _object(value: object, path: str) -> dict[str, object]:
-    if not isinstance(value, dict):
-        raise ArenaError(
-            path, "expected an object with named fields." if path else "a world must be an object with named fields."
-        )
-    return value
-
-
-def _number(value: object, path: str) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise ArenaError(path, "expected a number.")
-    if not (math.isfinite(value) and abs(value) < 1e6):
-        raise ArenaError(path, "the number is too large.")
-    return float(value)
-
-
-def _required(fields: dict[str, object], key: str, path: str) -> float:
-    if key not in fields:
-        raise ArenaError(f"{path}.{key}", "this number is missing.")
-    return _number(fields[key], f"{path}.{key}")
-
-
-def _items(fields: dict[str, object], key: str) -> list[tuple[object, str]]:
-    value = fields.get(key, [])
-    if not isinstance(value, list):
-        raise ArenaError(key, "expected a list.")
-    return [(item, f"{key}[{i}]") for i, item in enumerate(value)]
 
 
 def _tiles(value: object) -> tuple[str, ...]:
@@ -223,7 +184,7 @@ def _size(value: object, tile: float, tiles: tuple[str, ...]) -> tuple[float, fl
     else:
         if not isinstance(value, list) or len(value) != 2:
             raise ArenaError("size", "expected two numbers, width and height.")
-        width, height = _number(value[0], "size[0]"), _number(value[1], "size[1]")
+        width, height = number(value[0], "size[0]"), number(value[1], "size[1]")
         if grid is not None and (abs(width - grid[0]) > 1e-3 or abs(height - grid[1]) > 1e-3):
             raise ArenaError(
                 "size", f"the tiles fill {grid[0]:g} by {grid[1]:g} metres; leave the size out or make it the same."
@@ -238,65 +199,42 @@ def _size(value: object, tile: float, tiles: tuple[str, ...]) -> tuple[float, fl
 
 
 def _pose(value: object, path: str) -> Pose:
-    fields = _object(value, path)
-    theta = _number(fields.get("theta", 0.0), f"{path}.theta")
-    return Pose(_required(fields, "x", path), _required(fields, "y", path), theta)
-
-
-def _point(value: object, path: str) -> tuple[float, float]:
-    if not isinstance(value, list) or len(value) != 2:
-        raise ArenaError(path, "expected a point: two numbers, x and y.")
-    return _number(value[0], f"{path}[0]"), _number(value[1], f"{path}[1]")
+    fields = objekt(value, path)
+    theta = number(fields.get("theta", 0.0), f"{path}.theta")
+    return Pose(required(fields, "x", path), required(fields, "y", path), theta)
 
 
 def _wall(value: object, path: str) -> Wall:
-    fields = _object(value, path)
-    for key in ("from", "to"):
-        if key not in fields:
-            raise ArenaError(f"{path}.{key}", "this point is missing.")
-    return Wall(*_point(fields["from"], f"{path}.from"), *_point(fields["to"], f"{path}.to"))
-
-
-def _flag(fields: dict[str, object], key: str, path: str) -> bool:
-    value = fields.get(key, False)
-    if not isinstance(value, bool):
-        raise ArenaError(f"{path}.{key}", "expected true or false.")
-    return value
-
-
-def _positive(fields: dict[str, object], key: str, path: str) -> float:
-    value = _required(fields, key, path)
-    if not 0.01 <= value <= MAX_SIDE:
-        raise ArenaError(f"{path}.{key}", f"it must be between 0.01 and {MAX_SIDE:g} metres.")
-    return value
+    fields = objekt(value, path)
+    return Wall(*point(fields.get("from"), f"{path}.from"), *point(fields.get("to"), f"{path}.to"))
 
 
 def _mass(fields: dict[str, object], path: str) -> float:
-    value = _number(fields.get("mass", DEFAULT_BOX_MASS), f"{path}.mass")
+    value = number(fields.get("mass", DEFAULT_BOX_MASS), f"{path}.mass")
     if not 0.05 <= value <= 1000:
         raise ArenaError(f"{path}.mass", "it must weigh between 0.05 and 1000 kilograms.")
     return value
 
 
 def _box(value: object, path: str) -> Box:
-    fields = _object(value, path)
+    fields = objekt(value, path)
     return Box(
-        _required(fields, "x", path),
-        _required(fields, "y", path),
-        _positive(fields, "w", path),
-        _positive(fields, "h", path),
-        _number(fields.get("theta", 0.0), f"{path}.theta"),
-        _flag(fields, "movable", path),
+        required(fields, "x", path),
+        required(fields, "y", path),
+        positive(fields, "w", path),
+        positive(fields, "h", path),
+        number(fields.get("theta", 0.0), f"{path}.theta"),
+        flag(fields, "movable", path),
         _mass(fields, path),
     )
 
 
 def _round(value: object, path: str) -> Round:
-    fields = _object(value, path)
+    fields = objekt(value, path)
     return Round(
-        _required(fields, "x", path),
-        _required(fields, "y", path),
-        _positive(fields, "r", path),
-        _flag(fields, "movable", path),
+        required(fields, "x", path),
+        required(fields, "y", path),
+        positive(fields, "r", path),
+        flag(fields, "movable", path),
         _mass(fields, path),
     )

@@ -1,0 +1,76 @@
+"""Reading plain values (as JSON gives them) field by field, with errors that say where and why."""
+
+from __future__ import annotations
+
+import math
+
+__all__ = ["MAX_SIDE", "ArenaError", "flag", "items", "number", "objekt", "point", "positive", "required"]
+
+MAX_SIDE = 100.0
+"""Largest length in a world, m. Keeps a hostile world from costing memory."""
+
+
+class ArenaError(Exception):
+    """A description that is no room: ``path`` says where (``boxes[2].w``), ``why`` says what is wrong."""
+
+    def __init__(self, path: str, why: str) -> None:
+        super().__init__(f"at {path}: {why}" if path else why)
+        self.path = path
+        self.why = why
+
+
+def objekt(value: object, path: str) -> dict[str, object]:
+    """A value with named fields."""
+    if not isinstance(value, dict):
+        raise ArenaError(
+            path, "expected an object with named fields." if path else "a world must be an object with named fields."
+        )
+    return value
+
+
+def number(value: object, path: str) -> float:
+    """A number of sensible size."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise ArenaError(path, "this number is missing." if value is None else "expected a number.")
+    if not (math.isfinite(value) and abs(value) < 1e6):
+        raise ArenaError(path, "the number is too large.")
+    return float(value)
+
+
+def required(fields: dict[str, object], key: str, path: str) -> float:
+    """A number that must be there."""
+    return number(fields.get(key), f"{path}.{key}")
+
+
+def positive(fields: dict[str, object], key: str, path: str, most: float = MAX_SIDE) -> float:
+    """A length (or time) that must be there."""
+    value = required(fields, key, path)
+    if not 0.01 <= value <= most:
+        raise ArenaError(f"{path}.{key}", f"it must be between 0.01 and {most:g}.")
+    return value
+
+
+def flag(fields: dict[str, object], key: str, path: str) -> bool:
+    """True or false; false when it is not there."""
+    value = fields.get(key, False)
+    if not isinstance(value, bool):
+        raise ArenaError(f"{path}.{key}", "expected true or false.")
+    return value
+
+
+def items(fields: dict[str, object], key: str, path: str = "") -> list[tuple[object, str]]:
+    """The items of a list, each with its path; none when it is not there."""
+    where = f"{path}.{key}" if path else key
+    value = fields.get(key, [])
+    if not isinstance(value, list):
+        raise ArenaError(where, "expected a list.")
+    return [(item, f"{where}[{i}]") for i, item in enumerate(value)]
+
+
+def point(value: object, path: str) -> tuple[float, float]:
+    """Two numbers, x and y."""
+    if value is None:
+        raise ArenaError(path, "this point is missing.")
+    if not isinstance(value, list) or len(value) != 2:
+        raise ArenaError(path, "expected a point: two numbers, x and y.")
+    return number(value[0], f"{path}[0]"), number(value[1], f"{path}[1]")
