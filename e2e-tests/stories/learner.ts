@@ -51,8 +51,59 @@ export class Learner {
     return this.page.getByRole("region", {name: "Blocks"}).getByLabel(name)
   }
 
+  /// The number block that shows this number.
+  number(shown: string): Locator {
+    return this.page
+      .locator(".blocklyBlockCanvas .blocklyField", {
+        hasText: new RegExp(`^\\s*${shown.replace(".", "\\.")}\\s*$`),
+      })
+      .first()
+  }
+
+  async changesNumber(from: string, to: string): Promise<void> {
+    await this.number(from).click()
+    const input = this.page.locator(".blocklyHtmlInput")
+    await input.fill(to)
+    await input.press("Enter")
+  }
+
+  async deletesNumber(shown: string): Promise<void> {
+    await this.number(shown).click()
+    await this.page.keyboard.press("Escape")
+    await this.page.keyboard.press("Delete")
+  }
+
+  /// Presses a small button on a block, by the name a screen reader says.
+  async presses(label: string): Promise<void> {
+    await this.page.getByRole("region", {name: "Blocks"}).getByLabel(label).first().click()
+  }
+
+  /// Chooses another word in a menu on a block.
+  async chooses(shown: string, wanted: string): Promise<void> {
+    await this.page.locator(".blocklyBlockCanvas .blocklyField", {hasText: shown}).first().click()
+    await this.page.locator(".blocklyDropDownDiv .blocklyMenuItem", {hasText: wanted}).click()
+  }
+
+  /// Opens a file from this machine, with the page's menu.
+  async opensFile(path: string): Promise<void> {
+    const chooser = this.page.waitForEvent("filechooser")
+    await this.page.getByRole("button", {name: "More", exact: true}).click()
+    await this.page.getByText("Open a file").click()
+    await (await chooser).setFiles(path)
+  }
+
+  async seesProblem(words: RegExp): Promise<void> {
+    await this.page.getByRole("tab", {name: /Problems/}).click()
+    await expect(this.page.getByTestId("problems")).toContainText(words)
+  }
+
+  /// Blocks that wear a problem.
+  wrongBlocks(): Locator {
+    return this.page.locator(".blocklyBlockCanvas .rosyWrong")
+  }
+
   async keeps(name: string): Promise<void> {
-    await this.page.screenshot({path: `screenshots/${name}.png`})
+    await this.page.screenshot({path: new URL(`../screenshots/${name}.png`, import.meta.url).pathname})
   }
 }
 

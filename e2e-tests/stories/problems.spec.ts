@@ -1,0 +1,121 @@
+/// What goes wrong ends as a sentence on the block that causes it; and nothing that was built is lost.
+
+import {writeFileSync} from "node:fs"
+import {expect, test} from "@playwright/test"
+import {Learner, until} from "./learner.ts"
+
+test("changing a number block changes the Haskell at once, and the next run", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("move")
+  await learner.changesNumber("0.5", "0.2")
+  await expect(learner.haskell()).toContainText("Velocity 0.2 0")
+  await learner.runs()
+  await until(learner.robot("speed"), v => v > 0.15)
+  await until(learner.robot("speed"), v => Math.abs(v - 0.2) < 0.02)
+  await learner.stops()
+})
+
+test("an unfilled socket ends as a sentence on its block", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("move")
+  await learner.deletesNumber("0.5")
+  await expect(learner.haskell()).toContainText("Velocity _ 0")
+  await learner.runs()
+  await expect(learner.status()).toHaveText("Not started")
+  await learner.seesProblem(/empty|missing|needs/i)
+  await expect(learner.wrongBlocks()).toHaveCount(1)
+  await learner.keeps("unfilled-socket")
+})
+
+test("a case that is missing at run time ends on its function's block, and the robot stands still", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  await learner.presses("remove the last case")
+  await learner.chooses("Pressed", "Released")
+  await expect(learner.haskell()).toContainText("play (Bumper _ Released) = Just")
+  await expect(learner.haskell()).not.toContainText("Pressed")
+  await learner.runs()
+  await expect(learner.status()).toHaveText("Ended by a problem", {timeout: 30_000})
+  await learner.seesProblem(/play/)
+  await expect(learner.wrongBlocks()).toHaveCount(1)
+  await expect(learner.robot("speed")).toHaveText("0.000")
+  await learner.keeps("missing-case")
+})
+
+test("a type error ends on the block that causes it", async ({page}, info) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerate")
+  // The page never lets these blocks snap; a file can hold them all the same.
+  const truth = {type: "choice", id: "truth", extraState: {of: "Bool", value: "True"}}
+  const half = {type: "number", id: "half", extraState: {value: "0.5"}}
+  const velocity = {
+    type: "construct",
+    id: "velocity",
+    extraState: {con: "Velocity", args: 2},
+    inputs: {A0: {block: half}, A1: {block: truth}},
+  }
+  const move = {
+    type: "define",
+    id: "move",
+    extraState: {name: "move", as: "command", arity: 0, equations: [{}]},
+    inputs: {E0_0: {block: velocity}},
+    x: 40,
+    y: 40,
+  }
+  const main = {
+    type: "main",
+    id: "main",
+    extraState: {controllers: 1},
+    inputs: {R0: {block: {type: "name", id: "name", extraState: {name: "move", args: 0}}}},
+    x: 40,
+    y: 180,
+  }
+  const file = info.outputPath("mixed-up.rosy")
+  writeFileSync(
+    file,
+    JSON.stringify({
+      rosy: 1,
+      name: "mixed-up",
+      haskell: "",
+      layout: {declarations: [], loose: [move, main]},
+      world: "room",
+      settings: {},
+    }),
+  )
+  await learner.opensFile(file)
+  await expect(learner.haskell()).toContainText("True")
+  await learner.runs()
+  await expect(learner.status()).toHaveText("Not started")
+  await learner.seesProblem(/True|Bool|number/)
+  await expect(learner.wrongBlocks().first()).toBeVisible()
+  await learner.keeps("type-error")
+})
+
+test("a file from the future and a truncated file are refused with a sentence, and the program stays", async ({
+  page,
+}, info) => {
+  const learner = new Learner(page)
+  await learner.opens("move")
+  for (const [name, text] of [
+    [
+      "future.rosy",
+      JSON.stringify({
+        rosy: 99,
+        name: "x",
+        haskell: "",
+        layout: {declarations: [], loose: []},
+        world: "room",
+        settings: {},
+      }),
+    ],
+    ["half.rosy", '{"rosy": 1, "name": "ha'],
+  ] as const) {
+    const file = info.outputPath(name)
+    writeFileSync(file, text)
+    await learner.opensFile(file)
+    await expect(page.getByTestId("notice")).toContainText(name)
+    await expect(learner.haskell()).toContainText("move = Velocity 0.5 0")
+  }
+})
