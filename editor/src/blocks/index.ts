@@ -2,5 +2,5 @@
 
 export type {Tone} from "./families.ts"
 export type {Language} from "./language.ts"
-export type {BlocksChange, BlocksOptions, BlocksView} from "./view.ts"
+export type {BlocksChange, BlocksOptions, BlocksView, History} from "./view.ts"
 export {openBlocks} from "./view.ts"

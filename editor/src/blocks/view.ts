@@ -10,14 +10,16 @@ import {type BuildActions, change, registerBlocks} from "./build.ts"
 import {checkerName, registerChecker} from "./checker.ts"
 import {type DragHost, makeDraggable} from "./drag.ts"
 import type {Tone} from "./families.ts"
-import type {Binder} from "./fields.ts"
 import {showInference} from "./infer.ts"
 import type {Language} from "./language.ts"
 import {Marks} from "./marks.ts"
+import {type MenuActions, registerMenus} from "./menus.ts"
+import {pull} from "./pull.ts"
 import {RefusalLine} from "./refusal.ts"
 import {registerRenderer, rendererName} from "./renderer.ts"
 import {loadBlocks, saveBlocks} from "./saved.ts"
 import {chosenPlace, nameItem, scopeItems, suggest} from "./scope.ts"
+import {bringHome, inSight, straysOf} from "./sight.ts"
 import {styleSheet} from "./style.ts"
 import {themes} from "./theme.ts"
 import {focusSearch, registerToolbox, scopeKey, setNearby, toolboxInfo} from "./toolbox.ts"
@@ -29,6 +31,15 @@ export interface BlocksOptions {
   /// Where Blockly's pictures are served; nothing is fetched from elsewhere.
   readonly media?: string
   readonly rightToLeft?: boolean
+  /// The history that the menus use, when the page keeps one for blocks and text together.
+  readonly history?: History
+}
+
+export interface History {
+  undo(): void
+  redo(): void
+  canUndo(): boolean
+  canRedo(): boolean
 }
 
 /// The program as blocks, after the learner changed something.
@@ -78,7 +89,7 @@ export interface BlocksView {
 
 const blocklyThemes = new Map<Tone, Blockly.Theme>()
 let registered: Language | undefined
-let open: BuildActions | undefined
+let open: (BuildActions & {readonly menus: MenuActions}) | undefined
 
 /// Blockly keeps its kinds of blocks, renderers and themes per document, not per workspace.
 function register(language: Language): void {
@@ -87,6 +98,7 @@ function register(language: Language): void {
     registerRenderer()
     registerChecker()
     registerToolbox()
+    registerMenus(() => open?.menus)
     for (const [tone, theme] of Object.entries(themes())) blocklyThemes.set(tone as Tone, theme)
     const sheet = document.createElement("style")
     sheet.dataset.for = "blocks"
@@ -201,7 +213,21 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     },
   })
 
-  const actions: BuildActions = {
+  const history: History = options.history ?? {
+    undo: () => workspace.undo(false),
+    redo: () => workspace.undo(true),
+    canUndo: () => workspace.getUndoStack().length > 0,
+    canRedo: () => workspace.getRedoStack().length > 0,
+  }
+
+  const actions: BuildActions & {readonly menus: MenuActions} = {
+    menus: {
+      ...history,
+      zoomToFit: () => workspace.zoomToFit(),
+      hasStrays: () => straysOf(workspace).length > 0,
+      bringStraysHome: () => bringHome(workspace),
+      focusSearch: () => focusSearch(workspace),
+    },
     renamed: (block, key, wanted) => {
       const answer = language.rename(saveBlocks(workspace), block.id, key, wanted.trim())
       if (!answer.ok) {
@@ -231,10 +257,17 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
 
   return {
     load(saved) {
+      const focused = focusedBlock(workspace)
       const loaded = loadBlocks(workspace, saved)
       workspace.clearUndo()
       refresh()
       marks.forget()
+      const again = focused === undefined ? null : workspace.getBlockById(focused)
+      if (again !== null) {
+        // Only what is drawn can have the focus.
+        Blockly.renderManagement.triggerQueuedRenders(workspace)
+        Blockly.getFocusManager().focusNode(again)
+      }
       return loaded
     },
     save: () => saveBlocks(workspace),
@@ -315,102 +348,16 @@ function say(workspace: Blockly.WorkspaceSvg, message: string): void {
   Blockly.Toast.show(workspace, {message, id: "rosy"})
 }
 
-/// Takes a reference out of its binder and puts it under the pointer, which goes on dragging it.
-///
-/// One frame later: on the press Blockly asked for the pressed block to be brought to the front, which would take
-/// the focus from the new one, and Blockly drags what has the focus.
-function pull(workspace: Blockly.WorkspaceSvg, field: Binder, event: PointerEvent): void {
-  const name = field.getValue() ?? ""
-  if (name === "") return
-  workspace.cancelCurrentGesture()
-  let pointer = event
-  const over = new AbortController()
-  window.addEventListener(
-    "pointermove",
-    move => {
-      if (move.pointerId === event.pointerId) pointer = move
-    },
-    {capture: true, signal: over.signal},
-  )
-  for (const end of ["pointerup", "pointercancel"]) {
-    window.addEventListener(end, () => over.abort(), {capture: true, signal: over.signal})
+/// The block that the keyboard is on, if it is on one that loading may replace.
+function focusedBlock(workspace: Blockly.WorkspaceSvg): BlockId | undefined {
+  const manager = Blockly.getFocusManager()
+  if (manager.getFocusedTree() !== workspace) return undefined
+  const node = manager.getFocusedNode()
+  if (node instanceof Blockly.BlockSvg) return node.id
+  if (node instanceof Blockly.Field || node instanceof Blockly.RenderedConnection) {
+    return node.getSourceBlock()?.id
   }
-  requestAnimationFrame(() => {
-    if (over.signal.aborted) return
-    over.abort()
-    dragReference(workspace, name, pointer)
-  })
-}
-
-function dragReference(workspace: Blockly.WorkspaceSvg, name: string, pointer: PointerEvent): void {
-  const at = Blockly.utils.svgMath.screenToWsCoordinates(
-    workspace,
-    new Blockly.utils.Coordinate(pointer.clientX, pointer.clientY),
-  )
-  Blockly.Events.setGroup(true)
-  const block = Blockly.serialization.blocks.append(
-    {type: "name", extraState: {name}, x: at.x - 24, y: at.y - 14},
-    workspace,
-    {recordUndo: true},
-  ) as Blockly.BlockSvg
-  // Only what is drawn can have the focus.
-  Blockly.renderManagement.triggerQueuedRenders(workspace)
-  // A press on the new block at the same spot: from here on it is an ordinary drag.
-  block.getSvgRoot().dispatchEvent(
-    new PointerEvent("pointerdown", {
-      bubbles: true,
-      cancelable: true,
-      clientX: pointer.clientX,
-      clientY: pointer.clientY,
-      pointerId: pointer.pointerId,
-      pointerType: pointer.pointerType,
-      isPrimary: pointer.isPrimary,
-      button: 0,
-      buttons: 1,
-    }),
-  )
-  Blockly.Events.setGroup(false)
-}
-
-function inSight(workspace: Blockly.WorkspaceSvg, block: Blockly.BlockSvg): boolean {
-  const view = workspace.getMetricsManager().getViewMetrics(true)
-  const box = block.getBoundingRectangle()
-  return (
-    box.left >= view.left &&
-    box.top >= view.top &&
-    box.left < view.left + view.width &&
-    box.top < view.top + view.height
-  )
-}
-
-/// Pixels between a stray that was brought home and the blocks it comes to.
-const homeGap = 28
-
-/// A stray is a top-level block that overlaps nothing in reach: further from all others than a screen.
-function bringHome(workspace: Blockly.WorkspaceSvg): void {
-  const tops = workspace.getTopBlocks(true)
-  if (tops.length < 2) return
-  const view = workspace.getMetricsManager().getViewMetrics(true)
-  const boxes = tops.map(block => block.getBoundingRectangle())
-  const median = (values: number[]) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)]!
-  const middle = {x: median(boxes.map(box => box.left)), y: median(boxes.map(box => box.top))}
-  const strays = tops.filter((_, at) => {
-    const box = boxes[at]!
-    return (
-      Math.abs(box.left - middle.x) > view.width * 1.5 || Math.abs(box.top - middle.y) > view.height * 2.5
-    )
-  })
-  if (strays.length === 0) return
-  const home = boxes.filter((_, at) => !strays.includes(tops[at]!))
-  let y = Math.max(...home.map(box => box.bottom)) + homeGap
-  const x = Math.min(...home.map(box => box.left))
-  Blockly.Events.setGroup(true)
-  for (const block of strays) {
-    const box = block.getBoundingRectangle()
-    block.moveBy(x - box.left, y - box.top, ["cleanup"])
-    y += box.getHeight() + homeGap
-  }
-  Blockly.Events.setGroup(false)
+  return undefined
 }
 
 function zoomButtons(host: HTMLElement, workspace: Blockly.WorkspaceSvg): HTMLElement {

@@ -1,0 +1,111 @@
+/// The block view's menus and keys: Blockly's, without what would move or lose a learner's work, with what Rosy adds.
+///
+/// Blockly keeps both per document, so they ask for the view in use.
+
+import * as Blockly from "blockly/core"
+
+export interface MenuActions {
+  undo(): void
+  redo(): void
+  canUndo(): boolean
+  canRedo(): boolean
+  zoomToFit(): void
+  /// Whether a block lies out of sight of the others.
+  hasStrays(): boolean
+  bringStraysHome(): void
+  focusSearch(): void
+}
+
+/// Tidying moves what the learner has placed; switching blocks off and laying them out differently mean nothing in
+/// Haskell; a comment without a block has no place in the text.
+const unwanted = [
+  "cleanWorkspace",
+  "blockDisable",
+  "blockInline",
+  "commentCreate",
+  "undoWorkspace",
+  "redoWorkspace",
+]
+
+/// Once for the page.
+export function registerMenus(actions: () => MenuActions | undefined): void {
+  const {registry: menus} = Blockly.ContextMenuRegistry
+  for (const id of unwanted) if (menus.getItem(id) !== null) menus.unregister(id)
+  const item = (
+    id: string,
+    weight: number,
+    text: string,
+    key: string | undefined,
+    can: (view: MenuActions) => boolean,
+    act: (view: MenuActions) => void,
+  ) =>
+    menus.register({
+      id,
+      weight,
+      scopeType: Blockly.ContextMenuRegistry.ScopeType.WORKSPACE,
+      displayText: text,
+      ...(key === undefined ? {} : {associatedKeyboardShortcut: key}),
+      preconditionFn: () => {
+        const view = actions()
+        return view !== undefined && can(view) ? "enabled" : "disabled"
+      },
+      callback: () => {
+        const view = actions()
+        if (view !== undefined) act(view)
+      },
+    })
+  item(
+    "rosyUndo",
+    1,
+    "Undo",
+    "undo",
+    view => view.canUndo(),
+    view => view.undo(),
+  )
+  item(
+    "rosyRedo",
+    2,
+    "Redo",
+    "redo",
+    view => view.canRedo(),
+    view => view.redo(),
+  )
+  item(
+    "rosyFit",
+    3,
+    "Show all blocks",
+    undefined,
+    () => true,
+    view => view.zoomToFit(),
+  )
+  item(
+    "rosyStrays",
+    4,
+    "Bring stray blocks home",
+    undefined,
+    view => view.hasStrays(),
+    view => view.bringStraysHome(),
+  )
+
+  const {registry: keys} = Blockly.ShortcutRegistry
+  const {KeyCodes} = Blockly.utils
+  // C tidies in Blockly; Ctrl+Enter is the page's Run.
+  keys.unregister(Blockly.ShortcutItems.names.CLEANUP)
+  const menu = Blockly.ShortcutItems.names.MENU
+  keys.removeAllKeyMappings(menu)
+  keys.addKeyMapping(keys.createSerializedKey(KeyCodes.F10, [Blockly.utils.KeyCodes.SHIFT]), menu)
+  keys.addKeyMapping(KeyCodes.CONTEXT_MENU, menu)
+  keys.register({
+    name: "rosySearch",
+    keyCodes: [KeyCodes.SLASH],
+    displayText: "Search blocks",
+    preconditionFn: workspace => !workspace.isDragging(),
+    callback: (_, event) => {
+      const view = actions()
+      if (view === undefined) return false
+      event.preventDefault()
+      view.focusSearch()
+      return true
+    },
+  })
+}
