@@ -20,6 +20,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from .bridge import Client
+from .budget import Budget
 from .config import Config
 from .library import example, examples, world_names
 from .live import Lateness
@@ -32,6 +33,12 @@ __all__ = ["Service", "build_app"]
 
 _POLICY_VIOLATION, _TRY_AGAIN = 1008, 1013
 """WebSocket close codes. RFC 6455, section 7.4.1, and its registry."""
+
+_PAGE_RATE, _ROS_RATE = 100.0, 500.0
+"""Messages a second that a page and a ROS client may send for long."""
+
+_COSTLY = 2000
+"""Characters that count as another message: long ones are programs and rooms, which cost more to serve."""
 
 
 class Service:
@@ -135,20 +142,30 @@ async def _first_of(*works: Coroutine[Any, Any, object]) -> None:
 
 
 async def _receive(socket: WebSocket, session: Session) -> None:
-    """Until the page leaves."""
+    """Until the page leaves. One that asks too much at once is read more slowly, so that others get their turn."""
+    now = asyncio.get_running_loop().time
+    budget = Budget(_PAGE_RATE, 2 * _PAGE_RATE, now())
     while True:
         message = await socket.receive()
         if message["type"] == "websocket.disconnect":
             return
-        session.receive(message.get("text") or message.get("bytes") or "")
+        text = message.get("text") or message.get("bytes") or ""
+        session.receive(text)
+        if wait := budget.overdraw(1 + len(text) / _COSTLY, now()):
+            await asyncio.sleep(wait)
 
 
 async def _receive_ros(socket: WebSocket, session: Session, client: Client) -> None:
+    now = asyncio.get_running_loop().time
+    budget = Budget(_ROS_RATE, _ROS_RATE, now())
     while True:
         message = await socket.receive()
         if message["type"] == "websocket.disconnect":
             return
-        session.receive_ros(client, message.get("text") or message.get("bytes") or "")
+        text = message.get("text") or message.get("bytes") or ""
+        session.receive_ros(client, text)
+        if wait := budget.overdraw(1 + len(text) / _COSTLY, now()):
+            await asyncio.sleep(wait)
 
 
 async def _send_ros(socket: WebSocket, client: Client) -> None:

@@ -14,6 +14,7 @@ import socket
 from typing import Any
 
 from .bridge import Bridge, Client
+from .budget import Budget
 from .config import Limits
 from .errors import BadInput, RosyError, WorkerLost
 from .library import DEFAULT_WORLD, named_world, usable_arena
@@ -34,6 +35,15 @@ from .world.world import HandRefused, World
 __all__ = ["Session"]
 
 _dice = random.SystemRandom()
+
+_MAX_FIRED = 200
+"""Firings told in one frame; the latest ones."""
+
+_MAX_WORDS = 10_000
+"""Characters of one `Say` that reach the page."""
+
+_MAX_SOUNDS = 10
+"""Sounds of one step that reach the page."""
 
 
 class Session:
@@ -64,6 +74,8 @@ class Session:
         self._shown_boxes: list[tuple[float, float, float]] = []
         # The goals as the page was last told.
         self._shown_goals: list[page.Goal] = []
+        # Says and sounds that may still go to the page: 100 a second, 300 at once.
+        self._words = Budget(100.0, 300.0, self._loop.time())
         # Frames: when the last one went out, and what fired since.
         self._framed = 0.0
         self._fired: list[str] = []
@@ -260,15 +272,21 @@ class Session:
         """A step has passed."""
         self._step = lockstep.step
         self._tell_bridge(lockstep.events)
-        for text in lockstep.said():
-            self.outbox.put(page.Said(self._run, lockstep.time, text))
-        for sound in lockstep.sounds():
-            self.outbox.put(page.SoundPlayed(self._run, lockstep.time, sound))
+        self._relay(lockstep)
         if lockstep.settled is not None:
-            self._fired += lockstep.settled.fired
+            self._fired = (self._fired + lockstep.settled.fired)[-_MAX_FIRED:]
         self._frame(force=self._paused)
         if lockstep.goals:
             self._show_goals(lockstep.goals.states)
+
+    def _relay(self, lockstep: Lockstep) -> None:
+        """Words and sounds, as many as a page can show: a program that talks without end must not fill our memory."""
+        for text in lockstep.said():
+            if self._words.spend(1, self._loop.time()):
+                self.outbox.put(page.Said(self._run, lockstep.time, text[:_MAX_WORDS]))
+        for sound in lockstep.sounds()[:_MAX_SOUNDS]:
+            if self._words.spend(1, self._loop.time()):
+                self.outbox.put(page.SoundPlayed(self._run, lockstep.time, sound))
 
     def on_end(self, ending: Ending, detail: str) -> None:
         """The run is over."""

@@ -221,9 +221,11 @@ def test_goals_and_pushed_boxes_are_shown(config: Config) -> None:
         await page.send("world", world=room)
         assert (await page.until(lambda m: m["op"] == "frame" and "boxes" in m))["boxes"] == [[2.5, 2.0, 0.0]]
         await page.send("run", run=1, source="drive:0.5", speed="max")
-        await page.until(lambda m: m["op"] == "frame" and m.get("boxes", [[0]])[0][0] > 3)
-        shown = await page.until(lambda m: m["op"] == "goals" and m["goals"][0]["state"] == "done")
-        assert shown["goals"][0]["progress"] == 1.0
+        await page.until(lambda m: m["op"] == "goals" and m["goals"][0]["state"] == "done")
+        await page.until(lambda m: m["op"] == "frame" and m["x"] > 3.5)
+        pushed = [m["boxes"][0][0] for m in page.seen if m.get("boxes")]
+        assert pushed == sorted(pushed)
+        assert pushed[-1] > 3
 
     story(play, config)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import io
 import json
 import os
@@ -130,7 +131,7 @@ def test_ten_runs_stopped_at_any_moment_leave_nothing_behind(real: Config) -> No
     before = _children(os.getpid())
     asyncio.run(tell())
     assert not Path(f"/proc/{left[0]}").exists()
-    assert _children(os.getpid()) == before
+    assert _children(os.getpid()) <= before
 
 
 def test_a_killed_worker_is_replaced_and_its_run_ends_with_a_sentence(real: Config) -> None:
@@ -148,11 +149,11 @@ def test_a_killed_worker_is_replaced_and_its_run_ends_with_a_sentence(real: Conf
     asyncio.run(tell())
 
 
-def _children(pid: int) -> list[str]:
-    """Command lines of the processes below one."""
-    found = []
-    for task in Path(f"/proc/{pid}/task").iterdir():
-        for child in (task / "children").read_text().split():
-            with_args = Path(f"/proc/{child}/cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
-            found += [with_args, *_children(int(child))]
+def _children(pid: int) -> set[int]:
+    """The processes below one."""
+    found: set[int] = set()
+    with contextlib.suppress(FileNotFoundError):
+        for task in Path(f"/proc/{pid}/task").iterdir():
+            for child in (task / "children").read_text().split():
+                found |= {int(child), *_children(int(child))}
     return found

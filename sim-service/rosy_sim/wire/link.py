@@ -20,6 +20,7 @@ from .topics import BadMessage, read_command
 __all__ = [
     "MAX_COMMANDS",
     "MAX_LINE",
+    "MAX_STEP",
     "Ended",
     "LinkError",
     "Publish",
@@ -38,6 +39,9 @@ MAX_LINE = 1_000_000
 
 MAX_COMMANDS = 10_000
 """Most commands in one step. A program that gives more is flooding."""
+
+MAX_STEP = 4_000_000
+"""Most bytes in one step."""
 
 MAX_FIRED = 100_000
 """Most firings that one `settled` may report."""
@@ -112,12 +116,13 @@ def stop_line() -> bytes:
 class SimulatorLink:
     """What the simulator knows about its end of the link."""
 
-    __slots__ = ("_commands", "_lines", "ended", "ready", "step", "subscribed")
+    __slots__ = ("_commands", "_lines", "_octets", "ended", "ready", "step", "subscribed")
 
     def __init__(self) -> None:
         self._lines = Lines(MAX_LINE)
-        # Commands since the last `settled`.
+        # Commands and bytes since the last `settled`.
         self._commands = 0
+        self._octets = 0
         # Set by the program's `ready`, and by its `ended`.
         self.ready = False
         self.ended = False
@@ -133,6 +138,9 @@ class SimulatorLink:
         Raises:
             LinkError: a line is not a message, comes at the wrong time, or there is too much of it.
         """
+        self._octets += len(data)
+        if self._octets > MAX_STEP:
+            raise LinkError(f"more than {MAX_STEP} bytes in one step")
         try:
             lines = self._lines.feed(data)
         except LineTooLong as error:
@@ -183,6 +191,6 @@ class SimulatorLink:
             raise LinkError(f"`settled` for step {message.step} instead of {self.step}")
         if len(message.fired) > MAX_FIRED:
             raise LinkError(f"more than {MAX_FIRED} firings in one step")
-        self._commands = 0
+        self._commands = self._octets = 0
         self.step = None
         return message

@@ -44,6 +44,9 @@ State = Literal["starting", "ready", "restarting"]
 _FIRST_PAUSE, _LAST_PAUSE = 0.02, 1.0
 """Between a death and the next start, s; doubles while it keeps dying before it is ready."""
 
+_SPARE_DELAY = 3.0
+"""After a worker is ready until the next one is warmed up beside it, s: the first run comes first."""
+
 
 @dataclass(slots=True)
 class RunningProgram:
@@ -66,6 +69,10 @@ class Worker:
         self.state: State = "starting"
         # The process id of the current worker, for tests and tables.
         self.pid: int | None = None
+        # Warm and waiting; takes over at once when the worker dies.
+        self._spare: WorkerProcess | None = None
+        # Set when run() is over: no spare may be started any more.
+        self._over = False
         self._ids = 0
         self._socket: socket.socket | None = None
         self._outgoing: deque[tuple[bytes, tuple[int, ...]]] = deque()
@@ -80,8 +87,18 @@ class Worker:
     async def run(self) -> None:
         """Start a worker, and another whenever it dies, for ever."""
         pause = _FIRST_PAUSE
+        try:
+            await self._keep(pause)
+        finally:
+            self._over = True
+            if self._spare is not None:
+                self._spare.kill()
+                self._spare.socket.close()
+                await _reap(self._spare.pid)
+
+    async def _keep(self, pause: float) -> None:
         while True:
-            process = launch(self._config)
+            process, self._spare = self._spare or launch(self._config), None
             try:
                 await self._serve(process)
                 pause = _FIRST_PAUSE if self.state == "ready" else min(_LAST_PAUSE, pause * 2)
@@ -118,6 +135,11 @@ class Worker:
         finally:
             loop.remove_reader(process.socket)
             loop.remove_writer(process.socket)
+
+    def _prepare(self) -> None:
+        """Warm up the worker that takes over when this one dies."""
+        if self._spare is None and self.state == "ready" and self._socket is not None and not self._over:
+            self._spare = launch(self._config)
 
     def _say(self, state: State) -> None:
         if state != self.state:
@@ -241,6 +263,7 @@ class Worker:
             case WorkerReady():
                 self._ready.set()
                 self._say("ready")
+                asyncio.get_running_loop().call_later(_SPARE_DELAY, self._prepare)
             case Checked():
                 _answer(self._checks.pop(answer.id, None), answer)
             case Started():
