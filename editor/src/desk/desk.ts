@@ -84,11 +84,11 @@ export function openDesk(address: string): Desk {
 
   const show = (opened: OpenedProject, welcome: boolean, place: string | null) => {
     current = opened
-    shown = opened.workspace
-    blocks?.load(shown)
+    blocks?.load(opened.workspace)
+    // As the block view has them: every block has its id now.
+    shown = blocks?.save() ?? opened.workspace
     autosave.opened(place)
-    const inference = blocks?.inference() ?? codegen.infer(opened.workspace)
-    const document = documentOf(opened.workspace, inference)
+    const document = documentOf(shown, blocks?.inference() ?? codegen.infer(shown))
     const {project, world} = opened
     store.dispatch({kind: "opened", opened: {name: project.name, world, document, welcome}})
   }
