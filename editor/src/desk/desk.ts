@@ -3,12 +3,14 @@
 
 import type {SavedWorkspace} from "@rosy/codegen"
 import * as codegen from "@rosy/codegen"
+import type {Reader} from "@rosy/codegen/reader"
 import {type BlocksView, openBlocks} from "../blocks/index.ts"
 import type {Desk} from "../page/desk.ts"
 import {words} from "../page/words.ts"
 import {openSpeaker} from "../room/sounds.ts"
 import {openRoom, type RoomView} from "../room/view.ts"
 import {download, fileName, pickFile} from "../run/files.ts"
+import {fetchReader} from "../run/grammar.ts"
 import {fetchExample, fetchExamples, fetchWorlds} from "../run/library.ts"
 import {openSession, type Session} from "../run/session.ts"
 import {type Liking, openShelf} from "../run/storage.ts"
@@ -23,10 +25,12 @@ import {openStore} from "../store.ts"
 import {openAutosave} from "./autosave.ts"
 import {
   blockProblem,
-  documentOf,
   emptyProject,
   type OpenedProject,
+  readHaskell,
   readProject,
+  withBlocks,
+  withText,
   writeProject,
 } from "./programs.ts"
 
@@ -43,9 +47,12 @@ export function openDesk(address: string): Desk {
   let blocks: BlocksView | null = null
   let source: SourcePane | null = null
   let room: RoomView | null = null
-  let current: OpenedProject = emptyProject()
+  let reader: Reader | null = null
+  let project = codegen.newProject("")
   /// The blocks as the block view has them; when the document has others, they are loaded.
-  let shown: SavedWorkspace = current.workspace
+  let shown: SavedWorkspace | null = null
+  /// What was typed and has not reached the blocks yet.
+  let typed: string | null = null
   let systemDark = false
 
   let checking: ReturnType<typeof setTimeout> | undefined
@@ -59,8 +66,7 @@ export function openDesk(address: string): Desk {
   }
   const store = openStore(perform, shelf.liking())
   const isDark = () => store.now.theme === "dark" || (store.now.theme === "auto" && systemDark)
-  const projectText = () =>
-    writeProject(current.project, store.now.document.workspace, store.now.name, store.now.worldName)
+  const projectText = () => writeProject(project, store.now.document, store.now.name, store.now.worldName)
   const autosave = openAutosave(store, shelf, projectText)
 
   const paint = () => {
@@ -68,7 +74,9 @@ export function openDesk(address: string): Desk {
     blocks?.setTone(isDark() ? "dark" : "light")
     room?.recolour()
   }
-  store.onFrame(({document}) => {
+  store.onFrame(() => {
+    flush()
+    const {document} = store.now
     if (document.workspace === shown || blocks === null) return
     shown = document.workspace
     blocks.load(shown)
@@ -83,17 +91,17 @@ export function openDesk(address: string): Desk {
   )
 
   const show = (opened: OpenedProject, welcome: boolean, place: string | null) => {
-    current = opened
-    blocks?.load(opened.workspace)
-    // As the block view has them: every block has its id now.
-    shown = blocks?.save() ?? opened.workspace
+    typed = null
+    project = opened.project
     autosave.opened(place)
-    const document = documentOf(shown, blocks?.inference() ?? codegen.infer(shown))
-    const {project, world} = opened
+    const {document, world} = opened
     store.dispatch({kind: "opened", opened: {name: project.name, world, document, welcome}})
   }
   const openText = (name: string, text: string, welcome: boolean, place: string | null) => {
-    const opening = readProject(text)
+    if (reader === null) return
+    if (/\.hs$/i.test(name))
+      return show(readHaskell(reader, name.replace(/\.hs$/i, ""), text), welcome, place)
+    const opening = readProject(reader, text)
     if (opening.kind === "opened") show(opening.opened, welcome, place)
     else {
       const {message, hint} = opening
@@ -113,8 +121,22 @@ export function openDesk(address: string): Desk {
     else void openExample(firstExample, true)
   }
 
-  const undo = () => store.dispatch({kind: "undo-pressed"})
-  const redo = () => store.dispatch({kind: "redo-pressed"})
+  /// Brings what was typed to the blocks; once per frame, and before anything that needs the whole program.
+  const flush = () => {
+    if (typed === null || reader === null) return
+    const text = typed
+    typed = null
+    const document = withText(reader, store.now.document, text)
+    store.dispatch({kind: "program-changed", document, by: "haskell", at: performance.now()})
+  }
+  const undo = () => {
+    flush()
+    store.dispatch({kind: "undo-pressed"})
+  }
+  const redo = () => {
+    flush()
+    store.dispatch({kind: "redo-pressed"})
+  }
   const saveFile = () => download(fileName(store.now.name, "rosy"), projectText(), "application/json")
 
   watchDark(dark => {
@@ -128,7 +150,10 @@ export function openDesk(address: string): Desk {
       store.dispatch({kind: "stop-pressed"})
       return true
     },
-    run: () => store.dispatch({kind: "run-pressed"}),
+    run() {
+      flush()
+      store.dispatch({kind: "run-pressed"})
+    },
     undo,
     redo,
     save: saveFile,
@@ -138,6 +163,12 @@ export function openDesk(address: string): Desk {
     lost: () => store.dispatch({kind: "link-lost"}),
     garbled: message => console.warn(`Rosy's service sent something this page does not know: ${message}`),
   })
+  void fetchReader().then(found => {
+    reader = found
+    source?.setEditable(found !== null)
+    if (found !== null) openFirst()
+    else store.dispatch({kind: "notice", notice: {kind: "no-reader"}})
+  })
   void fetchWorlds().then(w => w.kind === "there" && store.dispatch({kind: "worlds-listed", worlds: w.value}))
 
   return {
@@ -145,13 +176,13 @@ export function openDesk(address: string): Desk {
     mountBlocks(host) {
       blocks = openBlocks(host, {language: codegen, tone: isDark() ? "dark" : "light"})
       blocks.onChange(({workspace, inference}) => {
-        if (JSON.stringify(workspace) === JSON.stringify(store.now.document.workspace)) return
-        shown = workspace
-        const document = documentOf(workspace, inference)
+        flush()
+        if (reader === null || JSON.stringify(workspace) === JSON.stringify(shown)) return
+        const document = withBlocks(reader, store.now.document, workspace, inference)
+        if (document.workspace === workspace) shown = workspace
         store.dispatch({kind: "program-changed", document, by: "blocks", at: performance.now()})
       })
       blocks.onSelect(block => store.dispatch({kind: "selected", block: block ?? null, in: "blocks"}))
-      openFirst()
     },
     mountSource(host) {
       source = openSource(host, {
@@ -160,7 +191,10 @@ export function openDesk(address: string): Desk {
           const block = innermostBlock(store.now.document.program.spans, {start: offset, end: offset})
           store.dispatch({kind: "selected", block, in: "haskell"})
         },
-        edited: () => undefined,
+        edited(text) {
+          typed = text
+          store.redraw()
+        },
       })
     },
     mountRoom(canvas) {
@@ -186,8 +220,8 @@ export function openDesk(address: string): Desk {
       if (text !== null) openText(words.yourProgram, text, false, id)
     },
     kept: () => shelf.kept(),
-    newProgram: () => show(emptyProject(), false, null),
-    openFile: () => pickFile(".rosy,.json", (name, text) => openText(name, text, false, null)),
+    newProgram: () => reader !== null && show(emptyProject(reader), false, null),
+    openFile: () => pickFile(".rosy,.json,.hs", (name, text) => openText(name, text, false, null)),
     saveFile,
     saveHaskell: () =>
       download(fileName(store.now.name, "hs"), store.now.document.program.text, "text/plain"),

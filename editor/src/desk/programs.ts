@@ -1,13 +1,12 @@
-/// Between project files, blocks and the program that the page shows: codegen's answers in the page's words.
+/// Between project files, Haskell, blocks and the document that the page shows: codegen's answers in the page's
+/// words. Both views are kept in step by codegen's `View`; a document carries its own, so that undo is exact.
 
 import {
   type BlockProblem,
-  closeProject,
   type Inference,
+  infer,
   newProject,
   newWorkspace,
-  type Opened,
-  openProject,
   type Project,
   parseProject,
   type SavedBlock,
@@ -15,15 +14,25 @@ import {
   saveProject,
   toHaskell,
 } from "@rosy/codegen"
+import {
+  layoutOf,
+  openView,
+  type Reader,
+  spansOf,
+  syncBlocks,
+  syncText,
+  type View,
+  workspaceOf,
+} from "@rosy/codegen/reader"
 import {decode} from "../state/decode.ts"
 import type {Document} from "../state/history.ts"
 import {type World, world} from "../state/messages.ts"
-import {type Finding, type Program, type Span, textOf} from "../state/program.ts"
+import {type Definition, type Finding, type Program, type Span, textOf} from "../state/program.ts"
 
 /// A program as it comes from a file.
 export interface OpenedProject {
   readonly project: Project
-  readonly workspace: SavedWorkspace
+  readonly document: Document
   readonly world: string | World | null
 }
 
@@ -31,7 +40,8 @@ export type Opening =
   | {readonly kind: "opened"; readonly opened: OpenedProject}
   | {readonly kind: "unreadable"; readonly message: string; readonly hint: string}
 
-export function readProject(text: string): Opening {
+/// Opens the text of a project file.
+export function readProject(reader: Reader, text: string): Opening {
   const parsed = parseProject(text)
   if (!parsed.ok) return {kind: "unreadable", message: parsed.message, hint: parsed.hint}
   const {project} = parsed
@@ -40,48 +50,104 @@ export function readProject(text: string): Opening {
     kind: "opened",
     opened: {
       project,
-      workspace: withRaw(openProject(project)),
+      document: documentOf(openView(reader, oneKindOfLine(project.haskell), project.layout)),
       // A room that cannot be read leaves the room as it is; the project file keeps it.
       world: typeof room === "string" ? (room === "" ? null : room) : room.kind === "ok" ? room.value : null,
     },
   }
 }
 
-/// Text without blocks of its own is shown as raw blocks, so that it is seen and nothing of it is lost.
-function withRaw({workspace, changed}: Opened): SavedWorkspace {
-  if (changed.length === 0) return workspace
-  const raw = changed.map(({text}): SavedBlock => ({type: "raw_definition", extraState: {text: text.trim()}}))
-  return {blocks: {...workspace.blocks, blocks: [...workspace.blocks.blocks, ...raw]}}
+/// Opens plain Haskell from elsewhere. Any text is a program, if perhaps a broken one.
+export function readHaskell(reader: Reader, name: string, text: string): OpenedProject {
+  const project = {...newProject(name), haskell: text}
+  return {project, document: documentOf(openView(reader, oneKindOfLine(text))), world: null}
 }
 
-export function emptyProject(): OpenedProject {
-  return {project: newProject(""), workspace: newWorkspace(), world: null}
+/// A new program: `main` with an empty socket.
+export function emptyProject(reader: Reader): OpenedProject {
+  const printed = toHaskell(newWorkspace())
+  return {project: newProject(""), document: documentOf(openView(reader, printed.text)), world: null}
 }
 
-/// The text of the project file for the blocks as they are.
+/// The page counts lines as CodeMirror does: each ends with one character.
+function oneKindOfLine(text: string): string {
+  return text.replace(/^\uFEFF/, "").replace(/\r\n?/g, "\n")
+}
+
+/// The text of the project file for the program as it is.
 export function writeProject(
   project: Project,
-  workspace: SavedWorkspace,
+  document: Document,
   name: string,
   room: string | World | null,
 ): string {
-  const closed = closeProject({...project, name}, workspace)
-  return saveProject({...closed, ...(room === null ? {} : {world: room as Project["world"]})})
+  const {view} = document
+  return saveProject({
+    ...project,
+    name,
+    ...(view === null ? {} : {haskell: view.text, layout: layoutOf(view)}),
+    ...(room === null ? {} : {world: room as Project["world"]}),
+  })
 }
 
-/// The program that the blocks are, and what is wrong with them.
-export function documentOf(workspace: SavedWorkspace, inference: Inference): Document {
-  const printed = toHaskell(workspace)
-  const spans = printed.spans.flatMap((s): Span[] =>
+/// The document after the learner typed.
+export function withText(reader: Reader, document: Document, text: string): Document {
+  const view = document.view === null ? openView(reader, text) : syncText(reader, document.view, text)
+  return documentOf(view)
+}
+
+/// The document after the learner moved or changed blocks.
+export function withBlocks(
+  reader: Reader,
+  document: Document,
+  workspace: SavedWorkspace,
+  inference: Inference,
+): Document {
+  const before = document.view ?? openView(reader, document.program.text)
+  const view = syncBlocks(reader, before, workspace)
+  const now = workspaceOf(view)
+  // Text in a raw block may have become several definitions: then the blocks are made anew from the text.
+  return sameDefinitions(now, workspace) ? documentOf(view, {workspace, inference}) : documentOf(view)
+}
+
+function sameDefinitions(one: SavedWorkspace, other: SavedWorkspace): boolean {
+  const ids = (workspace: SavedWorkspace) =>
+    workspace.blocks.blocks
+      .flatMap(top => stackOf(top))
+      .map(block => block.id)
+      .sort()
+      .join(" ")
+  return ids(one) === ids(other)
+}
+
+function stackOf(top: SavedBlock): readonly SavedBlock[] {
+  return top.next?.block === undefined ? [top] : [top, ...stackOf(top.next.block)]
+}
+
+/// What the page shows of a view.
+function documentOf(
+  view: View,
+  blocks?: {readonly workspace: SavedWorkspace; readonly inference: Inference},
+): Document {
+  const workspace = blocks?.workspace ?? workspaceOf(view)
+  const inference = blocks?.inference ?? infer(workspace)
+  const spans = spansOf(view).spans.flatMap((s): Span[] =>
     s.block === undefined ? [] : [{start: s.start, end: s.end, block: s.block}],
   )
-  const definitions = [...inference.definitions].flatMap(([block, {name}]) => {
-    const range = textOf(spans, block)
-    return range === null ? [] : [{name, block, ...range}]
+  const definitions = view.declarations.flatMap((shown): Definition[] => {
+    const piece = view.module.pieces[shown.piece]
+    if (piece === undefined || shown.block.id === undefined) return []
+    const {start, end} = piece.core
+    return piece.names.map(name => ({name, start, end, block: shown.block.id ?? ""}))
   })
   const families = Object.fromEntries([...inference.blocks].map(([block, {family}]) => [block, family]))
-  const program = {text: printed.text, spans, definitions, families}
-  return {program, workspace, findings: inference.problems.map(p => findingOf(program, p))}
+  const program = {text: view.text, spans, definitions, families}
+  const dimmed = view.declarations.filter(d => d.dimmed).flatMap(d => d.block.id ?? [])
+  // What is wrong with blocks that no longer say what the text says is nobody's problem.
+  const findings = inference.problems
+    .map(p => findingOf(program, p))
+    .filter(f => f.block === null || dimmed.length === 0 || textOf(spans, f.block) !== null)
+  return {program, workspace, view, dimmed, findings}
 }
 
 function findingOf(program: Program, problem: BlockProblem): Finding {

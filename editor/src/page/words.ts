@@ -143,6 +143,8 @@ export function noticeWords(notice: Notice): {readonly message: string; readonly
       return {message: `There is no example ${notice.name}.`, hint: "Examples, above, shows those there are."}
     case "refusal":
       return {message: notice.message, hint: notice.hint}
+    case "no-reader":
+      return {message: "A part of the page is missing.", hint: "Reload the page; nothing of yours is lost."}
     case "not-saved":
       return {
         message: "This browser has no room to keep your program.",

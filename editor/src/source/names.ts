@@ -45,7 +45,8 @@ function complete(context: CompletionContext): CompletionResult | null {
   const word = context.matchBefore(/[\p{L}_][\p{L}\p{N}_']*/u)
   if (word === null && !context.explicit) return null
   const text = context.state.doc.toString()
-  const here = tokens(text).find(t => t.start < context.pos && context.pos <= t.end)
+  const words = tokens(text)
+  const here = words.find(t => t.start < context.pos && context.pos <= t.end)
   if (here?.kind === "comment" || here?.kind === "string" || here?.kind === "number") return null
   // After `::` on its line a type is wanted, elsewhere a value.
   const wantsType = /::[^=|]*$/.test(
@@ -59,7 +60,7 @@ function complete(context: CompletionContext): CompletionResult | null {
   const named = new Set([...own.map(o => o.label), ...known.map(n => n.name)])
   const local = [
     ...new Set(
-      tokens(text)
+      words
         .filter(t => (t.kind === "name" || t.kind === "type") && t !== here)
         .map(t => text.slice(t.start, t.end)),
     ),

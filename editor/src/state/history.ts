@@ -2,13 +2,18 @@
 /// order they were made. Pure.
 
 import type {SavedWorkspace} from "@rosy/codegen"
-import {emptyProgram, type Finding, type Program} from "./program.ts"
+import type {View} from "@rosy/codegen/reader"
+import {type BlockId, emptyProgram, type Finding, type Program} from "./program.ts"
 
 /// The program at one moment, as text and as blocks.
 export interface Document {
   readonly program: Program
   /// The blocks with their places.
   readonly workspace: SavedWorkspace
+  /// Text and blocks in step, as codegen keeps them; `null` before a program is open.
+  readonly view: View | null
+  /// Definition blocks whose text is broken just now: they show what it was before.
+  readonly dimmed: readonly BlockId[]
   /// What is wrong with the blocks.
   readonly findings: readonly Finding[]
 }
@@ -16,6 +21,8 @@ export interface Document {
 export const emptyDocument: Document = {
   program: emptyProgram,
   workspace: {blocks: {languageVersion: 0, blocks: []}},
+  view: null,
+  dimmed: [],
   findings: [],
 }
 

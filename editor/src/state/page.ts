@@ -30,6 +30,7 @@ export type Notice =
   | {readonly kind: "unreadable-file"; readonly name: string; readonly message: string; readonly hint: string}
   | {readonly kind: "example-missing"; readonly name: string}
   | {readonly kind: "refusal"; readonly message: string; readonly hint: string}
+  | {readonly kind: "no-reader"}
   | {readonly kind: "not-saved"}
   | {readonly kind: "opened-elsewhere"}
 
