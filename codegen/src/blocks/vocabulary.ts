@@ -58,9 +58,9 @@ const looks: {readonly [name: string]: ConstructorLook} = {
   WheelLeft: event(["status"], "The left wheel left the ground or touched it again."),
   WheelRight: event(["status"], "The right wheel left the ground or touched it again."),
   Button: event(["button", "status"], "A button was pressed or released. Example: Button Button0 Pressed."),
-  Button0: event(["status"], "Button 0 was pressed or released."),
-  Button1: event(["status"], "Button 1 was pressed or released."),
-  Button2: event(["status"], "Button 2 was pressed or released."),
+  ButtonZero: event(["status"], "Button 0 was pressed or released."),
+  ButtonOne: event(["status"], "Button 1 was pressed or released."),
+  ButtonTwo: event(["status"], "Button 2 was pressed or released."),
   Velocity: state(
     "command",
     ["speed, metres a second", "turning, radians a second"],
@@ -138,15 +138,14 @@ export const choices: {readonly [type: string]: ChoiceLook} = {
   Ordering: {family: "choice", what: "order", options: ["LT", "EQ", "GT"]},
 }
 
-/// The type whose menu holds a constructor, if one does. `Button0` to `Button2` are also event constructors
-/// with a field; which is meant shows in the number of its arguments.
+/// The type whose menu holds a constructor, if one does.
 export function choiceOf(name: string): string | undefined {
   return Object.keys(choices).find(type => choices[type]?.options.includes(name))
 }
 
 const typeFamilies: {readonly [type: string]: Family} = {
   ...Object.fromEntries(
-    "Bumper BumperLeft BumperCenter BumperRight BumperSide ButtonStatus Cliff CliffLeft CliffCenter CliffRight CliffSide CliffStatus Wheel WheelLeft WheelRight WheelSide WheelStatus Button Button0 Button1 Button2 ButtonNumber RobotStatus"
+    "Bumper BumperLeft BumperCenter BumperRight BumperSide ButtonStatus Cliff CliffLeft CliffCenter CliffRight CliffSide CliffStatus Wheel WheelLeft WheelRight WheelSide WheelStatus Button ButtonZero ButtonOne ButtonTwo ButtonNumber RobotStatus"
       .split(" ")
       .map(t => [t, "event" as const]),
   ),

@@ -4,6 +4,7 @@
 
 import type {DataDeclaration, SynonymDeclaration} from "../model/tree.ts"
 import {parseScheme, parseSignature, parseType} from "./parse.ts"
+import {reduce} from "./solve.ts"
 import type {Constraint, Scheme, Type} from "./type.ts"
 import {app, con, funs, spine, substitute, variablesIn} from "./type.ts"
 
@@ -36,6 +37,12 @@ export interface Environment {
   readonly types: ReadonlyMap<string, TypeEntry>
   /// Each class with the classes it follows from.
   readonly classes: ReadonlyMap<string, readonly string[]>
+  /// Classes that a program cannot name, so that no signature may mention them.
+  readonly hidden: ReadonlySet<string>
+  /// Names that the Prelude has and a program's top level therefore cannot define anew.
+  readonly fixed: ReadonlySet<string>
+  /// Instances that inference used and a program's own types must derive: `Eq Mode`. Filled while inferring.
+  readonly needs: Set<string>
   /// By class, then by the name of the type's head (`*` for an instance that is for every type).
   readonly instances: ReadonlyMap<string, ReadonlyMap<string, Instance>>
 }
@@ -45,16 +52,22 @@ interface Growing {
   constructors: Map<string, ConstructorInfo>
   types: Map<string, TypeEntry>
   classes: Map<string, readonly string[]>
+  hidden: Set<string>
+  fixed: Set<string>
+  needs: Set<string>
   instances: Map<string, Map<string, Instance>>
 }
 
 /// Reads declarations, one a line. A line it cannot read (a type beyond Haskell 2010) leaves its name unknown.
-export function readEnvironment(text: string): Environment {
+export function readEnvironment(text: string, fixed: ReadonlySet<string> = new Set()): Environment {
   const env: Growing = {
     values: new Map(),
     constructors: new Map(),
     types: new Map(),
     classes: new Map(),
+    hidden: new Set(),
+    fixed: new Set(fixed),
+    needs: new Set(),
     instances: new Map(),
   }
   for (const raw of text.split("\n")) {
@@ -90,9 +103,10 @@ function readLine(line: string, env: Growing): void {
     })
     return
   }
-  const cls = /^class (?:(.*) => )?(\w+) \w+$/.exec(line)
+  const cls = /^(hidden )?class (?:(.*) => )?(\w+) \w+$/.exec(line)
   if (cls !== null) {
-    const [, supers = "", name = ""] = cls
+    const [, hidden, supers = "", name = ""] = cls
+    if (hidden !== undefined) env.hidden.add(name)
     env.classes.set(
       name,
       [...supers.matchAll(/([A-Z]\w*) \w/g)].map(m => m[1] ?? ""),
@@ -186,21 +200,26 @@ function addInstance(env: Growing, name: string, instance: Instance): void {
   env.instances.set(name, of)
 }
 
-/// Classes that every type of the program's own belongs to, because Rosy derives them (LANGUAGE.md §1: the author writes no
-/// instances and no `deriving`), provided the types it is made of do.
-const derivedForOwn = ["Sensor", "Command", "Default", "Show", "Eq"]
+/// Classes that every type of the program's own belongs to: Rosy adds the instances (rosy-hs/src/Rosy/Program.hs).
+const givenToOwn = ["Sensor", "Command", "Default"]
+
+/// Classes that a type of the program's own gets when it needs them, if all it is made of has them; the printer writes
+/// `deriving` then.
+const derivable = ["Eq", "Ord", "Show"]
 
 /// The environment with a program's own types. What a program declares wins over a library's name.
 export function withTypes(
   base: Environment,
   declarations: readonly (DataDeclaration | SynonymDeclaration)[],
 ): Environment {
-  if (declarations.length === 0) return base
   const env: Growing = {
     values: new Map(base.values),
     constructors: new Map(base.constructors),
     types: new Map(base.types),
     classes: new Map(base.classes),
+    hidden: new Set(base.hidden),
+    fixed: new Set(base.fixed),
+    needs: new Set(),
     instances: new Map([...base.instances].map(([name, of]) => [name, new Map(of)])),
   }
   for (const d of declarations) {
@@ -225,13 +244,36 @@ export function withTypes(
       true,
     )
     const type = app(con(d.name), ...d.parameters.map((p): Type => ({kind: "var", name: p})))
-    for (const name of new Set([...derivedForOwn, ...d.deriving]))
-      addInstance(env, name, {
-        constraints: d.parameters.map(p => ({name, type: {kind: "var", name: p}})),
-        type,
-      })
+    const perParameter = (name: string) =>
+      d.parameters.map(p => ({name, type: {kind: "var", name: p} as Type}))
+    for (const name of givenToOwn) addInstance(env, name, {constraints: perParameter("Value"), type})
+    for (const name of new Set([...derivable, ...d.deriving]))
+      addInstance(env, name, {constraints: perParameter(name), type})
   }
+  dropUnderivable(env, declarations)
   return env
+}
+
+/// A type cannot be compared when something it is made of cannot. Taking one away may take others with it.
+function dropUnderivable(
+  env: Growing,
+  declarations: readonly (DataDeclaration | SynonymDeclaration)[],
+): void {
+  for (let again = true; again; ) {
+    again = false
+    for (const d of declarations) {
+      if (d.kind !== "data") continue
+      for (const name of derivable) {
+        if (d.deriving.includes(name) || env.instances.get(name)?.has(d.name) !== true) continue
+        const fields = d.constructors.flatMap(c => env.constructors.get(c.name)?.fields ?? [])
+        const all = fields.every(f => reduce({name, type: expand(f, env)}, env).kind === "stuck")
+        if (all) continue
+        env.instances.get(name)?.delete(d.name)
+        again = true
+      }
+    }
+  }
+  env.needs.clear()
 }
 
 /// A type with all synonyms written out. A synonym that goes round in a circle stays as it is.
@@ -249,12 +291,4 @@ export function expand(type: Type, env: Environment, depth = 0): Type {
     }
   }
   return expanded.length === 0 ? head : app(head, ...expanded)
-}
-
-/// All classes that follow from one: `Ord` gives `Ord` and `Eq`.
-export function superclasses(name: string, env: Environment, found: Set<string> = new Set()): Set<string> {
-  if (found.has(name)) return found
-  found.add(name)
-  for (const s of env.classes.get(name) ?? []) superclasses(s, env, found)
-  return found
 }

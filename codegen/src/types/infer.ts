@@ -50,6 +50,7 @@ export type TypeProblem =
   | {readonly kind: "mismatch"; readonly node: Node; readonly wanted: Type; readonly found: Type}
   | {readonly kind: "no-instance"; readonly node: Node; readonly constraint: Constraint}
   | {readonly kind: "unknown-name"; readonly node: Node; readonly name: string}
+  | {readonly kind: "taken"; readonly node: Node; readonly name: string}
   | {readonly kind: "twice"; readonly node: Node; readonly name: string}
   | {readonly kind: "too-many-arguments"; readonly node: Node; readonly type: Type}
   | {
@@ -117,6 +118,8 @@ export class Inferrer {
 
   /// Looks for unknown types in a type declaration.
   declaredTypes(d: DataDeclaration | SynonymDeclaration): void {
+    for (const name of [d.name, ...(d.kind === "data" ? d.constructors.map(c => c.name) : [])])
+      if (this.env.fixed.has(name)) this.problems.push({kind: "taken", node: d, name})
     const texts = d.kind === "synonym" ? [d.type] : d.constructors.flatMap(c => c.fields.map(f => f.type))
     for (const t of texts) this.signature(t.text, t)
   }
@@ -182,6 +185,7 @@ export class Inferrer {
       for (const name of definedBy(d)) {
         if (byName.has(name)) this.problems.push({kind: "twice", node: d, name})
         byName.set(name, i)
+        if (top && this.env.fixed.has(name)) this.problems.push({kind: "taken", node: d, name})
         // Known from the start, also to whom asks for the scope before its turn; its type comes with its component.
         const placeholder = mono(this.fresh())
         scope.set(name, placeholder)
@@ -325,7 +329,11 @@ export class Inferrer {
       const name = letterFor(names.size, taken)
       names.set(m, name)
     }
-    const constraints = simplify(quantified, this.env)
+    // GHC settles an open `Ends` with its catch-all instance, so it never stands in a type.
+    const constraints = simplify(
+      quantified.filter(c => c.name !== "Ends"),
+      this.env,
+    )
     for (const [m, name] of names) m.is = {kind: "var", name}
     for (const d of members) {
       const type = types.get(d)
@@ -364,7 +372,7 @@ export class Inferrer {
     const groups = new Map<Meta, Wanted[]>()
     for (const c of constraints) {
       const [first] = metasIn(c.type)
-      if (first === undefined) continue
+      if (first === undefined || c.name === "Ends") continue
       groups.set(first, [...(groups.get(first) ?? []), c])
     }
     for (const [meta, group] of groups) {

@@ -67,9 +67,16 @@ function parseContext(tokens: readonly string[]): Constraint[] | undefined {
     if (part.length === 0) continue
     const [name, ...rest] = part
     const parser = new Parser(rest)
-    const type = parser.atomic()
-    if (name === undefined || type === undefined || !parser.atEnd()) return undefined
-    constraints.push({name: unqualified(name), type})
+    const types: Type[] = []
+    while (!parser.atEnd()) {
+      const type = parser.atomic()
+      if (type === undefined) return undefined
+      types.push(type)
+    }
+    const [only] = types
+    if (name === undefined || only === undefined) return undefined
+    // A class of several types is kept as a class of their tuple.
+    constraints.push({name: unqualified(name), type: types.length === 1 ? only : tupleOf(types)})
   }
   return constraints
 }

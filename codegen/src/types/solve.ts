@@ -1,9 +1,8 @@
 /// Unification and class constraints.
 
 import type {Environment} from "./environment.ts"
-import {superclasses} from "./environment.ts"
 import type {Constraint, Meta, Type} from "./type.ts"
-import {prune, spine, substitute} from "./type.ts"
+import {app, con, prune, spine, substitute} from "./type.ts"
 
 export interface Rigid {
   readonly kind: "var"
@@ -66,10 +65,19 @@ export function reduce(
   const {head, args} = spine(type)
   if (givens.some(g => superclasses(g.name, env).has(wanted.name) && sameType(g.type, type)))
     return {kind: "stuck", constraints: []}
+  if (wanted.name === "Ends") return reduceEnds(type, env)
+  if (wanted.name === "Typeable" && head.kind === "con")
+    return reduceAll(
+      args.map(a => ({name: "Typeable", type: a})),
+      env,
+      givens,
+      depth,
+    )
   const instances = env.instances.get(wanted.name)
   const everything = instances?.get("*")
   if (head.kind !== "con") {
-    if (everything !== undefined && instances?.size === 1)
+    // Rosy shows a value of any type somehow: its catch-all instance is chosen also while the type is open.
+    if (everything !== undefined && (instances?.size === 1 || wanted.name === "Value"))
       return applyInstance(everything, wanted, args, env, givens, depth)
     return {kind: "stuck", constraints: [{name: wanted.name, type}]}
   }
@@ -77,7 +85,51 @@ export function reduce(
   if (!env.classes.has(wanted.name)) return {kind: "stuck", constraints: []}
   const instance = instances?.get(head.name) ?? everything
   if (instance === undefined || depth > 50) return {kind: "no", constraint: {name: wanted.name, type}}
+  if (env.types.get(head.name)?.own === true) env.needs.add(`${wanted.name} ${head.name}`)
   return applyInstance(instance, wanted, args, env, givens, depth)
+}
+
+function reduceAll(
+  all: readonly Constraint[],
+  env: Environment,
+  givens: readonly Constraint[],
+  depth: number,
+): Reduced {
+  const constraints: Constraint[] = []
+  for (const c of all) {
+    const r = reduce(c, env, givens, depth + 1)
+    if (r.kind === "no") return r
+    constraints.push(...r.constraints)
+  }
+  return {kind: "stuck", constraints}
+}
+
+/// `Ends end ctrl`: every `Done` that a task's controller sends carries what the task ends with (rosy-hs/src/Rosy/Command.hs).
+/// Here the two types become one; outside a task a `Done` has no place at all.
+function reduceEnds(type: Type, env: Environment): Reduced {
+  const [end, of] = spine(type).args
+  if (end === undefined || of === undefined) return {kind: "stuck", constraints: []}
+  const {head, args} = spine(of)
+  const inner = (parts: readonly Type[]): Reduced => {
+    const constraints: Constraint[] = []
+    for (const part of parts) {
+      const r = reduceEnds(app(con("(,)"), end, part), env)
+      if (r.kind === "no") return r
+      constraints.push(...r.constraints)
+    }
+    return {kind: "stuck", constraints}
+  }
+  if (head.kind === "meta") return {kind: "stuck", constraints: [{name: "Ends", type}]}
+  if (head.kind !== "con") return {kind: "stuck", constraints: []}
+  const [first, second] = args
+  if (head.name === "Done" && first !== undefined)
+    return unify(end, first) === undefined
+      ? {kind: "stuck", constraints: []}
+      : {kind: "no", constraint: {name: "Ends", type}}
+  if (head.name === "->" && second !== undefined) return inner([second])
+  return ["Maybe", "[]", "Either"].includes(head.name) || /^\(,+\)$/.test(head.name)
+    ? inner(args)
+    : {kind: "stuck", constraints: []}
 }
 
 function applyInstance(
@@ -135,4 +187,12 @@ export function simplify(constraints: readonly Constraint[], env: Environment): 
     if (!follows) kept.push(c)
   }
   return kept
+}
+
+/// All classes that follow from one: `Ord` gives `Ord` and `Eq`.
+export function superclasses(name: string, env: Environment, found: Set<string> = new Set()): Set<string> {
+  if (found.has(name)) return found
+  found.add(name)
+  for (const s of env.classes.get(name) ?? []) superclasses(s, env, found)
+  return found
 }

@@ -99,6 +99,7 @@ export function problemWords(
       }
     }
     case "no-instance":
+      if (problem.constraint.name === "Ends") return endWords(problem.constraint)
       return {
         kind: "type-mismatch",
         message: `${capital(describe(problem.constraint.type))} cannot ${ability(problem.constraint)}.`,
@@ -109,6 +110,12 @@ export function problemWords(
         kind: "not-in-scope",
         message: `${what} has no meaning here.`,
         hint: "A name is known only inside the function that names it; check its spelling or define it.",
+      }
+    case "taken":
+      return {
+        kind: "duplicate",
+        message: `Haskell itself has a \`${problem.name}\` already.`,
+        hint: "Give this one another name.",
       }
     case "twice":
       return {
@@ -152,6 +159,21 @@ export function problemWords(
         message: `There is no type ${problem.name}.`,
         hint: "Check its spelling, or define it.",
       }
+  }
+}
+
+/// A `Done` that does not belong: outside a task, or with another result than its task's.
+function endWords(constraint: Constraint): {kind: string; message: string; hint: string} {
+  const [end] = spine(constraint.type).args
+  const outside = end !== undefined && showType(end) === "NotInATask"
+  return {
+    kind: "type-mismatch",
+    message: outside
+      ? "A Done ends a task, and this is no task."
+      : "This Done does not carry what its task ends with.",
+    hint: outside
+      ? "Put it into the functions of a task."
+      : "Give Done the same kind of value everywhere in the task.",
   }
 }
 

@@ -32,14 +32,27 @@ export function withSignatures(program: Program, {inferrer}: Pick<Solved, "infer
   return {
     ...program,
     declarations: program.declarations.map((d): Declaration => {
+      if (d.kind === "data") return withDeriving(d, inferrer.env.needs)
       if (d.kind !== "function" || d.signature !== undefined) return d
       const scheme = inferrer.schemes.get(d)
       if (scheme === undefined || (scheme.variables.length > 0 && hasUnknowns(d))) return d
+      if (scheme.constraints.some(c => inferrer.env.hidden.has(c.name) || c.name === "Typeable")) return d
       const text = showScheme(scheme)
       if (text.includes("?")) return d
       return {...d, signature: {kind: "type", text, from: d.from}}
     }),
   }
+}
+
+/// What the program does with a type of its own decides what the type derives: comparing needs `Eq`, showing `Show`.
+function withDeriving(d: Declaration & {kind: "data"}, needs: ReadonlySet<string>): Declaration {
+  const wanted = ["Eq", "Ord", "Show"].filter(c => needs.has(`${c} ${d.name}`) && !d.deriving.includes(c))
+  // `Ord` builds on `Eq`.
+  const all =
+    wanted.includes("Ord") && !wanted.includes("Eq") && !d.deriving.includes("Eq")
+      ? ["Eq", ...wanted]
+      : wanted
+  return all.length === 0 ? d : {...d, deriving: [...d.deriving, ...all]}
 }
 
 /// The innermost block whose text holds an offset.

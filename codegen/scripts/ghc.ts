@@ -1,0 +1,66 @@
+/// Asks GHC what a Rosy program has in scope. The one place in codegen that starts another program.
+
+import {execFileSync} from "node:child_process"
+import {existsSync, readdirSync} from "node:fs"
+import {fileURLToPath} from "node:url"
+import {browsed, instancesOf} from "./browse.ts"
+
+const root = fileURLToPath(new URL("../../", import.meta.url))
+
+/// Where cabal keeps the library built in this tree, if it has been built.
+export function packageDatabase(): string | undefined {
+  const all = `${root}dist-newstyle/packagedb/`
+  const found = existsSync(all)
+    ? readdirSync(all).find(d => existsSync(`${all}${d}/package.cache`))
+    : undefined
+  return found === undefined ? undefined : `${all}${found}`
+}
+
+/// Options that make the library visible to `ghc`.
+export function withRosy(database: string): string[] {
+  return ["-package-env", "-", "-package-db", database, "-package", "rosy", "-package", "random"]
+}
+
+const classes =
+  `Eq Ord Show Read Enum Bounded Num Real Integral Fractional Floating RealFrac RealFloat Semigroup Monoid
+  Functor Applicative Monad MonadFail Foldable Traversable MonadPlus Sensor Command Controller Runnable`.split(
+    /\s+/,
+  )
+
+/// Classes that a learner cannot write, but that stand in the types of what a learner uses.
+const hiddenClasses = [
+  "GHC.Base.Alternative",
+  "System.Random.Random",
+  "System.Random.RandomGen",
+  "Rosy.Value.Default",
+  "Rosy.Value.Value",
+]
+
+/// The whole environment: Prelude first, so that what Rosy says of a name comes last and holds.
+export function environmentFromGhc(database: string): string {
+  const say = (commands: readonly string[]) =>
+    execFileSync(
+      "ghc",
+      [
+        ...withRosy(database),
+        "-dppr-cols=4000",
+        "-ignore-dot-ghci",
+        ...["import Rosy", ...commands].flatMap(c => ["-e", c]),
+      ],
+      {encoding: "utf8", maxBuffer: 1 << 26, stdio: ["ignore", "pipe", "pipe"]},
+    )
+  const known = browsed(say([":browse Prelude", ":browse Rosy"]))
+  const hidden = browsed(say(hiddenClasses.map(c => `:info ${c}`)))
+    .filter(l => l.startsWith("class "))
+    .map(l => `hidden ${l}`)
+  const instances = instancesOf(say([...classes, ...hiddenClasses].map(c => `:info ${c}`)))
+  const types = new Set(known.flatMap(l => /^(?:data|newtype) (\S+)/.exec(l)?.[1] ?? []))
+  const usable = instances.filter(l => headsIn(l).every(t => types.has(t)))
+  return [...new Set([...known, ...hidden, ...usable.sort()])].join("\n")
+}
+
+/// The type names an instance is about, so that instances of types nobody can write are left out.
+function headsIn(line: string): string[] {
+  const head = line.replace(/^instance (?:.* => )?\S+ /, "")
+  return head.match(/[A-Z][\w']*/g) ?? []
+}
