@@ -54,7 +54,9 @@ describe("reading what GHCi says", () => {
   })
   test("keeps instances without their comments and pragmas", () => {
     expect(
-      instancesOf("instance [overlappable] Rosy.Command.Command c => Controller c -- Defined in ‘Rosy.Controller’\nclass X a"),
+      instancesOf(
+        "instance [overlappable] Rosy.Command.Command c => Controller c -- Defined in ‘Rosy.Controller’\nclass X a",
+      ),
     ).toEqual(["instance Command c => Controller c"])
   })
 })

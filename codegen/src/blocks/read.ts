@@ -30,12 +30,17 @@ export interface ReadTree {
 /// Deeper trees are cut; nobody builds them, but a file may hold one.
 const deepest = 400
 
-export function readWorkspace(workspace: SavedWorkspace): ReadWorkspace {
+/// With `known`, trees of the very same saved blocks are read only once.
+export function readWorkspace(
+  workspace: SavedWorkspace,
+  known?: WeakMap<SavedBlock, ReadTree>,
+): ReadWorkspace {
   const declarations: Declaration[] = []
   const loose: Loose[] = []
   const problems: BlockProblem[] = []
   for (const block of inOrder(workspace.blocks.blocks)) {
-    const tree = readTree(block)
+    const tree = known?.get(block) ?? readTree(block)
+    known?.set(block, tree)
     declarations.push(...tree.declarations)
     if (tree.loose !== undefined) loose.push(tree.loose)
     problems.push(...tree.problems)

@@ -20,7 +20,7 @@ import type {Fixities, Fixity} from "./fixity.ts"
 import {fixityOf} from "./fixity.ts"
 import {
   characterLiteral,
-  constructorName,
+  constructorWord,
   isConstructorName,
   isConstructorOperator,
   isOperator,
@@ -361,11 +361,6 @@ function printSection(e: Expr & {kind: "section"}, context: Context): Doc {
 
 function variableWord(name: string): string {
   return isOperator(name) ? `(${name})` : variableName(name)
-}
-
-function constructorWord(name: string): string {
-  if (name === "()" || name === "[]" || /^\(,+\)$/.test(name)) return name
-  return isConstructorOperator(name) ? `(${name})` : constructorName(name)
 }
 
 /// An operator between two operands: a symbol, or a name in backticks.

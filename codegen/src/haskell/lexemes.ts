@@ -78,6 +78,12 @@ export function constructorName(text: string): string {
   return /^\p{Lu}/u.test(upper) ? upper : `X${upper}`
 }
 
+/// A constructor as a word of its own: operators and the special ones in brackets.
+export function constructorWord(name: string): string {
+  if (name === "()" || name === "[]" || /^\(,+\)$/.test(name)) return name
+  return isConstructorOperator(name) ? `(${name})` : constructorName(name)
+}
+
 /// A number literal without its sign; anything else becomes 0.
 export function numberLiteral(text: string): {negative: boolean; digits: string} {
   const trimmed = text.trim()

@@ -7,7 +7,7 @@ import {group, join, line, mark, nest} from "./doc.ts"
 import {fixityOf} from "./fixity.ts"
 import {
   characterLiteral,
-  constructorName,
+  constructorWord,
   isConstructorName,
   isConstructorOperator,
   numberLiteral,
@@ -97,10 +97,6 @@ function commas(items: readonly Pattern[]): Doc {
       1,
     ),
   )
-}
-
-function constructorWord(name: string): string {
-  return isConstructorOperator(name) ? `(${name})` : constructorName(name)
 }
 
 function isNegative(p: Pattern): boolean {

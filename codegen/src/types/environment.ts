@@ -31,44 +31,83 @@ export interface Instance {
   readonly type: Type
 }
 
+/// What is asked of a table; a program's own names are a thin layer over the library's.
+export interface Lookup<V> {
+  get(name: string): V | undefined
+  has(name: string): boolean
+}
+
 export interface Environment {
-  readonly values: ReadonlyMap<string, Scheme>
-  readonly constructors: ReadonlyMap<string, ConstructorInfo>
-  readonly types: ReadonlyMap<string, TypeEntry>
+  readonly values: Lookup<Scheme>
+  readonly constructors: Lookup<ConstructorInfo>
+  readonly types: Lookup<TypeEntry>
   /// Each class with the classes it follows from.
-  readonly classes: ReadonlyMap<string, readonly string[]>
+  readonly classes: Lookup<readonly string[]>
   /// Classes that a program cannot name, so that no signature may mention them.
   readonly hidden: ReadonlySet<string>
   /// Names that the Prelude has and a program's top level therefore cannot define anew.
   readonly fixed: ReadonlySet<string>
   /// Instances that inference used and a program's own types must derive: `Eq Mode`. Filled while inferring.
   readonly needs: Set<string>
-  /// By class, then by the name of the type's head (`*` for an instance that is for every type).
-  readonly instances: ReadonlyMap<string, ReadonlyMap<string, Instance>>
+  /// By class, then by the name of the type's head (`*` for an instance that is for every type). "none" where a type
+  /// of the program's own cannot derive the class.
+  readonly instances: Lookup<Lookup<Instance | "none">>
+}
+
+/// The library's environment, which can also be gone through.
+export interface Library extends Environment {
+  readonly values: ReadonlyMap<string, Scheme>
+  readonly constructors: ReadonlyMap<string, ConstructorInfo>
 }
 
 interface Growing {
-  values: Map<string, Scheme>
-  constructors: Map<string, ConstructorInfo>
-  types: Map<string, TypeEntry>
-  classes: Map<string, readonly string[]>
+  values: Table<Scheme>
+  constructors: Table<ConstructorInfo>
+  types: Table<TypeEntry>
+  classes: Table<readonly string[]>
   hidden: Set<string>
-  fixed: Set<string>
+  fixed: ReadonlySet<string>
   needs: Set<string>
-  instances: Map<string, Map<string, Instance>>
+  instances: Table<Table<Instance | "none">>
+}
+
+interface Table<V> extends Lookup<V> {
+  set(name: string, value: V): unknown
+}
+
+/// A table of a few names of its own over another that it leaves alone.
+class Layer<V> implements Table<V> {
+  private readonly own = new Map<string, V>()
+  private readonly below: Lookup<V>
+
+  constructor(below: Lookup<V>) {
+    this.below = below
+  }
+
+  get(name: string): V | undefined {
+    return this.own.get(name) ?? this.below.get(name)
+  }
+
+  has(name: string): boolean {
+    return this.own.has(name) || this.below.has(name)
+  }
+
+  set(name: string, value: V): void {
+    this.own.set(name, value)
+  }
 }
 
 /// Reads declarations, one a line. A line it cannot read (a type beyond Haskell 2010) leaves its name unknown.
-export function readEnvironment(text: string, fixed: ReadonlySet<string> = new Set()): Environment {
-  const env: Growing = {
-    values: new Map(),
-    constructors: new Map(),
-    types: new Map(),
-    classes: new Map(),
-    hidden: new Set(),
-    fixed: new Set(fixed),
-    needs: new Set(),
-    instances: new Map(),
+export function readEnvironment(text: string, fixed: ReadonlySet<string> = new Set()): Library {
+  const env = {
+    values: new Map<string, Scheme>(),
+    constructors: new Map<string, ConstructorInfo>(),
+    types: new Map<string, TypeEntry>(),
+    classes: new Map<string, readonly string[]>(),
+    hidden: new Set<string>(),
+    fixed,
+    needs: new Set<string>(),
+    instances: new Map<string, Map<string, Instance | "none">>(),
   }
   for (const raw of text.split("\n")) {
     const line = raw.trim()
@@ -195,7 +234,7 @@ function addData(
 
 function addInstance(env: Growing, name: string, instance: Instance): void {
   const {head} = spine(instance.type)
-  const of = env.instances.get(name) ?? new Map<string, Instance>()
+  const of = env.instances.get(name) ?? new Map<string, Instance | "none">()
   of.set(head.kind === "con" ? head.name : "*", instance)
   env.instances.set(name, of)
 }
@@ -212,15 +251,22 @@ export function withTypes(
   base: Environment,
   declarations: readonly (DataDeclaration | SynonymDeclaration)[],
 ): Environment {
+  const instances = new Layer<Table<Instance | "none">>(base.instances as Lookup<Table<Instance | "none">>)
+  for (const name of [
+    ...givenToOwn,
+    ...derivable,
+    ...declarations.flatMap(d => (d.kind === "data" ? d.deriving : [])),
+  ])
+    instances.set(name, new Layer(base.instances.get(name) ?? new Map<string, Instance>()))
   const env: Growing = {
-    values: new Map(base.values),
-    constructors: new Map(base.constructors),
-    types: new Map(base.types),
-    classes: new Map(base.classes),
+    values: new Layer(base.values),
+    constructors: new Layer(base.constructors),
+    types: new Layer(base.types),
+    classes: base.classes as Table<readonly string[]>,
     hidden: new Set(base.hidden),
-    fixed: new Set(base.fixed),
+    fixed: base.fixed,
     needs: new Set(),
-    instances: new Map([...base.instances].map(([name, of]) => [name, new Map(of)])),
+    instances,
   }
   for (const d of declarations) {
     if (d.kind === "synonym") {
@@ -264,11 +310,11 @@ function dropUnderivable(
     for (const d of declarations) {
       if (d.kind !== "data") continue
       for (const name of derivable) {
-        if (d.deriving.includes(name) || env.instances.get(name)?.has(d.name) !== true) continue
+        if (d.deriving.includes(name) || env.instances.get(name)?.get(d.name) === "none") continue
         const fields = d.constructors.flatMap(c => env.constructors.get(c.name)?.fields ?? [])
         const all = fields.every(f => reduce({name, type: expand(f, env)}, env).kind === "stuck")
         if (all) continue
-        env.instances.get(name)?.delete(d.name)
+        env.instances.get(name)?.set(d.name, "none")
         again = true
       }
     }

@@ -25,7 +25,9 @@ import {bindersIn, freeInDeclaration} from "../model/uses.ts"
 import {components} from "./components.ts"
 import type {Environment} from "./environment.ts"
 import {expand} from "./environment.ts"
+import type {Memo} from "./memo.ts"
 import {parseScheme} from "./parse.ts"
+import {Scope} from "./scope.ts"
 import type {Rigid} from "./solve.ts"
 import {reduce, simplify, unify} from "./solve.ts"
 import type {Constraint, Meta, Scheme, Type} from "./type.ts"
@@ -39,6 +41,7 @@ import {
   listOf,
   metasIn,
   prune,
+  showScheme,
   string,
   substitute,
   tupleOf,
@@ -72,14 +75,12 @@ export interface Inferred {
   /// Constraints on the types that are still unknown or generalised, for display.
   readonly problems: readonly TypeProblem[]
   /// The top level's names.
-  readonly globals: ReadonlyMap<string, Scheme>
+  readonly globals: Scope
 }
 
 export interface Wanted extends Constraint {
   readonly node: Node
 }
-
-type Scope = ReadonlyMap<string, Scheme>
 
 const mono = (type: Type): Scheme => ({variables: [], constraints: [], type})
 
@@ -93,7 +94,10 @@ const numberClasses = new Set(["Num", "Real", "Integral", "Fractional", "Floatin
 const fractionClasses = new Set(["Fractional", "Floating", "RealFrac", "RealFloat"])
 
 export class Inferrer {
-  readonly types = new Map<Node, Type>()
+  private found = new Map<Node, Type>()
+  /// Types found before, by an inference that had the same definitions before it.
+  private readonly remembered: ReadonlyMap<Node, Type>[] = []
+  private merged: ReadonlyMap<Node, Type> | undefined
   readonly schemes = new Map<Declaration, Scheme>()
   readonly problems: TypeProblem[] = []
   private readonly holes: Type[] = []
@@ -105,12 +109,27 @@ export class Inferrer {
   private strays = new Map<string, Type>()
   readonly env: Environment
 
-  constructor(env: Environment) {
+  private readonly memo: Memo | undefined
+  /// What the program's own types are, for the memo.
+  private readonly world: string
+
+  constructor(env: Environment, memo?: Memo, world = "") {
     this.env = env
+    this.memo = memo
+    this.world = world
+  }
+
+  /// The type of every expression and pattern, parents before their parts.
+  get types(): ReadonlyMap<Node, Type> {
+    this.merged ??=
+      this.remembered.length === 0
+        ? this.found
+        : new Map([...this.found, ...this.remembered.flatMap(m => [...m])])
+    return this.merged
   }
 
   /// Top-level declarations; answers the names they define.
-  program(declarations: readonly Declaration[], known: Scope = new Map()): Scope {
+  program(declarations: readonly Declaration[], known: Scope = new Scope()): Scope {
     const scope = this.group(declarations, known, true)
     this.finish()
     return scope
@@ -142,7 +161,7 @@ export class Inferrer {
   loosePattern(pattern: Pattern): Type {
     this.level++
     const type = this.fresh()
-    this.pattern(pattern, type, new Map())
+    this.pattern(pattern, type, new Scope())
     this.level--
     this.pending.push(...this.reduceAll(this.wanted, []).stuck)
     this.wanted = []
@@ -178,7 +197,7 @@ export class Inferrer {
   /// Definitions that may refer to each other; answers the scope with their names.
   private group(declarations: readonly Declaration[], outer: Scope, top: boolean): Scope {
     const values = declarations.filter(d => d.kind === "function" || d.kind === "binding")
-    const scope = new Map(outer)
+    const scope = outer.inner()
     const signatures = new Map<Declaration, Scheme>()
     const byName = new Map<string, number>()
     values.forEach((d, i) => {
@@ -199,7 +218,7 @@ export class Inferrer {
       }
     })
     const edges = values.map(d =>
-      [...freeInDeclaration(d)].flatMap(name => {
+      [...(this.memo?.freeIn(d) ?? freeInDeclaration(d))].flatMap(name => {
         const i = byName.get(name)
         const target = i === undefined ? undefined : values[i]
         return i === undefined || target === undefined || signatures.has(target) ? [] : [i]
@@ -207,13 +226,79 @@ export class Inferrer {
     )
     for (const component of components(edges)) {
       const members = component.flatMap(i => values[i] ?? [])
-      const [only] = members
-      const signature = only === undefined ? undefined : signatures.get(only)
-      if (members.length === 1 && only?.kind === "function" && signature !== undefined)
-        this.checkSigned(only, signature, scope, top)
-      else this.inferTogether(members, scope, top)
+      if (top) this.remembering(members, scope, () => this.component(members, signatures, scope, top))
+      else this.component(members, signatures, scope, top)
     }
     return scope
+  }
+
+  private component(
+    members: readonly Declaration[],
+    signatures: ReadonlyMap<Declaration, Scheme>,
+    scope: Scope,
+    top: boolean,
+  ): void {
+    const [only] = members
+    const signature = only === undefined ? undefined : signatures.get(only)
+    if (members.length === 1 && only?.kind === "function" && signature !== undefined)
+      this.checkSigned(only, signature, scope, top)
+    else this.inferTogether(members, scope, top)
+  }
+
+  /// Infers a group of top-level definitions, or takes what was found for the very same group before.
+  private remembering(members: readonly Declaration[], scope: Scope, go: () => void): void {
+    const memo = this.memo
+    const key = memo === undefined || this.watch !== undefined ? undefined : this.keyOf(members, scope, memo)
+    const known = key === undefined ? undefined : memo?.groups.get(key)
+    if (known !== undefined) {
+      for (const [d, scheme] of known.schemes) {
+        this.schemes.set(d, scheme)
+        if (d.kind === "function") scope.set(d.name, scheme)
+      }
+      this.problems.push(...known.problems)
+      for (const n of known.needs) this.env.needs.add(n)
+      this.remembered.push(known.types)
+      return
+    }
+    const outer = {
+      found: this.found,
+      wanted: this.wanted.length,
+      problems: this.problems.length,
+      needs: new Set(this.env.needs),
+    }
+    this.found = new Map()
+    go()
+    const types = this.found
+    this.found = outer.found
+    for (const [node, type] of types) this.found.set(node, type)
+    const schemes = members.flatMap(d => {
+      const scheme = this.schemes.get(d)
+      return scheme === undefined ? [] : [[d, scheme] as const]
+    })
+    // What other definitions may still decide cannot be remembered, nor what binds names by a pattern.
+    const closed =
+      this.wanted.length === outer.wanted &&
+      schemes.every(([d, s]) => d.kind === "function" && metasIn(s.type).size === 0)
+    if (key === undefined || !closed) return
+    memo?.groups.set(key, {
+      schemes,
+      types,
+      problems: this.problems.slice(outer.problems),
+      needs: [...this.env.needs].filter(n => !outer.needs.has(n)),
+    })
+  }
+
+  private keyOf(members: readonly Declaration[], scope: Scope, memo: Memo): string | undefined {
+    const own = new Set(members.flatMap(definedBy))
+    const parts = [this.world, ...members.map(d => String(memo.numberOf(d)))]
+    for (const d of members)
+      for (const name of memo.freeIn(d)) {
+        const scheme = own.has(name) ? undefined : scope.get(name)
+        if (scheme === undefined) continue
+        if (metasIn(scheme.type).size > 0) return undefined
+        parts.push(`${name} :: ${showScheme(scheme)}`)
+      }
+    return parts.join("\n")
   }
 
   private signature(text: string, node: Node): Scheme | undefined {
@@ -264,7 +349,7 @@ export class Inferrer {
     this.settle(deferred, new Set(), top)
   }
 
-  private inferTogether(members: readonly Declaration[], scope: Map<string, Scheme>, top: boolean): void {
+  private inferTogether(members: readonly Declaration[], scope: Scope, top: boolean): void {
     const before = this.wanted
     this.wanted = []
     this.level++
@@ -298,7 +383,7 @@ export class Inferrer {
     members: readonly Declaration[],
     types: ReadonlyMap<Declaration, Type>,
     stuck: readonly Wanted[],
-    scope: Map<string, Scheme>,
+    scope: Scope,
     top: boolean,
   ): void {
     const restricted = members.some(
@@ -435,7 +520,7 @@ export class Inferrer {
 
   private clause(c: Clause, type: Type, scope: Scope): void {
     this.distinct(c.patterns)
-    const inner = new Map(scope)
+    const inner = scope.inner()
     let result = type
     for (const p of c.patterns) {
       let f = asFunction(result)
@@ -473,7 +558,7 @@ export class Inferrer {
           const type = this.fresh()
           this.check(s.expr, type, inner)
           this.distinct([s.pattern])
-          const next = new Map(inner)
+          const next = inner.inner()
           this.pattern(s.pattern, type, next)
           inner = next
           break
@@ -490,14 +575,13 @@ export class Inferrer {
 
   // --- Patterns ---------------------------------------------------------------------------------------------------
 
-  private pattern(p: Pattern, type: Type, scope: Map<string, Scheme>): void {
-    this.types.set(p, type)
+  private pattern(p: Pattern, type: Type, scope: Scope): void {
+    this.found.set(p, type)
     switch (p.kind) {
       case "name-pattern":
         scope.set(p.name, mono(type))
         return
       case "wildcard":
-        if (p.from?.input !== undefined) this.holes.push(type)
         return
       case "constructor-pattern":
         this.constructorPattern(p, type, scope)
@@ -567,11 +651,11 @@ export class Inferrer {
     }
   }
 
-  private constructorPattern(
-    p: Pattern & {kind: "constructor-pattern"},
-    type: Type,
-    scope: Map<string, Scheme>,
-  ): void {
+  private constructorPattern(p: Pattern & {kind: "constructor-pattern"}, type: Type, scope: Scope): void {
+    if (p.name === "()" && p.args.length === 0) {
+      this.same(type, con("()"), p)
+      return
+    }
     const info = this.env.constructors.get(p.name)
     if (info === undefined) {
       this.problems.push({kind: "unknown-name", node: p, name: p.name})
@@ -606,7 +690,7 @@ export class Inferrer {
   // --- Expressions ------------------------------------------------------------------------------------------------
 
   check(e: Expr, type: Type, scope: Scope): void {
-    this.types.set(e, type)
+    this.found.set(e, type)
     switch (e.kind) {
       case "variable":
         this.same(type, this.nameType(e.name, e, scope), e)
@@ -649,7 +733,7 @@ export class Inferrer {
       }
       case "lambda": {
         this.distinct(e.parameters)
-        const inner = new Map(scope)
+        const inner = scope.inner()
         let result = type
         for (const p of e.parameters) {
           let f = asFunction(result)
@@ -673,7 +757,7 @@ export class Inferrer {
         this.check(e.scrutinee, scrutinee, scope)
         for (const a of e.alternatives) {
           this.distinct([a.pattern])
-          const inner = new Map(scope)
+          const inner = scope.inner()
           this.pattern(a.pattern, scrutinee, inner)
           this.rightSide(a.right, type, inner)
         }
@@ -786,7 +870,7 @@ export class Inferrer {
         const each = this.fresh()
         this.check(s.expr, listOf(each), inner)
         this.distinct([s.pattern])
-        const next = new Map(inner)
+        const next = inner.inner()
         this.pattern(s.pattern, each, next)
         inner = next
       }
@@ -812,7 +896,7 @@ export class Inferrer {
           this.check(s.expr, app(monad, each), inner)
           this.want("Monad", monad, s.expr)
           this.distinct([s.pattern])
-          const next = new Map(inner)
+          const next = inner.inner()
           this.pattern(s.pattern, each, next)
           inner = next
           break
@@ -858,7 +942,7 @@ export class Inferrer {
   private constructorType(name: string, node: Node): Type {
     if (name === "()") return con("()")
     if (name === "[]") return listOf(this.fresh())
-    if (name === ":") return this.operatorType(":", node as Expr, new Map())
+    if (name === ":") return this.operatorType(":", node as Expr, new Scope())
     if (/^\(,+\)$/.test(name)) {
       const items = [...name.slice(1)].map(() => this.fresh())
       return funs(items, tupleOf(items))

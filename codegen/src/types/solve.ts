@@ -74,17 +74,19 @@ export function reduce(
       depth,
     )
   const instances = env.instances.get(wanted.name)
-  const everything = instances?.get("*")
+  const catchAll = instances?.get("*")
+  const everything = catchAll === "none" ? undefined : catchAll
   if (head.kind !== "con") {
     // Rosy shows a value of any type somehow: its catch-all instance is chosen also while the type is open.
-    if (everything !== undefined && (instances?.size === 1 || wanted.name === "Value"))
+    if (everything !== undefined && wanted.name === "Value")
       return applyInstance(everything, wanted, args, env, givens, depth)
     return {kind: "stuck", constraints: [{name: wanted.name, type}]}
   }
   // A class nobody told us about is GHC's business.
   if (!env.classes.has(wanted.name)) return {kind: "stuck", constraints: []}
   const instance = instances?.get(head.name) ?? everything
-  if (instance === undefined || depth > 50) return {kind: "no", constraint: {name: wanted.name, type}}
+  if (instance === undefined || instance === "none" || depth > 50)
+    return {kind: "no", constraint: {name: wanted.name, type}}
   if (env.types.get(head.name)?.own === true) env.needs.add(`${wanted.name} ${head.name}`)
   return applyInstance(instance, wanted, args, env, givens, depth)
 }

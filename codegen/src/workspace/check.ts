@@ -2,7 +2,6 @@
 
 import type {Checker, Verdict} from "../api.ts"
 import {blockView} from "../blocks/language.ts"
-import {readWorkspace} from "../blocks/read.ts"
 import type {BlockId, Place, SavedBlock, SavedWorkspace} from "../saved.ts"
 import type {Connects, Item} from "../shape.ts"
 import type {TypeProblem} from "../types/infer.ts"
@@ -10,17 +9,34 @@ import type {Type} from "../types/type.ts"
 import {prune, showType} from "../types/type.ts"
 import {ability, capital, describe} from "../types/words.ts"
 import type {Solved} from "./infer.ts"
-import {solveRead, whatIs} from "./infer.ts"
+import {whatIs} from "./infer.ts"
 import {find, plug, without} from "./plug.ts"
+import {Session} from "./session.ts"
 
 export function fits(workspace: SavedWorkspace, place: Place, block: SavedBlock | BlockId): Verdict {
   return checker(workspace).fits(place, block)
 }
 
+/// A block taken out of the workspace, and what is known about both.
+interface Lifted {
+  readonly rest: SavedWorkspace
+  readonly block: SavedBlock
+  readonly base: Solved
+}
+
 /// Keeps what it worked out about the workspace, so that a drag asks many times and pays once.
-export function checker(workspace: SavedWorkspace): Checker {
-  const lifted = new Map<string, {rest: SavedWorkspace; block: SavedBlock; base: Solved} | undefined>()
-  const fresh = new WeakMap<SavedBlock, {rest: SavedWorkspace; block: SavedBlock; base: Solved}>()
+export function checker(workspace: SavedWorkspace, session = new Session()): Checker {
+  const solve = (w: SavedWorkspace) => session.solve(w)
+  const solveWith = (rest: SavedWorkspace, block: SavedBlock) =>
+    solve({...rest, blocks: {...rest.blocks, blocks: [...rest.blocks.blocks, block]}})
+  /// Without the block that is in the place now, so that what the place wants can be seen.
+  const emptied = (all: Lifted, place: Place) => {
+    const inside =
+      "below" in place ? undefined : find(all.rest, place.block)?.inputs?.[place.input]?.block?.id
+    return inside === undefined ? all.base : solveWith(without(all.rest, inside), all.block)
+  }
+  const lifted = new Map<string, Lifted | undefined>()
+  const fresh = new WeakMap<SavedBlock, Lifted>()
   const lift = (block: SavedBlock | BlockId) => {
     if (typeof block !== "string") {
       const known = fresh.get(block)
@@ -50,7 +66,7 @@ export function checker(workspace: SavedWorkspace): Checker {
       if (target === undefined) return {fits: false, why: "A block cannot go inside itself."}
       const sort = rightSort(place, target, all.block)
       if (sort !== undefined) return {fits: false, why: sort}
-      const after = solveRead(readWorkspace(plug(all.rest, place, all.block)))
+      const after = solve(plug(all.rest, place, all.block))
       const before = count(all.base)
       if (count(after) <= before) return {fits: true}
       let sentence: string | undefined
@@ -64,16 +80,6 @@ export function checker(workspace: SavedWorkspace): Checker {
       }
     },
   }
-}
-
-/// Without the block that is in the place now, so that what the place wants can be seen.
-function emptied(all: {rest: SavedWorkspace; block: SavedBlock; base: Solved}, place: Place): Solved {
-  const inside = "below" in place ? undefined : find(all.rest, place.block)?.inputs?.[place.input]?.block?.id
-  return inside === undefined ? all.base : solveWith(without(all.rest, inside), all.block)
-}
-
-function solveWith(rest: SavedWorkspace, block: SavedBlock): Solved {
-  return solveRead(readWorkspace({...rest, blocks: {...rest.blocks, blocks: [...rest.blocks.blocks, block]}}))
 }
 
 /// What nothing decides yet may be decided later, so it is no reason to refuse a block.

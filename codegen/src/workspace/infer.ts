@@ -11,14 +11,16 @@ import {withTypes} from "../types/environment.ts"
 import type {TypeProblem} from "../types/infer.ts"
 import {Inferrer} from "../types/infer.ts"
 import {library} from "../types/library.ts"
-import type {Meta, Scheme} from "../types/type.ts"
+import type {Memo} from "../types/memo.ts"
+import type {Scope} from "../types/scope.ts"
+import type {Meta} from "../types/type.ts"
 import {showScheme, showType} from "../types/type.ts"
 import {familyOfType, problemWords} from "../types/words.ts"
 
 export interface Solved {
   readonly read: ReadWorkspace
   readonly inferrer: Inferrer
-  readonly globals: ReadonlyMap<string, Scheme>
+  readonly globals: Scope
 }
 
 /// Reads and infers everything on the workspace, loose blocks too.
@@ -26,10 +28,10 @@ export function solve(workspace: SavedWorkspace): Solved {
   return solveRead(readWorkspace(workspace))
 }
 
-export function solveRead(read: ReadWorkspace, watch?: Origin): Solved {
+export function solveRead(read: ReadWorkspace, watch?: Origin, memo?: Memo): Solved {
   const declarations = read.program.declarations
   const types = declarations.filter(d => d.kind === "data" || d.kind === "synonym")
-  const inferrer = new Inferrer(withTypes(library, types))
+  const inferrer = new Inferrer(withTypes(library, types), memo, types.map(d => memo?.numberOf(d)).join(" "))
   inferrer.watch = watch
   for (const d of types) inferrer.declaredTypes(d)
   const globals = inferrer.program(declarations)
@@ -41,7 +43,10 @@ export function solveRead(read: ReadWorkspace, watch?: Origin): Solved {
 }
 
 export function infer(workspace: SavedWorkspace): Inference {
-  const solved = solve(workspace)
+  return inferenceOf(workspace, solve(workspace))
+}
+
+export function inferenceOf(workspace: SavedWorkspace, solved: Solved): Inference {
   const {inferrer} = solved
   const byId = new Map<string, SavedBlock>()
   for (const block of everyBlock(workspace)) if (block.id !== undefined) byId.set(block.id, block)

@@ -13,22 +13,22 @@ import type {Scheme} from "../types/type.ts"
 import {asFunction, showScheme} from "../types/type.ts"
 import {familyOfType} from "../types/words.ts"
 import {checker} from "./check.ts"
-import {everyBlock, solveRead} from "./infer.ts"
+import {everyBlock} from "./infer.ts"
 import {find, without} from "./plug.ts"
+import {Session} from "./session.ts"
 
 /// The names that a program's author brought into scope at a socket, nearest first; what fits comes first.
-export function namesInScope(workspace: SavedWorkspace, place: Place): InScope[] {
+export function namesInScope(workspace: SavedWorkspace, place: Place, session = new Session()): InScope[] {
   if ("below" in place) return []
   const inside = find(workspace, place.block)?.inputs?.[place.input]?.block?.id
   const open = inside === undefined ? workspace : without(workspace, inside)
-  const read = readWorkspace(open)
+  const {inferrer, globals, read} = session.solve(open, place)
   const {program} = read
-  const {inferrer, globals} = solveRead(read, place)
   if (inferrer.watched === undefined) return []
   const scope = inferrer.watched
-  const check = checker(open)
+  const check = checker(open, session)
   const runs = find(workspace, place.block)?.type === "main"
-  const names = [...scope].reverse().filter(([name]) => name !== "main")
+  const names = scope.all().filter(([name]) => name !== "main")
   const own = new Set(program.declarations.flatMap(bindersInDeclaration).map(([name]) => name))
   const found = names.map(([name, inner]): InScope => {
     // A top-level name that nothing nearer hides has its final, general type by now.
