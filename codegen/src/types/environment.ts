@@ -58,6 +58,7 @@ export interface Environment {
 export interface Library extends Environment {
   readonly values: ReadonlyMap<string, Scheme>
   readonly constructors: ReadonlyMap<string, ConstructorInfo>
+  readonly types: ReadonlyMap<string, TypeEntry>
 }
 
 interface Growing {

@@ -404,7 +404,14 @@ export class Inferrer {
     // A hole's type is still open: what goes into it may decide it, so it is not everybody's.
     const quantified: Wanted[] = []
     const rest: Wanted[] = []
-    for (const c of stuck) ([...metasIn(c.type)].some(m => own.has(m)) ? quantified : rest).push(c)
+    for (const c of stuck) {
+      const metas = [...metasIn(c.type)]
+      if (!metas.some(m => own.has(m))) rest.push(c)
+      // Partly about something that no use can ever decide.
+      else if (c.name !== "Ends" && metas.some(m => m.level > this.level && !own.has(m)))
+        this.problems.push({kind: "ambiguous", node: c.node, constraint: c})
+      else quantified.push(c)
+    }
     this.settle(rest, own, top)
     const names = new Map<Meta, string>()
     const taken = new Set<string>()
