@@ -9,6 +9,7 @@
 module Rosy.Launch
   ( -- * Launching
     onPipe,
+    onLink,
 
     -- * What main calls
     simulate,
@@ -64,6 +65,16 @@ simulateNamed names what = do
 onPipe :: CInt -> Ptr Word32 -> IO () -> IO ()
 onPipe descriptor page mainOf = do
   link <- pipeLink descriptor page
+  onLink link mainOf `catch` lost
+  where
+    -- Nobody is there any more to be told.
+    lost :: Fault -> IO ()
+    lost _ = pure ()
+
+-- | Run a program's @main@ on a robot, however that is reached. Every way to end is told to it before this returns, but for a
+-- robot that is lost: that is thrown as 'LinkLost'.
+onLink :: Link -> IO () -> IO ()
+onLink link mainOf = do
   ended <- newIORef False
   let once' commands ending = do
         before <- atomicModifyIORef' ended (True,)
@@ -75,8 +86,5 @@ onPipe descriptor page mainOf = do
   case result of
     Right () -> once' [] EndedDone
     Left exception -> case fromException exception of
-      Just (LinkLost _) -> pure ()
-      _ -> once' [] (EndedError (problemFrom (Just "main") [] Nothing exception)) `catch` lost
-  where
-    lost :: Fault -> IO ()
-    lost _ = pure ()
+      Just (LinkLost why) -> throwIO (LinkLost why)
+      _ -> once' [] (EndedError (problemFrom (Just "main") [] Nothing exception))

@@ -10,6 +10,7 @@ module Rosy.Wire
   ( -- * What arrives
     Line (..),
     readLine,
+    sensorMessage,
 
     -- * What leaves
     writeOpening,

@@ -1,8 +1,8 @@
 """
 A rospy node that does what its standard input says, one command a line, and says on its standard output what it sees.
 
-In: `sub TOPIC TYPE`, `pub TOPIC TYPE [latch]`, `send TOPIC JSON`, `flood TOPIC COUNT`, `echo FROM TO`, `time TOPIC BACK COUNT`,
-`connected TOPIC COUNT`, `heard TOPIC COUNT`, `watchdog TOPIC`, `slow TOPIC SECONDS`, `drive COUNT`, `quit`.
+In: `sub TOPIC TYPE`, `pub TOPIC TYPE [latch]`, `send TOPIC JSON`, `stream TOPIC JSON`, `flood TOPIC COUNT`, `echo FROM TO`, `time TOPIC BACK COUNT`,
+`connected TOPIC COUNT`, `heard TOPIC COUNT`, `watchdog TOPIC`, `param get|set NAME JSON`, `rosout`, `quit`.
 Out: `ready`, `got TOPIC JSON` for every message, an answer per command. It never decides whether a test passes.
 """
 
@@ -78,6 +78,14 @@ def publish(topic, type_name, *options):
 def send(topic, *text):
     publisher, type_name = publishers[topic]
     publisher.publish(make(type_name, " ".join(text)))
+
+
+def stream(topic, *text):
+    """The same message 50 times a second, as a base's odometry."""
+    publisher, type_name = publishers[topic]
+    message = make(type_name, " ".join(text))
+    rospy.Timer(rospy.Duration(0.02), lambda _event: publisher.publish(message))
+    say("streaming", topic)
 
 
 def connected(topic, count):
@@ -167,6 +175,7 @@ COMMANDS = {
     "sub": subscribe,
     "pub": publish,
     "send": send,
+    "stream": stream,
     "connected": connected,
     "flood": flood,
     "heard": wait_heard,

@@ -39,7 +39,7 @@ where
 import Control.Concurrent (forkIO)
 import Control.Concurrent.MVar (MVar, modifyMVar, newMVar)
 import Control.Concurrent.STM
-import Control.Exception (BlockedIndefinitelyOnMVar (..), BlockedIndefinitelyOnSTM (..), Handler (..), SomeException, catches, throwIO, try)
+import Control.Exception (BlockedIndefinitelyOnMVar (..), BlockedIndefinitelyOnSTM (..), Handler (..), SomeException, catches, fromException, throwIO, try)
 import Control.Monad (void)
 import Data.Bifunctor (bimap)
 import Data.IORef (atomicModifyIORef', newIORef, readIORef)
@@ -75,15 +75,18 @@ interleave sources = Topic $ do
   where
     taking found = Topic.mapM (either throwIO pure) (Topic.repeatM (atomically (readTBQueue found)))
 
--- | Pulls for ever. Ends quietly when the reader is gone: then the queue can never empty, and the runtime
--- says so.
+-- | Pulls for ever. Ends quietly when the reader is gone, since then the queue can never empty, and when the source
+-- can never speak again: in both cases the runtime says so. Any other exception of the source goes to the reader.
 feed :: TBQueue (Either SomeException a) -> Topic IO a -> IO ()
 feed found = quietly . go
   where
     go t = do
       pulled <- try (runTopic t)
       case pulled of
-        Left e -> atomically (writeTBQueue found (Left e))
+        Left e
+          | Just BlockedIndefinitelyOnSTM <- fromException e -> pure ()
+          | Just BlockedIndefinitelyOnMVar <- fromException e -> pure ()
+          | otherwise -> atomically (writeTBQueue found (Left e))
         Right (x, rest) -> atomically (writeTBQueue found (Right x)) >> go rest
     quietly act = act `catches` [Handler (\BlockedIndefinitelyOnSTM -> pure ()), Handler (\BlockedIndefinitelyOnMVar -> pure ())]
 

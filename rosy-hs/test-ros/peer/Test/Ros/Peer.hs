@@ -16,6 +16,8 @@ module Test.Ros.Peer
     hears,
     hearsWhere,
     killPeer,
+    signal,
+    exitOf,
     tool,
   )
 where
@@ -132,6 +134,14 @@ hearsWhere p what wanted = do
 -- | Like pulling its plug.
 killPeer :: Peer -> IO ()
 killPeer = killHard . peerProcess
+
+-- | A signal by its name.
+signal :: Peer -> String -> IO ()
+signal p name = getPid (peerProcess p) >>= mapM_ (\n -> callProcess "kill" ["-" ++ name, show n])
+
+-- | How it ends.
+exitOf :: Peer -> IO ExitCode
+exitOf = waitForProcess . peerProcess
 
 -- | Runs one of ROS's tools until what it prints contains these words.
 tool :: Ros -> String -> [String] -> [String] -> IO ()

@@ -1,0 +1,180 @@
+-- |
+-- Module      : Rosy.Robots.Target
+-- Description : Which robot, how it is reached, and what its topics are called.
+--
+-- In: @ws://HOST:9090@, @ros://HOST:11311@ or @serial:/dev/kobuki@, with options behind a question mark. Out: a
+-- 'Target', or a sentence. Options: @ros=1|2@, @prefix@, @odometry@, @velocity@, @messages@, @max_speed@,
+-- @max_turn@ (m/s, rad/s), @safety=on|off@, @patience@ (s) and @profile=FILE@, a JSON object with any of these.
+module Rosy.Robots.Target
+  ( Target (..),
+    Way (..),
+    Profile (..),
+    turtlebot2,
+    kobukiRos2,
+    readTarget,
+    withFile,
+    profileFile,
+    TargetError (..),
+    explainTargetError,
+  )
+where
+
+import Control.Monad (foldM)
+import Data.Aeson (Value (..))
+import qualified Data.Aeson as Aeson
+import qualified Data.Aeson.Key as Key
+import qualified Data.Aeson.KeyMap as KeyMap
+import qualified Data.ByteString as B
+import Data.Char (isDigit, isHexDigit)
+import Data.Either (fromRight)
+import Data.List (isPrefixOf, stripPrefix)
+import Data.Maybe (fromMaybe)
+import qualified Data.Text as T
+import Numeric (readHex)
+import Rosy.Robots.Guard (Limits (..))
+import Text.Read (readMaybe)
+
+data Target = Target
+  { targetWay :: Way,
+    targetProfile :: Profile,
+    targetLimits :: Limits,
+    -- | whether the safety rules go before the program
+    targetSafety :: Bool,
+    -- | how long a lost robot is waited for, seconds
+    targetPatience :: Double
+  }
+  deriving (Eq, Show)
+
+data Way
+  = -- | host, port, path
+    Rosbridge String Int String
+  | -- | host and port of the master
+    Ros1 String Int
+  | -- | a device
+    Serial FilePath
+  deriving (Eq, Show)
+
+-- | What the base's topics and messages are called.
+data Profile = Profile
+  { -- | before @/events/bumper@ and @/commands/led1@
+    prefix :: String,
+    odometryTopic :: String,
+    velocityTopic :: String,
+    -- | the package of the base's messages
+    messagePackage :: String,
+    -- | ROS 2 writes @package/msg/Name@
+    isRos2 :: Bool
+  }
+  deriving (Eq, Show)
+
+-- | A TurtleBot 2: kobuki_node called @mobile_base@, its odometry remapped (turtlebot_bringup,
+-- kobuki/mobile_base.launch.xml).
+turtlebot2 :: Profile
+turtlebot2 = Profile "/mobile_base" "/odom" "/mobile_base/commands/velocity" "kobuki_msgs" False
+
+-- | kobuki_ros: topics relative to the namespace, messages in a package of another name
+-- (kobuki_node, kobuki_ros.cpp; kobuki_ros_interfaces).
+kobukiRos2 :: Profile
+kobukiRos2 = Profile "" "/odom" "/commands/velocity" "kobuki_ros_interfaces" True
+
+data TargetError
+  = -- | Not one of the three.
+    StrangeTarget String
+  | StrangeOption String
+  | -- | An option's value: name, value.
+    StrangeValue String String
+  | -- | A profile that is no JSON object.
+    StrangeProfile FilePath
+  deriving (Eq, Show)
+
+explainTargetError :: TargetError -> String
+explainTargetError e = case e of
+  StrangeTarget t -> "\"" ++ t ++ "\" is no robot. A robot is ws://HOST:9090, ros://HOST:11311 or serial:/dev/kobuki."
+  StrangeOption o -> "A robot has no option \"" ++ o ++ "\". There are " ++ unwords known ++ "."
+  StrangeValue o v -> "\"" ++ v ++ "\" does not fit the option " ++ o ++ "."
+  StrangeProfile f -> "The profile " ++ f ++ " cannot be read. It is a JSON object of options, such as {\"prefix\": \"/robot1\"}."
+  where
+    known = ["ros", "prefix", "odometry", "velocity", "messages", "max_speed", "max_turn", "safety", "patience", "profile"]
+
+-- | The profile that is named there, if one is: its options come before those of the address.
+profileFile :: String -> Maybe FilePath
+profileFile = lookup "profile" . optionsOf
+
+readTarget :: String -> Either TargetError Target
+readTarget = withFile Nothing
+
+-- | With the text of the profile that 'profileFile' names.
+withFile :: Maybe B.ByteString -> String -> Either TargetError Target
+withFile profile t = do
+  way <- maybe (Left (StrangeTarget t)) Right (readWay (takeWhile (/= '?') t))
+  let named = optionsOf t
+      begun = Target way (startProfile (named ++ maybe [] (fromRight [] . fromJson "") profile)) (Limits 0.7 pi) True 10
+  fromProfile <- maybe (Right []) (fromJson (fromMaybe "" (lookup "profile" named))) profile
+  foldM option begun (fromProfile ++ filter ((/= "profile") . fst) named)
+  where
+    -- Which ROS it is decides where the other options start from, wherever it is written.
+    startProfile os = if lookup "ros" os == Just "2" then kobukiRos2 else turtlebot2
+
+fromJson :: FilePath -> B.ByteString -> Either TargetError [(String, String)]
+fromJson file text = case Aeson.decodeStrict' text of
+  Just (Object o) -> traverse plain (KeyMap.toList o)
+  _ -> Left (StrangeProfile file)
+  where
+    plain (k, v) =
+      (,) (Key.toString k) <$> case v of
+        String s -> Right (T.unpack s)
+        Number n -> Right (show (realToFrac n :: Double))
+        Bool b -> Right (if b then "on" else "off")
+        _ -> Left (StrangeProfile file)
+
+option :: Target -> (String, String) -> Either TargetError Target
+option t (k, v) = case k of
+  "ros"
+    | takeWhile (/= '.') v `elem` ["1", "2"] -> Right t
+    | otherwise -> bad
+  -- A velocity topic that was not named follows the prefix.
+  "prefix" -> Right t {targetProfile = p {prefix = v, velocityTopic = maybe (velocityTopic p) (v ++) (stripPrefix (prefix p) (velocityTopic p))}}
+  "odometry" -> topic (\n -> p {odometryTopic = n})
+  "velocity" -> topic (\n -> p {velocityTopic = n})
+  "messages" -> if null v then bad else Right t {targetProfile = p {messagePackage = v}}
+  "max_speed" -> number (\x -> t {targetLimits = (targetLimits t) {maxSpeed = x}})
+  "max_turn" -> number (\x -> t {targetLimits = (targetLimits t) {maxTurn = x}})
+  "patience" -> number (\x -> t {targetPatience = x})
+  "safety" -> case v of
+    "on" -> Right t {targetSafety = True}
+    "off" -> Right t {targetSafety = False}
+    _ -> bad
+  _ -> Left (StrangeOption k)
+  where
+    p = targetProfile t
+    bad = Left (StrangeValue k v)
+    topic f = if "/" `isPrefixOf` v then Right t {targetProfile = f v} else bad
+    number f = case readMaybe (if take 1 v == "." then '0' : v else v) of
+      Just x | x >= 0, not (isInfinite x) -> Right (f x)
+      _ -> bad
+
+readWay :: String -> Maybe Way
+readWay t
+  | Just rest <- stripPrefix "ws://" t = hostPort 9090 rest >>= \(h, p, path) -> Just (Rosbridge h p (if null path then "/" else path))
+  | Just rest <- stripPrefix "ros://" t = hostPort 11311 rest >>= \(h, p, path) -> if path `elem` ["", "/"] then Just (Ros1 h p) else Nothing
+  | Just device@('/' : _) <- stripPrefix "serial:" t = Just (Serial device)
+  | otherwise = Nothing
+  where
+    hostPort fallback rest = case break (`elem` ":/") rest of
+      ("", _) -> Nothing
+      (h, ':' : more) -> case span isDigit more of
+        (d@(_ : _), path) | length d < 6, read d < (65536 :: Int), null path || "/" `isPrefixOf` path -> Just (h, read d, path)
+        _ -> Nothing
+      (h, path) -> Just (h, fallback, path)
+
+-- | What stands behind the question mark.
+optionsOf :: String -> [(String, String)]
+optionsOf t = [(unescape k, unescape (drop 1 v)) | part <- pieces (drop 1 (dropWhile (/= '?') t)), not (null part), let (k, v) = break (== '=') part]
+  where
+    pieces s = case break (== '&') s of
+      (a, _ : rest) -> a : pieces rest
+      (a, []) -> [a]
+    unescape s = case s of
+      '%' : a : b : rest | isHexDigit a, isHexDigit b, [(n, "")] <- readHex [a, b] -> toEnum n : unescape rest
+      c : rest -> c : unescape rest
+      [] -> []

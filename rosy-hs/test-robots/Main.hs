@@ -1,0 +1,30 @@
+-- |
+-- Description : Rosy's links to real robots, with robots that are not.
+module Main (main) where
+
+import Rosy.Robots.Drive (drive)
+import Rosy.Robots.Target (explainTargetError, readTarget)
+import System.Environment (getArgs)
+import System.Exit (die, exitWith)
+import qualified Test.Robots.Guard
+import qualified Test.Robots.Kobuki
+import qualified Test.Robots.Links
+import Test.Robots.Programs (byName)
+import qualified Test.Robots.Target
+import Test.Tasty
+
+main :: IO ()
+main =
+  getArgs >>= \case
+    -- The tests start this program again as a learner's program.
+    ["--drive", url, name] -> either (die . explainTargetError) (\t -> drive t (byName name) >>= exitWith) (readTarget url)
+    _ -> suite
+
+suite :: IO ()
+suite =
+  defaultMain . testGroup "robots" $
+    [ Test.Robots.Kobuki.tests,
+      Test.Robots.Guard.tests,
+      Test.Robots.Target.tests,
+      Test.Robots.Links.tests
+    ]

@@ -1,0 +1,183 @@
+-- |
+-- Description : The serial protocol, byte by byte.
+module Test.Robots.Kobuki (tests, corePacket) where
+
+import Data.Bits (shiftR, xor, (.&.))
+import qualified Data.ByteString as B
+import Data.List (foldl')
+import Data.Word (Word16, Word8)
+import Numeric (readHex)
+import Rosy.Core (Message (..), Odometry (..))
+import Rosy.Kobuki.Command
+import Rosy.Kobuki.Feedback
+import Rosy.Kobuki.Frame
+import Rosy.Kobuki.Sensing
+import Rosy.Robot
+import System.Random (mkStdGen, randomR)
+import Test.Tasty
+import Test.Tasty.HUnit
+import Test.Tasty.QuickCheck hiding (again, (.&.))
+
+tests :: TestTree
+tests = testGroup "the serial protocol" [commands, framing, feedback, sensing]
+
+commands :: TestTree
+commands =
+  testGroup
+    "commands are these bytes"
+    [ testGroup
+        "speeds"
+        [ golden "0.1 m/s" (baseControl 0.1 0) "AA 55 06 01 04 64 00 00 00 67",
+          golden "-0.1 m/s" (baseControl (-0.1) 0) "AA 55 06 01 04 9C FF 00 00 60",
+          golden "0.5 rad/s" (baseControl 0 0.5) "AA 55 06 01 04 39 00 01 00 3B",
+          golden "0.1 m/s, 0.5 rad/s" (baseControl 0.1 0.5) "AA 55 06 01 04 9D 00 C8 00 56",
+          golden "0.1 m/s, -0.5 rad/s" (baseControl 0.1 (-0.5)) "AA 55 06 01 04 9D 00 38 FF 59",
+          golden "-0.1 m/s, -0.4 rad/s" (baseControl (-0.1) (-0.4)) "AA 55 06 01 04 6E FF FA 00 68"
+        ],
+      golden "LED 1 orange, power on" (outputs (withLed1 Orange powerOn)) "AA 55 04 0C 02 F0 03 F9",
+      golden "the sound of a button" (soundSequence ButtonSound) "AA 55 03 04 01 03 05",
+      golden "which versions are you" requestVersions "AA 55 04 09 02 0B 00 04",
+      testCase "lights do not disturb each other or the power" $
+        outputs (withLed2 Green (withLed1 Red (withLed2 Orange powerOn))) @?= packet (B.pack [12, 2, 0xF0, 0x09]),
+      testProperty "speeds are within 16 bits, whatever was asked for" $ \v w ->
+        let (s, r) = wheelCommand v w in s >= minBound && r <= maxBound,
+      testProperty "the base does what was asked for, to a millimetre" $
+        forAll ((,) <$> choose (-0.7, 0.7) <*> choose (-3, 3)) $ \(v, w) ->
+          abs w < 0.05 || abs v < 0.001 || abs (v / w) < 0.002 || near (did (wheelCommand v w)) (v, w)
+    ]
+  where
+    golden name bytes expected = testCase name $ bytes @?= B.pack (map (fst . head' . readHex) (words expected))
+    head' xs = case xs of x : _ -> x; [] -> (0, "")
+    -- The inverse that the emulator of upstream's test uses.
+    did (s, r)
+      | r == 0 = (fromIntegral s / 1000, 0)
+      | abs r == 1 = (0, fromIntegral s / 115)
+      | otherwise = let w = fromIntegral s / (fromIntegral r + signum (fromIntegral r) * 115) in (fromIntegral r * w / 1000, w)
+    near (a, b) (c, d) = abs (a - c) < 0.01 && abs (b - d) < 0.1 + abs d * 0.05 :: Bool
+
+framing :: TestTree
+framing =
+  testGroup
+    "packets"
+    [ testProperty "are found wherever the bytes are cut" $
+        forAll (listOf payload) $ \ps cuts ->
+          let stream = B.concat (map packet ps)
+           in feedAll (cutAt cuts stream) === ps,
+      testProperty "are found behind noise that is no packet" $
+        forAll ((,) <$> payload <*> noise) $ \(p, n) ->
+          feedAll [n, packet p] === [p],
+      testProperty "with one byte changed are not taken" $
+        forAll payload $ \p i (Positive change) ->
+          let bytes = packet p
+              at = 3 + i `mod` (B.length bytes - 3)
+              spoilt = B.take at bytes <> B.singleton (B.index bytes at `xor` (fromIntegral (change :: Int) .&. 0x7F)) <> B.drop (at + 1) bytes
+           in change .&. 0x7F == 0 || p `notElem` feedAll [spoilt],
+      testProperty "never hold back more than one packet" $ \bytes ->
+        let Feeding _ _ rest = feed noBytes (B.pack bytes)
+         in length (show rest) < 5 * (maxPayload + 20)
+    ]
+  where
+    -- Payloads that hold no head of a packet, so that the expected answer is simple.
+    payload = B.pack . map (\b -> if b == 0xAA then 0xAB else b) <$> (choose (3, 80) >>= vector)
+    noise = B.pack . map (\b -> if b == 0xAA then 0x55 else b) <$> arbitrary
+
+feedAll :: [B.ByteString] -> [B.ByteString]
+feedAll = snd . foldl' (\(s, seen) b -> let Feeding ps _ s' = feed s b in (s', seen ++ ps)) (noBytes, [])
+
+cutAt :: [Int] -> B.ByteString -> [B.ByteString]
+cutAt cuts b = case cuts of
+  [] -> [b]
+  c : cs | B.null b -> [] | otherwise -> let (x, y) = B.splitAt (c `mod` (B.length b + 1)) b in x : cutAt cs y
+
+feedback :: TestTree
+feedback =
+  testGroup
+    "feedback"
+    [ testCase "core sensors, gyroscope, versions and serial number are read; unknown parts are skipped" $
+        readFeedback (B.concat [B.pack [99, 2, 1, 2], corePart 1000 4 2 1 7 8 2, B.pack [4, 7, 0x9C, 0xFF, 10, 0, 0, 0, 0], B.pack [11, 4, 4, 1, 1, 0], B.pack [19, 12, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0]])
+          @?= [Other 99, CoreSensors (Core 1000 4 2 1 7 8 2 160), InertiaSensor (Inertia (-100) 10), Firmware (Version 1 1 4), Udid 1 2 3],
+      testCase "a part that is cut off is left out" $
+        readFeedback (B.pack [1, 15, 0, 0]) @?= [],
+      testProperty "any bytes are read" $ \bytes -> all (\f -> f == f) (readFeedback (B.pack bytes))
+    ]
+
+-- | Time stamp, bumpers, wheel drops, cliffs, encoders, buttons.
+corePart :: Word16 -> Word8 -> Word8 -> Word8 -> Word16 -> Word16 -> Word8 -> B.ByteString
+corePart t b d c l r n = B.pack ([1, 15] ++ u16 t ++ [b, d, c] ++ u16 l ++ u16 r ++ [0, 0, n, 0, 160, 0])
+  where
+    u16 x = [fromIntegral (x .&. 255), fromIntegral (x `shiftR` 8)]
+
+-- | A whole packet with a heading in hundredths of degrees.
+corePacket :: Core -> Word16 -> B.ByteString
+corePacket (Core t b d c l r n _) a = packet (corePart t b d c l r n <> B.pack [4, 7, fromIntegral (a .&. 255), fromIntegral (a `shiftR` 8), 0, 0, 0, 0, 0])
+
+sensing :: TestTree
+sensing =
+  testGroup
+    "sensing"
+    [ testCase "a bit that changes is an event, in the base's order; a bit that stays is none" $ do
+        let (first, s1) = sense (still 20) {bumpers = 5, wheelDrops = 1, buttons = 2, cliffs = 4} Nothing unsensed
+            (again, s2) = sense (still 40) {bumpers = 5, wheelDrops = 1, buttons = 2, cliffs = 4} Nothing s1
+            (later, _) = sense (still 60) Nothing s2
+        events first
+          @?= [ ButtonMessage (Button Button1 Pressed),
+                BumperMessage (Bumper LeftBumper Pressed),
+                BumperMessage (Bumper RightBumper Pressed),
+                CliffMessage (Cliff LeftCliff Hole),
+                WheelMessage (Wheel RightWheel Air)
+              ]
+        events again @?= []
+        map show (events later) @?= map (swap . show) (events first),
+      testCase "counters and time stamps that wrap move the robot on" $ do
+        let path = [Core (fromIntegral (65500 + 20 * i :: Int)) 0 0 0 (at i) (at i) 0 160 | i <- [0 .. 10]]
+            at i = fromIntegral (65400 + 100 * i :: Int)
+            odometry = odometries (run [(c, Just (Inertia 0 0)) | c <- path])
+        map odometryVelocity (take 1 odometry) @?= [Velocity 0 0]
+        let Position x y = odometryPosition (last odometry)
+        assertBool (show x) (abs (x - 1000 * metresPerTick) < 1e-9 && y == 0)
+        assertBool "0.1 m/s per 23.45 ticks" (all (\o -> abs (velocityLinear (odometryVelocity o) - 100 * metresPerTick / 0.02) < 1e-9) (drop 1 odometry)),
+      testCase "the heading is the gyroscope's, from where it was first, across the wrap" $ do
+        let turnTo a = (still (fromIntegral (20 * a)), Just (Inertia (fromIntegral ((17900 + 100 * a + 18000) `mod` 36000 - 18000)) 5000))
+            odometry = odometries (run (map turnTo [0 .. 5 :: Int]))
+        assertBool (show (map odometryOrientation odometry)) (and (zipWith (\i o -> abs (angleOf o - fromIntegral i * pi / 180) < 1e-9) [0 :: Int ..] odometry)),
+      testCase "what no robot can do is not believed once, but when it goes on" $ do
+        let (_, s1) = sense (still 20) Nothing unsensed
+            far t = (still t) {leftEncoder = 20000, rightEncoder = 20000}
+            outcomes = drop 1 (scanl (\(_, s) t -> sense (far t) Nothing s) ([], s1) [40, 60 ..])
+        map (length . fst) (take 7 outcomes) @?= [0, 0, 0, 0, 0, 1, 1]
+        map (odometryPosition . snd') (concatMap fst (take 7 outcomes)) @?= [Position 0 0, Position 0 0],
+      testCase "an hour of packets of which one in a hundred is spoilt gives no event that was not there and no leap" $ do
+        let packets = 180000 :: Int
+            (wrong, _, _, _) = foldl' step (0 :: Int, noBytes, unsensed, mkStdGen 7) [0 .. packets - 1]
+        wrong @?= 0
+    ]
+  where
+    still t = Core t 0 0 0 0 0 0 160
+    events = filter (\case OdometryMessage _ -> False; _ -> True)
+    snd' m = case m of OdometryMessage o -> o; _ -> Odometry (Position 9 9) (Orientation 9) (Velocity 9 9)
+    odometries ms = [o | OdometryMessage o <- ms]
+    run = concat . fst . foldl' (\(seen, s) (c, i) -> let (ms, s') = sense c i s in (seen ++ [ms], s')) ([], unsensed)
+    angleOf o = let Orientation a = odometryOrientation o in a
+    swap s = unwords (map (\w -> case w of "Pressed)" -> "Released)"; "Hole)" -> "Floor)"; "Air)" -> "Ground)"; _ -> w) (words s))
+    -- The robot stands still, so every event is a wrong one.
+    step (wrong, frames, s, g) i =
+      let bytes = corePacket (still (fromIntegral (20 * i))) 0
+          (spoilt, g1) = randomR (1, 100 :: Int) g
+          (sent, g2) = if spoilt == 1 then spoil bytes g1 else (bytes, g1)
+          Feeding found _ frames' = feed frames sent
+          (messages, s') = foldl' (\(ms, st) p -> let fs = readFeedback p in maybe (ms, st) (\c -> let (m, st') = sense c (inertiaOf fs) st in (ms ++ m, st')) (coreOf fs)) ([], s) found
+          bad = length (events messages) + length [() | OdometryMessage (Odometry (Position x _) _ _) <- messages, abs x > 0.03]
+       in bad `seq` (wrong + bad, frames', s', g2)
+    -- Up to four bytes changed, or the end missing, or bytes in between.
+    spoil bytes g =
+      let (how, g1) = randomR (0, 5 :: Int) g
+          (at, g2) = randomR (0, B.length bytes - 1) g1
+          (by, g3) = randomR (1, 255 :: Int) g2
+          change (b, gen) _ =
+            let (i, gen1) = randomR (0, B.length b - 1) gen
+                (x, gen2) = randomR (1, 255 :: Int) gen1
+             in (B.take i b <> B.singleton (B.index b i `xor` fromIntegral x) <> B.drop (i + 1) b, gen2)
+       in case how of
+            0 -> (B.take at bytes, g3)
+            1 -> (B.take at bytes <> B.singleton (fromIntegral by) <> B.drop at bytes, g3)
+            n -> foldl' change (bytes, g3) [1 .. n - 1]

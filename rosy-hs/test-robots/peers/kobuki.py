@@ -1,0 +1,192 @@
+"""
+A Kobuki at the end of a pseudo-terminal.
+
+In: command packets on the terminal; on standard input `bump BITS`, `cliff BITS`, `drop BITS`, `press BITS`, `noise`, `cut`, `corrupt`,
+`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `quit`; the path of a symbolic link as the argument. Out: a packet every 20 ms; on
+standard output `plugged`, `control V W` when the speed changes, `led1 BITS`, `led2 BITS`, `sound N`, `versions asked`, `bad BYTES`.
+Its wheels turn as told; counters wrap at 16 bits and begin shortly before that.
+"""
+
+import math
+import os
+import select
+import struct
+import sys
+import time
+import tty
+
+link = sys.argv[1]
+BASE, TICKS_PER_METRE = 0.23, 11724.41658
+
+master = slave = None
+speed = [0.0, 0.0]
+bits = {"bump": 0, "cliff": 0, "drop": 0, "press": 0}
+left, right = 65000.0, 65000.0
+heading, stamp = 17000.0, 65000
+faults, firmware, speaking = [], 1, True
+outputs, versions_due = None, False
+buffer = b""
+
+
+def say(*words):
+    print(*words, flush=True)
+
+
+def plug():
+    global master, slave
+    master, slave = os.openpty()
+    tty.setraw(slave)
+    os.set_blocking(master, False)
+    if os.path.lexists(link):
+        os.unlink(link)
+    os.symlink(os.ttyname(slave), link)
+    say("plugged")
+
+
+def unplug():
+    global master, slave, buffer
+    if os.path.lexists(link):
+        os.unlink(link)
+    os.close(slave)
+    os.close(master)
+    master = slave = None
+    buffer = b""
+
+
+def framed(payload):
+    body = bytes([len(payload)]) + payload
+    check = 0
+    for byte in body:
+        check ^= byte
+    return b"\xaa\x55" + body + bytes([check])
+
+
+def move():
+    global left, right, heading, stamp
+    v, w = speed
+    left += (v - w * BASE / 2) * 0.02 * TICKS_PER_METRE
+    right += (v + w * BASE / 2) * 0.02 * TICKS_PER_METRE
+    heading = (heading + math.degrees(w) * 100 * 0.02 + 18000) % 36000 - 18000
+    stamp = (stamp + 20) % 65536
+
+
+def feedback():
+    global versions_due
+    core = struct.pack("<HBBBHHbbBBBB", stamp, bits["bump"], bits["drop"], bits["cliff"], int(left) % 65536, int(right) % 65536, 0, 0, bits["press"], 0, 160, 0)
+    payload = bytes([1, 15]) + core + bytes([3, 3, 0, 0, 0])
+    payload += bytes([4, 7]) + struct.pack("<hhBBB", int(heading), int(math.degrees(speed[1]) * 100), 0, 0, 0)
+    payload += bytes([5, 6]) + bytes(6) + bytes([6, 2, 0, 0]) + bytes([13, 14, 1, 6]) + bytes(12) + bytes([16, 16]) + bytes(16)
+    if versions_due:
+        versions_due = False
+        payload += bytes([10, 4, 0, 0, 1, 0]) + bytes([11, 4, 0, 2, firmware, 0]) + bytes([19, 12]) + struct.pack("<III", 1, 2, 3)
+    return framed(payload)
+
+
+def spoil(packet):
+    fault = faults.pop() if faults else None
+    if fault == "noise":
+        return b"\xaa\x55\x03\xaa\xaa\x55" + packet
+    if fault == "cut":
+        return packet[: len(packet) // 2]
+    if fault == "corrupt":
+        return packet[:6] + bytes([packet[6] ^ 7]) + packet[7:]
+    return packet
+
+
+def on_part(ident, data):
+    global versions_due, outputs
+    if ident == 1:
+        s, r = struct.unpack("<hh", data)
+        if r == 0:
+            new = [s / 1000, 0.0]
+        elif abs(r) == 1:
+            new = [0.0, s / 1000 / (BASE / 2)]
+        else:
+            w = s / (r + math.copysign(BASE * 500, r))
+            new = [w * r / 1000, w]
+        if new != speed:
+            speed[:] = new
+            say("control", f"{new[0]:.3f}", f"{new[1]:.3f}", s, r)
+    elif ident == 12:
+        word = struct.unpack("<H", data)[0]
+        if outputs is None or (word ^ outputs) & 0x0300:
+            say("led1", word >> 8 & 3)
+        if outputs is None or (word ^ outputs) & 0x0C00:
+            say("led2", word >> 10 & 3)
+        outputs = word
+    elif ident == 4:
+        say("sound", data[0])
+    elif ident == 9:
+        say("versions asked")
+        versions_due = True
+    else:
+        say("bad", ident, data.hex())
+
+
+def on_bytes(data):
+    global buffer
+    buffer += data
+    while len(buffer) >= 4:
+        if buffer[:2] != b"\xaa\x55":
+            say("bad", buffer[:1].hex())
+            buffer = buffer[1:]
+            continue
+        n = buffer[2]
+        if len(buffer) < n + 4:
+            return
+        payload, check = buffer[3 : 3 + n], n
+        for byte in buffer[3 : 4 + n]:
+            check ^= byte
+        if check:
+            say("bad", buffer[: n + 4].hex())
+        while payload and not check:
+            on_part(payload[0], payload[2 : 2 + payload[1]])
+            payload = payload[2 + payload[1] :]
+        buffer = buffer[n + 4 :]
+
+
+def on_line(words):
+    global firmware, speaking, outputs
+    if words[0] in bits:
+        bits[words[0]] = int(words[1])
+    elif words[0] in ("noise", "cut", "corrupt"):
+        faults.append(words[0])
+    elif words[0] in ("silence", "speak"):
+        speaking = words[0] == "speak"
+    elif words[0] == "unplug":
+        unplug()
+        outputs = None
+    elif words[0] == "plug":
+        plug()
+    elif words[0] == "firmware":
+        firmware = int(words[1])
+    elif words[0] == "quit":
+        sys.exit()
+
+
+plug()
+due = time.monotonic()
+pending = ""
+while True:
+    ready = select.select([0] + ([master] if master is not None else []), [], [], max(0, due - time.monotonic()))[0]
+    if 0 in ready:
+        data = os.read(0, 4096).decode()
+        if not data:
+            break
+        pending += data
+        *lines, pending = pending.split("\n")
+        for line in lines:
+            on_line(line.split())
+    if master is not None and master in ready:
+        try:
+            on_bytes(os.read(master, 4096))
+        except OSError:
+            pass
+    if time.monotonic() >= due:
+        due += 0.02
+        move()
+        if master is not None and speaking:
+            try:
+                os.write(master, spoil(feedback()))
+            except BlockingIOError:
+                pass  # nobody reads
