@@ -116,13 +116,14 @@ def _run(config: Config, options: argparse.Namespace) -> int:
     if options.robot is not None:
         raise BadInput("A real robot needs a program of its own: ./rosy build makes one, which takes --robot itself.")
     program = read_program(options.file)
-    world = World(_arena(program, options))
+    arena = _arena(program, options)
     order = Order(
         seconds=_seconds(options.seconds),
         seed=options.seed if options.seed is not None else random.SystemRandom().randrange(2**31),
         speed=_speed(options.speed),
         hands=tuple(read_inputs(options.input)) if options.input is not None else (),
     )
+    world = World(arena, order.seed)
     with contextlib.ExitStack() as stack:
         trace = stack.enter_context(_writable(options.trace)) if options.trace is not None else None
         worker = stack.enter_context(BlockingWorker(config))

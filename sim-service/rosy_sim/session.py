@@ -159,8 +159,8 @@ class Session:
         self._shown_boxes = []
         self._show_world()
 
-    def _renew(self) -> None:
-        self.world = World(self.world.arena)
+    def _renew(self, seed: int = 0) -> None:
+        self.world = World(self.world.arena, seed)
         self._shown_boxes = []
         self._shown_goals = []
         self._fired = []
@@ -197,10 +197,10 @@ class Session:
         self._run = request.run
         self._speed = request.speed
         self._paused = False
-        self._renew()
+        seed = request.seed if request.seed is not None else _dice.randrange(2**31)
+        self._renew(seed)
         self._tell("compiling")
         self._frame(force=True)
-        seed = request.seed if request.seed is not None else _dice.randrange(2**31)
         self._compiling = self._loop.create_task(self._compile(request.run, request.source, seed))
 
     async def _compile(self, run: int, source: str, seed: int) -> None:
@@ -379,6 +379,7 @@ class Session:
                 world.leds[1],
                 fired,
                 self._moved_boxes(),
+                self.world.ghost(),
             )
         )
 

@@ -168,7 +168,8 @@ class RunState(msgspec.Struct, tag="state", tag_field="op", omit_defaults=True):
 
 
 class Frame(msgspec.Struct, tag="frame", tag_field="op", omit_defaults=True):
-    """Ground truth for drawing. ``boxes`` only when movable things have moved since the last frame with them."""
+    """Ground truth for drawing. ``boxes`` only when movable things have moved since the last
+    frame with them; ``ghost`` only when odometry is not the truth."""
 
     run: int
     step: int
@@ -186,6 +187,7 @@ class Frame(msgspec.Struct, tag="frame", tag_field="op", omit_defaults=True):
     led2: int
     fired: list[str]
     boxes: list[tuple[float, float, float]] | None = None
+    ghost: tuple[float, float, float] | None = None
 
 
 class Said(msgspec.Struct, tag="said", tag_field="op"):

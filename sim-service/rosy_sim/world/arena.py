@@ -9,10 +9,10 @@ schema cannot say (rows of one length, a start on the floor) is checked here and
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
-from .fields import MAX_SIDE, ArenaError, flag, items, number, objekt, point, positive, required
+from .fields import MAX_SIDE, ArenaError, Pose, flag, items, number, objekt, point, positive, required
 from .goals import Goal, read_goals
+from .realism import Realism, read_realism
 
 __all__ = [
     "DEFAULT_BOX_MASS",
@@ -44,14 +44,6 @@ MAX_TILES = 40_000
 
 MAX_SHAPES = 2_000
 """Most walls, boxes and rounds together."""
-
-
-class Pose(NamedTuple):
-    """Where something stands: m, m, rad."""
-
-    x: float
-    y: float
-    theta: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +94,8 @@ class Arena:
     boxes: tuple[Box, ...] = ()
     rounds: tuple[Round, ...] = ()
     goals: tuple[Goal, ...] = ()
+    # None for an ideal robot.
+    realism: Realism | None = None
 
     def tile_at(self, x: float, y: float) -> str:
         """``#``, ``.`` or ``O`` under a point; the world outside is wall."""
@@ -128,7 +122,7 @@ def read_arena(value: object) -> Arena:
         ArenaError: the first thing that is wrong, with its path.
     """
     fields = objekt(value, "")
-    known = {"name", "size", "start", "tile", "tiles", "walls", "boxes", "rounds", "goals", "title"}
+    known = {"name", "size", "start", "tile", "tiles", "walls", "boxes", "rounds", "goals", "title", "realism"}
     for key in fields:
         if key not in known:
             raise ArenaError(key, "no such field in a world.")
@@ -146,10 +140,11 @@ def read_arena(value: object) -> Arena:
     if len(walls) + len(boxes) + len(rounds) > MAX_SHAPES:
         raise ArenaError("walls", f"a world can hold at most {MAX_SHAPES} things.")
     goals = read_goals(fields)
+    realism = read_realism(fields["realism"]) if "realism" in fields else None
     if "start" not in fields:
         raise ArenaError("start", "the world does not say where the robot starts.")
     start = _pose(fields["start"], "start")
-    return Arena(name, width, height, start, tile, tiles, walls, boxes, rounds, goals)
+    return Arena(name, width, height, start, tile, tiles, walls, boxes, rounds, goals, realism)
 
 
 def _tiles(value: object) -> tuple[str, ...]:

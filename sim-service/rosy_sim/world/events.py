@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
-from .arena import Pose
+from .fields import Pose
 
 __all__ = [
     "Command",

@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
-__all__ = ["MAX_SIDE", "ArenaError", "flag", "items", "number", "objekt", "point", "positive", "required"]
+__all__ = ["MAX_SIDE", "ArenaError", "Pose", "flag", "items", "number", "objekt", "point", "positive", "required"]
 
 MAX_SIDE = 100.0
 """Largest length in a world, m. Keeps a hostile world from costing memory."""
+
+
+class Pose(NamedTuple):
+    """Where something stands: m, m, rad."""
+
+    x: float
+    y: float
+    theta: float
 
 
 class ArenaError(Exception):

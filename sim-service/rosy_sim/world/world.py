@@ -13,6 +13,7 @@ from .arena import Arena, ArenaError, Pose
 from .drive import Drive
 from .events import Command, Event, Hand, Led, Lift, Press, Say, Sound, Teleport, Velocity
 from .facts import RADIUS, STEP
+from .realism import Belief, Latency
 from .room import Room
 from .sensors import Bits, bumper_bits, cliff_bits, edges, hanging_wheels
 
@@ -43,8 +44,11 @@ class World:
         ArenaError: the robot cannot stand where the arena starts it.
     """
 
-    def __init__(self, arena: Arena) -> None:
+    def __init__(self, arena: Arena, seed: int = 0) -> None:
         self.arena = arena
+        realism = arena.realism
+        self._belief = Belief(realism, seed) if realism is not None else None
+        self._latency = Latency(realism.latency) if realism is not None and realism.latency else None
         self.room = Room(arena)
         self._drive = Drive()
         self._holes = any("O" in row for row in arena.tiles)
@@ -103,13 +107,33 @@ class World:
 
     def odometry(self) -> Odometry:
         """Where the robot believes it is, in the frame of the place it started from."""
+        if self._belief is not None:
+            return (*self._belief.pose, *self._belief.speeds)
+        return self._truth()
+
+    def _truth(self) -> Odometry:
         ox, oy, otheta = self._origin
         dx, dy = self.x - ox, self.y - oy
         c, s = math.cos(otheta), math.sin(otheta)
         return c * dx + s * dy, c * dy - s * dx, self.theta - otheta, self.v, self.w
 
+    def ghost(self) -> tuple[float, float, float] | None:
+        """Where the robot believes it is, as a pose in the room; ``None`` when it is right."""
+        if self._belief is None:
+            return None
+        ox, oy, otheta = self._origin
+        x, y, theta = self._belief.pose
+        c, s = math.cos(otheta), math.sin(otheta)
+        return ox + c * x - s * y, oy + s * x + c * y, otheta + theta
+
     def command(self, command: Command) -> None:
-        """Obey a command from the next integrate() on."""
+        """Obey a command from the next integrate() on, or later when the world is slow."""
+        if self._latency is not None and isinstance(command, Velocity):
+            self._latency.send(command)
+        else:
+            self._obey(command)
+
+    def _obey(self, command: Command) -> None:
         match command:
             case Velocity(linear, angular):
                 self._drive.command(linear, angular)
@@ -142,7 +166,7 @@ class World:
         place = self.room.place(x, y)
         if place is None or self.arena.tile_at(*place) == "#":
             raise HandRefused("There is no room for the robot there.")
-        px, py, ptheta, _, _ = self.odometry()
+        px, py, ptheta, _, _ = self._truth()
         otheta = theta - ptheta
         c, s = math.cos(otheta), math.sin(otheta)
         self.x, self.y = place
@@ -157,7 +181,17 @@ class World:
         for _ in range(max(1, math.ceil(dt / STEP - 1e-9))):
             part = min(dt, STEP)
             dt -= part
-            self._integrate(part)
+            if self._latency is not None:
+                for command in self._latency.arrive(part):
+                    self._obey(command)
+            if self._belief is None:
+                self._integrate(part)
+            else:
+                x, y, theta = self.x, self.y, self.theta
+                self._integrate(part)
+                heading = (theta + self.theta) / 2
+                ahead = (self.x - x) * math.cos(heading) + (self.y - y) * math.sin(heading)
+                self._belief.moved(ahead, self.theta - theta, self.v, self.w, part)
 
     def _integrate(self, dt: float) -> None:
         v, w = self._drive.next(dt, self.v, self.w)
