@@ -2,8 +2,12 @@
 module Main (main) where
 
 import qualified Test.Rosy.Controller
+import qualified Test.Rosy.Geometry
+import qualified Test.Rosy.Laws
 import qualified Test.Rosy.Model
+import qualified Test.Rosy.Refused
 import qualified Test.Rosy.Task
+import qualified Test.Rosy.Value
 import qualified Test.Rosy.Wire
 import Test.Tasty (defaultMain, testGroup)
 
@@ -12,8 +16,12 @@ main =
   defaultMain $
     testGroup
       "rosy"
-      [ Test.Rosy.Controller.tests,
+      [ Test.Rosy.Value.tests,
+        Test.Rosy.Geometry.tests,
+        Test.Rosy.Controller.tests,
         Test.Rosy.Task.tests,
+        Test.Rosy.Refused.tests,
+        Test.Rosy.Laws.tests,
         Test.Rosy.Model.tests,
         Test.Rosy.Wire.tests
       ]

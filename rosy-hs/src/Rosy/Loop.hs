@@ -585,6 +585,7 @@ begin start program = runStep (advance stepLimit program) world0 resting
 
 -- | What an instant is about.
 data What = Hear !Message | TickNow
+  deriving (Eq, Show)
 
 -- | One instant, at so many seconds: a message or a tick, and then rounds of the events that were emitted.
 instant :: Double -> What -> Network -> Turn

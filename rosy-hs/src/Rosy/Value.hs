@@ -16,6 +16,8 @@
 -- The worker gives each declared type an empty instance of 'Value', whose methods come from "GHC.Generics".
 -- A type that has no instance, such as a function, still works: it is shown as @_@.
 -- This module knows nothing of robots.
+--
+-- Local functions have signatures here: without one a function is generalised, and its 'Value' is then the last resort.
 module Rosy.Value
   ( -- * What it is
     Value (..),
@@ -223,10 +225,11 @@ instance Default a => Default (NonEmpty.NonEmpty a)
 
 displayList :: Value a => [a] -> ShowS
 displayList xs = showChar '[' . separated xs . showChar ']'
-  where
-    separated [] = id
-    separated [y] = display 0 y
-    separated (y : ys) = display 0 y . showChar ',' . separated ys
+
+separated :: Value a => [a] -> ShowS
+separated [] = id
+separated [y] = display 0 y
+separated (y : ys) = display 0 y . showChar ',' . separated ys
 
 settleList :: Value a => Int -> [a] -> Int
 settleList !budget xs

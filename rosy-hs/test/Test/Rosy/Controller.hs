@@ -74,7 +74,7 @@ events =
         @?= ["Say \"(Bumper LeftBumper Pressed,Seconds 0.1)\""],
     testCase "nine inputs are possible, in one tuple" $
       commandsOf
-        (\(a, b, c, d, e, f, g, h, i) -> const (Say "nine") (a :: Bumper, b :: Velocity, c :: Position, d :: Orientation, e :: Pose, f :: Seconds, g :: Clock, h :: Memory Int, i :: Param Int))
+        nine
         [at 0 still, at 0.1 bump]
         @?= ["Say \"nine\""],
     testCase "one-sided views hear their side only" $
@@ -86,6 +86,9 @@ events =
     testCase "Never never happens" $
       commandsOf (\Never -> Say "no") [at 0 bump, at 0.1 still, at 0.2 ticked] @?= []
   ]
+
+nine :: (Bumper, Velocity, Position, Orientation, Pose, Seconds, Clock, Memory Int, Param Int) -> Say
+nine (Bumper _ _, Velocity _ _, Position _ _, _, Pose _ _, _, Clock {}, Memory _, Param _) = Say "nine"
 
 bumpSound :: Bumper -> Maybe Sound
 bumpSound (Bumper _ Pressed) = Just ErrorSound
@@ -120,13 +123,13 @@ samples =
 eithers :: [TestTree]
 eithers =
   [ testCase "a new value whenever one side has" $
-      commandsOf (\e -> Say (either (\(Bumper _ s) -> show s) (\(Cliff _ s) -> show s) e)) [at 0.1 bump, at 0.2 hole]
+      commandsOf (Say . either (\(Bumper _ s) -> show s) (\(Cliff _ s) -> show s)) [at 0.1 bump, at 0.2 hole]
         @?= ["Say \"Pressed\"", "Say \"Hole\""],
     testCase "a state inside an Either triggers like an event" $
-      commandsOf (\e -> Say (either (\(Bumper _ s) -> show s) (\(Velocity v _) -> show v) e)) [at 0.1 bump, at 0.2 (moving 3)]
+      commandsOf (Say . either (\(Bumper _ s) -> show s) (\(Velocity v _) -> show v)) [at 0.1 bump, at 0.2 (moving 3)]
         @?= ["Say \"Pressed\"", "Say \"3.0\""],
     testCase "a message that both sides take arrives on both, left first" $
-      commandsOf (\e -> Say (either (\(BumperLeft s) -> "left " ++ show s) (\(Bumper _ s) -> "any " ++ show s) e)) [at 0.1 bump]
+      commandsOf (Say . either (\(BumperLeft s) -> "left " ++ show s) (\(Bumper _ s) -> "any " ++ show s)) [at 0.1 bump]
         @?= ["Say \"left Pressed\"", "Say \"any Pressed\""],
     testCase "Maybe is with it, or at the default rate without it" $
       commandsOf (\m -> Say (show (m :: Maybe Bumper))) [at 0 ticked, at 0.05 bump, at 0.1 ticked]

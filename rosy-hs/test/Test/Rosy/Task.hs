@@ -98,7 +98,7 @@ values =
     testCase "a Done that escapes the types ends the program with both types" $
       heardEnd (last (hear (hidden (\(Bumper _ _) -> Done 'x')) [at 0 bump])) @?= Just "EndedWrongly \"function 1\" \"Char\" \"()\"",
     testCase "mapping over a task maps its value" $
-      commandsOf (fmap (+ 1) (pure (1 :: Int)) >>= say . show) [] @?= ["Say \"2\""]
+      commandsOf (parallel (show <$> task () (\(Button _ _) -> Done (2 :: Int))) (pure ()) >>= say . fst) [at 0 push] @?= ["Say \"2\""]
   ]
   where
     -- The type of the controller is not known here, so only the run can tell.

@@ -1,0 +1,108 @@
+{-# LANGUAGE BangPatterns #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- |
+-- Module      : Test.Rosy.Laws
+-- Description : What holds for every program: the monad laws, atomic firing, no event lost, the same twice, bounded space.
+module Test.Rosy.Laws (tests) where
+
+import Control.Exception (evaluate)
+import Rosy
+import Rosy.Core (Message (..))
+import Rosy.Loop
+import Rosy.Program (Names (..))
+import Rosy.Runnable (program)
+import Support.Story
+import System.Mem (performMajorGC)
+import System.Random (mkStdGen)
+import Test.QuickCheck hiding (collect, once)
+import Test.Tasty (TestTree, testGroup)
+import Test.Tasty.HUnit
+import Test.Tasty.QuickCheck (testProperty)
+
+{- HLINT ignore "Use >=>" -}
+{- HLINT ignore "Use <&>" -}
+
+tests :: TestTree
+tests =
+  testGroup
+    "Laws"
+    [ testGroup
+        "Task is a monad"
+        [ testProperty "pure x >>= f is f x" $ \n days -> same days (pure n >>= step) (step n),
+          testProperty "m >>= pure is m" $ \n days -> same days (step n >>= pure) (step n),
+          testProperty "(m >>= f) >>= g is m >>= (f >>= g)" $ \n days -> same days ((step n >>= step) >>= step) (step n >>= (\x -> step x >>= step)),
+          testProperty "fmap f is >>= pure . f" $ \n days -> same days (fmap (+ 1) (step n)) (step n >>= pure . (+ 1))
+        ],
+      testProperty "firing is atomic: two memories that change together are never seen apart" $ \(Story days) ->
+        let apart = commandsOf (both, \() -> compared, \(Bumper _ _) -> compared) days
+            compared :: Memory Int -> Memory [()] -> Maybe Say
+            compared (Memory a) (Memory b) = if a == length b then Nothing else Just (Say "apart")
+            both :: Either Bumper Button -> Memory Int -> Memory [()] -> (Memory Int, Memory [()])
+            both _ (Memory a) (Memory b) = (Memory (a + 1), Memory (() : b))
+         in apart === [],
+      testProperty "no event is lost: every bump is heard once, whatever else the function reads" $ \(Story days) ->
+        let bumps = length [() | (_, Hear (BumperMessage _)) <- days]
+            heard :: Runnable c => c -> Int
+            heard c = length (commandsOf c days)
+            odometry = not (null [() | (_, Hear (OdometryMessage _)) <- days])
+         in [ heard (\(Bumper _ _) -> Say "x"),
+              heard (\(Bumper _ _) (Memory (_ :: Int)) (_ :: Seconds) (_ :: StdGen) -> Say "x"),
+              heard (\(Velocity _ _) (Bumper _ _) -> Say "x"),
+              heard (\(e :: Either Bumper Button) -> either (const (Just (Say "x"))) (const Nothing) e),
+              heard (\(m :: Maybe Bumper) -> Say "x" <$ m),
+              heard (\(BumperLeft _) -> Say "x") + heard (\(BumperCenter _) -> Say "x") + heard (\(BumperRight _) -> Say "x")
+            ]
+              === [bumps, bumps, if odometry then bumps else 0, bumps, bumps, bumps],
+      testProperty "the same program twice gives the same run" $ \(Story days) ->
+        hear busy days === hear busy days,
+      testProperty "a trace so far does not depend on what comes later" $ \(Story days) (NonNegative n) ->
+        let early = hear busy (take n days) in take (length early) (hear busy days) === early,
+      testCase "a million instants of a busy controller run in constant space" $ do
+        -- The test runs with a small stack; the heap is bounded by what the network itself needs.
+        counted <- evaluate (million 1000000)
+        performMajorGC
+        counted @?= 1000000
+    ]
+  where
+    same (Story days) a b = hear (a >>= say . show) days === hear (b >>= say . show) days
+    -- A task that waits, speaks and ends with a value.
+    step :: Int -> Task Int
+    step n = task (Say (show n)) (\(Bumper side _) -> Done (n + fromEnum side))
+
+-- | Many kinds of functions at once.
+busy :: (Velocity -> Memory Int -> (Memory Int, Maybe Say), Bumper -> StdGen -> Memory Int, Either Button Velocity -> Seconds -> Memory (Double, Int) -> (Memory (Double, Int), Led1))
+busy = (\(Velocity _ _) (Memory n) -> (Memory (n + 1), if n `mod` 10 == 0 then Just (Say (show n)) else Nothing), \(Bumper _ _) g -> Memory (fst (randomR (0, 9) g)), \_ (Seconds s) (Memory (_, n)) -> (Memory (s, n + 1), Led1 Green))
+
+-- | Drive the loop through so many instants, forgetting all reports.
+million :: Int -> Int
+million n = go 0 (begin (Start 0 (mkStdGen 1)) (program (Names []) busy))
+  where
+    go !k turn = case turn of
+      Fires firing after -> firingEffects firing `seq` go k after
+      Settled network
+        | k == n -> k
+        | otherwise -> go (k + 1) (instant (0.02 * fromIntegral k) (what k) (snd (collect network)))
+      Ended _ _ -> k
+    what k
+      | k `mod` 7 == 0 = Hear (BumperMessage (Bumper LeftBumper Pressed))
+      | k `mod` 11 == 0 = TickNow
+      | otherwise = moving (fromIntegral (k `mod` 5))
+
+newtype Story = Story [Moment]
+  deriving (Show)
+
+instance Arbitrary Story where
+  arbitrary = do
+    n <- choose (0, 20)
+    kinds <- vectorOf n (elements [0 .. 5 :: Int])
+    sides <- vectorOf n arbitraryBoundedEnum
+    pure (Story (zipWith3 moment [0 :: Int ..] kinds sides))
+    where
+      moment i kind side = at (0.02 * fromIntegral i) $ case kind of
+        0 -> sensed (BumperMessage (Bumper side Pressed))
+        1 -> sensed (BumperMessage (Bumper side Released))
+        2 -> sensed (ButtonMessage (Button Button1 Pressed))
+        3 -> ticked
+        _ -> moving (fromIntegral i)
+  shrink (Story days) = Story <$> shrinkList (const []) days
