@@ -1,6 +1,6 @@
 /// The block view on a page of its own, for looking at and for the browser tests: `/dev/blocks.html`.
 ///
-/// `?tone=dark`, `?small` (the tests' language), `?example=move`, `?empty` and `?level=haskell` choose what is shown;
+/// `?tone=dark`, `?small` (the tests' language), `?example=move`, `?empty`, `?untyped` and `?level=haskell` choose what is shown;
 /// the view stands at `window.blocks`.
 
 import "@fontsource/inter/400.css"
@@ -39,8 +39,10 @@ const asked = new URLSearchParams(location.search)
 const tone = asked.get("tone") === "dark" ? "dark" : "light"
 document.documentElement.dataset.theme = tone
 const level = (asked.get("level") ?? "reactions") as codegen.Level
+/// Blockly's own checks, for the benchmark to compare with.
+const untyped = {...codegen, checker: () => ({fits: () => ({fits: true}) as const})}
 const view = openBlocks(document.getElementById("blocks")!, {
-  language: asked.has("small") ? small : codegen,
+  language: asked.has("small") ? small : asked.has("untyped") ? untyped : codegen,
   tone,
   level,
 })

@@ -23,6 +23,8 @@ const built = new WeakMap<Blockly.Block, Built>()
 export interface BuildActions {
   /// A block was made, on the workspace or in the toolbox. It may be moved at once, before any event tells of it.
   made(block: Blockly.BlockSvg): void
+  /// A field of a block has another value.
+  edited(block: Blockly.Block): void
   renamed(block: Blockly.Block, key: string, name: string): void
   pulled(field: Binder, event: PointerEvent): void
 }
@@ -35,6 +37,7 @@ export function registerBlocks(views: readonly BlockView[], actions: () => Build
       const state = block === null ? undefined : built.get(block)
       if (block === null || state === undefined) return
       adopt(block, state, setIn(state.extra, key, value), fieldActions)
+      actions()?.edited(block)
     },
     renamed: (block, key, name) => actions()?.renamed(block, key, name),
     pulled: (field, event) => {

@@ -28,13 +28,17 @@ export class Movement {
   /// Whether some socket in reach accepted, and those that refused, since `step`.
   accepted = false
   refusals: Refusal[] = []
+  /// For the keys, which step from place to place: filled sockets are passed over, but for that of this block, so
+  /// that a step leads to where something is missing and picking a block up does not ask about every socket there is.
+  readonly steps: {readonly over: Blockly.Block | undefined} | undefined
   private readonly asker: Asker
   private readonly origin: string | undefined
   private readonly verdicts = new Map<string, Verdict>()
 
   /// `origin` is the place that the block is taken from: it may always go back, even if it never fitted.
-  constructor(asker: Asker, origin: Place | undefined) {
+  constructor(asker: Asker, origin: Place | undefined, steps?: Movement["steps"]) {
     this.asker = asker
+    this.steps = steps
     this.origin = origin === undefined ? undefined : placeKey(origin)
   }
 
@@ -102,6 +106,9 @@ class Checker extends Blockly.ConnectionChecker {
     const movement = movements.get(a.getSourceBlock().workspace)
     const sorted = super.doTypeChecks(a, b)
     const [socket, plug] = a.isSuperior() ? [a, b] : [b, a]
+    if (movement !== undefined && distance === Number.POSITIVE_INFINITY && passedOver(socket, movement)) {
+      return Blockly.Connection.REASON_DRAG_CHECKS_FAILED
+    }
     const marker = a.getSourceBlock().isInsertionMarker() || b.getSourceBlock().isInsertionMarker()
     if (movement === undefined || marker) {
       return sorted ? Blockly.Connection.CAN_CONNECT : Blockly.Connection.REASON_CHECKS_FAILED
@@ -129,6 +136,12 @@ class Checker extends Blockly.ConnectionChecker {
     if (standsAlone(socket)) return false
     return movement.verdict(placeOf(socket), plug.getSourceBlock().id).fits
   }
+}
+
+function passedOver(socket: Blockly.Connection, movement: Movement): boolean {
+  if (movement.steps === undefined || socket.type !== Blockly.ConnectionType.INPUT_VALUE) return false
+  const inside = socket.targetBlock()
+  return inside !== null && !inside.isInsertionMarker() && inside !== movement.steps.over
 }
 
 /// Definitions stack in `where` and `let` only: on the workspace each stands alone.

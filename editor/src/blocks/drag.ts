@@ -10,6 +10,8 @@ import type {RefusalLine} from "./refusal.ts"
 export interface DragHost {
   /// Codegen's answers about the workspace as it stands now.
   asker(): Asker
+  /// The block that was chosen before the toolbox was opened: what the keys bring may take its place.
+  chosen(): Blockly.Block | undefined
   readonly refusal: RefusalLine
 }
 
@@ -34,7 +36,8 @@ class Dragging extends Blockly.dragging.BlockDragStrategy {
     this.byKeyboard = event instanceof KeyboardEvent
     // A block in the toolbox is copied; the copy starts its own movement.
     if (!this.moved.isInFlyout) {
-      beginMovement(this.moved.workspace, new Movement(this.host.asker(), origin(this.moved)))
+      const steps = this.byKeyboard ? {over: this.host.chosen()} : undefined
+      beginMovement(this.moved.workspace, new Movement(this.host.asker(), origin(this.moved), steps))
     }
     return super.startDrag(event)
   }

@@ -17,12 +17,7 @@ import {flyoutBlock} from "./toolbox.ts"
 /// The chosen place: the socket with the focus, the first empty socket of the chosen block, or the place the block
 /// itself is in. Opening the toolbox takes the focus away, but Blockly marks where it came from.
 export function chosenPlace(workspace: Blockly.WorkspaceSvg): Place | undefined {
-  const marked = workspace
-    .getSvgGroup()
-    .querySelector(
-      `.${Blockly.FocusManager.PASSIVE_FOCUS_NODE_CSS_CLASS_NAME}, .${Blockly.FocusManager.ACTIVE_FOCUS_NODE_CSS_CLASS_NAME}`,
-    )
-  const node = marked?.id ? workspace.lookUpFocusableNode(marked.id) : null
+  const node = chosenNode(workspace)
   if (node instanceof Blockly.RenderedConnection) return placeOf(node)
   const block = node instanceof Blockly.Field ? node.getSourceBlock() : node
   if (!(block instanceof Blockly.BlockSvg)) return undefined
@@ -31,6 +26,21 @@ export function chosenPlace(workspace: Blockly.WorkspaceSvg): Place | undefined 
   }
   const above = block.outputConnection?.targetConnection
   return above == null ? undefined : placeOf(above)
+}
+
+/// The block with the focus, or the one that had it before the toolbox.
+export function chosenBlock(workspace: Blockly.WorkspaceSvg): Blockly.Block | undefined {
+  const node = chosenNode(workspace)
+  return node instanceof Blockly.BlockSvg ? node : undefined
+}
+
+function chosenNode(workspace: Blockly.WorkspaceSvg): Blockly.IFocusableNode | null {
+  const marked = workspace
+    .getSvgGroup()
+    .querySelector(
+      `.${Blockly.FocusManager.PASSIVE_FOCUS_NODE_CSS_CLASS_NAME}, .${Blockly.FocusManager.ACTIVE_FOCUS_NODE_CSS_CLASS_NAME}`,
+    )
+  return marked?.id ? workspace.lookUpFocusableNode(marked.id) : null
 }
 
 /// The flyout's contents for the names at a place; those whose type fits come first.

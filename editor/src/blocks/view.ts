@@ -18,7 +18,7 @@ import {pull} from "./pull.ts"
 import {RefusalLine} from "./refusal.ts"
 import {registerRenderer, rendererName} from "./renderer.ts"
 import {loadBlocks, saveBlocks} from "./saved.ts"
-import {chosenPlace, nameItem, scopeItems, suggest} from "./scope.ts"
+import {chosenBlock, chosenPlace, nameItem, scopeItems, suggest} from "./scope.ts"
 import {bringHome, inSight, straysOf} from "./sight.ts"
 import {styleSheet} from "./style.ts"
 import {themes} from "./theme.ts"
@@ -145,8 +145,14 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   const selectListeners = new Set<(block: BlockId | undefined) => void>()
   let inference: Inference = language.infer(saveBlocks(workspace))
   let due = false
+  /// The blocks as last told or loaded: one edit is heard of twice, at once and from Blockly.
+  let told = ""
 
-  const dragHost: DragHost = {asker: () => language.checker(saveBlocks(workspace)), refusal}
+  const dragHost: DragHost = {
+    asker: () => language.checker(saveBlocks(workspace)),
+    chosen: () => chosenBlock(workspace),
+    refusal,
+  }
 
   const refresh = (): SavedWorkspace => {
     const saved = saveBlocks(workspace)
@@ -159,6 +165,9 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   const settle = () => {
     due = false
     if (workspace.isDragging()) return
+    const now = JSON.stringify(saveBlocks(workspace))
+    if (now === told) return
+    told = now
     const saved = refresh()
     for (const listener of changeListeners) listener({workspace: saved, inference})
   }
@@ -241,6 +250,10 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       }
       Blockly.Events.setGroup(false)
     },
+    // Blockly tells of an edit two frames later; the Haskell beside the blocks should not wait for that.
+    edited: block => {
+      if (block.workspace === workspace) announceLater()
+    },
     made(block) {
       makeDraggable(block, dragHost)
       if (block.isInFlyout) paintToolboxLater()
@@ -260,7 +273,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       const focused = focusedBlock(workspace)
       const loaded = loadBlocks(workspace, saved)
       workspace.clearUndo()
-      refresh()
+      told = JSON.stringify(refresh())
       marks.forget()
       const again = focused === undefined ? null : workspace.getBlockById(focused)
       if (again !== null) {

@@ -1,0 +1,139 @@
+/// Measures the block view with 500 and with 2,000 blocks. Prints milliseconds; asserts nothing.
+
+import type {Page} from "playwright-core"
+import {openStage, settled} from "../test/blocks/browser.ts"
+
+/// Steps of one drag, and edits: enough for a 95th percentile.
+const steps = 200
+const edits = 60
+
+interface Sample {
+  readonly blocks: number
+  readonly load: number
+  readonly drag: readonly number[]
+  readonly edit: readonly number[]
+  readonly keys: number
+}
+
+/// Fills the page with `wanted` blocks, drags a number across them, edits a number, picks a block up by key.
+async function sample(page: Page, wanted: number): Promise<Sample> {
+  const load = await page.evaluate(async size => {
+    type Saved = import("@rosy/codegen").SavedBlock
+    const base = window.blocks.save().blocks.blocks.filter(block => block.type !== "main")
+    let id = 0
+    const copy = (block: Saved): Saved => {
+      const made: Saved = {...structuredClone(block), id: `bench${id++}`}
+      for (const input of Object.values(made.inputs ?? {})) if (input.block) input.block = copy(input.block)
+      return made
+    }
+    const all: Saved[] = []
+    for (let round = 0; id < size; round++) {
+      for (const block of base) {
+        const made = copy(block)
+        made.y = (made.y ?? 0) + round * 560
+        made.extraState = {...made.extraState, name: `${String(made.extraState?.name)}${round}`}
+        all.push(made)
+      }
+    }
+    const began = performance.now()
+    window.blocks.load({blocks: {languageVersion: 0, blocks: all}})
+    await window.Blockly.renderManagement.finishQueuedRenders()
+    return performance.now() - began
+  }, wanted)
+  await settled(page)
+
+  const drag = await page.evaluate(async count => {
+    const workspace = window.Blockly.getMainWorkspace() as import("blockly/core").WorkspaceSvg
+    const number = workspace.getAllBlocks(false).find(block => block.type === "number")!
+    const root = number.getSvgRoot()
+    const box = root.getBoundingClientRect()
+    const at = (x: number, y: number) => ({
+      bubbles: true,
+      cancelable: true,
+      pointerId: 1,
+      pointerType: "mouse",
+      isPrimary: true,
+      button: 0,
+      buttons: 1,
+      clientX: x,
+      clientY: y,
+    })
+    const frame = () => new Promise(requestAnimationFrame)
+    root.dispatchEvent(new PointerEvent("pointerdown", at(box.left + 6, box.top + 6)))
+    await frame()
+    const times: number[] = []
+    for (let step = 0; step < count; step++) {
+      const x = box.left + 10 + 220 * Math.sin(step / 9)
+      const y = box.top + 10 + ((step * 23) % 620)
+      const began = performance.now()
+      document.dispatchEvent(new PointerEvent("pointermove", at(x, y)))
+      times.push(performance.now() - began)
+      await frame()
+    }
+    document.dispatchEvent(new PointerEvent("pointerup", at(box.left + 10, box.top + 10)))
+    await frame()
+    return times
+  }, steps)
+  await settled(page)
+
+  const edit = await page.evaluate(async count => {
+    const workspace = window.Blockly.getMainWorkspace()
+    const number = workspace.getAllBlocks(false).find(block => block.type === "number")!
+    const field = number.getField("value")!
+    const times: number[] = []
+    for (let turn = 0; turn < count; turn++) {
+      const told = new Promise<number>(done => {
+        const stop = window.blocks.onChange(({workspace: saved}) => {
+          window.codegen.toHaskell(saved)
+          stop()
+          done(performance.now() - began)
+        })
+      })
+      // Blockly tells of a change in the next frame; the wait for it is not the work.
+      await new Promise(requestAnimationFrame)
+      const began = performance.now()
+      field.setValue(`${turn + 1}`)
+      times.push(await told)
+    }
+    return times
+  }, edits)
+
+  const keys = await page.evaluate(() => {
+    const workspace = window.Blockly.getMainWorkspace() as import("blockly/core").WorkspaceSvg
+    const number = workspace.getAllBlocks(false).find(block => block.type === "number")!
+    window.Blockly.getFocusManager().focusNode(number)
+    const began = performance.now()
+    number.getSvgRoot().dispatchEvent(new KeyboardEvent("keydown", {key: "m", keyCode: 77, bubbles: true}))
+    return performance.now() - began
+  })
+  await page.keyboard.press("Escape")
+  const blocks = await page.evaluate(() => window.Blockly.getMainWorkspace().getAllBlocks(false).length)
+  return {blocks, load, drag, edit, keys}
+}
+
+const at = (times: readonly number[], share: number) =>
+  [...times].sort((a, b) => a - b)[Math.min(times.length - 1, Math.floor(times.length * share))] ?? 0
+const ms = (time: number) => `${time.toFixed(1)} ms`.padStart(10)
+
+const stage = await openStage()
+try {
+  console.log("blocks                          median       95 %   worst")
+  for (const wanted of [500, 2000]) {
+    const typed = await sample(await stage.open("example=forwardBackward&level=haskell"), wanted)
+    const plain = await sample(await stage.open("example=forwardBackward&untyped"), wanted)
+    const row = (label: string, times: readonly number[]) =>
+      console.log(
+        `${String(typed.blocks).padEnd(6)} ${label.padEnd(22)} ${ms(at(times, 0.5))} ${ms(at(times, 0.95))} ${ms(at(times, 1))}`,
+      )
+    row("drag, typed", typed.drag)
+    row("drag, Blockly's checks", plain.drag)
+    row("edit to Haskell", typed.edit)
+    console.log(
+      `${" ".repeat(7)}load ${ms(typed.load)}   pick up by key ${ms(typed.keys)} (Blockly's checks ${ms(plain.keys)})`,
+    )
+    const ratio = at(typed.drag, 0.5) / Math.max(0.01, at(plain.drag, 0.5))
+    console.log(`${" ".repeat(7)}typed to plain drag, medians: ${ratio.toFixed(2)}`)
+  }
+} finally {
+  await stage.close()
+}
