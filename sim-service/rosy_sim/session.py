@@ -207,9 +207,9 @@ class Session:
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
         program: RunningProgram | None = None
         try:
-            program = await self._worker.start(source, theirs)
-            self._program = program
-            async with asyncio.timeout(self._limits.compile):
+            async with asyncio.timeout(self._limits.worker_ready + self._limits.compile):
+                program = await self._worker.start(source, theirs)
+                self._program = program
                 answer = await asyncio.shield(program.started)
         except asyncio.CancelledError:
             ours.close()

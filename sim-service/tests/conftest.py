@@ -7,6 +7,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -40,8 +41,14 @@ def hall(**more: object) -> World:
 
 @pytest.fixture
 def limits() -> Limits:
-    """Short, so that what must time out does so soon."""
-    return Limits(settle=0.3, ready=2.0, stop=0.3, gone=2.0, compile=5.0, worker_ready=10.0)
+    """Long enough for a busy machine, but for `stop`, which ends well either way."""
+    return Limits(settle=20.0, ready=20.0, stop=0.3, gone=20.0, compile=60.0, worker_ready=60.0)
+
+
+@pytest.fixture
+def impatient(limits: Limits) -> Limits:
+    """Short, for programs that are stuck whatever the machine does."""
+    return replace(limits, settle=1.0, ready=1.0)
 
 
 @pytest.fixture

@@ -38,7 +38,7 @@ def environment(tmp_path: Path) -> dict[str, str]:
 def rosy(environment: dict[str, str], *arguments: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [sys.executable, "-m", "rosy_sim", *map(str, arguments)],
-        env=environment, capture_output=True, text=True, timeout=30, check=False, cwd=environment["ROSY_ROOT"],
+        env=environment, capture_output=True, text=True, timeout=120, check=False, cwd=environment["ROSY_ROOT"],
     )  # fmt: skip
 
 
@@ -206,5 +206,5 @@ def test_a_signal_ends_the_service_and_its_worker(sent: int, environment: dict[s
         children = Path(f"/proc/{service.pid}/task/{service.pid}/children").read_text().split()
         assert children
         service.send_signal(sent)
-        assert service.wait(10) == 0
+        assert service.wait(60) == 0
     assert not any(Path(f"/proc/{child}").exists() for child in children)

@@ -50,9 +50,12 @@ PROGRAMS = {
 }
 
 
+LIMITS = Limits(settle=2.0, ready=60.0, gone=20.0, compile=60.0, worker_ready=120.0)
+
+
 @pytest.fixture(scope="module")
 def real() -> Config:
-    return discover().with_limits(Limits(settle=1.0))
+    return discover().with_limits(LIMITS)
 
 
 @pytest.fixture(scope="module")
@@ -65,7 +68,7 @@ def worker(real: Config) -> Iterator[BlockingWorker]:
 def run(worker: BlockingWorker, source: str, order: Order) -> tuple[Outcome, list[dict[str, Any]], bytes, World]:
     world = World(usable_arena(named_world("room"), "room"))
     trace = io.BytesIO()
-    outcome = run_program(worker, source, world, order, Limits(settle=1.0), lambda _: None, trace)
+    outcome = run_program(worker, source, world, order, LIMITS, lambda _: None, trace)
     return outcome, [json.loads(line) for line in trace.getvalue().splitlines()], trace.getvalue(), world
 
 

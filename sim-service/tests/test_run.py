@@ -48,8 +48,10 @@ def test_a_run_ends_when_the_program_is_done(limits: Limits) -> None:
         ("mute", "stuck", "stuck"),
     ],
 )
-def test_a_bad_program_ends_with_one_problem(script: str, ended: str, kind: str) -> None:
-    outcome, _ = run(script, Limits(settle=0.2, ready=0.2))
+def test_a_bad_program_ends_with_one_problem(
+    script: str, ended: str, kind: str, limits: Limits, impatient: Limits
+) -> None:
+    outcome, _ = run(script, impatient if ended == "stuck" else limits)
     assert outcome.ended == ended
     assert [p.kind for p in outcome.problems] == [kind]
     assert outcome.problems[0].message
@@ -93,10 +95,10 @@ def test_a_worker_runs_a_program(config: Config) -> None:
     assert outcome.ended == "time"
 
 
-def test_a_worker_names_the_function_that_hangs(config: Config) -> None:
+def test_a_worker_names_the_function_that_hangs(config: Config, impatient: Limits) -> None:
     with BlockingWorker(config) as worker:
         worker.ready()
-        outcome = run_program(worker, "hang@4", hall(), Order(1.0, 1), config.limits, lambda _: None)
+        outcome = run_program(worker, "hang@4", hall(), Order(1.0, 1), impatient, lambda _: None)
     assert outcome.problems[0].function == "move"
     assert "`move`" in outcome.problems[0].message
 

@@ -8,6 +8,7 @@ are told, and a new one is started at once (after a growing pause when it keeps 
 from __future__ import annotations
 
 import asyncio
+import logging
 import os
 import socket
 from collections import deque
@@ -18,7 +19,7 @@ from typing import Any, Literal, TypeVar
 import msgspec
 
 from ..config import Config
-from ..errors import WorkerLost, WorkerRefused
+from ..errors import WorkerLost, WorkerMissing, WorkerRefused
 from ..wire.lines import LineTooLong
 from ..wire.worker import (
     Answer,
@@ -38,6 +39,8 @@ from .launch import WorkerProcess, launch
 __all__ = ["RunningProgram", "State", "Worker"]
 
 _T = TypeVar("_T")
+
+_log = logging.getLogger(__name__)
 
 State = Literal["starting", "ready", "restarting"]
 
@@ -98,7 +101,13 @@ class Worker:
 
     async def _keep(self, pause: float) -> None:
         while True:
-            process, self._spare = self._spare or launch(self._config), None
+            process = self._take_spare() or self._try_launch()
+            if process is None:
+                # Rebuilt at this moment, perhaps, or the machine is out of processes: it may come back.
+                self._say("restarting")
+                pause = min(_LAST_PAUSE, pause * 2)
+                await asyncio.sleep(pause)
+                continue
             try:
                 await self._serve(process)
                 pause = _FIRST_PAUSE if self.state == "ready" else min(_LAST_PAUSE, pause * 2)
@@ -139,7 +148,18 @@ class Worker:
     def _prepare(self) -> None:
         """Warm up the worker that takes over when this one dies."""
         if self._spare is None and self.state == "ready" and self._socket is not None and not self._over:
-            self._spare = launch(self._config)
+            self._spare = self._try_launch()
+
+    def _take_spare(self) -> WorkerProcess | None:
+        spare, self._spare = self._spare, None
+        return spare
+
+    def _try_launch(self) -> WorkerProcess | None:
+        try:
+            return launch(self._config)
+        except (WorkerMissing, OSError) as error:
+            _log.warning("the worker cannot be started: %s", error)
+            return None
 
     def _say(self, state: State) -> None:
         if state != self.state:

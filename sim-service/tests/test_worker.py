@@ -1,0 +1,148 @@
+"""Keeping a worker: restarts, a spare, a missing executable, requests in flight when it dies."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import signal
+import socket
+from collections.abc import Awaitable, Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from rosy_sim.config import Config
+from rosy_sim.errors import WorkerLost, WorkerMissing
+from rosy_sim.wire.worker import Gone, Refused, Started
+from rosy_sim.worker.blocking import BlockingWorker
+from rosy_sim.worker.client import State, Worker
+from rosy_sim.worker.launch import launch
+
+
+def keeping(play: Callable[[Worker, list[State]], Awaitable[None]], config: Config) -> None:
+    """Keep a worker while a story is told; afterwards nothing of it is left."""
+    states: list[State] = []
+
+    async def tell() -> None:
+        worker = Worker(config, states.append)
+        keeper = asyncio.create_task(worker.run())
+        try:
+            async with asyncio.timeout(60):
+                await play(worker, states)
+        finally:
+            keeper.cancel()
+            await asyncio.gather(keeper, return_exceptions=True)
+
+    before = children()
+    asyncio.run(tell())
+    assert children() <= before
+
+
+def children() -> set[str]:
+    return set(Path(f"/proc/self/task/{os.getpid()}/children").read_text().split())
+
+
+def test_checks_come_home_by_id(config: Config) -> None:
+    async def play(worker: Worker, _: list[State]) -> None:
+        answers = await asyncio.gather(*[worker.check("refuse" if i % 2 else "") for i in range(20)])
+        assert [len(answer.problems) for answer in answers] == [i % 2 for i in range(20)]
+
+    keeping(play, config)
+
+
+def test_a_run_is_started_or_refused_and_its_end_is_known(config: Config) -> None:
+    async def play(worker: Worker, _: list[State]) -> None:
+        ours, theirs = socket.socketpair()
+        with ours:
+            program = await worker.start("drive:0.5", theirs)
+            assert isinstance(await program.started, Started)
+            worker.kill(program)
+            assert (await program.gone).signal == signal.SIGKILL
+        ours, theirs = socket.socketpair()
+        with ours:
+            program = await worker.start("refuse", theirs)
+            assert isinstance(await program.started, Refused)
+            assert isinstance(await program.gone, Gone)
+
+    keeping(play, config)
+
+
+def test_what_is_under_way_ends_with_the_worker_and_the_next_one_serves(config: Config) -> None:
+    async def play(worker: Worker, states: list[State]) -> None:
+        for _ in range(5):
+            await worker.check("")
+            waiting = asyncio.create_task(worker.check("slow"))
+            ours, theirs = socket.socketpair()
+            program = await worker.start("slow", theirs)
+            assert worker.pid is not None
+            os.killpg(worker.pid, signal.SIGKILL)
+            for future in (waiting, program.started, program.gone):
+                with pytest.raises(WorkerLost):
+                    await future
+            ours.close()
+        await worker.check("")
+        assert states == ["ready"] + ["restarting", "ready"] * 5
+
+    keeping(play, config)
+
+
+def test_a_spare_takes_over(config: Config, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rosy_sim.worker.client._SPARE_DELAY", 0.0)
+
+    async def play(worker: Worker, _: list[State]) -> None:
+        await worker.check("")
+        while worker._spare is None:
+            await asyncio.sleep(0.01)
+        spare = worker._spare.pid
+        assert worker.pid is not None
+        os.killpg(worker.pid, signal.SIGKILL)
+        while worker.pid != spare:
+            await asyncio.sleep(0.01)
+        await worker.check("")
+
+    keeping(play, config)
+
+
+def test_a_worker_that_vanishes_is_waited_for(config: Config, tmp_path: Path) -> None:
+    executable = tmp_path / "worker"
+
+    async def play(worker: Worker, states: list[State]) -> None:
+        while "restarting" not in states:
+            await asyncio.sleep(0.01)
+        executable.write_text(f'#!/bin/sh\nexec "{config.worker[0]}" "{config.worker[1]}"\n')
+        executable.chmod(0o755)
+        await worker.check("")
+
+    keeping(play, replace(config, worker=(str(executable),)))
+    executable.unlink()
+    with pytest.raises(WorkerMissing):
+        launch(replace(config, worker=(str(executable),)))
+
+
+def test_a_cancelled_check_is_taken_back(config: Config) -> None:
+    async def play(worker: Worker, _: list[State]) -> None:
+        await worker.check("")
+        waiting = asyncio.create_task(worker.check("slow"))
+        await asyncio.sleep(0)
+        await asyncio.sleep(0)
+        waiting.cancel()
+        await asyncio.gather(waiting, return_exceptions=True)
+        assert not worker._checks
+        await worker.check("")
+
+    keeping(play, config)
+
+
+def test_descriptors_do_not_leak(config: Config) -> None:
+    def count() -> int:
+        return len(os.listdir("/proc/self/fd"))
+
+    with BlockingWorker(config) as worker:
+        worker.ready()
+        before = count()
+        for _ in range(30):
+            ours, theirs = socket.socketpair()
+            with ours:
+                worker.run("refuse", theirs)
+        assert count() == before
