@@ -15,6 +15,7 @@ module Rosy.Worker.Allow
     -- * Extensions
   , isAllowedExtension
   , refuseExtension
+  , refuseUnknown
   , refuseOptions
   ) where
 
@@ -103,6 +104,12 @@ refuseExtension e
       (cannot, "Remove it: the usual extensions are switched on already.")
   where
     cannot = "A program cannot switch on " <> quoted e <> "."
+
+-- | For an extension that the compiler has never heard of; empty when the whole line is not understood.
+refuseUnknown :: Text -> (Text, Text)
+refuseUnknown e
+  | Text.null e = ("This line at the top of the program is not understood.", "Remove it: the usual extensions are switched on already.")
+  | otherwise = ("There is no extension called " <> quoted e <> ".", "Remove it: the usual extensions are switched on already.")
 
 refuseOptions :: (Text, Text)
 refuseOptions = ("A program cannot give options to the compiler.", "Remove the line with OPTIONS_GHC.")

@@ -178,7 +178,8 @@ optionsOf flags columns buffer = do
       _ -> [at `sayWith` ("options", refuseOptions)]
     sayWith at (k, (m, h)) = say columns at k m h
     optionProblem raw =
-      (maybe (problemNowhere "extension") (`problemAt` "extension") (region raw) "This line at the top of the program is not understood." "Remove it: the usual extensions are switched on already.")
+      let (m, h) = refuseUnknown (Text.strip (snd (Text.breakOnEnd "Unsupported extension:" (Text.concat (take 1 (Text.lines (Text.concat (important raw))))))))
+       in maybe (problemNowhere "extension") (`problemAt` "extension") (region raw) m h
 
 -- | The tree of a program with warnings about its text, or what keeps it from being read.
 readProgram :: DynFlags -> Columns -> StringBuffer -> Either [Raw] (Located HsModule, [Raw])
@@ -209,7 +210,7 @@ declarationRefusals columns parsed = concatMap refusal (hsmodDecls parsed)
   where
     refusal (L s d) = case d of
       ForD {} -> [say columns s "foreign" "A program cannot call functions of other languages." "A robot program is all Haskell."]
-      SpliceD {} -> [say columns s "syntax" "This line on its own has no meaning." "A line at the left edge starts a definition: a name, an equals sign and a value."]
+      SpliceD {} -> [say columns s "missing-equals" "This line has no equals sign." "A definition is a name, an equals sign and a value: move = Velocity 0.5 0."]
       RuleD {} -> [say columns s "pragma" "A program cannot change how it is compiled." "Remove these rules."]
       AnnD {} -> [say columns s "pragma" "A program cannot change how it is compiled." "Remove this annotation."]
       _ -> []
@@ -224,7 +225,7 @@ check session flags columns source (L at parsed) warnings = do
       env = (environment session) {hsc_dflags = logging}
       summary = summaryOf logging source
       placed = definitionSpans (placeOf columns) parsed
-      outlined = Outline source placed (signatureSpans (placeOf columns) parsed) []
+      outlined = Outline source placed (signatureSpans (placeOf columns) parsed) [] []
       module' = HsParsedModule (L at (program added)) [] (ApiAnns mempty Nothing mempty mempty)
   ((warned, failed), outcome) <- tcRnModule env summary False module'
   let found = warnings ++ map (fromMessage flags columns) (bagToList failed ++ bagToList warned)
@@ -232,8 +233,10 @@ check session flags columns source (L at parsed) warnings = do
       mains = [() | ("main", _) <- placed]
       noMain = [problemNowhere "no-main" "The program does not say what the robot should do." "Add a line that starts with: main = simulate" | null mains]
       whole raws tcg next =
-        let connections = describeFunctions flags (map Text.pack (concatMap leaves (controllers added))) tcg
-         in Analysis noMain raws outlined {connectedTo = connections} (describeDeclarations flags placed tcg) connections next
+        let describe spelling = describeFunctions flags spelling (map Text.pack (concatMap leaves (controllers added))) tcg
+            connections = describe AsWritten
+            known = outlined {connectedTo = connections, spelledOut = describe SpelledOut}
+         in Analysis noMain raws known (describeDeclarations flags placed tcg) connections next
   case outcome of
     Nothing -> pure (Analysis noMain found outlined [] [] Nothing)
     Just tcg

@@ -45,15 +45,18 @@ located outline p = case function p of
   Nothing -> p {function = place p >>= enclosing outline}
 
 enclosing :: Outline -> Span -> Maybe Text
-enclosing outline s = listToMaybe [n | (n, within) <- bindings outline, start within <= start s, end s <= end within]
+enclosing outline s = listToMaybe [n | (n, within) <- bindings outline ++ signatures outline, start within <= start s, end s <= end within]
 
 -- | One problem a place, and nothing that only follows from something else.
 withoutEchoes :: [Problem] -> [Problem]
 withoutEchoes ps = nubBy (\x y -> place x == place y && kind x == kind y) (filter (not . echo) ps)
   where
+    at p k = [q | q <- ps, function q == function p, kind q == k]
     causes = [function p | p <- ps, kind p `elem` ["hole", "not-in-scope", "negative-number", "too-many-arguments"]]
     echo p = kind p `elem` ["ambiguous-type", "not-a-sensor", "not-a-command"] && (function p `elem` causes || Just "main" `elem` causes)
-      || kind p == "ambiguous-type" && length [q | q <- ps, function q == function p, kind q == "ambiguous-type", place q < place p] > 0
+      || kind p == "ambiguous-type" && any ((< place p) . place) (at p "ambiguous-type")
+      || kind p == "function-as-value" && not (null (at p "negative-number"))
+      || kind p == "missing-field" && not (null (at p "unknown-field"))
 
 -- | The kind and the sentences for one message.
 explain :: Outline -> Raw -> Problem

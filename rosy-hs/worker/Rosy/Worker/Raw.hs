@@ -61,7 +61,9 @@ data Outline = Outline
   -- ^ Top-level names with the places of their type signatures.
   , connectedTo :: [Function]
   -- ^ The functions that the robot runs.
+  , spelledOut :: [Function]
+  -- ^ The same functions, in the same order, with the program's type synonyms replaced by what they stand for.
   }
 
 noOutline :: Text -> Outline
-noOutline source = Outline source [] [] []
+noOutline source = Outline source [] [] [] []

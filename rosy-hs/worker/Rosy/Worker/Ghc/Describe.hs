@@ -9,6 +9,7 @@
 -- commands it gives. Both are read off types; nothing runs.
 module Rosy.Worker.Ghc.Describe
   ( describeDeclarations
+  , Spelling (..)
   , describeFunctions
   , definitionSpans
   , signatureSpans
@@ -76,13 +77,18 @@ describeDeclarations flags placed checked =
     kindText k = Text.replace "*" "Type" (showType flags k)
     occ x = Text.pack (getOccString x)
 
+-- | Whether types keep the synonyms that the program uses.
+data Spelling = AsWritten | SpelledOut
+  deriving (Eq)
+
 -- | The functions of these names with their inputs and outputs; names without a type of their own are left out.
-describeFunctions :: DynFlags -> [Text] -> TcGblEnv -> [Function]
-describeFunctions flags names checked =
+describeFunctions :: DynFlags -> Spelling -> [Text] -> TcGblEnv -> [Function]
+describeFunctions flags spelling names checked =
   [Function n (concatMap (flatten True) ins) (flatten False out) | n <- nub names, Just t <- [Map.lookup n types], let (ins, out) = arrows t]
   where
-    types = Map.fromList [(Text.pack (getOccString i), varType i) | i <- typeEnvIds (tcg_type_env checked)]
+    types = Map.fromList [(Text.pack (getOccString i), spelled (varType i)) | i <- typeEnvIds (tcg_type_env checked)]
 
+    spelled t = if spelling == SpelledOut then expandTypeSynonyms t else t
     arrows t = case splitFunTy_maybe (plainly t) of
       Just (_, from, to) -> let (ins, out) = arrows to in (from : ins, out)
       Nothing -> ([], t)

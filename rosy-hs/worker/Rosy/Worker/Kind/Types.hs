@@ -23,8 +23,8 @@ import Rosy.Worker.Raw
 
 explainTypes :: Outline -> Raw -> Maybe Problem
 explainTypes outline raw =
-  (ambiguous said >>= \(v, c, user) -> Just (explainAmbiguous problem v c user))
-    <|> (if "Overlapping instances for Runnable" `Text.isPrefixOf` said then Just (unclear problem "This") else Nothing)
+  (ambiguous said >>= \(v, c, user) -> Just (explainAmbiguous outline problem v c user))
+    <|> (if "Overlapping instances for Runnable" `Text.isPrefixOf` said then Just (unclear outline problem) else Nothing)
     <|> (noInstance said >>= \(c, t, user) -> Just (explainInstance outline raw problem c t user))
     <|> (mismatch said >>= \(needed, given) -> Just (explainMismatch outline raw problem needed given))
     <|> (if "rigid type variable" `Text.isInfixOf` said then Just (problem "too-general" "The type promises more than the definition keeps." "Write the type that it really has.") else Nothing)
@@ -93,18 +93,28 @@ ambiguous said = do
 
 -- * It is not clear which type
 
-explainAmbiguous :: Say -> Text -> Text -> Text -> Problem
-explainAmbiguous problem v c user
-  | Text.length name > 2 = problem "lower-case-type" (quoted name <> " stands for any type, because it begins with a small letter.") ("Write the type with a capital letter: " <> capital name <> ".")
-  | c `elem` ["Sensor", "Command", "Controller", "Runnable", "Ends"] = unclear problem "This"
+explainAmbiguous :: Outline -> Say -> Text -> Text -> Text -> Problem
+explainAmbiguous outline problem v c user
+  | Text.length letter > 2 = blamedFor letter (problem "lower-case-type" (quoted letter <> " stands for any type, because it begins with a small letter.") ("Write the type with a capital letter: " <> capital letter <> "."))
+  | c `elem` ["Sensor", "Command", "Controller", "Runnable", "Ends"] = unclear outline problem
   | user `elem` ["read", "fromIntegral", "realToFrac"] = problem "ambiguous-type" ("It is not clear which type " <> quoted user <> " gives here.") "Say it, for example: (read \"1\" :: Double)."
   | otherwise = problem "ambiguous-type" "It is not clear which type this value has." "Say it behind the value, for example: (1 :: Double)."
   where
-    name = Text.dropWhileEnd (`elem` ("0123456789" :: String)) v
+    letter = Text.dropWhileEnd (`elem` ("0123456789" :: String)) v
     capital t = Text.toUpper (Text.take 1 t) <> Text.drop 1 t
+    blamedFor t p = case [(called f, s) | f <- connectedTo outline, Just s <- [typePlace outline (called f) t]] of
+      (f, s) : _ -> p {function = Just f, place = Just s}
+      [] -> p
 
-unclear :: Say -> Text -> Problem
-unclear problem what = problem "ambiguous-type" (what <> " does not say what it senses or commands.") "Write its type above it, for example: f :: Bumper -> Maybe Sound."
+-- | A function whose type leaves open what it senses or gives.
+unclear :: Outline -> Say -> Problem
+unclear outline problem = case find (any isOpen . (\f -> inputs f ++ outputs f)) (connectedTo outline) of
+  Just f ->
+    let p = problem "ambiguous-type" (quoted (called f) <> " does not say what it senses or gives.") ("Write its type above it, for example: " <> called f <> " :: Bumper -> Maybe Sound.")
+     in p {function = Just (called f), place = lookup (called f) (bindings outline) <|> place p}
+  Nothing -> problem "ambiguous-type" "This does not say what it senses or gives." "Write its type above it, for example: f :: Bumper -> Maybe Sound."
+  where
+    isOpen = any (maybe False (isLower . fst) . Text.uncons) . atoms
 
 -- * A type cannot do something
 
@@ -134,13 +144,13 @@ explainInstance outline raw problem c t user
     whole = flat (Text.unwords (important raw))
     shown = if t == "Char" then "String" else t
     a' x = "A " <> quoted x
-    culprit which = find (\f -> any ((== t) . stripOne) (which f) || any ((== shown) . stripOne) (which f)) (connectedTo outline)
-    stripOne x = fromMaybe x (Text.stripPrefix "Memory " x)
+    -- The function whose type has it, and how its type is written there.
+    culprit which = listToMaybe [(f, as) | (f, full) <- zip (connectedTo outline) (spelledOut outline), (as, x) <- zip (which f) (map simple (which full)), x `elem` [t, shown]]
     blamed = culprit (if c == "Sensor" then inputs else outputs)
-    owner = maybe "This" (quoted . called) blamed
+    owner = maybe "This" (quoted . called . fst) blamed
     who verb = owner <> " " <> verb <> " "
     blaming which p = case culprit which of
-      Just f -> p {function = Just (called f), place = typePlace outline (called f) shown <|> place p}
+      Just (f, as) -> p {function = Just (called f), place = typePlace outline (called f) as <|> place p}
       Nothing -> p
     sensorHint
       | isFunction t = "A function can take events, states and memories, but no functions."
@@ -183,6 +193,7 @@ explainMismatch outline raw problem needed given
   | "NotInATask" `elem` [needed, given] = doneOutside
   | Just u <- user, u `elem` ["task", "taskWith"] = problem "done-type" ("The task ends with " <> a needed <> ", but its Done carries " <> a given <> ".") "Make both the same type."
   | "IO" == firstAtom needed, "IO action ‘main’" `Text.isInfixOf` whole = problem "main-type" "‘main’ must say what to do with the robot." ("Write: main = simulate " <> mainBody <> ".")
+  | "Occurs check" `Text.isInfixOf` said || isVariable needed && needed `elem` Text.words given || isVariable given && given `elem` Text.words needed = problem "infinite-type" "This would have to contain itself." "Check the brackets, and whether a function is given to itself by accident."
   | Just (f, taken, has) <- tooMany = tooManyArguments f taken has
   | "too few arguments" `Text.isInfixOf` whole, Just f <- appliedTooLittle = missingArgument f
   | needed == "Maybe " <> bracketIfNeeded given = problem "missing-just" ("This always gives " <> a given <> ", but the type says that it may be missing.") ("Write Just in front of it" <> example "Just" <> ".")
@@ -200,7 +211,6 @@ explainMismatch outline raw problem needed given
   | needed == "[" <> given <> "]" = problem "type-mismatch" ("This is one " <> quoted given <> ", but a list of them is needed.") "Put it in square brackets."
   | given == "[" <> needed <> "]" = problem "type-mismatch" ("This is a list, but one " <> quoted needed <> " is needed.") "Take one element of it."
   | isFunction given, not (isFunction needed), lastOf given == needed = problem "missing-argument" ("Something is missing here: this still needs " <> a (firstOf given) <> ".") "Add the missing value."
-  | "Occurs check" `Text.isInfixOf` said || isVariable needed && needed `elem` Text.words given || isVariable given && given `elem` Text.words needed = problem "infinite-type" "This would have to contain itself." "Check the brackets, and whether a function is given to itself by accident."
   | "rigid type variable" `Text.isInfixOf` whole = problem "too-general" ("The type says that this works for any ‘" <> (if isVariable needed then needed else given) <> "’, but it does not.") "Write the type that is meant instead of the small letter."
   | isFunction given, not (isFunction needed) = problem "type-mismatch" ("This is " <> a given <> ", but " <> a needed <> " is needed here.") "Give the function its values, or check the brackets."
   | otherwise = problem "type-mismatch" ("This is " <> a given <> ", but " <> a needed <> " is needed here.") (mixedHint needed given)
