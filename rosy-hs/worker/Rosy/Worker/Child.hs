@@ -26,7 +26,7 @@ import qualified Data.Text as Text
 import Data.Text.Encoding (encodeUtf8)
 import Data.Word (Word64)
 import GHC.Clock (getMonotonicTime)
-import System.Posix.IO (closeFd)
+import System.Posix.IO (FdOption (NonBlockingRead), closeFd, setFdOption)
 import System.Posix.Types (Fd (..))
 
 import Rosy.Worker.Ghc
@@ -89,11 +89,13 @@ runChild settings session answer link page memory source = alone answer $ do
     Nothing -> writeAll answer ("R" <> line ["problems" .= found])
     Just program -> do
       launch <- load session program
+      -- Whoever made the link may not have wanted to wait; the program does.
+      setFdOption link NonBlockingRead False
       beNice runNiceness
       when (limits (layers settings)) $ do
         size <- dataSize
         limitHeap memory
-        limitProcess (size + memory + heapSlack)
+        limitProcess (size + 2 * memory + heapSlack)
       now <- getMonotonicTime
       writeAll answer ("S" <> line ["problems" .= found, "compile" .= (now - began)])
       closeFd answer
@@ -101,15 +103,17 @@ runChild settings session answer link page memory source = alone answer $ do
       let Fd fd = link
       launch fd page
 
--- | Bytes for what a collection needs for a moment beside the heap itself.
+-- | Bytes that the kernel grants beyond twice the heap limit, which a collection may need for a moment. The run-time system's own
+-- limit is the one that is meant to be reached; the kernel's is there in case it is not.
 heapSlack :: Word64
-heapSlack = 32 * 1024 * 1024
+heapSlack = 64 * 1024 * 1024
 
 begin :: Settings -> [Fd] -> IO ()
 begin settings keep = do
   beginChild keep (nullFd settings)
   when (limits (layers settings)) $ do
     size <- dataSize
+    -- Only the kernel's limit: close to its own, the run-time system would collect for minutes before it gives up.
     limitData (size + compileMemory settings)
   when (systemCalls (layers settings)) filterCompiling
 

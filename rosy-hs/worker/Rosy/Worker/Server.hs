@@ -283,7 +283,7 @@ bury pid how s = case Map.lookup pid (jobs s) of
         freePage page
         pure $
           if started
-            then reply (gone (if Text.null firing || isExit how then Nothing else Just firing) (if how == Exited ranOutOfMemory then Just memoryProblem else Nothing)) rest
+            then reply (gone (if Text.null firing || isExit how then Nothing else Just firing) (if outOfMemory how then Just memoryProblem else Nothing)) rest
             else
               if answered job
                 then rest
@@ -296,6 +296,12 @@ bury pid how s = case Map.lookup pid (jobs s) of
     isExit (Exited n) = n /= ranOutOfMemory
     isExit _ = False
 
+-- | The run-time system leaves with a code of its own when its limit is reached, and aborts when the kernel's is.
+outOfMemory :: Ended -> Bool
+outOfMemory how = how `elem` [Exited ranOutOfMemory, Signalled sigABRT']
+  where
+    sigABRT' = 6
+
 memoryProblem :: Problem
 memoryProblem = problemNowhere "memory" "The program used up its memory." "Look for a list or a value that grows for ever."
 
@@ -303,5 +309,5 @@ memoryProblem = problemNowhere "memory" "The program used up its memory." "Look 
 compileProblem :: Job -> Ended -> Problem
 compileProblem job how
   | late job = problemNowhere "too-long" "The program takes too long to check." "Make it shorter, or split large expressions into several functions."
-  | how == Exited ranOutOfMemory = problemNowhere "too-large" "The program takes too much memory to check." "Make it shorter, or split large expressions into several functions."
+  | outOfMemory how = problemNowhere "too-large" "The program takes too much memory to check." "Make it shorter, or split large expressions into several functions."
   | otherwise = (problemNowhere "compiler" "The program could not be checked." "Undo the last change and try again.") {ghc = lastWords job}

@@ -217,26 +217,30 @@ plainName = occNameString . rdrNameOcc
 
 -- | The library's functions that take a controller: the function that takes its names first, and how many
 -- arguments it needs to see ("Rosy.Program" lists them).
-naming :: [(String, (String, Int, Definitions -> [LHsExpr GhcPs] -> [Names]))]
+naming :: [(String, (String, Int, (LHsExpr GhcPs -> Names) -> [LHsExpr GhcPs] -> [Names]))]
 naming =
-  [ ("simulate", ("simulateNamed", 1, map . namesOf))
-  , ("task", ("taskNamed", 2, map . namesOf))
-  , ("taskWith", ("taskWithNamed", 2, \defs xs -> concat [[field defs "starting" o, field defs "stopped" o, namesOf defs c] | [o, c] <- [xs]]))
-  , ("once", ("onceNamed", 1, map . namesOf))
-  , ("call", ("callNamed", 2, \defs xs -> [Names [field defs f o | f <- ["cancelOn", "onFeedback", "onEnd"]] | [_, o] <- [xs]]))
+  [ ("simulate", ("simulateNamed", 1, map))
+  , ("task", ("taskNamed", 2, map))
+  , ("taskWith", ("taskWithNamed", 2, \name xs -> concat [[field name "starting" o, field name "stopped" o, name c] | [o, c] <- [xs]]))
+  , ("once", ("onceNamed", 1, map))
+  , ("call", ("callNamed", 2, \name xs -> [Names [field name f o | f <- ["cancelOn", "onFeedback", "onEnd"]] | [_, o] <- [xs]]))
   ]
   where
     -- The names in a field of a record that is written out or changed on the spot.
-    field defs wanted (L _ e) = case e of
-      HsPar _ x -> field defs wanted x
-      RecordUpd {rupd_flds = fs} -> head ([namesOf defs (hsRecFieldArg f) | L _ f <- fs, plainName (rdrNameAmbiguousFieldOcc (unLoc (hsRecFieldLbl f))) == wanted] ++ [Names []])
-      RecordCon {rcon_flds = fs} -> head ([namesOf defs (hsRecFieldArg f) | L _ f <- rec_flds fs, plainName (unLoc (rdrNameFieldOcc (unLoc (hsRecFieldLbl f)))) == wanted] ++ [Names []])
+    field name wanted (L _ e) = case e of
+      HsPar _ x -> field name wanted x
+      RecordUpd {rupd_flds = fs} -> head ([name (hsRecFieldArg f) | L _ f <- fs, plainName (rdrNameAmbiguousFieldOcc (unLoc (hsRecFieldLbl f))) == wanted] ++ [Names []])
+      RecordCon {rcon_flds = fs} -> head ([name (hsRecFieldArg f) | L _ f <- rec_flds fs, plainName (unLoc (rdrNameFieldOcc (unLoc (hsRecFieldLbl f)))) == wanted] ++ [Names []])
       _ -> Names []
 
 -- | Replaces the functions of 'naming' where the program does not define the word itself.
 nameFunctions :: [String] -> Definitions -> LHsDecl GhcPs -> (LHsDecl GhcPs, [Names])
 nameFunctions hidden definitions d = (walk d, found d)
   where
+    -- What is written out in this declaration is called like it.
+    owner = case unLoc d of
+      ValD _ b | n : _ <- collectHsBindBinders b -> plainName n
+      _ -> "main"
     table = [entry | entry@(n, _) <- naming, n `notElem` hidden]
 
     walk :: Data a => a -> a
@@ -289,7 +293,7 @@ nameFunctions hidden definitions d = (walk d, found d)
         , Just (f, count, names) <- lookup (plainName n) table
         , xs <- take count (args ++ maybeToList follows)
         , length xs == count ->
-            Just (f, names definitions xs)
+            Just (f, names (namesOf definitions owner) xs)
       _ -> Nothing
 
     applied (L _ (HsApp _ f x)) args = applied f (x : args)

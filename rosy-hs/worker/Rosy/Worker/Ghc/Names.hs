@@ -68,37 +68,37 @@ withLocals locals body = L (getLoc body) (HsLet noExtField (noLoc locals) body)
 plain :: RdrName -> String
 plain = occNameString . rdrNameOcc
 
--- | The names in a controller expression.
-namesOf :: Definitions -> LHsExpr GhcPs -> Names
-namesOf top = go (16 :: Int) top Map.empty
+-- | The names in a controller expression. A value that is written out is called like the definition it stands in.
+namesOf :: Definitions -> String -> LHsExpr GhcPs -> Names
+namesOf top owner = go (16 :: Int) top Map.empty owner
   where
     -- Depth keeps a definition that mentions itself from being looked into for ever.
-    go depth defs env located@(L at e) = case e of
-      HsPar _ x -> go depth defs env x
-      ExprWithTySig _ x _ -> go depth defs env x
-      ExplicitTuple _ parts _ | Just xs <- mapM present parts -> Names (map (go depth defs env) xs)
-      ExplicitList _ _ xs -> Names (map (go depth defs env) xs)
-      HsLet _ (L _ locals) x -> go depth (Map.union (localDefinitions locals) defs) env x
-      HsDo {} -> anonymous "task" at
-      OpApp _ f (L _ (HsVar _ (L _ op))) x | plain op == "$" -> go depth defs env (L at (HsApp noExtField f x))
+    go depth defs env home located@(L at e) = case e of
+      HsPar _ x -> go depth defs env home x
+      ExprWithTySig _ x _ -> go depth defs env home x
+      ExplicitTuple _ parts _ | Just xs <- mapM present parts -> Names (map (go depth defs env home) xs)
+      ExplicitList _ _ xs -> Names (map (go depth defs env home) xs)
+      HsLet _ (L _ locals) x -> go depth (Map.union (localDefinitions locals) defs) env home x
+      HsDo {} -> Name home
+      OpApp _ f (L _ (HsVar _ (L _ op))) x | plain op == "$" -> go depth defs env home (L at (HsApp noExtField f x))
       _ | (L _ (HsVar _ (L _ n)), args) <- application located, isUnqual n, isVarOcc (rdrNameOcc n) -> variable depth defs env (plain n) args
-      HsLam {} -> anonymous "function" at
-      HsLamCase {} -> anonymous "function" at
-      OpApp {} -> anonymous "function" at
-      SectionL {} -> anonymous "function" at
-      SectionR {} -> anonymous "function" at
-      _ -> anonymous "value" at
+      HsLam {} -> anonymous at
+      HsLamCase {} -> anonymous at
+      OpApp {} -> anonymous at
+      SectionL {} -> anonymous at
+      SectionR {} -> anonymous at
+      _ -> Name home
 
     variable depth defs env n args
       | Just known <- Map.lookup n env, null args = known
       | depth > 0
       , Just (params, body) <- Map.lookup n defs
       , length params >= length args
-      , parts@(Names _) <- go (depth - 1) defs (boundTo params args `Map.union` Map.fromList [(p, Name p) | Just p <- params]) body =
+      , parts@(Names _) <- go (depth - 1) defs (boundTo params args `Map.union` Map.fromList [(p, Name p) | Just p <- params]) n body =
           parts
       | otherwise = Name n
       where
-        boundTo params xs = Map.fromList [(p, go (depth - 1) defs env x) | (Just p, x) <- zip params xs]
+        boundTo params xs = Map.fromList [(p, go (depth - 1) defs env n x) | (Just p, x) <- zip params xs]
 
 present :: LHsTupArg GhcPs -> Maybe (LHsExpr GhcPs)
 present (L _ (Present _ x)) = Just x
@@ -117,8 +117,8 @@ application = go []
     go args (L _ (HsPar _ x)) = go args x
     go args f = (f, args)
 
-anonymous :: String -> SrcSpan -> Names
-anonymous what at = Name ("the " ++ what ++ place)
+anonymous :: SrcSpan -> Names
+anonymous at = Name ("the function" ++ place)
   where
     place = case at of
       RealSrcSpan s _ -> " at line " ++ show (srcSpanStartLine s)

@@ -1,0 +1,213 @@
+{-# LANGUAGE ForeignFunctionInterface #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Test.Worker.Client
+-- Description : A service for tests: starts the real worker and talks to it.
+--
+-- Every wait has a limit; a worker that says nothing fails the test instead of hanging it.
+module Test.Worker.Client
+  ( -- * A worker
+    Worker (..),
+    withWorker,
+    tell,
+    tellBytes,
+    hear,
+    ask,
+    answerOf,
+    closeWorker,
+    ended,
+
+    -- * Requests
+    check,
+    run,
+    kill,
+    field,
+    text,
+
+    -- * Robot links
+    Link,
+    withRun,
+    say,
+    listen,
+    linesUntil,
+    closeLink,
+
+    -- * Looking at processes
+    childrenOf,
+    descriptorsOf,
+    isAlive,
+    eventually,
+  )
+where
+
+import Control.Concurrent (threadDelay)
+import Control.Exception (IOException, SomeException, bracket, onException, try)
+import Control.Monad (unless, void)
+import Data.Aeson (Value (..), decodeStrict', encode, object, (.=))
+import qualified Data.Aeson.KeyMap as KeyMap
+import qualified Data.Aeson.Key as Key
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as ByteString
+import qualified Data.ByteString.Char8 as Char8
+import qualified Data.ByteString.Lazy as Lazy
+import Data.ByteString.Unsafe (unsafeUseAsCStringLen)
+import Data.IORef
+import Data.Maybe (isJust)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Foreign.C.Types
+import Foreign.Ptr (Ptr)
+import Network.Socket hiding (listen)
+import Network.Socket.ByteString (recv, sendAll)
+import System.Directory (doesDirectoryExist, findExecutable, listDirectory)
+import System.Posix.IO (FdOption (CloseOnExec), setFdOption)
+import System.Posix.Types (Fd (..))
+import System.Process
+import System.Timeout (timeout)
+
+foreign import ccall safe test_send_with :: CInt -> Ptr CChar -> CULong -> CInt -> IO CLong
+
+data Worker = Worker
+  { socketOf :: Socket,
+    unread :: IORef ByteString,
+    process :: ProcessHandle,
+    processId :: Int
+  }
+
+-- | A worker with these options, warm.
+withWorker :: [String] -> (Worker -> IO a) -> IO a
+withWorker options = bracket open shut
+  where
+    open = do
+      (mine, theirs) <- socketPair AF_UNIX Stream defaultProtocol
+      Just executable <- findExecutable "rosy-worker"
+      withFdSocket mine (\fd -> setFdOption (Fd fd) CloseOnExec True)
+      inherited <- socketToFd' theirs
+      setFdOption (Fd inherited) CloseOnExec False
+      (_, _, _, handle) <- createProcess (proc executable (["--fd", show inherited] ++ options)) {close_fds = False, std_in = NoStream}
+      setFdOption (Fd inherited) CloseOnExec True
+      close theirs
+      Just pid <- getPid handle
+      buffer <- newIORef ""
+      let worker = Worker mine buffer handle (fromIntegral pid)
+      first <- hear worker
+      unless (text "op" first == "ready") (fail ("the worker said " ++ show first))
+      pure worker
+    shut worker = do
+      _ <- try (close (socketOf worker)) :: IO (Either SomeException ())
+      ended worker `onException` terminateProcess (process worker)
+    socketToFd' s = withFdSocket s pure
+
+-- | Waits for the worker's end.
+ended :: Worker -> IO ()
+ended worker = eventually "the worker ended" (isJust <$> getProcessExitCode (process worker))
+
+closeWorker :: Worker -> IO ()
+closeWorker = close . socketOf
+
+tell :: Worker -> Value -> IO ()
+tell worker value = tellBytes worker (Lazy.toStrict (encode value) <> "\n")
+
+tellBytes :: Worker -> ByteString -> IO ()
+tellBytes = sendAll . socketOf
+
+-- | The next answer, within twenty seconds.
+hear :: Worker -> IO Value
+hear worker = nextLine (socketOf worker) (unread worker) >>= maybe (fail "the worker closed its socket") decoded
+  where
+    decoded l = maybe (fail ("not JSON: " ++ show l)) pure (decodeStrict' l)
+
+nextLine :: Socket -> IORef ByteString -> IO (Maybe ByteString)
+nextLine s buffer = timeout 20000000 go >>= maybe (fail "nothing was said for twenty seconds") pure
+  where
+    go = do
+      held <- readIORef buffer
+      case Char8.elemIndex '\n' held of
+        Just n -> Just (ByteString.take n held) <$ writeIORef buffer (ByteString.drop (n + 1) held)
+        Nothing -> do
+          more <- either (const "") id <$> (try (recv s 65536) :: IO (Either IOException ByteString))
+          if ByteString.null more then pure Nothing else writeIORef buffer (held <> more) >> go
+
+ask :: Worker -> Value -> IO Value
+ask worker value = tell worker value >> hear worker
+
+-- | The next answer with this id; others are passed over.
+answerOf :: Worker -> Value -> IO Value
+answerOf worker i = do
+  answer <- hear worker
+  if field "id" answer == i then pure answer else answerOf worker i
+
+check :: Value -> Text -> Value
+check i source = object ["op" .= ("check" :: Text), "id" .= i, "source" .= source]
+
+kill :: Value -> Value
+kill i = object ["op" .= ("kill" :: Text), "id" .= i]
+
+-- | Asks for a run; gives the other end of its link.
+run :: Worker -> Value -> Text -> Int -> IO Link
+run worker i source memory = do
+  (mine, theirs) <- socketPair AF_UNIX Stream defaultProtocol
+  mapM_ (`withFdSocket` (\fd -> setFdOption (Fd fd) CloseOnExec True)) [mine, theirs]
+  let line = Lazy.toStrict (encode (object ["op" .= ("run" :: Text), "id" .= i, "source" .= source, "memory" .= memory])) <> "\n"
+  sent <- withFdSocket (socketOf worker) $ \to -> withFdSocket theirs $ \passenger ->
+    unsafeUseAsCStringLen line (\(bytes, size) -> test_send_with to bytes (fromIntegral size) passenger)
+  tellBytes worker (ByteString.drop (fromIntegral sent) line)
+  close theirs
+  Link mine <$> newIORef ""
+
+field :: Text -> Value -> Value
+field name (Object o) = maybe Null id (KeyMap.lookup (Key.fromText name) o)
+field _ _ = Null
+
+text :: Text -> Value -> Text
+text name value = case field name value of
+  String s -> s
+  other -> Text.pack (show other)
+
+-- | The simulator's end of a robot link.
+data Link = Link Socket (IORef ByteString)
+
+withRun :: Worker -> Value -> Text -> Int -> (Link -> IO a) -> IO a
+withRun worker i source memory = bracket (run worker i source memory) closeLink
+
+say :: Link -> Value -> IO ()
+say (Link s _) value = sendAll s (Lazy.toStrict (encode value) <> "\n")
+
+-- | The next line, or nothing when the program has closed the link.
+listen :: Link -> IO (Maybe Value)
+listen (Link s buffer) = (>>= decodeStrict') <$> nextLine s buffer
+
+-- | Lines up to and with the first that has this @op@, or the end.
+linesUntil :: Text -> Link -> IO [Value]
+linesUntil op link = do
+  next <- listen link
+  case next of
+    Nothing -> pure []
+    Just l
+      | text "op" l == op || text "op" l == "ended" -> pure [l]
+      | otherwise -> (l :) <$> linesUntil op link
+
+closeLink :: Link -> IO ()
+closeLink (Link s _) = void (try (close s) :: IO (Either SomeException ()))
+
+-- | The processes that a process has started and not yet buried.
+childrenOf :: Int -> IO [Int]
+childrenOf pid = do
+  found <- try (readFile ("/proc/" ++ show pid ++ "/task/" ++ show pid ++ "/children") >>= \s -> length s `seq` pure s) :: IO (Either IOException String)
+  pure (either (const []) (map read . words) found)
+
+descriptorsOf :: Int -> IO Int
+descriptorsOf pid = length <$> listDirectory ("/proc/" ++ show pid ++ "/fd")
+
+isAlive :: Int -> IO Bool
+isAlive pid = doesDirectoryExist ("/proc/" ++ show pid)
+
+-- | Waits for something that happens outside, looking every millisecond for at most ten seconds.
+eventually :: String -> IO Bool -> IO ()
+eventually what condition = go (10000 :: Int)
+  where
+    go 0 = fail ("did not come to pass: " ++ what)
+    go n = do
+      yes <- condition
+      unless yes (threadDelay 1000 >> go (n - 1))

@@ -1,0 +1,123 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Test.Worker.Gallery
+-- Description : The mistakes that learners make, and what they read.
+--
+-- Each folder of @gallery@ is a program with a mistake and what is said about it. UPDATE_GOLDENS=1 writes the answers, and the
+-- page that shows them all, anew; read the difference before you keep it.
+module Test.Worker.Gallery (tests) where
+
+import Control.Monad (forM)
+import Data.Aeson (Value (..), eitherDecodeFileStrict', object, toJSON, (.=))
+import qualified Data.Aeson as Aeson
+import qualified Data.Aeson.KeyMap as KeyMap
+import Data.Char (isUpper)
+import Data.Foldable (toList)
+import Data.List (sort)
+import Data.Maybe (isJust)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import qualified Data.Text.IO as Text
+import qualified Data.ByteString.Lazy as Lazy
+import System.Directory (doesDirectoryExist, listDirectory)
+import System.Environment (lookupEnv)
+import System.FilePath ((</>))
+import Test.Tasty (TestTree, testGroup)
+import Test.Tasty.HUnit
+
+import Test.Worker.Client
+import Test.Worker.Pretty (pretty)
+
+tests :: IO Worker -> IO TestTree
+tests start = do
+  names <- folders
+  pure $
+    testGroup
+      "Gallery of mistakes"
+      [ testGroup "says what is expected" [testCase name (judged start name) | name <- names],
+        testCase "has at least forty mistakes" (assertBool (show (length names)) (length names >= 40)),
+        testCase "is shown on its page" (start >>= \w -> page w names)
+      ]
+
+gallery :: FilePath
+gallery = "rosy-hs/test-worker/gallery"
+
+folders :: IO [FilePath]
+folders = do
+  found <- sort <$> listDirectory gallery
+  map fst . filter snd <$> forM found (\f -> (,) f <$> doesDirectoryExist (gallery </> f))
+
+updating :: IO Bool
+updating = isJust <$> lookupEnv "UPDATE_GOLDENS"
+
+-- | What is said about a program, without GHC's own words: those change with its version.
+said :: Worker -> FilePath -> IO [Value]
+said worker name = do
+  source <- Text.readFile (gallery </> name </> "Main.hs")
+  tell worker (check (toJSON name) source)
+  answer <- answerOf worker (toJSON name)
+  pure [Object (KeyMap.delete "ghc" p) | Object p <- elements (field "problems" answer)]
+
+elements :: Value -> [Value]
+elements (Array xs) = toList xs
+elements _ = []
+
+judged :: IO Worker -> FilePath -> Assertion
+judged start name = do
+  worker <- start
+  problems <- said worker name
+  assertBool "nothing was said" (not (null problems))
+  mapM_ plainWords problems
+  let file = gallery </> name </> "expected.json"
+      answer = object ["problems" .= problems]
+  update <- updating
+  if update
+    then Lazy.writeFile file (pretty answer)
+    else do
+      expected <- eitherDecodeFileStrict' file
+      either assertFailure (@?= answer) expected
+
+-- | What every sentence keeps to.
+plainWords :: Value -> Assertion
+plainWords problem = do
+  let message = text "message" problem
+      hint = text "hint" problem
+      wordsOf = map (Text.filter (`notElem` (".,:;!?()" :: String))) . Text.words . Text.toLower
+      jargon = ["instance", "instances", "constraint", "parse", "monad", "applicative", "kind", "polymorphic", "unify", "rigid", "typeclass", "scope", "token", "lexical", "ambiguous"] :: [Text]
+  assertBool ("one sentence: " ++ show message) (Text.takeEnd 1 message == "." && Text.length message < 110)
+  assertBool ("one sentence or none: " ++ show hint) (Text.null hint || Text.length hint < 110 && Text.takeEnd 1 hint `elem` [".", "?"] || ": " `Text.isInfixOf` hint)
+  assertBool ("begins like a sentence: " ++ show message) (maybe False (\(c, _) -> isUpper c || c == '‘') (Text.uncons message))
+  mapM_ (\w -> assertBool ("jargon: " ++ show w) (w `notElem` wordsOf message && w `notElem` wordsOf hint)) jargon
+
+-- | The page of all mistakes.
+page :: Worker -> [FilePath] -> Assertion
+page worker names = do
+  shown <- forM names $ \name -> do
+    source <- Text.readFile (gallery </> name </> "Main.hs")
+    problems <- said worker name
+    pure (Text.unlines (["## " <> Text.replace "-" " " (Text.pack name), "```haskell", Text.stripEnd source, "```"] ++ map entry problems))
+  let whole = Text.unlines (heading ++ shown)
+      file = gallery </> "README.md"
+  update <- updating
+  if update
+    then Text.writeFile file whole
+    else Text.readFile file >>= \now -> assertBool "the page is old: run with UPDATE_GOLDENS=1" (now == whole)
+  where
+    heading =
+      [ "# Mistakes, and what is said about them",
+        "",
+        "**In:** a folder for each mistake: `Main.hs`, the program; `expected.json`, what is said. **Out:** this page, written by the tests from what the worker says.",
+        "**Never:** edited by hand: change a program or a sentence, run the tests with `UPDATE_GOLDENS=1`, and read the difference.",
+        ""
+      ]
+    entry p =
+      "> **" <> text "message" p <> "** " <> text "hint" p <> "  \n> <sub>" <> text "severity" p <> " `" <> text "kind" p <> "`" <> at p <> owner p <> "</sub>\n"
+    at p = case (field "start" p, field "end" p) of
+      (s@(Object _), e@(Object _)) -> ", " <> spot s <> " to " <> spot e
+      _ -> ""
+    spot v = shownNumber (field "line" v) <> ":" <> shownNumber (field "column" v)
+    owner p = case field "function" p of
+      String f -> ", in `" <> f <> "`"
+      _ -> ""
+    shownNumber v = Text.pack (filter (/= '"') (show (Aeson.encode v)))

@@ -1,0 +1,180 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Test.Worker.Life
+-- Description : Children come and go, and nothing of them stays.
+module Test.Worker.Life (tests) where
+
+import Control.Monad (forM_, replicateM, replicateM_)
+import Data.Aeson (Value (..), object, toJSON, (.=))
+import qualified Data.ByteString as ByteString
+import Data.List (sort)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import System.Posix.Signals (sigKILL, signalProcess)
+import Test.Tasty (TestTree, testGroup)
+import Test.Tasty.HUnit
+
+import Test.Worker.Client
+
+megabytes :: Int
+megabytes = 1024 * 1024
+
+tests :: IO Worker -> TestTree
+tests start =
+  testGroup
+    "Life of a worker"
+    [ testCase "two hundred runs leave no process and no descriptor" $ do
+        worker <- start
+        eventually "nothing is at work" (null <$> childrenOf (processId worker))
+        before <- descriptorsOf (processId worker)
+        forM_ [1 .. 20 :: Int] $ \batch -> do
+          links <- replicateM 10 (run worker (toJSON batch) idle (64 * megabytes))
+          answers <- replicateM 20 (hear worker)
+          sort (map (text "op") answers) @?= replicate 10 "gone" ++ replicate 10 "started"
+          mapM_ closeLink links
+        eventually "no child is left" (null <$> childrenOf (processId worker))
+        descriptorsOf (processId worker) >>= (@?= before),
+      testCase "a run can be ended while it compiles" $ do
+        worker <- start
+        withRun worker "bomb" bomb (64 * megabytes) $ \_ -> do
+          eventually "a child compiles" (not . null <$> childrenOf (processId worker))
+          answer <- ask worker (kill "bomb")
+          (text "op" answer, field "signal" answer) @?= ("gone", Number 9),
+      testCase "a run can be ended while it runs, and the function at work is named" $ do
+        worker <- start
+        withRun worker "stuck" stuck (64 * megabytes) $ \link -> do
+          started <- hear worker
+          text "op" started @?= "started"
+          say link (object ["op" .= ("start" :: Text), "protocol" .= (1 :: Int), "seed" .= (1 :: Int), "trace" .= False])
+          _ <- linesUntil "ready" link
+          say link odometry
+          say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
+          -- The child sits in a loop without an end: it never says that it has settled.
+          eventually "the child computes" (or <$> (childrenOf (processId worker) >>= mapM hasWorked))
+          gone <- ask worker (kill "stuck")
+          (text "op" gone, field "signal" gone, text "firing" gone) @?= ("gone", Number 9, "forEver"),
+      testCase "a check can be ended, also while it waits for its turn" $ do
+        worker <- start
+        forM_ ["a", "b", "c", "d" :: Text] (\i -> tell worker (check (toJSON i) (bomb <> "\n-- " <> i)))
+        forM_ ["d", "c", "b", "a" :: Text] (tell worker . kill . toJSON)
+        answers <- replicateM 4 (hear worker)
+        sort (map (text "id") answers) @?= ["a", "b", "c", "d"]
+        map (text "op") answers @?= replicate 4 "gone",
+      testCase "what takes too long to check is told so" $
+        withWorker ["--check-seconds", "0.4"] $ \worker -> do
+          answer <- ask worker (check (Number 1) bomb)
+          kinds answer @?= ["too-long"],
+      testCase "what takes too much memory to check is told so" $
+        withWorker ["--check-memory", show (40 * megabytes), "--check-seconds", "60"] $ \worker -> do
+          answer <- ask worker (check (Number 1) bomb)
+          kinds answer @?= ["too-large"],
+      testCase "a program that uses up its memory ends with a sentence" $ do
+        worker <- start
+        withRun worker "hungry" hungry (64 * megabytes) $ \link -> do
+          _ <- hear worker
+          say link (object ["op" .= ("start" :: Text), "protocol" .= (1 :: Int), "seed" .= (1 :: Int), "trace" .= False])
+          _ <- linesUntil "ready" link
+          say link odometry
+          say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
+          said <- linesUntil "settled" link
+          gone <- hear worker
+          let told = [text "kind" (field "problem" l) | l <- said ++ [gone], field "problem" l /= Null]
+          assertBool (show (said, gone)) ("memory" `elem` told),
+      testCase "the same source again gets the same answer" $ do
+        worker <- start
+        first <- ask worker (check (Number 1) stuck)
+        second <- ask worker (check (Number 1) stuck)
+        first @?= second,
+      testCase "nonsense on the socket is answered, and the next request served" $ do
+        worker <- start
+        tellBytes worker "this is not JSON\n"
+        tellBytes worker (ByteString.replicate (5 * megabytes) 120 <> "\n")
+        tellBytes worker "{\"op\":\"dance\",\"id\":7}\n[]\n\n{\"op\":\"check\"}\n"
+        tellBytes worker "{\"op\":\"run\",\"id\":8,\"source\":\"main = pure ()\",\"memory\":1000000}\n"
+        tell worker (kill "nobody")
+        answers <- replicateM 6 (hear worker)
+        map (text "op") answers @?= replicate 6 "failed"
+        map (field "id") answers @?= [Null, Null, Number 7, Null, Null, Number 8]
+        answer <- ask worker (check (Number 9) idle)
+        (text "op" answer, kinds answer) @?= ("checked", []),
+      testCase "when the service goes, the worker and its programs go" $
+        withWorker [] $ \worker -> do
+          link <- run worker "r" stuck (64 * megabytes)
+          _ <- hear worker
+          children <- childrenOf (processId worker)
+          closeWorker worker
+          ended worker
+          forM_ children (\c -> eventually "the program is gone" (not <$> isAlive c))
+          closeLink link,
+      testCase "when the worker is killed, its programs go" $
+        withWorker [] $ \worker -> do
+          link <- run worker "r" stuck (64 * megabytes)
+          _ <- hear worker
+          children <- childrenOf (processId worker)
+          assertBool "there is a program" (not (null children))
+          signalProcess sigKILL (fromIntegral (processId worker))
+          ended worker
+          forM_ children (\c -> eventually "the program is gone" (not <$> isAlive c))
+          closeLink link,
+      testCase "each run runs its own program" $ do
+        worker <- start
+        forM_ [1 .. 3 :: Int] $ \n -> do
+          let source = "main = simulate (Say \"" <> Text.pack (show n) <> "\")\n"
+          withRun worker (toJSON n) source (64 * megabytes) $ \link -> do
+            _ <- answerOf worker (toJSON n)
+            say link (object ["op" .= ("start" :: Text), "protocol" .= (1 :: Int), "seed" .= (1 :: Int), "trace" .= True])
+            _ <- linesUntil "ready" link
+            say link odometry
+            say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
+            said <- linesUntil "settled" link
+            assertBool (show said) (toJSON ["Say \"" <> Text.pack (show n) <> "\""] `elem` map (field "commands") said)
+          _ <- answerOf worker (toJSON n)
+          pure (),
+      testCase "a hundred checks in a row are all answered" $ do
+        worker <- start
+        replicateM_ 2 $ do
+          forM_ [1 .. 50 :: Int] (\n -> tell worker (check (toJSON n) ("x = " <> Text.pack (show n))))
+          answers <- replicateM 50 (hear worker)
+          map kinds answers @?= replicate 50 ["no-main"]
+    ]
+  where
+    kinds answer = case field "problems" answer of
+      Array ps -> [text "kind" p | p <- foldr (:) [] ps]
+      _ -> []
+    -- Has computed for a quarter of a second: starting takes a tenth of that. (proc(5): utime is field 14, in hundredths.)
+    hasWorked pid = do
+      stat <- readFile ("/proc/" ++ show pid ++ "/stat")
+      pure (case drop 12 (words (dropWhile (/= ')') stat)) of (utime : _) -> (read utime :: Int) > 25; [] -> False)
+
+odometry :: Value
+odometry =
+  object
+    [ "op" .= ("publish" :: Text),
+      "topic" .= ("/odom" :: Text),
+      "msg"
+        .= object
+          [ "pose" .= object ["pose" .= object ["position" .= object ["x" .= zero, "y" .= zero], "orientation" .= object ["z" .= zero, "w" .= (1 :: Double)]]],
+            "twist" .= object ["twist" .= object ["linear" .= object ["x" .= zero], "angular" .= object ["z" .= zero]]]
+          ]
+    ]
+  where
+    zero = 0 :: Double
+
+-- | Ends at once.
+idle :: Text
+idle = "main = pure ()\n"
+
+-- | Never settles once it has been given a velocity.
+stuck :: Text
+stuck = Text.unlines ["main = simulate forEver", "", "forEver :: Velocity -> Velocity", "forEver (Velocity v w) = Velocity (count (v + 1)) w", "  where count x = if x > 0 then count (x + 1) else x"]
+
+-- | Takes more and more memory once it has been given a velocity.
+hungry :: Text
+hungry = Text.unlines ["main = simulate eat", "", "eat :: Velocity -> Velocity", "eat (Velocity v w) = Velocity (fromIntegral (length xs) + fromIntegral (last xs) + v) w", "  where xs = [1 .. 100000000 :: Int]"]
+
+-- | Its types double with every line: nobody has the time or the memory to check it.
+bomb :: Text
+bomb = Text.unlines (["main = print (length (show (f30 'x')))", "f0 x = (x, x)"] ++ ["f" <> n k <> " x = f" <> n (k - 1) <> " (f" <> n (k - 1) <> " x)" | k <- [1 .. 30 :: Int]])
+  where
+    n = Text.pack . show

@@ -1,0 +1,22 @@
+-- |
+-- Module      : Main
+-- Description : All tests of the worker.
+module Main (main) where
+
+-- The worker links the library that this names.
+import Rosy ()
+import Test.Tasty (defaultMain, localOption, testGroup)
+import Test.Tasty.Runners (NumThreads (..))
+
+import qualified Test.Worker.Conversation as Conversation
+import qualified Test.Worker.Gallery as Gallery
+import qualified Test.Worker.Life as Life
+import qualified Test.Worker.Wire as Wire
+import Test.Worker.Client (withWorker)
+
+-- | One worker serves one test after the other, as it would serve a class.
+main :: IO ()
+main = withWorker [] $ \worker -> do
+  gallery <- Gallery.tests (pure worker)
+  conversations <- Conversation.tests (pure worker)
+  defaultMain (localOption (NumThreads 1) (testGroup "worker" [Wire.tests, conversations, gallery, Life.tests (pure worker)]))
