@@ -56,7 +56,7 @@ link start name = do
     (text "op" started, field "problems" started) @?= ("started", toJSON ([] :: [Value]))
     mapM_ (say robot . snd) (filter ((== "sim") . fst) golden)
     said <- everything robot
-    mapM_ (uncurry (assertEqual "line by line")) (zip said [l | ("prog", l) <- golden])
+    mapM_ (uncurry (assertEqual "line by line")) (zip [l | ("prog", l) <- golden] said)
     length said @?= length (filter ((== "prog") . fst) golden)
   gone <- answerOf w (toJSON name)
   text "op" gone @?= "gone"

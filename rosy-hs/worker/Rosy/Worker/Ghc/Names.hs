@@ -93,7 +93,8 @@ namesOf top owner = go (16 :: Int) top Map.empty owner
       | Just known <- Map.lookup n env, null args = known
       | depth > 0
       , Just (params, body) <- Map.lookup n defs
-      , length params >= length args
+      , -- With arguments to come it is one function, whatever it will give.
+        length params == length args
       , parts@(Names _) <- go (depth - 1) defs (boundTo params args `Map.union` Map.fromList [(p, Name p) | Just p <- params]) n body =
           parts
       | otherwise = Name n
