@@ -24,6 +24,7 @@ import {isActive} from "../state/run.ts"
 import {openStore} from "../store.ts"
 import {openAutosave} from "./autosave.ts"
 import {
+  analysed,
   blockProblem,
   emptyProject,
   type OpenedProject,
@@ -36,6 +37,10 @@ import {
 
 /// Milliseconds between the last change and the question to the compiler.
 const checkPause = 150
+
+/// Milliseconds that following a key may cost without being felt, and the longest pause to wait for instead.
+const quick = 12
+const longestPause = 400
 
 /// What a newcomer finds.
 const firstExample = "accelerateAndPlay"
@@ -53,6 +58,9 @@ export function openDesk(address: string): Desk {
   let shown: SavedWorkspace | null = null
   /// What was typed and has not reached the blocks yet.
   let typed: string | null = null
+  let typing: ReturnType<typeof setTimeout> | undefined
+  /// What the last change of the text cost until the blocks had followed, in milliseconds.
+  let cost = 0
   let systemDark = false
 
   let checking: ReturnType<typeof setTimeout> | undefined
@@ -75,11 +83,14 @@ export function openDesk(address: string): Desk {
     room?.recolour()
   }
   store.onFrame(() => {
-    flush()
+    if (cost < quick) flush()
     const {document} = store.now
     if (document.workspace === shown || blocks === null) return
+    const began = performance.now()
     shown = document.workspace
     blocks.load(shown)
+    store.dispatch({kind: "analysed", before: document, document: analysed(document, blocks.inference())})
+    cost += performance.now() - began
   })
   store.onFrame(
     drawParts(
@@ -121,13 +132,22 @@ export function openDesk(address: string): Desk {
     else void openExample(firstExample, true)
   }
 
-  /// Brings what was typed to the blocks; once per frame, and before anything that needs the whole program.
+  /// Brings what was typed to the document, and so to the blocks.
   const flush = () => {
+    clearTimeout(typing)
     if (typed === null || reader === null) return
     const text = typed
     typed = null
+    const began = performance.now()
     const document = withText(reader, store.now.document, text)
-    store.dispatch({kind: "program-changed", document, by: "haskell", at: performance.now()})
+    store.dispatch({kind: "program-changed", document, by: "haskell", at: began})
+    cost = performance.now() - began
+  }
+  /// Small programs follow every key; where that would be felt, they follow a pause in the typing.
+  const flushSoon = () => {
+    clearTimeout(typing)
+    if (cost < quick) store.redraw()
+    else typing = setTimeout(flush, Math.min(longestPause, 3 * cost))
   }
   const undo = () => {
     flush()
@@ -193,7 +213,7 @@ export function openDesk(address: string): Desk {
         },
         edited(text) {
           typed = text
-          store.redraw()
+          flushSoon()
         },
       })
     },

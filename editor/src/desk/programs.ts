@@ -27,7 +27,7 @@ import {
 import {decode} from "../state/decode.ts"
 import type {Document} from "../state/history.ts"
 import {type World, world} from "../state/messages.ts"
-import {type Definition, type Finding, type Program, type Span, textOf} from "../state/program.ts"
+import {type Definition, type Finding, movedRange, type Program, type Span, textOf} from "../state/program.ts"
 
 /// A program as it comes from a file.
 export interface OpenedProject {
@@ -50,7 +50,7 @@ export function readProject(reader: Reader, text: string): Opening {
     kind: "opened",
     opened: {
       project,
-      document: documentOf(openView(reader, oneKindOfLine(project.haskell), project.layout)),
+      document: analysedView(openView(reader, oneKindOfLine(project.haskell), project.layout)),
       // A room that cannot be read leaves the room as it is; the project file keeps it.
       world: typeof room === "string" ? (room === "" ? null : room) : room.kind === "ok" ? room.value : null,
     },
@@ -60,13 +60,13 @@ export function readProject(reader: Reader, text: string): Opening {
 /// Opens plain Haskell from elsewhere. Any text is a program, if perhaps a broken one.
 export function readHaskell(reader: Reader, name: string, text: string): OpenedProject {
   const project = {...newProject(name), haskell: text}
-  return {project, document: documentOf(openView(reader, oneKindOfLine(text))), world: null}
+  return {project, document: analysedView(openView(reader, oneKindOfLine(text))), world: null}
 }
 
 /// A new program: `main` with an empty socket.
 export function emptyProject(reader: Reader): OpenedProject {
   const printed = toHaskell(newWorkspace())
-  return {project: newProject(""), document: documentOf(openView(reader, printed.text)), world: null}
+  return {project: newProject(""), document: analysedView(openView(reader, printed.text)), world: null}
 }
 
 /// The page counts lines as CodeMirror does: each ends with one character.
@@ -90,10 +90,26 @@ export function writeProject(
   })
 }
 
-/// The document after the learner typed.
+/// The document after the learner typed. What types tell of it follows with `analysed`: they cost more than the
+/// time between two keys.
 export function withText(reader: Reader, document: Document, text: string): Document {
   const view = document.view === null ? openView(reader, text) : syncText(reader, document.view, text)
-  return documentOf(view)
+  const fresh = documentOf(view, workspaceOf(view))
+  const findings = document.findings.map(f =>
+    f.range === null ? f : {...f, range: movedRange(document.program.text, text, f.range)},
+  )
+  return {...fresh, program: {...fresh.program, families: document.program.families}, findings}
+}
+
+/// The document with what type inference tells of its blocks.
+export function analysed(document: Document, inference: Inference): Document {
+  const families = Object.fromEntries([...inference.blocks].map(([block, {family}]) => [block, family]))
+  const program = {...document.program, families}
+  // What is wrong with blocks that no longer say what the text says is nobody's problem.
+  const findings = inference.problems
+    .map(p => findingOf(program, p))
+    .filter(f => f.block === null || document.dimmed.length === 0 || textOf(program.spans, f.block) !== null)
+  return {...document, program, findings}
 }
 
 /// The document after the learner moved or changed blocks.
@@ -107,7 +123,9 @@ export function withBlocks(
   const view = syncBlocks(reader, before, workspace)
   const now = workspaceOf(view)
   // Text in a raw block may have become several definitions: then the blocks are made anew from the text.
-  return sameDefinitions(now, workspace) ? documentOf(view, {workspace, inference}) : documentOf(view)
+  return sameDefinitions(now, workspace)
+    ? analysed(documentOf(view, workspace), inference)
+    : analysedView(view)
 }
 
 function sameDefinitions(one: SavedWorkspace, other: SavedWorkspace): boolean {
@@ -124,13 +142,8 @@ function stackOf(top: SavedBlock): readonly SavedBlock[] {
   return top.next?.block === undefined ? [top] : [top, ...stackOf(top.next.block)]
 }
 
-/// What the page shows of a view.
-function documentOf(
-  view: View,
-  blocks?: {readonly workspace: SavedWorkspace; readonly inference: Inference},
-): Document {
-  const workspace = blocks?.workspace ?? workspaceOf(view)
-  const inference = blocks?.inference ?? infer(workspace)
+/// What the page shows of a view, before its types are known.
+function documentOf(view: View, workspace: SavedWorkspace): Document {
   const spans = spansOf(view).spans.flatMap((s): Span[] =>
     s.block === undefined ? [] : [{start: s.start, end: s.end, block: s.block}],
   )
@@ -140,14 +153,14 @@ function documentOf(
     const {start, end} = piece.core
     return piece.names.map(name => ({name, start, end, block: shown.block.id ?? ""}))
   })
-  const families = Object.fromEntries([...inference.blocks].map(([block, {family}]) => [block, family]))
-  const program = {text: view.text, spans, definitions, families}
   const dimmed = view.declarations.filter(d => d.dimmed).flatMap(d => d.block.id ?? [])
-  // What is wrong with blocks that no longer say what the text says is nobody's problem.
-  const findings = inference.problems
-    .map(p => findingOf(program, p))
-    .filter(f => f.block === null || dimmed.length === 0 || textOf(spans, f.block) !== null)
-  return {program, workspace, view, dimmed, findings}
+  const program = {text: view.text, spans, definitions, families: {}}
+  return {program, workspace, view, dimmed, findings: []}
+}
+
+function analysedView(view: View): Document {
+  const workspace = workspaceOf(view)
+  return analysed(documentOf(view, workspace), infer(workspace))
 }
 
 function findingOf(program: Program, problem: BlockProblem): Finding {

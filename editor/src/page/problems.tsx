@@ -7,13 +7,19 @@ import {useDesk, usePage} from "./pick.ts"
 import {Said} from "./said.tsx"
 import {words} from "./words.ts"
 
-/// All problems, errors first, each told once: the compiler repeats what the blocks know already.
+/// All problems, errors first, each told once. An empty socket is the blocks' to tell; about everything else that
+/// both have found the compiler knows better.
 export function allFindings(state: Pick<PageState, "findings" | "document">): readonly Finding[] {
   const {compiler, run} = state.findings
-  const blocks = state.document.findings
-  const holes = new Set(blocks.map(f => f.block))
-  const all = [...run, ...blocks, ...compiler.filter(f => f.block === null || !holes.has(f.block))]
+  const holes = state.document.findings.filter(f => f.kind === "hole")
+  const told = compiler.filter(f => !holes.some(h => h.block === f.block || overlap(h, f)))
+  const blocks = state.document.findings.filter(f => f.kind === "hole" || !told.some(t => overlap(t, f)))
+  const all = [...run, ...blocks, ...told]
   return [...all.filter(f => f.severity === "error"), ...all.filter(f => f.severity === "warning")]
+}
+
+function overlap({range: a}: Finding, {range: b}: Finding): boolean {
+  return a !== null && b !== null && a.start < b.end && b.start < a.end
 }
 
 export function problemCount(state: PageState): number {

@@ -92,6 +92,8 @@ export function next(state: PageState, event: PageEvent): Step {
       const history = remember(state.history, state.document, event.by, event.at)
       return changeTo({...state, history}, event.document)
     }
+    case "analysed":
+      return still(state.document === event.before ? {...state, document: event.document} : state)
     case "undo-pressed": {
       const back = undo(state.history, state.document)
       return back === null ? still(state) : changeTo({...state, history: back.history}, back.document)

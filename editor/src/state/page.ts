@@ -148,6 +148,8 @@ export type PageEvent =
       readonly by: "blocks" | "haskell"
       readonly at: number
     }
+  /// Types were inferred for these blocks; `document` is the one before with what they tell.
+  | {readonly kind: "analysed"; readonly before: Document; readonly document: Document}
   | {readonly kind: "undo-pressed"}
   | {readonly kind: "redo-pressed"}
   | {readonly kind: "selected"; readonly block: BlockId | null; readonly in: "blocks" | "haskell"}
