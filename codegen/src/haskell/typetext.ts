@@ -1,4 +1,4 @@
-/// Lays out a type that is kept as text: it may break before its arrows, and gets brackets where it is an argument.
+/// Lays out a type that is kept as text: it may break after its arrows, and gets brackets where it is an argument.
 
 import type {TypeText} from "../model/tree.ts"
 import type {Doc} from "./doc.ts"
@@ -35,7 +35,7 @@ export function isAtomic(text: string): boolean {
   return false
 }
 
-/// Before each outermost `->` and `=>`: `A => B -> C` gives `A`, `=> B`, `-> C`.
+/// After each outermost `->` and `=>`: `A => B -> C` gives `A =>`, `B ->`, `C`.
 function split(text: string): string[] {
   const pieces: string[] = []
   let depth = 0
@@ -45,8 +45,8 @@ function split(text: string): string[] {
     if ("([{".includes(text[i] ?? "")) depth++
     else if (")]}".includes(text[i] ?? "")) depth--
     else if (depth === 0 && (two === "->" || two === "=>")) {
-      pieces.push(text.slice(start, i).trim())
-      start = i
+      pieces.push(text.slice(start, i + 2).trim())
+      start = i + 2
       i++
     }
   }

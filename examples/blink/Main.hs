@@ -1,0 +1,8 @@
+-- The light is on in every second second.
+blink :: Clock -> Led1
+blink (Clock _ _ second _)
+  | even second = Led1 Orange
+  | otherwise = Led1 Black
+
+main :: IO ()
+main = simulate blink
