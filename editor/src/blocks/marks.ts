@@ -16,6 +16,7 @@ export class Marks {
   private inferred: readonly BlockProblem[] = []
   private told: readonly BlockProblem[] = []
   private highlighted: readonly BlockId[] = []
+  private dimmed: readonly BlockId[] = []
   private readonly worded = new Map<BlockId, string>()
   private readonly glowing = new Map<BlockId, number>()
 
@@ -63,6 +64,7 @@ export class Marks {
     this.worded.clear()
     this.showProblems()
     this.highlight(this.highlighted)
+    this.dim(this.dimmed)
   }
 
   /// The blocks that the cursor in the text is in.
@@ -70,6 +72,13 @@ export class Marks {
     for (const id of this.highlighted) toggle(this.workspace.getBlockById(id), "rosyTold", false)
     for (const id of ids) toggle(this.workspace.getBlockById(id), "rosyTold", true)
     this.highlighted = ids
+  }
+
+  /// Blocks that show what their text was before it broke.
+  dim(ids: readonly BlockId[]): void {
+    for (const id of this.dimmed) toggle(this.workspace.getBlockById(id), "rosyDim", false)
+    for (const id of ids) toggle(this.workspace.getBlockById(id), "rosyDim", true)
+    this.dimmed = ids
   }
 
   /// Lets blocks glow for a moment; those that glow already go on.

@@ -3,9 +3,13 @@
 ///
 /// Put into the document by `view.ts`, under the class `rosyBlocks`, after Blockly's own.
 
+/// How much darker an empty socket is than its block; words stand in it.
+export const socketShade = {light: 0.19, dark: 0.2} as const
+
 export const styleSheet = `
-.rosyBlocks { position: relative; height: 100%; overflow: hidden; --on-block: #ffffff; --socket: #00000030; }
-[data-theme=dark] .rosyBlocks, .rosyBlocks[data-theme=dark] { --on-block: #11151b; --socket: #00000038; }
+:where(.rosyBlocks) { position: relative; height: 100%; }
+.rosyBlocks { overflow: hidden; --on-block: #ffffff; --socket: rgb(0 0 0 / ${socketShade.light}); }
+[data-theme=dark] .rosyBlocks, .rosyBlocks[data-theme=dark] { --on-block: #11151b; --socket: rgb(0 0 0 / ${socketShade.dark}); }
 .rosyBlocks .injectionDiv { --blockly-active-node-color: var(--focus); --blockly-active-tree-color: var(--focus); }
 
 .rosyBlocks .blocklyMainBackground { stroke: none; }
@@ -52,6 +56,7 @@ export const styleSheet = `
 .rosyBlocks .blocklyBlock.rosyTold > .blocklyPath { stroke: var(--rosy); stroke-width: 2.5; }
 .rosyBlocks .blocklyBlock.rosyWrong > .blocklyPath:not(.blocklyPathSelected) { stroke: var(--bad); stroke-width: 3; }
 .rosyBlocks .blocklyBlock.rosyFired > .blocklyPath { stroke: var(--on-block); stroke-width: 3; }
+.rosyBlocks .blocklyBlock.rosyDim { opacity: .45; }
 .rosyBlocks .blocklyBlock.rosyLoose > .blocklyPath { stroke-dasharray: 5 4; stroke: var(--ink-2); stroke-width: 1.5; }
 .rosyBlocks .blocklyDragging.rosyRefused > .blocklyPath { stroke: var(--bad); stroke-width: 2.5; stroke-dasharray: 6 4; }
 .rosyBlocks .blocklyReplaceable > .blocklyPath { fill-opacity: .5; }
@@ -78,6 +83,10 @@ export const styleSheet = `
 .rosyBlocks .rosySearchRow { padding: 0 0 8px !important; background: none !important; }
 .rosyBlocks .rosySearchRow .blocklyTreeRowContentContainer { width: 100%; }
 .rosyBlocks .blocklyToolboxCategoryContainer, .rosyBlocks .blocklyToolboxCategoryGroup { min-width: 0; width: 100%; }
+.rosyBlocks .rosyLevel { display: flex; gap: 4px; align-items: center; padding: 0 8px 8px; font: 400 12.5px Inter, system-ui, sans-serif; color: var(--ink-2); }
+.rosyBlocks .rosyLevel select { flex: 1; min-width: 0; font: 550 12.5px Inter, system-ui, sans-serif; color: var(--ink); background: none; border: 0; border-radius: 6px; padding: 3px 2px; cursor: pointer; }
+.rosyBlocks .rosyLevel select option { background: var(--paper); color: var(--ink); }
+.rosyBlocks .rosyLevel select:focus-visible { outline: 2px solid var(--focus); }
 .rosyBlocks .blocklyFlyoutBackground { fill: var(--paper); fill-opacity: .97; }
 .rosyBlocks .blocklyFlyout { border-right: 1px solid var(--line); }
 .rosyBlocks .blocklyFlyoutLabelText { fill: var(--ink-2) !important; font: 550 13px Inter, system-ui, sans-serif !important; }

@@ -1,7 +1,7 @@
 /// The toolbox: codegen's ready blocks in categories, each with a swatch of its family's colour and outline, a
 /// search over their words, and the names that can be used at the chosen socket.
 
-import type {BlockView, Family, SavedBlock, ToolboxCategory, ToolboxItem} from "@rosy/codegen"
+import type {BlockView, Family, Level, SavedBlock, ToolboxCategory, ToolboxItem} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {outlineOf, pen, sides} from "./outlines.ts"
 
@@ -158,8 +158,16 @@ class Category extends Blockly.ToolboxCategory {
   protected override addColourBorder_(): void {}
 }
 
-/// What is known about the chosen place of a workspace, asked when the search opens.
+const levelWords: readonly (readonly [Level, string])[] = [
+  ["tasks", "Tasks"],
+  ["reactions", "Reactions"],
+  ["haskell", "All of Haskell"],
+]
+
+/// What the toolbox asks of the view it belongs to.
 export interface Nearby {
+  level(): Level
+  setLevel(level: Level): void
   /// Names that can be used there, as items.
   names(): readonly ToolboxItem[]
   /// Ready blocks and names that fit there, best first; undefined when no place is chosen.
@@ -189,6 +197,7 @@ class Search extends Blockly.ToolboxCategory {
     field.addEventListener("keydown", event => this.key(event))
     this.rowDiv_?.classList.add("rosySearchRow")
     this.rowContents_?.replaceChildren(field)
+    dom.append(this.levels())
     this.field = field
     return dom
   }
@@ -204,6 +213,25 @@ class Search extends Blockly.ToolboxCategory {
     // What was searched last is shown again, and typing replaces it.
     this.field?.select()
     void Blockly.renderManagement.finishQueuedRenders().then(() => this.match())
+  }
+
+  /// The choice of a level: it filters and orders what is offered, and locks nothing.
+  private levels(): HTMLElement {
+    const label = document.createElement("label")
+    label.className = "rosyLevel"
+    const select = document.createElement("select")
+    for (const [level, words] of levelWords) select.add(new Option(words, level))
+    // The view is asked one turn later: the toolbox is made before the view is.
+    queueMicrotask(() => {
+      select.value = nearby.get(this.workspace_)?.level() ?? "reactions"
+    })
+    select.addEventListener("change", () => nearby.get(this.workspace_)?.setLevel(select.value as Level))
+    // Keys and presses are the menu's here, not the toolbox's.
+    for (const heard of ["keydown", "pointerdown", "click"]) {
+      select.addEventListener(heard, event => event.stopPropagation())
+    }
+    label.append("Level:", select)
+    return label
   }
 
   // Letters belong to the field, but the arrows lead on to the categories and the blocks found.

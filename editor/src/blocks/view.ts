@@ -28,6 +28,8 @@ export interface BlocksOptions {
   readonly language: Language
   readonly tone: Tone
   readonly level?: Level
+  /// Told when the learner chose another level in the toolbox.
+  readonly onLevel?: (level: Level) => void
   /// Where Blockly's pictures are served; nothing is fetched from elsewhere.
   readonly media?: string
   readonly rightToLeft?: boolean
@@ -65,6 +67,8 @@ export interface BlocksView {
   reveal(block: BlockId): void
   /// Outlines the blocks that the cursor in the text is in.
   highlight(blocks: readonly BlockId[]): void
+  /// Draws definitions faintly whose text is broken just now: they show what it was before.
+  dim(blocks: readonly BlockId[]): void
   /// Lets the definitions of functions glow, by name.
   glow(functions: readonly string[]): void
   /// Shows problems from the compiler or a run on their blocks, until called again.
@@ -212,6 +216,8 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     return scopeItems(place === undefined ? undefined : language.namesInScope(saveBlocks(workspace), place))
   })
   setNearby(workspace, {
+    level: () => level,
+    setLevel: wanted => setLevel(wanted),
     names() {
       const place = chosenPlace(workspace)
       return place === undefined ? [] : language.namesInScope(saveBlocks(workspace), place).map(nameItem)
@@ -262,6 +268,13 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   }
   open = actions
 
+  const setLevel = (wanted: Level) => {
+    if (wanted === level) return
+    level = wanted
+    workspace.updateToolbox(toolboxInfo(language.toolbox(level), language.blockTypes))
+    options.onLevel?.(level)
+  }
+
   const zoom = zoomButtons(host, workspace)
   const observer = new ResizeObserver(() => Blockly.svgResize(workspace))
   observer.observe(host)
@@ -307,6 +320,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       if (block !== null && !inSight(workspace, block)) workspace.centerOnBlock(id)
     },
     highlight: blocks => marks.highlight(blocks),
+    dim: blocks => marks.dim(blocks),
     glow(functions) {
       const wanted = new Set(functions)
       const ids: BlockId[] = []
@@ -318,11 +332,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       host.dataset.theme = tone
       workspace.setTheme(blocklyThemes.get(tone)!)
     },
-    setLevel(wanted) {
-      if (wanted === level) return
-      level = wanted
-      workspace.updateToolbox(toolboxInfo(language.toolbox(level), language.blockTypes))
-    },
+    setLevel,
     undo: () => workspace.undo(false),
     redo: () => workspace.undo(true),
     canUndo: () => workspace.getUndoStack().length > 0,

@@ -78,7 +78,7 @@ export function openDesk(address: string): Desk {
   const autosave = openAutosave(store, shelf, projectText)
 
   const paint = () => {
-    document.documentElement.dataset["theme"] = isDark() ? "dark" : "light"
+    document.documentElement.dataset.theme = isDark() ? "dark" : "light"
     blocks?.setTone(isDark() ? "dark" : "light")
     room?.recolour()
   }
@@ -194,7 +194,16 @@ export function openDesk(address: string): Desk {
   return {
     store,
     mountBlocks(host) {
-      blocks = openBlocks(host, {language: codegen, tone: isDark() ? "dark" : "light"})
+      blocks = openBlocks(host, {
+        language: codegen,
+        tone: isDark() ? "dark" : "light",
+        history: {
+          undo,
+          redo,
+          canUndo: () => store.now.history.past.length > 0,
+          canRedo: () => store.now.history.future.length > 0,
+        },
+      })
       blocks.onChange(({workspace, inference}) => {
         flush()
         if (reader === null || JSON.stringify(workspace) === JSON.stringify(shown)) return
@@ -274,7 +283,10 @@ function drawParts(
     const {blocks, source, room} = parts()
     const changed = (key: keyof PageState) => before === null || before[key] !== state[key]
     const {program} = state.document
-    if (changed("document")) source?.setProgram(program)
+    if (changed("document")) {
+      source?.setProgram(program)
+      blocks?.dim(state.document.dimmed)
+    }
     if (changed("findings") || changed("document")) {
       const {compiler, run} = state.findings
       source?.mark([...state.document.findings, ...compiler, ...run])

@@ -2,7 +2,7 @@
 
 import {readFileSync} from "node:fs"
 import {afterAll, beforeAll, describe, expect, test, vi} from "vitest"
-import {openStage, type Stage, settled} from "./browser.ts"
+import {drag, openStage, type Stage, settled, socket} from "./browser.ts"
 import {Keys} from "./keys.ts"
 
 // A browser on a busy machine is slow; a story that hangs still ends.
@@ -64,6 +64,49 @@ async function run(keys: Keys, ...names: readonly string[]): Promise<void> {
     await keys.take(name)
   }
 }
+
+describe("by mouse", () => {
+  test("move: a ready function from the toolbox, its name dragged into simulate", async () => {
+    const keys = await start()
+    const {page} = keys
+    await page.locator(".blocklyToolboxCategory", {hasText: "Tell the robot"}).click()
+    const offered = page.locator(".blocklyFlyout .blocklyDraggable", {hasText: "move"}).first()
+    const box = (await offered.boundingBox())!
+    await drag(page, {x: box.x + 12, y: box.y + box.height - 6}, {x: 500, y: 320})
+    await settled(page)
+    const name = (await page.getByRole("button", {name: "Edit name of the definition: move"}).boundingBox())!
+    const to = await socket(page, "main", "R0")
+    await drag(page, {x: name.x + 10, y: name.y + 8}, {x: to.x + 26, y: to.y + 6})
+    await settled(page)
+    expect((await keys.haskell()).trim()).toBe(example("move"))
+    await page.close()
+  })
+})
+
+describe("the examples", () => {
+  test.each(["move", "accelerate", "accelerateAndPlay", "forwardBackward"])(
+    "%s comes out of the blocks as it went in, with nothing left out and nothing wrong",
+    async name => {
+      const page = await stage.open(`example=${name}`)
+      const keys = new Keys(page)
+      const text = readFileSync(new URL(`../../../examples/${name}/Main.hs`, import.meta.url), "utf8")
+      expect(await keys.haskell()).toBe(text)
+      expect(await page.evaluate(() => window.blocks.inference().problems)).toEqual([])
+      await page.close()
+    },
+  )
+})
+
+test("a level filters and orders what the toolbox offers", async () => {
+  const page = await stage.open("example=move")
+  const offered = () => page.locator(".blocklyToolboxCategoryLabel").allTextContents()
+  expect((await offered())[0]).toBe("When it senses")
+  await page.locator(".rosyLevel select").selectOption("tasks")
+  await settled(page)
+  expect((await offered())[0]).toBe("Tasks")
+  expect(await page.locator(".rosyLevel select").inputValue()).toBe("tasks")
+  await page.close()
+})
 
 describe("by keyboard alone", () => {
   test("move", async () => {

@@ -1,12 +1,20 @@
 import {readFileSync} from "node:fs"
 import {describe, expect, test} from "vitest"
 import {contrast, families, fills, ink, mix, type Tone} from "../../src/blocks/families.ts"
+import {socketShade} from "../../src/blocks/style.ts"
+import {fillOf} from "../../src/blocks/theme.ts"
 
 const tones: readonly Tone[] = ["light", "dark"]
 
 describe.each(tones)("in %s", tone => {
   test.each(families)("words on %s blocks have a contrast of at least 5:1", family => {
     expect(contrast(fills[tone][family], ink[tone])).toBeGreaterThanOrEqual(5)
+  })
+
+  test.each(families)("words on %s patterns and in empty sockets have it too", family => {
+    expect(contrast(fillOf(tone, family, true), ink[tone])).toBeGreaterThanOrEqual(5)
+    const socket = mix(fills[tone][family], "#000000", socketShade[tone])
+    expect(contrast(socket, ink[tone])).toBeGreaterThanOrEqual(5)
   })
 
   test("the colours are the page's tokens", () => {
