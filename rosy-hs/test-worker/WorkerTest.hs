@@ -7,12 +7,11 @@ module Main (main) where
 import Rosy ()
 import Test.Tasty (defaultMain, localOption, testGroup)
 import Test.Tasty.Runners (NumThreads (..))
-
+import Test.Worker.Client (withWorker)
 import qualified Test.Worker.Conversation as Conversation
 import qualified Test.Worker.Gallery as Gallery
 import qualified Test.Worker.Life as Life
 import qualified Test.Worker.Wire as Wire
-import Test.Worker.Client (withWorker)
 
 -- | One worker serves one test after the other, as it would serve a class.
 main :: IO ()

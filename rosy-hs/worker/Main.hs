@@ -5,14 +5,13 @@
 -- Reads its options, warms up and serves the socket it was given (protocol/README.md, section 3).
 module Main (main) where
 
-import System.Environment (getArgs)
-import System.Exit (die)
-import System.Posix.IO (OpenMode (ReadWrite), defaultFileFlags, openFd)
-
 import Rosy.Worker.Child (Settings (..))
 import Rosy.Worker.Ghc (start)
 import Rosy.Worker.Options (Options (..), findLibrary, parseOptions)
 import Rosy.Worker.Server (Config (..), serve)
+import System.Environment (getArgs)
+import System.Exit (die)
+import System.Posix.IO (OpenMode (ReadWrite), defaultFileFlags, openFd)
 
 main :: IO ()
 main = do
@@ -23,9 +22,9 @@ main = do
   empty <- openFd "/dev/null" ReadWrite Nothing defaultFileFlags
   serve
     Config
-      { socket = socketFd options
-      , settings = Settings {layers = withLayers options, compileMemory = checkMemory options, nullFd = empty}
-      , compileSeconds = checkSeconds options
-      , checksAtOnce = checksTogether options
+      { socket = socketFd options,
+        settings = Settings {layers = withLayers options, compileMemory = checkMemory options, nullFd = empty},
+        compileSeconds = checkSeconds options,
+        checksAtOnce = checksTogether options
       }
     session

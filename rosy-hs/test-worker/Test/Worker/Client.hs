@@ -45,15 +45,16 @@ import Control.Concurrent (threadDelay)
 import Control.Exception (IOException, SomeException, bracket, onException, try)
 import Control.Monad (unless, void)
 import Data.Aeson (Value (..), decodeStrict', encode, object, (.=))
-import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.Aeson.Key as Key
+import qualified Data.Aeson.KeyMap as KeyMap
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.ByteString.Unsafe (unsafeUseAsCStringLen)
+import Data.Either (fromRight)
 import Data.IORef
-import Data.Maybe (isJust)
+import Data.Maybe (fromMaybe, isJust)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Foreign.C.Types
@@ -112,21 +113,21 @@ tell worker value = tellBytes worker (Lazy.toStrict (encode value) <> "\n")
 tellBytes :: Worker -> ByteString -> IO ()
 tellBytes = sendAll . socketOf
 
--- | The next answer, within twenty seconds.
+-- | The next answer, within a minute.
 hear :: Worker -> IO Value
 hear worker = nextLine (socketOf worker) (unread worker) >>= maybe (fail "the worker closed its socket") decoded
   where
     decoded l = maybe (fail ("not JSON: " ++ show l)) pure (decodeStrict' l)
 
 nextLine :: Socket -> IORef ByteString -> IO (Maybe ByteString)
-nextLine s buffer = timeout 20000000 go >>= maybe (fail "nothing was said for twenty seconds") pure
+nextLine s buffer = timeout 60000000 go >>= maybe (fail "nothing was said for a minute") pure
   where
     go = do
       held <- readIORef buffer
       case Char8.elemIndex '\n' held of
         Just n -> Just (ByteString.take n held) <$ writeIORef buffer (ByteString.drop (n + 1) held)
         Nothing -> do
-          more <- either (const "") id <$> (try (recv s 65536) :: IO (Either IOException ByteString))
+          more <- fromRight "" <$> (try (recv s 65536) :: IO (Either IOException ByteString))
           if ByteString.null more then pure Nothing else writeIORef buffer (held <> more) >> go
 
 ask :: Worker -> Value -> IO Value
@@ -157,7 +158,7 @@ run worker i source memory = do
   Link mine <$> newIORef ""
 
 field :: Text -> Value -> Value
-field name (Object o) = maybe Null id (KeyMap.lookup (Key.fromText name) o)
+field name (Object o) = fromMaybe Null (KeyMap.lookup (Key.fromText name) o)
 field _ _ = Null
 
 text :: Text -> Value -> Text
@@ -203,9 +204,9 @@ descriptorsOf pid = length <$> listDirectory ("/proc/" ++ show pid ++ "/fd")
 isAlive :: Int -> IO Bool
 isAlive pid = doesDirectoryExist ("/proc/" ++ show pid)
 
--- | Waits for something that happens outside, looking every millisecond for at most ten seconds.
+-- | Waits for something that happens outside, looking every millisecond for at most a minute.
 eventually :: String -> IO Bool -> IO ()
-eventually what condition = go (10000 :: Int)
+eventually what condition = go (60000 :: Int)
   where
     go 0 = fail ("did not come to pass: " ++ what)
     go n = do

@@ -24,7 +24,6 @@ import System.Environment (lookupEnv)
 import System.FilePath (dropExtension, takeExtension, (</>))
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
-
 import Test.Worker.Client
 
 tests :: IO Worker -> IO TestTree

@@ -12,6 +12,7 @@ import Control.Monad (forM)
 import Data.Aeson (Value (..), eitherDecodeFileStrict', object, toJSON, (.=))
 import qualified Data.Aeson as Aeson
 import qualified Data.Aeson.KeyMap as KeyMap
+import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isUpper)
 import Data.Foldable (toList)
 import Data.List (sort)
@@ -19,13 +20,11 @@ import Data.Maybe (isJust)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
-import qualified Data.ByteString.Lazy as Lazy
 import System.Directory (doesDirectoryExist, listDirectory)
 import System.Environment (lookupEnv)
 import System.FilePath ((</>))
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
-
 import Test.Worker.Client
 import Test.Worker.Pretty (pretty)
 

@@ -14,7 +14,6 @@ import qualified Data.Text as Text
 import System.Posix.Signals (sigKILL, signalProcess)
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
-
 import Test.Worker.Client
 
 megabytes :: Int

@@ -20,7 +20,7 @@ pretty v = go "" v <> "\n"
       Array xs | not (null xs) -> spread indent "[" "]" (map (go (indent <> "  ")) (toList xs))
       Object o
         | Lazy.length (compact value) > 60 ->
-            spread indent "{" "}" [encode (Key.toText k) <> ": " <> go (indent <> "  ") x | (k, x) <- sortOn (Key.toText . fst) (KeyMap.toList o)]
+          spread indent "{" "}" [encode (Key.toText k) <> ": " <> go (indent <> "  ") x | (k, x) <- sortOn (Key.toText . fst) (KeyMap.toList o)]
       _ -> compact value
     spread indent open close parts = open <> "\n" <> Lazy.concat (intersperse ",\n" (map ((indent <> "  ") <>) parts)) <> "\n" <> indent <> close
     compact value = case value of

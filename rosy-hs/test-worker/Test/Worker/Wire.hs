@@ -5,20 +5,20 @@
 -- Description : Lines, requests, places and words: the pure parts of the worker.
 module Test.Worker.Wire (tests) where
 
+import Control.Monad (void)
 import Data.Aeson (Value (..))
 import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
 import Data.Either (isLeft)
 import qualified Data.Text as Text
-import Test.Tasty (TestTree, testGroup)
-import Test.Tasty.HUnit
-import Test.Tasty.QuickCheck
-
 import Rosy.Worker.Kind.Syntax (explainSyntax)
 import Rosy.Worker.Kind.Words
 import Rosy.Worker.Place
 import Rosy.Worker.Problem
 import Rosy.Worker.Wire
+import Test.Tasty (TestTree, testGroup)
+import Test.Tasty.HUnit
+import Test.Tasty.QuickCheck
 
 tests :: TestTree
 tests =
@@ -43,7 +43,7 @@ tests =
         ],
       testCase "a source may have two hundred thousand characters and no more" $ do
         let request n = parseRequest ("{\"op\":\"check\",\"id\":1,\"source\":\"" <> ByteString.replicate n 97 <> "\"}")
-        fmap (const ()) (request 200000) @?= Right ()
+        void (request 200000) @?= Right ()
         assertBool "" (isLeft (request 200001)),
       testCase "a request keeps the id it was given" $
         parseRequest "{\"op\":\"kill\",\"id\":\"a\"}" @?= Right (Kill (String "a")),

@@ -7,13 +7,14 @@
 -- A child gives up what it does not need, compiles, says what it found to its parent in one line, and, when it is to run
 -- the program, gives up the rest and runs it. It never returns.
 module Rosy.Worker.Child
-  ( Layers (..)
-  , allLayers
-  , Settings (..)
-  , checkChild
-  , runChild
-  , ranOutOfMemory
-  ) where
+  ( Layers (..),
+    allLayers,
+    Settings (..),
+    checkChild,
+    runChild,
+    ranOutOfMemory,
+  )
+where
 
 import Control.Exception (AsyncException (HeapOverflow), IOException, displayException, fromException, try)
 import Control.Monad (when)
@@ -26,33 +27,32 @@ import qualified Data.Text as Text
 import Data.Text.Encoding (encodeUtf8)
 import Data.Word (Word64)
 import GHC.Clock (getMonotonicTime)
-import System.Posix.IO (FdOption (NonBlockingRead), closeFd, setFdOption)
-import System.Posix.Types (Fd (..))
-
 import Rosy.Worker.Ghc
 import Rosy.Worker.Kind (explainAll)
 import Rosy.Worker.Problem (Report (..), isError)
 import Rosy.Worker.Sys
 import Rosy.Worker.Wire (reportFields)
+import System.Posix.IO (FdOption (NonBlockingRead), closeFd, setFdOption)
+import System.Posix.Types (Fd (..))
 
 -- | The protections, each of which can be switched off to see what the others catch.
 data Layers = Layers
-  { language :: Bool
-  -- ^ The import list and refused extensions.
-  , systemCalls :: Bool
-  -- ^ The seccomp filters.
-  , limits :: Bool
-  -- ^ Memory and process limits.
+  { -- | The import list and refused extensions.
+    language :: Bool,
+    -- | The seccomp filters.
+    systemCalls :: Bool,
+    -- | Memory and process limits.
+    limits :: Bool
   }
 
 allLayers :: Layers
 allLayers = Layers True True True
 
 data Settings = Settings
-  { layers :: Layers
-  , compileMemory :: Word64
-  -- ^ Bytes a check may take beyond what the worker has already.
-  , nullFd :: Fd
+  { layers :: Layers,
+    -- | Bytes a check may take beyond what the worker has already.
+    compileMemory :: Word64,
+    nullFd :: Fd
   }
 
 -- | Exit code of the run-time system when the heap limit is reached (rts/RtsUtils.c, @EXIT_HEAPOVERFLOW@).
@@ -127,8 +127,8 @@ alone answer life = asMain $ do
     Left e
       | Just HeapOverflow <- fromException e -> exitNow ranOutOfMemory
       | otherwise -> do
-          _ <- try (writeAll answer ("!" <> encodeUtf8 (Text.pack (takeWhile (/= '\n') (displayException e))) <> "\n")) :: IO (Either IOException ())
-          exitNow 1
+        _ <- try (writeAll answer ("!" <> encodeUtf8 (Text.pack (takeWhile (/= '\n') (displayException e))) <> "\n")) :: IO (Either IOException ())
+        exitNow 1
 
 line :: [Pair] -> ByteString
 line pairs = Lazy.toStrict (encode (object pairs)) <> "\n"

@@ -8,22 +8,24 @@
 -- the folder of its name are the only ones that import the compiler; all that leaves it is in our own nouns.
 module Rosy.Worker.Ghc
   ( -- * A session
-    Library (..)
-  , Session
-  , start
-  , compilerVersion
+    Library (..),
+    Session,
+    start,
+    compilerVersion,
 
     -- * Asking
-  , Analysis (..)
-  , analyse
+    Analysis (..),
+    analyse,
 
     -- * Running
-  , Ready
-  , load
-  , asMain
-  ) where
+    Ready,
+    load,
+    asMain,
+  )
+where
 
 import Control.Exception (evaluate, try)
+import Control.Monad (void)
 import Data.IORef (modifyIORef', newIORef, readIORef)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -32,8 +34,6 @@ import Data.Time.Clock (UTCTime (..))
 import Data.Word (Word32)
 import Foreign.C.Types (CInt)
 import Foreign.Ptr (Ptr)
-import Unsafe.Coerce (unsafeCoerce)
-
 import GHC.Data.Bag (bagToList)
 import GHC.Data.FastString (mkFastString)
 import GHC.Data.StringBuffer (StringBuffer, stringToStringBuffer)
@@ -56,7 +56,6 @@ import GHC.Types.SrcLoc
 import GHC.Unit.Module (mkModuleName, moduleNameString)
 import GHC.Unit.Module.Location (ModLocation (..))
 import GHCi.RemoteTypes (localRef, withForeignRef)
-
 import Rosy.Worker.Allow
 import Rosy.Worker.Ghc.Add
 import Rosy.Worker.Ghc.Describe
@@ -66,6 +65,7 @@ import Rosy.Worker.Ghc.Warm
 import Rosy.Worker.Place (Columns, columnsOf)
 import Rosy.Worker.Problem (Declaration, Function, Problem, Severity (..), isError, problemAt, problemNowhere)
 import Rosy.Worker.Raw (Outline (..), Raw (..), noOutline)
+import Unsafe.Coerce (unsafeCoerce)
 
 -- | As the worker's @ready@ says it.
 compilerVersion :: Text
@@ -90,47 +90,47 @@ start library = do
 practice :: Text
 practice =
   Text.unlines
-    [ "import qualified Data.Map as Map"
-    , "import Data.List (sortOn)"
-    , "data Mode = Go | Stop | Turn Double Seconds deriving (Eq, Show, Ord)"
-    , "data Step = Step { angle :: Double, count :: Int, name :: String }"
-    , "newtype M1 a = M1 a"
-    , "type Hit = Bool"
-    , "accelerate :: Velocity -> Memory Hit -> Velocity"
-    , "accelerate (Velocity v w) (Memory hit) = if hit then Velocity (v - 0.5) w else Velocity (v + 0.5) w"
-    , "play :: Bumper -> Maybe Sound"
-    , "play (Bumper _ Pressed) = Just ErrorSound"
-    , "play _ = Nothing"
-    , "hits :: Either (Either Bumper Cliff) Wheel -> (Led1, Memory Hit)"
-    , "hits _ = (Led1 Orange, Memory True)"
-    , "walk :: Mode -> StdGen -> Seconds -> Memory Mode"
-    , "walk Stop gen now = Memory (Turn (fst (randomR (0, pi) gen)) (now + 1))"
-    , "walk (Turn a t) _ now | now > t = Memory Go"
-    , "walk m _ _ = Memory m"
-    , "turn :: Double -> Task ()"
-    , "turn a = task (start a) (run a)"
-    , "  where start x (Orientation o) = Memory (o + x)"
-    , "        run x (Memory goal) (Orientation o) = if abs (goal - o) < 0.1 then Left (Done ()) else Right (Velocity 0 (goal - o + x - a))"
-    , "table :: Map.Map Int String"
-    , "table = Map.fromList (sortOn fst (zip [1 ..] (words \"one two three\")))"
-    , "square :: Task ()"
-    , "square = do { replicateM_ 4 (turn (pi / 2)); say (concatMap show (Map.toList table)); wait 1 }"
-    , "loose :: Step -> [M1 Int]"
-    , "loose s = [M1 (count s) | even (count s), let _ = mapM_ print (name s)]"
-    , "main = if length (show Go) > 3 then simulate (accelerate, play, hits, walk) else simulate square"
+    [ "import qualified Data.Map as Map",
+      "import Data.List (sortOn)",
+      "data Mode = Go | Stop | Turn Double Seconds deriving (Eq, Show, Ord)",
+      "data Step = Step { angle :: Double, count :: Int, name :: String }",
+      "newtype M1 a = M1 a",
+      "type Hit = Bool",
+      "accelerate :: Velocity -> Memory Hit -> Velocity",
+      "accelerate (Velocity v w) (Memory hit) = if hit then Velocity (v - 0.5) w else Velocity (v + 0.5) w",
+      "play :: Bumper -> Maybe Sound",
+      "play (Bumper _ Pressed) = Just ErrorSound",
+      "play _ = Nothing",
+      "hits :: Either (Either Bumper Cliff) Wheel -> (Led1, Memory Hit)",
+      "hits _ = (Led1 Orange, Memory True)",
+      "walk :: Mode -> StdGen -> Seconds -> Memory Mode",
+      "walk Stop gen now = Memory (Turn (fst (randomR (0, pi) gen)) (now + 1))",
+      "walk (Turn a t) _ now | now > t = Memory Go",
+      "walk m _ _ = Memory m",
+      "turn :: Double -> Task ()",
+      "turn a = task (start a) (run a)",
+      "  where start x (Orientation o) = Memory (o + x)",
+      "        run x (Memory goal) (Orientation o) = if abs (goal - o) < 0.1 then Left (Done ()) else Right (Velocity 0 (goal - o + x - a))",
+      "table :: Map.Map Int String",
+      "table = Map.fromList (sortOn fst (zip [1 ..] (words \"one two three\")))",
+      "square :: Task ()",
+      "square = do { replicateM_ 4 (turn (pi / 2)); say (concatMap show (Map.toList table)); wait 1 }",
+      "loose :: Step -> [M1 Int]",
+      "loose s = [M1 (count s) | even (count s), let _ = mapM_ print (name s)]",
+      "main = if length (show Go) > 3 then simulate (accelerate, play, hits, walk) else simulate square"
     ]
 
 -- | What is known about a program after reading it and checking its types.
 data Analysis = Analysis
-  { refusals :: [Problem]
-  -- ^ Rosy's own findings: what may not be imported, no @main@.
-  , messages :: [Raw]
-  -- ^ The compiler's findings.
-  , outline :: Outline
-  , declared :: [Declaration]
-  , connected :: [Function]
-  , ready :: Maybe Ready
-  -- ^ Present when nothing stands in the way of a run.
+  { -- | Rosy's own findings: what may not be imported, no @main@.
+    refusals :: [Problem],
+    -- | The compiler's findings.
+    messages :: [Raw],
+    outline :: Outline,
+    declared :: [Declaration],
+    connected :: [Function],
+    -- | Present when nothing stands in the way of a run.
+    ready :: Maybe Ready
   }
 
 -- | A program that has passed the type checker.
@@ -198,10 +198,10 @@ say columns s k m h = maybe (problemNowhere k m h) (\p -> problemAt p k m h) (pl
 importRefusals :: Columns -> HsModule -> [Problem]
 importRefusals columns parsed =
   [ say columns s "import" m h
-  | L s i <- hsmodImports parsed
-  , let wanted = Text.pack (moduleNameString (unLoc (ideclName i)))
-  , not (isAllowedModule wanted)
-  , let (m, h) = refuseModule wanted
+    | L s i <- hsmodImports parsed,
+      let wanted = Text.pack (moduleNameString (unLoc (ideclName i))),
+      not (isAllowedModule wanted),
+      let (m, h) = refuseModule wanted
   ]
 
 -- | Declarations that have no place in a robot program, whatever the extensions say.
@@ -229,7 +229,7 @@ check session flags columns source (L at parsed) warnings = do
       module' = HsParsedModule (L at (program added)) [] (ApiAnns mempty Nothing mempty mempty)
   ((warned, failed), outcome) <- tcRnModule env summary False module'
   let found = warnings ++ map (fromMessage flags columns) (bagToList failed ++ bagToList warned)
-      bad raws = any ((== Error) . gravity) raws
+      bad = any ((== Error) . gravity)
       mains = [() | ("main", _) <- placed]
       noMain = [problemNowhere "no-main" "The program does not say what the robot should do." "Add a line that starts with: main = simulate" | null mains]
       whole raws tcg next =
@@ -242,14 +242,14 @@ check session flags columns source (L at parsed) warnings = do
     Just tcg
       | bad found -> pure (whole found tcg Nothing)
       | otherwise -> do
-          desugared <- try (hscDesugar env summary tcg)
-          logged <- reverse <$> readIORef noted
-          let raws = found ++ logged
-          case desugared of
-            Left e -> pure (whole (raws ++ map (fromMessage flags columns) (bagToList (srcErrorMessages e))) tcg Nothing)
-            Right _
-              | bad raws || any isError noMain -> pure (whole raws tcg Nothing)
-              | otherwise -> pure (whole raws tcg (Ready env summary tcg <$> mainOf tcg))
+        desugared <- try (hscDesugar env summary tcg)
+        logged <- reverse <$> readIORef noted
+        let raws = found ++ logged
+        case desugared of
+          Left e -> pure (whole (raws ++ map (fromMessage flags columns) (bagToList (srcErrorMessages e))) tcg Nothing)
+          Right _
+            | bad raws || any isError noMain -> pure (whole raws tcg Nothing)
+            | otherwise -> pure (whole raws tcg (Ready env summary tcg <$> mainOf tcg))
   where
     mainOf tcg = case [getName i | i <- typeEnvIds (tcg_type_env tcg), getOccString i == "main", nameModule_maybe (getName i) == Just (tcg_mod tcg)] of
       n : _ -> Just n
@@ -258,19 +258,19 @@ check session flags columns source (L at parsed) warnings = do
 summaryOf :: DynFlags -> Text -> ModSummary
 summaryOf flags source =
   ModSummary
-    { ms_mod = mkHomeModule flags (mkModuleName "Main")
-    , ms_hsc_src = HsSrcFile
-    , ms_location = ModLocation {ml_hs_file = Just fileName, ml_hi_file = "Main.hi", ml_obj_file = "Main.o", ml_hie_file = "Main.hie"}
-    , ms_hs_date = UTCTime (fromGregorian 2000 1 1) 0
-    , ms_obj_date = Nothing
-    , ms_iface_date = Nothing
-    , ms_hie_date = Nothing
-    , ms_parsed_mod = Nothing
-    , ms_srcimps = []
-    , ms_textual_imps = []
-    , ms_hspp_file = fileName
-    , ms_hspp_opts = flags
-    , ms_hspp_buf = Just (stringToStringBuffer (Text.unpack source))
+    { ms_mod = mkHomeModule flags (mkModuleName "Main"),
+      ms_hsc_src = HsSrcFile,
+      ms_location = ModLocation {ml_hs_file = Just fileName, ml_hi_file = "Main.hi", ml_obj_file = "Main.o", ml_hie_file = "Main.hie"},
+      ms_hs_date = UTCTime (fromGregorian 2000 1 1) 0,
+      ms_obj_date = Nothing,
+      ms_iface_date = Nothing,
+      ms_hie_date = Nothing,
+      ms_parsed_mod = Nothing,
+      ms_srcimps = [],
+      ms_textual_imps = [],
+      ms_hspp_file = fileName,
+      ms_hspp_opts = flags,
+      ms_hspp_buf = Just (stringToStringBuffer (Text.unpack source))
     }
 
 -- * Running
@@ -284,7 +284,7 @@ load session (Ready env summary checked name) = do
   value <- getHValue home name
   -- The type checker has made sure that main is an IO action.
   action <- withForeignRef value localRef
-  pure (\fd page -> launcher session fd page (() <$ (unsafeCoerce action :: IO ())))
+  pure (\fd page -> launcher session fd page (void (unsafeCoerce action :: IO ())))
 
 -- | Runs an action as a program's main thread, the one that is told when the heap is full.
 asMain :: IO () -> IO ()

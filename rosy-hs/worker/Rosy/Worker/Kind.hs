@@ -8,14 +8,14 @@
 -- then why or what to do. GHC 9.0 keeps its messages as documents, so some of this reads text; all such reading is in
 -- this module and its folder. What is not understood keeps its place and GHC's own words.
 module Rosy.Worker.Kind
-  ( explainAll
-  ) where
+  ( explainAll,
+  )
+where
 
 import Data.List (nub, nubBy)
-import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
+import Data.Maybe (catMaybes, fromMaybe, listToMaybe, mapMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
-
 import Rosy.Worker.Kind.Syntax (explainSyntax)
 import Rosy.Worker.Kind.Types
 import Rosy.Worker.Kind.Words
@@ -53,10 +53,11 @@ withoutEchoes ps = nubBy (\x y -> place x == place y && kind x == kind y) (filte
   where
     at p k = [q | q <- ps, function q == function p, kind q == k]
     causes = [function p | p <- ps, kind p `elem` ["hole", "not-in-scope", "negative-number", "too-many-arguments"]]
-    echo p = kind p `elem` ["ambiguous-type", "not-a-sensor", "not-a-command"] && (function p `elem` causes || Just "main" `elem` causes)
-      || kind p == "ambiguous-type" && any ((< place p) . place) (at p "ambiguous-type")
-      || kind p == "function-as-value" && not (null (at p "negative-number"))
-      || kind p == "missing-field" && not (null (at p "unknown-field"))
+    echo p =
+      kind p `elem` ["ambiguous-type", "not-a-sensor", "not-a-command"] && (function p `elem` causes || Just "main" `elem` causes)
+        || kind p == "ambiguous-type" && any ((< place p) . place) (at p "ambiguous-type")
+        || kind p == "function-as-value" && not (null (at p "negative-number"))
+        || kind p == "missing-field" && not (null (at p "unknown-field"))
 
 -- | The kind and the sentences for one message.
 explain :: Outline -> Raw -> Problem
@@ -68,9 +69,9 @@ explain outline raw = case reason raw of
   IncompletePatterns -> missingCases
   OverlappingPatterns -> problem "unreachable" "This case is never reached." "The cases above it take everything already."
   MissingFields -> problem "missing-field" "A value is missing in this record." ("Give it a value too" <> maybe "." (\f -> ": " <> f <> ".") (listToMaybe (drop 1 (quotes said))))
-  MissingMethods -> problem "missing-method" "This instance is not complete." ("Define " <> sentenceList (drop 0 (quotes said)) <> " as well.")
+  MissingMethods -> problem "missing-method" "This instance is not complete." ("Define " <> sentenceList (quotes said) <> " as well.")
   Other -> problem "other" "The compiler has a remark about this." "Its own words are one click away."
-  Types -> fromMaybe unknown (listToMaybe (mapMaybe (\f -> f) [shape, explainTypes outline raw]))
+  Types -> fromMaybe unknown (listToMaybe (catMaybes [shape, explainTypes outline raw]))
   where
     said = flat (Text.unwords (important raw))
     everything = flat (Text.unwords (important raw ++ context raw ++ supplementary raw))
@@ -84,9 +85,9 @@ explain outline raw = case reason raw of
     hole = case between "::" "Where:" said of
       Just wanted
         | Text.length wanted > 2 ->
-            let t = simple wanted
-                fits = take 3 [n | (n, u) <- atHand everything, simple u == t]
-             in problem "hole" "Something is missing here." (if null fits then "What fits is " <> a t <> "." else "What fits is " <> a t <> ", for example " <> sentenceList fits <> ".")
+          let t = simple wanted
+              fits = take 3 [n | (n, u) <- atHand everything, simple u == t]
+           in problem "hole" "Something is missing here." (if null fits then "What fits is " <> a t <> "." else "What fits is " <> a t <> ", for example " <> sentenceList fits <> ".")
       _ -> problem "hole" "Something is missing here." "Put a value in this place."
 
     notInScope = problem "not-in-scope" ("There is nothing called " <> quoted unknownName <> ".") (nearMiss everything unknownName)
@@ -132,9 +133,9 @@ explain outline raw = case reason raw of
 
     undefinedThing rest
       | "A data constructor of that name" `Text.isInfixOf` said = problem "not-a-type" (quoted firstName <> " is a value, not a type.") "In a type, write the type that it belongs to."
-      | "No module named" `Text.isInfixOf` everything
-      , qualifier <- fromMaybe "" (listToMaybe (drop 1 names)) =
-          problem "not-in-scope" (quoted qualifier <> " is not imported.") (importHint qualifier)
+      | "No module named" `Text.isInfixOf` everything,
+        qualifier <- fromMaybe "" (listToMaybe (drop 1 names)) =
+        problem "not-in-scope" (quoted qualifier <> " is not imported.") (importHint qualifier)
       | "type constructor or class" `Text.isPrefixOf` rest = problem "not-in-scope" ("There is no type called " <> quoted firstName <> ".") (nearMiss everything firstName)
       | otherwise = problem "not-in-scope" ("There is nothing called " <> quoted firstName <> ".") (nearMiss everything firstName)
 

@@ -2,14 +2,17 @@
 -- Module      : Rosy.Worker.Options
 -- Description : The command line of rosy-worker, and where the library is when nobody says.
 module Rosy.Worker.Options
-  ( Options (..)
-  , parseOptions
-  , usage
-  , findLibrary
-  ) where
+  ( Options (..),
+    parseOptions,
+    usage,
+    findLibrary,
+  )
+where
 
 import Data.List (isPrefixOf, isSuffixOf, sort, sortOn)
 import Data.Word (Word64)
+import Rosy.Worker.Child (Layers (..), allLayers)
+import Rosy.Worker.Ghc (Library (..))
 import System.Directory (doesDirectoryExist, listDirectory)
 import System.Environment (getExecutablePath)
 import System.FilePath (takeDirectory, (</>))
@@ -17,26 +20,23 @@ import System.Posix.Types (Fd)
 import System.Process (readProcess)
 import Text.Read (readMaybe)
 
-import Rosy.Worker.Child (Layers (..), allLayers)
-import Rosy.Worker.Ghc (Library (..))
-
 data Options = Options
-  { socketFd :: Fd
-  , databases :: [FilePath]
-  , unit :: Maybe String
-  , libdir :: Maybe FilePath
-  , withLayers :: Layers
-  , checkSeconds :: Double
-  , checkMemory :: Word64
-  , checksTogether :: Int
+  { socketFd :: Fd,
+    databases :: [FilePath],
+    unit :: Maybe String,
+    libdir :: Maybe FilePath,
+    withLayers :: Layers,
+    checkSeconds :: Double,
+    checkMemory :: Word64,
+    checksTogether :: Int
   }
 
 usage :: String
 usage =
   unlines
-    [ "rosy-worker [--fd N] [--package-db DIR] [--rosy-unit ID] [--libdir DIR]"
-    , "            [--check-seconds S] [--check-memory BYTES] [--checks N] [--without language|system-calls|limits]"
-    , "Serves one Unix stream socket, descriptor 3 unless told otherwise. See protocol/README.md, section 3."
+    [ "rosy-worker [--fd N] [--package-db DIR] [--rosy-unit ID] [--libdir DIR]",
+      "            [--check-seconds S] [--check-memory BYTES] [--checks N] [--without language|system-calls|limits]",
+      "Serves one Unix stream socket, descriptor 3 unless told otherwise. See protocol/README.md, section 3."
     ]
 
 parseOptions :: [String] -> Either String Options
@@ -54,9 +54,9 @@ parseOptions = go (Options 3 [] Nothing Nothing allLayers 10 (512 * 1024 * 1024)
       "--without" : l : rest | Just f <- lookup l layerNames -> go o {withLayers = f (withLayers o)} rest
       other : _ -> Left ("rosy-worker does not understand " ++ other ++ ".\n" ++ usage)
     layerNames =
-      [ ("language", \l -> l {language = False})
-      , ("system-calls", \l -> l {systemCalls = False})
-      , ("limits", \l -> l {limits = False})
+      [ ("language", \l -> l {language = False}),
+        ("system-calls", \l -> l {systemCalls = False}),
+        ("limits", \l -> l {limits = False})
       ]
 
 -- | The library that was named, or the one that was built in place beside this executable, and GHC's directory.

@@ -7,17 +7,17 @@
 -- GHC counts a tab as a jump to the next column after a multiple of eight; the protocol counts every character
 -- once. Pure.
 module Rosy.Worker.Place
-  ( Columns
-  , columnsOf
-  , placeOf
-  , spanOf
-  ) where
+  ( Columns,
+    columnsOf,
+    placeOf,
+    spanOf,
+  )
+where
 
 import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
 import Data.Text (Text)
 import qualified Data.Text as Text
-
 import Rosy.Worker.Problem (Place (..), Span (..))
 
 -- | The lines of a text that have tabs; all others need no translation.
@@ -38,9 +38,9 @@ characterAt wanted = go 1 1 . Text.unpack
     go n col rest
       | col >= wanted = n
       | otherwise = case rest of
-          '\t' : more -> go (n + 1) (((col - 1) `div` tabStop + 1) * tabStop + 1) more
-          _ : more -> go (n + 1) (col + 1) more
-          [] -> n + (wanted - col)
+        '\t' : more -> go (n + 1) (((col - 1) `div` tabStop + 1) * tabStop + 1) more
+        _ : more -> go (n + 1) (col + 1) more
+        [] -> n + (wanted - col)
 
 -- | Haskell 2010 report, section 10.3: tab stops are eight characters apart.
 tabStop :: Int

@@ -8,22 +8,23 @@
 -- its JSON; where the words come from is the business of "Rosy.Worker.Kind".
 module Rosy.Worker.Problem
   ( -- * Places
-    Place (..)
-  , Span (..)
+    Place (..),
+    Span (..),
 
     -- * Problems
-  , Severity (..)
-  , Problem (..)
-  , isError
-  , problemAt
-  , problemNowhere
+    Severity (..),
+    Problem (..),
+    isError,
+    problemAt,
+    problemNowhere,
 
     -- * What a program declares
-  , Declaration (..)
-  , Function (..)
-  , Report (..)
-  , emptyReport
-  ) where
+    Declaration (..),
+    Function (..),
+    Report (..),
+    emptyReport,
+  )
+where
 
 import Data.Aeson (ToJSON (..), object, (.=))
 import Data.Text (Text)
@@ -41,13 +42,13 @@ data Severity = Error | Warning
 
 -- | Something a learner must know. @message@ says what, @hint@ why or what to do.
 data Problem = Problem
-  { severity :: !Severity
-  , kind :: !Text
-  , place :: !(Maybe Span)
-  , function :: !(Maybe Text)
-  , message :: !Text
-  , hint :: !Text
-  , ghc :: !Text
+  { severity :: !Severity,
+    kind :: !Text,
+    place :: !(Maybe Span),
+    function :: !(Maybe Text),
+    message :: !Text,
+    hint :: !Text,
+    ghc :: !Text
   }
   deriving (Eq, Show)
 
@@ -70,9 +71,9 @@ data Function = Function {called :: !Text, inputs :: ![Text], outputs :: ![Text]
 
 -- | All that a check finds.
 data Report = Report
-  { problems :: ![Problem]
-  , declarations :: ![Declaration]
-  , functions :: ![Function]
+  { problems :: ![Problem],
+    declarations :: ![Declaration],
+    functions :: ![Function]
   }
   deriving (Eq, Show)
 
@@ -85,11 +86,11 @@ instance ToJSON Place where
 instance ToJSON Problem where
   toJSON p =
     object $
-      [ "severity" .= (if isError p then "error" else "warning" :: Text)
-      , "kind" .= kind p
-      , "message" .= message p
-      , "hint" .= hint p
-      , "ghc" .= ghc p
+      [ "severity" .= (if isError p then "error" else "warning" :: Text),
+        "kind" .= kind p,
+        "message" .= message p,
+        "hint" .= hint p,
+        "ghc" .= ghc p
       ]
         ++ maybe [] (\s -> ["start" .= start s, "end" .= end s]) (place p)
         ++ maybe [] (\f -> ["function" .= f]) (function p)

@@ -5,14 +5,14 @@
 -- The border between "Rosy.Worker.Ghc", which fills these in, and "Rosy.Worker.Kind", which turns them into
 -- sentences. Pure data.
 module Rosy.Worker.Raw
-  ( Raw (..)
-  , Reason (..)
-  , Outline (..)
-  , noOutline
-  ) where
+  ( Raw (..),
+    Reason (..),
+    Outline (..),
+    noOutline,
+  )
+where
 
 import Data.Text (Text)
-
 import Rosy.Worker.Problem (Function, Severity, Span)
 
 -- | Why the compiler spoke, as far as it says so with a flag rather than with words.
@@ -42,27 +42,27 @@ data Reason
 -- | One message. The three lists are the parts of GHC's own document: what is wrong, where it is in the
 -- program's structure (innermost first), and what may help.
 data Raw = Raw
-  { reason :: Reason
-  , gravity :: Severity
-  , region :: Maybe Span
-  , important :: [Text]
-  , context :: [Text]
-  , supplementary :: [Text]
+  { reason :: Reason,
+    gravity :: Severity,
+    region :: Maybe Span,
+    important :: [Text],
+    context :: [Text],
+    supplementary :: [Text]
   }
   deriving (Eq, Show)
 
 -- | What is known about a program besides its messages, for better sentences.
 data Outline = Outline
-  { text :: Text
-  -- ^ The program, as typed.
-  , bindings :: [(Text, Span)]
-  -- ^ Top-level names with the places of their definitions, in order.
-  , signatures :: [(Text, Span)]
-  -- ^ Top-level names with the places of their type signatures.
-  , connectedTo :: [Function]
-  -- ^ The functions that the robot runs.
-  , spelledOut :: [Function]
-  -- ^ The same functions, in the same order, with the program's type synonyms replaced by what they stand for.
+  { -- | The program, as typed.
+    text :: Text,
+    -- | Top-level names with the places of their definitions, in order.
+    bindings :: [(Text, Span)],
+    -- | Top-level names with the places of their type signatures.
+    signatures :: [(Text, Span)],
+    -- | The functions that the robot runs.
+    connectedTo :: [Function],
+    -- | The same functions, in the same order, with the program's type synonyms replaced by what they stand for.
+    spelledOut :: [Function]
   }
 
 noOutline :: Text -> Outline

@@ -7,9 +7,10 @@
 -- Waits in one place for the service, the children's answers and their ends. It compiles nothing itself and runs nothing
 -- of a learner's, so no program can harm it; a child may die at any moment and is always reaped.
 module Rosy.Worker.Server
-  ( Config (..)
-  , serve
-  ) where
+  ( Config (..),
+    serve,
+  )
+where
 
 import Control.Monad (foldM, forM_)
 import Data.Aeson (Value (Null), encode, object, (.=))
@@ -25,24 +26,23 @@ import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8With)
 import Data.Text.Encoding.Error (lenientDecode)
 import GHC.Clock (getMonotonicTime)
+import Rosy.Worker.Child
+import Rosy.Worker.Ghc (Session, compilerVersion)
+import Rosy.Worker.Problem (Problem (..), emptyReport, problemNowhere)
+import Rosy.Worker.Sys
+import Rosy.Worker.Wire
 import System.Mem (performMajorGC)
 import System.Posix.IO (closeFd)
 import System.Posix.Process (forkProcess)
 import System.Posix.Signals (sigKILL, signalProcess)
 import System.Posix.Types (Fd)
 
-import Rosy.Worker.Child
-import Rosy.Worker.Ghc (Session, compilerVersion)
-import Rosy.Worker.Problem (Problem (..), emptyReport, problemNowhere)
-import Rosy.Worker.Sys
-import Rosy.Worker.Wire
-
 data Config = Config
-  { socket :: Fd
-  , settings :: Settings
-  , compileSeconds :: Double
-  -- ^ Wall-clock seconds that reading and checking a program may take.
-  , checksAtOnce :: Int
+  { socket :: Fd,
+    settings :: Settings,
+    -- | Wall-clock seconds that reading and checking a program may take.
+    compileSeconds :: Double,
+    checksAtOnce :: Int
   }
 
 -- | What a child is for.
@@ -52,32 +52,32 @@ data Purpose
     Running Page Bool
 
 data Job = Job
-  { jobId :: Id
-  , purpose :: Purpose
-  , answers :: Maybe Fd
-  -- ^ Until the child has closed it.
-  , heard :: Lines
-  , deadline :: Maybe Double
-  -- ^ When compiling must be done; 'getMonotonicTime'.
-  , answered :: Bool
-  , late :: Bool
-  -- ^ Ended by the worker for taking too long.
-  , lastWords :: Text
-  -- ^ What the compiler said when it failed itself.
+  { jobId :: Id,
+    purpose :: Purpose,
+    -- | Until the child has closed it.
+    answers :: Maybe Fd,
+    heard :: Lines,
+    -- | When compiling must be done; 'getMonotonicTime'.
+    deadline :: Maybe Double,
+    answered :: Bool,
+    -- | Ended by the worker for taking too long.
+    late :: Bool,
+    -- | What the compiler said when it failed itself.
+    lastWords :: Text
   }
 
 data State = State
-  { incoming :: Lines
-  , passengers :: Seq Fd
-  -- ^ Descriptors that rode in, for the run lines to come.
-  , outgoing :: Seq ByteString
-  , jobs :: Map.Map Int Job
-  -- ^ By process id.
-  , waiting :: Seq (Id, Text)
-  -- ^ Checks that have not begun.
-  , cache :: Map.Map Text ByteString
-  , cacheOrder :: Seq Text
-  , peerGone :: Bool
+  { incoming :: Lines,
+    -- | Descriptors that rode in, for the run lines to come.
+    passengers :: Seq Fd,
+    outgoing :: Seq ByteString,
+    -- | By process id.
+    jobs :: Map.Map Int Job,
+    -- | Checks that have not begun.
+    waiting :: Seq (Id, Text),
+    cache :: Map.Map Text ByteString,
+    cacheOrder :: Seq Text,
+    peerGone :: Bool
   }
 
 -- | Serves until the service closes its end; then every child dies with this process.
@@ -94,23 +94,23 @@ loop config session ended = go
     go s
       | peerGone s = forM_ (Map.keys (jobs s)) (signalProcess sigKILL . fromIntegral)
       | otherwise = do
-          now <- getMonotonicTime
-          let listening = [(fd, pid) | (pid, Job {answers = Just fd}) <- Map.toList (jobs s)]
-              next = minimum (60 : [t - now | Job {deadline = Just t} <- Map.elems (jobs s)])
-          ready <-
-            poll
-              ((socket config, if Seq.null (outgoing s) then ToRead else ToWriteOrRead) : (ended, ToRead) : [(fd, ToRead) | (fd, _) <- listening])
-              (max 0 (ceiling (next * 1000)))
-          case ready of
-            (mine, canWrite) : (reaping, _) : children -> do
-              s1 <- foldM (\st ((fd, pid), (yes, _)) -> if yes then hear fd pid st else pure st) s (zip listening children)
-              s2 <- if reaping then drain ended >> reapAll s1 else pure s1
-              s3 <- expire s2
-              s4 <- if mine then listen config session s3 else pure s3
-              s5 <- beginChecks config session s4
-              s6 <- if canWrite || not (Seq.null (outgoing s5)) then flush config s5 else pure s5
-              go s6
-            _ -> go s
+        now <- getMonotonicTime
+        let listening = [(fd, pid) | (pid, Job {answers = Just fd}) <- Map.toList (jobs s)]
+            next = minimum (60 : [t - now | Job {deadline = Just t} <- Map.elems (jobs s)])
+        ready <-
+          poll
+            ((socket config, if Seq.null (outgoing s) then ToRead else ToWriteOrRead) : (ended, ToRead) : [(fd, ToRead) | (fd, _) <- listening])
+            (max 0 (ceiling (next * 1000)))
+        case ready of
+          (mine, canWrite) : (reaping, _) : children -> do
+            s1 <- foldM (\st ((fd, pid), (yes, _)) -> if yes then hear fd pid st else pure st) s (zip listening children)
+            s2 <- if reaping then drain ended >> reapAll s1 else pure s1
+            s3 <- expire s2
+            s4 <- if mine then listen config session s3 else pure s3
+            s5 <- beginChecks config session s4
+            s6 <- if canWrite || not (Seq.null (outgoing s5)) then flush config s5 else pure s5
+            go s6
+          _ -> go s
 
 -- * The service
 
@@ -138,18 +138,18 @@ handle _ _ s TooLong = pure (reply (Failed Null "This line is too long.") s)
 handle config session s (Line bytes)
   | ByteString.null bytes = pure s
   | otherwise = case parseRequest bytes of
-      Left (i, sentence) -> do
-        -- A run that cannot be read still brought its descriptor.
-        s' <- if "\"run\"" `ByteString.isInfixOf` bytes then dropPassenger s else pure s
-        pure (reply (Failed i sentence) s')
-      Right (Check i source) -> case Map.lookup source (cache s) of
-        Just fields -> pure (reply (Checked i fields) s)
-        Nothing -> pure s {waiting = waiting s |> (i, source)}
-      Right (Run i source memory) -> case passengers s of
-        Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
-        fd :<| others -> startRun config session i source memory fd s {passengers = others}
-      Right (Kill i) -> kill i s
-      Right (Build i _ _) -> pure (reply (Failed i "This worker does not build.") s)
+    Left (i, sentence) -> do
+      -- A run that cannot be read still brought its descriptor.
+      s' <- if "\"run\"" `ByteString.isInfixOf` bytes then dropPassenger s else pure s
+      pure (reply (Failed i sentence) s')
+    Right (Check i source) -> case Map.lookup source (cache s) of
+      Just fields -> pure (reply (Checked i fields) s)
+      Nothing -> pure s {waiting = waiting s |> (i, source)}
+    Right (Run i source memory) -> case passengers s of
+      Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
+      fd :<| others -> startRun config session i source memory fd s {passengers = others}
+    Right (Kill i) -> kill i s
+    Right (Build i _ _) -> pure (reply (Failed i "This worker does not build.") s)
 
 dropPassenger :: State -> IO State
 dropPassenger s = case passengers s of
@@ -181,13 +181,13 @@ kill i s = do
 -- | Starts the checks for which there is room.
 beginChecks :: Config -> Session -> State -> IO State
 beginChecks config session s
-  | (i, source) :<| others <- waiting s
-  , length [() | Job {purpose = Checking _} <- Map.elems (jobs s)] < checksAtOnce config = do
-      (mine, theirs) <- newPair
-      pid <- forkProcess (checkChild (settings config) session theirs source)
-      closeFd theirs
-      s' <- addJob config (fromIntegral pid) i (Checking source) mine s {waiting = others}
-      beginChecks config session s'
+  | (i, source) :<| others <- waiting s,
+    length [() | Job {purpose = Checking _} <- Map.elems (jobs s)] < checksAtOnce config = do
+    (mine, theirs) <- newPair
+    pid <- forkProcess (checkChild (settings config) session theirs source)
+    closeFd theirs
+    s' <- addJob config (fromIntegral pid) i (Checking source) mine s {waiting = others}
+    beginChecks config session s'
   | otherwise = pure s
 
 startRun :: Config -> Session -> Id -> Text -> Int -> Fd -> State -> IO State
@@ -218,20 +218,20 @@ hear fd pid s = case Map.lookup pid (jobs s) of
         mapM_ closeFd passenger
         let (found, rest) = cut (heard job) bytes
             s' = s {jobs = Map.insert pid job {heard = rest} (jobs s)}
-        hear fd pid (foldl (\st c -> understand pid c st) s' found)
+        hear fd pid (foldl (flip (understand pid)) s' found)
 
 -- | One line of a child. Only the first counts: a program may have got hold of the descriptor by then.
 understand :: Int -> Cut -> State -> State
 understand pid (Line bytes) s
-  | Just job <- Map.lookup pid (jobs s)
-  , not (answered job) =
-      let done answer p = reply answer s {jobs = Map.insert pid job {answered = True, deadline = Nothing, purpose = p} (jobs s)}
-       in case (purpose job, Char8.uncons bytes) of
-            (Checking source, Just ('C', fields)) -> remember source fields (done (Checked (jobId job) fields) (purpose job))
-            (Running page _, Just ('S', fields)) -> done (Started (jobId job) fields) (Running page True)
-            (Running page _, Just ('R', fields)) -> done (Refused (jobId job) fields) (Running page False)
-            (_, Just ('!', words')) -> s {jobs = Map.insert pid job {lastWords = decodeUtf8With lenientDecode words'} (jobs s)}
-            _ -> s
+  | Just job <- Map.lookup pid (jobs s),
+    not (answered job) =
+    let done answer p = reply answer s {jobs = Map.insert pid job {answered = True, deadline = Nothing, purpose = p} (jobs s)}
+     in case (purpose job, Char8.uncons bytes) of
+          (Checking source, Just ('C', fields)) -> remember source fields (done (Checked (jobId job) fields) (purpose job))
+          (Running page _, Just ('S', fields)) -> done (Started (jobId job) fields) (Running page True)
+          (Running page _, Just ('R', fields)) -> done (Refused (jobId job) fields) (Running page False)
+          (_, Just ('!', words')) -> s {jobs = Map.insert pid job {lastWords = decodeUtf8With lenientDecode words'} (jobs s)}
+          _ -> s
 understand _ _ s = s
 
 remember :: Text -> ByteString -> State -> State

@@ -8,52 +8,53 @@
 -- that cannot fail on a working machine are exceptions.
 module Rosy.Worker.Sys
   ( -- * Talking
-    Received (..)
-  , receive
-  , Sent (..)
-  , send
+    Received (..),
+    receive,
+    Sent (..),
+    send,
 
     -- * Waiting
-  , watchChildren
-  , drain
-  , Wanted (..)
-  , poll
-  , Ended (..)
-  , reap
+    watchChildren,
+    drain,
+    Wanted (..),
+    poll,
+    Ended (..),
+    reap,
 
     -- * Sharing
-  , Page
-  , newPage
-  , freePage
-  , pageText
-  , keepPage
-  , newPair
-  , writeAll
+    Page,
+    newPage,
+    freePage,
+    pageText,
+    keepPage,
+    newPair,
+    writeAll,
 
     -- * Becoming a child
-  , beginChild
-  , beNice
-  , filterCompiling
-  , filterRunning
-  , limitData
-  , limitProcess
-  , limitHeap
-  , dataSize
-  , exitNow
-  ) where
+    beginChild,
+    beNice,
+    filterCompiling,
+    filterRunning,
+    limitData,
+    limitProcess,
+    limitHeap,
+    dataSize,
+    exitNow,
+  )
+where
 
 import Control.Exception (throwIO)
-import Control.Monad (when)
+import Control.Monad (void, when)
+import Data.ByteString (ByteString)
 import qualified Data.ByteString as ByteString
 import Data.ByteString.Internal (createAndTrim')
-import Data.ByteString (ByteString)
 import Data.ByteString.Unsafe (unsafeUseAsCStringLen)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8With)
 import Data.Text.Encoding.Error (lenientDecode)
 import Data.Word (Word32, Word64, Word8)
-import Foreign.C.Error (getErrno, errnoToIOError)
+import Foreign.C.Error (errnoToIOError, getErrno)
 import Foreign.C.Types
 import Foreign.Marshal.Alloc (alloca)
 import Foreign.Marshal.Array (allocaArray, peekArray, withArrayLen)
@@ -62,24 +63,43 @@ import Foreign.Storable (peek)
 import System.Posix.Types (CSsize (..), Fd (..))
 
 foreign import ccall unsafe rosy_receive :: CInt -> Ptr Word8 -> CSize -> Ptr CInt -> IO CSsize
+
 foreign import ccall unsafe rosy_send :: CInt -> Ptr CChar -> CSize -> IO CSsize
+
 foreign import ccall unsafe rosy_watch_children :: IO CInt
+
 foreign import ccall unsafe rosy_drain :: CInt -> IO ()
+
 foreign import ccall safe rosy_poll :: CInt -> Ptr CInt -> Ptr CShort -> Ptr CShort -> CInt -> IO CInt
+
 foreign import ccall unsafe rosy_reap :: Ptr CInt -> Ptr CInt -> IO CInt
+
 foreign import ccall unsafe rosy_page :: IO (Ptr Word32)
+
 foreign import ccall unsafe rosy_page_free :: Ptr Word32 -> IO ()
+
 foreign import ccall unsafe rosy_page_keep :: Ptr Word32 -> IO ()
+
 foreign import ccall unsafe rosy_pair :: Ptr CInt -> IO CInt
+
 foreign import ccall unsafe rosy_write_all :: CInt -> Ptr CChar -> CSize -> IO CInt
+
 foreign import ccall unsafe rosy_nice :: CInt -> IO CInt
+
 foreign import ccall unsafe rosy_child_begin :: CInt -> Ptr CInt -> CInt -> IO CInt
+
 foreign import ccall unsafe rosy_filter_compiling :: IO CInt
+
 foreign import ccall unsafe rosy_filter_running :: IO CInt
+
 foreign import ccall unsafe rosy_limit_data :: Word64 -> IO CInt
+
 foreign import ccall unsafe rosy_limit_process :: Word64 -> IO CInt
+
 foreign import ccall unsafe rosy_limit_heap :: Word64 -> IO ()
+
 foreign import ccall unsafe rosy_data_size :: IO Word64
+
 foreign import ccall unsafe rosy_exit :: CInt -> IO ()
 
 orThrow :: String -> IO CInt -> IO CInt
@@ -168,7 +188,7 @@ type Page = Ptr Word32
 newPage :: IO Page
 newPage = do
   page <- rosy_page
-  when (page == nullPtr) (() <$ orThrow "mmap" (pure (-1)))
+  when (page == nullPtr) (void $ orThrow "mmap" (pure (-1)))
   pure page
 
 freePage :: Page -> IO ()
@@ -197,28 +217,28 @@ newPair = allocaArray 2 $ \ends -> do
 -- | Writes everything, waiting as long as it takes.
 writeAll :: Fd -> ByteString -> IO ()
 writeAll (Fd fd) bytes =
-  () <$ unsafeUseAsCStringLen bytes (\(buffer, size) -> orThrow "write" (rosy_write_all fd buffer (fromIntegral size)))
+  void $ unsafeUseAsCStringLen bytes (\(buffer, size) -> orThrow "write" (rosy_write_all fd buffer (fromIntegral size)))
 
 -- | See @rosy_child_begin@: the descriptors to keep, and one that stands in for 0 to 2.
 beginChild :: [Fd] -> Fd -> IO ()
 beginChild keep (Fd nullFd) =
-  () <$ withArrayLen [fd | Fd fd <- keep] (\n fds -> orThrow "becoming a child" (rosy_child_begin (fromIntegral n) fds nullFd))
+  void $ withArrayLen [fd | Fd fd <- keep] (\n fds -> orThrow "becoming a child" (rosy_child_begin (fromIntegral n) fds nullFd))
 
 -- | Others go first. A refusal changes nothing that matters.
 beNice :: Int -> IO ()
-beNice n = () <$ rosy_nice (fromIntegral n)
+beNice n = void $ rosy_nice (fromIntegral n)
 
 filterCompiling, filterRunning :: IO ()
-filterCompiling = () <$ orThrow "seccomp" rosy_filter_compiling
-filterRunning = () <$ orThrow "seccomp" rosy_filter_running
+filterCompiling = void $ orThrow "seccomp" rosy_filter_compiling
+filterRunning = void $ orThrow "seccomp" rosy_filter_running
 
 -- | Bytes of private memory; a later limit may be larger.
 limitData :: Word64 -> IO ()
-limitData bytes = () <$ orThrow "setrlimit" (rosy_limit_data bytes)
+limitData bytes = void $ orThrow "setrlimit" (rosy_limit_data bytes)
 
 -- | Bytes of private memory for good (0: no limit).
 limitProcess :: Word64 -> IO ()
-limitProcess bytes = () <$ orThrow "setrlimit" (rosy_limit_process bytes)
+limitProcess bytes = void $ orThrow "setrlimit" (rosy_limit_process bytes)
 
 limitHeap :: Word64 -> IO ()
 limitHeap = rosy_limit_heap

@@ -8,22 +8,23 @@
 -- of bounded length. Pure: every odd cut is a test.
 module Rosy.Worker.Wire
   ( -- * Requests
-    Request (..)
-  , Id
-  , parseRequest
+    Request (..),
+    Id,
+    parseRequest,
 
     -- * Answers
-  , Answer (..)
-  , answerLine
-  , reportFields
+    Answer (..),
+    answerLine,
+    reportFields,
 
     -- * Cutting a stream into lines
-  , Lines
-  , noLines
-  , Cut (..)
-  , cut
-  , longestLine
-  ) where
+    Lines,
+    noLines,
+    Cut (..),
+    cut,
+    longestLine,
+  )
+where
 
 import Data.Aeson (Value (..), eitherDecodeStrict', encode, object, toJSON, (.:), (.=))
 import Data.Aeson.Types (Object, Pair, Parser, parseEither)
@@ -33,7 +34,6 @@ import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Text (Text)
 import qualified Data.Text as Text
-
 import Rosy.Worker.Problem (Problem, Report (..))
 
 -- | Chosen by the service; any JSON value.
@@ -110,9 +110,9 @@ answerLine answer = case answer of
 -- | The members of @checked@ besides @id@, as an object in bytes.
 reportFields :: Report -> [Pair]
 reportFields report =
-  [ "problems" .= problems report
-  , "declarations" .= declarations report
-  , "graph" .= object ["functions" .= toJSON (functions report)]
+  [ "problems" .= problems report,
+    "declarations" .= declarations report,
+    "graph" .= object ["functions" .= toJSON (functions report)]
   ]
 
 -- | What has arrived of a line that is not complete, or how much of a line that is too long has gone by.

@@ -1,4 +1,7 @@
-{-# LANGUAGE GADTs, RankNTypes, ScopedTypeVariables, TypeOperators #-}
+{-# LANGUAGE GADTs #-}
+{-# LANGUAGE RankNTypes #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+{-# LANGUAGE TypeOperators #-}
 
 -- |
 -- Module      : Rosy.Worker.Ghc.Add
@@ -7,16 +10,16 @@
 -- A program needs no header, no import and no deriving, and its functions carry their names into the run. All of that
 -- is put into the parsed tree, so that every place the compiler mentions is a place in the learner's text.
 module Rosy.Worker.Ghc.Add
-  ( Added (..)
-  , addRosy
-  , generatedQualifier
-  ) where
+  ( Added (..),
+    addRosy,
+    generatedQualifier,
+  )
+where
 
 import Data.Data (Data, gmapQ, gmapT)
 import Data.List (nub)
 import Data.Maybe (maybeToList)
 import Data.Typeable (cast, eqT, (:~:) (..))
-
 import GHC (mkModuleName)
 import GHC.Data.Bag (bagToList, emptyBag)
 import GHC.Data.FastString (mkFastString)
@@ -25,13 +28,12 @@ import GHC.Types.Basic (PromotionFlag (NotPromoted), SourceText (..))
 import GHC.Types.Name.Occurrence
 import GHC.Types.Name.Reader (RdrName, isUnqual, mkRdrQual, mkRdrUnqual, rdrNameOcc)
 import GHC.Types.SrcLoc
-
 import Rosy.Worker.Ghc.Names
 
 -- | A program as it is compiled, and what its functions are called where they are handed to the robot.
 data Added = Added
-  { program :: HsModule
-  , controllers :: [Names]
+  { program :: HsModule,
+    controllers :: [Names]
   }
 
 -- | Names that Rosy adds live under a qualifier that nobody can write.
@@ -48,12 +50,12 @@ addRosy exported parsed =
   Added
     { program =
         parsed
-          { hsmodName = Just (noLoc (mkModuleName "Main"))
-          , hsmodExports = Nothing
-          , hsmodImports = imports
-          , hsmodDecls = decls ++ concatMap (instancesFor (hsmodDecls parsed)) (hsmodDecls parsed)
-          }
-    , controllers = concatMap snd named
+          { hsmodName = Just (noLoc (mkModuleName "Main")),
+            hsmodExports = Nothing,
+            hsmodImports = imports,
+            hsmodDecls = decls ++ concatMap (instancesFor (hsmodDecls parsed)) (hsmodDecls parsed)
+          },
+      controllers = concatMap snd named
     }
   where
     own = definedNames (hsmodDecls parsed)
@@ -83,9 +85,9 @@ giveWay :: OccSet -> [OccName] -> LImportDecl GhcPs -> [LImportDecl GhcPs]
 giveWay exported own l@(L at i)
   | not (importsRosy l) || null clashes = [l]
   | otherwise = case ideclHiding i of
-      Just (False, _) -> [l]
-      Just (True, L s items) -> hide s items
-      Nothing -> hide noSrcSpan []
+    Just (False, _) -> [l]
+    Just (True, L s items) -> hide s items
+    Nothing -> hide noSrcSpan []
   where
     clashes = filter (`elemOccSet` exported) own
     hide s items = L at i {ideclHiding = Just (True, L s (items ++ map item clashes))} : [L at (one o) | o <- clashes, not (null (siblings o))]
@@ -136,8 +138,8 @@ instancesFor :: [LHsDecl GhcPs] -> LHsDecl GhcPs -> [LHsDecl GhcPs]
 instancesFor everything (L at d) = case d of
   TyClD _ t@DataDecl {tcdDataDefn = defn}
     | all (isPlain . unLoc) (dd_cons defn) ->
-        [L at (DerivD noExtField (generic t)) | not (derives "Generic" defn), not (has "Generic" t)]
-          ++ concatMap (empty t) ["Value", "Default", "Sensor", "Command"]
+      [L at (DerivD noExtField (generic t)) | not (derives "Generic" defn), not (has "Generic" t)]
+        ++ concatMap (empty t) ["Value", "Default", "Sensor", "Command"]
   _ -> []
   where
     isPlain :: ConDecl GhcPs -> Bool
@@ -152,16 +154,16 @@ instancesFor everything (L at d) = case d of
     generic :: TyClDecl GhcPs -> DerivDecl GhcPs
     generic t =
       DerivDecl
-        { deriv_ext = noExtField
-        , deriv_type = HsWC noExtField (headOf "Generic" t)
-        , deriv_strategy = Just (noLoc StockStrategy)
-        , deriv_overlap_mode = Nothing
+        { deriv_ext = noExtField,
+          deriv_type = HsWC noExtField (headOf "Generic" t),
+          deriv_strategy = Just (noLoc StockStrategy),
+          deriv_overlap_mode = Nothing
         }
     empty :: TyClDecl GhcPs -> String -> [LHsDecl GhcPs]
     empty t c =
       [ L at . InstD noExtField . ClsInstD noExtField $
           ClsInstDecl {cid_ext = noExtField, cid_poly_ty = headOf c t, cid_binds = emptyBag, cid_sigs = [], cid_tyfam_insts = [], cid_datafam_insts = [], cid_overlap_mode = Nothing}
-      | not (has c t)
+        | not (has c t)
       ]
     headOf :: String -> TyClDecl GhcPs -> LHsSigType GhcPs
     headOf c t = HsIB noExtField (inContext t (L at (HsAppTy noExtField (name (added (mkTcOcc c))) (applied t))))
@@ -219,11 +221,11 @@ plainName = occNameString . rdrNameOcc
 -- arguments it needs to see ("Rosy.Program" lists them).
 naming :: [(String, (String, Int, (LHsExpr GhcPs -> Names) -> [LHsExpr GhcPs] -> [Names]))]
 naming =
-  [ ("simulate", ("simulateNamed", 1, map))
-  , ("task", ("taskNamed", 2, map))
-  , ("taskWith", ("taskWithNamed", 2, \name xs -> concat [[field name "starting" o, field name "stopped" o, name c] | [o, c] <- [xs]]))
-  , ("once", ("onceNamed", 1, map))
-  , ("call", ("callNamed", 2, \name xs -> [Names [field name f o | f <- ["cancelOn", "onFeedback", "onEnd"]] | [_, o] <- [xs]]))
+  [ ("simulate", ("simulateNamed", 1, map)),
+    ("task", ("taskNamed", 2, map)),
+    ("taskWith", ("taskWithNamed", 2, \name xs -> concat [[field name "starting" o, field name "stopped" o, name c] | [o, c] <- [xs]])),
+    ("once", ("onceNamed", 1, map)),
+    ("call", ("callNamed", 2, \name xs -> [Names [field name f o | f <- ["cancelOn", "onFeedback", "onEnd"]] | [_, o] <- [xs]]))
   ]
   where
     -- The names in a field of a record that is written out or changed on the spot.
@@ -289,11 +291,11 @@ nameFunctions hidden definitions d = (walk d, found d)
 
     namedFunction follows l = case applied l [] of
       (L _ (HsVar _ (L _ n)), args)
-        | isUnqual n
-        , Just (f, count, names) <- lookup (plainName n) table
-        , xs <- take count (args ++ maybeToList follows)
-        , length xs == count ->
-            Just (f, names (namesOf definitions owner) xs)
+        | isUnqual n,
+          Just (f, count, names) <- lookup (plainName n) table,
+          xs <- take count (args ++ maybeToList follows),
+          length xs == count ->
+          Just (f, names (namesOf definitions owner) xs)
       _ -> Nothing
 
     applied (L _ (HsApp _ f x)) args = applied f (x : args)

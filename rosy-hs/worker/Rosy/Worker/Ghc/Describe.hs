@@ -1,5 +1,7 @@
+{-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
-{-# LANGUAGE GADTs, RankNTypes, ScopedTypeVariables, TypeOperators #-}
+{-# LANGUAGE RankNTypes #-}
+{-# LANGUAGE ScopedTypeVariables #-}
 
 -- |
 -- Module      : Rosy.Worker.Ghc.Describe
@@ -8,21 +10,21 @@
 -- The declarations with their types, and the graph: which sensors each function that the robot runs takes, and which
 -- commands it gives. Both are read off types; nothing runs.
 module Rosy.Worker.Ghc.Describe
-  ( describeDeclarations
-  , Spelling (..)
-  , describeFunctions
-  , definitionSpans
-  , signatureSpans
-  ) where
+  ( describeDeclarations,
+    Spelling (..),
+    describeFunctions,
+    definitionSpans,
+    signatureSpans,
+  )
+where
 
 import Data.List (nub)
 import qualified Data.Map.Strict as Map
 import Data.Text (Text)
 import qualified Data.Text as Text
-
 import GHC.Builtin.Names (eitherTyConKey)
 import GHC.Builtin.Types (charTyCon, listTyCon, maybeTyCon, unitTyCon)
-import GHC.Core.DataCon (dataConName, dataConDisplayType)
+import GHC.Core.DataCon (dataConDisplayType, dataConName)
 import GHC.Core.Ppr.TyThing (pprTypeForUser)
 import GHC.Core.TyCon (isTupleTyCon, tyConDataCons, tyConKind, tyConName)
 import GHC.Core.Type
@@ -36,7 +38,6 @@ import GHC.Types.Name.Reader (RdrName, rdrNameOcc)
 import GHC.Types.SrcLoc
 import GHC.Types.Unique (hasKey)
 import GHC.Utils.Outputable (neverQualify, showSDocForUser)
-
 import Rosy.Worker.Problem (Declaration (..), Function (..), Span (..))
 
 -- | The top-level names of a program with the place of their whole definition, in order.

@@ -8,15 +8,15 @@
 -- @accelerate@ and @play@. Values have lost their names when they run, so they are found here, before: a variable is a
 -- name, a tuple or list is the names of its parts, and a variable that is defined as a tuple or list is looked into.
 module Rosy.Worker.Ghc.Names
-  ( Names (..)
-  , Definitions
-  , definitionsOf
-  , namesOf
-  , leaves
-  ) where
+  ( Names (..),
+    Definitions,
+    definitionsOf,
+    namesOf,
+    leaves,
+  )
+where
 
 import qualified Data.Map.Strict as Map
-
 import GHC.Data.Bag (bagToList)
 import GHC.Hs
 import GHC.Types.Name.Occurrence (isVarOcc, occNameString)
@@ -70,7 +70,7 @@ plain = occNameString . rdrNameOcc
 
 -- | The names in a controller expression. A value that is written out is called like the definition it stands in.
 namesOf :: Definitions -> String -> LHsExpr GhcPs -> Names
-namesOf top owner = go (16 :: Int) top Map.empty owner
+namesOf top = go (16 :: Int) top Map.empty
   where
     -- Depth keeps a definition that mentions itself from being looked into for ever.
     go depth defs env home located@(L at e) = case e of
@@ -91,12 +91,12 @@ namesOf top owner = go (16 :: Int) top Map.empty owner
 
     variable depth defs env n args
       | Just known <- Map.lookup n env, null args = known
-      | depth > 0
-      , Just (params, body) <- Map.lookup n defs
-      , -- With arguments to come it is one function, whatever it will give.
-        length params == length args
-      , parts@(Names _) <- go (depth - 1) defs (boundTo params args `Map.union` Map.fromList [(p, Name p) | Just p <- params]) n body =
-          parts
+      | depth > 0,
+        Just (params, body) <- Map.lookup n defs,
+        -- With arguments to come it is one function, whatever it will give.
+        length params == length args,
+        parts@(Names _) <- go (depth - 1) defs (boundTo params args `Map.union` Map.fromList [(p, Name p) | Just p <- params]) n body =
+        parts
       | otherwise = Name n
       where
         boundTo params xs = Map.fromList [(p, go (depth - 1) defs env n x) | (Just p, x) <- zip params xs]

@@ -1,4 +1,6 @@
-{-# LANGUAGE GADTs, RankNTypes, ScopedTypeVariables, TypeOperators #-}
+{-# LANGUAGE GADTs #-}
+{-# LANGUAGE RankNTypes #-}
+{-# LANGUAGE ScopedTypeVariables #-}
 
 -- |
 -- Module      : Rosy.Worker.Ghc.Report
@@ -7,22 +9,21 @@
 -- Keeps the parts that GHC keeps apart (what is wrong, context, further help) and the flag that a warning
 -- hangs on. No judgement: that is "Rosy.Worker.Kind".
 module Rosy.Worker.Ghc.Report
-  ( placeOf
-  , fromMessage
-  , fromLog
-  , fromParser
-  , showPart
-  ) where
+  ( placeOf,
+    fromMessage,
+    fromLog,
+    fromParser,
+    showPart,
+  )
+where
 
 import Data.Text (Text)
 import qualified Data.Text as Text
-
 import GHC.Driver.Flags (WarnReason (..), WarningFlag (..))
 import GHC.Driver.Session (DynFlags)
 import GHC.Types.SrcLoc
 import GHC.Utils.Error (ErrDoc (..), ErrMsg (..), MsgDoc, errMsgSpan)
 import GHC.Utils.Outputable (neverQualify, showSDocForUser)
-
 import Rosy.Worker.Place (Columns, spanOf)
 import Rosy.Worker.Problem (Severity (..), Span)
 import Rosy.Worker.Raw (Raw (..), Reason (..))
@@ -36,12 +37,12 @@ placeOf columns s = case s of
 fromMessage :: DynFlags -> Columns -> ErrMsg -> Raw
 fromMessage flags columns e =
   Raw
-    { reason = why
-    , gravity = grave
-    , region = placeOf columns (errMsgSpan e)
-    , important = parts errDocImportant
-    , context = parts errDocContext
-    , supplementary = parts errDocSupplementary
+    { reason = why,
+      gravity = grave,
+      region = placeOf columns (errMsgSpan e),
+      important = parts errDocImportant,
+      context = parts errDocContext,
+      supplementary = parts errDocSupplementary
     }
   where
     parts f = map (showPart flags) (f (errMsgDoc e))

@@ -6,24 +6,23 @@
 -- child finds all of it in its memory.
 module Rosy.Worker.Ghc.Warm
   ( -- * Where things are
-    Library (..)
+    Library (..),
 
     -- * The session
-  , Session (..)
-  , Launcher
-  , warm
-  , defaultExtensions
-  ) where
+    Session (..),
+    Launcher,
+    warm,
+    defaultExtensions,
+  )
+where
 
-import Control.Monad (forM_, void)
+import Control.Monad (forM_)
 import Control.Monad.IO.Class (liftIO)
 import qualified Data.Set as Set
 import qualified Data.Text as Text
 import Data.Word (Word32)
 import Foreign.C.Types (CInt)
 import Foreign.Ptr (Ptr)
-import Unsafe.Coerce (unsafeCoerce)
-
 import GHC hiding (Warning)
 import qualified GHC.Data.EnumSet as EnumSet
 import GHC.Driver.Finder (findImportedModule)
@@ -35,14 +34,14 @@ import GHC.LanguageExtensions.Type (Extension (..))
 import GHC.Types.Avail (availNames)
 import GHC.Types.Name (nameOccName)
 import GHC.Types.Name.Occurrence (OccSet, mkOccSet)
-
 import Rosy.Worker.Allow (allowedModules)
+import Unsafe.Coerce (unsafeCoerce)
 
 -- | The databases that list the Rosy library besides the global one, its unit's name there, GHC's own directory.
 data Library = Library
-  { packageDatabases :: [FilePath]
-  , unitName :: String
-  , compilerDirectory :: FilePath
+  { packageDatabases :: [FilePath],
+    unitName :: String,
+    compilerDirectory :: FilePath
   }
 
 -- | @Rosy.Launch.onPipe@: the link's descriptor, the page that names the function at work, the program.
@@ -50,9 +49,9 @@ type Launcher = CInt -> Ptr Word32 -> IO () -> IO ()
 
 -- | A warm compiler, the launcher of the library linked in this process, and the names that @import Rosy@ brings.
 data Session = Session
-  { environment :: HscEnv
-  , launcher :: Launcher
-  , rosyNames :: OccSet
+  { environment :: HscEnv,
+    launcher :: Launcher,
+    rosyNames :: OccSet
   }
 
 warm :: Library -> IO Session
@@ -86,7 +85,7 @@ interpreting plain = foldl gopt_unset (foldl gopt_set flags (concatMap (wayGener
 -- | Loads the interface of everything that may be imported; gives the names that Rosy exports.
 preload :: HscEnv -> IO OccSet
 preload env = do
-  forM_ (Set.toList allowedModules) (void . interfaceOf . Text.unpack)
+  forM_ (Set.toList allowedModules) (interfaceOf . Text.unpack)
   maybe (mkOccSet []) (mkOccSet . map nameOccName . concatMap availNames . mi_exports) <$> interfaceOf "Rosy"
   where
     interfaceOf m = do
@@ -106,49 +105,49 @@ settle flags =
     $ flags {warningFlags = EnumSet.fromList warnings, safeHaskell = Sf_Safe, useUnicode = True, pprCols = 100}
   where
     warnings =
-      [ Opt_WarnIncompletePatterns
-      , Opt_WarnIncompleteUniPatterns
-      , Opt_WarnOverlappingPatterns
-      , Opt_WarnTabs
-      , Opt_WarnMissingFields
-      , Opt_WarnMissingMethods
-      , Opt_WarnDeferredTypeErrors
-      , Opt_WarnDeferredOutOfScopeVariables
-      , Opt_WarnTypedHoles
+      [ Opt_WarnIncompletePatterns,
+        Opt_WarnIncompleteUniPatterns,
+        Opt_WarnOverlappingPatterns,
+        Opt_WarnTabs,
+        Opt_WarnMissingFields,
+        Opt_WarnMissingMethods,
+        Opt_WarnDeferredTypeErrors,
+        Opt_WarnDeferredOutOfScopeVariables,
+        Opt_WarnTypedHoles
       ]
 
 -- | Extensions that are on in every program: what a beginner meets without asking for it.
 defaultExtensions :: [Extension]
 defaultExtensions =
-  [ BangPatterns
-  , BinaryLiterals
-  , ConstraintKinds
-  , DeriveAnyClass
-  , DeriveFoldable
-  , DeriveFunctor
-  , DeriveGeneric
-  , DeriveTraversable
-  , DerivingStrategies
-  , EmptyCase
-  , EmptyDataDeriving
-  , ExistentialQuantification
-  , FlexibleContexts
-  , FlexibleInstances
-  , GADTSyntax
-  , GeneralizedNewtypeDeriving
-  , InstanceSigs
-  , KindSignatures
-  , LambdaCase
-  , MultiParamTypeClasses
-  , MultiWayIf
-  , NumericUnderscores
-  , RankNTypes
-  , RecordPuns
-  , RecordWildCards
-  , ScopedTypeVariables
-  , StandaloneDeriving
-  , TupleSections
-  , TypeApplications
-  , TypeOperators
-  , UndecidableInstances
+  [ BangPatterns,
+    BinaryLiterals,
+    ConstraintKinds,
+    DeriveAnyClass,
+    DeriveFoldable,
+    DeriveFunctor,
+    DeriveGeneric,
+    DeriveTraversable,
+    DerivingStrategies,
+    EmptyCase,
+    EmptyDataDeriving,
+    ExistentialQuantification,
+    FlexibleContexts,
+    FlexibleInstances,
+    GADTSyntax,
+    GeneralizedNewtypeDeriving,
+    InstanceSigs,
+    KindSignatures,
+    LambdaCase,
+    MultiParamTypeClasses,
+    MultiWayIf,
+    NumericUnderscores,
+    RankNTypes,
+    RecordPuns,
+    RecordWildCards,
+    ScopedTypeVariables,
+    StandaloneDeriving,
+    TupleSections,
+    TypeApplications,
+    TypeOperators,
+    UndecidableInstances
   ]

@@ -7,14 +7,15 @@
 -- GHC says only where it gave up. This module looks at the text with a small scanner (words, brackets, texts, comments) for the
 -- mistakes that beginners make, in the order in which they explain most.
 module Rosy.Worker.Kind.Syntax
-  ( explainSyntax
-  ) where
+  ( explainSyntax,
+  )
+where
 
 import Data.Char (isAlphaNum, isSpace)
+import Data.List (find)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
-
 import Rosy.Worker.Kind.Words
 import Rosy.Worker.Problem
 
@@ -47,69 +48,69 @@ explainSyntax source said spot = fromMaybe fallback (listToMaybe (concat finding
     missingAfter opener closer = unbalanced opener closer words'
 
     findings =
-      [ [unclosedText s | "string/character literal" `Text.isInfixOf` said, s <- maybe [] pure (lastQuote source at)]
-      , [problemAt (widen at) "syntax" "This comment is never closed." "End it with -} or start it with -- instead." | "unterminated" `Text.isInfixOf` said]
-      , [ problemAt (widen at) "character" ("The character " <> quoted c <> " has no meaning here.") (curly c)
-        | "lexical error" `Text.isInfixOf` said
-        , Just c <- [Text.take 1 <$> textFrom source at]
-        , not (Text.null c)
-        ]
-      , brackets found
-      , [ problemAt (spanning t) "comparison" "A single = gives a name to something." "To compare two values, write ==."
-        | given == Just "="
-        , Just t <- [here]
-        , lastOf ["if", "|", "then", "else", "="] words' `elem` [Just "if", Just "|"]
-        ]
-      , [ problemAt (spanning t) "missing-arrow" "In a case, an arrow -> stands between a pattern and its value." "Replace the = by ->."
-        | given == Just "="
-        , Just t <- [here]
-        , inCases source at
-        ]
-      , [ problemAt (spanning t) "indentation" "The cases after ‘of’ stand too far to the left." "Indent them by two spaces more than the line with ‘case’."
-        | given == Just "->"
-        , Just t <- [firstOnLine]
-        , afterOf source at
-        ]
-      , [ problemAt (spanning t) "indentation" "This line stands too far to the right." "A definition begins at the left edge of its block."
-        | given `elem` [Just "=", Just "::", Just "|"]
-        , Just t <- [firstOnLine]
-        , column (from t) > 1
-        , not (endsWith "=")
-        ]
-      , [ problemAt (maybe (widen at) spanning here) "missing-then" "After ‘if’ and its condition comes ‘then’." "Write: if condition then one value else another."
-        | given == Just "else" || missingAfter "if" "then"
-        , "if" `elem` words'
-        , "then" `notElem` dropWhile (/= "if") words'
-        ]
-      , [ problemAt (maybe (widen at) spanning (lastToken "if" current)) "missing-else" "This ‘if’ has no ‘else’." "Say what to do otherwise: if condition then one value else another."
-        | missingAfter "if" "else"
-        ]
-      , [ problemAt (maybe (widen at) spanning (lastToken "let" current)) "missing-in" "After ‘let’ and its names comes ‘in’ and a value." "Write: let v = 0.5 in Velocity v 0."
-        | missingAfter "let" "in"
-        , "do" `notElem` words'
-        ]
-      , [ problemAt (spanning t) "incomplete" ("Something is missing after " <> quoted (word t) <> ".") "Write the value that belongs there."
-        | Just t <- [listToMaybe (reverse current)]
-        , word t `elem` ["=", "->", "then", "else", "+", "*", "/", "$", "++", "&&", "||", "==", "<-", "::", "of", "in", ","]
-        ]
-      , [ problemAt (spanning t) "word" (quoted (word t) <> " is a word of Haskell itself and cannot be a name.") "Choose another name."
-        | Just t <- [here]
-        , Just p <- [listToMaybe (reverse current)]
-        , word t `elem` ["=", "::"]
-        , word p `elem` reserved
-        ]
-      , [ problemAt (spanning t) "word" (quoted (word t) <> " is a word of Haskell itself and cannot stand here.") "If it was meant as a name, choose another one."
-        | Just t <- [here]
-        , word t `elem` reserved
-        , word t `notElem` ["then", "else", "of", "in", "where", "import"]
-        ]
-      , [ problemAt (spanning t) "syntax" "An import stands too late." "Move all imports to the top of the program."
-        | Just t <- [here]
-        , word t == "import"
-        ]
-      , [ problemAt (spanning t) "syntax" (quoted (word t) <> " has nothing that it belongs to.") ("Check the lines before it for the " <> partner (word t) <> ".")
-        | Just t <- [here]
-        , word t `elem` ["then", "else", "of", "in"]
+      [ [unclosedText s | "string/character literal" `Text.isInfixOf` said, s <- maybe [] pure (lastQuote source at)],
+        [problemAt (widen at) "syntax" "This comment is never closed." "End it with -} or start it with -- instead." | "unterminated" `Text.isInfixOf` said],
+        [ problemAt (widen at) "character" ("The character " <> quoted c <> " has no meaning here.") (curly c)
+          | "lexical error" `Text.isInfixOf` said,
+            Just c <- [Text.take 1 <$> textFrom source at],
+            not (Text.null c)
+        ],
+        brackets found,
+        [ problemAt (spanning t) "comparison" "A single = gives a name to something." "To compare two values, write ==."
+          | given == Just "=",
+            lastOf ["if", "|", "then", "else", "="] words' `elem` [Just "if", Just "|"],
+            Just t <- [here]
+        ],
+        [ problemAt (spanning t) "missing-arrow" "In a case, an arrow -> stands between a pattern and its value." "Replace the = by ->."
+          | given == Just "=",
+            inCases source at,
+            Just t <- [here]
+        ],
+        [ problemAt (spanning t) "indentation" "The cases after ‘of’ stand too far to the left." "Indent them by two spaces more than the line with ‘case’."
+          | given == Just "->",
+            afterOf source at,
+            Just t <- [firstOnLine]
+        ],
+        [ problemAt (spanning t) "indentation" "This line stands too far to the right." "A definition begins at the left edge of its block."
+          | given `elem` [Just "=", Just "::", Just "|"],
+            Just t <- [firstOnLine],
+            column (from t) > 1,
+            not (endsWith "=")
+        ],
+        [ problemAt (maybe (widen at) spanning here) "missing-then" "After ‘if’ and its condition comes ‘then’." "Write: if condition then one value else another."
+          | given == Just "else" || missingAfter "if" "then",
+            "if" `elem` words',
+            "then" `notElem` dropWhile (/= "if") words'
+        ],
+        [ problemAt (maybe (widen at) spanning (lastToken "if" current)) "missing-else" "This ‘if’ has no ‘else’." "Say what to do otherwise: if condition then one value else another."
+          | missingAfter "if" "else"
+        ],
+        [ problemAt (maybe (widen at) spanning (lastToken "let" current)) "missing-in" "After ‘let’ and its names comes ‘in’ and a value." "Write: let v = 0.5 in Velocity v 0."
+          | missingAfter "let" "in",
+            "do" `notElem` words'
+        ],
+        [ problemAt (spanning t) "incomplete" ("Something is missing after " <> quoted (word t) <> ".") "Write the value that belongs there."
+          | Just t <- [listToMaybe (reverse current)],
+            word t `elem` ["=", "->", "then", "else", "+", "*", "/", "$", "++", "&&", "||", "==", "<-", "::", "of", "in", ","]
+        ],
+        [ problemAt (spanning t) "word" (quoted (word t) <> " is a word of Haskell itself and cannot be a name.") "Choose another name."
+          | Just t <- [here],
+            word t `elem` ["=", "::"],
+            Just p <- [listToMaybe (reverse current)],
+            word p `elem` reserved
+        ],
+        [ problemAt (spanning t) "word" (quoted (word t) <> " is a word of Haskell itself and cannot stand here.") "If it was meant as a name, choose another one."
+          | Just t <- [here],
+            word t `elem` reserved,
+            word t `notElem` ["then", "else", "of", "in", "where", "import"]
+        ],
+        [ problemAt (spanning t) "syntax" "An import stands too late." "Move all imports to the top of the program."
+          | Just t <- [here],
+            word t == "import"
+        ],
+        [ problemAt (spanning t) "syntax" (quoted (word t) <> " has nothing that it belongs to.") ("Check the lines before it for the " <> partner (word t) <> ".")
+          | Just t <- [here],
+            word t `elem` ["then", "else", "of", "in"]
         ]
       ]
     fallback = case here of
@@ -155,10 +156,10 @@ brackets = go []
       | column (from t) == 1, o : _ <- reverse open, line (from t) > line (from o) = [unclosed o]
       | word t `elem` ["(", "[", "{"] = go (t : open) rest
       | word t `elem` [")", "]", "}"] = case open of
-          o : others
-            | closes (word o) == word t -> go others rest
-            | otherwise -> [problemAt (spanning t) "bracket" (quoted (word t) <> " closes a bracket that was opened with " <> quoted (word o) <> ".") ("Write " <> quoted (closes (word o)) <> " here, or close the inner bracket first.")]
-          [] -> [problemAt (spanning t) "bracket" ("The bracket " <> quoted (word t) <> " closes nothing.") ("Remove it, or add the opening " <> quoted (opens (word t)) <> " that is missing.")]
+        o : others
+          | closes (word o) == word t -> go others rest
+          | otherwise -> [problemAt (spanning t) "bracket" (quoted (word t) <> " closes a bracket that was opened with " <> quoted (word o) <> ".") ("Write " <> quoted (closes (word o)) <> " here, or close the inner bracket first.")]
+        [] -> [problemAt (spanning t) "bracket" ("The bracket " <> quoted (word t) <> " closes nothing.") ("Remove it, or add the opening " <> quoted (opens (word t)) <> " that is missing.")]
       | otherwise = go open rest
     unclosed o = problemAt (spanning o) "bracket" ("The bracket " <> quoted (word o) <> " is never closed.") ("Add " <> quoted (closes (word o)) <> " where it ends.")
     closes w = case w of
@@ -172,10 +173,10 @@ brackets = go []
 
 -- | The last of some words, whichever it is.
 lastOf :: [Text] -> [Text] -> Maybe Text
-lastOf wanted = listToMaybe . filter (`elem` wanted) . reverse
+lastOf wanted = find (`elem` wanted) . reverse
 
 lastToken :: Text -> [Token] -> Maybe Token
-lastToken w = listToMaybe . filter ((== w) . word) . reverse
+lastToken w = find ((== w) . word) . reverse
 
 unbalanced :: Text -> Text -> [Text] -> Bool
 unbalanced opener closer ws = length (filter (== opener) ws) > length (filter (== closer) ws)
@@ -200,7 +201,7 @@ inCases source at = case dropWhile ((>= indent here) . indent) (filter (not . Te
 
 -- | Whether the line before ends with @of@.
 afterOf :: Text -> Place -> Bool
-afterOf source at = case filter (not . Text.null . Text.strip) (reverse (take (line at - 1) (Text.splitOn "\n" source))) of
+afterOf source at = case reverse (filter (not . Text.null . Text.strip) (take (line at - 1) (Text.splitOn "\n" source))) of
   l : _ -> listToMaybe (reverse (Text.words l)) == Just "of"
   [] -> False
 

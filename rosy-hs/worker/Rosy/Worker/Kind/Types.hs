@@ -7,8 +7,9 @@
 -- Two families of messages: one type is needed and another is there; and a type cannot do what is asked of it (be
 -- sensed, be a command, be shown, be added). Each has the cases that robot programs invite, and a plain sentence for the rest.
 module Rosy.Worker.Kind.Types
-  ( explainTypes
-  ) where
+  ( explainTypes,
+  )
+where
 
 import Control.Applicative ((<|>))
 import Data.Char (isLower)
@@ -16,7 +17,6 @@ import Data.List (find)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
-
 import Rosy.Worker.Kind.Words
 import Rosy.Worker.Problem
 import Rosy.Worker.Raw
@@ -39,16 +39,16 @@ type Say = Text -> Text -> Text -> Problem
 -- | The type that is needed and the one that is there.
 mismatch :: Text -> Maybe (Type, Type)
 mismatch said
-  | Just rest <- after "Expected:" said
-  , "Couldn't match" `Text.isPrefixOf` said =
-      let (needed, more) = Text.breakOn "Actual:" rest
-       in Just (typeIn needed, typeIn (upToNote (Text.drop 7 more)))
+  | Just rest <- after "Expected:" said,
+    "Couldn't match" `Text.isPrefixOf` said =
+    let (needed, more) = Text.breakOn "Actual:" rest
+     in Just (typeIn needed, typeIn (upToNote (Text.drop 7 more)))
   | Just rest <- after "Couldn't match expected type" said =
-      let (needed, more) = Text.breakOn "with actual type" rest
-       in Just (typeIn (colon needed), typeIn (upToNote (colon (Text.drop 16 more))))
-  | Just rest <- after "Couldn't match type" said
-  , needed : given : _ <- quotes rest =
-      Just (simple needed, simple given)
+    let (needed, more) = Text.breakOn "with actual type" rest
+     in Just (typeIn (colon needed), typeIn (upToNote (colon (Text.drop 16 more))))
+  | Just rest <- after "Couldn't match type" said,
+    needed : given : _ <- quotes rest =
+    Just (simple needed, simple given)
   | otherwise = Nothing
   where
     colon t = Text.strip (fromMaybe t (Text.stripPrefix ":" (Text.strip t)))
@@ -130,7 +130,7 @@ explainInstance outline raw problem c t user
   | isFunction t, user == "-", "Num" == c = problem "negative-number" "Here minus takes one thing from another." "A negative number needs brackets: (-0.5)."
   | c == "Show", isFunction t = problem "function-as-value" "A function cannot be shown as a text." "Give it its values first."
   | isFunction t = problem "function-as-value" ("Here a value is needed, but this is " <> a t <> ".") "Give the function its values, or check the brackets."
-  | c == "Show" = problem "missing-deriving" ("It is not known how to show " <> a t <> " as a text.") ("Write at the end of its declaration: deriving Show.")
+  | c == "Show" = problem "missing-deriving" ("It is not known how to show " <> a t <> " as a text.") "Write at the end of its declaration: deriving Show."
   | c == "Eq" = problem "missing-deriving" ("It is not known when two values of " <> quoted t <> " are equal.") "Write at the end of its declaration: deriving Eq."
   | c == "Ord" = problem "missing-deriving" ("It is not known which value of " <> quoted t <> " is the larger.") "Write at the end of its declaration: deriving (Eq, Ord)."
   | c `elem` ["Num", "Fractional", "Floating", "Integral", "RealFrac"], t == "String", user == "+" = problem "type-mismatch" "Texts cannot be added with +." "To put one behind the other, write ++."
@@ -199,7 +199,7 @@ explainMismatch outline raw problem needed given
   | needed == "Maybe " <> bracketIfNeeded given = problem "missing-just" ("This always gives " <> a given <> ", but the type says that it may be missing.") ("Write Just in front of it" <> example "Just" <> ".")
   | given == "Maybe " <> bracketIfNeeded needed || "Maybe" == firstAtom given && "Maybe" /= firstAtom needed = problem "unexpected-maybe" ("This may be nothing, but " <> a needed <> " is needed.") ("Write the type as Maybe " <> bracketIfNeeded needed <> ", or give a value in every case.")
   | "Memory" == firstAtom needed, "Memory" /= firstAtom given, not (isFunction given) = problem "missing-memory" ("This is " <> a given <> ", but " <> a needed <> " is needed.") ("Write Memory in front of the value" <> example "Memory" <> ".")
-  | "Memory" == firstAtom given, "Memory" /= firstAtom needed = problem "memory-as-value" ("This is a whole Memory, but the " <> quoted needed <> " in it is needed.") (memoryHint given)
+  | "Memory" == firstAtom given, "Memory" /= firstAtom needed = problem "memory-as-value" ("This is a whole Memory, but the " <> quoted needed <> " in it is needed.") "Take it out with a pattern: (Memory x) instead of x."
   | "Memory" == firstAtom needed, "Memory" == firstAtom given = problem "memory-types" ("This memory holds " <> a (inner given) <> ", but one with " <> a (inner needed) <> " is needed.") "Each memory has one type: use the same everywhere."
   | "Task" == firstAtom needed, "Task" == firstAtom given = problem "task-result" ("This task ends with " <> a (inner given) <> ", but one that ends with " <> a (inner needed) <> " is needed.") "The last line of a task gives its result."
   | "Task" == firstAtom needed = problem "task-needed" ("A task is needed here, but this is " <> a given <> ".") ("Turn a command into a task with once" <> example "once" <> ".")
@@ -280,6 +280,3 @@ mixedHint needed given
   | otherwise = "Check which of the two was meant."
   where
     isCommand t = t `elem` ["Velocity", "Led1", "Led2", "Sound", "Say"]
-
-memoryHint :: Type -> Text
-memoryHint given = "Take it out with a pattern: (Memory x) instead of x" <> (if Text.null given then "." else ".")

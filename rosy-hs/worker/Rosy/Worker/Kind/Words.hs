@@ -7,30 +7,30 @@
 -- Pure text. Nothing here knows a particular message.
 module Rosy.Worker.Kind.Words
   ( -- * Taking apart
-    flat
-  , quotes
-  , after
-  , between
-  , Type
-  , typeIn
-  , splitArrows
-  , atoms
-  , isFunction
+    flat,
+    quotes,
+    after,
+    between,
+    Type,
+    typeIn,
+    splitArrows,
+    atoms,
+    isFunction,
 
     -- * Putting together
-  , quoted
-  , a
-  , simple
-  , scrub
-  , sentenceList
-  , number
-  , snippet
-  ) where
+    quoted,
+    a,
+    simple,
+    scrub,
+    sentenceList,
+    number,
+    snippet,
+  )
+where
 
 import Data.Char (isAlphaNum, isDigit, isLower, isSpace)
 import Data.Text (Text)
 import qualified Data.Text as Text
-
 import Rosy.Worker.Problem (Place (..), Span (..))
 
 -- | On one line with single spaces.
@@ -90,11 +90,11 @@ splitArrows t = map Text.strip (go (0 :: Int) "" (unwrapped t))
     go depth acc rest
       | depth == 0, Just more <- Text.stripPrefix "->" rest = acc : go 0 "" more
       | otherwise = case Text.uncons rest of
-          Just (c, more)
-            | c `elem` ("([" :: String) -> go (depth + 1) (Text.snoc acc c) more
-            | c `elem` (")]" :: String) -> go (depth - 1) (Text.snoc acc c) more
-            | otherwise -> go depth (Text.snoc acc c) more
-          Nothing -> [acc]
+        Just (c, more)
+          | c `elem` ("([" :: String) -> go (depth + 1) (Text.snoc acc c) more
+          | c `elem` (")]" :: String) -> go (depth - 1) (Text.snoc acc c) more
+          | otherwise -> go depth (Text.snoc acc c) more
+        Nothing -> [acc]
     -- A constraint says nothing to a learner.
     unwrapped x = maybe x Text.strip (after "=>" x)
 
