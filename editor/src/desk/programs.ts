@@ -26,14 +26,14 @@ import {
 } from "@rosy/codegen/reader"
 import {decode} from "../state/decode.ts"
 import type {Document} from "../state/history.ts"
-import {type World, world} from "../state/messages.ts"
+import {type WorldFile, world} from "../state/messages.ts"
 import {type Definition, type Finding, movedRange, type Program, type Span, textOf} from "../state/program.ts"
 
 /// A program as it comes from a file.
 export interface OpenedProject {
   readonly project: Project
   readonly document: Document
-  readonly world: string | World | null
+  readonly world: string | WorldFile | null
 }
 
 export type Opening =
@@ -45,16 +45,20 @@ export function readProject(reader: Reader, text: string): Opening {
   const parsed = parseProject(text)
   if (!parsed.ok) return {kind: "unreadable", message: parsed.message, hint: parsed.hint}
   const {project} = parsed
-  const room = typeof project.world === "string" ? project.world : decode(world, project.world)
   return {
     kind: "opened",
     opened: {
       project,
       document: analysedView(openView(reader, oneKindOfLine(project.haskell), project.layout)),
-      // A room that cannot be read leaves the room as it is; the project file keeps it.
-      world: typeof room === "string" ? (room === "" ? null : room) : room.kind === "ok" ? room.value : null,
+      world: roomOf(project),
     },
   }
+}
+
+/// A room that cannot be read leaves the room as it is; the project file keeps it.
+function roomOf({world: room}: Project): string | WorldFile | null {
+  if (typeof room === "string") return room === "" ? null : room
+  return decode(world, room).kind === "ok" ? room : null
 }
 
 /// Opens plain Haskell from elsewhere. Any text is a program, if perhaps a broken one.
@@ -79,14 +83,14 @@ export function writeProject(
   project: Project,
   document: Document,
   name: string,
-  room: string | World | null,
+  room: string | WorldFile | null,
 ): string {
   const {view} = document
   return saveProject({
     ...project,
     name,
     ...(view === null ? {} : {haskell: view.text, layout: layoutOf(view)}),
-    ...(room === null ? {} : {world: room as Project["world"]}),
+    ...(room === null ? {} : {world: room}),
   })
 }
 

@@ -40,6 +40,7 @@ export function RoomRegion({shown}: {shown: boolean}): VNode {
         <Hands />
         <Readout />
         <Invitation />
+        <Goals />
       </div>
       <TimeBar />
       <Border of="canvas" />
@@ -154,6 +155,24 @@ function Hands(): VNode | null {
         {words.lift}
       </button>
     </fieldset>
+  )
+}
+
+/// What is to be done in this world, and what is done.
+function Goals(): VNode | null {
+  const goals = usePage(s => s.room.goals)
+  if (goals.length === 0) return null
+  return (
+    <ul class="goals" aria-label={words.goals} aria-live="polite" data-testid="goals">
+      {goals.map((goal, i) => (
+        <li key={`${i} ${goal.title}`} class={goal.state} style={{"--progress": `${goal.progress * 100}%`}}>
+          <span aria-hidden="true">{goal.state === "done" ? "✓" : goal.state === "missed" ? "✗" : "○"}</span>
+          {goal.title === "" ? goal.kind : goal.title}
+          <span class="hidden-text">{words.goalStates[goal.state]}</span>
+          {goal.time !== null && <span class="quiet">{goal.time.toFixed(1)} s</span>}
+        </li>
+      ))}
+    </ul>
   )
 }
 

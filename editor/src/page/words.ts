@@ -101,6 +101,8 @@ export const words = {
   },
   roomLabel: (world: string) =>
     `The room ${world} from above, with the robot in it. While it runs, the arrow keys move the robot, comma and full stop turn it; plus and minus zoom.`,
+  goals: "Goals",
+  goalStates: {open: "open", done: "done", missed: "missed"},
   hands: "Touch the robot",
   robotButton: (n: number) => `Press button ${n} of the robot`,
   lift: "Lift",

@@ -5,6 +5,8 @@ export interface Palette {
   readonly grid: string
   readonly wall: string
   readonly solid: string
+  readonly goal: string
+  readonly avoid: string
   readonly box: string
   readonly hole: string
   readonly ink: string
@@ -26,6 +28,8 @@ export function readPalette(element: Element): Palette {
     grid: token("--floor-line"),
     wall: token("--wall"),
     solid: token("--solid"),
+    goal: token("--ok"),
+    avoid: token("--bad"),
     box: token("--box"),
     hole: token("--hole"),
     ink: token("--ink"),

@@ -41,6 +41,19 @@ export function drawRobot(
   drawLed(ctx, -0.075, -0.062, frame.led2, palette, scale)
 }
 
+/// Where the robot believes it is: an outline with its heading.
+export function drawGhost(ctx: CanvasRenderingContext2D, palette: Palette, scale: number): void {
+  ctx.strokeStyle = palette.wall
+  ctx.lineWidth = 1.5 / scale
+  ctx.setLineDash([5 / scale, 4 / scale])
+  ctx.beginPath()
+  ctx.arc(0, 0, radius, 0, 2 * Math.PI)
+  ctx.moveTo(radius * 0.3, 0)
+  ctx.lineTo(radius, 0)
+  ctx.stroke()
+  ctx.setLineDash([])
+}
+
 function drawBody(ctx: CanvasRenderingContext2D, palette: Palette): void {
   ctx.beginPath()
   ctx.arc(0, 0, radius - 0.012, 0, 2 * Math.PI)

@@ -7,8 +7,8 @@ import {type Camera, type Look, lookAt, pan, toScreen, zoom} from "./camera.ts"
 import {watchGestures} from "./gestures.ts"
 import {type Pose, poseAt, type Seen} from "./motion.ts"
 import {readPalette} from "./palette.ts"
-import {drawRobot} from "./robot.ts"
-import {drawWorld} from "./world.ts"
+import {drawGhost, drawRobot} from "./robot.ts"
+import {drawThings, drawWorld} from "./world.ts"
 
 export interface RoomView {
   /// Draws the room as it is; answers whether something still moves, so that another frame is worth drawing.
@@ -171,8 +171,18 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
       }
       const pose = last === null ? world.start : poseAt(before, last, now)
       shown = pose
+      metres(ctx)
+      drawThings(ctx, world, frame?.boxes ?? [], palette, camera.scale)
       drawTrail(room, pose)
       metres(ctx)
+      if (frame !== null && frame.ghost !== null) {
+        const [x, y, theta] = frame.ghost
+        ctx.save()
+        ctx.translate(x, y)
+        ctx.rotate(theta)
+        drawGhost(ctx, palette, camera.scale)
+        ctx.restore()
+      }
       ctx.translate(pose.x, pose.y)
       ctx.rotate(pose.theta)
       drawRobot(ctx, frame ?? parked, palette, camera.scale)

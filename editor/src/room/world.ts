@@ -26,20 +26,8 @@ export function drawWorld(
     ctx.lineTo(to[0], to[1])
     ctx.stroke()
   }
-  for (const box of world.boxes) {
-    ctx.save()
-    ctx.translate(box.x, box.y)
-    ctx.rotate(box.theta)
-    ctx.beginPath()
-    ctx.roundRect(-box.w / 2, -box.h / 2, box.w, box.h, Math.min(0.03, box.w / 4, box.h / 4))
-    drawThing(ctx, box.movable, palette, scale)
-    ctx.restore()
-  }
-  for (const {x, y, r, movable} of world.rounds) {
-    ctx.beginPath()
-    ctx.arc(x, y, r, 0, 2 * Math.PI)
-    drawThing(ctx, movable, palette, scale)
-  }
+  drawGoals(ctx, world, palette, scale)
+  drawThings(ctx, world, null, palette, scale)
   // The outer border of `size` is always a wall; it is drawn outside, so that the whole floor shows.
   const border = Math.max(wallThickness, 5 / scale)
   ctx.lineJoin = "round"
@@ -68,6 +56,68 @@ function drawGrid(
     ctx.lineTo(width, y)
   }
   ctx.stroke()
+}
+
+/// Boxes and rounds: those that stand fast, or (with `moved`) those that can be pushed, where they are now.
+export function drawThings(
+  ctx: CanvasRenderingContext2D,
+  world: World,
+  moved: readonly (readonly [number, number, number])[] | null,
+  palette: Palette,
+  scale: number,
+): void {
+  const movable = moved !== null
+  const boxes = world.boxes.filter(b => b.movable === movable)
+  const rounds = world.rounds.filter(r => r.movable === movable)
+  boxes.forEach((box, i) => {
+    const [x, y, theta] = moved?.[i] ?? [box.x, box.y, box.theta]
+    ctx.save()
+    ctx.translate(x, y)
+    ctx.rotate(theta)
+    ctx.beginPath()
+    ctx.roundRect(-box.w / 2, -box.h / 2, box.w, box.h, Math.min(0.03, box.w / 4, box.h / 4))
+    drawThing(ctx, movable, palette, scale)
+    ctx.restore()
+  })
+  rounds.forEach((round, i) => {
+    const [x, y] = moved?.[boxes.length + i] ?? [round.x, round.y]
+    ctx.beginPath()
+    ctx.arc(x, y, round.r, 0, 2 * Math.PI)
+    drawThing(ctx, movable, palette, scale)
+  })
+}
+
+/// Places of goals: rings to reach, a dashed line to cross or to follow, crossed rings to stay out of.
+function drawGoals(ctx: CanvasRenderingContext2D, world: World, palette: Palette, scale: number): void {
+  ctx.save()
+  ctx.lineWidth = 2 / scale
+  ctx.setLineDash([6 / scale, 5 / scale])
+  for (const {kind, points, r} of world.goals) {
+    ctx.strokeStyle = kind === "avoid" ? palette.avoid : palette.goal
+    ctx.fillStyle = ctx.strokeStyle
+    if (r > 0)
+      for (const [x, y] of points) {
+        ctx.beginPath()
+        ctx.arc(x, y, r, 0, 2 * Math.PI)
+        ctx.globalAlpha = 0.12
+        ctx.fill()
+        ctx.globalAlpha = 1
+        if (kind === "avoid") {
+          ctx.moveTo(x - r * 0.7, y - r * 0.7)
+          ctx.lineTo(x + r * 0.7, y + r * 0.7)
+        }
+        ctx.stroke()
+      }
+    else {
+      ctx.beginPath()
+      points.forEach(([x, y], i) => {
+        if (i === 0) ctx.moveTo(x, y)
+        else ctx.lineTo(x, y)
+      })
+      ctx.stroke()
+    }
+  }
+  ctx.restore()
 }
 
 /// What can be pushed is light with an outline, what cannot is as dark as a wall.

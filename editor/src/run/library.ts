@@ -23,11 +23,34 @@ async function get(path: string): Promise<Fetched<string>> {
   }
 }
 
+/// The order in which the language is met (LANGUAGE.md §5); others follow by name.
+const order = [
+  "move",
+  "accelerate",
+  "accelerateAndPlay",
+  "forwardBackward",
+  "randomWalk",
+  "safetyControl",
+  "mux",
+  "safeRandomWalk",
+  "turn",
+  "moveDirection",
+  "drawSquare",
+]
+
+/// The examples in the order of the gallery, each with the first sentence of what it teaches.
+export function galleryOrder(examples: readonly Example[]): readonly Example[] {
+  const place = (e: Example) => (order.includes(e.name) ? order.indexOf(e.name) : order.length)
+  return [...examples]
+    .sort((a, b) => place(a) - place(b) || a.name.localeCompare(b.name))
+    .map(e => ({...e, teaches: /^.*?[.!?](?=\s|$)/s.exec(e.teaches)?.[0] ?? e.teaches}))
+}
+
 export async function fetchExamples(): Promise<Fetched<readonly Example[]>> {
   const answer = await get("api/examples")
   if (answer.kind === "failed") return answer
   const read = decode(list(example), parseJson(answer.value))
-  return read.kind === "ok" ? {kind: "there", value: read.value} : {kind: "failed"}
+  return read.kind === "ok" ? {kind: "there", value: galleryOrder(read.value)} : {kind: "failed"}
 }
 
 /// The text of an example's project file.

@@ -62,7 +62,11 @@ export interface World {
     readonly r: number
     readonly movable: boolean
   }[]
+  readonly goals: readonly GoalPlace[]
 }
+
+/// A world as it came from a file: whatever it says beyond what this page draws is kept.
+export type WorldFile = {readonly [key: string]: unknown}
 
 /// One picture of the robot: ground truth in room coordinates. Bits as in kobuki_msgs/SensorState: right 1,
 /// centre 2, left 4; wheels right 1, left 2; button n is bit n. LEDs: 0 black, 1 green, 2 orange, 3 red.
@@ -82,6 +86,30 @@ export interface Frame {
   readonly led1: number
   readonly led2: number
   readonly fired: readonly string[]
+  /// Where the movable boxes, then the movable rounds, are, as x, y, theta; `null` while they stand where the world
+  /// put them.
+  readonly boxes: readonly (readonly [number, number, number])[] | null
+  /// Where the robot believes it is, in a world where that differs.
+  readonly ghost: readonly [number, number, number] | null
+}
+
+/// What is to be done in a world, and how far it is.
+export interface Goal {
+  readonly kind: string
+  readonly title: string
+  readonly state: "open" | "done" | "missed"
+  /// 0 to 1.
+  readonly progress: number
+  /// When it was done or missed, in seconds of the run.
+  readonly time: number | null
+}
+
+/// A goal as the world describes it, as far as it has a place to be drawn.
+export interface GoalPlace {
+  readonly kind: string
+  readonly points: readonly (readonly [number, number])[]
+  /// Metres around each point; 0 for a line through them.
+  readonly r: number
 }
 
 export type WorkerState = "starting" | "ready" | "restarting"
@@ -110,6 +138,7 @@ export type ServiceMessage =
       readonly problems: readonly Problem[]
     }
   | {readonly op: "frame"; readonly frame: Frame}
+  | {readonly op: "goals"; readonly run: number; readonly goals: readonly Goal[]}
   | {readonly op: "said"; readonly run: number; readonly time: number; readonly text: string}
   | {readonly op: "sound"; readonly run: number; readonly time: number; readonly sound: number}
   | {readonly op: "refusal"; readonly message: string; readonly hint: string}
@@ -126,7 +155,7 @@ export type Hand =
   | {readonly teleport: {readonly x: number; readonly y: number; readonly theta: number}}
 
 export type PageMessage =
-  | {readonly op: "world"; readonly world: string | World}
+  | {readonly op: "world"; readonly world: string | WorldFile}
   | {readonly op: "check"; readonly id: number; readonly source: string}
   | {
       readonly op: "run"
@@ -163,6 +192,30 @@ const pair: Decoder<readonly [number, number]> = (v, path) => {
   return [number(v[0], `${path}[0]`), number(v[1], `${path}[1]`)]
 }
 
+const triple: Decoder<readonly [number, number, number]> = (v, path) => {
+  if (!Array.isArray(v) || v.length !== 3) throw new Mismatch(path, "three numbers")
+  return [number(v[0], `${path}[0]`), number(v[1], `${path}[1]`), number(v[2], `${path}[2]`)]
+}
+
+/// protocol §6: a goal has a place, or points, or a line, or none at all.
+const goalPlace = object<GoalPlace>(get => {
+  const x = get("x", optional(number, null))
+  const y = get("y", optional(number, null))
+  const line = get(
+    "line",
+    optional(
+      object(at => [at("from", pair), at("to", pair)] as const),
+      null,
+    ),
+  )
+  const points = get("points", optional(list(pair), []))
+  return {
+    kind: get("kind", string),
+    points: line ?? (x === null || y === null ? points : [[x, y] as const]),
+    r: get("r", optional(number, 0)),
+  }
+})
+
 /// A world of tiles may leave its size out: the tiles say it.
 function sizeOfTiles(tiles: readonly string[], tile: number): readonly [number, number] | null {
   const first = tiles[0]
@@ -198,6 +251,7 @@ export const world = object<World>(get => ({
       [],
     ),
   ),
+  goals: get("goals", optional(list(goalPlace), [])),
   rounds: get(
     "rounds",
     optional(
@@ -230,6 +284,16 @@ const frame = object<Frame>(get => ({
   led1: get("led1", number),
   led2: get("led2", number),
   fired: get("fired", optional(list(string), [])),
+  boxes: get("boxes", optional(list(triple), null)),
+  ghost: get("ghost", optional(triple, null)),
+}))
+
+const goal = object<Goal>(get => ({
+  kind: get("kind", string),
+  title: get("title", optional(string, "")),
+  state: get("state", oneOf("open", "done", "missed")),
+  progress: get("progress", optional(number, 0)),
+  time: get("time", optional(number, null)),
 }))
 
 const declared = object<Declared>(get => ({name: get("name", string), type: get("type", string)}))
@@ -265,6 +329,8 @@ const serviceMessage: Decoder<ServiceMessage> = (value, path) => {
       }
       case "frame":
         return {op, frame: frame(value, "frame")}
+      case "goals":
+        return {op, run: get("run", number), goals: get("goals", list(goal))}
       case "said":
         return {op, run: get("run", number), time: get("time", number), text: get("text", string)}
       case "sound":

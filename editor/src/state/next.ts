@@ -247,6 +247,11 @@ function heard(state: PageState, message: ServiceMessage): Step {
         lines = addLine(lines, "sensed", text, frame.time)
       return still({...state, room: showFrame(state.room, frame), lines})
     }
+    case "goals":
+      // A world tells its goals before a run, too.
+      return message.run === state.room.run || state.room.run === null
+        ? still({...state, room: {...state.room, goals: message.goals}})
+        : still(state)
     case "said": {
       if (message.run !== state.room.run) return still(state)
       const speech = {text: message.text, time: message.time}

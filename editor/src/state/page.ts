@@ -1,7 +1,7 @@
 /// All that the page knows, as one value without a DOM, and everything that can happen to it.
 
 import {type Document, emptyDocument, emptyHistory, type History} from "./history.ts"
-import type {Declared, Hand, PageMessage, ServiceMessage, Speed, WorkerState, World} from "./messages.ts"
+import type {Declared, Hand, PageMessage, ServiceMessage, Speed, WorkerState, WorldFile} from "./messages.ts"
 import type {BlockId, Finding} from "./program.ts"
 import {type ConsoleLine, emptyRoom, type RoomState} from "./room.ts"
 import type {RunState} from "./run.ts"
@@ -36,7 +36,7 @@ export type Notice =
 
 export interface Opened {
   readonly name: string
-  readonly world: string | World | null
+  readonly world: string | WorldFile | null
   readonly document: Document
   /// A newcomer's program: Run pulses once, and after the first run a line invites to change a number.
   readonly welcome: boolean
@@ -47,7 +47,7 @@ export interface PageState {
   readonly saved: "saved" | "changed" | "failed"
   readonly document: Document
   readonly history: History
-  readonly worldName: string | World | null
+  readonly worldName: string | WorldFile | null
   readonly link: "connecting" | "open" | "lost"
   readonly worker: WorkerState
   readonly run: RunState

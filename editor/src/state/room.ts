@@ -1,6 +1,6 @@
 /// What the room shows: the world, the robot, the path it drove, what it says, and the console beside it.
 
-import type {Frame, World} from "./messages.ts"
+import type {Frame, Goal, World} from "./messages.ts"
 import {emptyRecording, frameAt, type Recording, record} from "./recording.ts"
 
 export interface Point {
@@ -41,6 +41,8 @@ export interface RoomState {
   readonly trail: Trail
   /// What the robot says, and the run time in seconds at which it said it.
   readonly speech: {readonly text: string; readonly time: number} | null
+  /// The goals of the world and how far they are in this run.
+  readonly goals: readonly Goal[]
   /// When each function fired last, in seconds of the run.
   readonly fired: {readonly [name: string]: number}
   /// The run whose frames are drawn; `null` after a reset, when none is.
@@ -54,6 +56,7 @@ export const emptyRoom: RoomState = {
   lookedAt: null,
   trail: [],
   speech: null,
+  goals: [],
   fired: {},
   run: null,
 }

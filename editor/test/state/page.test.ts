@@ -45,6 +45,8 @@ const frame = (run: number, more: Partial<Frame> = {}): PageEvent =>
       led1: 0,
       led2: 0,
       fired: [],
+      boxes: null,
+      ghost: null,
       ...more,
     },
   })

@@ -21,6 +21,8 @@ const frame = (step: number): Frame => ({
   led1: 0,
   led2: 0,
   fired: [],
+  boxes: null,
+  ghost: null,
 })
 const recorded = (steps: number) => {
   let recording = emptyRecording
