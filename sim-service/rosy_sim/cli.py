@@ -113,13 +113,13 @@ def _check(config: Config, options: argparse.Namespace) -> int:
 
 
 def _run(config: Config, options: argparse.Namespace) -> int:
-    if options.robot is not None:
-        raise BadInput("A real robot needs a program of its own: ./rosy build makes one, which takes --robot itself.")
     program = read_program(options.file)
+    if options.robot is not None:
+        return _drive(config, program, options)
     arena = _arena(program, options)
     order = Order(
         seconds=_seconds(options.seconds),
-        seed=options.seed if options.seed is not None else random.SystemRandom().randrange(2**31),
+        seed=_seed(options),
         speed=_speed(options.speed),
         hands=tuple(read_inputs(options.input)) if options.input is not None else (),
     )
@@ -132,13 +132,35 @@ def _run(config: Config, options: argparse.Namespace) -> int:
     return _report(options.file, world, outcome)
 
 
-def _report(file: Path, world: World, outcome: Outcome) -> int:
+def _drive(config: Config, program: ProgramFile, options: argparse.Namespace) -> int:
+    """A real robot: only the time of a run can be chosen."""
+    from .robot import robot_address, run_on_robot
+
+    for name in ("world", "trace", "input"):
+        if getattr(options, name) is not None:
+            raise BadInput(f"--{name} is for the simulator; a real robot cannot have it.")
+    robot_address(options.robot)
+    seconds = MAX_SECONDS if options.seconds is None else _seconds(options.seconds)
+    with BlockingWorker(config) as worker:
+        worker.ready()
+        outcome = run_on_robot(
+            worker, program.source, options.robot, Order(seconds, _seed(options)), config.limits, _say
+        )
+    return _report(options.file, None, outcome)
+
+
+def _seed(options: argparse.Namespace) -> int:
+    seed: int | None = options.seed
+    return seed if seed is not None else random.SystemRandom().randrange(2**31)
+
+
+def _report(file: Path, world: World | None, outcome: Outcome) -> int:
     sys.stdout.flush()
     for found in outcome.problems:
         print(_sentence(file, found), file=sys.stderr)
     last: dict[str, object] = {
         "time": outcome.steps / 50,
-        "pose": {"x": world.x, "y": world.y, "theta": world.theta},
+        "pose": {"x": world.x, "y": world.y, "theta": world.theta} if world is not None else None,
         "ended": outcome.ended if outcome.ended != "refused" else "error",
         "steps": outcome.steps,
         "wall": round(outcome.wall, 6),

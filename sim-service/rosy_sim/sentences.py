@@ -5,7 +5,7 @@ from __future__ import annotations
 from .wire.problem import Problem, problem
 from .wire.worker import Gone
 
-__all__ = ["broken_link", "died", "room_full", "stuck", "worker_lost"]
+__all__ = ["broken_link", "died", "lost_robot", "room_full", "stuck", "worker_lost"]
 
 _SIGXCPU, _SIGKILL, _SIGSEGV, _SIGSYS = 24, 9, 11, 31
 
@@ -55,6 +55,16 @@ def worker_lost(time: float | None = None) -> Problem:
     """The worker died with the program in it."""
     return problem(
         "worker-lost", "The part of Rosy that runs programs had to start again.", "Press Run once more.", time=time
+    )
+
+
+def lost_robot(time: float) -> Problem:
+    """The connection to a real robot broke."""
+    return problem(
+        "lost-robot",
+        "The robot no longer answers.",
+        "It stops by itself; look at its battery and its network.",
+        time=time,
     )
 
 

@@ -68,7 +68,8 @@ async def serving(config: Config) -> AsyncIterator[tuple[str, Service]]:
 
 @asynccontextmanager
 async def opened(address: str, **options: Any) -> AsyncIterator[Page]:
-    async with connect(f"ws://{address}/api/session", **options) as socket:
+    # A page that has stopped reading cannot say goodbye; nobody waits long for it.
+    async with connect(f"ws://{address}/api/session", **{"close_timeout": 1, **options}) as socket:
         yield Page(socket)
 
 

@@ -150,7 +150,8 @@ def one_sentence(done: subprocess.CompletedProcess[str], status: int = 1) -> Non
     [
         ["--world", "atlantis"], ["--world", "gone.json"], ["--seconds", "-1"], ["--seconds", "x"], ["--speed", "fast"],
         ["--speed", "0"], ["--seed", "x"], ["--input", "gone.jsonl"], ["--trace", "no/such/folder/t"], ["--fly"],
-        ["--robot", "ws://localhost:9090"],
+        ["--robot", "ws://127.0.0.1:9"], ["--robot", "http://x"], ["--robot", "ros"], ["--robot", "ws://x/?ros=3"],
+        ["--robot", "ws://127.0.0.1:9", "--world", "room"],
     ],
 )  # fmt: skip
 def test_a_bad_option_gives_one_sentence(options: list[str], environment: dict[str, str], tmp_path: Path) -> None:
