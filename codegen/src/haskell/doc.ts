@@ -85,6 +85,8 @@ interface Task {
   readonly close?: number
 }
 
+const pairs = /[\uD800-\uDBFF][\uDC00-\uDFFF]/g
+
 export function layout(doc: Doc, width = 80): Laid {
   const marks: {key: object; start: number; end: number}[] = []
   const parts: string[] = []
@@ -97,7 +99,8 @@ export function layout(doc: Doc, width = 80): Laid {
     flush()
     parts.push(text)
     offset += text.length
-    column += text.length
+    // Haskell counts characters, not the pairs that JavaScript makes of some. (Haskell 2010 report §10.3)
+    column += text.length - (text.match(pairs)?.length ?? 0)
   }
   const flush = () => {
     if (pending === 0) return

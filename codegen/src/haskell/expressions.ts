@@ -97,13 +97,13 @@ function exprBody(e: Expr, context: Context): Doc {
     case "if":
       return group([
         "if ",
-        printExpr(e.condition, context),
+        hangs(e.condition) ? tighter(e.condition, 0, context) : printExpr(e.condition, context),
         nest([line, "then ", printExpr(e.yes, context), line, "else ", printExpr(e.no, context)]),
       ])
     case "case":
       return [
         "case ",
-        printExpr(e.scrutinee, context),
+        tighter(e.scrutinee, 0, context),
         " of",
         nest(
           e.alternatives.length === 0
@@ -131,8 +131,9 @@ function exprBody(e: Expr, context: Context): Doc {
     case "range":
       return [
         "[",
-        printExpr(e.first, context),
-        e.second === undefined ? "" : [", ", printExpr(e.second, context)],
+        // Before `..` a `do` or `if` would not know where it ends.
+        tighter(e.first, 0, context),
+        e.second === undefined ? "" : [", ", tighter(e.second, 0, context)],
         " ..",
         e.last === undefined ? "" : [" ", printExpr(e.last, context)],
         "]",
@@ -153,7 +154,8 @@ function exprBody(e: Expr, context: Context): Doc {
         "]",
       ])
     case "typed":
-      return [tighter(e.expr, 0, context), " :: ", printType(e.type)]
+      // A type that breaks is indented, or its second line would be a new step of a `do`.
+      return group([tighter(e.expr, 0, context), " :: ", nest(printType(e.type))])
     case "record":
       return fieldsDoc(constructorWord(e.name), e.fields, context)
     case "update":
@@ -170,6 +172,19 @@ function exprBody(e: Expr, context: Context): Doc {
 
 export function printStatement(s: Statement, context: Context): Doc {
   return mark(s, [comment(s.comment), statementBody(s, context)])
+}
+
+/// A condition of a guard. It ends before `,`, `=` or `->`, so what would read on past them gets brackets.
+export function printCondition(s: Statement, context: Context): Doc {
+  if (s.kind === "let-statement" || !readsOn(s.expr)) return printStatement(s, context)
+  const bracketed = mark(s.expr, ["(", bracketBody(s.expr, context), ")"])
+  const pattern = s.kind === "bind" ? [printPattern(s.pattern, "top"), " <- "] : []
+  return mark(s, [comment(s.comment), ...pattern, bracketed])
+}
+
+function readsOn(e: Expr): boolean {
+  const inner = transparent(e)
+  return inner.kind === "typed" || isOpen(inner) || (inner.kind === "infix" && readsOn(inner.right))
 }
 
 function comment(text: string | undefined): Doc {

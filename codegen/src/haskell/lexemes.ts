@@ -43,7 +43,10 @@ const reservedOperators: ReadonlySet<string> = new Set([
 const operatorCharacters = /^[!#$%&*+./<=>?@\\^|~:-]+$/
 
 export function isVariableName(text: string): boolean {
-  return /^(?:[A-Z][\w']*\.)*[\p{Ll}_][\p{L}\p{N}_']*$/u.test(text) && !reservedWords.has(text)
+  // Letters without case count as small ones, as GHC has it.
+  return (
+    /^(?:\p{Lu}[\p{L}\p{N}_']*\.)*[\p{Ll}\p{Lo}_][\p{L}\p{N}_']*$/u.test(text) && !reservedWords.has(text)
+  )
 }
 
 export function isConstructorName(text: string): boolean {

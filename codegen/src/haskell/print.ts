@@ -36,7 +36,7 @@ import {
   softline,
 } from "./doc.ts"
 import type {Context} from "./expressions.ts"
-import {hangs, printExpr, printStatement} from "./expressions.ts"
+import {hangs, printCondition, printExpr} from "./expressions.ts"
 import type {Fixity} from "./fixity.ts"
 import {fixitiesIn} from "./fixity.ts"
 import {constructorName, isConstructorOperator, isOperator, variableName} from "./lexemes.ts"
@@ -182,10 +182,12 @@ function printBody(right: RightSide, sign: string, context: Context): Doc {
           "| ",
           g.guards.length === 0
             ? "otherwise"
-            : align(
-                join(
-                  g.guards.map(s => printStatement(s, context)),
-                  [",", line],
+            : group(
+                align(
+                  join(
+                    g.guards.map(s => printCondition(s, context)),
+                    [",", line],
+                  ),
                 ),
               ),
           hangs(g.body)

@@ -6,6 +6,8 @@ import {wordsOf} from "./lexer.ts"
 import type {Cause} from "./reasons.ts"
 import {reasons} from "./reasons.ts"
 
+const arrow = /(?<![!#$%&*+./<=>?@\\^|~:-]) ?([-=]>) ?(?![!#$%&*+./<=>?@\\^|~:-])/g
+
 export class Context {
   readonly text: string
   readonly fixities: Fixities
@@ -50,7 +52,7 @@ export class Context {
   }
 
   private columnOf(at: number): number {
-    return expandTabs(this.text.slice(this.text.lastIndexOf("\n", at - 1) + 1, at)).length
+    return [...expandTabs(this.text.slice(this.text.lastIndexOf("\n", at - 1) + 1, at))].length
   }
 
   /// Comments between two places that no inner node took, and one that follows on the same line.
@@ -74,7 +76,8 @@ export class Context {
         text += `${this.text.slice(at, c.start)} `
         at = c.end
       }
-    return (text + this.text.slice(at, node.end)).replace(/\s+/g, " ").trim()
+    // `a->b` and `a -> b` are one type; blocks compare types as text.
+    return (text + this.text.slice(at, node.end)).replace(/\s+/g, " ").replace(arrow, " $1 ").trim()
   }
 }
 

@@ -34,14 +34,18 @@ export function readTop(nodes: readonly Syntax[], context: Context): Declaration
 function readingOf(context: Context): Reading {
   const r: Reading = {
     context,
-    declarations: binds => (binds === undefined ? [] : readLocal(binds, r)),
+    declarations: around => readLocal(around, r),
     right: node => readRight(node, r),
   }
   return r
 }
 
-function readLocal(binds: Syntax, r: Reading): Declaration[] {
-  let from = binds.start
+/// The definitions after the `where` or `let` of a node.
+function readLocal(around: Syntax, r: Reading): Declaration[] {
+  const binds = child(around, "binds")
+  if (binds === undefined) return []
+  const keyword = around.children.find(c => !c.named && (c.type === "where" || c.type === "let"))
+  let from = keyword?.end ?? binds.start
   return grouped(childrenIn(binds, "decl"), r.context).map(group => {
     const range = over(group)
     const made = readGroup(group, r)
@@ -81,7 +85,8 @@ function nameOf(node: Syntax, context: Context): string | undefined {
     const name = child(node, "name")
     return name === undefined ? undefined : plainName(name, context)
   }
-  return headOf(node, context)?.name
+  const name = headOf(node, context)?.name
+  return name === "_" ? undefined : name
 }
 
 interface Head {
@@ -164,7 +169,11 @@ function definition(group: readonly Syntax[], r: Reading): Declaration | Cause {
   const signed = first.type === "signature"
   const equations = signed ? rest : group
   const [equation] = equations
-  const pattern = equation === undefined ? undefined : child(equation, "pattern")
+  const pattern =
+    equation === undefined
+      ? undefined
+      : (child(equation, "pattern") ??
+        equation.children.find(c => c.field === "name" && context.of(c) === "_"))
   if (equation !== undefined && pattern !== undefined) {
     const read = readPattern(pattern, context)
     return context.at(equation, {kind: "binding", pattern: read, right: readRight(equation, r)})
@@ -202,7 +211,7 @@ function readRight(node: Syntax, r: Reading): RightSide {
     matches.length === 1 && only !== undefined && bare !== undefined && child(only, "guards") === undefined
       ? readExpr(bare, r)
       : matches.map(m => guarded(m, r))
-  return {kind: "right", body, where: r.declarations(child(node, "binds"))}
+  return {kind: "right", body, where: r.declarations(node)}
 }
 
 function guarded(match: Syntax, r: Reading): Guarded {

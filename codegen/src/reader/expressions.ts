@@ -3,19 +3,13 @@
 /// The grammar nests every operator chain to the right and every application to the left; here chains get their fixities and
 /// applications become flat. Round brackets leave no trace: the printer knows where Haskell needs them.
 
-import {
-  isConstructorName,
-  isConstructorOperator,
-  isNumberLiteral,
-  isOperator,
-  isVariableName,
-} from "../haskell/lexemes.ts"
+import {isConstructorName, isConstructorOperator, isOperator, isVariableName} from "../haskell/lexemes.ts"
 import type {Alternative, Declaration, Expr, FieldValue, RightSide, Statement} from "../model/tree.ts"
 import type {Link} from "./chain.ts"
 import {resolve} from "./chain.ts"
 import type {Context} from "./context.ts"
 import type {Range} from "./lexer.ts"
-import {literalValue} from "./literals.ts"
+import {readLiteral} from "./literals.ts"
 import {readPattern} from "./patterns.ts"
 import type {Cause} from "./reasons.ts"
 import type {Syntax} from "./syntax.ts"
@@ -24,7 +18,7 @@ import {child, childrenIn, hasToken, namedChildren, onlyNamed, tokensOf} from ".
 /// Definitions inside expressions are read by `declarations.ts`, which hands itself in to keep the files free of cycles.
 export interface Reading {
   readonly context: Context
-  readonly declarations: (binds: Syntax | undefined) => readonly Declaration[]
+  readonly declarations: (around: Syntax) => readonly Declaration[]
   readonly right: (node: Syntax) => RightSide
 }
 
@@ -44,8 +38,15 @@ function make(node: Syntax, r: Reading): Expr | Cause {
   switch (node.type) {
     case "variable":
     case "constructor":
-    case "qualified":
-      return word(text, at)
+    case "qualified": {
+      // See `plainer` in module.ts.
+      const negated = /^- */.exec(text)?.[0].length ?? 0
+      if (negated === 0) return word(text, at)
+      const inner = word(text.slice(negated), e =>
+        context.at({start: node.start + negated, end: node.end}, e),
+      )
+      return typeof inner === "string" ? inner : at({kind: "negate", expr: inner})
+    }
     case "prefix_id":
       return word(context.of(onlyNamed(node) ?? node), at)
     case "wildcard":
@@ -55,7 +56,7 @@ function make(node: Syntax, r: Reading): Expr | Cause {
     case "prefix_tuple":
       return at({kind: "constructor-name", name: text.replace(/\s/g, "")})
     case "literal":
-      return literal(node, text, at)
+      return literal(text, at)
     case "parens": {
       const inner = child(node, "expression")
       return inner === undefined ? "expression" : readExpr(inner, r)
@@ -80,7 +81,7 @@ function make(node: Syntax, r: Reading): Expr | Cause {
     case "let_in": {
       const body = child(node, "expression")
       if (body === undefined) return "expression"
-      return at({kind: "let", declarations: r.declarations(child(node, "binds")), body: readExpr(body, r)})
+      return at({kind: "let", declarations: r.declarations(node), body: readExpr(body, r)})
     }
     case "do": {
       if (!hasToken(node, "do")) return "doVariant"
@@ -123,19 +124,16 @@ function make(node: Syntax, r: Reading): Expr | Cause {
 }
 
 function word(name: string, at: (e: Expr) => Expr): Expr | Cause {
+  if (name === "_") return at({kind: "hole"})
   if (isVariableName(name) || (isOperator(name) && !isConstructorOperator(name)))
     return at({kind: "variable", name})
   if (isConstructorName(name) || isConstructorOperator(name)) return at({kind: "constructor-name", name})
-  return name === "_" ? at({kind: "hole"}) : "name"
+  return "name"
 }
 
-function literal(node: Syntax, text: string, at: (e: Expr) => Expr): Expr | Cause {
-  const kind = onlyNamed(node)?.type
-  if (kind === "integer" || kind === "float")
-    return isNumberLiteral(text) ? at({kind: "number", text}) : "literal"
-  const value = literalValue(text)
-  if (value === undefined) return "literal"
-  return at(kind === "char" ? {kind: "character", value} : {kind: "string", value})
+function literal(text: string, at: (e: Expr) => Expr): Expr | Cause {
+  const value = readLiteral(text)
+  return value === undefined ? "literal" : at(value)
 }
 
 // --- Applications and operators ----------------------------------------------------------------------------------
@@ -264,10 +262,12 @@ function application(parts: readonly Syntax[], r: Reading): Expr | Cause {
   }
   if (args.length === 0) return fn
   const last = args[args.length - 1] ?? head
+  // `(f x) y` is `f x y`.
+  const [of, before] = fn.kind === "apply" ? [fn.fn, fn.args] : [fn, []]
   return r.context.at({start: head.start, end: last.end}, {
     kind: "apply",
-    fn,
-    args: args.map(a => readExpr(a, r)),
+    fn: of,
+    args: [...before, ...args.map(a => readExpr(a, r))],
   } as const)
 }
 
@@ -397,7 +397,7 @@ function statement(node: Syntax, r: Reading): Statement {
       break
     }
     case "let":
-      return {kind: "let-statement", declarations: r.declarations(child(node, "binds"))}
+      return {kind: "let-statement", declarations: r.declarations(node)}
     case "exp":
     case "boolean": {
       const [expr] = namedChildren(node)

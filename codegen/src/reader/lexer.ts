@@ -22,6 +22,8 @@ export interface Item extends Range {
   readonly name: string
   /// It gives a type: `f :: …`.
   readonly signature: boolean
+  /// It defines a type: `data`, `newtype`, `type`.
+  readonly type: boolean
   /// Why it was not taken apart, if so.
   readonly trouble?: "braces" | undefined
 }
@@ -208,6 +210,7 @@ export function lex(text: string): Lexed {
           end: last.end,
           name: "",
           signature: false,
+          type: false,
           trouble: "braces",
         })
         return {items, comments, dashed}
@@ -256,19 +259,20 @@ const keywords = new Set(
 )
 
 /// `f` of `f x = …`, `x <+> y = …` defines `<+>`; the type of a `data`, `newtype` or `type`.
-function nameOf(text: string, tokens: readonly Token[]): {name: string; signature: boolean} {
+function nameOf(text: string, tokens: readonly Token[]): {name: string; signature: boolean; type: boolean} {
   const said = (i: number): string => {
     const t = tokens[i]
     return t === undefined ? "" : text.slice(t.start, t.end)
   }
-  const named = (name: string, next: number) => ({name, signature: said(next) === "::"})
-  const nobody = {name: "", signature: false}
-  if (said(0) === "(" && said(2) === ")" && tokens[1]?.kind === "symbol") return named(said(1), 3)
+  const named = (name: string, next: number) => ({name, signature: said(next) === "::", type: false})
+  const nobody = {name: "", signature: false, type: false}
+  if (said(0) === "(" && said(2) === ")" && isSymbol(said(1)[0])) return named(said(1), 3)
   const head = said(0)
-  if (["data", "newtype", "type"].includes(head)) return /^\p{Lu}/u.test(said(1)) ? named(said(1), 2) : nobody
+  if (["data", "newtype", "type"].includes(head))
+    return {name: /^\p{Lu}/u.test(said(1)) ? said(1) : "", signature: false, type: true}
   if (keywords.has(head)) return nobody
   const operator = operatorDefined(text, tokens)
-  if (operator !== undefined) return {name: operator, signature: false}
+  if (operator !== undefined) return {name: operator, signature: false, type: false}
   const isName = tokens[0]?.kind === "word" && /^[\p{Ll}\p{Lo}_]/u.test(head)
   return isName && said(1) !== "," && said(1) !== "@" ? named(head, 1) : nobody
 }

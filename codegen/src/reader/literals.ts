@@ -1,5 +1,7 @@
 /// What Haskell's string and character literals stand for. (Haskell 2010 report §2.6)
 
+import {isNumberLiteral} from "../haskell/lexemes.ts"
+
 const named: readonly string[] =
   "NUL SOH STX ETX EOT ENQ ACK BEL BS HT LF VT FF CR SO SI DLE DC1 DC2 DC3 DC4 NAK SYN ETB CAN EM SUB ESC FS GS RS US SP".split(
     " ",
@@ -62,4 +64,19 @@ export function literalValue(text: string): string | undefined {
   return /[\uD800-\uDBFF](?![\uDC00-\uDFFF])|(?<![\uD800-\uDBFF])[\uDC00-\uDFFF]/.test(value)
     ? undefined
     : value
+}
+
+export type Literal =
+  | {readonly kind: "number"; readonly text: string}
+  | {readonly kind: "string" | "character"; readonly value: string}
+
+/// A literal of any kind, told by its first character; `undefined` for what blocks cannot spell.
+export function readLiteral(text: string): Literal | undefined {
+  const kind = text.startsWith('"') ? "string" : text.startsWith("'") ? "character" : "number"
+  if (kind === "number") {
+    const number = text.replace(/^- */, "-")
+    return isNumberLiteral(number.replace(/^-/, "")) ? {kind, text: number} : undefined
+  }
+  const value = literalValue(text)
+  return value === undefined ? undefined : {kind, value}
 }

@@ -153,14 +153,32 @@ export class Reader {
       const at = d.start - part.core.start + shift
       source = `${source.slice(0, at)}${"+".repeat(d.end - d.start)}${source.slice(at + d.end - d.start)}`
     }
-    // Haskell counts letters without case as small ones; the grammar does not know them.
-    const plain = /\p{Lo}/u.test(source) ? source.replace(/\p{Lo}/gu, c => "a".repeat(c.length)) : source
-    const tree: Tree | null = this.parser.parse(`${plain}\n`)
+    const tree: Tree | null = this.parser.parse(`${plainer(source)}\n`)
     if (tree === null) return undefined
     const parsed = copyTree(tree, this.names)
     tree.delete()
     return parsed
   }
+}
+
+/// The text in words that the grammar knows, with every token in its place. The model takes its words from the true text.
+function plainer(source: string): string {
+  return (
+    source
+      // Letters without case count as small ones. (The second `a` is a pair, as what it stands for.)
+      .replace(/\p{Lo}/gu, c => (c.length === 1 ? "a" : "\u{1D44E}"))
+      // An empty socket, where the grammar expects no `_`.
+      .replace(/(?<![\p{L}\p{N}\p{M}_'])_(?![\p{L}\p{N}\p{M}_'])/gu, "a")
+      // `(-1)`, `[-x]` at the start of a condition or step: as one word, which `expressions.ts` takes apart again.
+      .replace(
+        /(?<=[([,] *)- *(?:0[xXoObB][\da-fA-F]+|\d[\d.]*(?:[eE][-+]?\d+)?|[\p{Ll}_][\p{L}\p{N}_']*)(?= *(?:[)\],]|::))/gu,
+        n => (/^- *\d/.test(n) ? "0" : "a").repeat(n.length),
+      )
+      // The grammar's `'\n'` may go on to the next quote, as the one in `x'`.
+      .replace(/(?<![\p{L}\p{N}_'])'\\(?:[abfnrtv\\"']|\^.|\d+|o[0-7]+|x[\da-fA-F]+|[A-Z]{2,3}\d?)'/gu, c =>
+        "0".repeat(c.length),
+      )
+  )
 }
 
 function topOf(root: Syntax): Syntax[] {

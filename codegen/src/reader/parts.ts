@@ -89,7 +89,8 @@ function groupsOf(items: readonly Item[]): Item[][] {
       item.kind === "declaration" &&
       head.kind === "declaration" &&
       item.name !== "" &&
-      item.name === head.name
+      item.name === head.name &&
+      !item.type
     if (joins && !item.signature) last?.push(item)
     else groups.push([item])
   }

@@ -10,7 +10,7 @@ import type {FieldPattern, Pattern} from "../model/tree.ts"
 import type {Link} from "./chain.ts"
 import {resolve} from "./chain.ts"
 import type {Context} from "./context.ts"
-import {literalValue} from "./literals.ts"
+import {readLiteral} from "./literals.ts"
 import type {Cause} from "./reasons.ts"
 import type {Syntax} from "./syntax.ts"
 import {child, childrenIn, namedChildren, onlyNamed} from "./syntax.ts"
@@ -28,6 +28,7 @@ function make(node: Syntax, context: Context): Pattern | Cause {
   const text = context.of(node)
   switch (node.type) {
     case "variable":
+      if (text === "_") return context.at(node, {kind: "wildcard"})
       return isVariableName(text) ? context.at(node, {kind: "name-pattern", name: text}) : "name"
     case "wildcard":
       return context.at(node, {kind: "wildcard"})
@@ -87,14 +88,13 @@ function make(node: Syntax, context: Context): Pattern | Cause {
 }
 
 function literal(node: Syntax, text: string, context: Context): Pattern | Cause {
-  const kind = onlyNamed(node)?.type
-  if (kind === "integer" || kind === "float")
-    return isNumberLiteral(text) ? context.at(node, {kind: "number-pattern", text}) : "literal"
-  const value = literalValue(text)
+  const value = readLiteral(text)
   if (value === undefined) return "literal"
   return context.at(
     node,
-    kind === "char" ? {kind: "character-pattern", value} : {kind: "string-pattern", value},
+    value.kind === "number"
+      ? {kind: "number-pattern", text: value.text}
+      : {kind: value.kind === "string" ? "string-pattern" : "character-pattern", value: value.value},
   )
 }
 

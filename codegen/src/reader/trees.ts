@@ -8,6 +8,9 @@ import type {BlockId, Extra, Json, SavedBlock} from "../saved.ts"
 /// Keys of `extraState` that change how a block looks, not what it says.
 export const looks: ReadonlySet<string> = new Set(["as", "fn", "what"])
 
+/// Those, and the reason why something is raw.
+const unsaid: ReadonlySet<string> = new Set([...looks, "reason"])
+
 interface Node {
   readonly block: SavedBlock
   /// Where it hangs below its parent: an input's name, or a place in a stack.
@@ -60,7 +63,7 @@ function mix(hash: number, text: string): number {
 function said(extra: Extra | undefined): string {
   return extra === undefined
     ? ""
-    : canonical(Object.fromEntries(Object.entries(extra).filter(([k]) => !looks.has(k))))
+    : canonical(Object.fromEntries(Object.entries(extra).filter(([k]) => !unsaid.has(k))))
 }
 
 function canonical(value: Json): string {

@@ -1,0 +1,86 @@
+/// The reader and the printer agree: what one prints the other reads, node for node.
+
+import fc from "fast-check"
+import {beforeAll, describe, expect, test} from "vitest"
+import {readTree} from "../../src/blocks/read.ts"
+import {Writer} from "../../src/blocks/write.ts"
+import {printProgram} from "../../src/haskell/print.ts"
+import type {Declaration, Program} from "../../src/model/tree.ts"
+import type {Reader} from "../../src/reader/index.ts"
+import {openView, workspaceOf} from "../../src/reader/index.ts"
+import {hashTree} from "../../src/reader/trees.ts"
+import type {SavedBlock} from "../../src/saved.ts"
+import {wellFormed} from "./models.ts"
+import {corpus, testReader} from "./open.ts"
+
+// More to look for what was never seen: `RUNS=5000 npx vitest run test/reader/agree.test.ts`.
+const runs = Number(process.env.RUNS ?? 150)
+const patience = 600_000
+
+let reader: Reader
+beforeAll(async () => {
+  reader = await testReader()
+})
+
+function readProgram(text: string): Program {
+  const declarations = reader
+    .read(text)
+    .pieces.flatMap(p => (p.declaration === undefined ? [] : [p.declaration]))
+  return {kind: "program", declarations}
+}
+
+/// Without what only says where a node comes from.
+function plain(value: unknown): unknown {
+  return JSON.parse(JSON.stringify(value, (key, v: unknown) => (key === "from" ? undefined : v)))
+}
+
+/// A tree of blocks without ids and places.
+function bare(block: SavedBlock): unknown {
+  return JSON.parse(
+    JSON.stringify(block, (key, v: unknown) => (["id", "x", "y"].includes(key) ? undefined : v)),
+  )
+}
+
+describe("printing and reading a program of the corpus gives the same tree", () => {
+  test.each(corpus.map(p => [p.name, p.text]))("%s", (_, text) => {
+    const once = readProgram(text)
+    expect(plain(readProgram(printProgram(once).text))).toEqual(plain(once))
+  })
+})
+
+test(
+  "any program prints and reads back as it was",
+  () => {
+    fc.assert(
+      fc.property(wellFormed, program => {
+        const {text} = printProgram(program)
+        expect(plain(readProgram(text)), text).toEqual(plain(program))
+      }),
+      {numRuns: runs},
+    )
+  },
+  patience,
+)
+
+test(
+  "any blocks go to text and come back as they were, up to their ids",
+  () => {
+    fc.assert(
+      fc.property(wellFormed, program => {
+        let n = 0
+        const writer = new Writer(() => `b${n++}`)
+        // Some trees have no blocks of their own; what they become has.
+        const declarations = program.declarations.flatMap(
+          (d): readonly Declaration[] => readTree(writer.declaration(d)).declarations,
+        )
+        const blocks = declarations.map(d => writer.declaration(d))
+        const {text} = printProgram({kind: "program", declarations})
+        const back = workspaceOf(openView(reader, text)).blocks.blocks
+        if (back.map(b => hashTree(b, true)).join() !== blocks.map(b => hashTree(b, true)).join())
+          expect(back.map(bare), text).toEqual(blocks.map(bare))
+      }),
+      {numRuns: runs},
+    )
+  },
+  patience,
+)

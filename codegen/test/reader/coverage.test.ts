@@ -1,0 +1,78 @@
+/// How much of the corpus becomes native blocks: printed, with what does not, by construct.
+
+import {beforeAll, expect, test} from "vitest"
+import {everyNode} from "../../src/model/children.ts"
+import type {Reader} from "../../src/reader/index.ts"
+import {causeOf, openView} from "../../src/reader/index.ts"
+import type {SavedBlock} from "../../src/saved.ts"
+import {corpus, testReader} from "./open.ts"
+
+let reader: Reader
+beforeAll(async () => {
+  reader = await testReader()
+})
+
+/// Words, literals and operators: a measure of how many expressions a piece of text holds.
+function wordsIn(text: string): number {
+  return (text.match(/"(?:[^"\\]|\\.)*"|[\p{L}_][\p{L}\p{N}_'.]*|\d[\w.]*|[!#$%&*+/<>?^|~:.-]+/gu) ?? [])
+    .length
+}
+
+function rawBlocks(block: SavedBlock): SavedBlock[] {
+  const below = [...Object.values(block.inputs ?? {}).map(i => i.block), block.next?.block]
+  return [
+    ...(block.type.startsWith("raw_") ? [block] : []),
+    ...below.flatMap(b => (b === undefined ? [] : rawBlocks(b))),
+  ]
+}
+
+const pieceOfExpression = new Set(
+  "variable constructor-name number string character apply infix negate section lambda if case let do tuple list range comprehension typed record update hole".split(
+    " ",
+  ),
+)
+
+test("the share of expressions that become native blocks", () => {
+  let native = 0
+  let kept = 0
+  const byCause = new Map<string, {times: number; words: number}>()
+  for (const program of corpus) {
+    const view = openView(reader, program.text)
+    for (const shown of view.declarations) {
+      const d = view.module.pieces[shown.piece]?.declaration
+      const inside = d === undefined ? 0 : [...everyNode(d)].filter(n => pieceOfExpression.has(n.kind)).length
+      let lost = 0
+      for (const raw of rawBlocks(shown.block)) {
+        const cause = causeOf(String(raw.extraState?.reason)) ?? "unknown"
+        // Instructions to the compiler and types hold no expressions.
+        const words = [
+          "directive",
+          "fixity",
+          "names",
+          "lonely",
+          "data",
+          "strict",
+          "deriving",
+          "synonym",
+        ].includes(cause)
+          ? 0
+          : wordsIn(String(raw.extraState?.text))
+        const before = byCause.get(cause) ?? {times: 0, words: 0}
+        byCause.set(cause, {times: before.times + 1, words: before.words + words})
+        lost += words
+      }
+      kept += lost
+      native += Math.max(0, shown.block.type === "raw_definition" ? 0 : inside - lost)
+    }
+  }
+  const share = native / (native + kept)
+  const table = [...byCause].sort((a, b) => b[1].words - a[1].words)
+  console.log(
+    [
+      `${corpus.length} programs: ${(100 * share).toFixed(1)} % of ${native + kept} expressions become native blocks. The rest, by construct:`,
+      ...table.map(([cause, {times, words}]) => `  ${cause}: ${times} times, ${words} expressions`),
+    ].join("\n"),
+  )
+  expect(share).toBeGreaterThan(0.9)
+  expect(byCause.has("unknown")).toBe(false)
+})
