@@ -11,6 +11,7 @@ import "@fontsource/jetbrains-mono/500.css"
 import * as codegen from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {type BlocksView, openBlocks} from "../src/blocks/index.ts"
+import {openClipboard} from "../src/run/clipboard.ts"
 import {sample, small} from "../test/blocks/small.ts"
 
 declare global {
@@ -45,6 +46,7 @@ const view = openBlocks(document.getElementById("blocks")!, {
   language: asked.has("small") ? small : asked.has("untyped") ? untyped : codegen,
   tone,
   level,
+  clipboard: openClipboard(window.localStorage),
 })
 if (!asked.has("empty")) view.load(asked.has("small") ? sample : wanted())
 window.blocks = view

@@ -1,5 +1,6 @@
 /// The block view, for the page: `openBlocks(host, options)`.
 
+export type {SharedClipboard} from "./copied.ts"
 export type {Tone} from "./families.ts"
 export type {Language} from "./language.ts"
 export type {BlocksChange, BlocksOptions, BlocksView, History} from "./view.ts"

@@ -265,6 +265,11 @@ class Drawer extends Blockly.zelos.Drawer {
     super.draw()
   }
 
+  // A collapsed block has a straight edge, and Blockly's own is drawn from where the corner ended.
+  protected override drawJaggedEdge_(row: Parameters<Blockly.zelos.Drawer["drawRightSideRow_"]>[0]): void {
+    this.outlinePath_ += ` V ${row.yPos + row.height}`
+  }
+
   override drawInlineInput_(input: Parameters<Blockly.zelos.Drawer["drawInlineInput_"]>[0]): void {
     super.drawInlineInput_(input)
     if (input.connectedBlock !== null || this.info_.isInsertionMarker) return

@@ -16,13 +16,28 @@ export interface Loaded {
   readonly left: readonly SavedBlock[]
 }
 
+/// Whether Blockly knows a block and all it carries.
+export function loads(block: SavedBlock): boolean {
+  const scratch = scratchPad()
+  try {
+    return possible(block, scratch)
+  } finally {
+    scratch.dispose()
+  }
+}
+
+/// A workspace without a picture, to try things in.
+function scratchPad(): Blockly.Workspace {
+  return new Blockly.Workspace(new Blockly.Options({plugins: {connectionChecker: checkerName}}))
+}
+
 /// Makes `workspace` hold `wanted`. A top-level block that is there already, the same in every respect, stays, with
 /// its selection and its open editors; the others are replaced. No events are fired.
 export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace): Loaded {
   const left: SavedBlock[] = []
   const there = new Map(saveBlocks(workspace).blocks.blocks.map(block => [block.id, JSON.stringify(block)]))
   const coming = new Set<BlockId | undefined>()
-  const scratch = new Blockly.Workspace(new Blockly.Options({plugins: {connectionChecker: checkerName}}))
+  const scratch = scratchPad()
   const enabled = Blockly.Events.isEnabled()
   if (enabled) Blockly.Events.disable()
   try {

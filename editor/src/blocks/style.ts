@@ -104,6 +104,11 @@ export const styleSheet = `
 .blocklyMenuItemSelected .blocklyMenuItemCheckbox::before { content: "✓"; color: var(--rosy); font-weight: 700; margin-left: 4px; }
 .blocklyMenuItemContent .blocklyShortcutContainer .blocklyShortcut { color: var(--ink-2) !important; }
 .blocklyTooltipDiv { background: var(--ink) !important; color: var(--paper) !important; border: 0 !important; border-radius: 8px; box-shadow: 0 4px 18px #0003 !important; font: 400 13.5px/1.4 Inter, system-ui, sans-serif !important; opacity: 1 !important; padding: 7px 11px !important; max-width: 320px; }
+.rosyBlocks .blocklyIconGroup.blocklyCommentIcon .blocklyIconShape { fill: none; stroke: none; }
+.rosyBlocks .blocklyCommentIcon .rosyRemark { fill: #ffffff; stroke: none; }
+.rosyBlocks .blocklyCommentIcon .rosyRemarkLines { fill: none; stroke: #1c2230; stroke-width: 1.6; stroke-linecap: round; }
+.rosyBlocks .blocklyTextarea, .rosyBlocks .blocklyCommentText { background: var(--paper) !important; color: var(--ink) !important; font: 400 13.5px/1.4 Inter, system-ui, sans-serif !important; }
+.rosyBlocks .blocklyResizeHandle { display: none; }
 .rosyBlocks .blocklyEmboss { filter: none; }
 .rosyBlocks .blocklyBubble .blocklyBubbleTail, .rosyBlocks .blocklyBubble .blocklyDraggable { fill: var(--paper) !important; stroke: var(--line-strong); stroke-width: 1; }
 .rosyBlocks .blocklyBubble .blocklyText, .rosyBlocks .injectionDiv .blocklyText.blocklyBubbleText { fill: var(--ink); font: 500 13.5px Inter, system-ui, sans-serif; }

@@ -8,6 +8,7 @@ import * as Blockly from "blockly/core"
 import * as English from "blockly/msg/en"
 import {type BuildActions, change, registerBlocks} from "./build.ts"
 import {checkerName, registerChecker} from "./checker.ts"
+import {type SharedClipboard, shareCopies} from "./copied.ts"
 import {type DragHost, makeDraggable} from "./drag.ts"
 import type {Tone} from "./families.ts"
 import {showInference} from "./infer.ts"
@@ -16,8 +17,9 @@ import {Marks} from "./marks.ts"
 import {type MenuActions, registerMenus} from "./menus.ts"
 import {pull} from "./pull.ts"
 import {RefusalLine} from "./refusal.ts"
+import {registerRemark} from "./remark.ts"
 import {registerRenderer, rendererName} from "./renderer.ts"
-import {loadBlocks, saveBlocks} from "./saved.ts"
+import {loadBlocks, loads, saveBlocks} from "./saved.ts"
 import {chosenBlock, chosenPlace, nameItem, scopeItems, suggest} from "./scope.ts"
 import {bringHome, inSight, straysOf} from "./sight.ts"
 import {styleSheet} from "./style.ts"
@@ -28,6 +30,8 @@ export interface BlocksOptions {
   readonly language: Language
   readonly tone: Tone
   readonly level?: Level
+  /// Where copied blocks are shared with other tabs.
+  readonly clipboard?: SharedClipboard
   /// Told when the learner chose another level in the toolbox.
   readonly onLevel?: (level: Level) => void
   /// Where Blockly's pictures are served; nothing is fetched from elsewhere.
@@ -102,6 +106,7 @@ function register(language: Language): void {
     registerRenderer()
     registerChecker()
     registerToolbox()
+    registerRemark()
     registerMenus(() => open?.menus)
     for (const [tone, theme] of Object.entries(themes())) blocklyThemes.set(tone as Tone, theme)
     const sheet = document.createElement("style")
@@ -275,6 +280,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     options.onLevel?.(level)
   }
 
+  const unshare = options.clipboard && shareCopies(workspace, options.clipboard, loads)
   const zoom = zoomButtons(host, workspace)
   const observer = new ResizeObserver(() => Blockly.svgResize(workspace))
   observer.observe(host)
@@ -344,6 +350,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     resize: () => Blockly.svgResize(workspace),
     dispose() {
       observer.disconnect()
+      unshare?.()
       marks.dispose()
       refusal.dispose()
       zoom.remove()

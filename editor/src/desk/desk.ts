@@ -9,6 +9,7 @@ import type {Desk} from "../page/desk.ts"
 import {words} from "../page/words.ts"
 import {openSpeaker} from "../room/sounds.ts"
 import {openRoom, type RoomView} from "../room/view.ts"
+import {openClipboard} from "../run/clipboard.ts"
 import {download, fileName, pickFile} from "../run/files.ts"
 import {fetchReader} from "../run/grammar.ts"
 import {fetchExample, fetchExamples, fetchWorlds} from "../run/library.ts"
@@ -197,6 +198,7 @@ export function openDesk(address: string): Desk {
       blocks = openBlocks(host, {
         language: codegen,
         tone: isDark() ? "dark" : "light",
+        clipboard: openClipboard(window.localStorage),
         history: {
           undo,
           redo,

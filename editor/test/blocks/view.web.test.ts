@@ -195,6 +195,27 @@ describe("by keyboard alone", () => {
   })
 })
 
+test("what is copied in one tab is pasted in another, open or not", async () => {
+  const page = await stage.open("small")
+  const open = await page.context().newPage()
+  await open.goto(page.url().replace("?small", "?small&empty"))
+  await open.waitForFunction("window.blocks !== undefined")
+  await page.bringToFront()
+  await page.mouse.click((await grip(page, "just")).x, (await grip(page, "just")).y)
+  await press(page, "Control+c")
+  await page.waitForFunction("localStorage.getItem('rosy.copied') !== null")
+  const later = await page.context().newPage()
+  await later.goto(open.url())
+  await later.waitForFunction("window.blocks !== undefined")
+  for (const other of [open, later]) {
+    await other.bringToFront()
+    await other.evaluate(() => window.blocks.focus())
+    await press(other, "Control+v")
+    expect(await tree(other)).toEqual([{just: {V: {sound: {}}}}])
+  }
+  await page.context().close()
+})
+
 describe("what comes from elsewhere", () => {
   test("a problem stands on its block until it is gone", async () => {
     const page = await stage.open("small")

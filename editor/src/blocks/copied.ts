@@ -1,0 +1,62 @@
+/// What was copied, shared between pages: copied in one tab, pasted in another.
+
+import type {SavedBlock} from "@rosy/codegen"
+import * as Blockly from "blockly/core"
+
+/// Where copies are kept for other pages; the page gives it, this view never touches storage itself.
+export interface SharedClipboard {
+  read(): string | null
+  write(text: string): void
+  /// Told when another page wrote. Answers how to stop.
+  onOther(listener: (text: string) => void): () => void
+}
+
+/// Keeps Blockly's clipboard and the shared one the same. `loads` says whether a block from elsewhere can be had here.
+export function shareCopies(
+  workspace: Blockly.WorkspaceSvg,
+  shared: SharedClipboard,
+  loads: (block: SavedBlock) => boolean,
+): () => void {
+  let known = ""
+  const take = (text: string | null) => {
+    const data = text === null ? undefined : copyOf(text)
+    if (text === null || data === undefined || !loads(data.blockState as unknown as SavedBlock)) return
+    known = text
+    Blockly.clipboard.setLastCopiedData(data)
+    Blockly.clipboard.setLastCopiedWorkspace(workspace)
+  }
+  const give = () => {
+    const text = JSON.stringify(Blockly.clipboard.getLastCopiedData())
+    if (text === known || text === "null") return
+    known = text
+    shared.write(text)
+  }
+  // Blockly has handled the key by then.
+  const heard = (event: KeyboardEvent) => {
+    if ((event.ctrlKey || event.metaKey) && /^[cx]$/i.test(event.key)) setTimeout(give, 0)
+  }
+  window.addEventListener("keydown", heard, {capture: true})
+  take(shared.read())
+  const stop = shared.onOther(take)
+  return () => {
+    stop()
+    window.removeEventListener("keydown", heard, {capture: true})
+  }
+}
+
+function copyOf(text: string): Blockly.clipboard.BlockCopyData | undefined {
+  try {
+    const data: unknown = JSON.parse(text)
+    if (typeof data !== "object" || data === null) return undefined
+    const {paster, blockState} = data as {paster?: unknown; blockState?: unknown}
+    if (
+      paster !== Blockly.clipboard.BlockPaster.TYPE ||
+      typeof blockState !== "object" ||
+      blockState === null
+    )
+      return undefined
+    return data as Blockly.clipboard.BlockCopyData
+  } catch {
+    return undefined
+  }
+}
