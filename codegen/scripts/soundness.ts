@@ -1,6 +1,6 @@
 /// The long run of the soundness test: `npm run soundness -w codegen -- COUNT [FROM]`.
 
-import {soundness} from "../test/soundness.ts"
+import {completeness, soundness} from "../test/soundness.ts"
 import {packageDatabase} from "./ghc.ts"
 
 const [count = "2000", from = "100000"] = process.argv.slice(2).filter(a => /^\d+$/.test(a))
@@ -14,5 +14,8 @@ if (database === undefined) {
   process.stdout.write(
     `${programs} programs, ${blocks} blocks, ${whole} finished, ${refused.length} refused by GHC\n`,
   )
+  const {refusals, needless} = completeness(database, Number(from), Math.ceil(Number(count) / 10))
+  for (const n of needless) process.stdout.write(`${n}\n`)
+  process.stdout.write(`${refusals} refusals by the checker, ${needless.length} of programs that GHC takes\n`)
   process.exitCode = refused.length === 0 ? 0 : 1
 }

@@ -1,0 +1,46 @@
+/// The examples' Haskell is what an experienced Haskeller would write: no warning of `-Wall`, no hint of hlint.
+
+import {spawnSync} from "node:child_process"
+import {readdirSync, readFileSync} from "node:fs"
+import {fileURLToPath} from "node:url"
+import {expect, test} from "vitest"
+import {packageDatabase} from "../scripts/ghc.ts"
+import {openProject, parseProject} from "../src/index.ts"
+import {solve} from "../src/workspace/infer.ts"
+import {compileAll} from "./ghc.ts"
+
+const examples = fileURLToPath(new URL("../../examples/", import.meta.url))
+const names = readdirSync(examples).filter(n => !n.includes("."))
+const database = packageDatabase()
+const hlint = spawnSync("hlint", ["--version"]).status === 0
+
+test.skipIf(database === undefined)("no example has a warning", {timeout: 120_000}, () => {
+  const candidates = names.map(name => {
+    const outcome = parseProject(readFileSync(`${examples}${name}/program.rosy`, "utf8"))
+    if (!outcome.ok) throw new Error(outcome.message)
+    return {
+      name: `E${name}`,
+      text: outcome.project.haskell,
+      program: solve(openProject(outcome.project).workspace).read.program,
+    }
+  })
+  // The instances that Rosy adds are not the learner's: what they are warned of does not count.
+  const options = [
+    "-Wall",
+    "-Werror",
+    "-Wno-orphans",
+    "-Wno-simplifiable-class-constraints",
+    "-Wno-dodgy-imports",
+    "-Wno-unused-imports",
+  ]
+  expect(Object.fromEntries(compileAll(database ?? "", candidates, options))).toEqual({})
+})
+
+test.skipIf(!hlint)("no example has a hint", {timeout: 120_000}, () => {
+  const {stdout} = spawnSync(
+    "hlint",
+    names.map(n => `${examples}${n}/Main.hs`),
+    {encoding: "utf8"},
+  )
+  expect(stdout.trim()).toBe("No hints")
+})
