@@ -15,8 +15,10 @@ ROOT = Path(__file__).resolve().parent.parent
 
 BENCHES: dict[str, tuple[str, list[list[str]]]] = {
     "start": ("click Run to the first frame in which the robot has moved", [["npx", "vite-node", "e2e-tests/bench/start.ts"]]),
-    "editor": ("a block dragged, edited and picked up among 500 and 2,000, beside Blockly's own checks", [["npx", "vite-node", "editor/bench/blocks.ts"]]),
-    "editor": ("a drag's check and an edit's way to Haskell, by size of program", [["npx", "vite-node", "codegen/bench/editor.ts"]]),
+    "editor": (
+        "a block dragged, edited and picked up among 500 and 2,000, beside Blockly's own checks, and codegen's part in it",
+        [["npx", "vite-node", "editor/bench/blocks.ts"], ["npx", "vite-node", "codegen/bench/editor.ts"]],
+    ),
     "simulator": ("the world alone, with a program in lockstep, and many pages at once", [[sys.executable, "-m", "rosy_sim.bench", "simulator"]]),
 }
 
