@@ -115,11 +115,15 @@ def read_json(path: Path, kind: str) -> object:
 
 
 def examples(folder: Path) -> list[dict[str, str]]:
-    """Name, title and lesson of each example: README's heading and first paragraph say the last two."""
+    """
+    Name, title and lesson of each example, in the order of the table in the folder's README. Its own README's heading
+    and first paragraph say the title and the lesson.
+    """
     found: list[dict[str, str]] = []
     if not folder.is_dir():
         return found
-    for path in sorted(folder.iterdir()):
+    listed = _listed(folder / "README.md")
+    for path in sorted(folder.iterdir(), key=lambda path: (listed.get(path.name, len(listed)), path.name)):
         if (path / "program.rosy").is_file():
             title, teaches = _readme(path / "README.md")
             found.append({"name": path.name, "title": title or path.name, "teaches": teaches})
@@ -132,6 +136,15 @@ def example(folder: Path, name: str) -> bytes | None:
     if not _NAME.fullmatch(name) or not path.is_file():
         return None
     return path.read_bytes()
+
+
+def _listed(path: Path) -> dict[str, int]:
+    """The place of each name that begins a row of a table."""
+    try:
+        text = path.read_text("utf-8")
+    except (OSError, UnicodeDecodeError):
+        return {}
+    return {name: place for place, name in enumerate(re.findall(r"^\| `([^`]+)` \|", text, re.MULTILINE))}
 
 
 def _readme(path: Path) -> tuple[str, str]:

@@ -346,10 +346,17 @@ def test_the_http_api(config: Config) -> None:
     (folder / "program.rosy").write_text('{"rosy":1,"haskell":"main = simulate 1"}')
     (folder / "README.md").write_text("# Move\n\nDrives ahead.\nFor ever.\n\nMore.\n")
 
+    for name in ("about", "back"):
+        (config.examples / name).mkdir()
+        (config.examples / name / "program.rosy").write_text("{}")
+    (config.examples / "README.md").write_text("| example | shows |\n|---|---|\n| `move` | x |\n| `back` | y |\n")
+
     async def tell() -> None:
         async with serving(config) as (address, service), httpx.AsyncClient(base_url=f"http://{address}") as client:
             assert (await client.get("/api/examples")).json() == [
-                {"name": "move", "title": "Move", "teaches": "Drives ahead. For ever."}
+                {"name": "move", "title": "Move", "teaches": "Drives ahead. For ever."},
+                {"name": "back", "title": "back", "teaches": ""},
+                {"name": "about", "title": "about", "teaches": ""},
             ]
             assert (await client.get("/api/examples/move")).json()["rosy"] == 1
             assert (await client.get("/api/examples/..%2Fmove")).status_code == 404
