@@ -19,11 +19,13 @@ module Rosy.Core
     Env (..),
     Memories,
     ScopeId,
+    withoutGenerators,
 
     -- * Inputs
     Sense (..),
     Shape (..),
     Trigger (..),
+    Arrivals (..),
     Reading (..),
     Interest,
     interestedIn,
@@ -63,7 +65,7 @@ import Data.Map.Strict (Map)
 import Data.Typeable (TypeRep)
 import Data.Word (Word8)
 import Rosy.Robot
-import System.Random (StdGen)
+import System.Random (StdGen, split)
 
 -- ---------------------------------------------------------------------------------------------
 -- What happens
@@ -121,6 +123,10 @@ data Env = Env
     envParams :: Memories
   }
 
+-- | The environment after so many random generators were used up.
+withoutGenerators :: Int -> Env -> Env
+withoutGenerators n env = env {envGen = iterate (snd . split) (envGen env) !! n}
+
 -- ---------------------------------------------------------------------------------------------
 -- Inputs
 
@@ -158,8 +164,8 @@ data Sense a = Sense
 data Shape a
   = -- | Has a value only after something happened. The state @s@ keeps what has not been used yet.
     forall s. Triggered (Trigger s a)
-  | -- | Can be read at any time: a state, which odometry refreshes ('True'), or a sample.
-    Level Bool (Env -> (a, Env))
+  | -- | Can be read at any time: a state, which odometry refreshes (its reading needs odometry), or a sample.
+    Level (Reading a)
 
 -- | How an input follows what happens.
 data Trigger s a = Trigger
@@ -175,14 +181,22 @@ data Trigger s a = Trigger
     -- | The value, when every event of the input has one.
     ready :: s -> Maybe (Reading a),
     -- | The state after that value was taken.
-    used :: s -> s
+    used :: s -> s,
+    -- | For an input that never has to keep anything: what an occurrence brings, at once. It says the same as the fields
+    -- above when every value is taken as it comes, and is there because most inputs are like this.
+    passing :: Maybe (Occurrence -> Arrivals a)
   }
 
--- | A value that is there for the reading, perhaps only once odometry has arrived.
--- Reading gives back the environment because a generator that was read is used up.
+-- | What one occurrence brings, in order.
+data Arrivals a = NoMore | Arrival (Reading a) (Arrivals a)
+
+-- | A value that is there for the reading.
 data Reading a = Reading
-  { needsOdometry :: Bool,
-    readNow :: Env -> (a, Env)
+  { -- | Perhaps only once odometry has arrived.
+    needsOdometry :: Bool,
+    -- | How many random generators it uses up.
+    generators :: Int,
+    readNow :: Env -> a
   }
 
 -- ---------------------------------------------------------------------------------------------

@@ -1,7 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE ExistentialQuantification #-}
 {-# LANGUAGE RankNTypes #-}
-{-# LANGUAGE TupleSections #-}
 
 -- |
 -- Module      : Rosy.Loop
@@ -117,13 +116,36 @@ data World = World
     cleanups :: !(IntMap Function)
   }
 
--- | A function with the state of its inputs: its name, what it listens to, its birth (events with a smaller serial
--- were emitted before and are not for it), its inputs and how they change, their state, the firings that wait for the
--- first odometry message (oldest first), and what it does.
-data Live = forall n s. Live !FunctionName !Interest !Int !(Sense n) !(Trigger s n) !s ![Reading n] !(n -> Effects)
+-- | A function with the state of its inputs. Each has a name, what it listens to, how its inputs are told, and what it does.
+-- Those that follow events have a birth: user events with a smaller serial were emitted before and are not for it.
+-- Firings may wait for the first odometry message, oldest first.
+data Live
+  = -- | Nothing to keep: reads states and samples.
+    forall n. Steady !FunctionName !Interest (Telling n) !(Reading n) !(n -> Effects)
+  | -- | Takes every value as it comes.
+    forall n. Passing !FunctionName !Interest !Int (Telling n) !(Occurrence -> Arrivals n) ![Reading n] !(n -> Effects)
+  | -- | Keeps values until their partners come.
+    forall n s. Keeping !FunctionName !Interest !Int (Telling n) !(Trigger s n) !s ![Reading n] !(n -> Effects)
+
+-- | How inputs are told in an error message.
+type Telling n = n -> [String] -> [String]
 
 liveName :: Live -> FunctionName
-liveName (Live name _ _ _ _ _ _ _) = name
+liveName live = case live of
+  Steady name _ _ _ _ -> name
+  Passing name _ _ _ _ _ _ -> name
+  Keeping name _ _ _ _ _ _ _ -> name
+
+-- | Whether an occurrence of this kind may concern the function.
+listens :: Interest -> Occurrence -> Live -> Bool
+listens kind occurrence live = case live of
+  Steady _ kinds _ _ _ -> interestedIn kinds kind
+  Passing _ kinds born _ _ _ _ -> interestedIn kinds kind && notBefore born
+  Keeping _ kinds born _ _ _ _ _ -> interestedIn kinds kind && notBefore born
+  where
+    notBefore born = case occurrence of
+      Emitted e -> eventSerial e >= born
+      _ -> True
 
 -- | What runs until it gives an @r@.
 data Running r
@@ -182,13 +204,14 @@ takeEnding = Step $ \w k -> case ending w of
 -- Firing
 
 -- | Fire with inputs that are there: one transaction (rule 6).
-fire :: ScopeId -> FunctionName -> (n -> [String] -> [String]) -> (n -> Effects) -> Reading n -> Step ()
-fire scope name tell give reading = Step $ \w k ->
+fire :: ScopeId -> FunctionName -> Telling n -> (n -> Effects) -> Reading n -> Step ()
+fire scope name tell give (Reading _ used' look) = Step $ \w k ->
   let before = env w
-      (inputs, after) = readNow reading (if envScope before == scope then before else before {envScope = scope})
+      here = if envScope before == scope then before else before {envScope = scope}
+      inputs = look here
       effects = give inputs
-      firing = Firing name (tell inputs []) effects (abandon Failed w)
-   in Fires firing (carryOut scope effects w {env = after} (k ()))
+      w' = if used' == 0 then w else w {env = withoutGenerators used' before}
+   in Fires (Firing name (tell inputs []) effects (abandon Failed w)) (carryOut scope effects w' (k ()))
 
 -- | Do what a firing says, in order.
 carryOut :: ScopeId -> Effects -> World -> (World -> Turn) -> Turn
@@ -219,9 +242,9 @@ abandon outcome w = case IntMap.maxViewWithKey (cleanups w) of
 atOnce :: ScopeId -> FunctionName -> Sense n -> (n -> Effects) -> Step ()
 atOnce scope name (Sense tell shape) give = case shape of
   Triggered _ -> pure ()
-  Level refresh look -> do
+  Level reading -> do
     there <- world (arrived . env)
-    if refresh && not there then pure () else fire scope name tell give (Reading refresh look)
+    if needsOdometry reading && not there then pure () else fire scope name tell give reading
 
 arrived :: Env -> Bool
 arrived e = case envOdometry e of
@@ -230,47 +253,62 @@ arrived e = case envOdometry e of
 
 -- | A function with fresh inputs.
 liven :: Int -> Function -> Live
-liven born (Function name inputs give) = case senseShape inputs of
-  Triggered t ->
-    Live name (if mayWait t then interest t .|. odometryInterest else interest t) born inputs t (unused t) [] give
-  Level refresh look ->
-    let kinds = if refresh then odometryInterest else interestIn Tick
-     in Live name kinds born inputs (Trigger kinds False 1 () (\_ _ s -> s) (const (Just (Reading refresh look))) id) () [] give
-
--- | Let a function see what happened, and fire as often as it has unused values. Stops at a 'Done'.
-offerTo :: ScopeId -> Occurrence -> Live -> Step Live
-offerTo scope occurrence (Live name kinds born inputs machine state0 waiting0 give)
-  | not (interestedIn kinds (interestIn occurrence)) = pure (same state0 waiting0)
-  | Emitted e <- occurrence, eventSerial e < born = pure (same state0 waiting0)
-  | otherwise = do
-    there <- world (arrived . env)
-    if there && not (null waiting0) then late waiting0 else turn there waiting0 0 state0
+liven born (Function name (Sense tell shape) give) = case shape of
+  Level reading -> Steady name (if needsOdometry reading then odometryInterest else interestIn Tick) tell reading give
+  Triggered t -> case passing t of
+    Just arrivals -> Passing name (kinds t) born tell arrivals [] give
+    Nothing -> Keeping name (kinds t) born tell t (unused t) [] give
   where
-    same s waiting = Live name kinds born inputs machine s waiting give
-    fires = fire scope name (senseTell inputs) give
-    late [] = turn True [] 0 state0
-    late (r : rs) = do
-      fires r
-      over <- world ending
-      case over of
-        Nothing -> late rs
-        Just _ -> pure (same state0 [])
-    turn there waiting i s
-      | i == turns machine = pure (same s waiting)
-      | otherwise =
-        let !s' = offer machine i occurrence s
-         in case ready machine s' of
-              Nothing -> turn there waiting (i + 1) s'
-              Just reading
-                | needsOdometry reading && not there ->
-                  let !s'' = used machine s' in turn there (waiting ++ [reading]) (i + 1) s''
-                | otherwise -> do
-                  fires reading
-                  over <- world ending
-                  let !s'' = used machine s'
-                  case over of
-                    Nothing -> turn there waiting (i + 1) s''
-                    Just _ -> pure (same s'' waiting)
+    kinds t = if mayWait t then interest t .|. odometryInterest else interest t
+
+-- | Let a function that listens see what happened, and fire as often as it has unused values. Stops at a 'Done'.
+offerTo :: ScopeId -> Occurrence -> Live -> Step Live
+offerTo scope occurrence live = case live of
+  Steady name _ tell reading give -> live <$ fire scope name tell give reading
+  Passing name kinds born tell arrivals waiting0 give -> do
+    there <- world (arrived . env)
+    let fires = fire scope name tell give
+        same waiting = Passing name kinds born tell arrivals waiting give
+        late [] = go (arrivals occurrence)
+        late (r : rs) = fires r >> unlessOver (same []) (late rs)
+        go NoMore = pure (if null waiting0 then live else same [])
+        go (Arrival reading more) = fires reading >> unlessOver (same []) (go more)
+        -- Some of several arrivals may have to wait while others do not.
+        sift waiting NoMore = pure (same waiting)
+        sift waiting (Arrival reading more)
+          | needsOdometry reading = sift (waiting ++ [reading]) more
+          | otherwise = fires reading >> unlessOver (same waiting) (sift waiting more)
+    if there then late waiting0 else sift waiting0 (arrivals occurrence)
+  Keeping name kinds born tell trigger state0 waiting0 give -> do
+    there <- world (arrived . env)
+    let fires = fire scope name tell give
+        same s waiting = Keeping name kinds born tell trigger s waiting give
+        late [] = turn [] 0 state0
+        late (r : rs) = fires r >> unlessOver (same state0 []) (late rs)
+        turn waiting i s
+          | i == turns trigger = pure (same s waiting)
+          | otherwise =
+            let !s' = offer trigger i occurrence s
+             in case ready trigger s' of
+                  Nothing -> turn waiting (i + 1) s'
+                  Just reading ->
+                    let !s'' = used trigger s'
+                     in if needsOdometry reading && not there
+                          then turn (waiting ++ [reading]) (i + 1) s''
+                          else fires reading >> unlessOver (same s'' waiting) (turn waiting (i + 1) s'')
+    if there then late waiting0 else turn waiting0 0 state0
+
+-- | 'offerTo', for a function that may not listen.
+offerIf :: ScopeId -> Occurrence -> Live -> Step Live
+offerIf scope occurrence live
+  | listens (interestIn occurrence) occurrence live = offerTo scope occurrence live
+  | otherwise = pure live
+
+-- | Go on, unless a 'Done' was given: then this is what is left.
+unlessOver :: a -> Step a -> Step a
+unlessOver left (Step go) = Step $ \w k -> case ending w of
+  Nothing -> go w k
+  Just _ -> k left w
 
 -- ---------------------------------------------------------------------------------------------
 -- Tasks: getting on
@@ -340,9 +378,9 @@ ofDone value = case fromDynamic value of
 tryNow :: ScopeId -> Function -> Step Bool
 tryNow scope (Function name (Sense tell shape) give) = case shape of
   Triggered _ -> pure False
-  Level refresh look -> do
+  Level reading -> do
     there <- world (arrived . env)
-    if refresh && not there then pure False else True <$ fire scope name tell give (Reading refresh look)
+    if needsOdometry reading && not there then pure False else True <$ fire scope name tell give reading
 
 startTask :: Int -> Spec end -> (end -> Program r) -> Step (Running r)
 startTask left spec k = do
@@ -459,17 +497,17 @@ deliver occurrence running = case running of
   Returned _ -> pure running
   Starting scope live function spec k -> do
     born <- world emitted
-    live' <- offerTo scope occurrence live
+    live' <- offerIf scope occurrence live
     over <- world ending
     case over of
       Nothing -> pure (Starting scope live' function spec k)
       Just _ -> afterStart stepLimit scope born function spec k
   Giving scope live rest -> do
-    live' <- offerTo scope occurrence live
+    live' <- offerIf scope occurrence live
     over <- world ending
     case over of
       Nothing -> pure (Giving scope live' rest)
-      Just _ -> afterOnce stepLimit scope (Function (liveName live) (Sense (const id) (Level False ((),))) (const Nothing')) rest
+      Just _ -> afterOnce stepLimit scope (Function (liveName live) (Sense (const id) (Level (Reading False 0 (const ())))) (const Nothing')) rest
   Working scope live called spec k -> work scope occurrence live called spec k
   Waiting moment rest
     | Emitted _ <- occurrence -> pure running
@@ -502,8 +540,10 @@ rounding = 1e-7
 work :: ScopeId -> Occurrence -> [Live] -> [Called] -> Spec end -> (end -> Program r) -> Step (Running r)
 work scope occurrence live0 called0 spec k = leaves live0 [] []
   where
+    !kind = interestIn occurrence
     -- Functions that have had their turn, newest first; calls begun in this turn.
     leaves [] seen fresh = calls called0 [] (reverse seen) fresh
+    leaves (l : ls) seen fresh | not (listens kind occurrence l) = leaves ls (l : seen) fresh
     leaves (l : ls) seen fresh = do
       l' <- offerTo scope occurrence l
       more <- startCalls stepLimit scope
@@ -531,7 +571,7 @@ takeFed =
 -- | A called task sees what happened: first whether it is to be cancelled, then its own functions, then its reports.
 deliverCalled :: ScopeId -> Occurrence -> Called -> Step [Called]
 deliverCalled scope occurrence (Called running cancel feedback response) = do
-  cancel' <- traverse (offerTo scope occurrence) cancel
+  cancel' <- traverse (offerIf scope occurrence) cancel
   cancelled <- takeEnding
   case cancelled of
     Just _ -> [] <$ stopRunning running

@@ -1,6 +1,5 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE ScopedTypeVariables #-}
-{-# LANGUAGE TupleSections #-}
 
 -- |
 -- Module      : Rosy.Sense
@@ -13,6 +12,7 @@ module Rosy.Sense
     tick,
     state,
     sample,
+    chance,
     never,
     nothing,
 
@@ -26,6 +26,7 @@ where
 import Data.Bits ((.|.))
 import Rosy.Core
 import Rosy.Value (Value, shown)
+import System.Random (StdGen, split)
 
 telling :: Value a => a -> [String] -> [String]
 telling x rest = shown x : rest
@@ -47,8 +48,14 @@ event kinds pick =
                 else case pick occurrence of
                   Just !x -> Just x
                   Nothing -> old,
-            ready = fmap (\x -> Reading False (x,)),
-            used = const Nothing
+            ready = fmap given,
+            used = const Nothing,
+            passing =
+              Just
+                ( \occurrence -> case pick occurrence of
+                    Just !x -> Arrival (given x) NoMore
+                    Nothing -> NoMore
+                )
           }
     )
 
@@ -59,16 +66,24 @@ tick = event (interestIn Tick) ticked
     ticked Tick = Just ()
     ticked _ = Nothing
 
+-- | A value that is known already.
+given :: a -> Reading a
+given x = Reading False 0 (const x)
+
 -- | The current value of something that odometry refreshes.
 state :: Value a => (Odometry -> a) -> Sense a
-state view = Sense telling (Level True (\env -> (maybe unarrived view (envOdometry env), env)))
+state view = Sense telling (Level (Reading True 0 (maybe unarrived view . envOdometry)))
   where
     -- The loop reads a state only after odometry has arrived (rule 5).
     unarrived = errorWithoutStackTrace "a state was read before it arrived"
 
 -- | Something that can be read at any time.
-sample :: Value a => (Env -> (a, Env)) -> Sense a
-sample look = Sense telling (Level False look)
+sample :: Value a => (Env -> a) -> Sense a
+sample look = Sense telling (Level (Reading False 0 look))
+
+-- | A random generator of one's own, new at each reading.
+chance :: Sense StdGen
+chance = Sense (const ("_" :)) (Level (Reading False 1 (fst . split . envGen)))
 
 -- | An input that never has a value.
 never :: Sense a
@@ -76,21 +91,30 @@ never = Sense (const id) idle
 
 -- | No input at all: always there, says nothing.
 nothing :: Sense ()
-nothing = Sense (const id) (Level False ((),))
+nothing = Sense (const id) (Level (given ()))
 
 -- | An input that is another one in different words.
 convert :: (a -> b) -> (b -> a) -> Sense a -> Sense b
 convert to from (Sense tell shape) = Sense (tell . from) (mapShape to shape)
 
 mapShape :: (a -> b) -> Shape a -> Shape b
-mapShape f (Triggered t) = Triggered t {ready = fmap (mapReading f) . ready t}
-mapShape f (Level refresh look) = Level refresh (mapLook f look)
+mapShape f (Triggered t) = Triggered (mapTrigger (mapReading f) t)
+mapShape f (Level reading) = Level (mapReading f reading)
 
 mapReading :: (a -> b) -> Reading a -> Reading b
-mapReading f (Reading need look) = Reading need (mapLook f look)
+mapReading f (Reading need n look) = Reading need n (f . look)
 
-mapLook :: (a -> b) -> (Env -> (a, Env)) -> Env -> (b, Env)
-mapLook f look env = case look env of (x, env') -> (f x, env')
+mapTrigger :: (Reading a -> Reading b) -> Trigger s a -> Trigger s b
+mapTrigger f t = t {ready = fmap f . ready t, passing = fmap (mapArrivals f .) (passing t)}
+
+mapArrivals :: (Reading a -> Reading b) -> Arrivals a -> Arrivals b
+mapArrivals _ NoMore = NoMore
+mapArrivals f (Arrival reading more) = Arrival (f reading) (mapArrivals f more)
+
+-- | The first, then the second.
+inTurn :: Arrivals a -> Arrivals a -> Arrivals a
+inTurn NoMore others = others
+inTurn (Arrival reading more) others = Arrival reading (inTurn more others)
 
 -- | All of these: has a value when both have one.
 both :: Sense a -> Sense b -> Sense (a, b)
@@ -107,29 +131,23 @@ bothShapes (Triggered a) (Triggered b) =
         offer = \turn occurrence (Two s t) -> Two (offer a turn occurrence s) (offer b turn occurrence t),
         ready = \(Two s t) -> case ready a s of
           Nothing -> Nothing
-          Just (Reading needA lookA) -> case ready b t of
-            Nothing -> Nothing
-            Just (Reading needB lookB) -> Just (Reading (needA || needB) (bothLooks lookA lookB)),
-        used = \(Two s t) -> Two (used a s) (used b t)
+          Just x -> bothReadings x <$> ready b t,
+        used = \(Two s t) -> Two (used a s) (used b t),
+        passing = Nothing
       }
-bothShapes (Triggered a) (Level refresh look) = withLevel refresh (`bothLooks` look) a
-bothShapes (Level refresh look) (Triggered b) = withLevel refresh (bothLooks look) b
-bothShapes (Level refreshA lookA) (Level refreshB lookB) =
-  Level (refreshA || refreshB) (bothLooks lookA lookB)
+bothShapes (Triggered a) (Level y) = withLevel y (`bothReadings` y) a
+bothShapes (Level x) (Triggered b) = withLevel x (bothReadings x) b
+bothShapes (Level x) (Level y) = Level (bothReadings x y)
 
 -- | An event together with something that is read when it happens.
-withLevel :: Bool -> ((Env -> (a, Env)) -> Env -> (b, Env)) -> Trigger s a -> Shape b
-withLevel refresh join t =
-  Triggered
-    t
-      { mayWait = mayWait t || refresh,
-        ready = fmap (\(Reading need look) -> Reading (need || refresh) (join look)) . ready t
-      }
+withLevel :: Reading level -> (Reading a -> Reading b) -> Trigger s a -> Shape b
+withLevel level join t = Triggered (mapTrigger join t) {mayWait = mayWait t || needsOdometry level}
 
-bothLooks :: (Env -> (a, Env)) -> (Env -> (b, Env)) -> Env -> ((a, b), Env)
-bothLooks lookA lookB env = case lookA env of
-  (x, env') -> case lookB env' of
-    (y, env'') -> ((x, y), env'')
+-- | Read both; the second has generators that the first has not used.
+bothReadings :: Reading a -> Reading b -> Reading (a, b)
+bothReadings (Reading needA n lookA) (Reading needB m lookB)
+  | n == 0 || m == 0 = Reading (needA || needB) (n + m) (\env -> (lookA env, lookB env))
+  | otherwise = Reading (needA || needB) (n + m) (\env -> (lookA env, lookB (withoutGenerators n env)))
 
 -- | Strict in both states, so that nothing piles up in an input that waits for its partner.
 data Two s t = Two !s !t
@@ -159,7 +177,8 @@ oneOf (Sense tellA shapeA) (Sense tellB shapeB) = Sense (either tellA tellB) (jo
                         Just reading -> Slot s (used b t') (Just (mapReading Right reading))
                         Nothing -> slot {slotRight = t'},
             ready = slotValue,
-            used = \slot -> slot {slotValue = Nothing}
+            used = \slot -> slot {slotValue = Nothing},
+            passing = (\f g o -> inTurn (mapArrivals (mapReading Left) (f o)) (mapArrivals (mapReading Right) (g o))) <$> passing a <*> passing b
           }
     join _ _ = idle -- 'triggering' gives nothing else
 
@@ -168,8 +187,8 @@ data Slot s t r = Slot {slotLeft :: !s, slotRight :: !t, slotValue :: !(Maybe r)
 -- | Inside an 'Either' a state triggers like an event (rule 4); a sample still never causes anything.
 triggering :: Shape a -> Shape a
 triggering shape@(Triggered _) = shape
-triggering (Level refresh look)
-  | refresh =
+triggering (Level reading)
+  | needsOdometry reading =
     Triggered
       Trigger
         { interest = odometryInterest,
@@ -177,8 +196,9 @@ triggering (Level refresh look)
           turns = 1,
           unused = False,
           offer = \turn occurrence old -> old || (turn == 0 && isOdometry occurrence),
-          ready = \new -> if new then Just (Reading True look) else Nothing,
-          used = const False
+          ready = \new -> if new then Just reading else Nothing,
+          used = const False,
+          passing = Just (\occurrence -> if isOdometry occurrence then Arrival reading NoMore else NoMore)
         }
   | otherwise = idle
   where
@@ -196,5 +216,6 @@ idle =
         unused = (),
         offer = \_ _ s -> s,
         ready = const Nothing,
-        used = id
+        used = id,
+        passing = Just (const NoMore)
       }

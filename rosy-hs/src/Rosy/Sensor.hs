@@ -39,7 +39,7 @@ import Rosy.Core
 import Rosy.Robot
 import Rosy.Sense
 import Rosy.Value
-import System.Random (StdGen, split)
+import System.Random (StdGen)
 
 -- | A type that a function may take. For a type that the program declares the instance is empty: it is an event of its own.
 class Sensor a where
@@ -137,19 +137,18 @@ instance Sensor Pose where sense = state (\o -> Pose (odometryPosition o) (odome
 -- ---------------------------------------------------------------------------------------------
 -- Samples
 
-instance Sensor Seconds where sense = sample (\env -> (Seconds (envTime env), env))
+instance Sensor Seconds where sense = sample (Seconds . envTime)
 
-instance Sensor Clock where sense = sample (\env -> (clockAt (envTime env), env))
+instance Sensor Clock where sense = sample (clockAt . envTime)
 
 -- | A fresh generator each time it is read; two inputs of one function differ.
-instance Sensor StdGen where
-  sense = sample (\env -> case split (envGen env) of (mine, rest) -> (mine, env {envGen = rest}))
+instance Sensor StdGen where sense = chance
 
 instance Default a => Sensor (Memory a) where
-  sense = sample (\env -> (Memory (recall (IntMap.findWithDefault Map.empty (envScope env) (envMemories env))), env))
+  sense = sample (\env -> Memory (recall (IntMap.findWithDefault Map.empty (envScope env) (envMemories env))))
 
 instance Default a => Sensor (Param a) where
-  sense = sample (\env -> (Param (recall (envParams env)), env))
+  sense = sample (Param . recall . envParams)
 
 recall :: forall a. Default a => Memories -> a
 recall memories = fromMaybe defaultValue (Map.lookup (typeRep (Proxy @a)) memories >>= fromDynamic)

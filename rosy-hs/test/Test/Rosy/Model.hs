@@ -311,12 +311,13 @@ callOf task =
       response = \v -> Function "end" (Memory "M0") (\m -> [Command (Tuple [v, m])])
     }
 
--- | Which outputs a function may have: in a task or not, and how deep calls may go.
-aFunction :: Bool -> Int -> String -> Gen AFunction
-aFunction inTask depth label = do
+-- | Which outputs a function may have: whether it may emit events, in a task or not, and how deep calls may go. A called task is silent
+-- and calls no other: an event that starts a task that emits the event would multiply beyond counting.
+aFunction :: Bool -> Bool -> Int -> String -> Gen AFunction
+aFunction speaks inTask depth label = do
   i <- anInput 2
   n <- choose (1, 3)
-  choices <- vectorOf n (choose (0, 3) >>= flip vectorOf (template (emits i)))
+  choices <- vectorOf n (choose (0, 3) >>= flip vectorOf (template (if speaks then emits i else [])))
   pure (AFunction label i choices)
   where
     -- Events that make events would multiply beyond counting in 64 rounds; 'endless' is the test of those.
@@ -333,7 +334,7 @@ aFunction inTask depth label = do
           ++ [(2, TEmit <$> elements events) | not (null events)]
           ++ [(1, pure TDone) | inTask]
           ++ [(1, pure TFeedback) | inTask]
-          ++ [(1, TCall <$> aTask (depth - 1)) | depth > 0]
+          ++ [(1, TCall <$> aTask False (depth - 1)) | depth > 0]
 
 -- | Whether an input takes an event.
 takes :: Input -> Type -> Bool
@@ -346,33 +347,33 @@ takes i t = case i of
 controllers :: Gen Shown
 controllers = do
   n <- choose (1, 4)
-  fs <- mapM (aFunction False 0 . ("f" ++) . show) [1 .. n :: Int]
+  fs <- mapM (aFunction True False 0 . ("f" ++) . show) [1 .. n :: Int]
   let a = ATask Nothing fs Nothing AReturn
   pure (Shown (show a) (programOf (Int 0) a))
 
 tasks :: Gen Shown
 tasks = do
-  a <- aTask 3
+  a <- aTask True 3
   pure (Shown (show a) (programOf (Int 0) a))
 
-aTask :: Int -> Gen ATask
-aTask depth
+aTask :: Bool -> Int -> Gen ATask
+aTask speaks depth
   | depth <= 0 = frequency [(1, pure AReturn), (2, aLeaf), (1, AWait <$> elements [0, 20, 50] <*> pure AReturn)]
   | otherwise =
     frequency
       [ (5, aLeaf),
-        (1, AOnce <$> aFunction False 0 "once" <*> aTask (depth - 1)),
-        (1, AWait <$> elements [0, 20, 50] <*> aTask (depth - 1)),
-        (2, ABoth <$> aTask (depth - 1) <*> aTask (depth - 1) <*> aTask (depth - 1)),
-        (2, AFirst <$> aTask (depth - 1) <*> aTask (depth - 1) <*> aTask (depth - 1))
+        (1, AOnce <$> aFunction speaks False 0 "once" <*> aTask speaks (depth - 1)),
+        (1, AWait <$> elements [0, 20, 50] <*> aTask speaks (depth - 1)),
+        (2, ABoth <$> aTask speaks (depth - 1) <*> aTask speaks (depth - 1) <*> aTask speaks (depth - 1)),
+        (2, AFirst <$> aTask speaks (depth - 1) <*> aTask speaks (depth - 1) <*> aTask speaks (depth - 1))
       ]
   where
     aLeaf = do
-      s <- frequency [(1, pure Nothing), (2, Just <$> aFunction True 0 "start")]
+      s <- frequency [(1, pure Nothing), (2, Just <$> aFunction speaks True 0 "start")]
       n <- choose (0, 3)
-      fs <- mapM (aFunction True (depth - 1) . ("f" ++) . show) [1 .. n :: Int]
-      c <- frequency [(1, pure Nothing), (2, Just <$> aFunction False 0 "stopped")]
-      ATask s fs c <$> aTask (depth - 1)
+      fs <- mapM (aFunction speaks True (min 1 (depth - 1)) . ("f" ++) . show) [1 .. n :: Int]
+      c <- frequency [(1, pure Nothing), (2, Just <$> aFunction speaks False 0 "stopped")]
+      ATask s fs c <$> aTask speaks (depth - 1)
 
 -- | Two functions that feed each other, and one that listens.
 endless :: Program
