@@ -24,6 +24,8 @@ export function chosenPlace(workspace: Blockly.WorkspaceSvg): Place | undefined 
   for (const input of block.inputList) {
     if (input.connection !== null && input.connection.targetBlock() === null) return placeOf(input.connection)
   }
+  // A step is followed by another.
+  if (block.nextConnection?.getCheck()?.includes("step")) return placeOf(block.nextConnection)
   const above = block.outputConnection?.targetConnection
   return above == null ? undefined : placeOf(above)
 }

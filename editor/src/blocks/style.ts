@@ -8,7 +8,7 @@ export const socketShade = {light: 0.19, dark: 0.2} as const
 
 export const styleSheet = `
 :where(.rosyBlocks) { position: relative; height: 100%; }
-.rosyBlocks { overflow: hidden; --on-block: #ffffff; --socket: rgb(0 0 0 / ${socketShade.light}); }
+.rosyBlocks { overflow: hidden; container: blocks / inline-size; --on-block: #ffffff; --socket: rgb(0 0 0 / ${socketShade.light}); }
 [data-theme=dark] .rosyBlocks, .rosyBlocks[data-theme=dark] { --on-block: #11151b; --socket: rgb(0 0 0 / ${socketShade.dark}); }
 .rosyBlocks .injectionDiv { --blockly-active-node-color: var(--focus); --blockly-active-tree-color: var(--focus); }
 
@@ -118,6 +118,15 @@ export const styleSheet = `
 .rosyBlocks .blocklyWarningIcon .blocklyIconShape { fill: #b3261e; stroke: #ffffff; }
 .rosyBlocks .blocklyWarningIcon .blocklyIconSymbol { fill: #ffffff; }
 .rosyBlocks .blocklyIconGroup:not(:hover):not(:focus) { opacity: 1; }
+
+/* On a phone the toolbox is its swatches; its words are still there for a screen reader. */
+@container blocks (max-width: 560px) {
+  .rosyBlocks .blocklyToolbox { width: 54px; padding: 8px 5px; }
+  .rosyBlocks .blocklyToolboxCategory { padding: 13px 12px !important; }
+  .rosyBlocks .blocklyToolboxCategoryLabel { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+  .rosyBlocks .rosyLevel { display: none; }
+  .rosyBlocks .blocklyToolboxCategoryContainer:has(.rosySearch) { display: none; }
+}
 
 .rosyRefusal { position: absolute; z-index: 100; max-width: 300px; background: var(--ink); color: var(--paper); border-radius: 8px; padding: 7px 11px; font: 400 13.5px/1.4 Inter, system-ui, sans-serif; pointer-events: none; box-shadow: 0 4px 18px #0003; }
 .rosyRefusal code, .rosyRefusal b { font: 600 13px "JetBrains Mono", ui-monospace, monospace; }

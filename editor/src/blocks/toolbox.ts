@@ -120,6 +120,22 @@ export function search(items: readonly Findable[], query: string): readonly Tool
     .map(found => found.item)
 }
 
+/// How many of the items found are asked whether they fit: those that a learner sees at once.
+const askedAbout = 16
+
+function fittingFirst(
+  found: readonly ToolboxItem[],
+  fits: ((item: ToolboxItem) => boolean) | undefined,
+): readonly ToolboxItem[] {
+  if (fits === undefined) return found
+  const seen = found.slice(0, askedAbout).map(item => ({item, fits: fits(item)}))
+  return [
+    ...seen.filter(one => one.fits).map(one => one.item),
+    ...seen.filter(one => !one.fits).map(one => one.item),
+    ...found.slice(askedAbout),
+  ]
+}
+
 /// A small picture of a family: its outline in its colour.
 function swatch(family: Family): SVGSVGElement {
   const outline = sides[outlineOf[family]]
@@ -170,6 +186,8 @@ export interface Nearby {
   setLevel(level: Level): void
   /// Names that can be used there, as items.
   names(): readonly ToolboxItem[]
+  /// Tells of an item whether it fits there; undefined when no place is chosen.
+  fitting(): ((item: ToolboxItem) => boolean) | undefined
   /// Ready blocks and names that fit there, best first; undefined when no place is chosen.
   suggestions(): readonly ToolboxItem[] | undefined
 }
@@ -259,7 +277,9 @@ class Search extends Blockly.ToolboxCategory {
     const query = this.field?.value.trim() ?? ""
     const here = nearby.get(this.workspace_)
     const suggested = query === "" ? here?.suggestions() : undefined
-    const found = suggested ?? search([...findable(here?.names() ?? [], []), ...items], query)
+    const found =
+      suggested ??
+      fittingFirst(search([...findable(here?.names() ?? [], []), ...items], query), here?.fitting())
     const label = (text: string) => ({kind: "label", text}) as unknown as ItemInfo
     const heading =
       suggested !== undefined

@@ -227,6 +227,12 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       const place = chosenPlace(workspace)
       return place === undefined ? [] : language.namesInScope(saveBlocks(workspace), place).map(nameItem)
     },
+    fitting() {
+      const place = chosenPlace(workspace)
+      if (place === undefined) return undefined
+      const check = language.checker(saveBlocks(workspace))
+      return item => check.fits(place, item.block).fits
+    },
     suggestions() {
       const place = chosenPlace(workspace)
       return place && suggest(language, saveBlocks(workspace), place, language.toolbox(level))

@@ -30,7 +30,10 @@ export async function openStage(): Promise<Stage> {
   })
   return {
     async open(query = "") {
-      const context = await browser.newContext({viewport: {width: 1100, height: 800}, reducedMotion: "reduce"})
+      const context = await browser.newContext({
+        viewport: {width: 1100, height: 800},
+        reducedMotion: "reduce",
+      })
       const page = await context.newPage()
       page.on("pageerror", error => {
         throw error

@@ -151,4 +151,25 @@ describe("by keyboard alone", () => {
     expect((await keys.haskell()).trim()).toBe(example("accelerateAndPlay"))
     await keys.page.close()
   })
+
+  test("a task of steps, with steps inside a step", async () => {
+    const keys = await start()
+    await keys.take("a task of several steps")
+    await keys.press("ArrowDown", "ArrowDown")
+    await keys.take("repeat a number of times")
+    await keys.press("ArrowDown")
+    await keys.take("wait some seconds")
+    await keys.take("say")
+    expect((await keys.haskell()).split("\n\n")[0]).toBe(
+      [
+        "drawSquare :: Task ()",
+        "drawSquare = do",
+        '  say "go"',
+        "  replicateM_ 4 $ do",
+        "    wait 1",
+        '    say "done"',
+      ].join("\n"),
+    )
+    await keys.page.close()
+  })
 })
