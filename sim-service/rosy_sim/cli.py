@@ -20,6 +20,7 @@ import msgspec
 
 from .config import Config, discover
 from .errors import BadInput, RosyError
+from .grade import grade, programs_in, table
 from .inputs import read_inputs
 from .library import DEFAULT_WORLD, load_world, named_world, usable_arena
 from .program import ProgramFile, read_program
@@ -61,6 +62,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return serve(config, options.host, options.port, not options.no_browser, options.unprotected)
         if options.command == "check":
             return _check(config, options)
+        if len(options.files) > 1 or options.files[0].is_dir():
+            return _grade(options)
+        options.file = options.files[0]
         return _run(config, options)
     except RosyError as error:
         print(f"rosy: {error}", file=sys.stderr)
@@ -85,7 +89,7 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument("file", type=Path)
     check.add_argument("--json", action="store_true")
     run = commands.add_parser("run", prog="rosy run", allow_abbrev=False)
-    run.add_argument("file", type=Path)
+    run.add_argument("files", type=Path, nargs="+", metavar="file")
     run.add_argument("--world")
     run.add_argument("--seconds", type=float)
     run.add_argument("--seed", type=int)
@@ -130,6 +134,20 @@ def _run(config: Config, options: argparse.Namespace) -> int:
         worker.ready()
         outcome = run_program(worker, program.source, world, order, config.limits, _say, trace)
     return _report(options.file, world, outcome)
+
+
+def _grade(options: argparse.Namespace) -> int:
+    """Several programs: a table, and the worst of their exit statuses."""
+    for name in ("trace", "input", "robot"):
+        if getattr(options, name) is not None:
+            raise BadInput(f"--{name} is for one program at a time.")
+    if options.world is not None:
+        usable_arena(load_world(options.world), options.world)
+    given = {"--world": options.world, "--seconds": options.seconds, "--seed": options.seed, "--speed": options.speed}
+    passed = [text for name, value in given.items() if value is not None for text in (name, str(value))]
+    grades = grade(programs_in(options.files), passed)
+    print(table(grades))
+    return max(g.status for g in grades)
 
 
 def _drive(config: Config, program: ProgramFile, options: argparse.Namespace) -> int:

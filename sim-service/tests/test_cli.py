@@ -100,6 +100,26 @@ def test_a_goal_decides_the_exit_status(
     assert [goal["state"] for goal in told] == [state]
 
 
+def test_a_folder_of_programs_gives_a_table(environment: dict[str, str], tmp_path: Path) -> None:
+    world = tmp_path / "w.json"
+    goal = {"kind": "reach", "x": 2, "y": 1, "r": 0.3, "title": "Get there"}
+    world.write_text(json.dumps({"size": [4, 2], "start": {"x": 1, "y": 1}, "goals": [goal]}))
+    folder = tmp_path / "class" / "more"
+    folder.mkdir(parents=True)
+    for name, script in {"ann": "drive:0.5", "bob": "", "cem": "refuse", "dan": "error@4"}.items():
+        (folder / f"{name}.hs").write_text(script)
+    done = rosy(environment, "run", tmp_path / "class", "--world", world, "--seconds", 5)
+    assert done.returncode == 3
+    lines = [line.split() for line in done.stdout.splitlines()]
+    assert [(Path(line[0]).stem, *line[1:3]) for line in lines[1:-1]] == [
+        ("ann", "well", "1/1"), ("bob", "goal", "missed"), ("cem", "not", "compiled"), ("dan", "failed", "0/1"),
+    ]  # fmt: skip
+    assert "Get there" in done.stdout
+    assert done.stdout.endswith("1 of 4 went well.\n")
+    (tmp_path / "none").mkdir()
+    one_sentence(rosy(environment, "run", tmp_path / "none"))
+
+
 def test_check_prints_sentences_or_json(environment: dict[str, str], tmp_path: Path) -> None:
     program = tmp_path / "p.hs"
     program.write_text("refuse")
@@ -113,7 +133,7 @@ def test_check_prints_sentences_or_json(environment: dict[str, str], tmp_path: P
 
 
 BAD_FILES = {
-    "missing.hs": None, "folder.hs": "", "latin.hs": b"caf\xe9", "cut.rosy": '{"rosy":1,"haskell":"ma',
+    "missing.hs": None, "latin.hs": b"caf\xe9", "cut.rosy": '{"rosy":1,"haskell":"ma',
     "future.rosy": '{"rosy":2,"haskell":""}', "list.rosy": "[]", "empty.rosy": "", "no-program.rosy": '{"rosy":1}',
     "wordy.rosy": '{"rosy":"one","haskell":""}',
     "floorless.rosy": '{"rosy":1,"haskell":"","world":{"tiles":["##"],"start":{"x":0,"y":0}}}',
@@ -127,9 +147,7 @@ BAD_FILES = {
 @pytest.mark.parametrize("command", ["run", "check"])
 def test_a_bad_file_gives_one_sentence(command: str, name: str, environment: dict[str, str], tmp_path: Path) -> None:
     path, content = tmp_path / name, BAD_FILES[name]
-    if name.startswith("folder"):
-        path.mkdir()
-    elif content is not None:
+    if content is not None:
         path.write_bytes(content if isinstance(content, bytes) else content.encode())
     if command == "check" and '"world"' in str(content):
         return
@@ -169,6 +187,10 @@ def test_a_bad_input_line_is_named(line: str, environment: dict[str, str], tmp_p
     done = rosy(environment, "run", tmp_path / "p.hs", "--input", tmp_path / "i.jsonl")
     one_sentence(done)
     assert "Line 2" in done.stderr
+
+
+def test_a_folder_cannot_be_checked(environment: dict[str, str], tmp_path: Path) -> None:
+    one_sentence(rosy(environment, "check", tmp_path))
 
 
 def test_no_command_gives_one_sentence(environment: dict[str, str]) -> None:
