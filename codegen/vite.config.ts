@@ -24,5 +24,5 @@ export default defineConfig({
     rollupOptions: {output: {entryFileNames: "cli.js"}},
   },
   ssr: {noExternal: true},
-  test: {include: ["test/**/*.test.ts"]},
+  test: {testTimeout: 60_000, include: ["test/**/*.test.ts"]},
 })

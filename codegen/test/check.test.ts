@@ -99,6 +99,30 @@ describe("names", () => {
   })
 })
 
+describe("the program's own types", () => {
+  const walk = example("randomWalk")
+  const mode = walk.blocks.blocks.find(b => b.extraState?.name === "Mode") as SavedBlock
+  const wheel = walk.blocks.blocks.find(b => b.extraState?.name === "wheel") as SavedBlock
+  const memory = wheel.inputs?.E0_0?.block?.inputs?.I2?.block as SavedBlock
+  test("offer their constructors where they fit", () => {
+    const names = namesInScope(walk, {block: memory.id ?? "", input: "A0"}).filter(n => n.fits)
+    expect(names.map(n => n.name)).toEqual(["Go", "Stop", "Turn"])
+    const patterns = namesInScope(walk, {block: wheel.id ?? "", input: "P0_0"})
+    expect(patterns.map(n => [n.name, n.fits])).toEqual([
+      ["Go", false],
+      ["Stop", false],
+      ["Turn", false],
+      ["ChgDir", false],
+    ])
+  })
+  test("are renamed with every block that says them", () => {
+    const renaming = rename(walk, mode.id ?? "", "constructors.1.name", "Wait")
+    expect(renaming.ok && renaming.changes.map(c => c.extra.con ?? "type")).toEqual(["type", "Wait", "Wait"])
+    expect(rename(walk, mode.id ?? "", "constructors.1.name", "Go").ok).toBe(false)
+    expect(rename(walk, mode.id ?? "", "constructors.1.name", "wait").ok).toBe(false)
+  })
+})
+
 test("an empty socket is a hole in the text and a problem on its block", () => {
   const {text, problems, spans} = toHaskell(newWorkspace())
   expect(text).toBe("main :: IO ()\nmain = simulate _\n")

@@ -1,5 +1,6 @@
 /// Names and functions: use a name, call a function, make one on the spot, define things for one expression.
 
+import {isConstructorName} from "../haskell/lexemes.ts"
 import type {Expr, Pattern} from "../model/tree.ts"
 import type {Family, Item} from "../shape.ts"
 import {operatorMenu, operatorOptions} from "./choices.ts"
@@ -43,7 +44,12 @@ const name: BlockSpec = {
     read(r) {
       const word = textIn(r.extra, "name", "x")
       const count = countIn(r.extra, "args", 0)
-      const fn: Expr = {kind: "variable", name: word, from: r.from}
+      // A constructor that was dragged out of its type is a name like any other.
+      const fn: Expr = {
+        kind: isConstructorName(word) ? "constructor-name" : "variable",
+        name: word,
+        from: r.from,
+      }
       if (word.trim() === "")
         r.problem("name", "This name is empty.", "Put a name here that is known in this place.")
       if (count === 0) return fn

@@ -50,12 +50,12 @@ const data: BlockSpec = {
     constructors.forEach((c, i) => {
       const items: Item[] = [
         {kind: "label", text: i === 0 ? "either" : "or"},
-        {kind: "text", key: `constructors.${i}.name`, value: c.name, aria: `name of case ${i + 1}`},
+        {kind: "binder", key: `constructors.${i}.name`, value: c.name, aria: `name of case ${i + 1}`},
       ]
       c.fields.forEach((f, j) => {
         if (f.name !== undefined)
           items.push({
-            kind: "text",
+            kind: "binder",
             key: `constructors.${i}.fields.${j}.name`,
             value: f.name,
             aria: `name of part ${j + 1} of ${c.name}`,

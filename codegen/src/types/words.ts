@@ -136,6 +136,18 @@ export function problemWords(
         hint: "Take a fresh block from the toolbox.",
       }
     case "ambiguous":
+      if (problem.constraint.name === "Sensor")
+        return {
+          kind: "ambiguous",
+          message: "Nothing says what one of the inputs of a function here is.",
+          hint: "Put a pattern like Bumper into it, or write the function's type.",
+        }
+      if (["Command", "Controller", "Runnable"].includes(problem.constraint.name))
+        return {
+          kind: "ambiguous",
+          message: "Nothing says what a function here sends.",
+          hint: "Let it send something definite, or write the function's type.",
+        }
       return {
         kind: "ambiguous",
         message: `Nothing says what type ${what} has.`,

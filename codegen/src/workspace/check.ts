@@ -116,7 +116,8 @@ function rightSort(place: Place, target: SavedBlock, block: SavedBlock): string 
   }
 }
 
-function itemAt(target: SavedBlock, input: string): (Item & {kind: "socket" | "stack"}) | undefined {
+/// The socket or stack of a block that has a name.
+export function itemAt(target: SavedBlock, input: string): (Item & {kind: "socket" | "stack"}) | undefined {
   for (const row of blockView(target.type)?.shape(target.extraState ?? {}).rows ?? [])
     for (const item of row)
       if ((item.kind === "socket" || item.kind === "stack") && item.name === input) return item

@@ -1,10 +1,10 @@
 /// Names: which are known at a place, and how one is renamed together with all that refers to it.
 
-import type {InScope, Renaming} from "../api.ts"
+import type {Checker, InScope, Renaming} from "../api.ts"
 import {readWorkspace} from "../blocks/read.ts"
-import {isOperator, isVariableName, reservedWords} from "../haskell/lexemes.ts"
+import {isConstructorName, isOperator, isVariableName, reservedWords} from "../haskell/lexemes.ts"
 import {nameOf} from "../model/names.ts"
-import type {Declaration, Expr} from "../model/tree.ts"
+import type {Declaration, Program} from "../model/tree.ts"
 import type {Use} from "../model/uses.ts"
 import {bindersInDeclaration, usesInExpr, usesInProgram} from "../model/uses.ts"
 import type {BlockId, Extra, Json, Place, SavedBlock, SavedWorkspace} from "../saved.ts"
@@ -12,21 +12,31 @@ import {setIn} from "../shape.ts"
 import type {Scheme} from "../types/type.ts"
 import {asFunction, showScheme} from "../types/type.ts"
 import {familyOfType} from "../types/words.ts"
-import {checker} from "./check.ts"
+import {checker, itemAt} from "./check.ts"
 import {everyBlock} from "./infer.ts"
 import {find, without} from "./plug.ts"
 import {Session} from "./session.ts"
 
-/// The names that a program's author brought into scope at a socket, nearest first; what fits comes first.
+/// The names that a program's author brought into scope at a socket, nearest first, and the constructors of the program's own
+/// types; what fits comes first.
 export function namesInScope(workspace: SavedWorkspace, place: Place, session = new Session()): InScope[] {
   if ("below" in place) return []
   const inside = find(workspace, place.block)?.inputs?.[place.input]?.block?.id
   const open = inside === undefined ? workspace : without(workspace, inside)
   const {inferrer, globals, read} = session.solve(open, place)
   const {program} = read
+  const check = checker(open, session)
+  const target = find(open, place.block)
+  const item = target === undefined ? undefined : itemAt(target, place.input)
+  const constructors = constructorsAt(
+    place,
+    program,
+    item?.sort === "pattern" ? "pattern_construct" : "construct",
+    check,
+  )
+  if (item?.sort === "pattern") return fittingFirst(constructors)
   if (inferrer.watched === undefined) return []
   const scope = inferrer.watched
-  const check = checker(open, session)
   const runs = find(workspace, place.block)?.type === "main"
   const names = scope.all().filter(([name]) => name !== "main")
   const own = new Set(program.declarations.flatMap(bindersInDeclaration).map(([name]) => name))
@@ -46,7 +56,29 @@ export function namesInScope(workspace: SavedWorkspace, place: Place, session = 
       fits: fitting !== undefined,
     }
   })
-  return [...found.filter(n => n.fits), ...found.filter(n => !n.fits)]
+  return fittingFirst([...found, ...constructors])
+}
+
+function fittingFirst(names: readonly InScope[]): InScope[] {
+  return [...names.filter(n => n.fits), ...names.filter(n => !n.fits)]
+}
+
+/// The program's own constructors, as values or as patterns.
+function constructorsAt(
+  place: Place,
+  program: Program,
+  type: "construct" | "pattern_construct",
+  check: Checker,
+): InScope[] {
+  return program.declarations.flatMap(d =>
+    d.kind !== "data"
+      ? []
+      : d.constructors.map((c): InScope => {
+          const block: SavedBlock = {type, extraState: {con: c.name, args: c.fields.length}}
+          const of = [d.name, ...d.parameters].join(" ")
+          return {name: c.name, type: of, family: "own", block, fits: check.fits(place, block).fits}
+        }),
+  )
 }
 
 function template(name: string, args: number): SavedBlock {
@@ -63,6 +95,7 @@ function arityOf(scheme: Scheme): number {
 export function rename(workspace: SavedWorkspace, block: BlockId, key: string, name: string): Renaming {
   const binder = find(workspace, block)
   if (binder === undefined) return {ok: false, why: "This block is gone."}
+  if (binder.type === "data") return renamePart(workspace, binder, key, name)
   if (reservedWords.has(name)) return {ok: false, why: `“${name}” is one of Haskell's own words.`}
   if (!isVariableName(name) && !isOperator(name))
     return {ok: false, why: "A name is one word that starts with a small letter."}
@@ -74,7 +107,7 @@ export function rename(workspace: SavedWorkspace, block: BlockId, key: string, n
     if (user === undefined || use.name !== old || binderBlock(use) !== block) continue
     const node = find(workspace, user)
     if (node !== undefined)
-      changes.set(user, setIn(changes.get(user) ?? node.extraState ?? {}, referenceKey(use.node), name))
+      changes.set(user, renameUse(changes.get(user) ?? node.extraState ?? {}, use, name))
   }
   const renamed = mapExtras(workspace, changes)
   const after = usesIn(renamed)
@@ -93,8 +126,50 @@ function textAt(extra: Extra, key: string): Json | undefined {
   return at
 }
 
-function referenceKey(node: Expr): string {
-  return node.kind === "infix" || node.kind === "section" ? "op" : "name"
+function renameUse(extra: Extra, use: Use, name: string): Extra {
+  if (use.node.kind === "raw") return setIn(extra, "text", replaceWord(use.node.text, use.name, name))
+  return setIn(extra, use.node.kind === "infix" || use.node.kind === "section" ? "op" : "name", name)
+}
+
+function replaceWord(text: string, old: string, name: string): string {
+  return text.replace(/(?<![\p{L}\p{N}_'])[\p{L}_][\p{L}\p{N}_']*/gu, word => (word === old ? name : word))
+}
+
+/// A constructor of a data type, or a field of one, and every block that says its name.
+function renamePart(workspace: SavedWorkspace, data: SavedBlock, key: string, name: string): Renaming {
+  const old = textAt(data.extraState ?? {}, key)
+  const isConstructor = /^constructors\.\d+\.name$/.test(key)
+  if (isConstructor && !isConstructorName(name))
+    return {ok: false, why: "This name is one word that starts with a capital letter."}
+  if (!isConstructor && !isVariableName(name))
+    return {ok: false, why: "A name is one word that starts with a small letter."}
+  const {program} = readWorkspace(workspace)
+  const taken = program.declarations.some(
+    d =>
+      (d.kind === "function" && d.name === name) ||
+      (d.kind === "data" && d.constructors.some(c => c.name === name || c.fields.some(f => f.name === name))),
+  )
+  if (taken && name !== old) return {ok: false, why: `There is another \`${name}\` already.`}
+  const changes = new Map<BlockId, Extra>()
+  for (const b of everyBlock(workspace)) {
+    if (b.id === undefined) continue
+    const extra = b.extraState ?? {}
+    const next =
+      b.id === data.id ? setIn(extra, key, name) : renamedPart(b, extra, String(old), name, isConstructor)
+    if (JSON.stringify(next) !== JSON.stringify(extra)) changes.set(b.id, next)
+  }
+  return {ok: true, changes: [...changes].map(([block, extra]) => ({block, extra}))}
+}
+
+function renamedPart(b: SavedBlock, extra: Extra, old: string, name: string, isConstructor: boolean): Extra {
+  const {fields, text} = extra
+  return {
+    ...extra,
+    ...(isConstructor && extra.con === old ? {con: name} : {}),
+    ...(b.type === "name" && extra.name === old ? {name} : {}),
+    ...(!isConstructor && Array.isArray(fields) ? {fields: fields.map(f => (f === old ? name : f))} : {}),
+    ...(b.type.startsWith("raw_") && typeof text === "string" ? {text: replaceWord(text, old, name)} : {}),
+  }
 }
 
 function binderBlock(use: Use): BlockId | undefined {
