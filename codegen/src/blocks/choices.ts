@@ -1,6 +1,6 @@
 /// Choices: if, case, and the operators that compute, compare and combine.
 
-import type {Alternative, Expr, Pattern} from "../model/tree.ts"
+import type {Alternative, Declaration, Expr, Pattern, Statement} from "../model/tree.ts"
 import type {Extra} from "../saved.ts"
 import type {Family, Row} from "../shape.ts"
 import {partOf, pressPart, readRight, rightRows, savedPart, writeRight} from "./rightside.ts"
@@ -95,7 +95,7 @@ const caseBlock: BlockSpec = {
     write(e) {
       if (e.kind !== "case" || e.alternatives.length === 0) return undefined
       const sockets: {[input: string]: Expr | Pattern} = {X: e.scrutinee}
-      const stacks: {[input: string]: Alternative["right"]["where"]} = {}
+      const stacks: {[input: string]: readonly (Declaration | Statement)[]} = {}
       const alternatives: Extra[] = []
       for (const [i, a] of e.alternatives.entries()) {
         const right = writeRight(i, a.right)

@@ -1,7 +1,7 @@
 /// Definitions: functions from what the robot senses to what it should do, constants, and the program's entry.
 
 import {isOperator, isVariableName} from "../haskell/lexemes.ts"
-import type {Clause, Declaration, Expr, Pattern} from "../model/tree.ts"
+import type {Clause, Declaration, Expr, Pattern, Statement} from "../model/tree.ts"
 import type {Extra} from "../saved.ts"
 import type {Family, Item, Row} from "../shape.ts"
 import {partOf, pressPart, readRight, rightRows, savedPart, writeRight} from "./rightside.ts"
@@ -112,7 +112,7 @@ const define: BlockSpec = {
       )
         return undefined
       const sockets: {[input: string]: Expr | Pattern} = {}
-      const stacks: {[input: string]: readonly Declaration[]} = {}
+      const stacks: {[input: string]: readonly (Declaration | Statement)[]} = {}
       const equations: Extra[] = []
       for (const [i, c] of d.clauses.entries()) {
         c.patterns.forEach((p, j) => {

@@ -1,19 +1,21 @@
 /// What a definition's equation and a `case`'s alternative have in common: an answer, perhaps under conditions, perhaps with
 /// definitions of its own.
 ///
-/// Inputs of part `i`: `E<i>_0` the answer, or with conditions `C<i>_<g>` and `E<i>_<g>`, and `O<i>` for otherwise; `W<i>` the
+/// Inputs of part `i`: `E<i>_0` the answer, or with conditions `C<i>_<g>` (stacked: `G<i>_<g>`) and `E<i>_<g>`, and `O<i>` for otherwise; `W<i>` the
 /// definitions. The first answer keeps its name when conditions come and go.
 
 import type {Expr, Guarded, Pattern, RightSide, Statement} from "../model/tree.ts"
 import type {Extra, Json} from "../saved.ts"
 import type {Row} from "../shape.ts"
 import type {Reader} from "./spec.ts"
-import {countIn} from "./spec.ts"
+import {countIn, listIn} from "./spec.ts"
 
 export interface Part {
   readonly guards: number
   readonly otherwise: boolean
   readonly where: boolean
+  /// The conditions that are a stack of questions, all of which must hold; they can also take a value apart.
+  readonly stacked: readonly number[]
 }
 
 export function partOf(extra: Extra): Part {
@@ -21,12 +23,14 @@ export function partOf(extra: Extra): Part {
     guards: countIn(extra, "guards", 0),
     otherwise: extra.otherwise !== false,
     where: extra.where === true,
+    stacked: listIn(extra, "stacked").filter(g => typeof g === "number"),
   }
 }
 
 export function savedPart(part: Part): {readonly [key: string]: Json} {
   return {
     ...(part.guards > 0 ? {guards: part.guards, otherwise: part.otherwise} : {}),
+    ...(part.stacked.length > 0 ? {stacked: [...part.stacked]} : {}),
     ...(part.where ? {where: true} : {}),
   }
 }
@@ -42,19 +46,15 @@ export function rightRows(i: number, part: Part, answer: string, what: string): 
       more,
     ])
   else {
-    for (let g = 0; g < part.guards; g++)
-      rows.push([
-        {kind: "label", text: "if"},
-        {
-          kind: "socket",
-          name: `C${i}_${g}`,
-          sort: "expression",
-          aria: `condition ${g + 1}`,
-          hint: "condition",
-        },
+    for (let g = 0; g < part.guards; g++) {
+      const then: Row = [
         {kind: "label", text: answer},
         {kind: "socket", name: `E${i}_${g}`, sort: "expression", aria: `${what} if condition ${g + 1} holds`},
-      ])
+      ]
+      const asked = condition(i, g, part)
+      // A stack ends its row.
+      rows.push(...(part.stacked.includes(g) ? [asked, then] : [[...asked, ...then]]))
+    }
     const last: Row = [
       more,
       {kind: "button", action: `fewer-guards.${i}`, text: "−", aria: "remove the last condition"},
@@ -78,6 +78,19 @@ export function rightRows(i: number, part: Part, answer: string, what: string): 
   return rows
 }
 
+function condition(i: number, g: number, part: Part): Row {
+  const words = `condition ${g + 1}`
+  if (part.stacked.includes(g))
+    return [
+      {kind: "label", text: "if all of"},
+      {kind: "stack", name: `G${i}_${g}`, sort: "step", aria: words},
+    ]
+  return [
+    {kind: "label", text: "if"},
+    {kind: "socket", name: `C${i}_${g}`, sort: "expression", aria: words, hint: "condition"},
+  ]
+}
+
 export function pressPart(part: Part, action: string): Part {
   if (action === "more-guards") return {...part, guards: Math.min(60, part.guards + 1)}
   if (action === "fewer-guards") return {...part, guards: Math.max(0, part.guards - 1)}
@@ -89,8 +102,13 @@ export function readRight(r: Reader, i: number, part: Part): RightSide {
   if (part.guards === 0) return {kind: "right", body: r.expr(`E${i}_0`), where}
   const branches: Guarded[] = []
   for (let g = 0; g < part.guards; g++) {
-    const condition: Statement = {kind: "statement", expr: r.expr(`C${i}_${g}`)}
-    branches.push({kind: "guarded", guards: [condition], body: r.expr(`E${i}_${g}`)})
+    const guards: Statement[] = part.stacked.includes(g)
+      ? r.steps(`G${i}_${g}`)
+      : [{kind: "statement", expr: r.expr(`C${i}_${g}`)}]
+    // Without a question the answer holds always.
+    if (guards.length === 0)
+      guards.push({kind: "statement", expr: {kind: "hole", from: {block: r.from.block, input: `G${i}_${g}`}}})
+    branches.push({kind: "guarded", guards, body: r.expr(`E${i}_${g}`)})
   }
   if (part.otherwise) {
     const otherwise: Statement = {
@@ -102,32 +120,41 @@ export function readRight(r: Reader, i: number, part: Part): RightSide {
   return {kind: "right", body: branches, where}
 }
 
-/// The sockets and stacks of a right side, or `undefined` when its guards are more than plain conditions.
+type Stacks = {[input: string]: RightSide["where"] | readonly Statement[]}
+
+/// The sockets and stacks of a right side, or `undefined` when no block has its shape.
 export function writeRight(
   i: number,
   right: RightSide,
-):
-  | {part: Part; sockets: {[input: string]: Expr | Pattern}; stacks: {[input: string]: RightSide["where"]}}
-  | undefined {
+): {part: Part; sockets: {[input: string]: Expr | Pattern}; stacks: Stacks} | undefined {
   const where = right.where.length > 0
-  const stacks = where ? {[`W${i}`]: right.where} : {}
+  const stacks: Stacks = where ? {[`W${i}`]: right.where} : {}
   const body = right.body
   if (!Array.isArray(body))
-    return {part: {guards: 0, otherwise: true, where}, sockets: {[`E${i}_0`]: body as Expr}, stacks}
+    return {
+      part: {guards: 0, otherwise: true, where, stacked: []},
+      sockets: {[`E${i}_0`]: body as Expr},
+      stacks,
+    }
   const branches: readonly Guarded[] = body
   const sockets: {[input: string]: Expr} = {}
   const last = branches[branches.length - 1]
   const otherwise = last !== undefined && branches.length > 1 && isOtherwise(last)
   const conditions = otherwise ? branches.slice(0, -1) : branches
+  const stacked: number[] = []
   for (const [g, branch] of conditions.entries()) {
     const [guard] = branch.guards
-    if (branch.guards.length !== 1 || guard?.kind !== "statement") return undefined
-    sockets[`C${i}_${g}`] = guard.expr
+    if (guard === undefined) return undefined
+    if (branch.guards.length === 1 && guard.kind === "statement") sockets[`C${i}_${g}`] = guard.expr
+    else {
+      stacked.push(g)
+      stacks[`G${i}_${g}`] = branch.guards
+    }
     sockets[`E${i}_${g}`] = branch.body
   }
-  if (conditions.length === 0) return undefined
+  if (conditions.length === 0 || conditions.length > 60) return undefined
   if (otherwise && last !== undefined) sockets[`O${i}`] = last.body
-  return {part: {guards: conditions.length, otherwise, where}, sockets, stacks}
+  return {part: {guards: conditions.length, otherwise, where, stacked}, sockets, stacks}
 }
 
 function isOtherwise(g: Guarded): boolean {

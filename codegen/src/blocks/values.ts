@@ -329,6 +329,35 @@ const range: BlockSpec = {
   },
 }
 
+const comprehension: BlockSpec = {
+  type: "comprehension",
+  shape: () => ({
+    family: "own",
+    connects: {as: "expression"},
+    rows: [
+      [
+        {kind: "label", text: "list of"},
+        {kind: "socket", name: "B", sort: "expression", aria: "what is in the list"},
+      ],
+      [
+        {kind: "label", text: "for all"},
+        {kind: "stack", name: "S", sort: "step", aria: "where the values come from, and which of them count"},
+      ],
+    ],
+    tooltip: "A list made from other lists. Example: list of x * x, for all x from list 1 2 3.",
+    aria: "list made from other lists",
+  }),
+  press: noButtons,
+  meaning: {
+    as: "expression",
+    read: r => ({kind: "comprehension", body: r.expr("B"), statements: r.steps("S"), from: r.from}),
+    write: e =>
+      e.kind === "comprehension" && e.statements.length > 0
+        ? {extra: {}, sockets: {B: e.body}, stacks: {S: e.statements}}
+        : undefined,
+  },
+}
+
 const record: BlockSpec = {
   type: "record",
   shape(extra) {
@@ -415,6 +444,7 @@ export const values: readonly BlockSpec[] = [
   tuple,
   list,
   range,
+  comprehension,
   choice,
   construct,
   record,

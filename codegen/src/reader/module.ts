@@ -129,9 +129,10 @@ export class Reader {
       const beside = context.takeComments(0, source.length).comment
       const remarks = [...above, ...(made.kind === "raw-declaration" || beside === undefined ? [] : [beside])]
       const declaration = remarks.length === 0 ? made : {...made, comment: remarks.join("\n")}
-      const spans = new Map(
-        [...context.spans].map(([node, s]) => [node, {start: s.start - shift, end: s.end - shift}]),
-      )
+      const spans =
+        shift === 0
+          ? context.spans
+          : new Map([...context.spans].map(([node, span]) => [node, moved(span, -shift)]))
       spans.set(declaration, {start: 0, end: part.source.length})
       return {declaration, broken: false, spans}
     }
@@ -159,6 +160,10 @@ export class Reader {
     tree.delete()
     return parsed
   }
+}
+
+function moved(span: Range, by: number): Range {
+  return {start: span.start + by, end: span.end + by}
 }
 
 /// The text in words that the grammar knows, with every token in its place. The model takes its words from the true text.

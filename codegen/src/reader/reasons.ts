@@ -37,8 +37,7 @@ export const reasons = {
   lazy: "A ~ in front says not to look at the value yet.",
   viewPattern: "This looks at a value through a function.",
   typedPattern: "A type is written inside a pattern.",
-  guards:
-    "This condition also takes a value apart or asks several things. Blocks show one question for each condition.",
+  guards: "This has conditions in a place where blocks have none.",
   empty: "There is nothing after the equals sign.",
   large: "This has more parts than one block can hold.",
   deep: "This is nested too deep for blocks.",

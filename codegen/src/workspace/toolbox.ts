@@ -250,6 +250,10 @@ const lists: readonly ToolboxItem[] = [
   item("list", make("list", {items: 2})),
   item("empty list", make("list", {items: 0})),
   item("from one to another, range", make("range", {}, {A: num("1"), B: num("4")})),
+  item(
+    "list made from other lists",
+    make("comprehension", {}, {B: ref("x"), S: make("step_bind", {}, {P: named("x")})}),
+  ),
   item("put together ++", infix("++")),
   item("one more in front :", infix(":")),
   item("show: as text", call("show", 1)),
