@@ -76,8 +76,8 @@ class Session:
         self._shown_goals: list[page.Goal] = []
         # Says and sounds that may still go to the page: 100 a second, 300 at once.
         self._words = Budget(100.0, 300.0, self._loop.time())
-        # Frames: when the last one went out, and what fired since.
-        self._framed = 0.0
+        # Frames that may still go out, a few at once so that a step that is late gets one too; and what fired since.
+        self._frames = Budget(limits.frame_rate, 3.0, self._loop.time())
         self._fired: list[str] = []
         # Set by close(): no clock may start any more.
         self.closed = asyncio.Event()
@@ -355,9 +355,8 @@ class Session:
 
     def _frame(self, force: bool = False) -> None:
         now = self._loop.time()
-        if not force and now - self._framed < 1 / self._limits.frame_rate:
+        if not force and not self._frames.spend(1, now):
             return
-        self._framed = now
         world = self.world
         bits = world.bits
         fired, self._fired = self._fired, []
