@@ -10,6 +10,8 @@ import qualified Test.Robots.Guard
 import qualified Test.Robots.Kobuki
 import qualified Test.Robots.Links
 import Test.Robots.Programs (byName)
+import Test.Robots.Rigs (withReady)
+import qualified Test.Robots.Same
 import qualified Test.Robots.Target
 import Test.Tasty
 
@@ -26,5 +28,5 @@ suite =
     [ Test.Robots.Kobuki.tests,
       Test.Robots.Guard.tests,
       Test.Robots.Target.tests,
-      Test.Robots.Links.tests
+      withReady (\ready -> testGroup "robots that are not" [Test.Robots.Links.tests ready, Test.Robots.Same.tests ready])
     ]

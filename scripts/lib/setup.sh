@@ -2,6 +2,7 @@
 # Sourced by ./rosy: installs and builds what a command needs, once, and says so while it works.
 #
 #   need runtime   GHC, the Rosy library and its worker, the Python service
+#   need robot     what speaks to real robots
 #   need page      what the browser loads
 #   need codegen   the block and Haskell conversions for Node
 #   need tools     what only the tests use: browser, linters, ROS
@@ -112,6 +113,12 @@ build_haskell() {
   (cd "$ROSY_ROOT" && cabal build --offline -j2 --disable-tests lib:rosy exe:rosy-worker)
 }
 
+need_robot() {
+  step robot "$(fingerprint rosy.cabal cabal.project rosy-hs/src rosy-hs/ros rosy-hs/robots rosy-hs/app)" \
+    "Building what speaks to real robots (about a minute)." build_robot
+}
+build_robot() { (cd "$ROSY_ROOT" && cabal build --offline -j2 exe:rosy-robot); }
+
 need_node() {
   command -v node >/dev/null || give_up "Node 20 or newer is needed. See https://nodejs.org, or on Debian: apt-get install nodejs npm"
   node -e 'process.exit(Number(process.versions.node.split(".")[0]) < 20 ? 1 : 0)' || give_up "Node 20 or newer is needed; this is $(node --version)."
@@ -140,6 +147,7 @@ need() {
       runtime) need_python && need_haskell ;;
       codegen) need_codegen ;;
       page) need_codegen && need_page ;;
+      robot) need_robot ;;
       tools)
         # shellcheck disable=SC2086
         need_apt tools $APT_TOOLS

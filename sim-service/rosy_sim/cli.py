@@ -152,13 +152,21 @@ def _grade(options: argparse.Namespace) -> int:
 
 def _drive(config: Config, program: ProgramFile, options: argparse.Namespace) -> int:
     """A real robot: only the time of a run can be chosen."""
+    from .native import reaches, run_natively
     from .robot import robot_address, run_on_robot
 
     for name in ("world", "trace", "input"):
         if getattr(options, name) is not None:
             raise BadInput(f"--{name} is for the simulator; a real robot cannot have it.")
-    robot_address(options.robot)
     seconds = MAX_SECONDS if options.seconds is None else _seconds(options.seconds)
+    if reaches(config.root, options.robot):
+        with BlockingWorker(config) as worker:
+            worker.ready()
+            problems, status = run_natively(worker, config.root, program.source, options.robot, seconds)
+        for found in problems:
+            print(_sentence(options.file, found), file=sys.stderr)
+        return status
+    robot_address(options.robot)
     with BlockingWorker(config) as worker:
         worker.ready()
         outcome = run_on_robot(

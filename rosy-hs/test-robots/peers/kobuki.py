@@ -2,8 +2,8 @@
 A Kobuki at the end of a pseudo-terminal.
 
 In: command packets on the terminal; on standard input `bump BITS`, `cliff BITS`, `drop BITS`, `press BITS`, `noise`, `cut`, `corrupt`,
-`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `quit`; the path of a symbolic link as the argument. Out: a packet every 20 ms; on
-standard output `plugged`, `control V W` when the speed changes, `led1 BITS`, `led2 BITS`, `sound N`, `versions asked`, `bad BYTES`.
+`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `hush` (no more packets of its own), `replay HEX`, `quit`; the path of a symbolic link as the argument, to which its process number is added. Out: a packet every 20 ms; on
+standard output `plugged PATH`, `control V W` when the speed changes, `led1 BITS`, `led2 BITS`, `sound N`, `versions asked`, `bad BYTES`.
 Its wheels turn as told; counters wrap at 16 bits and begin shortly before that.
 """
 
@@ -15,7 +15,7 @@ import sys
 import time
 import tty
 
-link = sys.argv[1]
+link = f"{sys.argv[1]}-{os.getpid()}"
 BASE, TICKS_PER_METRE = 0.23, 11724.41658
 
 master = slave = None
@@ -23,7 +23,7 @@ speed = [0.0, 0.0]
 bits = {"bump": 0, "cliff": 0, "drop": 0, "press": 0}
 left, right = 65000.0, 65000.0
 heading, stamp = 17000.0, 65000
-faults, firmware, speaking = [], 1, True
+faults, firmware, speaking, replaying = [], 1, True, False
 outputs, versions_due = None, False
 buffer = b""
 
@@ -40,7 +40,7 @@ def plug():
     if os.path.lexists(link):
         os.unlink(link)
     os.symlink(os.ttyname(slave), link)
-    say("plugged")
+    say("plugged", link)
 
 
 def unplug():
@@ -146,13 +146,19 @@ def on_bytes(data):
 
 
 def on_line(words):
-    global firmware, speaking, outputs
+    global firmware, speaking, replaying, outputs
     if words[0] in bits:
         bits[words[0]] = int(words[1])
     elif words[0] in ("noise", "cut", "corrupt"):
         faults.append(words[0])
     elif words[0] in ("silence", "speak"):
         speaking = words[0] == "speak"
+    elif words[0] == "hush":
+        replaying = True
+        say("hushed")
+    elif words[0] == "replay":
+        replaying = True
+        os.write(master, bytes.fromhex(words[1]))
     elif words[0] == "unplug":
         unplug()
         outputs = None
@@ -185,7 +191,9 @@ while True:
     if time.monotonic() >= due:
         due += 0.02
         move()
-        if master is not None and speaking:
+        if master is not None and replaying:
+            os.write(master, framed(bytes([3, 3, 0, 0, 0])))
+        elif master is not None and speaking:
             try:
                 os.write(master, spoil(feedback()))
             except BlockingIOError:

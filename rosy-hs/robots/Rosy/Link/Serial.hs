@@ -114,6 +114,7 @@ openRaw device = do
   let raw = foldl withoutMode now [InterruptOnBreak, MapCRtoLF, IgnoreCR, MapLFtoCR, StripHighBit, StartStopOutput, StartStopInput, CheckParity, ProcessOutput, EnableEcho, EchoErase, EchoKill, EchoLF, ProcessInput, KeyboardInterrupts, ExtendedFunctions, EnableParity, TwoStopBits, HangupOnClose]
       full = (raw `withMode` ReadEnable `withMode` LocalMode `withBits` 8 `withInputSpeed` B115200 `withOutputSpeed` B115200) `withMinInput` 1 `withTime` 0
   setTerminalAttributes fd full Immediately
+  discardData fd InputQueue -- what was said before we listened is old
   pure fd
 
 -- | Packets in, packets out, until the cable is pulled.
@@ -147,7 +148,7 @@ converse fd wanted hearing sensing = do
             was <- swapTVar (alive wanted) True
             unless was (heard hearing Here >> heard hearing (Heard (StatusMessage Online)))
             mapM_ (heard hearing . Heard) messages
-          reply
+        reply
       -- One write per packet, as the driver does.
       reply = do
         t <- getMonotonicTime

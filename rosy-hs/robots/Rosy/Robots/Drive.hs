@@ -8,6 +8,7 @@
 module Rosy.Robots.Drive
   ( drive,
     withBase,
+    onSignals,
   )
 where
 

@@ -15,6 +15,7 @@ module Test.Ros.Peer
     say,
     hears,
     hearsWhere,
+    transcript,
     killPeer,
     signal,
     exitOf,
@@ -78,7 +79,7 @@ awaitMaster uri = do
 settingsFor :: Ros -> [String] -> Settings
 settingsFor ros args = Settings (readArguments args) (rosEnvironment ros) "test"
 
-data Peer = Peer {peerIn :: Handle, peerLines :: TVar [String], peerProcess :: ProcessHandle}
+data Peer = Peer {peerIn :: Handle, peerLines :: TVar [String], peerAll :: TVar [String], peerProcess :: ProcessHandle}
 
 running :: [(String, String)] -> FilePath -> [String] -> (ProcessHandle -> IO a) -> IO a
 running env' program args use =
@@ -108,11 +109,12 @@ withProgram ros program args use =
         (Just hin, Just hout) -> do
           hSetBuffering hin LineBuffering
           said <- newTVarIO []
-          withAsync (collect hout said) (\_ -> use (Peer hin said p))
+          ever <- newTVarIO []
+          withAsync (collect hout said ever) (\_ -> use (Peer hin said ever p))
         _ -> assertFailure "no pipes"
     )
   where
-    collect h said = (hGetLine h >>= \l -> atomically (modifyTVar' said (++ [l])) >> collect h said) `catch` \(_ :: IOException) -> pure ()
+    collect h said ever = (hGetLine h >>= \l -> atomically (modifyTVar' said (++ [l]) >> modifyTVar' ever (l :)) >> collect h said ever) `catch` \(_ :: IOException) -> pure ()
 
 say :: Peer -> String -> IO ()
 say p = hPutStrLn (peerIn p)
@@ -130,6 +132,10 @@ hearsWhere p what wanted = do
       [] -> retry
       l : rest -> writeTVar (peerLines p) rest >> pure l
   maybe (readTVarIO (peerLines p) >>= \ls -> assertFailure ("waited for " ++ what ++ "; heard only " ++ show ls)) pure found
+
+-- | All that it has ever said.
+transcript :: Peer -> IO [String]
+transcript p = reverse <$> readTVarIO (peerAll p)
 
 -- | Like pulling its plug.
 killPeer :: Peer -> IO ()

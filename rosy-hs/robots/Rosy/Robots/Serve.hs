@@ -1,0 +1,174 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Rosy.Robots.Serve
+-- Description : A real robot in the simulator's place.
+--
+-- In: a socket at whose other end a program waits for the simulator, and a robot. Out: how it ended. The program runs
+-- where learners' programs run, in its sandbox, and never learns that the robot is real: it is told of steps of 20 ms, with
+-- the real time, and the robot is told what the guard lets through. A program that does not answer a step is given up.
+module Rosy.Robots.Serve
+  ( serve,
+    Served (..),
+    HowEnded (..),
+  )
+where
+
+import Control.Concurrent (threadDelay)
+import Control.Concurrent.STM
+import Control.Exception (IOException, try)
+import Control.Monad (forM_, unless, when)
+import qualified Data.ByteString as B
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Char8 as C
+import Data.IORef
+import Data.Text (Text)
+import Data.Time.Clock.POSIX (getPOSIXTime)
+import GHC.Clock (getMonotonicTime)
+import Network.Socket (Socket)
+import Network.Socket.ByteString (recv)
+import Network.Socket.ByteString.Lazy (sendAll)
+import Rosy.Core (Action (..), Message (..), Odometry (..))
+import Rosy.Robot (Orientation (..), Position (..))
+import Rosy.Robots.Base
+import Rosy.Robots.Guard
+import Rosy.Robots.Pipe
+import System.IO (hPutStrLn, stderr)
+import System.Random (randomRIO)
+import System.Timeout (timeout)
+
+data Served = Served
+  { how :: HowEnded,
+    -- | steps that the program has answered
+    stepsServed :: Int,
+    -- | where the robot was last, from where it started
+    lastPose :: Maybe (Position, Orientation)
+  }
+
+data HowEnded
+  = ByItself
+  | Asked
+  | -- | what a person should know, and what to do
+    InError Text Text
+  | -- | it did not answer
+    IsStuck
+  | -- | the program is gone without a word
+    IsDead
+  | -- | the robot is gone, for this reason
+    RobotLost String
+  deriving (Eq, Show)
+
+-- | How long a program may think, microseconds. Longer than 0.6 s, after which the base has stopped by itself.
+thinking :: Int
+thinking = 1000000
+
+-- | A step, seconds (protocol/README.md).
+stepLength :: Double
+stepLength = 0.02
+
+-- | Steps from one tick of the default rate to the next (protocol/README.md).
+tickSteps :: Int
+tickSteps = 5
+
+-- | Serves until the program or the person has had enough. The number is how many seconds a lost robot is waited for.
+serve :: STM Bool -> Double -> TVar Guard -> Base -> Socket -> IO Served
+serve stopWanted patience guarded base socket = do
+  unread <- newIORef B.empty
+  pose <- newIORef Nothing
+  lost <- newIORef Nothing
+  let guarding :: (Guard -> (b, Guard)) -> IO b
+      guarding f = atomically (stateTVar guarded f)
+      now = realToFrac <$> getPOSIXTime :: IO Double
+      -- The next line of the program; nothing when it is gone or takes too long.
+      line = do
+        bytes <- readIORef unread
+        case C.elemIndex '\n' bytes of
+          Just i -> Right (B.take i bytes) <$ writeIORef unread (B.drop (i + 1) bytes)
+          Nothing -> do
+            more <- timeout thinking (try (recv socket 65536))
+            case more of
+              Nothing -> pure (Left IsStuck)
+              Just (Left e) -> Left IsDead <$ pure (e :: IOException)
+              Just (Right b)
+                | B.null b -> pure (Left IsDead)
+                | otherwise -> writeIORef unread (bytes <> b) >> line
+      -- Carries out what it wants until it has settled.
+      listen = do
+        heard' <- line
+        case heard' of
+          Left e -> pure (Just e)
+          Right bytes -> case readWish bytes of
+            Just (Wants a) -> carry a >> listen
+            Just NamesTopics -> listen
+            Just Ready -> pure Nothing
+            Just Settled -> pure Nothing
+            Just (HasEnded "error" p) -> pure (Just (maybe (InError "The program failed." "") (uncurry InError) p))
+            Just (HasEnded "stopped" _) -> pure (Just Asked)
+            Just (HasEnded _ _) -> pure (Just ByItself)
+            Nothing -> pure (Just (InError "The program said something that a robot does not understand." ""))
+      carry a = do
+        case a of
+          SayText s -> putStrLn s
+          _ -> pure ()
+        t <- now
+        guarding (commanding t a) >>= mapM_ (tell base)
+      say builder = try (sendAll socket (Builder.toLazyByteString builder)) >>= either (\(_ :: IOException) -> pure ()) pure
+      -- What came, for the program; what a person should know, on the terminal.
+      passes h = do
+        wasHere <- isHere <$> readTVarIO guarded
+        case h of
+          Gone why
+            | wasHere -> complain (baseName base ++ " is lost: " ++ why) >> now >>= \t -> writeIORef lost (Just (t, why))
+            | otherwise -> complain ("waiting for " ++ baseName base ++ ": " ++ why)
+          Here -> do
+            l <- readIORef lost
+            unless (null l) (complain (baseName base ++ " is back"))
+            writeIORef lost Nothing
+          Heard _ -> pure ()
+        ms <- guarding (hearing h)
+        forM_ ms $ \case
+          OdometryMessage o -> writeIORef pose (Just (odometryPosition o, odometryOrientation o))
+          _ -> pure ()
+        pure ms
+      untilHere early = do
+        hs <- atomically ((Nothing <$ (stopWanted >>= check)) `orElse` (Just <$> hear base))
+        case hs of
+          Nothing -> pure early
+          Just some -> do
+            ms <- concat <$> mapM passes some
+            there <- isHere <$> readTVarIO guarded
+            if there then pure (early ++ ms) else untilHere (early ++ ms)
+      steps n due early = do
+        t0 <- getMonotonicTime
+        when (due > t0) (threadDelay (ceiling ((due - t0) * 1e6)))
+        stop <- atomically stopWanted
+        l <- readIORef lost
+        t <- now
+        case l of
+          _ | stop -> ended n =<< (say stopLine >> listenToTheEnd)
+          Just (since, why) | t - since > patience -> say stopLine >> ended n (RobotLost why)
+          _ -> do
+            some <- atomically (hear base `orElse` pure [])
+            ms <- (early ++) . concat <$> mapM passes some
+            say (batchLines n t ms)
+            outcome <- listen
+            case outcome of
+              Just e -> ended n e
+              Nothing -> do
+                when (n `mod` tickSteps == 0) (now >>= \t' -> guarding (ticking t') >>= mapM_ (tell base))
+                -- A step that came late is not caught up with.
+                t1 <- getMonotonicTime
+                steps (n + 1) (max (due + stepLength) (t1 - stepLength)) []
+      listenToTheEnd = listen >>= maybe listenToTheEnd pure
+      ended n e = do
+        guarding halting >>= mapM_ (tell base)
+        Served e n <$> readIORef pose
+  complain ("waiting for " ++ baseName base)
+  early <- untilHere []
+  seed <- randomRIO (0, 2 ^ (31 :: Int) - 1)
+  say (startLine seed)
+  opened <- listen
+  began <- getMonotonicTime
+  maybe (steps 0 began early) (ended 0) opened
+  where
+    complain = hPutStrLn stderr

@@ -1,0 +1,150 @@
+-- |
+-- Description : The robots that the tests have: a strict rosbridge server, a rospy node, a base on a pseudo-terminal.
+module Test.Robots.Rigs
+  ( -- * A test with a robot
+    Ready,
+    withReady,
+    story,
+
+    -- * Robots
+    Rig (..),
+    rosbridge,
+    rospy,
+    serial,
+  )
+where
+
+import Control.Monad (void)
+import Data.Either (fromLeft)
+import Data.List (isPrefixOf)
+import Ros.Net.Rpc (Uri (..))
+import System.Directory (createDirectoryIfMissing, getTemporaryDirectory, removeDirectoryRecursive)
+import System.Environment (getEnvironment)
+import System.Posix.Process (getProcessID)
+import Test.Ros.Peer
+import Test.Tasty
+import Test.Tasty.HUnit
+
+-- | A folder for the tests, and ROS, or why there is none.
+type Ready = IO (FilePath, Either String FilePath)
+
+withReady :: (Ready -> TestTree) -> TestTree
+withReady = withResource acquire (removeDirectoryRecursive . fst)
+  where
+    acquire = do
+      tmp <- getTemporaryDirectory
+      pid <- getProcessID
+      let folder = tmp ++ "/robots-test-" ++ show pid
+      createDirectoryIfMissing True folder
+      (,) folder <$> withRos folder
+
+type WithRig = FilePath -> (Rig -> IO ()) -> IO ()
+
+-- | Skips with a word where the robot cannot be had.
+story :: Ready -> (Either String FilePath -> Maybe WithRig) -> String -> (Rig -> IO ()) -> TestTree
+story ready rig name act = testCaseInfo name $ do
+  (folder, ros) <- ready
+  case rig ros of
+    Nothing -> pure ("skipped: " ++ fromLeft "" ros)
+    Just withRig -> "" <$ withRig folder act
+
+-- | A robot and what it says.
+data Rig = Rig
+  { -- | its address
+    url :: String,
+    options :: String,
+    robot :: Peer,
+    environment :: Ros,
+    -- | it stands at its origin and says so 50 times a second
+    streaming :: IO (),
+    -- | also takes and sends what only some tests need
+    prepared :: IO (),
+    -- | waits until a program listens
+    attached :: IO (),
+    -- | the left bumper is pressed
+    bumped :: IO (),
+    -- | what it says when it moves, stands, backs off, lights LED 1 red
+    moves, stands, backs, red :: String -> Bool
+  }
+
+rosbridge :: String -> Either String FilePath -> Maybe WithRig
+rosbridge version ros = (\_ use -> plainEnvironment >>= \e -> withProgram e "/usr/bin/python3" [peers "rosbridge.py", version] (act e use)) <$ installed ros
+  where
+    act e use p = do
+      port <- drop 5 <$> hears p "port "
+      use
+        Rig
+          { url = "ws://127.0.0.1:" ++ port,
+            options = "&ros=" ++ version,
+            robot = p,
+            environment = e,
+            streaming = say p ("stream /odom " ++ odometry),
+            prepared = pure (),
+            attached = void (hears p "subscribed /odom"),
+            bumped = say p ("send " ++ prefix' ++ "/events/bumper {\"bumper\": 0, \"state\": 1}"),
+            moves = velocity "0.2",
+            stands = velocity "0.0",
+            backs = velocity "-0.1",
+            red = (== "got " ++ prefix' ++ "/commands/led1 {\"value\": 3}")
+          }
+    prefix' = if version == "2" then "" else "/mobile_base"
+    velocity x = isPrefixOf ("got " ++ prefix' ++ "/commands/velocity {\"linear\": {\"x\": " ++ x)
+
+rospy :: Either String FilePath -> Maybe WithRig
+rospy ros = (\folder use -> withMaster folder (\e -> withPeer e "mobile_base" (act e use))) <$ installed ros
+  where
+    act e use p = do
+      mapM_ (say p) ["pub /odom nav_msgs/Odometry", "pub /mobile_base/events/bumper kobuki_msgs/BumperEvent latch", "watchdog /mobile_base/commands/velocity", "sub /mobile_base/commands/led1 kobuki_msgs/Led"]
+      _ <- hears p "subscribed"
+      use
+        Rig
+          { url = "ros://127.0.0.1:" ++ show (uriPort (rosMaster e)),
+            options = "",
+            robot = p,
+            environment = e,
+            streaming = say p ("stream /odom " ++ odometry) >> void (hears p "streaming"),
+            prepared = mapM_ (say p) ["pub /mobile_base/events/cliff kobuki_msgs/CliffEvent", "pub /mobile_base/events/button kobuki_msgs/ButtonEvent", "sub /mobile_base/commands/sound kobuki_msgs/Sound"] >> void (hears p "subscribed"),
+            attached = mapM_ (\t -> say p ("connected " ++ t ++ " 1") >> hears p ("connected " ++ t)) ["/odom", "/mobile_base/events/bumper", "/mobile_base/events/cliff", "/mobile_base/events/button"],
+            bumped = say p "send /mobile_base/events/bumper {\"bumper\": 0, \"state\": 1}",
+            moves = velocity "0.2",
+            stands = velocity "0.0",
+            backs = velocity "-0.1",
+            red = (== "got /mobile_base/commands/led1 {\"value\": 3}")
+          }
+    velocity x = isPrefixOf ("got /mobile_base/commands/velocity {\"linear\": {\"x\": " ++ x)
+
+-- | Needs no ROS.
+serial :: Either String FilePath -> Maybe WithRig
+serial _ = Just $ \folder use -> do
+  e <- plainEnvironment
+  let device = folder ++ "/kobuki"
+  withProgram e "/usr/bin/python3" [peers "kobuki.py", device] $ \p -> do
+    name <- drop 8 <$> hears p "plugged "
+    use
+      Rig
+        { url = "serial:" ++ name,
+          options = "",
+          robot = p,
+          environment = e,
+          streaming = pure (),
+          prepared = say p "hush" >> void (hears p "hushed"),
+          attached = pure (),
+          bumped = say p "bump 4",
+          moves = (== "control 0.200 0.000 200 0"),
+          stands = (== "control 0.000 0.000 0 0"),
+          backs = isPrefixOf "control -0.1",
+          red = (== "led1 1")
+        }
+
+-- | The rosbridge server of the tests needs Python's websockets, which come with ROS's set-up.
+installed :: Either String FilePath -> Maybe ()
+installed = either (const Nothing) (const (Just ()))
+
+plainEnvironment :: IO Ros
+plainEnvironment = Ros (Uri "127.0.0.1" 0) <$> getEnvironment
+
+peers :: String -> FilePath
+peers = ("rosy-hs/test-robots/peers/" ++)
+
+odometry :: String
+odometry = "{\"header\": {\"frame_id\": \"odom\"}, \"child_frame_id\": \"base_footprint\", \"pose\": {\"pose\": {\"position\": {\"x\": 0.0, \"y\": 0.0, \"z\": 0.0}, \"orientation\": {\"x\": 0.0, \"y\": 0.0, \"z\": 0.0, \"w\": 1.0}}}, \"twist\": {\"twist\": {\"linear\": {\"x\": 0.0, \"y\": 0.0, \"z\": 0.0}, \"angular\": {\"x\": 0.0, \"y\": 0.0, \"z\": 0.0}}}}"
