@@ -1,8 +1,9 @@
 """
-A program on a real robot: the worker runs it in its sandbox, ``rosy-robot`` (rosy-hs/app) takes the simulator's place at the other end.
+A program on a real robot: the worker runs it in its sandbox, ``rosy-robot`` (rosy-hs/app) takes the simulator's place.
 
-rosy-robot keeps speeds within limits, backs off from what the robot runs into, repeats a velocity, finds a lost robot again, and reaches
-robots on ROS 1 and on a serial line too. What the program says and how it ended goes to standard output; rosy-robot writes it.
+rosy-robot keeps speeds within limits, backs off from what the robot runs into, repeats a velocity, finds a lost robot
+again, and reaches robots on ROS 1 and on a serial line too. What the program says and how it ended goes to standard
+output; rosy-robot writes it.
 """
 
 from __future__ import annotations
