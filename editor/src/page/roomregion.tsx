@@ -178,7 +178,9 @@ function Goals(): VNode | null {
 
 /// After a newcomer's first run: what to try next.
 function Invitation(): VNode | null {
-  const show = usePage(s => s.welcome === "ran" && (isActive(s.run) || s.run.kind === "ended"))
+  const show = usePage(
+    s => s.welcome === "ran" && s.room.goals.length === 0 && (isActive(s.run) || s.run.kind === "ended"),
+  )
   const invites = usePage(s => s.document.program.text.includes(words.invite[1]))
   if (!show || !invites) return null
   const [before, code, after] = words.invite
