@@ -35,7 +35,7 @@ function scratchPad(): Blockly.Workspace {
 /// its selection and its open editors; the others are replaced. No events are fired.
 export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace): Loaded {
   const left: SavedBlock[] = []
-  const there = new Map(saveBlocks(workspace).blocks.blocks.map(block => [block.id, JSON.stringify(block)]))
+  const there = new Map(saveBlocks(workspace).blocks.blocks.map(block => [block.id, inOneOrder(block)]))
   const coming = new Set<BlockId | undefined>()
   const scratch = scratchPad()
   const enabled = Blockly.Events.isEnabled()
@@ -44,7 +44,7 @@ export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace)
     const fresh: SavedBlock[] = []
     const homeless: Blockly.Block[] = []
     for (const block of wanted.blocks.blocks) {
-      if (block.id !== undefined && there.get(block.id) === JSON.stringify(block)) coming.add(block.id)
+      if (block.id !== undefined && there.get(block.id) === inOneOrder(block)) coming.add(block.id)
       else fresh.push(block)
     }
     for (const block of workspace.getTopBlocks(false)) if (!coming.has(block.id)) block.dispose(false)
@@ -64,6 +64,16 @@ export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace)
     if (enabled) Blockly.Events.enable()
   }
   return {left}
+}
+
+/// A block as text that is the same whoever wrote it: Blockly and codegen order keys in their own ways, and Blockly
+/// adds to a remark how large its bubble is.
+function inOneOrder(block: SavedBlock): string {
+  return JSON.stringify(block, (key, value: unknown) => {
+    if (typeof value !== "object" || value === null || Array.isArray(value)) return value
+    const entries = Object.entries(value).filter(([name]) => key !== "comment" || name === "text")
+    return Object.fromEntries(entries.sort(([a], [b]) => (a < b ? -1 : a > b ? 1 : 0)))
+  })
 }
 
 /// Pixels from the edge, and between blocks, for those that nobody has placed yet.
