@@ -19,7 +19,10 @@ BENCHES: dict[str, tuple[str, list[list[str]]]] = {
         "a block dragged, edited and picked up among 500 and 2,000, beside Blockly's own checks, and codegen's part in it",
         [["npx", "vite-node", "editor/bench/blocks.ts"], ["npx", "vite-node", "codegen/bench/editor.ts"]],
     ),
-    "text": ("1,000 lines of Haskell into blocks and a keystroke in them, beside the parser alone", [["npx", "vite-node", "codegen/bench/text.ts"]]),
+    "text": (
+        "1,000 lines of Haskell into blocks and a keystroke in them, beside the parser alone; and typing in them in a real browser",
+        [["npx", "vite-node", "codegen/bench/text.ts"], ["npx", "vite-node", "e2e-tests/bench/text.ts"]],
+    ),
     "simulator": ("the world alone, with a program in lockstep, and many pages at once", [[sys.executable, "-m", "rosy_sim.bench", "simulator"]]),
 }
 
