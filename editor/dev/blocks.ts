@@ -21,6 +21,8 @@ declare global {
     codegen: typeof codegen
     /// How often the view told of a change.
     changes: number
+    /// Puts the page back to its beginning.
+    reset(): void
   }
 }
 
@@ -48,11 +50,26 @@ const view = openBlocks(document.getElementById("blocks")!, {
   level,
   clipboard: openClipboard(window.localStorage),
 })
-if (!asked.has("empty")) view.load(asked.has("small") ? sample : wanted())
+const nothing: codegen.SavedWorkspace = {blocks: {languageVersion: 0, blocks: []}}
+const first = asked.has("empty") ? nothing : asked.has("small") ? sample : wanted()
+view.load(first)
 window.blocks = view
 window.Blockly = Blockly
 window.codegen = codegen
 window.changes = 0
+window.reset = () => {
+  const workspace = Blockly.getMainWorkspace() as Blockly.WorkspaceSvg
+  Blockly.hideChaff()
+  workspace.getToolbox()?.clearSelection()
+  view.mark([])
+  view.highlight([])
+  view.setLevel(level)
+  view.load(nothing)
+  workspace.setScale(1)
+  view.load(first)
+  workspace.scroll(0, 0)
+  window.changes = 0
+}
 view.onChange(() => {
   window.changes++
 })

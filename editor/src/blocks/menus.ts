@@ -95,15 +95,18 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
   keys.removeAllKeyMappings(menu)
   keys.addKeyMapping(keys.createSerializedKey(KeyCodes.F10, [Blockly.utils.KeyCodes.SHIFT]), menu)
   keys.addKeyMapping(KeyCodes.CONTEXT_MENU, menu)
+  // T goes to the category that was used last in Blockly; ours always goes to the search, which knows what fits.
+  keys.unregister(Blockly.ShortcutItems.names.FOCUS_TOOLBOX)
   keys.register({
-    name: "rosySearch",
-    keyCodes: [KeyCodes.SLASH],
+    name: Blockly.ShortcutItems.names.FOCUS_TOOLBOX,
+    keyCodes: [KeyCodes.T, KeyCodes.SLASH],
     displayText: "Search blocks",
     preconditionFn: workspace => !workspace.isDragging(),
     callback: (_, event) => {
       const view = actions()
       if (view === undefined) return false
       event.preventDefault()
+      Blockly.keyboardNavigationController.setIsActive(true)
       view.focusSearch()
       return true
     },

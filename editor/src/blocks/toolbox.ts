@@ -308,11 +308,11 @@ export function registerToolbox(): void {
   registry.register(registry.Type.TOOLBOX_ITEM, searchKind, Search, true)
 }
 
-/// Puts the cursor into the search field.
+/// Puts the cursor into the search field; where a phone has no room for it, the keyboard goes to the categories.
 export function focusSearch(workspace: Blockly.WorkspaceSvg): void {
-  const item = workspace
-    .getToolbox()
-    ?.getToolboxItems()
-    .find(found => found instanceof Search)
-  if (item !== undefined) Blockly.getFocusManager().focusNode(item as Search)
+  const toolbox = workspace.getToolbox()
+  const item = toolbox?.getToolboxItems().find(found => found instanceof Search)
+  const shown = item instanceof Search && item.getFocusableElement().getClientRects().length > 0
+  if (shown) Blockly.getFocusManager().focusNode(item)
+  else if (toolbox) Blockly.getFocusManager().focusTree(toolbox)
 }

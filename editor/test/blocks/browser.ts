@@ -5,8 +5,11 @@ import {type Browser, chromium, type Page} from "playwright-core"
 import {createServer, type ViteDevServer} from "vite"
 
 export interface Stage {
-  /// A fresh page with the block view; `query` as `dev/blocks.ts` reads it.
+  /// A page with the block view as it is at first; `query` as `dev/blocks.ts` reads it. The same query gets the same
+  /// page, put back to its beginning: opening a page costs more than most stories.
   open(query?: string): Promise<Page>
+  /// A page that no other story has.
+  openOwn(query?: string): Promise<Page>
   close(): Promise<void>
 }
 
@@ -28,19 +31,30 @@ export async function openStage(): Promise<Stage> {
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"],
   })
+  const openOwn = async (query = "") => {
+    const context = await browser.newContext({viewport: {width: 1100, height: 800}, reducedMotion: "reduce"})
+    const page = await context.newPage()
+    page.on("pageerror", error => {
+      throw error
+    })
+    await page.goto(`${address}dev/blocks.html?${query}`)
+    await page.waitForFunction("window.blocks !== undefined && document.fonts.status === 'loaded'")
+    return page
+  }
+  const pages = new Map<string, Page>()
   return {
+    openOwn,
     async open(query = "") {
-      const context = await browser.newContext({
-        viewport: {width: 1100, height: 800},
-        reducedMotion: "reduce",
-      })
-      const page = await context.newPage()
-      page.on("pageerror", error => {
-        throw error
-      })
-      await page.goto(`${address}dev/blocks.html?${query}`)
-      await page.waitForFunction("window.blocks !== undefined && document.fonts.status === 'loaded'")
-      return page
+      const known = pages.get(query)
+      if (known === undefined) {
+        const page = await openOwn(query)
+        pages.set(query, page)
+        return page
+      }
+      await known.mouse.move(1, 799)
+      await known.evaluate(() => window.reset())
+      await settled(known)
+      return known
     },
     async close() {
       await browser.close()

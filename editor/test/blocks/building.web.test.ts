@@ -6,7 +6,7 @@ import {drag, openStage, type Stage, settled, socket} from "./browser.ts"
 import {Keys} from "./keys.ts"
 
 // A browser on a busy machine is slow; a story that hangs still ends.
-vi.setConfig({testTimeout: 40_000, hookTimeout: 40_000})
+vi.setConfig({testTimeout: 120_000, hookTimeout: 120_000})
 
 let stage: Stage
 beforeAll(async () => {
@@ -79,7 +79,6 @@ describe("by mouse", () => {
     await drag(page, {x: name.x + 10, y: name.y + 8}, {x: to.x + 26, y: to.y + 6})
     await settled(page)
     expect((await keys.haskell()).trim()).toBe(example("move"))
-    await page.close()
   })
 })
 
@@ -92,7 +91,6 @@ describe("the examples", () => {
       const text = readFileSync(new URL(`../../../examples/${name}/Main.hs`, import.meta.url), "utf8")
       expect(await keys.haskell()).toBe(text)
       expect(await page.evaluate(() => window.blocks.inference().problems)).toEqual([])
-      await page.close()
     },
   )
 })
@@ -105,7 +103,6 @@ test("a level filters and orders what the toolbox offers", async () => {
   await settled(page)
   expect((await offered())[0]).toBe("Tasks")
   expect(await page.locator(".rosyLevel select").inputValue()).toBe("tasks")
-  await page.close()
 })
 
 describe("by keyboard alone", () => {
@@ -114,7 +111,6 @@ describe("by keyboard alone", () => {
     await keys.take("send always")
     await run(keys, "move")
     expect((await keys.haskell()).trim()).toBe(example("move"))
-    await keys.page.close()
   })
 
   test("accelerate", async () => {
@@ -122,7 +118,6 @@ describe("by keyboard alone", () => {
     await accelerate(keys)
     await run(keys, "accelerate")
     expect((await keys.haskell()).trim()).toBe(example("accelerate"))
-    await keys.page.close()
   })
 
   test("accelerateAndPlay", async () => {
@@ -149,7 +144,6 @@ describe("by keyboard alone", () => {
     await keys.take("nothing no value")
     await run(keys, "accelerate", "play")
     expect((await keys.haskell()).trim()).toBe(example("accelerateAndPlay"))
-    await keys.page.close()
   })
 
   test("a task of steps, with steps inside a step", async () => {
@@ -170,6 +164,5 @@ describe("by keyboard alone", () => {
         '    say "done"',
       ].join("\n"),
     )
-    await keys.page.close()
   })
 })

@@ -16,7 +16,10 @@ export class Keys {
   async press(...keys: readonly string[]): Promise<void> {
     for (const key of keys) {
       await this.page.keyboard.press(key)
-      await settled(this.page)
+      // Arrows only move the focus; a frame later Blockly has brought the block to the front, which must not
+      // happen to one that has lost the focus to the next already.
+      if (key.startsWith("Arrow")) await this.page.evaluate(() => new Promise(requestAnimationFrame))
+      else await settled(this.page)
     }
   }
 
