@@ -23,6 +23,17 @@ BENCHES: dict[str, tuple[str, list[list[str]]]] = {
         "1,000 lines of Haskell into blocks and a keystroke in them, beside the parser alone; and typing in them in a real browser",
         [["npx", "vite-node", "codegen/bench/text.ts"], ["npx", "vite-node", "e2e-tests/bench/text.ts"]],
     ),
+    "language": (
+        "the language beside reactive-banana, compiled and as bytecode",
+        [
+            ["cabal", "bench", "--offline", "-v0", "--disable-executable-dynamic", "--builddir=.rosy/bench", "language"],
+            [
+                "bash",
+                "-c",
+                'exec ghc -v0 -O0 -package-db "dist-newstyle/packagedb/ghc-$(ghc --numeric-version)" -irosy-hs/bench -e main rosy-hs/bench/Bytecode.hs',
+            ],
+        ],
+    ),
     "simulator": ("the world alone, with a program in lockstep, and many pages at once", [[sys.executable, "-m", "rosy_sim.bench", "simulator"]]),
 }
 

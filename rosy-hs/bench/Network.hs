@@ -8,6 +8,8 @@
 module Network
   ( Stimulus (..),
     stimuli,
+    what,
+    network,
     Tally (..),
     runRosy,
   )
@@ -20,6 +22,10 @@ import Rosy.Loop
 import Rosy.Program (Names (..))
 import Rosy.Runnable (program)
 import System.Random (mkStdGen)
+
+-- | All four.
+network :: (Bumper -> Memory Bool, Memory Bool -> Velocity -> Velocity, Bumper -> Maybe Sound, () -> Memory Int -> Memory Int)
+network = (hit, accelerate, play, count)
 
 hit :: Bumper -> Memory Bool
 hit (Bumper _ s) = Memory (s == Pressed)
@@ -49,30 +55,33 @@ stimuli n = [stimulus k | k <- [1 .. n]]
       8 -> Bump False
       _ -> Odom (fromIntegral (k `mod` 7))
 
+-- | The stimulus as Rosy's loop hears it.
+what :: Stimulus -> What
+what s = case s of
+  Odom v -> Hear (OdometryMessage (Odometry (Position 0 0) (Orientation 0) (Velocity v 0)))
+  Bump pressed -> Hear (BumperMessage (Bumper CenterBumper (if pressed then Pressed else Released)))
+  Ticked -> TickNow
+
 -- | What came out: speeds, their sum, and sounds. Equal for equal networks.
 data Tally = Tally {speeds :: !Int, total :: !Double, sounds :: !Int}
   deriving (Eq, Show)
 
 -- | Drive Rosy's loop; gives the number of firings as well.
 runRosy :: [Stimulus] -> IO (Int, Tally)
-runRosy = go 0 (Tally 0 0 0) (begin (Start 0 (mkStdGen 1)) (program (Names []) (hit, accelerate, play, count)))
+runRosy = go 0 (Tally 0 0 0) (begin (Start 0 (mkStdGen 1)) (program (Names []) network))
   where
     go :: Int -> Tally -> Turn -> [Stimulus] -> IO (Int, Tally)
     go !firings !tally turn todo = case turn of
       Fires firing after -> do
         _ <- evaluate (firingEffects firing)
         go (firings + 1) tally after todo
-      Settled network ->
-        let (report, network') = collect network
+      Settled now ->
+        let (report, now') = collect now
             tally' = foldl add tally (reportActions report)
          in case todo of
               [] -> pure (firings, tally')
-              s : rest -> go firings tally' (instant 0 (what s) network') rest
+              s : rest -> go firings tally' (instant 0 (what s) now') rest
       Ended _ _ -> pure (firings, tally)
-    what s = case s of
-      Odom v -> Hear (OdometryMessage (Odometry (Position 0 0) (Orientation 0) (Velocity v 0)))
-      Bump pressed -> Hear (BumperMessage (Bumper CenterBumper (if pressed then Pressed else Released)))
-      Ticked -> TickNow
     add t action = case action of
       SetVelocity v _ -> t {speeds = speeds t + 1, total = total t + v}
       PlaySound _ -> t {sounds = sounds t + 1}

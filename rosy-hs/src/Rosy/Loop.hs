@@ -546,6 +546,9 @@ work scope occurrence live0 called0 spec k = leaves live0 [] []
     leaves (l : ls) seen fresh | not (listens kind occurrence l) = leaves ls (l : seen) fresh
     leaves (l : ls) seen fresh = do
       l' <- offerTo scope occurrence l
+      quiet <- world uneventful
+      if quiet then leaves ls (l' : seen) fresh else leafDone l l' ls seen fresh
+    leafDone l l' ls seen fresh = do
       more <- startCalls stepLimit scope
       over <- takeEnding
       case over of
@@ -559,6 +562,12 @@ work scope occurrence live0 called0 spec k = leaves live0 [] []
       case over of
         Nothing -> calls cs (result ++ kept) live (if null more then fresh else fresh ++ more)
         Just value -> finish stepLimit scope (functionName "end of a call") value (reverse kept ++ result ++ cs ++ fresh ++ more) spec k
+
+-- | Nobody ended or called anything: by far the most firings.
+uneventful :: World -> Bool
+uneventful w = case ending w of
+  Nothing -> null (begun w)
+  Just _ -> False
 
 takeFed :: Step [Dynamic]
 takeFed =
