@@ -84,9 +84,17 @@ for (let i = 0; i < repeats * 3; i++) {
   const at = (numbers[(i * 37) % numbers.length]?.index ?? 0) + 1
   const typed = `${view.text.slice(0, at)}7${view.text.slice(at)}`
   const before = view.text
-  strokes.push(timed(() => void (view = syncText(reader, view, typed))))
+  strokes.push(
+    timed(() => {
+      view = syncText(reader, view, typed)
+    }),
+  )
   places.push(timed(() => spansOf(view)))
-  strokes.push(timed(() => void (view = syncText(reader, view, before))))
+  strokes.push(
+    timed(() => {
+      view = syncText(reader, view, before)
+    }),
+  )
 }
 row("a keystroke: text to blocks", strokes)
 row("the places of all blocks in the text", places)
@@ -96,6 +104,10 @@ for (let i = 0; i < repeats; i++) {
   const workspace = structuredClone(workspaceOf(view))
   const block = workspace.blocks.blocks[(i * 7) % workspace.blocks.blocks.length]
   if (block !== undefined) block.icons = {comment: {text: `note ${i}`}}
-  edits.push(timed(() => void (view = syncBlocks(reader, view, workspace))))
+  edits.push(
+    timed(() => {
+      view = syncBlocks(reader, view, workspace)
+    }),
+  )
 }
 row("an edit of a block: blocks to text", edits)

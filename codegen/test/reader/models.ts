@@ -5,7 +5,7 @@ import type {Clause, Declaration, Expr, Pattern, Program, RightSide, Statement} 
 
 const variable = fc.constantFrom("x", "y'", "vl", "accelerate", "otherwise'", "größe", "Map.lookup", "f_1")
 const binder = fc.constantFrom("x", "y'", "vl", "go", "größe", "n_")
-const constructor = fc.constantFrom("Just", "Velocity", "Bumper", "Pressed", "Done", "Über", "True")
+const conName = fc.constantFrom("Just", "Velocity", "Bumper", "Pressed", "Done", "Über", "True")
 const operator = fc.constantFrom(
   "+",
   "-",
@@ -92,7 +92,7 @@ const kinds = fc.letrec<Kinds>(loose => {
     expr: fc.oneof(
       nesting,
       variable.map((name): Expr => ({kind: "variable", name})),
-      constructor.map((name): Expr => ({kind: "constructor-name", name})),
+      conName.map((name): Expr => ({kind: "constructor-name", name})),
       number.map((text): Expr => ({kind: "number", text})),
       words.map((value): Expr => ({kind: "string", value})),
       fc.constantFrom("a", "'", '"', "\n", "\\", "ü").map((value): Expr => ({kind: "character", value})),
@@ -132,7 +132,7 @@ const kinds = fc.letrec<Kinds>(loose => {
         }),
       ),
       fc.tuple(e, typeText).map(([expr, text]): Expr => ({kind: "typed", expr, type: {kind: "type", text}})),
-      fc.tuple(constructor, fields, few(e, 2)).map(
+      fc.tuple(conName, fields, few(e, 2)).map(
         ([name, names, values]): Expr => ({
           kind: "record",
           name,
@@ -154,14 +154,14 @@ const kinds = fc.letrec<Kinds>(loose => {
       number.map((text): Pattern => ({kind: "number-pattern", text})),
       words.map((value): Pattern => ({kind: "string-pattern", value})),
       fc
-        .tuple(constructor, few(p, 0))
+        .tuple(conName, few(p, 0))
         .map(([name, args]): Pattern => ({kind: "constructor-pattern", name, args})),
       fc.constant<Pattern>({kind: "constructor-pattern", name: "()", args: []}),
       few(p, 2).map((items): Pattern => ({kind: "tuple-pattern", items})),
       few(p, 0).map((items): Pattern => ({kind: "list-pattern", items})),
       fc.tuple(p, p).map(([left, right]): Pattern => ({kind: "infix-pattern", op: ":", left, right})),
       fc.tuple(binder, p).map(([name, pattern]): Pattern => ({kind: "as-pattern", name, pattern})),
-      fc.tuple(constructor, binder, p).map(
+      fc.tuple(conName, binder, p).map(
         ([name, field, pattern]): Pattern => ({
           kind: "record-pattern",
           name,
@@ -245,11 +245,7 @@ function renamed(all: readonly Declaration[]): Declaration[] {
 }
 
 const ownType: fc.Arbitrary<Declaration> = fc
-  .tuple(
-    constructor,
-    few(fc.tuple(constructor, fc.array(typeText, {maxLength: 2}), fc.boolean())),
-    fc.boolean(),
-  )
+  .tuple(constructor, few(fc.tuple(conName, fc.array(typeText, {maxLength: 2}), fc.boolean())), fc.boolean())
   .map(
     ([name, all, derives]): Declaration => ({
       kind: "data",
