@@ -83,6 +83,7 @@ class Dragging extends Blockly.dragging.BlockDragStrategy {
   override revertDrag(): void {
     super.revertDrag()
     this.host.refusal.hide()
+    endMovement(this.moved.workspace)
   }
 }
 

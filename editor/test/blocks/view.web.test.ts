@@ -206,6 +206,18 @@ test("what is copied in one tab is pasted in another, open or not", async () => 
   await page.context().close()
 })
 
+test("a move that is taken back leaves everything as it was, and the next one is free", async () => {
+  const page = await stage.open("small")
+  const before = await page.evaluate(() => JSON.stringify(window.blocks.save()))
+  await page.evaluate(() => window.blocks.select("half"))
+  await press(page, "m", "ArrowRight", "Escape")
+  expect(await page.evaluate(() => JSON.stringify(window.blocks.save()))).toBe(before)
+  // A paste is not a move: what was copied comes back whole, whatever the last move was refused.
+  await page.evaluate(() => window.blocks.select("velocity"))
+  await press(page, "Control+c", "Control+v")
+  expect(JSON.stringify(await tree(page)).match(/plus/g)).toHaveLength(2)
+})
+
 describe("what comes from elsewhere", () => {
   test("a problem stands on its block until it is gone", async () => {
     const page = await stage.open("small")
