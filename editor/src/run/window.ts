@@ -47,31 +47,32 @@ function isTextField(target: EventTarget | null): boolean {
   return target instanceof Element && target.closest("input, textarea") !== null
 }
 
+/// What a key with Ctrl (Cmd on a Mac) means everywhere on the page; `null` when it means nothing here.
+function commandOf(event: KeyboardEvent, keys: Keys): (() => void) | null {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return null
+  const key = event.key.toLowerCase()
+  if (key === "enter") return keys.run
+  if (key === "s") return keys.save
+  if (isTextField(event.target)) return null
+  if (key === "y" || (key === "z" && event.shiftKey)) return keys.redo
+  return key === "z" ? keys.undo : null
+}
+
 export function watchKeys(keys: Keys): void {
-  // Before anybody else hears of them: the program has one history, and the workspace would use its own.
+  // Before anybody else hears of them: the program has one history, and the workspace and the text editor would use
+  // their own, or make something else of the same keys.
   window.addEventListener(
     "keydown",
     event => {
-      const key = event.key.toLowerCase()
-      if (!(event.ctrlKey || event.metaKey) || (key !== "z" && key !== "y") || isTextField(event.target))
-        return
+      const command = commandOf(event, keys)
+      if (command === null) return
       event.preventDefault()
       event.stopPropagation()
-      if (key === "y" || event.shiftKey) keys.redo()
-      else keys.undo()
+      command()
     },
     {capture: true},
   )
   window.addEventListener("keydown", event => {
-    const command = event.ctrlKey || event.metaKey
-    if (command && event.key === "Enter") {
-      event.preventDefault()
-      keys.run()
-    } else if (command && event.key.toLowerCase() === "s") {
-      event.preventDefault()
-      keys.save()
-    } else if (event.key === " " && !belongsElsewhere(event.target)) {
-      if (keys.space()) event.preventDefault()
-    }
+    if (event.key === " " && !belongsElsewhere(event.target) && keys.space()) event.preventDefault()
   })
 }

@@ -2,7 +2,7 @@
 /// the blocks or from undo is set with as few changes as it takes, so that the cursor and the scroll position stay.
 
 import {closeBrackets, closeBracketsKeymap, completionKeymap} from "@codemirror/autocomplete"
-import {defaultKeymap, indentWithTab} from "@codemirror/commands"
+import {defaultKeymap, indentLess, indentMore} from "@codemirror/commands"
 import {bracketMatching} from "@codemirror/language"
 import {type Diagnostic, lintGutter, lintKeymap, setDiagnostics} from "@codemirror/lint"
 import {highlightSelectionMatches, search, searchKeymap} from "@codemirror/search"
@@ -44,6 +44,9 @@ const fromPage = Annotation.define<true>()
 
 export function openSource(host: HTMLElement, options: SourceOptions): SourcePane {
   const editable = new Compartment()
+  // Tab indents for somebody who writes; for somebody who walks through the page by keyboard it goes on to the next
+  // part (WCAG 2.2 §2.1.2: no keyboard trap).
+  let writing = false
   const view = new EditorView({
     parent: host,
     state: EditorState.create({
@@ -68,7 +71,9 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
           ...searchKeymap,
           ...lintKeymap,
           ...defaultKeymap,
-          indentWithTab,
+          {key: "Tab", run: v => writing && indentMore(v), shift: v => writing && indentLess(v)},
+          // Whoever wants to leave after all presses Escape first; other uses of Escape go on.
+          {key: "Escape", run: () => (writing = false)},
         ]),
         // Tabs and foreign line ends become what the rest of the program has.
         EditorState.tabSize.of(8),
@@ -78,6 +83,8 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
         lintGutter(),
         EditorView.updateListener.of(update => {
           const mine = update.transactions.some(t => t.annotation(fromPage) === true)
+          if (update.docChanged && !mine) writing = true
+          if (update.focusChanged && !update.view.hasFocus) writing = false
           if (update.docChanged && !mine) options.edited(update.state.doc.toString())
           else if (update.selectionSet && update.transactions.some(t => t.isUserEvent("select")))
             options.cursorMoved(update.state.selection.main.head)
