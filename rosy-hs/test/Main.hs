@@ -2,6 +2,7 @@
 module Main (main) where
 
 import qualified Test.Rosy.Controller
+import qualified Test.Rosy.Documentation
 import qualified Test.Rosy.Geometry
 import qualified Test.Rosy.Laws
 import qualified Test.Rosy.Model
@@ -23,5 +24,6 @@ main =
         Test.Rosy.Refused.tests,
         Test.Rosy.Laws.tests,
         Test.Rosy.Model.tests,
-        Test.Rosy.Wire.tests
+        Test.Rosy.Wire.tests,
+        Test.Rosy.Documentation.tests
       ]

@@ -236,7 +236,12 @@ data Action
 data Function = forall n. Function FunctionName (Sense n) (n -> Effects)
 
 -- | A name in two forms: as text, and as the UTF-8 bytes that are copied out when the function starts.
-data FunctionName = FunctionName {nameText :: String, nameBytes :: ByteString.ByteString}
+data FunctionName = FunctionName
+  { -- | As text.
+    nameText :: String,
+    -- | As UTF-8.
+    nameBytes :: ByteString.ByteString
+  }
 
 instance Show FunctionName where
   showsPrec d = showsPrec d . nameText
