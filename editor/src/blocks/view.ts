@@ -145,7 +145,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       pinch: true,
       startScale: 1,
       maxScale: 2.5,
-      minScale: 0.35,
+      minScale: 0.2,
       scaleSpeed: 1.15,
     },
   })
