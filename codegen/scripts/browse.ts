@@ -28,7 +28,7 @@ export function browsed(text: string): string[] {
 export function instancesOf(text: string): string[] {
   return logicalLines(text)
     .filter(l => l.startsWith("instance "))
-    .map(l => l.replace(/\s+-- Defined.*$/, "").replace(/^instance (?:\[\w+\] )?/, "instance "))
+    .map(l => l.replace(/\s+-- Defined.*$/, "").replace(/^instance (?:\[\w+\] )*/, "instance "))
     .map(unqualify)
     .filter(l => !/forall|~|@|::/.test(l))
 }

@@ -55,8 +55,22 @@ export function environmentFromGhc(database: string): string {
     .map(l => `hidden ${l}`)
   const instances = instancesOf(say([...classes, ...hiddenClasses].map(c => `:info ${c}`)))
   const types = new Set(known.flatMap(l => /^(?:data|newtype) (\S+)/.exec(l)?.[1] ?? []))
-  const usable = instances.filter(l => headsIn(l).every(t => types.has(t)))
+  const askable = new Set(
+    [...known, ...hidden].flatMap(l => /\bclass (?:.*=> )?(\w+) \w+$/.exec(l)?.[1] ?? []),
+  )
+  // What an instance asks for must be something that is asked for elsewhere; other packages bring stray ones.
+  const usable = instances.filter(
+    l =>
+      headsIn(l).every(t => types.has(t)) &&
+      contextOf(l).every(c => askable.has(c) || ["Typeable", "Ends"].includes(c)),
+  )
   return [...new Set([...known, ...hidden, ...usable.sort()])].join("\n")
+}
+
+/// The classes an instance asks for.
+function contextOf(line: string): string[] {
+  const context = /^instance (.*) => /.exec(line)?.[1]?.replace(/^\((.*)\)$/, "$1") ?? ""
+  return context.split(", ").flatMap(c => /^[A-Z]\w*/.exec(c)?.[0] ?? [])
 }
 
 /// The type names an instance is about, so that instances of types nobody can write are left out.

@@ -675,8 +675,6 @@ export const generated = [
  "instance Eq a => Eq (Memory a)",
  "instance Eq a => Eq (Param a)",
  "instance Eq a => Eq [a]",
- "instance Error e => Alternative (Either e)",
- "instance Error e => MonadPlus (Either e)",
  "instance Floating Double",
  "instance Floating Float",
  "instance Floating Orientation",
@@ -944,6 +942,7 @@ export const generated = [
  "instance Traversable (Either a)",
  "instance Traversable Maybe",
  "instance Traversable []",
+ "instance Typeable a => Value a",
  "instance Value ()",
  "instance Value Bool",
  "instance Value Bumper",
@@ -989,6 +988,7 @@ export const generated = [
  "instance Value WheelSide",
  "instance Value WheelStatus",
  "instance Value Word",
+ "instance Value [Char]",
  "instance Value a => Command (Done a)",
  "instance Value a => Command (Feedback a)",
  "instance Value a => Default [a]",
@@ -997,6 +997,5 @@ export const generated = [
  "instance Value a => Value (Maybe a)",
  "instance Value a => Value (Memory a)",
  "instance Value a => Value (Param a)",
- "instance Value a => Value [a]",
- "instance [safe] Typeable a => Value a"
+ "instance Value a => Value [a]"
 ].join("\n")

@@ -43,7 +43,7 @@ export interface Environment {
   readonly types: Lookup<TypeEntry>
   /// Each class with the classes it follows from.
   readonly classes: Lookup<readonly string[]>
-  /// Classes that a program cannot name, so that no signature may mention them.
+  /// Classes and types that a program cannot name, so that no signature may mention them.
   readonly hidden: ReadonlySet<string>
   /// Names that the Prelude has and a program's top level therefore cannot define anew.
   readonly fixed: ReadonlySet<string>
@@ -119,9 +119,10 @@ export function readEnvironment(text: string, fixed: ReadonlySet<string> = new S
 }
 
 function readLine(line: string, env: Growing): void {
-  const data = /^(?:data|newtype) (\S+)((?: \w+)*)(?: = (.*))?$/.exec(line)
+  const data = /^(hidden )?(?:data|newtype) (\S+)((?: \w+)*)(?: = (.*))?$/.exec(line)
   if (data !== null) {
-    const [, name = "", parameters = "", right = ""] = data
+    const [, hidden, name = "", parameters = "", right = ""] = data
+    if (hidden !== undefined) env.hidden.add(name)
     addData(
       env,
       name,

@@ -7,7 +7,8 @@ const builtIn = `
 type String = [Char]
 hidden class Typeable a
 hidden class Ends a
-data Ratio a
+hidden data Ratio a
+hidden data IOException
 `
 
 export const library = readEnvironment(`${generated}\n${builtIn}`, preludeNames(generated))

@@ -94,6 +94,17 @@ export function variablesIn(type: Type, found: Set<string> = new Set()): Set<str
   return found
 }
 
+/// The names of the types that a type is made of.
+export function namesIn(type: Type, found: Set<string> = new Set()): Set<string> {
+  const t = prune(type)
+  if (t.kind === "con") found.add(t.name)
+  if (t.kind === "app") {
+    namesIn(t.fn, found)
+    namesIn(t.arg, found)
+  }
+  return found
+}
+
 export function substitute(type: Type, by: ReadonlyMap<string, Type>): Type {
   const t = prune(type)
   if (t.kind === "var") return by.get(t.name) ?? t

@@ -5,7 +5,7 @@ import {printProgram} from "../haskell/print.ts"
 import {hasUnknowns} from "../model/holes.ts"
 import type {Declaration, Program} from "../model/tree.ts"
 import type {BlockId, SavedWorkspace} from "../saved.ts"
-import {showScheme} from "../types/type.ts"
+import {namesIn, showScheme} from "../types/type.ts"
 import type {Solved} from "./infer.ts"
 import {problemsOf, solve} from "./infer.ts"
 
@@ -37,6 +37,7 @@ export function withSignatures(program: Program, {inferrer}: Pick<Solved, "infer
       const scheme = inferrer.schemes.get(d)
       if (scheme === undefined || (scheme.variables.length > 0 && hasUnknowns(d))) return d
       if (scheme.constraints.some(c => inferrer.env.hidden.has(c.name) || c.name === "Typeable")) return d
+      if ([...namesIn(scheme.type)].some(n => inferrer.env.hidden.has(n))) return d
       const text = showScheme(scheme)
       if (text.includes("?")) return d
       return {...d, signature: {kind: "type", text, from: d.from}}

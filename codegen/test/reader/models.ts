@@ -245,7 +245,7 @@ function renamed(all: readonly Declaration[]): Declaration[] {
 }
 
 const ownType: fc.Arbitrary<Declaration> = fc
-  .tuple(constructor, few(fc.tuple(conName, fc.array(typeText, {maxLength: 2}), fc.boolean())), fc.boolean())
+  .tuple(conName, few(fc.tuple(conName, fc.array(typeText, {maxLength: 2}), fc.boolean())), fc.boolean())
   .map(
     ([name, all, derives]): Declaration => ({
       kind: "data",
