@@ -34,6 +34,7 @@ BENCHES: dict[str, tuple[str, list[list[str]]]] = {
             ],
         ],
     ),
+    "worker": ("check and run in the worker, beside ghci, runghc and ghc -O0", [[sys.executable, "rosy-hs/test-worker/bench/worker.py"]]),
     "simulator": ("the world alone, with a program in lockstep, and many pages at once", [[sys.executable, "-m", "rosy_sim.bench", "simulator"]]),
 }
 

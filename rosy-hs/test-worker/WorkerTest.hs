@@ -7,6 +7,7 @@ module Main (main) where
 import Rosy ()
 import Test.Tasty (defaultMain, localOption, testGroup)
 import Test.Tasty.Runners (NumThreads (..))
+import qualified Test.Worker.Attacks as Attacks
 import Test.Worker.Client (withWorker)
 import qualified Test.Worker.Conversation as Conversation
 import qualified Test.Worker.Gallery as Gallery
@@ -18,4 +19,4 @@ main :: IO ()
 main = withWorker [] $ \worker -> do
   gallery <- Gallery.tests (pure worker)
   conversations <- Conversation.tests (pure worker)
-  defaultMain (localOption (NumThreads 1) (testGroup "worker" [Wire.tests, conversations, gallery, Life.tests (pure worker)]))
+  defaultMain (localOption (NumThreads 1) (testGroup "worker" [Wire.tests, conversations, gallery, Life.tests (pure worker), Attacks.tests]))

@@ -142,7 +142,7 @@ static int is_kept(int fd, int count, const int *keep) {
 }
 
 /*
- * Dies with its parent, leads its own session, has nothing open but the kept descriptors and an empty 0, 1 and 2,
+ * Dies with its parent, leads its own session, knows no environment, has nothing open but the kept descriptors and an empty 0, 1 and 2,
  * can gain no privilege, write no file and start no core dump.
  */
 int rosy_child_begin(int count, const int *keep, int null_fd) {
@@ -151,6 +151,7 @@ int rosy_child_begin(int count, const int *keep, int null_fd) {
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) < 0) return -1;
   if (getppid() != parent || parent == 1) return -1;
   signal(SIGCHLD, SIG_DFL);
+  clearenv();
   setsid();
   for (int fd = 0; fd < 3; fd++) if (dup2(null_fd, fd) < 0) return -1;
   int last = 2;

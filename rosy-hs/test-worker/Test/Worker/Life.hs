@@ -3,7 +3,7 @@
 -- |
 -- Module      : Test.Worker.Life
 -- Description : Children come and go, and nothing of them stays.
-module Test.Worker.Life (tests) where
+module Test.Worker.Life (tests, odometry, start) where
 
 import Control.Monad (forM_, replicateM, replicateM_)
 import Data.Aeson (Value (..), object, toJSON, (.=))
@@ -20,11 +20,11 @@ megabytes :: Int
 megabytes = 1024 * 1024
 
 tests :: IO Worker -> TestTree
-tests start =
+tests borrow =
   testGroup
     "Life of a worker"
     [ testCase "two hundred runs leave no process and no descriptor" $ do
-        worker <- start
+        worker <- borrow
         eventually "nothing is at work" (null <$> childrenOf (processId worker))
         before <- descriptorsOf (processId worker)
         forM_ [1 .. 20 :: Int] $ \batch -> do
@@ -35,17 +35,17 @@ tests start =
         eventually "no child is left" (null <$> childrenOf (processId worker))
         descriptorsOf (processId worker) >>= (@?= before),
       testCase "a run can be ended while it compiles" $ do
-        worker <- start
+        worker <- borrow
         withRun worker "bomb" bomb (64 * megabytes) $ \_ -> do
           eventually "a child compiles" (not . null <$> childrenOf (processId worker))
           answer <- ask worker (kill "bomb")
           (text "op" answer, field "signal" answer) @?= ("gone", Number 9),
       testCase "a run can be ended while it runs, and the function at work is named" $ do
-        worker <- start
+        worker <- borrow
         withRun worker "stuck" stuck (64 * megabytes) $ \link -> do
           started <- hear worker
           text "op" started @?= "started"
-          say link (object ["op" .= ("start" :: Text), "protocol" .= (1 :: Int), "seed" .= (1 :: Int), "trace" .= False])
+          say link start
           _ <- linesUntil "ready" link
           say link odometry
           say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
@@ -54,7 +54,7 @@ tests start =
           gone <- ask worker (kill "stuck")
           (text "op" gone, field "signal" gone, text "firing" gone) @?= ("gone", Number 9, "forEver"),
       testCase "a check can be ended, also while it waits for its turn" $ do
-        worker <- start
+        worker <- borrow
         forM_ ["a", "b", "c", "d" :: Text] (\i -> tell worker (check (toJSON i) (bomb <> "\n-- " <> i)))
         forM_ ["d", "c", "b", "a" :: Text] (tell worker . kill . toJSON)
         answers <- replicateM 4 (hear worker)
@@ -69,10 +69,10 @@ tests start =
           answer <- ask worker (check (Number 1) bomb)
           kinds answer @?= ["too-large"],
       testCase "a program that uses up its memory ends with a sentence" $ do
-        worker <- start
+        worker <- borrow
         withRun worker "hungry" hungry (64 * megabytes) $ \link -> do
           _ <- hear worker
-          say link (object ["op" .= ("start" :: Text), "protocol" .= (1 :: Int), "seed" .= (1 :: Int), "trace" .= False])
+          say link start
           _ <- linesUntil "ready" link
           say link odometry
           say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
@@ -81,12 +81,12 @@ tests start =
           let told = [text "kind" (field "problem" l) | l <- said ++ [gone], field "problem" l /= Null]
           assertBool (show (said, gone)) ("memory" `elem` told),
       testCase "the same source again gets the same answer" $ do
-        worker <- start
+        worker <- borrow
         first <- ask worker (check (Number 1) stuck)
         second <- ask worker (check (Number 1) stuck)
         first @?= second,
       testCase "nonsense on the socket is answered, and the next request served" $ do
-        worker <- start
+        worker <- borrow
         tellBytes worker "this is not JSON\n"
         tellBytes worker (ByteString.replicate (5 * megabytes) 120 <> "\n")
         tellBytes worker "{\"op\":\"dance\",\"id\":7}\n[]\n\n{\"op\":\"check\"}\n"
@@ -117,12 +117,12 @@ tests start =
           forM_ children (\c -> eventually "the program is gone" (not <$> isAlive c))
           closeLink link,
       testCase "each run runs its own program" $ do
-        worker <- start
+        worker <- borrow
         forM_ [1 .. 3 :: Int] $ \n -> do
           let source = "main = simulate (Say \"" <> Text.pack (show n) <> "\")\n"
           withRun worker (toJSON n) source (64 * megabytes) $ \link -> do
             _ <- answerOf worker (toJSON n)
-            say link (object ["op" .= ("start" :: Text), "protocol" .= (1 :: Int), "seed" .= (1 :: Int), "trace" .= True])
+            say link start
             _ <- linesUntil "ready" link
             say link odometry
             say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
@@ -131,7 +131,7 @@ tests start =
           _ <- answerOf worker (toJSON n)
           pure (),
       testCase "a hundred checks in a row are all answered" $ do
-        worker <- start
+        worker <- borrow
         replicateM_ 2 $ do
           forM_ [1 .. 50 :: Int] (\n -> tell worker (check (toJSON n) ("x = " <> Text.pack (show n))))
           answers <- replicateM 50 (hear worker)
@@ -146,6 +146,11 @@ tests start =
       stat <- readFile ("/proc/" ++ show pid ++ "/stat")
       pure (case drop 12 (words (dropWhile (/= ')') stat)) of (utime : _) -> (read utime :: Int) > 25; [] -> False)
 
+-- | The first line of a link.
+start :: Value
+start = object ["op" .= ("start" :: Text), "protocol" .= (1 :: Int), "seed" .= (1 :: Int), "trace" .= True]
+
+-- | The robot stands at the origin.
 odometry :: Value
 odometry =
   object

@@ -11,6 +11,7 @@ module Rosy.Worker.Allow
     isAllowedModule,
     allowedModules,
     refuseModule,
+    refuseName,
 
     -- * Extensions
     isAllowedExtension,
@@ -68,6 +69,15 @@ refuseModule m
   where
     cannot = "A program cannot import " <> quoted m <> "."
     right = head ([a | a <- Set.toList allowedModules, Text.toLower a == Text.toLower m] ++ [m])
+
+-- | Two sentences for a function of the Prelude that reaches out of the program.
+refuseName :: Text -> Maybe (Text, Text)
+refuseName n
+  | n `elem` ["readFile", "writeFile", "appendFile"] = Just (cannot, "A robot program talks to its robot only, not to files.")
+  | n `elem` ["getLine", "getChar", "getContents", "interact", "readLn", "readIO"] = Just (cannot, "Nobody types while the robot drives: let a function take a Button.")
+  | otherwise = Nothing
+  where
+    cannot = "A program cannot use " <> quoted n <> "."
 
 quoted :: Text -> Text
 quoted t = "‘" <> t <> "’"

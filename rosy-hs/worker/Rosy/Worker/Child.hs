@@ -67,13 +67,13 @@ runNiceness = 5
 checkChild :: Settings -> Session -> Fd -> Text -> IO ()
 checkChild settings session answer source = alone answer $ do
   begin settings [answer]
-  (report, _) <- judge session source
+  (report, _) <- judge settings session source
   writeAll answer ("C" <> line (reportFields report))
 
 -- | The report, and the program if it may run.
-judge :: Session -> Text -> IO (Report, Maybe Ready)
-judge session source = do
-  found <- analyse session source
+judge :: Settings -> Session -> Text -> IO (Report, Maybe Ready)
+judge settings session source = do
+  found <- analyse (if language (layers settings) then Guarded else Unguarded) session source
   let all' = refusals found ++ explainAll (outline found) (messages found)
       report = Report all' (declared found) (connected found)
   pure (report, if any isError all' then Nothing else ready found)
@@ -83,7 +83,7 @@ runChild :: Settings -> Session -> Fd -> Fd -> Page -> Word64 -> Text -> IO ()
 runChild settings session answer link page memory source = alone answer $ do
   began <- getMonotonicTime
   begin settings [answer, link]
-  (report, mayRun) <- judge session source
+  (report, mayRun) <- judge settings session source
   let found = problems report
   case mayRun of
     Nothing -> writeAll answer ("R" <> line ["problems" .= found])

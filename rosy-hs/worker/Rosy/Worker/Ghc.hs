@@ -1,4 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE RankNTypes #-}
+{-# LANGUAGE ScopedTypeVariables #-}
 
 -- |
 -- Module      : Rosy.Worker.Ghc
@@ -14,6 +16,7 @@ module Rosy.Worker.Ghc
     compilerVersion,
 
     -- * Asking
+    Guard (..),
     Analysis (..),
     analyse,
 
@@ -26,6 +29,7 @@ where
 
 import Control.Exception (evaluate, try)
 import Control.Monad (void)
+import Data.Data (Data, cast, gmapQ)
 import Data.IORef (modifyIORef', newIORef, readIORef)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -39,9 +43,10 @@ import GHC.Data.FastString (mkFastString)
 import GHC.Data.StringBuffer (StringBuffer, stringToStringBuffer)
 import GHC.Driver.Main (hscDesugar)
 import GHC.Driver.Pipeline (compileOne')
-import GHC.Driver.Session (DynFlags (..), mkHomeModule, parseDynamicFilePragma)
+import GHC.Driver.Session (DynFlags (..), SafeHaskellMode (..), mkHomeModule, parseDynamicFilePragma, xopt_set)
 import GHC.Driver.Types
 import GHC.Hs hiding (Warning)
+import GHC.LanguageExtensions.Type (Extension (ForeignFunctionInterface))
 import GHC.Parser (parseModule)
 import GHC.Parser.Annotation (ApiAnns (..))
 import GHC.Parser.Header (getOptions)
@@ -52,6 +57,8 @@ import GHC.Tc.Module (tcRnModule)
 import GHC.Tc.Types (TcGblEnv (..))
 import GHC.TopHandler (runMainIO)
 import GHC.Types.Name (Name, getName, getOccString, nameModule_maybe)
+import GHC.Types.Name.Occurrence (occNameString)
+import GHC.Types.Name.Reader (isQual, rdrNameOcc)
 import GHC.Types.SrcLoc
 import GHC.Unit.Module (mkModuleName, moduleNameString)
 import GHC.Unit.Module.Location (ModLocation (..))
@@ -76,14 +83,14 @@ compilerVersion = Text.pack cProjectVersion
 start :: Library -> IO Session
 start library = do
   session <- warm library
-  practised <- analyse session practice
+  practised <- analyse Guarded session practice
   case ready practised of
     Just sample -> do
       _ <- load session sample
       -- The linker keeps what it has linked by name: without this every program's main would be the practice's.
       unload (environment session) []
     Nothing -> pure ()
-  _ <- analyse session "hole = _ :: Velocity\nwrong = not hole + \"\" + undefinedName\n"
+  _ <- analyse Guarded session "hole = _ :: Velocity\nwrong = not hole + \"\" + undefinedName\n"
   pure session
 
 -- | A program that touches most of the library.
@@ -136,33 +143,40 @@ data Analysis = Analysis
 -- | A program that has passed the type checker.
 data Ready = Ready HscEnv ModSummary TcGblEnv Name
 
+-- | Whether what a program may import and switch on is limited. Only tests of the other protections go unguarded.
+data Guard = Guarded | Unguarded
+  deriving (Eq)
+
 -- | Reads and checks a program.
-analyse :: Session -> Text -> IO Analysis
-analyse session source = do
-  options <- optionsOf (hsc_dflags (environment session)) columns buffer
+analyse :: Guard -> Session -> Text -> IO Analysis
+analyse guarded session source = do
+  options <- optionsOf guarded (allowing (hsc_dflags (environment session))) columns buffer
   case options of
     Left found -> pure (stopped found [])
     Right flags -> case readProgram flags columns buffer of
       Left raws -> pure (stopped [] raws)
       Right (L at parsed, warnings) -> do
-        let refused = importRefusals columns parsed ++ declarationRefusals columns parsed
+        let refused = if guarded == Guarded then importRefusals columns parsed ++ declarationRefusals columns parsed ++ nameRefusals columns parsed else []
         if null refused
           then check session flags columns source (L at parsed) warnings
           else pure (stopped refused warnings)
   where
     columns = columnsOf source
     buffer = stringToStringBuffer (Text.unpack source)
+    allowing flags
+      | guarded == Guarded = flags
+      | otherwise = (xopt_set flags ForeignFunctionInterface) {safeHaskell = Sf_None}
     stopped found raws = Analysis found raws (noOutline source) [] [] Nothing
 
 -- * Reading
 
 -- | The flags after the pragmas at the top of the file, or why one of them is refused.
-optionsOf :: DynFlags -> Columns -> StringBuffer -> IO (Either [Problem] DynFlags)
-optionsOf flags columns buffer = do
+optionsOf :: Guard -> DynFlags -> Columns -> StringBuffer -> IO (Either [Problem] DynFlags)
+optionsOf guarded flags columns buffer = do
   attempt <- try $ do
     let options = getOptions flags buffer fileName
     mapM_ (evaluate . length . unLoc) options
-    case concatMap refusal options of
+    case if guarded == Guarded then concatMap refusal options else [] of
       [] -> do
         (changed, _, _) <- parseDynamicFilePragma flags options
         pure (Right changed)
@@ -214,6 +228,21 @@ declarationRefusals columns parsed = concatMap refusal (hsmodDecls parsed)
       RuleD {} -> [say columns s "pragma" "A program cannot change how it is compiled." "Remove these rules."]
       AnnD {} -> [say columns s "pragma" "A program cannot change how it is compiled." "Remove this annotation."]
       _ -> []
+
+-- | Functions of the Prelude that reach out of the program, under whatever qualifier. A program's own function of that name is
+-- another matter.
+nameRefusals :: Columns -> HsModule -> [Problem]
+nameRefusals columns parsed = concat (gmapQ uses (hsmodDecls parsed))
+  where
+    own = map fst (definitionSpans (placeOf columns) parsed)
+    uses :: Data a => a -> [Problem]
+    uses x = case cast x of
+      Just (L s (HsVar _ (L _ n)) :: LHsExpr GhcPs)
+        | used <- Text.pack (occNameString (rdrNameOcc n)),
+          Just (m, h) <- refuseName used,
+          isQual n || used `notElem` own ->
+          [say columns s "not-allowed" m h]
+      _ -> concat (gmapQ uses x)
 
 -- * Checking
 

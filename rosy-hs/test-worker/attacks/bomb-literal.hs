@@ -1,0 +1,1 @@
+main = simulate (Say (show (9 ^ (9 ^ 9))))

@@ -1,0 +1,3 @@
+import Data.Typeable.Internal
+
+main = simulate (Say "HARM")

@@ -1,0 +1,4 @@
+main = simulate spin
+
+spin :: Velocity -> Velocity
+spin v = spin v

@@ -1,0 +1,1 @@
+main = let go n = go (n + 1) in go 0

@@ -1,0 +1,1 @@
+main = appendFile "TARGET" "x" >> simulate (Velocity 0 0)

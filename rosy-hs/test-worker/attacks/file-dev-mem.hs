@@ -1,0 +1,1 @@
+main = readFile "/dev/mem" >>= \s -> simulate (Say (take 10 s))

@@ -1,0 +1,3 @@
+import System.Directory
+
+main = removeFile "CANARY" >> simulate (Velocity 0 0)

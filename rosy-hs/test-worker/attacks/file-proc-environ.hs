@@ -1,0 +1,1 @@
+main = readFile "/proc/self/environ" >>= \s -> simulate (Say s)

@@ -1,0 +1,1 @@
+main = readFile "CANARY" >>= \s -> simulate (Say s)

@@ -1,0 +1,4 @@
+import Prelude hiding (readFile)
+import qualified Prelude as Q (readFile)
+
+main = Q.readFile "CANARY" >>= \s -> simulate (Say s)

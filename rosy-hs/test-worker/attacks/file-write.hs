@@ -1,0 +1,1 @@
+main = writeFile "TARGET" "x" >> simulate (Velocity 0 0)

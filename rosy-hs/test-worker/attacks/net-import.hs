@@ -1,0 +1,3 @@
+import Network.Socket
+
+main = socket AF_INET Stream 0 >>= \_ -> simulate (Say "HARM")

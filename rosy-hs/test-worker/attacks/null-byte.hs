@@ -1,0 +1,1 @@
+main = simulate (Say "\0\0\0")

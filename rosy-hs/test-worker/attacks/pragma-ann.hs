@@ -1,0 +1,2 @@
+{-# ANN module (readFile "CANARY") #-}
+main = simulate (Velocity 0 0)

@@ -1,0 +1,3 @@
+{-# LANGUAGE CPP #-}
+#include "CANARY"
+main = simulate (Velocity 0 0)

@@ -1,0 +1,2 @@
+{-# INCLUDE "CANARY" #-}
+main = simulate (Velocity 0 0)

@@ -1,0 +1,3 @@
+module Main where
+{-# OPTIONS_GHC -fplugin=Evil #-}
+main = simulate (Velocity 0 0)

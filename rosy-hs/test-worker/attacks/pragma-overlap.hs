@@ -1,0 +1,2 @@
+{-# LANGUAGE IncoherentInstances #-}
+main = simulate (Velocity 0 0)

@@ -1,0 +1,2 @@
+{-# OPTIONS_GHC -fplugin=Evil #-}
+main = simulate (Velocity 0 0)

@@ -1,0 +1,2 @@
+{-# LANGUAGE QuasiQuotes #-}
+main = simulate (Say [file|CANARY|])

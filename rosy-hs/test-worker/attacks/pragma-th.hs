@@ -1,0 +1,2 @@
+{-# LANGUAGE TemplateHaskell #-}
+main = $(error "HARM")

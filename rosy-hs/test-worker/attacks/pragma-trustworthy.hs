@@ -1,0 +1,4 @@
+{-# LANGUAGE Trustworthy #-}
+import System.IO.Unsafe
+
+main = simulate (Say (unsafePerformIO (readFile "CANARY")))

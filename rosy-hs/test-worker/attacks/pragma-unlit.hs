@@ -1,0 +1,3 @@
+\begin{code}
+main = simulate (Velocity 0 0)
+\end{code}

@@ -1,0 +1,3 @@
+import System.Process
+
+main = callCommand "touch TARGET" >> simulate (Velocity 0 0)

@@ -1,0 +1,3 @@
+import System.Posix.Process
+
+main = forkProcess (pure ()) >> simulate (Say "HARM")

@@ -1,0 +1,1 @@
+main = getLine >>= \s -> simulate (Say s)

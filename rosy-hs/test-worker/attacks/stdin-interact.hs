@@ -1,0 +1,1 @@
+main = interact id >> simulate (Velocity 0 0)

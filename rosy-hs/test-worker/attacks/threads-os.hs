@@ -1,0 +1,3 @@
+import Control.Concurrent
+
+main = forkOS (pure ()) >> simulate (Say "HARM")

@@ -1,0 +1,199 @@
+"""
+How long a check and a run take in the worker, beside runghc, ghc -O0 and a warm ghci on the same program in the same run.
+
+In: the built worker and library. Out: a table of medians and 95th percentiles in milliseconds, and memory per run. `started` is the time from sending a run to
+`main` being about to run, seen from outside; a run that compilers start is timed to the end of a program that ends at once.
+"""
+
+from __future__ import annotations
+
+import array
+import json
+import os
+import socket
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+ROUNDS = int(os.environ.get("ROSY_BENCH_ROUNDS", "50"))
+COLD_ROUNDS = 10
+
+SMALL = """main = simulate (accelerate, play)
+
+accelerate :: Velocity -> Velocity
+accelerate (Velocity v w) = Velocity (v + 0.5) w
+
+play :: Bumper -> Maybe Sound
+play (Bumper _ Pressed) = Just ErrorSound
+play _ = Nothing
+"""
+
+
+def hundred_lines() -> str:
+    """A program of about a hundred lines: types, memory, tasks and arithmetic, as a pupil's larger program has them."""
+    parts = ["data Mode = Go | Stop | Turn Double Seconds", "", "data ChgDir = ChgDir", ""]
+    for i in range(12):
+        parts += [
+            f"step{i} :: Bumper -> Memory Mode -> Seconds -> Either ChgDir (Memory Mode)",
+            f"step{i} (Bumper _ Pressed) _ _ = Left ChgDir",
+            f"step{i} _ (Memory m) now = Right (Memory (after{i} m))",
+            "  where",
+            f"    after{i} (Turn a t) | now > t + {i} = Go",
+            f"                        | otherwise = Turn (a * {i + 1} / 2) t",
+            f"    after{i} other = other",
+            "",
+        ]
+    parts.append("main = simulate (" + ", ".join(f"step{i}" for i in range(9)) + ")")
+    return "\n".join(parts) + "\n"
+
+
+class Worker:
+    """The real worker at the other end of a socket."""
+
+    def __init__(self) -> None:
+        found = sorted(ROOT.glob("dist-newstyle/build/*/*/*/x/rosy-worker/build/rosy-worker/rosy-worker"))
+        if not found:
+            sys.exit("bench worker: build the worker first: ./rosy start does it.")
+        mine, theirs = socket.socketpair()
+        os.set_inheritable(theirs.fileno(), True)
+        began = time.perf_counter()
+        self.process = subprocess.Popen([str(found[-1]), "--fd", str(theirs.fileno())], close_fds=False)
+        theirs.close()
+        self.socket = mine
+        self.unread = b""
+        self.next = 0
+        self.hear()
+        self.warm = time.perf_counter() - began
+
+    def hear(self) -> dict[str, object]:
+        while b"\n" not in self.unread:
+            more = self.socket.recv(1 << 20)
+            if not more:
+                sys.exit("bench worker: the worker went away.")
+            self.unread += more
+        line, self.unread = self.unread.split(b"\n", 1)
+        return json.loads(line)
+
+    def say(self, request: dict[str, object], passenger: int | None = None) -> None:
+        line = (json.dumps(request) + "\n").encode()
+        rights = [] if passenger is None else [(socket.SOL_SOCKET, socket.SCM_RIGHTS, array.array("i", [passenger]))]
+        sent = self.socket.sendmsg([line], rights)
+        self.socket.sendall(line[sent:])
+
+    def check(self, source: str) -> None:
+        # A comment makes each source new, so that none is answered from the cache.
+        self.next += 1
+        self.say({"op": "check", "id": self.next, "source": f"{source}-- {self.next}\n"})
+        assert self.hear()["op"] == "checked"
+
+    def run(self, source: str) -> socket.socket:
+        mine, theirs = socket.socketpair()
+        self.next += 1
+        self.say({"op": "run", "id": self.next, "source": source, "memory": 64 << 20}, theirs.fileno())
+        theirs.close()
+        while True:
+            answer = self.hear()
+            if answer["op"] == "refused":
+                sys.exit(f"bench worker: the program was refused: {answer}")
+            if answer["op"] == "started":
+                return mine
+
+
+def timed(rounds: int, action: Callable[[], object]) -> list[float]:
+    took = []
+    for _ in range(rounds):
+        began = time.perf_counter()
+        action()
+        took.append((time.perf_counter() - began) * 1000)
+    return took
+
+
+def row(name: str, took: list[float], beside: float | None = None) -> float:
+    middle = statistics.median(took)
+    late = sorted(took)[max(0, round(len(took) * 0.95) - 1)]
+    ratio = "" if beside is None else f"{middle / beside:9.1f} x"
+    print(f"{name:44}{middle:9.1f}{late:9.1f}{ratio}", flush=True)
+    return middle
+
+
+def private_kilobytes(pid: int) -> tuple[int, int]:
+    """Proportional and private memory of a process, kB."""
+    fields = dict(line.split(":", 1) for line in Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines()[1:] if ":" in line)
+    kilobytes = {key: int(value.split()[0]) for key, value in fields.items() if value.split()[0].isdigit()}
+    return kilobytes["Pss"], kilobytes["Private_Dirty"] + kilobytes["Private_Clean"]
+
+
+def children(pid: int) -> list[int]:
+    return [int(child) for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+
+
+def ghci(folder: Path, packages: list[str]) -> list[float]:
+    """A warm ghci: the file is touched, reloaded, and its main is run."""
+    process = subprocess.Popen(["ghc", "--interactive", "-v0", *packages, str(folder / "Main.hs")], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, cwd=folder)
+    assert process.stdin and process.stdout
+
+    def reload() -> None:
+        assert process.stdin and process.stdout
+        with (folder / "Main.hs").open("a") as file:
+            file.write("-- again\n")
+        process.stdin.write(":reload\nmain\nputStrLn \"done\"\n")
+        process.stdin.flush()
+        while process.stdout.readline().strip() != "done":
+            pass
+
+    reload()
+    took = timed(COLD_ROUNDS, reload)
+    process.stdin.close()
+    process.wait()
+    return took
+
+
+def main() -> int:
+    worker = Worker()
+    large = hundred_lines()
+    print(f"{'':44}{'median':>9}{'p95':>9}    beside `run: to started`")
+    print(f"{'worker: warm after its start':44}{worker.warm * 1000:9.1f}")
+    worker.check(large)
+    row(f"check: {len(SMALL.splitlines())} lines", timed(ROUNDS, lambda: worker.check(SMALL)))
+    row(f"check: {len(large.splitlines())} lines", timed(ROUNDS, lambda: worker.check(large)))
+
+    links: list[socket.socket] = []
+    started = row("run: to started", timed(ROUNDS, lambda: links.append(worker.run(SMALL))))
+    row(f"run: to started, {len(large.splitlines())} lines", timed(ROUNDS, lambda: links.append(worker.run(large))))
+    alive = children(worker.process.pid)
+    memory = [private_kilobytes(pid) for pid in alive]
+    for link in links:
+        link.close()
+
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        # The peers get the program as a Haskell file with what the worker adds, against the same library.
+        (folder / "Main.hs").write_text("import Rosy\n\n" + SMALL)
+        databases = sorted(ROOT.glob("dist-newstyle/packagedb/ghc-*"))
+        packages = [f"-package-db={database}" for database in databases] + ["-package=rosy"]
+        row("ghci, warm: :reload and main", ghci(folder, packages), started)
+        row("runghc", timed(COLD_ROUNDS, lambda: subprocess.run(["runghc", *packages, "Main.hs"], cwd=folder, check=True, stderr=subprocess.DEVNULL)), started)
+
+        def compiled() -> None:
+            for old in folder.glob("Main.*o"):
+                old.unlink()
+            (folder / "Main.hi").unlink(missing_ok=True)
+            (folder / "Main").unlink(missing_ok=True)
+            subprocess.run(["ghc", "-v0", "-O0", "-dynamic", *packages, "Main.hs"], cwd=folder, check=True)
+            subprocess.run([str(folder / "Main")], cwd=folder, check=True, stderr=subprocess.DEVNULL)
+
+        row("ghc -O0 and the program", timed(COLD_ROUNDS, compiled), started)
+
+    print(f"{len(memory)} programs at once: {statistics.median(m[1] for m in memory) / 1024:.1f} MB private each, {statistics.median(m[0] for m in memory) / 1024:.1f} MB proportional")
+    worker.socket.close()
+    worker.process.wait()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
