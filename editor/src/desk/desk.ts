@@ -133,6 +133,10 @@ export function openDesk(address: string): Desk {
     else void openExample(firstExample, true)
   }
 
+  const cursorMoved = (offset: number) => {
+    const block = innermostBlock(store.now.document.program.spans, {start: offset, end: offset})
+    store.dispatch({kind: "selected", block, in: "haskell"})
+  }
   /// Brings what was typed to the document, and so to the blocks.
   const flush = () => {
     clearTimeout(typing)
@@ -142,6 +146,7 @@ export function openDesk(address: string): Desk {
     const began = performance.now()
     const document = withText(reader, store.now.document, text)
     store.dispatch({kind: "program-changed", document, by: "haskell", at: began})
+    if (source !== null) cursorMoved(source.cursor())
     cost = performance.now() - began
   }
   /// Small programs follow every key; where that would be felt, they follow a pause in the typing.
@@ -218,10 +223,7 @@ export function openDesk(address: string): Desk {
     mountSource(host) {
       source = openSource(host, {
         label: words.haskellPane,
-        cursorMoved(offset) {
-          const block = innermostBlock(store.now.document.program.spans, {start: offset, end: offset})
-          store.dispatch({kind: "selected", block, in: "haskell"})
-        },
+        cursorMoved,
         edited(text) {
           typed = text
           flushSoon()

@@ -26,6 +26,8 @@ export interface SourcePane {
   link(range: Range | null): void
   glow(ranges: readonly Range[]): void
   mark(findings: readonly Finding[]): void
+  /// Where the cursor is.
+  cursor(): number
   /// Brings a place into sight and puts the cursor there.
   reveal(range: Range): void
   dispose(): void
@@ -132,6 +134,7 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
       })
       view.dispatch(setDiagnostics(view.state, diagnostics))
     },
+    cursor: () => view.state.selection.main.head,
     reveal(range) {
       const at = Math.min(range.start, view.state.doc.length)
       view.dispatch({
