@@ -277,25 +277,38 @@ function nameOf(text: string, tokens: readonly Token[]): {name: string; signatur
   return isName && said(1) !== "," && said(1) !== "@" ? named(head, 1) : nobody
 }
 
-/// The operator between the patterns of an equation, before its `=` or `|`.
+/// The operator between the patterns of an equation, before its `=` or `|`; in `(f <+> g) x = …` it stands in brackets.
 function operatorDefined(text: string, tokens: readonly Token[]): string | undefined {
   let depth = 0
+  let bracketed: string | undefined
+  let closed: number | undefined
   for (const [i, t] of tokens.entries()) {
     const said = text.slice(t.start, t.end)
     if ("([{".includes(said)) depth++
-    else if (")]}".includes(said)) depth--
-    else if (depth === 0) {
-      const next = tokens[i + 1]
-      if (said === "=" || said === "|" || said === "::") return undefined
-      if (said === "`" && next !== undefined && /^[\p{Ll}_]/u.test(text.slice(next.start, next.end)))
-        return text.slice(next.start, next.end)
-      // With a space behind it, it is an operator; without, a mark on the pattern that follows.
-      const spaced =
-        t.kind === "symbol" && isSymbol(said[0]) && !said.startsWith(":") && /\s/.test(text[t.end] ?? " ")
-      if (spaced && !/^(?:<-|->|\\|@|~)$/.test(said)) return i === 0 ? undefined : said
+    else if (")]}".includes(said)) {
+      depth--
+      if (depth === 0) closed ??= i
+    } else if (depth === 0 && (said === "=" || said === "|" || said === "::"))
+      return said !== "::" && closed !== undefined && closed < i - 1 ? bracketed : undefined
+    else if (depth === 0 || (depth === 1 && closed === undefined && text[tokens[0]?.start ?? 0] === "(")) {
+      const operator = i === 0 ? undefined : operatorAt(text, t, tokens[i + 1])
+      if (operator !== undefined && depth === 0) return operator
+      bracketed ??= operator
     }
   }
   return undefined
+}
+
+/// With a space behind it, a symbol is an operator; without, a mark on the pattern that follows.
+function operatorAt(text: string, t: Token, next: Token | undefined): string | undefined {
+  const said = text.slice(t.start, t.end)
+  if (said === "`" && next !== undefined) {
+    const name = text.slice(next.start, next.end)
+    return /^[\p{Ll}\p{Lo}_]/u.test(name) ? name : undefined
+  }
+  const isOperator =
+    t.kind === "symbol" && isSymbol(said[0]) && !said.startsWith(":") && !/^(?:<-|->|\\|@|~)$/.test(said)
+  return isOperator && /\s/.test(text[t.end] ?? " ") ? said : undefined
 }
 
 /// A comment's lines without its marks.

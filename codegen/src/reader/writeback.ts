@@ -63,8 +63,8 @@ function replaced(
   const start = (same || piece.remark === undefined ? piece.core.start : piece.remark.start) - piece.start
   const {comment: _, ...bare} = edited
   const above = piece.slice.slice(0, start)
-  // In a file with a margin every line keeps it.
-  const margin = /[ \t]*$/.exec(above)?.[0] ?? ""
+  // In a file with a margin every line keeps it; Haskell kept as text has it already.
+  const margin = edited.kind === "raw-declaration" ? "" : (/[ \t]*$/.exec(above)?.[0] ?? "")
   const printed = print(same ? (bare as Declaration) : edited)
   return (
     above + printed.replaceAll(newline, newline + margin) + piece.slice.slice(piece.core.end - piece.start)
