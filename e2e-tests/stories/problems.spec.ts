@@ -44,46 +44,11 @@ test("a case that is missing at run time ends on its function's block, and the r
   await learner.keeps("missing-case")
 })
 
-test("a type error ends on the block that causes it", async ({page}, info) => {
+test("a type error in a Haskell file ends on the block that causes it", async ({page}, info) => {
   const learner = new Learner(page)
   await learner.opens("accelerate")
-  // The page never lets these blocks snap; a file can hold them all the same.
-  const truth = {type: "choice", id: "truth", extraState: {of: "Bool", value: "True"}}
-  const half = {type: "number", id: "half", extraState: {value: "0.5"}}
-  const velocity = {
-    type: "construct",
-    id: "velocity",
-    extraState: {con: "Velocity", args: 2},
-    inputs: {A0: {block: half}, A1: {block: truth}},
-  }
-  const move = {
-    type: "define",
-    id: "move",
-    extraState: {name: "move", as: "command", arity: 0, equations: [{}]},
-    inputs: {E0_0: {block: velocity}},
-    x: 40,
-    y: 40,
-  }
-  const main = {
-    type: "main",
-    id: "main",
-    extraState: {controllers: 1},
-    inputs: {R0: {block: {type: "name", id: "name", extraState: {name: "move", args: 0}}}},
-    x: 40,
-    y: 180,
-  }
-  const file = info.outputPath("mixed-up.rosy")
-  writeFileSync(
-    file,
-    JSON.stringify({
-      rosy: 1,
-      name: "mixed-up",
-      haskell: "",
-      layout: {declarations: [], loose: [move, main]},
-      world: "room",
-      settings: {},
-    }),
-  )
+  const file = info.outputPath("mixed-up.hs")
+  writeFileSync(file, "move :: Velocity\nmove = Velocity 0.5 True\n\nmain = simulate move\n")
   await learner.opensFile(file)
   await expect(learner.haskell()).toContainText("True")
   await learner.runs()
