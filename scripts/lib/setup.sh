@@ -24,7 +24,7 @@ APT_RUNTIME="ghc cabal-install gcc libc6-dev libgmp-dev pkg-config
   libghc-aeson-dev libghc-websockets-dev libghc-random-dev libghc-network-dev libghc-async-dev
   libseccomp-dev bubblewrap"
 APT_TOOLS="chromium hlint ormolu shellcheck
-  libghc-quickcheck2-dev libghc-tasty-dev libghc-tasty-hunit-dev libghc-tasty-quickcheck-dev"
+  libghc-quickcheck2-dev libghc-tasty-dev libghc-tasty-hunit-dev libghc-tasty-quickcheck-dev libghc-reactive-banana-dev"
 
 say() { printf '\033[2m•\033[0m %s\n' "$*" >&2; }
 give_up() {
