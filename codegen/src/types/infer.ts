@@ -42,6 +42,7 @@ import {
   metasIn,
   prune,
   showScheme,
+  spine,
   string,
   substitute,
   tupleOf,
@@ -80,6 +81,14 @@ export interface Inferred {
 
 export interface Wanted extends Constraint {
   readonly node: Node
+}
+
+/// Whether a constraint that was stuck on an unknown type would get further by now.
+function isKnownNow(c: Constraint): boolean {
+  const {head, args} = spine(prune(c.type))
+  if (c.name !== "Ends") return head.kind === "con"
+  const controller = args[1]
+  return controller !== undefined && spine(controller).head.kind === "con"
 }
 
 const mono = (type: Type): Scheme => ({variables: [], constraints: [], type})
@@ -501,12 +510,18 @@ export class Inferrer {
   }
 
   private reduceAll(wanted: readonly Wanted[], givens: readonly Constraint[]): {stuck: Wanted[]} {
-    const stuck: Wanted[] = []
-    for (const w of wanted) {
-      const r = reduce(w, this.env, givens)
-      if (r.kind === "no") this.problems.push({kind: "no-instance", node: w.node, constraint: r.constraint})
-      else for (const c of r.constraints) stuck.push({...c, node: w.node})
-    }
+    let stuck: Wanted[] = []
+    let todo = wanted
+    // `Ends` decides types while it is reduced, so what was stuck before it may be known after it.
+    do {
+      stuck = []
+      for (const w of todo) {
+        const r = reduce(w, this.env, givens)
+        if (r.kind === "no") this.problems.push({kind: "no-instance", node: w.node, constraint: r.constraint})
+        else for (const c of r.constraints) stuck.push({...c, node: w.node})
+      }
+      todo = stuck
+    } while (stuck.some(isKnownNow))
     return {stuck}
   }
 

@@ -15,6 +15,7 @@ export class Marks {
   private readonly workspace: Blockly.WorkspaceSvg
   private inferred: readonly BlockProblem[] = []
   private told: readonly BlockProblem[] = []
+  private accepted = false
   private highlighted: readonly BlockId[] = []
   private dimmed: readonly BlockId[] = []
   private readonly worded = new Map<BlockId, string>()
@@ -31,14 +32,16 @@ export class Marks {
   }
 
   /// Problems from elsewhere (the compiler, a run); they stand until the next call.
-  setTold(problems: readonly BlockProblem[]): void {
+  /// `accepted` says that the compiler has taken the program: what inference has against it is then not worn.
+  setTold(problems: readonly BlockProblem[], accepted: boolean): void {
     this.told = problems
+    this.accepted = accepted
     this.showProblems()
   }
 
   private showProblems(): void {
     const sentences = new Map<BlockId, string[]>()
-    for (const problem of [...worn(this.inferred), ...this.told]) {
+    for (const problem of [...(this.accepted ? [] : worn(this.inferred)), ...this.told]) {
       if (problem.block === undefined) continue
       const all = sentences.get(problem.block) ?? []
       const sentence = problem.hint === "" ? problem.message : `${problem.message} ${problem.hint}`

@@ -75,8 +75,9 @@ export interface BlocksView {
   dim(blocks: readonly BlockId[]): void
   /// Lets the definitions of functions glow, by name.
   glow(functions: readonly string[]): void
-  /// Shows problems from the compiler or a run on their blocks, until called again.
-  mark(problems: readonly BlockProblem[]): void
+  /// Shows problems from the compiler or a run on their blocks, until called again. `accepted`: the compiler has taken
+  /// the program, so what the blocks' own inference has against it is not shown.
+  mark(problems: readonly BlockProblem[], accepted?: boolean): void
   setTone(tone: Tone): void
   setLevel(level: Level): void
   undo(): void
@@ -339,7 +340,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       for (const [id, definition] of inference.definitions) if (wanted.has(definition.name)) ids.push(id)
       marks.glow(ids)
     },
-    mark: problems => marks.setTold(problems),
+    mark: (problems, accepted = false) => marks.setTold(problems, accepted),
     setTone(tone) {
       host.dataset.theme = tone
       workspace.setTheme(blocklyThemes.get(tone)!)

@@ -18,6 +18,7 @@ import {type Liking, openShelf} from "../run/storage.ts"
 import {watchDark, watchKeys, watchSize} from "../run/window.ts"
 import {openSource, type SourcePane} from "../source/pane.ts"
 import type {Order, PageState} from "../state/page.ts"
+import {believed} from "../state/page.ts"
 import {type Finding, innermostBlock, textOf} from "../state/program.ts"
 import {toCsv} from "../state/recording.ts"
 import {glowing} from "../state/room.ts"
@@ -291,10 +292,10 @@ function drawParts(
       source?.setProgram(program)
       blocks?.dim(state.document.dimmed)
     }
-    if (changed("findings") || changed("document")) {
+    if (changed("findings") || changed("document") || changed("accepted")) {
       const {compiler, run} = state.findings
-      source?.mark([...state.document.findings, ...compiler, ...run])
-      blocks?.mark([...compiler, ...run].map(blockProblem))
+      source?.mark([...believed(state), ...compiler, ...run])
+      blocks?.mark([...compiler, ...run].map(blockProblem), state.accepted)
     }
     if (changed("declared")) source?.setDeclared(state.declared)
     if (changed("selected") || changed("selectedIn") || changed("document")) {

@@ -2,6 +2,7 @@
 
 import type {VNode} from "preact"
 import type {PageState} from "../state/page.ts"
+import {believed} from "../state/page.ts"
 import type {Finding} from "../state/program.ts"
 import {useDesk, usePage} from "./pick.ts"
 import {Said} from "./said.tsx"
@@ -9,11 +10,14 @@ import {words} from "./words.ts"
 
 /// All problems, errors first, each told once. An empty socket is the blocks' to tell; about everything else that
 /// both have found the compiler knows better.
-export function allFindings(state: Pick<PageState, "findings" | "document">): readonly Finding[] {
+export function allFindings(
+  state: Pick<PageState, "findings" | "document" | "accepted">,
+): readonly Finding[] {
   const {compiler, run} = state.findings
-  const holes = state.document.findings.filter(f => f.kind === "hole")
+  const found = believed(state)
+  const holes = found.filter(f => f.kind === "hole")
   const told = compiler.filter(f => !holes.some(h => h.block === f.block || overlap(h, f)))
-  const blocks = state.document.findings.filter(f => f.kind === "hole" || !told.some(t => overlap(t, f)))
+  const blocks = found.filter(f => f.kind === "hole" || !told.some(t => overlap(t, f)))
   const all = [...run, ...blocks, ...told]
   return [...all.filter(f => f.severity === "error"), ...all.filter(f => f.severity === "warning")]
 }
@@ -29,7 +33,8 @@ export function problemCount(state: PageState): number {
 export function ProblemsPanel(): VNode {
   const told = usePage(s => s.findings)
   const document = usePage(s => s.document)
-  const findings = allFindings({findings: told, document})
+  const accepted = usePage(s => s.accepted)
+  const findings = allFindings({findings: told, document, accepted})
   return (
     <div class="problems" data-testid="problems">
       {findings.length === 0 && <p class="quiet">{words.noProblems}</p>}

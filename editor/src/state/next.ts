@@ -17,7 +17,7 @@ const sending = (state: PageState, ...messages: (Order & {kind: "send"})["messag
 export function next(state: PageState, event: PageEvent): Step {
   switch (event.kind) {
     case "link-lost":
-      return still({...state, link: "lost", run: nextRun(state.run, {kind: "lost"})})
+      return still({...state, link: "lost", accepted: false, run: nextRun(state.run, {kind: "lost"})})
     case "heard":
       return heard(state, event.message)
     case "run-pressed":
@@ -76,6 +76,7 @@ export function next(state: PageState, event: PageEvent): Step {
         room,
         lines: [],
         findings: {compiler: [], run: []},
+        accepted: false,
         selected: null,
         welcome: opened.welcome ? "fresh" : "over",
         dialog: null,
@@ -225,7 +226,13 @@ function heard(state: PageState, message: ServiceMessage): Step {
     case "checked": {
       if (message.id !== state.checks) return still(state)
       const compiler = message.problems.map(p => locate(state.document.program, p, "compiler"))
-      return still({...state, declared: message.declarations, findings: {...state.findings, compiler}})
+      const accepted = !compiler.some(f => f.severity === "error")
+      return still({
+        ...state,
+        declared: message.declarations,
+        findings: {...state.findings, compiler},
+        accepted,
+      })
     }
     case "state": {
       const run = nextRun(state.run, {kind: "heard", message})

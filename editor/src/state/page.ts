@@ -66,6 +66,9 @@ export interface PageState {
     readonly compiler: readonly Finding[]
     readonly run: readonly Finding[]
   }
+  /// The compiler took the newest text it answered about. Then it knows better than the blocks' own inference,
+  /// which does not know every library and extension that a program from elsewhere may use.
+  readonly accepted: boolean
   readonly selected: BlockId | null
   /// Where the cursor is that chose it.
   readonly selectedIn: "blocks" | "haskell"
@@ -109,6 +112,7 @@ export const firstPage: PageState = {
   room: emptyRoom,
   lines: [],
   findings: {compiler: [], run: []},
+  accepted: false,
   selected: null,
   selectedIn: "blocks",
   welcome: "over",
@@ -176,4 +180,11 @@ export type Order =
 export interface Step {
   readonly state: PageState
   readonly orders: readonly Order[]
+}
+
+/// What the blocks find wrong and is to be believed: once the compiler has taken the text, only what is not in the
+/// text at all, empty sockets and loose blocks.
+export function believed(state: Pick<PageState, "document" | "accepted">): readonly Finding[] {
+  const {findings} = state.document
+  return state.accepted ? findings.filter(f => f.kind === "hole" || f.kind === "loose") : findings
 }

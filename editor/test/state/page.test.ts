@@ -4,7 +4,8 @@ import {describe, expect, it} from "vitest"
 import {type Document, emptyDocument} from "../../src/state/history.ts"
 import type {Frame, Problem, ServiceMessage} from "../../src/state/messages.ts"
 import {next, readout} from "../../src/state/next.ts"
-import {firstPage, type Order, type PageEvent, type PageState} from "../../src/state/page.ts"
+import {believed, firstPage, type Order, type PageEvent, type PageState} from "../../src/state/page.ts"
+import type {Finding} from "../../src/state/program.ts"
 
 /// Plays events in order; answers the last state and every message that was sent.
 function play(state: PageState, ...events: readonly PageEvent[]) {
@@ -213,6 +214,31 @@ describe("the compiler", () => {
     const checked = (id: number) => hear({op: "checked", id, problems: [problem], declarations: []})
     expect(play(state, checked(ids[0] ?? -1)).state.findings.compiler).toEqual([])
     expect(play(state, checked(ids[1] ?? -1)).state.findings.compiler).toHaveLength(1)
+  })
+
+  it("is believed before the blocks once it has taken the text, but not about an empty socket", () => {
+    const doubt = (kind: string): Finding => ({
+      severity: "error",
+      kind,
+      from: "blocks",
+      message: kind,
+      hint: "",
+      ghc: "",
+      function: null,
+      time: null,
+      inputs: [],
+      block: "b",
+      range: null,
+    })
+    const doubted: PageState = {
+      ...open,
+      document: {...document, findings: [doubt("hole"), doubt("not-in-scope")]},
+    }
+    const answers = (problems: readonly Problem[]) =>
+      play(doubted, hear({op: "checked", id: doubted.checks, problems, declarations: []})).state
+    expect(believed(doubted)).toHaveLength(2)
+    expect(believed(answers([])).map(f => f.kind)).toEqual(["hole"])
+    expect(believed(answers([problem]))).toHaveLength(2)
   })
 
   it("is not asked when blocks only moved", () => {
