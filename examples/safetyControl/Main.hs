@@ -15,15 +15,17 @@ bumperAt CenterCliff = CenterBumper
 bumperAt LeftCliff = LeftBumper
 bumperAt RightCliff = RightBumper
 
--- Whether something is pressed in.
-type Touching = Bool
+-- Whether something keeps the robot from driving on.
+type Blocked = Bool
 
-touch :: Bumper -> Memory Touching
-touch (Bumper _ status) = Memory (status == Pressed)
+watch :: Either (Either Bumper Cliff) Wheel -> Memory Blocked
+watch (Left (Left (Bumper _ status))) = Memory (status == Pressed)
+watch (Left (Right (Cliff _ status))) = Memory (status == Hole)
+watch (Right (Wheel _ status)) = Memory (status == Air)
 
-cruise :: Memory Touching -> Position -> Maybe Velocity
+cruise :: Memory Blocked -> Position -> Maybe Velocity
 cruise (Memory True) _ = Nothing
 cruise (Memory False) _ = Just (Velocity 0.2 0)
 
 main :: IO ()
-main = simulate (touch, cruise, safetyControl)
+main = simulate (watch, cruise, safetyControl)
