@@ -343,12 +343,11 @@ def warned(run: Ran) -> list[tuple[float, str]]:
 def test_safe_random_walk_lets_the_safety_controller_drive_for_a_second_after_each_bump(
     worker: BlockingWorker,
 ) -> None:
-    run = example(worker, "safeRandomWalk", 15, seed=3)
+    run = example(worker, "safeRandomWalk", 120, world="room")
     away = {"Left": -0.4, "Center": 0.0, "Right": 0.4}
-    times = warned(run)
-    assert times
-    for time, event in times:
-        side = next(name for name in away if name in event)
+    times = [(time, next(side for side in away if side in event)) for time, event in warned(run)]
+    assert {side for _, side in times} == set(away)
+    for time, side in times:
         assert (-0.1, away[side]) in velocities(run.at(time))
         assert all(v == -0.1 for line in run.between(time, time + 1.0) for v, _ in velocities(line))
 
