@@ -3,6 +3,7 @@
 #
 #   need runtime   GHC, the Rosy library and its worker, the Python service
 #   need robot     what speaks to real robots
+#   need builder   what makes native programs
 #   need page      what the browser loads
 #   need codegen   the block and Haskell conversions for Node
 #   need tools     what only the tests use: browser, linters, ROS
@@ -119,6 +120,12 @@ need_robot() {
 }
 build_robot() { (cd "$ROSY_ROOT" && cabal build --offline -j2 exe:rosy-robot); }
 
+need_builder() {
+  step builder "$(fingerprint rosy.cabal cabal.project rosy-hs/builder rosy-hs/worker)" \
+    "Building what makes native programs." build_builder
+}
+build_builder() { (cd "$ROSY_ROOT" && cabal build --offline -j2 exe:rosy-build); }
+
 need_node() {
   command -v node >/dev/null || give_up "Node 20 or newer is needed. See https://nodejs.org, or on Debian: apt-get install nodejs npm"
   node -e 'process.exit(Number(process.versions.node.split(".")[0]) < 20 ? 1 : 0)' || give_up "Node 20 or newer is needed; this is $(node --version)."
@@ -148,6 +155,7 @@ need() {
       codegen) need_codegen ;;
       page) need_codegen && need_page ;;
       robot) need_robot ;;
+      builder) need_builder ;;
       tools)
         # shellcheck disable=SC2086
         need_apt tools $APT_TOOLS

@@ -1,5 +1,5 @@
 """
-The command line: ``serve``, ``run``, ``check``. What each does and how it exits is in DESIGN.md, section 5.
+The command line: ``serve``, ``run``, ``check``, ``build``. What each does and how it exits is in DESIGN.md, section 5.
 
 Every expected failure ends as one sentence on stderr; the exit status is the error's own.
 """
@@ -60,6 +60,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             from .serve import serve
 
             return serve(config, options.host, options.port, not options.no_browser, options.unprotected)
+        if options.command == "build":
+            return _build(config, options)
         if options.command == "check":
             return _check(config, options)
         if len(options.files) > 1 or options.files[0].is_dir():
@@ -88,6 +90,9 @@ def _parser() -> argparse.ArgumentParser:
     check = commands.add_parser("check", prog="rosy check", allow_abbrev=False)
     check.add_argument("file", type=Path)
     check.add_argument("--json", action="store_true")
+    build = commands.add_parser("build", prog="rosy build", allow_abbrev=False)
+    build.add_argument("file", type=Path)
+    build.add_argument("-o", dest="output", type=Path, required=True, metavar="BIN")
     run = commands.add_parser("run", prog="rosy run", allow_abbrev=False)
     run.add_argument("files", type=Path, nargs="+", metavar="file")
     run.add_argument("--world")
@@ -114,6 +119,21 @@ def _check(config: Config, options: argparse.Namespace) -> int:
         if not checked.problems:
             print(f"{options.file}: no problems.")
     return 1 if any(p.severity == "error" for p in checked.problems) else 0
+
+
+def _build(config: Config, options: argparse.Namespace) -> int:
+    """A native program, of what the worker would run."""
+    from .build import build_program
+
+    program = read_program(options.file)
+    with BlockingWorker(config) as worker:
+        worker.ready()
+        checked = worker.check(program.source)
+    for found in checked.problems:
+        print(_sentence(options.file, found))
+    if any(p.severity == "error" for p in checked.problems):
+        return 1
+    return build_program(config.root, program.source, options.output)
 
 
 def _run(config: Config, options: argparse.Namespace) -> int:

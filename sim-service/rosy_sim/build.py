@@ -1,0 +1,61 @@
+"""
+A program as a native file that drives a robot by itself: ``rosy-build`` (rosy-hs/builder) compiles it with GHC.
+
+The program must have passed the worker's check. What is made on the way goes into a folder that is removed afterwards.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import tempfile
+from pathlib import Path
+
+from .errors import BadInput, WorkerMissing
+
+__all__ = ["build_program"]
+
+
+def build_program(root: Path, source: str, output: Path) -> int:
+    """
+    Compile and link a checked program; returns the exit status. GHC speaks for itself, on standard error.
+
+    Raises:
+        BadInput: nothing can be written there.
+        WorkerMissing: the compiler part has not been built.
+    """
+    builder = _newest(root, "dist-newstyle/build/*/ghc-*/rosy-*/x/rosy-build/**/rosy-build")
+    robots = _newest(root, "dist-newstyle/packagedb/ghc-*/rosy-*-robots.conf")
+    if builder is None or robots is None:
+        raise WorkerMissing
+    if output.is_dir() or not output.absolute().parent.is_dir():
+        raise BadInput(f"{output} cannot be written: name a file in a folder that exists.")
+    with tempfile.TemporaryDirectory(prefix="rosy-build-") as folder:
+        scratch = Path(folder)
+        program, binary = scratch / "Main.hs", scratch / "program"
+        program.write_text(source, encoding="utf-8")
+        launcher = root / "rosy-hs" / "builder" / "RosyLauncher.hs"
+        units = f"{robots.stem.removesuffix('-robots')},{robots.stem}"
+        places = [_libdir(), robots.parent, units, scratch, program, launcher, binary]
+        status = subprocess.run([builder, *map(str, places)], check=False).returncode
+        if status == 0:
+            _deliver(binary, output)
+    return status
+
+
+def _deliver(binary: Path, output: Path) -> None:
+    """Never into a file that runs: another one takes its name."""
+    try:
+        output.unlink(missing_ok=True)
+        output.write_bytes(binary.read_bytes())
+        output.chmod(0o755)
+    except OSError as error:
+        raise BadInput(f"{output} cannot be written: {error.strerror}.") from error
+
+
+def _libdir() -> str:
+    return subprocess.run(["ghc", "--print-libdir"], capture_output=True, check=True, text=True).stdout.strip()
+
+
+def _newest(root: Path, pattern: str) -> Path | None:
+    built = [path for path in root.glob(pattern) if path.is_file()]
+    return max(built, key=lambda path: path.stat().st_mtime, default=None)
