@@ -118,13 +118,13 @@ need_robot() {
   step robot "$(fingerprint rosy.cabal cabal.project rosy-hs/src rosy-hs/ros rosy-hs/robots rosy-hs/app)" \
     "Building what speaks to real robots (about a minute)." build_robot
 }
-build_robot() { (cd "$ROSY_ROOT" && cabal build --offline -j2 exe:rosy-robot); }
+build_robot() { (cd "$ROSY_ROOT" && cabal build --offline -j2 --disable-tests exe:rosy-robot); }
 
 need_builder() {
   step builder "$(fingerprint rosy.cabal cabal.project rosy-hs/builder rosy-hs/worker)" \
     "Building what makes native programs." build_builder
 }
-build_builder() { (cd "$ROSY_ROOT" && cabal build --offline -j2 exe:rosy-build); }
+build_builder() { (cd "$ROSY_ROOT" && cabal build --offline -j2 --disable-tests exe:rosy-build); }
 
 need_node() {
   command -v node >/dev/null || give_up "Node 20 or newer is needed. See https://nodejs.org, or on Debian: apt-get install nodejs npm"
