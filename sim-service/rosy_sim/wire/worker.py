@@ -21,7 +21,6 @@ __all__ = [
     "Started",
     "WorkerReady",
     "WorkerStream",
-    "build_request",
     "check_request",
     "kill_request",
     "run_request",
@@ -72,12 +71,6 @@ class Gone(msgspec.Struct, tag="gone", tag_field="op"):
     problem: Problem | None = None
 
 
-class Built(msgspec.Struct, tag="built", tag_field="op"):
-    """A native program has been written."""
-
-    id: int
-
-
 class Failed(msgspec.Struct, tag="failed", tag_field="op"):
     """The request itself was wrong."""
 
@@ -85,7 +78,7 @@ class Failed(msgspec.Struct, tag="failed", tag_field="op"):
     id: int | None = None
 
 
-Answer = WorkerReady | Checked | Started | Refused | Gone | Built | Failed
+Answer = WorkerReady | Checked | Started | Refused | Gone | Failed
 
 _decoder = msgspec.json.Decoder(Answer)
 
@@ -125,8 +118,3 @@ def run_request(ident: int, source: str, memory: int) -> bytes:
 def kill_request(ident: int) -> bytes:
     """Ends a check or a run."""
     return _line(op="kill", id=ident)
-
-
-def build_request(ident: int, source: str, output: str) -> bytes:
-    """Asks for a native program."""
-    return _line(op="build", id=ident, source=source, output=output)

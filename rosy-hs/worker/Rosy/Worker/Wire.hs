@@ -44,8 +44,6 @@ data Request
   | -- | The source and the bytes of memory the run may take.
     Run Id Text Int
   | Kill Id
-  | -- | The source and where the native program goes.
-    Build Id Text FilePath
   deriving (Eq, Show)
 
 -- | A request, or the id (null if there is none) and a sentence for @failed@.
@@ -64,7 +62,6 @@ request i o = do
     "check" -> Check i <$> source
     "run" -> Run i <$> source <*> o .: "memory"
     "kill" -> pure (Kill i)
-    "build" -> Build i <$> source <*> o .: "output"
     other -> fail ("There is no request called " ++ show other ++ ".")
   where
     source = do
@@ -85,7 +82,6 @@ data Answer
   | Refused Id ByteString
   | -- | How it ended, the function at work, a problem of the worker's own.
     GoneNow Id (Either Int Int) (Maybe Text) (Maybe Problem)
-  | Built Id
   | Failed Id Text
 
 answerLine :: Answer -> ByteString
@@ -99,7 +95,6 @@ answerLine answer = case answer of
       [op "gone", "id" .= i, either ("exit" .=) ("signal" .=) how]
         ++ maybe [] (\f -> ["firing" .= f]) firing
         ++ maybe [] (\p -> ["problem" .= p]) problem
-  Built i -> whole [op "built", "id" .= i]
   Failed i message -> whole [op "failed", "id" .= i, "message" .= message]
   where
     op name = "op" .= (name :: Text)
