@@ -9,7 +9,7 @@ import {words} from "./words.ts"
 export function RunButton(): VNode {
   const {store} = useDesk()
   const active = usePage(s => isActive(s.run))
-  // Until the robot answers; the mark appears by itself after half a second (page.css).
+  // Until the robot answers; the mark appears by itself after half a second (controls.css).
   const busy = usePage(s => s.run.kind === "compiling" || s.run.kind === "waiting")
   const inviting = usePage(s => s.welcome === "fresh" && s.document.program.text !== "")
   return (
