@@ -63,7 +63,7 @@ class Watcher(Protocol):
     def on_step(self, lockstep: Lockstep) -> None:
         """A step has settled and its time has passed."""
 
-    def on_end(self, ending: Ending, detail: str) -> None:
+    def on_end(self, lockstep: Lockstep, ending: Ending, detail: str) -> None:
         """The run is over; ``detail`` is for ``broken``."""
 
 
@@ -233,7 +233,7 @@ class LiveRun:
     def _end(self, ending: Ending, detail: str) -> None:
         if not self._over:
             self._finish()
-            self._watcher.on_end("stopped" if self._stopping and ending == "died" else ending, detail)
+            self._watcher.on_end(self._lockstep, "stopped" if self._stopping and ending == "died" else ending, detail)
 
     def _finish(self) -> None:
         self._over = True
