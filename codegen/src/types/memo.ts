@@ -5,7 +5,7 @@
 
 import type {Declaration, Node} from "../model/tree.ts"
 import {freeInDeclaration} from "../model/uses.ts"
-import type {TypeProblem} from "./infer.ts"
+import type {TypeProblem} from "./problems.ts"
 import type {Scheme, Type} from "./type.ts"
 
 export interface Remembered {

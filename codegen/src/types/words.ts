@@ -2,7 +2,7 @@
 
 import {familyOfHead} from "../blocks/vocabulary.ts"
 import type {Family} from "../shape.ts"
-import type {TypeProblem} from "./infer.ts"
+import type {TypeProblem} from "./problems.ts"
 import type {Constraint, Type} from "./type.ts"
 import {asFunction, prune, showType, spine} from "./type.ts"
 

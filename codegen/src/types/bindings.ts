@@ -1,0 +1,285 @@
+/// Definitions: which belong together, what type each has, and what of it is general.
+///
+/// Levels stand for generalisation: an unknown made inside a binding and not reachable from outside is that binding's own.
+
+import {definedBy} from "../model/names.ts"
+import type {
+  Clause,
+  Declaration,
+  Expr,
+  FunctionDeclaration,
+  PatternBinding,
+  RightSide,
+  Statement,
+} from "../model/tree.ts"
+import {unreachable} from "../model/tree.ts"
+import {freeInDeclaration} from "../model/uses.ts"
+import {components} from "./components.ts"
+import {Patterns} from "./patterns.ts"
+import type {Wanted} from "./problems.ts"
+import type {Scope} from "./scope.ts"
+import type {Rigid} from "./solve.ts"
+import {simplify} from "./solve.ts"
+import {mono} from "./state.ts"
+import type {Meta, Scheme, Type} from "./type.ts"
+import {asFunction, bool, fun, metasIn, substitute, variablesIn} from "./type.ts"
+
+export abstract class Bindings extends Patterns {
+  /// What stands for top-level names until their turn.
+  readonly placeholders = new Set<Scheme>()
+
+  /// An expression must have a type.
+  abstract check(e: Expr, type: Type, scope: Scope): void
+
+  /// The names that a definition takes from outside.
+  protected freeIn(d: Declaration): Set<string> {
+    return freeInDeclaration(d)
+  }
+
+  /// Infers a group of top-level definitions.
+  protected remembering(_members: readonly Declaration[], _scope: Scope, go: () => void): void {
+    go()
+  }
+
+  /// Definitions that may refer to each other; answers the scope with their names.
+  protected group(declarations: readonly Declaration[], outer: Scope, top: boolean): Scope {
+    const values = declarations.filter(d => d.kind === "function" || d.kind === "binding")
+    const scope = outer.inner()
+    const signatures = new Map<Declaration, Scheme>()
+    const byName = new Map<string, number>()
+    values.forEach((d, i) => {
+      for (const name of definedBy(d)) {
+        if (byName.has(name)) this.problems.push({kind: "twice", node: d, name})
+        byName.set(name, i)
+        if (top && this.env.fixed.has(name)) this.problems.push({kind: "taken", node: d, name})
+        // Known from the start, also to whom asks for the scope before its turn; its type comes with its component.
+        const placeholder = mono(this.fresh())
+        scope.set(name, placeholder)
+        if (top) this.placeholders.add(placeholder)
+      }
+      if (d.kind !== "function" || d.signature === undefined) return
+      const scheme = this.signature(d.signature.text, d.signature)
+      if (scheme !== undefined) {
+        signatures.set(d, scheme)
+        scope.set(d.name, scheme)
+      }
+    })
+    const edges = values.map(d =>
+      [...this.freeIn(d)].flatMap(name => {
+        const i = byName.get(name)
+        const target = i === undefined ? undefined : values[i]
+        return i === undefined || target === undefined || signatures.has(target) ? [] : [i]
+      }),
+    )
+    for (const component of components(edges)) {
+      const members = component.flatMap(i => values[i] ?? [])
+      if (top) this.remembering(members, scope, () => this.component(members, signatures, scope, top))
+      else this.component(members, signatures, scope, top)
+    }
+    return scope
+  }
+
+  protected component(
+    members: readonly Declaration[],
+    signatures: ReadonlyMap<Declaration, Scheme>,
+    scope: Scope,
+    top: boolean,
+  ): void {
+    const [only] = members
+    const signature = only === undefined ? undefined : signatures.get(only)
+    if (members.length === 1 && only?.kind === "function" && signature !== undefined)
+      this.checkSigned(only, signature, scope, top)
+    else this.inferTogether(members, scope, top)
+  }
+
+  protected checkSigned(d: FunctionDeclaration, scheme: Scheme, scope: Scope, top: boolean): void {
+    this.schemes.set(d, scheme)
+    const before = this.wanted
+    this.wanted = []
+    this.level++
+    const rigid = new Map<string, Type>()
+    for (const name of scheme.variables) {
+      const variable: Rigid = {kind: "var", name, id: this.count++, level: this.level}
+      rigid.set(name, variable)
+    }
+    const givens = scheme.constraints.map(c => ({name: c.name, type: substitute(c.type, rigid)}))
+    this.clauses(d, substitute(scheme.type, rigid), scope)
+    this.level--
+    const {stuck} = this.reduceAll(this.wanted, givens)
+    const deferred: Wanted[] = []
+    for (const c of stuck) {
+      const metas = [...metasIn(c.type)]
+      if (metas.length === 0) this.problems.push({kind: "too-general", node: c.node, constraint: c})
+      else deferred.push(c)
+    }
+    this.wanted = before
+    this.settle(deferred, new Set(), top)
+  }
+
+  protected inferTogether(members: readonly Declaration[], scope: Scope, top: boolean): void {
+    const before = this.wanted
+    this.wanted = []
+    this.level++
+    const types = new Map<Declaration, Type>()
+    for (const d of members) {
+      if (d.kind === "function") {
+        const type = this.fresh()
+        types.set(d, type)
+        scope.set(d.name, mono(type))
+      } else if (d.kind === "binding") {
+        const type = this.fresh()
+        types.set(d, type)
+        this.pattern(d.pattern, type, scope)
+      }
+    }
+    for (const d of members) {
+      const type = types.get(d)
+      if (type === undefined) continue
+      if (d.kind === "function") this.clauses(d, type, scope)
+      else if (d.kind === "binding") this.rightSide((d as PatternBinding).right, type, scope)
+    }
+    this.level--
+    const {stuck} = this.reduceAll(this.wanted, [])
+    this.wanted = before
+    this.generalise(members, types, stuck, scope, top)
+  }
+
+  /// Turns the unknowns that belong to these definitions into variables of their types. Definitions without parameters keep
+  /// constrained unknowns for their uses to decide (Haskell 2010 report §4.5.5, the monomorphism restriction).
+  protected generalise(
+    members: readonly Declaration[],
+    types: ReadonlyMap<Declaration, Type>,
+    stuck: readonly Wanted[],
+    scope: Scope,
+    top: boolean,
+  ): void {
+    const restricted = members.some(
+      d => d.kind === "binding" || (d.kind === "function" && d.clauses.every(c => c.patterns.length === 0)),
+    )
+    const own = new Set<Meta>()
+    for (const type of types.values()) for (const m of metasIn(type)) if (m.level > this.level) own.add(m)
+    if (restricted || members.some(d => d.kind === "binding"))
+      for (const c of stuck)
+        for (const m of metasIn(c.type)) {
+          own.delete(m)
+          if (m.level > this.level && this.reaches(types, m)) m.level = this.level
+        }
+    if (members.some(d => d.kind === "binding")) {
+      for (const m of own) m.level = Math.min(m.level, this.level)
+      own.clear()
+    }
+    // A hole's type is still open: what goes into it may decide it, so it is not everybody's.
+    const quantified: Wanted[] = []
+    const rest: Wanted[] = []
+    for (const c of stuck) {
+      const metas = [...metasIn(c.type)]
+      if (!metas.some(m => own.has(m))) rest.push(c)
+      // Partly about something that no use can ever decide.
+      else if (c.name !== "Ends" && metas.some(m => m.level > this.level && !own.has(m)))
+        this.problems.push({kind: "ambiguous", node: c.node, constraint: c})
+      else quantified.push(c)
+    }
+    this.settle(rest, own, top)
+    const names = new Map<Meta, string>()
+    const taken = new Set<string>()
+    for (const type of types.values()) variablesIn(type, taken)
+    const alive = [...own].filter(m => m.is === undefined)
+    for (const m of alive) {
+      const name = letterFor(names.size, taken)
+      names.set(m, name)
+    }
+    // GHC settles an open `Ends` with its catch-all instance, so it never stands in a type.
+    const constraints = simplify(
+      quantified.filter(c => c.name !== "Ends"),
+      this.env,
+    )
+    for (const [m, name] of names) m.is = {kind: "var", name}
+    for (const d of members) {
+      const type = types.get(d)
+      if (type === undefined) continue
+      const variables = [...variablesIn(type)].filter(v => [...names.values()].includes(v))
+      const scheme: Scheme = {
+        variables,
+        constraints: constraints.filter(c => [...variablesIn(c.type)].every(v => variables.includes(v))),
+        type,
+      }
+      this.schemes.set(d, scheme)
+      if (d.kind === "function") scope.set(d.name, scheme)
+    }
+  }
+
+  protected reaches(types: ReadonlyMap<Declaration, Type>, meta: Meta): boolean {
+    return [...types.values()].some(t => metasIn(t).has(meta))
+  }
+
+  // --- Functions and right sides ----------------------------------------------------------------------------------
+
+  protected clauses(d: FunctionDeclaration, type: Type, scope: Scope): void {
+    for (const c of d.clauses) this.clause(c, type, scope)
+  }
+
+  protected clause(c: Clause, type: Type, scope: Scope): void {
+    this.distinct(c.patterns)
+    const inner = scope.inner()
+    let result = type
+    for (const p of c.patterns) {
+      let f = asFunction(result)
+      if (f === undefined) {
+        f = {from: this.fresh(), to: this.fresh()}
+        this.same(result, fun(f.from, f.to), p)
+      }
+      this.pattern(p, f.from, inner)
+      result = f.to
+    }
+    this.rightSide(c.right, result, inner)
+  }
+
+  protected rightSide(right: RightSide, type: Type, scope: Scope): void {
+    const inner = right.where.length === 0 ? scope : this.group(right.where, scope, false)
+    const body = right.body
+    if (!Array.isArray(body)) {
+      this.check(body as Expr, type, inner)
+      return
+    }
+    for (const g of body) {
+      const bound = this.guards(g.guards, inner)
+      this.check(g.body, type, bound)
+    }
+  }
+
+  protected guards(statements: readonly Statement[], scope: Scope): Scope {
+    let inner = scope
+    for (const s of statements) {
+      switch (s.kind) {
+        case "statement":
+          this.check(s.expr, bool, inner)
+          break
+        case "bind": {
+          const type = this.fresh()
+          this.check(s.expr, type, inner)
+          this.distinct([s.pattern])
+          const next = inner.inner()
+          this.pattern(s.pattern, type, next)
+          inner = next
+          break
+        }
+        case "let-statement":
+          inner = this.group(s.declarations, inner, false)
+          break
+        default:
+          unreachable(s)
+      }
+    }
+    return inner
+  }
+}
+
+function letterFor(index: number, taken: Set<string>): string {
+  for (let i = index; ; i++) {
+    const name = `${"abcdefghijklmnopqrstuvwxyz"[i % 26]}${i < 26 ? "" : Math.floor(i / 26)}`
+    if (!taken.has(name)) {
+      taken.add(name)
+      return name
+    }
+  }
+}

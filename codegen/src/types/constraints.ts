@@ -1,0 +1,97 @@
+/// Class constraints while types are inferred: reduced, passed outwards, decided by default, or unanswerable.
+
+import type {Wanted} from "./problems.ts"
+import {reduce} from "./solve.ts"
+import {State} from "./state.ts"
+import type {Constraint, Meta} from "./type.ts"
+import {con, metasIn, prune, spine} from "./type.ts"
+
+/// Whether a constraint that was stuck on an unknown type would get further by now.
+function isKnownNow(c: Constraint): boolean {
+  const {head, args} = spine(prune(c.type))
+  if (c.name !== "Ends") return head.kind === "con"
+  const controller = args[1]
+  return controller !== undefined && spine(controller).head.kind === "con"
+}
+
+/// Classes that Haskell's defaulting rules accept beside a number class. (Haskell 2010 report §4.3.4)
+const standardClasses = new Set(
+  `Eq Ord Show Enum Bounded Num Real Integral Fractional Floating RealFrac RealFloat Semigroup Monoid Functor Applicative Monad Foldable Traversable Typeable`.split(
+    " ",
+  ),
+)
+const numberClasses = new Set(["Num", "Real", "Integral", "Fractional", "Floating", "RealFrac", "RealFloat"])
+const fractionClasses = new Set(["Fractional", "Floating", "RealFrac", "RealFloat"])
+
+export class Constraints extends State {
+  /// Constraints that do not become part of a type: passed outwards, decided by default, or unanswerable.
+  protected settle(constraints: readonly Wanted[], own: ReadonlySet<Meta>, top: boolean): void {
+    const open: Wanted[] = []
+    for (const c of constraints) {
+      const metas = [...metasIn(c.type)]
+      if (metas.some(m => m.level <= this.level || own.has(m))) this.wanted.push(c)
+      else open.push(c)
+    }
+    this.byDefault(open, false)
+    if (top && this.level === 0) return
+  }
+
+  /// Decides unknown number types as Haskell does; complains about what nothing decides. (Haskell 2010 report §4.3.4)
+  protected byDefault(constraints: readonly Wanted[], constants: boolean): void {
+    const holes = new Set<Meta>()
+    for (const h of this.holes) metasIn(h, holes)
+    const groups = new Map<Meta, Wanted[]>()
+    for (const c of constraints) {
+      const [first] = metasIn(c.type)
+      if (first === undefined || c.name === "Ends") continue
+      groups.set(first, [...(groups.get(first) ?? []), c])
+    }
+    for (const [meta, group] of groups) {
+      if (meta.is !== undefined) continue
+      const numeric = group.some(c => numberClasses.has(c.name)) && group.every(c => prune(c.type) === meta)
+      const standard = group.every(c => standardClasses.has(c.name))
+      if (holes.has(meta)) continue
+      if (numeric && (standard || constants)) {
+        const whole =
+          group.some(c => c.name === "Integral") ||
+          (!constants && !group.some(c => fractionClasses.has(c.name)))
+        meta.is = con(whole ? "Integer" : "Double")
+        for (const c of group) {
+          const r = reduce(c, this.env)
+          if (r.kind === "no")
+            this.problems.push({kind: "no-instance", node: c.node, constraint: r.constraint})
+        }
+        continue
+      }
+      const [first] = group
+      if (first !== undefined && !this.lenient)
+        this.problems.push({kind: "ambiguous", node: first.node, constraint: first})
+    }
+  }
+
+  protected finish(): void {
+    const {stuck} = this.reduceAll(this.wanted, [])
+    this.wanted = []
+    // Constants whose number type no use decided: a measure, so a Double unless something asks for whole numbers.
+    this.byDefault(
+      stuck.filter(c => metasIn(c.type).size > 0),
+      true,
+    )
+  }
+
+  protected reduceAll(wanted: readonly Wanted[], givens: readonly Constraint[]): {stuck: Wanted[]} {
+    let stuck: Wanted[] = []
+    let todo = wanted
+    // `Ends` decides types while it is reduced, so what was stuck before it may be known after it.
+    do {
+      stuck = []
+      for (const w of todo) {
+        const r = reduce(w, this.env, givens)
+        if (r.kind === "no") this.problems.push({kind: "no-instance", node: w.node, constraint: r.constraint})
+        else for (const c of r.constraints) stuck.push({...c, node: w.node})
+      }
+      todo = stuck
+    } while (stuck.some(isKnownNow))
+    return {stuck}
+  }
+}

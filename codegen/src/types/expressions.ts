@@ -1,0 +1,233 @@
+/// The types of expressions and of the steps of a `do`.
+
+import {isFractionalLiteral} from "../haskell/lexemes.ts"
+import type {Expr, Statement} from "../model/tree.ts"
+import {unreachable} from "../model/tree.ts"
+import {Bindings} from "./bindings.ts"
+import type {Scope} from "./scope.ts"
+import {unify} from "./solve.ts"
+import type {Type} from "./type.ts"
+import {app, asFunction, bool, con, fun, funs, listOf, string, tupleOf} from "./type.ts"
+
+export class Expressions extends Bindings {
+  check(e: Expr, type: Type, scope: Scope): void {
+    this.found.set(e, type)
+    switch (e.kind) {
+      case "variable":
+        this.same(type, this.nameType(e.name, e, scope), e)
+        return
+      case "constructor-name":
+        this.same(type, this.constructorType(e.name, e), e)
+        return
+      case "number":
+        this.want(isFractionalLiteral(e.text.replace("-", "")) ? "Fractional" : "Num", type, e)
+        return
+      case "string":
+        this.same(type, string, e)
+        return
+      case "character":
+        this.same(type, con("Char"), e)
+        return
+      case "apply": {
+        const fn = this.fresh()
+        this.check(e.fn, fn, scope)
+        this.application(fn, e.args, type, e, scope)
+        return
+      }
+      case "infix":
+        if (e.op === "$") {
+          const fn = this.fresh()
+          this.check(e.left, fn, scope)
+          this.application(fn, [e.right], type, e, scope)
+        } else this.application(this.operatorType(e.op, e, scope), [e.left, e.right], type, e, scope)
+        return
+      case "negate":
+        this.want("Num", type, e)
+        this.check(e.expr, type, scope)
+        return
+      case "section": {
+        const [a, b, c] = [this.fresh(), this.fresh(), this.fresh()]
+        this.same(this.operatorType(e.op, e, scope), funs([a, b], c), e)
+        this.same(type, e.side === "left" ? fun(b, c) : fun(a, c), e)
+        this.check(e.operand, e.side === "left" ? a : b, scope)
+        return
+      }
+      case "lambda": {
+        this.distinct(e.parameters)
+        const inner = scope.inner()
+        let result = type
+        for (const p of e.parameters) {
+          let f = asFunction(result)
+          if (f === undefined) {
+            f = {from: this.fresh(), to: this.fresh()}
+            this.same(result, fun(f.from, f.to), e)
+          }
+          this.pattern(p, f.from, inner)
+          result = f.to
+        }
+        this.check(e.body, result, inner)
+        return
+      }
+      case "if":
+        this.check(e.condition, bool, scope)
+        this.check(e.yes, type, scope)
+        this.check(e.no, type, scope)
+        return
+      case "case": {
+        const scrutinee = this.fresh()
+        this.check(e.scrutinee, scrutinee, scope)
+        for (const a of e.alternatives) {
+          this.distinct([a.pattern])
+          const inner = scope.inner()
+          this.pattern(a.pattern, scrutinee, inner)
+          this.rightSide(a.right, type, inner)
+        }
+        return
+      }
+      case "let":
+        this.check(e.body, type, this.group(e.declarations, scope, false))
+        return
+      case "do":
+        this.doBlock(e.statements, type, scope)
+        return
+      case "tuple": {
+        const items = e.items.map(() => this.fresh())
+        const [only] = items
+        this.same(type, items.length === 1 && only !== undefined ? only : tupleOf(items), e)
+        for (const [i, item] of e.items.entries()) this.check(item, items[i] ?? this.fresh(), scope)
+        return
+      }
+      case "list": {
+        const item = this.fresh()
+        this.same(type, listOf(item), e)
+        for (const i of e.items) this.check(i, item, scope)
+        return
+      }
+      case "range": {
+        const item = this.fresh()
+        this.same(type, listOf(item), e)
+        this.want("Enum", item, e)
+        for (const part of [e.first, e.second, e.last]) if (part !== undefined) this.check(part, item, scope)
+        return
+      }
+      case "comprehension":
+        this.comprehension(e, type, scope)
+        return
+      case "typed": {
+        const scheme = this.signature(e.type.text, e.type)
+        const inner = scheme === undefined ? type : this.instantiate(scheme, e)
+        this.same(type, inner, e)
+        this.check(e.expr, inner, scope)
+        return
+      }
+      case "record":
+        this.record(e, type, scope)
+        return
+      case "update":
+        this.check(e.record, type, scope)
+        for (const f of e.fields) {
+          const field = this.fresh()
+          const selector = scope.get(f.name) ?? this.env.values.get(f.name)
+          if (selector === undefined) this.problems.push({kind: "unknown-name", node: e, name: f.name})
+          else this.same(this.instantiate(selector, e), fun(type, field), e)
+          this.check(f.value, field, scope)
+        }
+        return
+      case "hole":
+        this.holes.push(type)
+        if (e.from?.block === this.watch?.block && e.from?.input === this.watch?.input) this.watched ??= scope
+        return
+      case "raw":
+        // GHC will say; until then it fits anywhere and decides nothing.
+        this.holes.push(type)
+        return
+      default:
+        unreachable(e)
+    }
+  }
+
+  protected application(fn: Type, args: readonly Expr[], type: Type, node: Expr, scope: Scope): void {
+    const wanted: Type[] = []
+    let result = fn
+    for (const _ of args) {
+      let f = asFunction(result)
+      if (f === undefined) {
+        f = {from: this.fresh(), to: this.fresh()}
+        const clash = unify(result, fun(f.from, f.to))
+        if (clash !== undefined) this.problems.push({kind: "too-many-arguments", node, type: fn})
+      }
+      wanted.push(f.from)
+      result = f.to
+    }
+    // The result first: what is wanted from outside explains best why an argument does not fit.
+    this.same(type, result, node)
+    for (const [i, a] of args.entries()) this.check(a, wanted[i] ?? this.fresh(), scope)
+  }
+
+  protected record(e: Expr & {kind: "record"}, type: Type, scope: Scope): void {
+    const info = this.env.constructors.get(e.name)
+    if (info === undefined) {
+      this.problems.push({kind: "unknown-name", node: e, name: e.name})
+      for (const f of e.fields) this.check(f.value, this.fresh(), scope)
+      return
+    }
+    const {fields, result} = this.opened(info.scheme, info.fields.length, e)
+    this.same(type, result, e)
+    for (const f of e.fields) {
+      const at = info.fieldNames.indexOf(f.name)
+      if (at < 0) this.problems.push({kind: "unknown-name", node: e, name: f.name})
+      this.check(f.value, fields[at] ?? this.fresh(), scope)
+    }
+  }
+
+  protected comprehension(e: Expr & {kind: "comprehension"}, type: Type, scope: Scope): void {
+    const item = this.fresh()
+    this.same(type, listOf(item), e)
+    let inner = scope
+    for (const s of e.statements) {
+      if (s.kind === "statement") this.check(s.expr, bool, inner)
+      else if (s.kind === "let-statement") inner = this.group(s.declarations, inner, false)
+      else {
+        const each = this.fresh()
+        this.check(s.expr, listOf(each), inner)
+        this.distinct([s.pattern])
+        const next = inner.inner()
+        this.pattern(s.pattern, each, next)
+        inner = next
+      }
+    }
+    this.check(e.body, item, inner)
+  }
+
+  protected doBlock(statements: readonly Statement[], type: Type, scope: Scope): void {
+    const monad = this.fresh()
+    let inner = scope
+    statements.forEach((s, i) => {
+      const last = i === statements.length - 1
+      switch (s.kind) {
+        case "statement": {
+          const result = last ? type : app(monad, this.fresh())
+          if (last) this.same(type, app(monad, this.fresh()), s.expr)
+          this.check(s.expr, result, inner)
+          if (statements.length > 1) this.want("Monad", monad, s.expr)
+          break
+        }
+        case "bind": {
+          const each = this.fresh()
+          this.check(s.expr, app(monad, each), inner)
+          this.want("Monad", monad, s.expr)
+          this.distinct([s.pattern])
+          const next = inner.inner()
+          this.pattern(s.pattern, each, next)
+          inner = next
+          break
+        }
+        case "let-statement":
+          inner = this.group(s.declarations, inner, false)
+          break
+        default:
+          unreachable(s)
+      }
+    })
+  }
+}

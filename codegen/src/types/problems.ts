@@ -1,0 +1,29 @@
+/// What inference can find wrong, and what it still has to find out.
+
+import type {Node} from "../model/tree.ts"
+import type {Constraint, Type} from "./type.ts"
+
+/// What inference can find wrong. `node` is where it shows.
+export type TypeProblem =
+  | {readonly kind: "mismatch"; readonly node: Node; readonly wanted: Type; readonly found: Type}
+  | {readonly kind: "no-instance"; readonly node: Node; readonly constraint: Constraint}
+  | {readonly kind: "unknown-name"; readonly node: Node; readonly name: string}
+  | {readonly kind: "taken"; readonly node: Node; readonly name: string}
+  | {readonly kind: "twice"; readonly node: Node; readonly name: string}
+  | {readonly kind: "too-many-arguments"; readonly node: Node; readonly type: Type}
+  | {
+      readonly kind: "wrong-field-count"
+      readonly node: Node
+      readonly name: string
+      readonly wanted: number
+      readonly found: number
+    }
+  | {readonly kind: "ambiguous"; readonly node: Node; readonly constraint: Constraint}
+  | {readonly kind: "too-general"; readonly node: Node; readonly constraint: Constraint}
+  | {readonly kind: "bad-signature"; readonly node: Node; readonly text: string}
+  | {readonly kind: "unknown-type"; readonly node: Node; readonly name: string}
+
+/// A constraint and the node that asks for it.
+export interface Wanted extends Constraint {
+  readonly node: Node
+}
