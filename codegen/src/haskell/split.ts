@@ -30,12 +30,14 @@ export function splitDeclarations(text: string): Piece[] {
     })
 }
 
-/// A hash of a declaration's text, to see whether it changed since its blocks were saved. (FNV-1a, 2 × 32 bits.)
+/// A hash of a declaration's text, to see whether it changed since its blocks were saved. How its lines end says
+/// nothing. (FNV-1a, 2 × 32 bits.)
 export function hashOf(text: string): string {
   let a = 0x811c9dc5
   let b = 0x01000193
   for (let i = 0; i < text.length; i++) {
     const c = text.charCodeAt(i)
+    if (c === 13) continue
     a = Math.imul(a ^ c, 0x01000193)
     b = Math.imul(b ^ c, 0x85ebca6b)
   }

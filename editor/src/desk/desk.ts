@@ -34,6 +34,7 @@ import {
   readProject,
   withBlocks,
   withText,
+  writeHaskell,
   writeProject,
 } from "./programs.ts"
 
@@ -255,10 +256,14 @@ export function openDesk(address: string): Desk {
     },
     kept: () => shelf.kept(),
     newProgram: () => reader !== null && show(emptyProject(reader), false, null),
-    openFile: () => pickFile(".rosy,.json,.hs", (name, text) => openText(name, text, false, null)),
+    openFile: () =>
+      pickFile(".rosy,.json,.hs", (name, text) => {
+        if (text === null) store.dispatch({kind: "notice", notice: {kind: "not-text", name}})
+        else openText(name, text, false, null)
+      }),
     saveFile,
     saveHaskell: () =>
-      download(fileName(store.now.name, "hs"), store.now.document.program.text, "text/plain"),
+      download(fileName(store.now.name, "hs"), writeHaskell(project, store.now.document), "text/plain"),
     saveTable: () => download(fileName(store.now.name, "csv"), toCsv(store.now.room.recording), "text/csv"),
     undo,
     redo,

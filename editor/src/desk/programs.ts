@@ -28,6 +28,7 @@ import {decode} from "../state/decode.ts"
 import type {Document} from "../state/history.ts"
 import {type WorldFile, world} from "../state/messages.ts"
 import {type Definition, type Finding, movedRange, type Program, type Span, textOf} from "../state/program.ts"
+import {asInFile, oneKindOfLine} from "./lines.ts"
 
 /// A program as it comes from a file.
 export interface OpenedProject {
@@ -73,9 +74,9 @@ export function emptyProject(reader: Reader): OpenedProject {
   return {project: newProject(""), document: analysedView(openView(reader, printed.text)), world: null}
 }
 
-/// The page counts lines as CodeMirror does: each ends with one character.
-function oneKindOfLine(text: string): string {
-  return text.replace(/^\uFEFF/, "").replace(/\r\n?/g, "\n")
+/// The Haskell of the program as its file has it.
+export function writeHaskell(project: Project, document: Document): string {
+  return asInFile(project.haskell, document.program.text)
 }
 
 /// The text of the project file for the program as it is.
@@ -89,7 +90,7 @@ export function writeProject(
   return saveProject({
     ...project,
     name,
-    ...(view === null ? {} : {haskell: view.text, layout: layoutOf(view)}),
+    ...(view === null ? {} : {haskell: asInFile(project.haskell, view.text), layout: layoutOf(view)}),
     ...(room === null ? {} : {world: room}),
   })
 }

@@ -141,6 +141,11 @@ export function noticeWords(notice: Notice): {readonly message: string; readonly
   switch (notice.kind) {
     case "unreadable-file":
       return {message: `${notice.name}: ${notice.message}`, hint: notice.hint}
+    case "not-text":
+      return {
+        message: `${notice.name} does not hold text.`,
+        hint: "Rosy opens programs: files that end in .rosy or .hs.",
+      }
     case "example-missing":
       return {message: `There is no example ${notice.name}.`, hint: "Examples, above, shows those there are."}
     case "refusal":

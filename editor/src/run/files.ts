@@ -11,16 +11,25 @@ export function download(name: string, text: string, type: string): void {
   setTimeout(() => URL.revokeObjectURL(url), 10_000)
 }
 
-/// Asks for a file; nothing happens when the learner changes their mind.
-export function pickFile(accept: string, picked: (name: string, text: string) => void): void {
+/// Asks for a file; nothing happens when the learner changes their mind. `text` is `null` for what is not text.
+export function pickFile(accept: string, picked: (name: string, text: string | null) => void): void {
   const input = document.createElement("input")
   input.type = "file"
   input.accept = accept
   input.onchange = async () => {
     const file = input.files?.[0]
-    if (file !== undefined) picked(file.name, await file.text())
+    if (file !== undefined) picked(file.name, textIn(await file.arrayBuffer()))
   }
   input.click()
+}
+
+/// UTF-8 to the last byte, a byte order mark included, or `null`.
+export function textIn(bytes: ArrayBuffer): string | null {
+  try {
+    return new TextDecoder("utf-8", {fatal: true, ignoreBOM: true}).decode(bytes)
+  } catch {
+    return null
+  }
 }
 
 /// A file name that every system takes.

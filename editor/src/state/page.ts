@@ -28,6 +28,7 @@ export type Gallery =
 /// Something the page itself has to say; `words.ts` has the sentences.
 export type Notice =
   | {readonly kind: "unreadable-file"; readonly name: string; readonly message: string; readonly hint: string}
+  | {readonly kind: "not-text"; readonly name: string}
   | {readonly kind: "example-missing"; readonly name: string}
   | {readonly kind: "refusal"; readonly message: string; readonly hint: string}
   | {readonly kind: "no-reader"}
