@@ -23,6 +23,50 @@ export class Learner {
     return this.page.getByRole("region", {name: "Haskell"}).locator(".cm-content")
   }
 
+  /// The whole text, line by line, as far as it is in sight.
+  async haskellText(): Promise<string> {
+    const lines = await this.haskell().locator(".cm-line").allTextContents()
+    return lines.join("\n").trimEnd()
+  }
+
+  async emptiesHaskell(): Promise<void> {
+    await this.haskell().click()
+    await this.page.keyboard.press("Control+a")
+    await this.page.keyboard.press("Delete")
+  }
+
+  /// Types a program as somebody at the keyboard does: what the editor indents by itself is not typed again.
+  async types(text: string): Promise<void> {
+    for (const line of text.trimEnd().split("\n")) {
+      await this.page.keyboard.type(line.trimStart())
+      await this.page.keyboard.press("Enter")
+    }
+  }
+
+  /// Selects the first place in the Haskell that reads so, with the editor's own search.
+  async findsInHaskell(words: string): Promise<void> {
+    await this.haskell().click()
+    await this.page.keyboard.press("Control+Home")
+    await this.page.keyboard.press("Control+f")
+    const field = this.page.getByRole("textbox", {name: "Find"})
+    await field.pressSequentially(words)
+    await field.press("Enter")
+    await field.press("Escape")
+  }
+
+  /// The block that defines a function or a type.
+  definition(name: string): Locator {
+    return this.page
+      .locator(".blocklyBlockCanvas > .blocklyDraggable")
+      .filter({has: this.page.locator(".blocklyField").getByText(name, {exact: true})})
+      .first()
+  }
+
+  /// Definitions whose text is broken just now.
+  dimmed(): Locator {
+    return this.page.locator(".blocklyBlockCanvas .rosyDim")
+  }
+
   status(): Locator {
     return this.page.getByRole("region", {name: "Room"}).getByRole("status")
   }

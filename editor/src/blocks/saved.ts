@@ -4,6 +4,7 @@
 import type {BlockId, SavedBlock, SavedWorkspace} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {checkerName} from "./checker.ts"
+import {inOneOrder} from "./order.ts"
 
 /// The blocks as Blockly and codegen know them, with ids and positions.
 export function saveBlocks(workspace: Blockly.Workspace): SavedWorkspace {
@@ -64,16 +65,6 @@ export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace)
     if (enabled) Blockly.Events.enable()
   }
   return {left}
-}
-
-/// A block as text that is the same whoever wrote it: Blockly and codegen order keys in their own ways, and Blockly
-/// adds to a remark how large its bubble is.
-function inOneOrder(block: SavedBlock): string {
-  return JSON.stringify(block, (key, value: unknown) => {
-    if (typeof value !== "object" || value === null || Array.isArray(value)) return value
-    const entries = Object.entries(value).filter(([name]) => key !== "comment" || name === "text")
-    return Object.fromEntries(entries.sort(([a], [b]) => (a < b ? -1 : a > b ? 1 : 0)))
-  })
 }
 
 /// Pixels from the edge, and between blocks, for those that nobody has placed yet.

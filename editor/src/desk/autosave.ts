@@ -1,4 +1,5 @@
-/// Keeps the open program in the browser: shortly after each change, and at once when the page is left.
+/// Keeps the open program in the browser: shortly after each change, and at once when the page is left. What was typed in
+/// the same instant belongs to it: `settle` brings it to the store first.
 ///
 /// A program gets a place of its own with its first change. When another tab writes to the same place, this tab
 /// moves to a new one, so neither overwrites the other.
@@ -14,13 +15,19 @@ export interface Autosave {
   opened(id: string | null): void
 }
 
-export function openAutosave(store: Store, shelf: Shelf, projectText: () => string): Autosave {
+export function openAutosave(
+  store: Store,
+  shelf: Shelf,
+  projectText: () => string,
+  settle: () => void,
+): Autosave {
   let place: string | null = null
   let timer: ReturnType<typeof setTimeout> | undefined
 
   const keep = () => {
     clearTimeout(timer)
     timer = undefined
+    settle()
     if (store.now.saved === "saved") return
     place ??= freshPlace()
     const ok = shelf.keep(place, store.now.name, projectText(), Date.now())

@@ -25,6 +25,7 @@ import {glowing} from "../state/room.ts"
 import {isActive} from "../state/run.ts"
 import {openStore} from "../store.ts"
 import {openAutosave} from "./autosave.ts"
+import {merged} from "./merge.ts"
 import {
   analysed,
   blockProblem,
@@ -41,9 +42,11 @@ import {
 /// Milliseconds between the last change and the question to the compiler.
 const checkPause = 150
 
-/// Milliseconds that following a key may cost without being felt, and the longest pause to wait for instead.
+/// Milliseconds that following a key may cost without being felt, the longest pause to wait for instead, and how long
+/// the blocks may stay behind somebody who never pauses.
 const quick = 12
 const longestPause = 400
+const furthestBehind = 2000
 
 /// What a newcomer finds.
 const firstExample = "accelerateAndPlay"
@@ -62,6 +65,8 @@ export function openDesk(address: string): Desk {
   /// What was typed and has not reached the blocks yet.
   let typed: string | null = null
   let typing: ReturnType<typeof setTimeout> | undefined
+  /// When the first of it was typed, in milliseconds.
+  let typedSince = 0
   /// What the last change of the text cost until the blocks had followed, in milliseconds.
   let cost = 0
   let systemDark = false
@@ -78,7 +83,7 @@ export function openDesk(address: string): Desk {
   const store = openStore(perform, shelf.liking())
   const isDark = () => store.now.theme === "dark" || (store.now.theme === "auto" && systemDark)
   const projectText = () => writeProject(project, store.now.document, store.now.name, store.now.worldName)
-  const autosave = openAutosave(store, shelf, projectText)
+  const autosave = openAutosave(store, shelf, projectText, () => flush())
 
   const paint = () => {
     document.documentElement.dataset.theme = isDark() ? "dark" : "light"
@@ -155,6 +160,7 @@ export function openDesk(address: string): Desk {
   const flushSoon = () => {
     clearTimeout(typing)
     if (cost < quick) store.redraw()
+    else if (performance.now() - typedSince > furthestBehind) flush()
     else typing = setTimeout(flush, Math.min(longestPause, 3 * cost))
   }
   const undo = () => {
@@ -213,9 +219,11 @@ export function openDesk(address: string): Desk {
           canRedo: () => store.now.history.future.length > 0,
         },
       })
-      blocks.onChange(({workspace, inference}) => {
+      blocks.onChange(({workspace: edited, inference}) => {
         flush()
-        if (reader === null || JSON.stringify(workspace) === JSON.stringify(shown)) return
+        if (reader === null || JSON.stringify(edited) === JSON.stringify(shown)) return
+        const now = store.now.document.workspace
+        const workspace = shown === null || shown === now ? edited : merged(shown, edited, now)
         const document = withBlocks(reader, store.now.document, workspace, inference)
         if (document.workspace === workspace) shown = workspace
         store.dispatch({kind: "program-changed", document, by: "blocks", at: performance.now()})
@@ -227,6 +235,7 @@ export function openDesk(address: string): Desk {
         label: words.haskellPane,
         cursorMoved,
         edited(text) {
+          if (typed === null) typedSince = performance.now()
           typed = text
           flushSoon()
         },

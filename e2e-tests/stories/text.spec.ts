@@ -1,0 +1,112 @@
+/// Text and blocks are two views of one program: what is written in one appears in the other, and nothing is lost on the way.
+
+import {readFileSync} from "node:fs"
+import {expect, test} from "@playwright/test"
+import {Learner, until} from "./learner.ts"
+
+const drawSquare = readFileSync(new URL("../../examples/drawSquare/Main.hs", import.meta.url), "utf8")
+
+test("drawSquare, typed key by key, becomes blocks and drives", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("move")
+  await learner.emptiesHaskell()
+  await learner.types(drawSquare)
+  await expect.poll(() => learner.haskellText()).toBe(drawSquare.trimEnd())
+  for (const name of ["drawSquare", "move", "turn", "runTurn", "gone"])
+    await expect(learner.definition(name)).toBeVisible()
+  await expect(learner.wrongBlocks()).toHaveCount(0)
+  await learner.keeps("draw-square-typed")
+  await learner.runs()
+  await until(learner.robot("x"), x => x > 1.2)
+  await learner.stops()
+})
+
+test("broken text keeps its blocks, dimmed, until it is mended", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  const blocks = await learner.definition("play").count()
+  await learner.findsInHaskell("(Bumper _ Pressed)")
+  await page.keyboard.press("ArrowRight")
+  await page.keyboard.press("Backspace")
+  await expect(learner.haskell()).toContainText("play (Bumper _ Pressed = Just")
+  await expect(learner.dimmed()).toHaveCount(1)
+  await expect(learner.definition("play")).toHaveCount(blocks)
+  await learner.seesProblem(/bracket/)
+  await learner.keeps("broken-text")
+  await learner.haskell().focus()
+  await page.keyboard.type(")")
+  await expect(learner.haskell()).toContainText("play (Bumper _ Pressed) = Just")
+  await expect(learner.dimmed()).toHaveCount(0)
+  await expect(page.getByTestId("problems")).toContainText("No problems.")
+})
+
+test("a comment survives an edit of another definition in blocks", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  await learner.findsInHaskell("play :: Bumper")
+  await page.keyboard.press("Home")
+  await page.keyboard.type("-- Ouch!   (do not touch)")
+  await page.keyboard.press("Enter")
+  await page.keyboard.press("Enter")
+  await learner.changesNumber("0.5", "0.25")
+  await expect(learner.haskell()).toContainText("vl + 0.25")
+  await expect
+    .poll(() => learner.haskellText())
+    .toContain("-- Ouch!   (do not touch)\n\nplay :: Bumper -> Maybe Sound\n")
+})
+
+test("undo and redo walk through the edits of both views in their order", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  const first = await learner.haskellText()
+  await learner.changesNumber("0.5", "0.25")
+  await expect(learner.haskell()).toContainText("vl + 0.25")
+  const second = await learner.haskellText()
+  await learner.findsInHaskell("ErrorSound")
+  await page.keyboard.type("OnSound")
+  await expect(learner.haskell()).toContainText("Just OnSound")
+  await expect(learner.definition("play").getByText("OnSound")).toBeVisible()
+  const third = await learner.haskellText()
+  await learner.changesNumber("0.25", "0.75")
+  await expect(learner.haskell()).toContainText("vl + 0.75")
+  const fourth = await learner.haskellText()
+  for (const text of [third, second, first]) {
+    await page.getByRole("button", {name: "Undo"}).click()
+    await expect.poll(() => learner.haskellText()).toBe(text)
+  }
+  await expect(page.getByRole("button", {name: "Undo"})).toBeDisabled()
+  await expect(learner.number("0.5")).toBeVisible()
+  for (const text of [second, third, fourth]) {
+    await page.getByRole("button", {name: "Redo"}).click()
+    await expect.poll(() => learner.haskellText()).toBe(text)
+  }
+  await expect(learner.definition("play").getByText("OnSound")).toBeVisible()
+  await expect(learner.number("0.75")).toBeVisible()
+})
+
+test("a reload in the middle of a word loses nothing", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  await learner.findsInHaskell("Velocity (vl + 0.5) va")
+  await page.keyboard.type("Velocity (vl + 0.5")
+  // The bracket that closed by itself.
+  await page.keyboard.press("Delete")
+  const text = await learner.haskellText()
+  expect(text).toContain("= Velocity (vl + 0.5\n")
+  await page.goto("/")
+  await expect.poll(() => learner.haskellText()).toBe(text)
+  await expect(learner.dimmed()).toHaveCount(1)
+  await expect(learner.definition("accelerate")).toBeVisible()
+})
+
+test("closing the tab loses nothing", async ({page, context}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  await learner.findsInHaskell("ErrorSound")
+  await page.keyboard.type("ButtonSound")
+  const text = await learner.haskellText()
+  await page.close({runBeforeUnload: true})
+  const again = new Learner(await context.newPage())
+  await again.page.goto("/")
+  await expect.poll(() => again.haskellText()).toBe(text)
+})

@@ -1,0 +1,31 @@
+/// Two views edited in the same moment: neither edit is lost.
+
+import type {SavedBlock} from "@rosy/codegen"
+import {describe, expect, it} from "vitest"
+import {merged} from "../../src/desk/merge.ts"
+
+const block = (id: string, value: string): SavedBlock => ({type: "number", id, extraState: {value}})
+const workspace = (...blocks: SavedBlock[]) => ({blocks: {languageVersion: 0, blocks}})
+const ids = (of: ReturnType<typeof merged>) =>
+  of.blocks.blocks.map(b => `${b.id}=${String(b.extraState?.value)}`).join(" ")
+
+describe("an edit of blocks that had not followed the text yet", () => {
+  const shown = workspace(block("a", "1"), block("b", "1"))
+  it("keeps what was typed elsewhere", () => {
+    const now = workspace(block("a", "1"), block("b", "2"), block("c", "2"))
+    expect(ids(merged(shown, workspace(block("a", "9"), block("b", "1")), now))).toBe("a=9 b=2 c=2")
+  })
+  it("counts where both have changed the same definition", () => {
+    expect(ids(merged(shown, workspace(block("a", "9"), block("b", "1")), workspace(block("a", "2"))))).toBe(
+      "a=9",
+    )
+  })
+  it("adds and removes definitions", () => {
+    const edited = workspace(block("b", "1"), block("d", "9"))
+    expect(ids(merged(shown, edited, workspace(block("a", "1"), block("b", "2"))))).toBe("b=2 d=9")
+  })
+  it("is not confused by the order of keys", () => {
+    const turned: SavedBlock = {id: "a", extraState: {value: "1"}, type: "number"}
+    expect(ids(merged(workspace(block("a", "1")), workspace(turned), workspace(block("a", "2"))))).toBe("a=2")
+  })
+})
