@@ -10,7 +10,8 @@ import {words} from "../page/words.ts"
 import {openSpeaker} from "../room/sounds.ts"
 import {openRoom, type RoomView} from "../room/view.ts"
 import {openClipboard} from "../run/clipboard.ts"
-import {download, fileName, pickFile} from "../run/files.ts"
+import {download, downloadBlob, fileName, pickFile} from "../run/files.ts"
+import {type Film, startFilm, takePicture} from "../run/film.ts"
 import {fetchReader} from "../run/grammar.ts"
 import {fetchExample, fetchExamples, fetchWorlds} from "../run/library.ts"
 import {openSession, type Session} from "../run/session.ts"
@@ -58,6 +59,8 @@ export function openDesk(address: string): Desk {
   let blocks: BlocksView | null = null
   let source: SourcePane | null = null
   let room: RoomView | null = null
+  let roomCanvas: HTMLCanvasElement | null = null
+  let film: Film | null = null
   let reader: Reader | null = null
   let project = codegen.newProject("")
   /// The blocks as the block view has them; when the document has others, they are loaded.
@@ -242,9 +245,11 @@ export function openDesk(address: string): Desk {
       })
     },
     mountRoom(canvas) {
+      roomCanvas = canvas
       room = openRoom(canvas, {
         changed: () => store.redraw(),
         placed: teleport => store.dispatch({kind: "hand", hand: {teleport}}),
+        follows: follows => store.dispatch({kind: "follows", follows}),
       })
     },
     openGallery() {
@@ -274,6 +279,25 @@ export function openDesk(address: string): Desk {
     saveHaskell: () =>
       download(fileName(store.now.name, "hs"), writeHaskell(project, store.now.document), "text/plain"),
     saveTable: () => download(fileName(store.now.name, "csv"), toCsv(store.now.room.recording), "text/csv"),
+    zoomRoom: factor => room?.zoom(factor),
+    wholeRoom: () => room?.whole(),
+    savePicture() {
+      if (roomCanvas === null) return
+      void takePicture(roomCanvas).then(
+        picture => picture !== null && downloadBlob(fileName(store.now.name, "png"), picture),
+      )
+    },
+    film(going) {
+      if (!going) return film?.stop()
+      if (roomCanvas === null || film !== null) return
+      film = startFilm(roomCanvas, made => {
+        film = null
+        store.dispatch({kind: "films", films: false})
+        if (made === null) store.dispatch({kind: "notice", notice: {kind: "no-film"}})
+        else downloadBlob(fileName(store.now.name, "webm"), made)
+      })
+      store.dispatch({kind: "films", films: film !== null})
+    },
     undo,
     redo,
     show(finding: Finding) {
@@ -288,6 +312,9 @@ export function openDesk(address: string): Desk {
     },
   }
 }
+
+/// What the browser remembers of how the learner likes the page.
+const liked = ["theme", "muted", "view", "layout", "trail"] as const
 
 /// Draws what is not Preact's: each part is told only of what changed for it.
 function drawParts(
@@ -327,9 +354,9 @@ function drawParts(
       }
     }
     if (changed("theme")) paint()
-    if (before !== null && (changed("theme") || changed("muted") || changed("view") || changed("layout")))
-      remember({theme: state.theme, muted: state.muted, view: state.view, layout: state.layout})
+    if (before !== null && liked.some(changed))
+      remember(Object.fromEntries(liked.map(key => [key, state[key]])))
     before = state
-    if (room?.draw(state.room, now)) again()
+    if (room?.draw(state.room, state, now)) again()
   }
 }

@@ -20,6 +20,12 @@ export interface Desk {
   saveHaskell(): void
   /// The values of the run, for a spreadsheet.
   saveTable(): void
+  /// Looks `factor` times as close at the room.
+  zoomRoom(factor: number): void
+  wholeRoom(): void
+  savePicture(): void
+  /// Starts a film of the room, or ends it and saves it.
+  film(going: boolean): void
   undo(): void
   redo(): void
   /// Brings the block and the text of a problem into sight.

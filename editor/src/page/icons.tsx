@@ -40,6 +40,29 @@ export const RedoIcon = () => (
     <path d="M13 6.5H6.5a3.5 3.5 0 0 0 0 7H10M13 6.5l-3-3M13 6.5l-3 3" {...line} />
   </Picture>
 )
+export const FollowIcon = () => (
+  <Picture>
+    <circle cx="8" cy="8" r="4.6" {...line} />
+    <path d="M8 1v3M8 12v3M1 8h3M12 8h3" {...line} />
+    <circle cx="8" cy="8" r="1.2" fill="currentColor" />
+  </Picture>
+)
+export const CloserIcon = () => (
+  <Picture>
+    <path d="M8 3v10M3 8h10" {...line} />
+  </Picture>
+)
+export const FurtherIcon = () => (
+  <Picture>
+    <path d="M3 8h10" {...line} />
+  </Picture>
+)
+export const EyeIcon = () => (
+  <Picture>
+    <path d="M1.3 8S3.7 3.6 8 3.6 14.7 8 14.7 8 12.3 12.4 8 12.4 1.3 8 1.3 8z" {...line} />
+    <circle cx="8" cy="8" r="1.9" {...line} />
+  </Picture>
+)
 export const ResetIcon = () => (
   <Picture>
     <path d="M3.2 8a4.9 4.9 0 1 0 1.7-3.7M5 1.8v2.7h2.7" {...line} />

@@ -12,6 +12,7 @@ import {SoundIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {ProblemsPanel, problemCount} from "./problems.tsx"
 import {SensorsPanel} from "./sensors.tsx"
+import {Sight} from "./sight.tsx"
 import {TimeBar} from "./timebar.tsx"
 import {runWords, words} from "./words.ts"
 
@@ -41,6 +42,7 @@ export function RoomRegion({shown}: {shown: boolean}): VNode {
         <Readout />
         <Invitation />
         <Goals />
+        <Sight />
       </div>
       <TimeBar />
       <Border of="canvas" />

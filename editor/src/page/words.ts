@@ -100,7 +100,20 @@ export const words = {
       "The helper that reads Haskell is restarting. Your program is kept; run it again in a moment.",
   },
   roomLabel: (world: string) =>
-    `The room ${world} from above, with the robot in it. While it runs, the arrow keys move the robot, comma and full stop turn it; plus and minus zoom.`,
+    `The room ${world} from above, with the robot in it. While it runs, the arrow keys move the robot, comma and full stop turn it; plus and minus zoom, F follows it.`,
+  sight: "How to see the room",
+  follow: "Follow the robot",
+  followHint: "Follow the robot (F)",
+  closer: "Closer",
+  further: "Further away",
+  wholeRoom: "All of the room",
+  sightMenu: "Trail, picture and film",
+  trail: "Trail",
+  trails: {plain: "One colour", speed: "Speed", time: "Time"},
+  trailEnds: {speed: ["slow", "fast"], time: ["start", "now"]},
+  savePicture: "Save a picture",
+  startFilm: "Start a film",
+  endFilm: "End the film",
   goals: "Goals",
   goalStates: {open: "open", done: "done", missed: "missed"},
   hands: "Touch the robot",
@@ -150,6 +163,8 @@ export function noticeWords(notice: Notice): {readonly message: string; readonly
       return {message: `There is no example ${notice.name}.`, hint: "Examples, above, shows those there are."}
     case "refusal":
       return {message: notice.message, hint: notice.hint}
+    case "no-film":
+      return {message: "The film is empty.", hint: "Start it while the robot drives, and end it later."}
     case "no-reader":
       return {message: "A part of the page is missing.", hint: "Reload the page; nothing of yours is lost."}
     case "not-saved":

@@ -39,6 +39,22 @@ export function lookAt(look: Look, width: number, height: number, w: number, h: 
   return {scale, left: w / 2 - look.x * scale, bottom: h / 2 + look.y * scale}
 }
 
+/// Metres of the room around the robot, at least, when the picture goes with it.
+const followed = 3
+
+/// The look that keeps a point of the room in the middle, as close as before, or close enough to see the robot work.
+export function follow(
+  look: Look,
+  point: {readonly x: number; readonly y: number},
+  width: number,
+  height: number,
+  w: number,
+  h: number,
+): Look {
+  const near = Math.max(1, Math.min(w, h) / followed / fit(width, height, w, h).scale)
+  return {zoom: look?.zoom ?? near, x: point.x, y: point.y}
+}
+
 /// The look after the picture was moved by so many pixels.
 export function pan(look: Look, camera: Camera, w: number, h: number, dx: number, dy: number): Look {
   const middle = toRoom(camera, w / 2 - dx, h / 2 - dy)

@@ -15,6 +15,8 @@ export interface GestureHost {
   /// The view became `factor` times as close, around a point on the canvas.
   zoomed(factor: number, x: number, y: number): void
   fitted(): void
+  /// The view is to go with the robot, or to stay again.
+  followed(): void
 }
 
 /// Kobuki's radius, m (see `robot.ts`); taking hold is a little easier than that.
@@ -107,6 +109,7 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
       "+": () => host.zoomed(1.25, middle.x, middle.y),
       "-": () => host.zoomed(0.8, middle.x, middle.y),
       "0": () => host.fitted(),
+      f: () => host.followed(),
     }
     if (robot !== null) {
       const place = (dx: number, dy: number, turn: number) => () =>

@@ -12,6 +12,9 @@ export interface Palette {
   readonly ink: string
   readonly paper: string
   readonly trail: string
+  /// The trail's levels, from slow to fast or from long ago to now.
+  readonly ramp: readonly string[]
+  readonly around: string
   readonly hit: string
   readonly body: string
   readonly ring: string
@@ -35,6 +38,8 @@ export function readPalette(element: Element): Palette {
     ink: token("--ink"),
     paper: token("--paper"),
     trail: token("--rosy"),
+    ramp: [1, 2, 3, 4, 5].map(level => token(`--trail-${level}`)),
+    around: token("--sunken"),
     hit: token("--hit"),
     body: token("--robot"),
     ring: token("--robot-ring"),

@@ -20,25 +20,37 @@ const bumperZones: readonly (readonly [number, number, number])[] = [
 /// Cliff sensors in the base's frame, as [bit, x, y] (kobuki_description).
 const cliffSensors: readonly (readonly [number, number, number])[] = [
   [1, 0.085, -0.13601],
-  [2, 0.145, 0],
+  [2, 0.156, 0],
   [4, 0.08734, 0.13601],
+]
+/// Buttons 0 to 2, as x, y: to the right on the rear panel; the LEDs are to its left (Kobuki user guide, "Control panel").
+const buttons: readonly (readonly [number, number])[] = [
+  [-0.126, -0.018],
+  [-0.117, -0.056],
+  [-0.096, -0.089],
+]
+const leds: readonly (readonly [number, number])[] = [
+  [-0.098, 0.082],
+  [-0.118, 0.034],
 ]
 /// Letters for the LEDs' colours; black has none.
 const ledLetters = ["", "G", "O", "R"]
 
 export function drawRobot(
   ctx: CanvasRenderingContext2D,
-  frame: Pick<Frame, "bumpers" | "cliffs" | "wheels" | "led1" | "led2">,
+  frame: Pick<Frame, "bumpers" | "cliffs" | "wheels" | "buttons" | "led1" | "led2">,
   palette: Palette,
   scale: number,
 ): void {
   drawBody(ctx, palette)
   drawWheels(ctx, frame.wheels, palette)
-  drawCliffs(ctx, frame.cliffs, palette)
   drawBumpers(ctx, frame.bumpers, palette)
+  drawCliffs(ctx, frame.cliffs, palette)
   drawHeading(ctx, palette)
-  drawLed(ctx, -0.075, 0.062, frame.led1, palette, scale)
-  drawLed(ctx, -0.075, -0.062, frame.led2, palette, scale)
+  drawButtons(ctx, frame.buttons, palette)
+  leds.forEach(([x, y], i) => {
+    drawLed(ctx, x, y, i === 0 ? frame.led1 : frame.led2, palette, scale)
+  })
 }
 
 /// Where the robot believes it is: an outline with its heading.
@@ -67,8 +79,12 @@ function drawWheels(ctx: CanvasRenderingContext2D, bits: number, palette: Palett
     [1, -1],
   ] as const) {
     ctx.beginPath()
-    ctx.roundRect(-wheelRadius, side * wheelOffset - wheelWidth / 2, 2 * wheelRadius, wheelWidth, 0.006)
-    ctx.fillStyle = bits & bit ? palette.hit : palette.hole
+    // A wheel in the air hangs out: larger as well as brighter.
+    const hangs = (bits & bit) !== 0
+    const grown = hangs ? 0.012 : 0
+    const [length, width] = [2 * wheelRadius + 2 * grown, wheelWidth + grown]
+    ctx.roundRect(-length / 2, side * wheelOffset - width / 2, length, width, 0.006)
+    ctx.fillStyle = hangs ? palette.hit : palette.hole
     ctx.fill()
   }
 }
@@ -77,9 +93,12 @@ function drawCliffs(ctx: CanvasRenderingContext2D, bits: number, palette: Palett
   for (const [bit, x, y] of cliffSensors) {
     const over = (bits & bit) !== 0
     ctx.beginPath()
-    ctx.arc(x * 0.86, y * 0.86, over ? 0.019 : 0.009, 0, 2 * Math.PI)
-    ctx.fillStyle = over ? palette.hit : palette.ring
+    ctx.arc(x, y, over ? 0.021 : 0.01, 0, 2 * Math.PI)
+    ctx.fillStyle = over ? palette.hit : palette.mark
     ctx.fill()
+    ctx.lineWidth = 0.005
+    ctx.strokeStyle = palette.body
+    ctx.stroke()
   }
 }
 
@@ -109,6 +128,20 @@ function drawBumpers(ctx: CanvasRenderingContext2D, bits: number, palette: Palet
   }
 }
 
+/// A pressed button is filled and larger.
+function drawButtons(ctx: CanvasRenderingContext2D, bits: number, palette: Palette): void {
+  buttons.forEach(([x, y], i) => {
+    const pressed = (bits & (1 << i)) !== 0
+    ctx.beginPath()
+    ctx.arc(x, y, pressed ? 0.02 : 0.013, 0, 2 * Math.PI)
+    ctx.lineWidth = 0.004
+    ctx.strokeStyle = palette.ring
+    ctx.fillStyle = pressed ? palette.hit : palette.body
+    ctx.fill()
+    ctx.stroke()
+  })
+}
+
 function drawHeading(ctx: CanvasRenderingContext2D, palette: Palette): void {
   ctx.beginPath()
   ctx.moveTo(0.098, 0)
@@ -128,7 +161,7 @@ function drawLed(
   palette: Palette,
   scale: number,
 ): void {
-  const size = 0.026
+  const size = 0.023
   ctx.beginPath()
   // Green is round, orange a diamond, red a square; dark is a small ring.
   if (value === 2) {

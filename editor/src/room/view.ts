@@ -1,58 +1,73 @@
 /// The room on a canvas. `draw` is called once per frame with the page's state and decides nothing; what does
-/// not move is kept on a second canvas, and finished pieces of the trail as paths.
+/// not move, and what of the trail is finished, is kept on layers beside it.
 
 import type {Frame, World} from "../state/messages.ts"
-import {type Point, type RoomState, shownFrame} from "../state/room.ts"
-import {type Camera, type Look, lookAt, pan, toScreen, zoom} from "./camera.ts"
+import {type RoomState, shownFrame, speech, type TrailStyle} from "../state/room.ts"
+import {drawBubble} from "./bubble.ts"
+import {type Camera, follow, type Look, lookAt, pan, toScreen, zoom} from "./camera.ts"
 import {watchGestures} from "./gestures.ts"
+import {openLayer, type Size} from "./layer.ts"
 import {type Pose, poseAt, type Seen} from "./motion.ts"
 import {readPalette} from "./palette.ts"
+import {openPath} from "./path.ts"
 import {drawGhost, drawRobot} from "./robot.ts"
 import {drawThings, drawWorld} from "./world.ts"
 
 export interface RoomView {
   /// Draws the room as it is; answers whether something still moves, so that another frame is worth drawing.
-  draw(room: RoomState, now: number): boolean
+  draw(room: RoomState, sight: Sight, now: number): boolean
+  /// Comes `factor` times closer, around the middle.
+  zoom(factor: number): void
+  /// Shows all of the room.
+  whole(): void
   /// The theme changed: colours are read anew.
   recolour(): void
   dispose(): void
 }
 
-const parked = {bumpers: 0, cliffs: 0, wheels: 0, led1: 0, led2: 0}
+/// How the learner wants to see the room.
+export interface Sight {
+  readonly trail: TrailStyle
+  /// The picture goes with the robot.
+  readonly follows: boolean
+}
+
+const parked = {bumpers: 0, cliffs: 0, wheels: 0, buttons: 0, led1: 0, led2: 0}
 
 export interface RoomListener {
   /// The picture must be drawn again.
   changed(): void
   /// The learner took the robot to this pose (room coordinates).
   placed(pose: Pose): void
+  /// The picture is to go with the robot, or no longer: the learner moved it by hand, or asked for all of the room.
+  follows(follows: boolean): void
 }
 
 export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): RoomView {
-  const ctx = canvas.getContext("2d")
-  const still = document.createElement("canvas")
-  const under = still.getContext("2d")
-  if (ctx === null || under === null) throw new Error("expected a canvas with a 2d context, found none")
+  const ctx = canvas.getContext("2d", {alpha: false})
+  if (ctx === null) throw new Error("expected a canvas with a 2d context, found none")
 
   let palette = readPalette(canvas)
-  let size = {w: 0, h: 0, ratio: 1}
+  let size: Size = {w: 0, h: 0, ratio: 1}
   let drawnWorld: World | null = null
   let camera: Camera = {scale: 1, left: 0, bottom: 0}
   // How the room is looked at is no knowledge of the page's: it is gone with the canvas.
   let look: Look = null
+  let following = false
   let shown: Pose | null = null
   let before: Seen | null = null
   let last: Seen | null = null
   let lastFrame: Frame | null = null
-  const paths = new WeakMap<readonly Point[], Path2D>()
+  // A picture of the whole room does not move; one from nearby may, as far as half of itself.
+  const margin = () => (look === null ? 0 : 0.5)
+  const ground = openLayer(margin)
+  const path = openPath(palette, margin)
 
   const measure = () => {
     const box = canvas.getBoundingClientRect()
     size = {w: box.width, h: box.height, ratio: window.devicePixelRatio || 1}
-    for (const c of [canvas, still]) {
-      c.width = Math.max(1, Math.round(size.w * size.ratio))
-      c.height = Math.max(1, Math.round(size.h * size.ratio))
-    }
-    drawnWorld = null
+    canvas.width = Math.max(1, Math.round(size.w * size.ratio))
+    canvas.height = Math.max(1, Math.round(size.h * size.ratio))
     listener.changed()
   }
   const watcher = new ResizeObserver(measure)
@@ -61,148 +76,100 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
 
   const looked = (to: Look) => {
     look = to
-    drawnWorld = null
     listener.changed()
   }
+  const whole = () => {
+    listener.follows(false)
+    looked(null)
+  }
+  const zoomed = (factor: number, x: number, y: number) => looked(zoom(look, camera, size, factor, x, y))
   watchGestures(canvas, {
     camera: () => camera,
     robot: () => shown,
     placed: pose => listener.placed(pose),
     panned: (dx, dy) => {
-      if (look !== null) looked(pan(look, camera, size.w, size.h, dx, dy))
+      if (look === null) return
+      listener.follows(false)
+      looked(pan(look, camera, size.w, size.h, dx, dy))
     },
-    zoomed: (factor, x, y) => looked(zoom(look, camera, size, factor, x, y)),
-    fitted: () => looked(null),
+    zoomed,
+    fitted: whole,
+    followed: () => listener.follows(!following),
   })
 
-  const metres = (c: CanvasRenderingContext2D) => {
+  const metres = () => {
     const k = size.ratio * camera.scale
-    c.setTransform(k, 0, 0, -k, camera.left * size.ratio, camera.bottom * size.ratio)
+    ctx.setTransform(k, 0, 0, -k, camera.left * size.ratio, camera.bottom * size.ratio)
   }
 
-  const pieceOf = (piece: readonly Point[]): Path2D => {
-    const known = paths.get(piece)
-    if (known !== undefined) return known
-    const path = new Path2D()
-    addLine(path, piece)
-    paths.set(piece, path)
-    return path
-  }
-
-  const drawTrail = (room: RoomState, tip: Pose) => {
-    metres(ctx)
-    ctx.lineJoin = "round"
-    ctx.lineCap = "round"
-    ctx.lineWidth = Math.max(0.02, 2.5 / camera.scale)
-    ctx.strokeStyle = palette.trail
-    ctx.globalAlpha = 0.55
-    // One stroke for all pieces: where two meet, a second stroke would show through the first.
-    const path = new Path2D()
-    const until = room.lookedAt ?? Number.POSITIVE_INFINITY
-    const pieces = room.trail.filter(piece => (piece[0]?.time ?? 0) <= until)
-    for (const piece of pieces.slice(0, -1)) path.addPath(pieceOf(piece))
-    const end = pieces.at(-1)
-    if (end !== undefined) {
-      // The tip is drawn to where the robot is shown, which lags one frame behind the last point.
-      const passed = room.lookedAt === null ? end.slice(0, -1) : end.filter(p => p.time <= until)
-      addLine(path, passed)
-      if (passed.length === 0) path.moveTo(tip.x, tip.y)
-      path.lineTo(tip.x, tip.y)
+  /// Where the robot is drawn now: between the last two frames.
+  const poseOf = (room: RoomState, world: World, frame: Frame | null, now: number): Pose => {
+    if (frame !== lastFrame) {
+      const follows = frame !== null && lastFrame !== null && frame.run === lastFrame.run
+      before = follows && room.lookedAt === null ? last : null
+      last = frame === null ? null : {pose: frame, at: now}
+      lastFrame = frame
     }
-    ctx.stroke(path)
-    ctx.globalAlpha = 1
+    return last === null ? world.start : poseAt(before, last, now)
   }
 
-  const drawSpeech = (text: string, pose: Pose) => {
-    ctx.setTransform(size.ratio, 0, 0, size.ratio, 0, 0)
-    ctx.font = `500 14px ${palette.font}`
-    const short = text.length > 40 ? `${text.slice(0, 39)}…` : text
-    const width = Math.min(ctx.measureText(short).width + 22, size.w - 8)
-    const at = toScreen(camera, pose.x, pose.y)
-    const lift = 0.2 * camera.scale + 14
-    const left = Math.min(Math.max(4, at.x - width / 2), size.w - width - 4)
-    const above = at.y - lift - 30 > 4
-    const top = above ? at.y - lift - 30 : at.y + lift
-    ctx.fillStyle = palette.ink
-    ctx.beginPath()
-    ctx.roundRect(left, top, width, 30, 9)
-    ctx.fill()
-    ctx.beginPath()
-    const foot = above ? top + 30 : top
-    const dip = above ? 8 : -8
-    const tail = Math.min(Math.max(left + 16, at.x), left + width - 16)
-    ctx.moveTo(tail - 7, foot)
-    ctx.lineTo(tail, foot + dip)
-    ctx.lineTo(tail + 7, foot)
-    ctx.fill()
-    ctx.fillStyle = palette.paper
-    ctx.textAlign = "center"
-    ctx.textBaseline = "middle"
-    ctx.fillText(short, left + width / 2, top + 16, width - 16)
+  const place = (world: World, pose: Pose) => {
+    const [width, height] = world.size
+    if (following) look = follow(look, pose, width, height, size.w, size.h)
+    camera = lookAt(look, width, height, size.w, size.h)
+    path.place(camera, size)
+    if (world !== drawnWorld) ground.forget()
+    drawnWorld = world
+    if (!ground.covers(camera, size)) drawWorld(ground.ctx, world, palette, camera.scale)
+  }
+
+  const drawAt = (x: number, y: number, theta: number, draw: () => void) => {
+    ctx.save()
+    ctx.translate(x, y)
+    ctx.rotate(theta)
+    draw()
+    ctx.restore()
   }
 
   return {
-    draw(room, now) {
+    draw(room, sight, now) {
       const {world} = room
       const frame = shownFrame(room)
-      if (world !== drawnWorld) {
-        under.setTransform(1, 0, 0, 1, 0, 0)
-        under.clearRect(0, 0, still.width, still.height)
-        drawnWorld = world
-        if (world !== null) {
-          camera = lookAt(look, world.size[0], world.size[1], size.w, size.h)
-          metres(under)
-          drawWorld(under, world, palette, camera.scale)
-        }
-      }
+      following = sight.follows
       ctx.setTransform(1, 0, 0, 1, 0, 0)
-      ctx.clearRect(0, 0, canvas.width, canvas.height)
+      ctx.fillStyle = palette.around
+      ctx.fillRect(0, 0, canvas.width, canvas.height)
       if (world === null) {
         shown = null
         return false
       }
-      ctx.drawImage(still, 0, 0)
-
-      if (frame !== lastFrame) {
-        const follows = frame !== null && lastFrame !== null && frame.run === lastFrame.run
-        before = follows && room.lookedAt === null ? last : null
-        last = frame === null ? null : {pose: frame, at: now}
-        lastFrame = frame
-      }
-      const pose = last === null ? world.start : poseAt(before, last, now)
+      const pose = poseOf(room, world, frame, now)
       shown = pose
-      metres(ctx)
+      place(world, pose)
+      ground.show(ctx, camera)
+      path.draw(ctx, room, sight.trail, pose)
+      metres()
       drawThings(ctx, world, frame?.boxes ?? [], palette, camera.scale)
-      drawTrail(room, pose)
-      metres(ctx)
-      if (frame !== null && frame.ghost !== null) {
-        const [x, y, theta] = frame.ghost
-        ctx.save()
-        ctx.translate(x, y)
-        ctx.rotate(theta)
-        drawGhost(ctx, palette, camera.scale)
-        ctx.restore()
+      if (frame !== null && frame.ghost !== null)
+        drawAt(...frame.ghost, () => drawGhost(ctx, palette, camera.scale))
+      drawAt(pose.x, pose.y, pose.theta, () => drawRobot(ctx, frame ?? parked, palette, camera.scale))
+      const words = speech(room)
+      if (words !== null) {
+        ctx.setTransform(size.ratio, 0, 0, size.ratio, 0, 0)
+        drawBubble(ctx, words, toScreen(camera, pose.x, pose.y), 0.2 * camera.scale + 14, size, palette)
       }
-      ctx.translate(pose.x, pose.y)
-      ctx.rotate(pose.theta)
-      drawRobot(ctx, frame ?? parked, palette, camera.scale)
-      if (room.speech !== null && room.lookedAt === null) drawSpeech(room.speech.text, pose)
       return last !== null && before !== null && now - last.at < last.at - before.at
     },
+    zoom: factor => zoomed(factor, size.w / 2, size.h / 2),
+    whole,
     recolour() {
       palette = readPalette(canvas)
-      drawnWorld = null
+      path.recolour(palette)
+      ground.forget()
       listener.changed()
     },
     dispose() {
       watcher.disconnect()
     },
   }
-}
-
-function addLine(path: Path2D, points: readonly Point[]): void {
-  const [first, ...rest] = points
-  if (first === undefined) return
-  path.moveTo(first.x, first.y)
-  for (const p of rest) path.lineTo(p.x, p.y)
 }

@@ -1,8 +1,12 @@
 /// Files that go to and come from the learner's own disk.
 
-/// Hands a text to the browser as a download.
+/// Hands a text, or anything else, to the browser as a download.
 export function download(name: string, text: string, type: string): void {
-  const url = URL.createObjectURL(new Blob([text], {type}))
+  downloadBlob(name, new Blob([text], {type}))
+}
+
+export function downloadBlob(name: string, content: Blob): void {
+  const url = URL.createObjectURL(content)
   const link = document.createElement("a")
   link.href = url
   link.download = name

@@ -33,7 +33,7 @@ export interface Shelf {
   setLiking(liking: Liking): void
 }
 
-export type Liking = Partial<Pick<PageState, "theme" | "muted" | "view" | "layout">>
+export type Liking = Partial<Pick<PageState, "theme" | "muted" | "view" | "layout" | "trail">>
 
 const index = list(
   object<Kept>(get => ({id: get("id", string), name: get("name", string), at: get("at", number)})),
@@ -48,11 +48,13 @@ const liking = object<Liking>(get => {
   const muted = get("muted", optional(boolean, null))
   const view = get("view", optional(oneOf("blocks", "both", "haskell"), null))
   const borders = get("layout", optional(layout, null))
+  const trail = get("trail", optional(oneOf("plain", "speed", "time"), null))
   return {
     ...(theme === null ? {} : {theme}),
     ...(muted === null ? {} : {muted}),
     ...(view === null ? {} : {view}),
     ...(borders === null ? {} : {layout: borders}),
+    ...(trail === null ? {} : {trail}),
   }
 })
 

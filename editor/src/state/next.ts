@@ -4,7 +4,7 @@ import {type Document, emptyHistory, redo, remember, undo} from "./history.ts"
 import type {ServiceMessage} from "./messages.ts"
 import type {Order, PageEvent, PageState, Step} from "./page.ts"
 import {type Finding, locate, movedRange} from "./program.ts"
-import {addLine, clearRoom, ledNames, sensedBetween, showFrame, shownFrame, soundNames} from "./room.ts"
+import {addLine, clearRoom, hear, ledNames, sensedBetween, showFrame, shownFrame, soundNames} from "./room.ts"
 import {isActive, nextRun} from "./run.ts"
 import {unreachable} from "./unreachable.ts"
 
@@ -146,6 +146,12 @@ export function next(state: PageState, event: PageEvent): Step {
       return still({...state, layout: event.layout})
     case "muted":
       return still({...state, muted: event.muted})
+    case "trail":
+      return still({...state, trail: event.trail})
+    case "follows":
+      return still({...state, follows: event.follows})
+    case "films":
+      return still({...state, films: event.films})
     default:
       return unreachable(event)
   }
@@ -261,9 +267,8 @@ function heard(state: PageState, message: ServiceMessage): Step {
         : still(state)
     case "said": {
       if (message.run !== state.room.run) return still(state)
-      const speech = {text: message.text, time: message.time}
       const lines = addLine(state.lines, "said", message.text, message.time)
-      return still({...state, room: {...state.room, speech}, lines})
+      return still({...state, room: hear(state.room, message.text, message.time), lines})
     }
     case "sound": {
       const name = soundNames[message.sound]

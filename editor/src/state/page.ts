@@ -3,7 +3,7 @@
 import {type Document, emptyDocument, emptyHistory, type History} from "./history.ts"
 import type {Declared, Hand, PageMessage, ServiceMessage, Speed, WorkerState, WorldFile} from "./messages.ts"
 import type {BlockId, Finding} from "./program.ts"
-import {type ConsoleLine, emptyRoom, type RoomState} from "./room.ts"
+import {type ConsoleLine, emptyRoom, type RoomState, type TrailStyle} from "./room.ts"
 import type {RunState} from "./run.ts"
 
 export type View = "blocks" | "both" | "haskell"
@@ -31,6 +31,7 @@ export type Notice =
   | {readonly kind: "not-text"; readonly name: string}
   | {readonly kind: "example-missing"; readonly name: string}
   | {readonly kind: "refusal"; readonly message: string; readonly hint: string}
+  | {readonly kind: "no-film"}
   | {readonly kind: "no-reader"}
   | {readonly kind: "not-saved"}
   | {readonly kind: "opened-elsewhere"}
@@ -75,7 +76,7 @@ export interface PageState {
   readonly selectedIn: "blocks" | "haskell"
   readonly welcome: "fresh" | "ran" | "over"
   readonly gallery: Gallery
-  readonly dialog: "gallery" | "menu" | null
+  readonly dialog: "gallery" | "menu" | "sight" | null
   readonly notice: Notice | null
   readonly view: View
   readonly region: Region
@@ -85,6 +86,12 @@ export interface PageState {
   readonly charts: readonly string[]
   readonly theme: Theme
   readonly muted: boolean
+  /// What the colour and the width of the trail tell.
+  readonly trail: TrailStyle
+  /// The picture of the room goes with the robot.
+  readonly follows: boolean
+  /// A film of the room is being made.
+  readonly films: boolean
   readonly worlds: readonly string[]
   readonly layout: Layout
 }
@@ -127,6 +134,9 @@ export const firstPage: PageState = {
   charts: ["speed", "bumperCenter"],
   theme: "auto",
   muted: false,
+  trail: "plain",
+  follows: false,
+  films: false,
   worlds: [],
   layout: {haskell: 360, room: 410, canvas: 0.56},
 }
@@ -172,6 +182,9 @@ export type PageEvent =
   | {readonly kind: "theme"; readonly theme: Theme}
   | {readonly kind: "layout"; readonly layout: Layout}
   | {readonly kind: "muted"; readonly muted: boolean}
+  | {readonly kind: "trail"; readonly trail: TrailStyle}
+  | {readonly kind: "follows"; readonly follows: boolean}
+  | {readonly kind: "films"; readonly films: boolean}
 
 /// What a step of the page asks of the world outside: messages to send, sounds to play.
 export type Order =

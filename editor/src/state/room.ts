@@ -8,7 +8,12 @@ export interface Point {
   readonly y: number
   /// When the robot was here, in seconds of the run.
   readonly time: number
+  /// How fast it drove, forwards or backwards, m/s.
+  readonly speed: number
 }
+
+/// What the colour and the width of the trail tell: nothing, how fast the robot drove, or when it was there.
+export type TrailStyle = "plain" | "speed" | "time"
 
 /// The path in pieces: only the last grows, so a long trail costs no more per frame than a short one, and a
 /// finished piece can be drawn from a cache.
@@ -25,10 +30,15 @@ export function extendTrail(trail: Trail, at: Point): Trail {
   const last = trail.at(-1)
   const tip = last?.at(-1)
   if (tip !== undefined && Math.hypot(at.x - tip.x, at.y - tip.y) < trailStep) return trail
-  const point = {x: at.x, y: at.y, time: at.time}
+  const point = {x: at.x, y: at.y, time: at.time, speed: at.speed}
   if (last === undefined) return [[point]]
   if (last.length < pieceLength) return [...trail.slice(0, -1), [...last, point]]
   return [...trail.slice(-maxPieces + 1), [last.at(-1) as Point, point]]
+}
+
+export interface Words {
+  readonly text: string
+  readonly time: number
 }
 
 export interface RoomState {
@@ -39,8 +49,8 @@ export interface RoomState {
   /// The learner looks back at this time of the run, in seconds; `null` shows the newest frame.
   readonly lookedAt: number | null
   readonly trail: Trail
-  /// What the robot says, and the run time in seconds at which it said it.
-  readonly speech: {readonly text: string; readonly time: number} | null
+  /// What the robot said, oldest first, and when, in seconds of the run.
+  readonly words: readonly Words[]
   /// The goals of the world and how far they are in this run.
   readonly goals: readonly Goal[]
   /// When each function fired last, in seconds of the run.
@@ -55,7 +65,7 @@ export const emptyRoom: RoomState = {
   recording: emptyRecording,
   lookedAt: null,
   trail: [],
-  speech: null,
+  words: [],
   goals: [],
   fired: {},
   run: null,
@@ -69,15 +79,31 @@ export function clearRoom(room: RoomState, run: number | null): RoomState {
 /// A bubble stays this long, in seconds of the run.
 export const speechSeconds = 3
 
-export function showFrame(room: RoomState, frame: Frame): RoomState {
-  if (frame.run !== room.run) return room
-  const speech = room.speech !== null && frame.time > room.speech.time + speechSeconds ? null : room.speech
+/// Words kept for looking back; the oldest go first.
+const maxWords = 1000
+
+export function hear(room: RoomState, text: string, time: number): RoomState {
+  return {...room, words: [...room.words.slice(1 - maxWords), {text, time}]}
+}
+
+/// What the bubble says at the time that is looked at; `null` when there is none.
+export function speech(room: RoomState): string | null {
+  const now = room.lookedAt ?? room.frame?.time ?? 0
+  const last = room.lookedAt === null ? room.words.at(-1) : room.words.findLast(w => w.time <= now)
+  return last === undefined || now > last.time + speechSeconds ? null : last.text
+}
+
+export function showFrame(room: RoomState, told: Frame): RoomState {
+  if (told.run !== room.run) return room
+  // What has not changed is not told again.
+  const frame = told.boxes === null && room.frame !== null ? {...told, boxes: room.frame.boxes} : told
   const fired =
     frame.fired.length === 0
       ? room.fired
       : {...room.fired, ...Object.fromEntries(frame.fired.map(name => [name, frame.time]))}
   const recording = record(room.recording, frame)
-  return {...room, frame, recording, trail: extendTrail(room.trail, frame), speech, fired}
+  const trail = extendTrail(room.trail, {...frame, speed: Math.abs(frame.v)})
+  return {...room, frame, recording, trail, fired}
 }
 
 /// The frame to draw: the newest, or the one the learner looks back at.

@@ -2,7 +2,7 @@
 
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {fit, type Look, lookAt, pan, toRoom, toScreen, zoom} from "../../src/room/camera.ts"
+import {fit, follow, type Look, lookAt, pan, toRoom, toScreen, zoom} from "../../src/room/camera.ts"
 import {poseAt, shortest} from "../../src/room/motion.ts"
 import {extendTrail, type Trail} from "../../src/state/room.ts"
 
@@ -66,6 +66,19 @@ describe("looking closer", () => {
     )
   })
 
+  it("keeps the robot in the middle when it follows, at least as close as to see three metres", () => {
+    fc.assert(
+      fc.property(size, size, size, size, (width, height, x, y) => {
+        const look = follow(null, {x, y}, width, height, view.w, view.h)
+        const camera = lookAt(look, width, height, view.w, view.h)
+        const at = toScreen(camera, x, y)
+        expect(at.x).toBeCloseTo(320, 6)
+        expect(at.y).toBeCloseTo(240, 6)
+        expect(480 / camera.scale).toBeLessThanOrEqual(3.0001)
+      }),
+    )
+  })
+
   it("moves the room with the hand", () => {
     const look = {zoom: 2, x: 5, y: 4}
     const camera = lookAt(look, 10, 8, view.w, view.h)
@@ -106,11 +119,12 @@ describe("the pose between two frames", () => {
 describe("the trail", () => {
   it("grows while the robot drives, not while it stands, and leaves its finished pieces as they were", () => {
     let trail: Trail = []
-    for (let i = 0; i < 500; i += 1) trail = extendTrail(trail, {x: i * 0.02, y: 0, time: i})
-    for (let i = 0; i < 500; i += 1) trail = extendTrail(trail, {x: 499 * 0.02, y: 0.001, time: 500})
+    for (let i = 0; i < 500; i += 1) trail = extendTrail(trail, {x: i * 0.02, y: 0, time: i, speed: 0.5})
+    for (let i = 0; i < 500; i += 1)
+      trail = extendTrail(trail, {x: 499 * 0.02, y: 0.001, time: 500, speed: 0})
     const points = trail.flat()
     expect(new Set(points.map(p => p.x)).size).toBe(500)
-    const later = extendTrail(trail, {x: 99, y: 0, time: 501})
+    const later = extendTrail(trail, {x: 99, y: 0, time: 501, speed: 0.5})
     expect(later[0]).toBe(trail[0])
   })
 })

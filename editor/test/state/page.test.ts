@@ -6,6 +6,7 @@ import type {Frame, Problem, ServiceMessage} from "../../src/state/messages.ts"
 import {next, readout} from "../../src/state/next.ts"
 import {believed, firstPage, type Order, type PageEvent, type PageState} from "../../src/state/page.ts"
 import type {Finding} from "../../src/state/program.ts"
+import {shownFrame, speech} from "../../src/state/room.ts"
 
 /// Plays events in order; answers the last state and every message that was sent.
 function play(state: PageState, ...events: readonly PageEvent[]) {
@@ -163,6 +164,25 @@ describe("time", () => {
   const pause = {kind: "pause-pressed"} as const
   const resume = {kind: "resume-pressed"} as const
   const driving = play(open, press, running(1), frame(1, {time: 1, x: 1}), frame(1, {time: 2, x: 2})).state
+
+  it("shows what was said and where the boxes stood at that moment", () => {
+    const told = play(
+      open,
+      press,
+      running(1),
+      frame(1, {time: 1, boxes: [[1, 1, 0]]}),
+      hear({op: "said", run: 1, time: 1.5, text: "bump!"}),
+      frame(1, {time: 2}),
+      frame(1, {time: 9}),
+    ).state
+    const at = (time: number) => play(told, {kind: "looked-back", time}).state.room
+    expect(speech(at(1.2))).toBeNull()
+    expect(speech(at(2))).toBe("bump!")
+    expect(speech(told.room)).toBeNull()
+    // Boxes are told of only when they move; in between they stay where they were.
+    expect(shownFrame(at(2))?.boxes).toEqual([[1, 1, 0]])
+    expect(shownFrame(told.room)?.boxes).toEqual([[1, 1, 0]])
+  })
 
   it("stands, goes one step, and goes on", () => {
     const {state, ops} = play(driving, pause, {kind: "forward-pressed"}, resume)

@@ -1,0 +1,66 @@
+/// Seeing what the robot did: going with it, its trail, pictures and films of the room.
+
+import {readFileSync} from "node:fs"
+import {expect, test} from "@playwright/test"
+import {Learner, until} from "./learner.ts"
+
+test("the picture follows the robot by a button and by a key, until the learner asks for all of the room", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await learner.opens("move")
+  const follow = page.getByRole("button", {name: "Follow the robot"})
+  await expect(follow).toHaveAttribute("aria-pressed", "false")
+  await learner.runs()
+  await follow.click()
+  await expect(follow).toHaveAttribute("aria-pressed", "true")
+  await until(learner.robot("x"), x => x > 2)
+  await learner.keeps("follow")
+  await page.getByRole("application", {name: /room/}).focus()
+  await page.keyboard.press("0")
+  await expect(follow).toHaveAttribute("aria-pressed", "false")
+  await page.keyboard.press("f")
+  await expect(follow).toHaveAttribute("aria-pressed", "true")
+  await learner.stops()
+})
+
+test("the trail tells the speed, and the browser remembers that it shall", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("forwardBackward")
+  await page.getByRole("button", {name: "Trail, picture and film"}).click()
+  await page.getByRole("button", {name: "Speed", exact: true}).click()
+  await page.keyboard.press("Escape")
+  await learner.opens("forwardBackward")
+  await learner.runs()
+  await until(learner.robot("speed"), v => v < -0.2)
+  await expect(page.getByText("slow")).toBeVisible()
+  await learner.keeps("trail-by-speed")
+  await learner.stops()
+})
+
+test("a picture and a film of the run are saved as files", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("move")
+  await learner.runs()
+  const menu = page.getByRole("button", {name: "Trail, picture and film"})
+  const saves = async (act: () => Promise<void>) => {
+    const download = page.waitForEvent("download")
+    await act()
+    const file = await download
+    return {name: file.suggestedFilename(), bytes: readFileSync(await file.path())}
+  }
+  await menu.click()
+  const picture = await saves(() => page.getByRole("button", {name: "Save a picture"}).click())
+  expect(picture.name).toBe("move.png")
+  expect(picture.bytes.subarray(1, 4).toString()).toBe("PNG")
+  await menu.click()
+  await page.getByRole("button", {name: "Start a film"}).click()
+  await until(learner.robot("x"), x => x > 2)
+  const film = await saves(() => page.getByRole("button", {name: "End the film"}).click())
+  expect(film.name).toBe("move.webm")
+  // EBML, RFC 8794, section 11.2.1.
+  expect(film.bytes.subarray(0, 4).toString("hex")).toBe("1a45dfa3")
+  expect(film.bytes.length).toBeGreaterThan(2000)
+  await expect(page.getByRole("button", {name: "End the film"})).toBeHidden()
+  await learner.stops()
+})
