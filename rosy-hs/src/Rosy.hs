@@ -69,6 +69,7 @@ module Rosy
     Memory (..),
 
     -- * Time and chance
+    -- $chance
     Seconds (..),
     doubleToSeconds,
     secondsToDouble,
@@ -130,6 +131,7 @@ module Rosy
     Runnable,
 
     -- * Haskell's vocabulary for doing things again and again
+    -- $again
     module Control.Monad,
   )
 where
@@ -144,3 +146,53 @@ import Rosy.Runnable
 import Rosy.Sensor
 import Rosy.Task
 import System.Random (StdGen, random, randomR)
+
+-- $chance
+-- A function that takes a 'StdGen' gets a fresh source of chance each time it fires; the same seed of a run gives the same chances again.
+-- 'random' and 'randomR' draw from it, and give the source to draw from next:
+--
+-- > turn :: StdGen -> Velocity
+-- > turn gen = Velocity 0 (fst (randomR (-1, 1) gen))
+
+-- $again
+-- These come with Haskell, and are here without an import. They work for tasks as for everything else that can be done one after another.
+--
+-- #v:forever# @forever :: Task a -> Task b@
+--
+-- Do it again and again, without an end: @forever (drive >> turn)@.
+--
+-- #v:replicateM_# @replicateM_ :: Int -> Task a -> Task ()@
+--
+-- Do it so many times: @replicateM_ 4 (move >> turn)@.
+--
+-- #v:replicateM# @replicateM :: Int -> Task a -> Task [a]@
+--
+-- Do it so many times, and collect the results.
+--
+-- #v:when# @when :: Bool -> Task () -> Task ()@
+--
+-- Do it only if it is so.
+--
+-- #v:unless# @unless :: Bool -> Task () -> Task ()@
+--
+-- Do it only if it is not so.
+--
+-- #v:mapM_# @mapM_ :: (a -> Task b) -> [a] -> Task ()@
+--
+-- Do it with each element of a list: @mapM_ say ["one", "two"]@.
+--
+-- #v:mapM# @mapM :: (a -> Task b) -> [a] -> Task [b]@
+--
+-- The same, and collect the results.
+--
+-- #v:forM_# @forM_ :: [a] -> (a -> Task b) -> Task ()@
+--
+-- The list first: @forM_ [1 .. 4] step@.
+--
+-- #v:forM# @forM :: [a] -> (a -> Task b) -> Task [b]@
+--
+-- The same, and collect the results.
+--
+-- #v:void# @void :: Task a -> Task ()@
+--
+-- Do it, and forget the result.

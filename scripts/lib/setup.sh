@@ -143,8 +143,14 @@ build_codegen() { (cd "$ROSY_ROOT" && npm run -s build -w codegen); }
 
 need_page() {
   need_node
+  need_api_docs
   step page "$(fingerprint codegen/src editor package-lock.json)" "Building the page." build_page
 }
+need_api_docs() {
+  step api-docs "$(fingerprint rosy-hs/src scripts/api_docs.py scripts/api_docs.css editor/src/styles/tokens.css package-lock.json)" \
+    "Building the page that explains every name of the language." build_api_docs
+}
+build_api_docs() { "$ROSY_PYTHON" "$ROSY_ROOT/scripts/api_docs.py" "$ROSY_STATE/api-docs"; }
 build_page() { (cd "$ROSY_ROOT" && npm run -s build -w editor); }
 
 need() {

@@ -208,6 +208,8 @@ def build_app(config: Config) -> Starlette:
         Route("/api/examples/{name}", service.one_example),
         Route("/api/worlds", service.list_worlds),
     ]
+    if config.api_docs.is_dir():
+        routes.append(Mount("/api-docs", StaticFiles(directory=config.api_docs, html=True)))
     if config.page.is_dir():
         routes.append(Mount("/", StaticFiles(directory=config.page, html=True)))
     else:

@@ -61,6 +61,11 @@ class Config:
     visible: tuple[Path, ...] = ()
     limits: Limits = field(default_factory=Limits)
 
+    @property
+    def api_docs(self) -> Path:
+        """The built pages that explain every name of the language."""
+        return self.root / ".rosy" / "api-docs"
+
     def with_limits(self, limits: Limits) -> Config:
         """The same with other limits."""
         return replace(self, limits=limits)

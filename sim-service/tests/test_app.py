@@ -349,6 +349,9 @@ def test_the_http_api(config: Config) -> None:
     for name in ("about", "back"):
         (config.examples / name).mkdir()
         (config.examples / name / "program.rosy").write_text("{}")
+    config.api_docs.mkdir(parents=True)
+    for name, text in (("Rosy", "wait"), ("index", "index")):
+        (config.api_docs / f"{name}.html").write_text(text)
     (config.examples / "README.md").write_text("| example | shows |\n|---|---|\n| `move` | x |\n| `back` | y |\n")
 
     async def tell() -> None:
@@ -364,6 +367,8 @@ def test_the_http_api(config: Config) -> None:
             assert "room" in (await client.get("/api/worlds")).json()
             health = (await client.get("/api/health")).json()
             assert (health["worker"], health["sessions"]) == (service.worker.state, 0)
+            assert (await client.get("/api-docs/Rosy.html")).text == "wait"
+            assert (await client.get("/api-docs/")).text == "index"
             assert (await client.get("/")).status_code == 503
 
     asyncio.run(tell())

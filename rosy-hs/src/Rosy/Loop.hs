@@ -105,7 +105,7 @@ data World = World
     -- | Newest first; so are the events heard.
     actions :: ![Action],
     heard :: ![String],
-    -- | The value of the first 'Done' of the functions that are firing.
+    -- | The value of the first @Done@ of the functions that are firing.
     ending :: !(Maybe Dynamic),
     -- | Feedback on its way out, newest first.
     fed :: ![Dynamic],

@@ -11,7 +11,7 @@
 -- Two notions carry everything:
 --
 -- * An __arrival__ is a value that an input gets from one happening ('arrivals'). A function fires at each arrival of its input.
--- * A __turn__: an 'Either' has a turn for each of its sides, the left one first, so that a happening that
+-- * A __turn__: an v'Either' has a turn for each of its sides, the left one first, so that a happening that
 --   concerns both sides arrives twice. All members of an 'All' take their turns together.
 module Rosy.Model
   ( -- * Programs

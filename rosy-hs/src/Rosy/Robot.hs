@@ -7,64 +7,13 @@
 --
 -- One type per message of the base, with the constructor order and the words of LANGUAGE.md section 1.
 -- Units are SI: metres, radians counter-clockwise, seconds. This module holds data only;
--- how a type enters or leaves a program is in "Rosy.Sensor" and "Rosy.Command".
+-- how a type enters or leaves a program is in "Rosy.Sensor" and "Rosy.Command". All of it is exported, and "Rosy"
+-- exports all of it to learners, in a reading order.
 --
 -- Decision: a button and a bumper share one status type, so that @Pressed@ is written for both
 -- without qualification. The one-sided views of the buttons are 'ButtonZero', 'ButtonOne' and 'ButtonTwo',
 -- because 'Button0' is the number in @Button Button0 Pressed@ and one name cannot be both.
-module Rosy.Robot
-  ( -- * Events
-    Bumper (..),
-    BumperSide (..),
-    BumperStatus,
-    Cliff (..),
-    CliffSide (..),
-    CliffStatus (..),
-    Wheel (..),
-    WheelSide (..),
-    WheelStatus (..),
-    Button (..),
-    ButtonNumber (..),
-    ButtonStatus (..),
-    RobotStatus (..),
-
-    -- ** One side only
-    BumperLeft (..),
-    BumperCenter (..),
-    BumperRight (..),
-    CliffLeft (..),
-    CliffCenter (..),
-    CliffRight (..),
-    WheelLeft (..),
-    WheelRight (..),
-    ButtonZero (..),
-    ButtonOne (..),
-    ButtonTwo (..),
-
-    -- * State
-    Velocity (..),
-    Position (..),
-    Orientation (..),
-    Pose (..),
-    velocityLinear,
-    velocityAngular,
-    positionX,
-    positionY,
-    posePosition,
-    poseOrientation,
-
-    -- * Samples
-    Seconds (..),
-    Clock (..),
-
-    -- * Commands
-    Led1 (..),
-    Led2 (..),
-    LedColor (..),
-    Sound (..),
-    Say (..),
-  )
-where
+module Rosy.Robot where
 
 import GHC.Generics (Generic)
 import Rosy.Value (Default, Value (..))
@@ -164,7 +113,7 @@ newtype ButtonOne = ButtonOne ButtonStatus
 newtype ButtonTwo = ButtonTwo ButtonStatus
   deriving (Eq, Ord, Show, Read, Generic)
 
--- | How fast the robot moves: forwards in m/s, turning in rad/s (counter-clockwise positive).
+-- | How fast the robot moves: forwards in m\/s, turning in rad\/s (counter-clockwise positive).
 -- As a sensor it is what odometry measured; as a command it is what the wheels should do next.
 data Velocity = Velocity !Double !Double
   deriving (Eq, Ord, Show, Read, Generic)
