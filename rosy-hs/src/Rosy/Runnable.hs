@@ -6,7 +6,7 @@
 -- Module      : Rosy.Runnable
 -- Description : What can be run: a controller, or a task.
 --
--- A controller runs until somebody stops it; a task runs until it ends. Outside tasks there is nothing for a 'Done' to end,
+-- A controller runs until somebody stops it; a task runs until it ends. Outside tasks there is nothing for a @Done@ to end,
 -- so a controller that gives one is refused before it runs.
 module Rosy.Runnable
   ( -- * What it is
