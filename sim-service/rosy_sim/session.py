@@ -55,6 +55,7 @@ class Session:
         self._running: Running | None = None
         self._unexplained: list[Running] = []
         self._checking: asyncio.Task[None] | None = None
+        self._completing: asyncio.Task[None] | None = None
         # Set by close(): no clock may start any more.
         self.closed = asyncio.Event()
         self.outbox.put(page.Hello(session=self.id))
@@ -81,6 +82,8 @@ class Session:
         match request:
             case page.Check():
                 self._check(request)
+            case page.Complete():
+                self._complete(request)
             case page.Run():
                 self._start(request)
             case page.Reset():
@@ -140,7 +143,18 @@ class Session:
         except (RosyError, TimeoutError) as error:
             self.refuse("This program could not be checked.", str(error))
             return
-        self.outbox.put(page.Checked(request.id, checked.problems, checked.declarations, checked.graph))
+        self.outbox.put(page.Checked(request.id, checked.problems, checked.declarations, checked.graph, checked.types))
+
+    def _complete(self, request: page.Complete) -> None:
+        if self._completing is not None:
+            self._completing.cancel()
+        self._completing = self._loop.create_task(self._answer_complete(request))
+
+    async def _answer_complete(self, request: page.Complete) -> None:
+        # Nobody is told when there is nothing to offer: whoever types goes on.
+        with contextlib.suppress(RosyError, TimeoutError):
+            completed = await self._worker.complete(request.source, request.line, request.column)
+            self.outbox.put(page.Completed(request.id, completed.names, completed.expected))
 
     def _too_long(self) -> None:
         self.refuse("This program is too long.", f"A program can have at most {self._limits.source} characters.")
@@ -224,9 +238,10 @@ class Session:
         self.closed.set()
         self._idle.close()
         self._end_now()
-        if self._checking is not None:
-            self._checking.cancel()
-            with contextlib.suppress(asyncio.CancelledError):
-                await self._checking
+        for question in (self._checking, self._completing):
+            if question is not None:
+                question.cancel()
+                with contextlib.suppress(asyncio.CancelledError):
+                    await question
         for running in self._unexplained:
             running.forget()

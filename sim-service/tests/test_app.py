@@ -257,6 +257,25 @@ def test_a_newer_check_replaces_an_older_one(config: Config) -> None:
     story(play, config)
 
 
+def test_the_types_of_pieces_reach_the_page(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("check", id=1, source="")
+        assert (await page.op("checked"))["types"] == {"names": ["IO ()"], "at": [[1, 1, 1, 5, 0]]}
+
+    story(play, config)
+
+
+def test_a_newer_completion_replaces_an_older_one(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("complete", id=1, source="slow", line=1, column=1)
+        await page.send("complete", id=2, source="", line=3, column=7)
+        completed = await page.op("completed")
+        assert (completed["id"], completed["expected"]) == (2, "Velocity")
+        assert completed["names"] == [{"name": "at3_7", "type": "Velocity", "takes": 0}]
+
+    story(play, config)
+
+
 def test_a_dead_worker_is_replaced_and_pages_are_told(config: Config) -> None:
     async def play(page: Page, service: Service) -> None:
         await page.send("check", id=1, source="")

@@ -128,7 +128,7 @@ def test_a_cancelled_check_is_taken_back(config: Config) -> None:
         await asyncio.sleep(0)
         waiting.cancel()
         await asyncio.gather(waiting, return_exceptions=True)
-        assert not worker._checks
+        assert not worker._questions
         await worker.check("")
 
     keeping(play, config)

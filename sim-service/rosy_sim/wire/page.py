@@ -19,6 +19,8 @@ __all__ = [
     "Check",
     "Checked",
     "ChooseWorld",
+    "Complete",
+    "Completed",
     "Forward",
     "Frame",
     "Goal",
@@ -64,6 +66,15 @@ class Check(msgspec.Struct, tag="check", tag_field="op"):
     source: str
 
 
+class Complete(msgspec.Struct, tag="complete", tag_field="op"):
+    """What can stand at a place?"""
+
+    id: int
+    source: str
+    line: int
+    column: int
+
+
 class Run(msgspec.Struct, tag="run", tag_field="op"):
     """Compile and drive."""
 
@@ -103,7 +114,7 @@ class Input(HandMessage, tag="input", tag_field="op", kw_only=True):
     """Hands."""
 
 
-Request = ChooseWorld | Check | Run | Stop | Reset | SetSpeed | Pause | Resume | Forward | Input
+Request = ChooseWorld | Check | Complete | Run | Stop | Reset | SetSpeed | Pause | Resume | Forward | Input
 
 _decoder = msgspec.json.Decoder(Request)
 
@@ -156,6 +167,15 @@ class Checked(msgspec.Struct, tag="checked", tag_field="op"):
     problems: list[Problem]
     declarations: msgspec.Raw
     graph: msgspec.Raw
+    types: msgspec.Raw
+
+
+class Completed(msgspec.Struct, tag="completed", tag_field="op", omit_defaults=True):
+    """As the worker's."""
+
+    id: int
+    names: msgspec.Raw
+    expected: str | None = None
 
 
 class RunState(msgspec.Struct, tag="state", tag_field="op", omit_defaults=True):
@@ -230,7 +250,19 @@ class Refusal(msgspec.Struct, tag="refusal", tag_field="op"):
     hint: str = ""
 
 
-Answer = Hello | WorkerState | WorldShown | Checked | RunState | Frame | Said | SoundPlayed | GoalsShown | Refusal
+Answer = (
+    Hello
+    | WorkerState
+    | WorldShown
+    | Checked
+    | Completed
+    | RunState
+    | Frame
+    | Said
+    | SoundPlayed
+    | GoalsShown
+    | Refusal
+)
 
 _encoder = msgspec.json.Encoder()
 

@@ -1,7 +1,7 @@
 """
 The worker's messages as values, and the requests as bytes. ``protocol/README.md``, section 3.
 
-Graph and declarations pass through unread: they are for the page.
+Graph, declarations, types and completions pass through unread: they are for the page.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ __all__ = [
     "MAX_LINE",
     "Answer",
     "Checked",
+    "Completed",
     "Failed",
     "Gone",
     "Refused",
@@ -22,6 +23,7 @@ __all__ = [
     "WorkerReady",
     "WorkerStream",
     "check_request",
+    "complete_request",
     "kill_request",
     "run_request",
 ]
@@ -44,6 +46,15 @@ class Checked(msgspec.Struct, tag="checked", tag_field="op"):
     problems: list[Problem]
     declarations: msgspec.Raw = msgspec.Raw(b"[]")
     graph: msgspec.Raw = msgspec.Raw(b'{"functions":[]}')
+    types: msgspec.Raw = msgspec.Raw(b'{"names":[],"at":[]}')
+
+
+class Completed(msgspec.Struct, tag="completed", tag_field="op"):
+    """What can stand at a place."""
+
+    id: int
+    names: msgspec.Raw = msgspec.Raw(b"[]")
+    expected: str | None = None
 
 
 class Started(msgspec.Struct, tag="started", tag_field="op"):
@@ -78,7 +89,7 @@ class Failed(msgspec.Struct, tag="failed", tag_field="op"):
     id: int | None = None
 
 
-Answer = WorkerReady | Checked | Started | Refused | Gone | Failed
+Answer = WorkerReady | Checked | Completed | Started | Refused | Gone | Failed
 
 _decoder = msgspec.json.Decoder(Answer)
 
@@ -106,8 +117,13 @@ def _line(**fields: object) -> bytes:
 
 
 def check_request(ident: int, source: str) -> bytes:
-    """Asks for problems, declarations and graph."""
+    """Asks for problems, declarations, graph and types."""
     return _line(op="check", id=ident, source=source)
+
+
+def complete_request(ident: int, source: str, line: int, column: int) -> bytes:
+    """Asks what can stand at a place."""
+    return _line(op="complete", id=ident, source=source, line=line, column=column)
 
 
 def run_request(ident: int, source: str, memory: int) -> bytes:

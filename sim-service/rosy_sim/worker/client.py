@@ -24,6 +24,7 @@ from ..wire.lines import LineTooLong
 from ..wire.worker import (
     Answer,
     Checked,
+    Completed,
     Failed,
     Gone,
     Refused,
@@ -31,6 +32,7 @@ from ..wire.worker import (
     WorkerReady,
     WorkerStream,
     check_request,
+    complete_request,
     kill_request,
     run_request,
 )
@@ -79,7 +81,7 @@ class Worker:
         self._ids = 0
         self._socket: socket.socket | None = None
         self._outgoing: deque[tuple[bytes, tuple[int, ...]]] = deque()
-        self._checks: dict[int, asyncio.Future[Checked]] = {}
+        self._questions: dict[int, asyncio.Future[Checked | Completed]] = {}
         self._runs: dict[int, RunningProgram] = {}
         self._stream = WorkerStream()
         self._ready = asyncio.Event()
@@ -173,10 +175,10 @@ class Worker:
         for _, descriptors in self._outgoing:
             _close(descriptors)
         self._outgoing.clear()
-        checks, self._checks = self._checks, {}
+        questions, self._questions = self._questions, {}
         runs, self._runs = self._runs, {}
-        for check in checks.values():
-            _fail(check)
+        for question in questions.values():
+            _fail(question)
         for run in runs.values():
             _fail(run.started)
             _fail(run.gone)
@@ -185,21 +187,37 @@ class Worker:
 
     async def check(self, source: str) -> Checked:
         """
-        Problems, declarations and graph. Cancelling it cancels the worker's work as well.
+        Problems, declarations, graph and types. Cancelling it cancels the worker's work as well.
 
         Raises:
             WorkerLost: the worker died meanwhile.
         """
+        answer = await self._ask(lambda ident: check_request(ident, source))
+        assert isinstance(answer, Checked)
+        return answer
+
+    async def complete(self, source: str, line: int, column: int) -> Completed:
+        """
+        What can stand at a place. Cancelling it cancels the worker's work as well.
+
+        Raises:
+            WorkerLost: the worker died meanwhile.
+        """
+        answer = await self._ask(lambda ident: complete_request(ident, source, line, column))
+        assert isinstance(answer, Completed)
+        return answer
+
+    async def _ask(self, request: Callable[[int], bytes]) -> Checked | Completed:
         await self._ready.wait()
         ident = self._next()
-        answer: asyncio.Future[Checked] = asyncio.get_running_loop().create_future()
-        self._checks[ident] = answer
-        self._send(check_request(ident, source), ())
+        answer: asyncio.Future[Checked | Completed] = asyncio.get_running_loop().create_future()
+        self._questions[ident] = answer
+        self._send(request(ident), ())
         try:
             async with asyncio.timeout(self._config.limits.compile):
                 return await answer
         except (TimeoutError, asyncio.CancelledError):
-            self._checks.pop(ident, None)
+            self._questions.pop(ident, None)
             self._send(kill_request(ident), ())
             raise
 
@@ -284,8 +302,8 @@ class Worker:
                 self._ready.set()
                 self._say("ready")
                 asyncio.get_running_loop().call_later(_SPARE_DELAY, self._prepare)
-            case Checked():
-                _answer(self._checks.pop(answer.id, None), answer)
+            case Checked() | Completed():
+                _answer(self._questions.pop(answer.id, None), answer)
             case Started():
                 if answer.id in self._runs:
                     _answer(self._runs[answer.id].started, answer)
@@ -307,9 +325,9 @@ class Worker:
     def _fail_request(self, answer: Failed) -> None:
         if answer.id is None:
             return
-        check = self._checks.pop(answer.id, None)
-        if check is not None and not check.done():
-            check.set_exception(WorkerRefused(answer.message))
+        question = self._questions.pop(answer.id, None)
+        if question is not None and not question.done():
+            question.set_exception(WorkerRefused(answer.message))
         run = self._runs.pop(answer.id, None)
         if run is not None:
             for future in (run.started, run.gone):

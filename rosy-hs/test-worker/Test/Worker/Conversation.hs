@@ -67,6 +67,7 @@ conversations :: [(String, [Value])]
 conversations =
   [ ("check", [check (Number 1) accelerate]),
     ("mistake", [check (Number 1) mistake]),
+    ("complete", [object ["op" .= ("complete" :: Text), "id" .= (5 :: Int), "source" .= ("play :: Bumper -> Maybe Sound\nplay (Bumper _ ) = Nothing\n\nmain = simulate play\n" :: Text), "line" .= (2 :: Int), "column" .= (16 :: Int)]]),
     ("run", [running 2 idle]),
     ("refused", [running 3 mistake]),
     ("failed", [object ["op" .= ("dance" :: Text), "id" .= (4 :: Int)]])

@@ -10,7 +10,7 @@ module Rosy.Worker.Child
   ( Layers (..),
     allLayers,
     Settings (..),
-    checkChild,
+    answerChild,
     runChild,
     ranOutOfMemory,
   )
@@ -31,7 +31,7 @@ import Rosy.Worker.Ghc
 import Rosy.Worker.Kind (explainAll)
 import Rosy.Worker.Problem (Report (..), isError)
 import Rosy.Worker.Sys
-import Rosy.Worker.Wire (reportFields)
+import Rosy.Worker.Wire (Question (..), completionFields, reportFields)
 import System.Posix.IO (FdOption (NonBlockingRead), closeFd, setFdOption)
 import System.Posix.Types (Fd (..))
 
@@ -63,19 +63,21 @@ ranOutOfMemory = 251
 runNiceness :: Int
 runNiceness = 5
 
--- | Answers with the report's fields.
-checkChild :: Settings -> Session -> Fd -> Text -> IO ()
-checkChild settings session answer source = alone answer $ do
+-- | Answers a question with the fields of its answer.
+answerChild :: Settings -> Session -> Fd -> Question -> IO ()
+answerChild settings session answer question = alone answer $ do
   begin settings [answer]
-  (report, _) <- judge settings session source
-  writeAll answer ("C" <> line (reportFields report))
+  fields <- case question of
+    Check source -> reportFields . fst <$> judge settings session source
+    Complete source at -> completionFields <$> complete session source at
+  writeAll answer ("C" <> line fields)
 
 -- | The report, and the program if it may run.
 judge :: Settings -> Session -> Text -> IO (Report, Maybe Ready)
 judge settings session source = do
   found <- analyse (if language (layers settings) then Guarded else Unguarded) session source
   let all' = refusals found ++ explainAll (outline found) (messages found)
-      report = Report all' (declared found) (connected found)
+      report = Report all' (declared found) (connected found) (typed found)
   pure (report, if any isError all' then Nothing else ready found)
 
 -- | Answers @started@ or @refused@ with a letter before the line, then runs the program over the link.

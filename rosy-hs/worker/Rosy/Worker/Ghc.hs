@@ -19,6 +19,7 @@ module Rosy.Worker.Ghc
     Guard (..),
     Analysis (..),
     analyse,
+    complete,
 
     -- * Running
     Ready,
@@ -27,50 +28,41 @@ module Rosy.Worker.Ghc
   )
 where
 
-import Control.Exception (evaluate, try)
+import Control.Exception (try)
 import Control.Monad (void)
-import Data.Data (Data, cast, gmapQ)
 import Data.IORef (modifyIORef', newIORef, readIORef)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Data.Time.Calendar (fromGregorian)
-import Data.Time.Clock (UTCTime (..))
 import Data.Word (Word32)
 import Foreign.C.Types (CInt)
 import Foreign.Ptr (Ptr)
 import GHC.Data.Bag (bagToList)
-import GHC.Data.FastString (mkFastString)
-import GHC.Data.StringBuffer (StringBuffer, stringToStringBuffer)
+import GHC.Data.StringBuffer (stringToStringBuffer)
 import GHC.Driver.Main (hscDesugar)
 import GHC.Driver.Pipeline (compileOne')
-import GHC.Driver.Session (DynFlags (..), SafeHaskellMode (..), mkHomeModule, parseDynamicFilePragma, xopt_set)
+import GHC.Driver.Session (DynFlags (..), SafeHaskellMode (..), xopt_set)
 import GHC.Driver.Types
 import GHC.Hs hiding (Warning)
 import GHC.LanguageExtensions.Type (Extension (ForeignFunctionInterface))
-import GHC.Parser (parseModule)
-import GHC.Parser.Annotation (ApiAnns (..))
-import GHC.Parser.Header (getOptions)
-import GHC.Parser.Lexer (P (unP), ParseResult (..), getErrorMessages, getMessages, mkPState)
 import GHC.Runtime.Linker (getHValue, unload)
 import GHC.Settings.Config (cProjectVersion)
 import GHC.Tc.Module (tcRnModule)
 import GHC.Tc.Types (TcGblEnv (..))
 import GHC.TopHandler (runMainIO)
 import GHC.Types.Name (Name, getName, getOccString, nameModule_maybe)
-import GHC.Types.Name.Occurrence (occNameString)
-import GHC.Types.Name.Reader (isQual, rdrNameOcc)
 import GHC.Types.SrcLoc
-import GHC.Unit.Module (mkModuleName, moduleNameString)
-import GHC.Unit.Module.Location (ModLocation (..))
+import GHC.Unit.Module (mkModuleName)
 import GHCi.RemoteTypes (localRef, withForeignRef)
-import Rosy.Worker.Allow
 import Rosy.Worker.Ghc.Add
+import Rosy.Worker.Ghc.Complete
 import Rosy.Worker.Ghc.Describe
 import Rosy.Worker.Ghc.Names (leaves)
+import Rosy.Worker.Ghc.Read
 import Rosy.Worker.Ghc.Report
+import Rosy.Worker.Ghc.Types
 import Rosy.Worker.Ghc.Warm
 import Rosy.Worker.Place (Columns, columnsOf)
-import Rosy.Worker.Problem (Declaration, Function, Problem, Severity (..), isError, problemAt, problemNowhere)
+import Rosy.Worker.Problem (Declaration, Function, Place (..), Problem, Severity (..), Typed, isError, problemNowhere)
 import Rosy.Worker.Raw (Outline (..), Raw (..), noOutline)
 import Unsafe.Coerce (unsafeCoerce)
 
@@ -91,6 +83,7 @@ start library = do
       unload (environment session) []
     Nothing -> pure ()
   _ <- analyse Guarded session "hole = _ :: Velocity\nwrong = not hole + \"\" + undefinedName\n"
+  _ <- complete session "asked :: Velocity -> Memory Bool -> Velocity\nasked v (Memory m) = \nmain = simulate asked\n" (Place 2 22)
   pure session
 
 -- | A program that touches most of the library.
@@ -136,16 +129,13 @@ data Analysis = Analysis
     outline :: Outline,
     declared :: [Declaration],
     connected :: [Function],
+    typed :: [Typed],
     -- | Present when nothing stands in the way of a run.
     ready :: Maybe Ready
   }
 
 -- | A program that has passed the type checker.
 data Ready = Ready HscEnv ModSummary TcGblEnv Name
-
--- | Whether what a program may import and switch on is limited. Only tests of the other protections go unguarded.
-data Guard = Guarded | Unguarded
-  deriving (Eq)
 
 -- | Reads and checks a program.
 analyse :: Guard -> Session -> Text -> IO Analysis
@@ -156,7 +146,7 @@ analyse guarded session source = do
     Right flags -> case readProgram flags columns buffer of
       Left raws -> pure (stopped [] raws)
       Right (L at parsed, warnings) -> do
-        let refused = if guarded == Guarded then importRefusals columns parsed ++ declarationRefusals columns parsed ++ nameRefusals columns parsed else []
+        let refused = if guarded == Guarded then refusalsIn columns parsed else []
         if null refused
           then check session flags columns source (L at parsed) warnings
           else pure (stopped refused warnings)
@@ -166,83 +156,7 @@ analyse guarded session source = do
     allowing flags
       | guarded == Guarded = flags
       | otherwise = (xopt_set flags ForeignFunctionInterface) {safeHaskell = Sf_None}
-    stopped found raws = Analysis found raws (noOutline source) [] [] Nothing
-
--- * Reading
-
--- | The flags after the pragmas at the top of the file, or why one of them is refused.
-optionsOf :: Guard -> DynFlags -> Columns -> StringBuffer -> IO (Either [Problem] DynFlags)
-optionsOf guarded flags columns buffer = do
-  attempt <- try $ do
-    let options = getOptions flags buffer fileName
-    mapM_ (evaluate . length . unLoc) options
-    case if guarded == Guarded then concatMap refusal options else [] of
-      [] -> do
-        (changed, _, _) <- parseDynamicFilePragma flags options
-        pure (Right changed)
-      found -> pure (Left found)
-  case attempt of
-    Right answer -> pure answer
-    Left e -> pure (Left [optionProblem (fromParser flags columns m) | m <- bagToList (srcErrorMessages e)])
-  where
-    refusal (L at option) = case option of
-      '-' : 'X' : extension
-        | isAllowedExtension (Text.pack extension) -> []
-        | otherwise -> [at `sayWith` ("extension", refuseExtension (Text.pack extension))]
-      _ -> [at `sayWith` ("options", refuseOptions)]
-    sayWith at (k, (m, h)) = say columns at k m h
-    optionProblem raw =
-      let (m, h) = refuseUnknown (Text.strip (snd (Text.breakOnEnd "Unsupported extension:" (Text.concat (take 1 (Text.lines (Text.concat (important raw))))))))
-       in maybe (problemNowhere "extension") (`problemAt` "extension") (region raw) m h
-
--- | The tree of a program with warnings about its text, or what keeps it from being read.
-readProgram :: DynFlags -> Columns -> StringBuffer -> Either [Raw] (Located HsModule, [Raw])
-readProgram flags columns buffer = case unP parseModule (mkPState flags buffer (mkRealSrcLoc (mkFastString fileName) 1 1)) of
-  POk state tree
-    | errors@(_ : _) <- bagToList (getErrorMessages state flags) -> Left (map (fromParser flags columns) errors)
-    | otherwise -> Right (tree, map (fromParser flags columns) (bagToList (fst (getMessages state flags))))
-  PFailed state -> Left (map (fromParser flags columns) (bagToList (getErrorMessages state flags)))
-
-fileName :: FilePath
-fileName = "Main.hs"
-
-say :: Columns -> SrcSpan -> Text -> Text -> Text -> Problem
-say columns s k m h = maybe (problemNowhere k m h) (\p -> problemAt p k m h) (placeOf columns s)
-
-importRefusals :: Columns -> HsModule -> [Problem]
-importRefusals columns parsed =
-  [ say columns s "import" m h
-    | L s i <- hsmodImports parsed,
-      let wanted = Text.pack (moduleNameString (unLoc (ideclName i))),
-      not (isAllowedModule wanted),
-      let (m, h) = refuseModule wanted
-  ]
-
--- | Declarations that have no place in a robot program, whatever the extensions say.
-declarationRefusals :: Columns -> HsModule -> [Problem]
-declarationRefusals columns parsed = concatMap refusal (hsmodDecls parsed)
-  where
-    refusal (L s d) = case d of
-      ForD {} -> [say columns s "foreign" "A program cannot call functions of other languages." "A robot program is all Haskell."]
-      SpliceD {} -> [say columns s "missing-equals" "This line has no equals sign." "A definition is a name, an equals sign and a value: move = Velocity 0.5 0."]
-      RuleD {} -> [say columns s "pragma" "A program cannot change how it is compiled." "Remove these rules."]
-      AnnD {} -> [say columns s "pragma" "A program cannot change how it is compiled." "Remove this annotation."]
-      _ -> []
-
--- | Functions of the Prelude that reach out of the program, under whatever qualifier. A program's own function of that name is
--- another matter.
-nameRefusals :: Columns -> HsModule -> [Problem]
-nameRefusals columns parsed = concat (gmapQ uses (hsmodDecls parsed))
-  where
-    own = map fst (definitionSpans (placeOf columns) parsed)
-    uses :: Data a => a -> [Problem]
-    uses x = case cast x of
-      Just (L s (HsVar _ (L _ n)) :: LHsExpr GhcPs)
-        | used <- Text.pack (occNameString (rdrNameOcc n)),
-          Just (m, h) <- refuseName used,
-          isQual n || used `notElem` own ->
-          [say columns s "not-allowed" m h]
-      _ -> concat (gmapQ uses x)
+    stopped found raws = Analysis found raws (noOutline source) [] [] [] Nothing
 
 -- * Checking
 
@@ -255,8 +169,7 @@ check session flags columns source (L at parsed) warnings = do
       summary = summaryOf logging source
       placed = definitionSpans (placeOf columns) parsed
       outlined = Outline source placed (signatureSpans (placeOf columns) parsed) [] []
-      module' = HsParsedModule (L at (program added)) [] (ApiAnns mempty Nothing mempty mempty)
-  ((warned, failed), outcome) <- tcRnModule env summary False module'
+  ((warned, failed), outcome) <- tcRnModule env summary False (parsedModule (L at (program added)))
   let found = warnings ++ map (fromMessage flags columns) (bagToList failed ++ bagToList warned)
       bad = any ((== Error) . gravity)
       mains = [() | ("main", _) <- placed]
@@ -265,9 +178,9 @@ check session flags columns source (L at parsed) warnings = do
         let describe spelling = describeFunctions flags spelling (map Text.pack (concatMap leaves (controllers added))) tcg
             connections = describe AsWritten
             known = outlined {connectedTo = connections, spelledOut = describe SpelledOut}
-         in Analysis noMain raws known (describeDeclarations flags placed tcg) connections next
+         in Analysis noMain raws known (describeDeclarations flags placed tcg) connections (typesAt (showType flags) (placeOf columns) (derivedPlaces parsed) tcg) next
   case outcome of
-    Nothing -> pure (Analysis noMain found outlined [] [] Nothing)
+    Nothing -> pure (Analysis noMain found outlined [] [] [] Nothing)
     Just tcg
       | bad found -> pure (whole found tcg Nothing)
       | otherwise -> do
@@ -283,24 +196,6 @@ check session flags columns source (L at parsed) warnings = do
     mainOf tcg = case [getName i | i <- typeEnvIds (tcg_type_env tcg), getOccString i == "main", nameModule_maybe (getName i) == Just (tcg_mod tcg)] of
       n : _ -> Just n
       [] -> Nothing
-
-summaryOf :: DynFlags -> Text -> ModSummary
-summaryOf flags source =
-  ModSummary
-    { ms_mod = mkHomeModule flags (mkModuleName "Main"),
-      ms_hsc_src = HsSrcFile,
-      ms_location = ModLocation {ml_hs_file = Just fileName, ml_hi_file = "Main.hi", ml_obj_file = "Main.o", ml_hie_file = "Main.hie"},
-      ms_hs_date = UTCTime (fromGregorian 2000 1 1) 0,
-      ms_obj_date = Nothing,
-      ms_iface_date = Nothing,
-      ms_hie_date = Nothing,
-      ms_parsed_mod = Nothing,
-      ms_srcimps = [],
-      ms_textual_imps = [],
-      ms_hspp_file = fileName,
-      ms_hspp_opts = flags,
-      ms_hspp_buf = Just (stringToStringBuffer (Text.unpack source))
-    }
 
 -- * Running
 

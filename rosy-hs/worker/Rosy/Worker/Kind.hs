@@ -82,7 +82,7 @@ explain outline raw = case reason raw of
     unknown = problem "other" "The compiler does not accept this." "Its own words are one click away."
 
     -- What is missing, and which names at hand would fit.
-    hole = case between "::" "Where:" said of
+    hole = case between "::" "Where:" (fst (Text.breakOn " Or perhaps ‘" said)) of
       Just wanted
         | Text.length wanted > 2 ->
           let t = simple wanted

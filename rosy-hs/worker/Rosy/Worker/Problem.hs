@@ -21,8 +21,13 @@ module Rosy.Worker.Problem
     -- * What a program declares
     Declaration (..),
     Function (..),
+    Typed (..),
     Report (..),
     emptyReport,
+
+    -- * What can stand at a place
+    Candidate (..),
+    Completion (..),
   )
 where
 
@@ -69,16 +74,33 @@ data Declaration = Declaration {declares :: !Text, ofType :: !Text, covers :: !S
 data Function = Function {called :: !Text, inputs :: ![Text], outputs :: ![Text]}
   deriving (Eq, Show)
 
+-- | A piece of the text with its type as Haskell writes it.
+data Typed = Typed {stands :: !Span, hasType :: !Text}
+  deriving (Eq, Show)
+
 -- | All that a check finds.
 data Report = Report
   { problems :: ![Problem],
     declarations :: ![Declaration],
-    functions :: ![Function]
+    functions :: ![Function],
+    -- | In the order of the text, an outer piece before those inside it.
+    types :: ![Typed]
   }
   deriving (Eq, Show)
 
 emptyReport :: [Problem] -> Report
-emptyReport ps = Report ps [] []
+emptyReport ps = Report ps [] [] []
+
+-- | A name in scope that fits, with its type and how many values must follow it.
+data Candidate = Candidate {offers :: !Text, offersType :: !Text, takes :: !Int}
+  deriving (Eq, Show)
+
+-- | What is wanted at a place, if that is known, and what fits there, best first.
+data Completion = Completion {expected :: !(Maybe Text), offered :: ![Candidate]}
+  deriving (Eq, Show)
+
+instance ToJSON Candidate where
+  toJSON c = object ["name" .= offers c, "type" .= offersType c, "takes" .= takes c]
 
 instance ToJSON Place where
   toJSON (Place l c) = object ["line" .= l, "column" .= c]

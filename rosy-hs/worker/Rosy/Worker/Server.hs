@@ -28,7 +28,7 @@ import Data.Text.Encoding.Error (lenientDecode)
 import GHC.Clock (getMonotonicTime)
 import Rosy.Worker.Child
 import Rosy.Worker.Ghc (Session, compilerVersion)
-import Rosy.Worker.Problem (Problem (..), emptyReport, problemNowhere)
+import Rosy.Worker.Problem (Completion (..), Problem (..), emptyReport, problemNowhere)
 import Rosy.Worker.Sys
 import Rosy.Worker.Wire
 import System.Mem (performMajorGC)
@@ -47,7 +47,7 @@ data Config = Config
 
 -- | What a child is for.
 data Purpose
-  = Checking Text
+  = Answering Question
   | -- | The page with the function at work; whether the program has started.
     Running Page Bool
 
@@ -73,10 +73,10 @@ data State = State
     outgoing :: Seq ByteString,
     -- | By process id.
     jobs :: Map.Map Int Job,
-    -- | Checks that have not begun.
-    waiting :: Seq (Id, Text),
-    cache :: Map.Map Text ByteString,
-    cacheOrder :: Seq Text,
+    -- | Questions that nobody works on yet.
+    waiting :: Seq (Id, Question),
+    cache :: Map.Map Question ByteString,
+    cacheOrder :: Seq Question,
     peerGone :: Bool
   }
 
@@ -107,7 +107,7 @@ loop config session ended = go
             s2 <- if reaping then drain ended >> reapAll s1 else pure s1
             s3 <- expire s2
             s4 <- if mine then listen config session s3 else pure s3
-            s5 <- beginChecks config session s4
+            s5 <- beginAnswers config session s4
             s6 <- if canWrite || not (Seq.null (outgoing s5)) then flush config s5 else pure s5
             go s6
           _ -> go s
@@ -142,9 +142,9 @@ handle config session s (Line bytes)
       -- A run that cannot be read still brought its descriptor.
       s' <- if "\"run\"" `ByteString.isInfixOf` bytes then dropPassenger s else pure s
       pure (reply (Failed i sentence) s')
-    Right (Check i source) -> case Map.lookup source (cache s) of
-      Just fields -> pure (reply (Checked i fields) s)
-      Nothing -> pure s {waiting = waiting s |> (i, source)}
+    Right (Ask i question) -> case Map.lookup question (cache s) of
+      Just fields -> pure (reply (Known question i fields) s)
+      Nothing -> pure s {waiting = waiting s |> (i, question)}
     Right (Run i source memory) -> case passengers s of
       Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
       fd :<| others -> startRun config session i source memory fd s {passengers = others}
@@ -177,16 +177,16 @@ kill i s = do
 
 -- * Children
 
--- | Starts the checks for which there is room.
-beginChecks :: Config -> Session -> State -> IO State
-beginChecks config session s
-  | (i, source) :<| others <- waiting s,
-    length [() | Job {purpose = Checking _} <- Map.elems (jobs s)] < checksAtOnce config = do
+-- | Begins with the questions for which there is room.
+beginAnswers :: Config -> Session -> State -> IO State
+beginAnswers config session s
+  | (i, question) :<| others <- waiting s,
+    length [() | Job {purpose = Answering _} <- Map.elems (jobs s)] < checksAtOnce config = do
     (mine, theirs) <- newPair
-    pid <- forkProcess (checkChild (settings config) session theirs source)
+    pid <- forkProcess (answerChild (settings config) session theirs question)
     closeFd theirs
-    s' <- addJob config (fromIntegral pid) i (Checking source) mine s {waiting = others}
-    beginChecks config session s'
+    s' <- addJob config (fromIntegral pid) i (Answering question) mine s {waiting = others}
+    beginAnswers config session s'
   | otherwise = pure s
 
 startRun :: Config -> Session -> Id -> Text -> Int -> Fd -> State -> IO State
@@ -226,21 +226,21 @@ understand pid (Line bytes) s
     not (answered job) =
     let done answer p = reply answer s {jobs = Map.insert pid job {answered = True, deadline = Nothing, purpose = p} (jobs s)}
      in case (purpose job, Char8.uncons bytes) of
-          (Checking source, Just ('C', fields)) -> remember source fields (done (Checked (jobId job) fields) (purpose job))
+          (Answering question, Just ('C', fields)) -> remember question fields (done (Known question (jobId job) fields) (purpose job))
           (Running page _, Just ('S', fields)) -> done (Started (jobId job) fields) (Running page True)
           (Running page _, Just ('R', fields)) -> done (Refused (jobId job) fields) (Running page False)
           (_, Just ('!', words')) -> s {jobs = Map.insert pid job {lastWords = decodeUtf8With lenientDecode words'} (jobs s)}
           _ -> s
 understand _ _ s = s
 
-remember :: Text -> ByteString -> State -> State
-remember source fields s = shrink s {cache = Map.insert source fields (cache s), cacheOrder = cacheOrder s |> source}
+remember :: Question -> ByteString -> State -> State
+remember question fields s = shrink s {cache = Map.insert question fields (cache s), cacheOrder = cacheOrder s |> question}
   where
     shrink st = case cacheOrder st of
       oldest :<| others | Seq.length (cacheOrder st) > mostRemembered -> st {cache = Map.delete oldest (cache st), cacheOrder = others}
       _ -> st
 
--- | Reports kept for sources that are checked again.
+-- | Answers kept for questions that are asked again.
 mostRemembered :: Int
 mostRemembered = 256
 
@@ -273,10 +273,10 @@ bury pid how s = case Map.lookup pid (jobs s) of
         wasKilled = how == Signalled 9 && not (late job)
         gone = GoneNow i (case how of Exited n -> Left n; Signalled n -> Right n)
     case purpose job of
-      Checking _
+      Answering question
         | answered job -> pure rest
         | wasKilled -> pure (reply (gone Nothing Nothing) rest)
-        | otherwise -> pure (reply (Checked i (fieldsOf (compileProblem job how))) rest)
+        | otherwise -> pure (reply (Known question i (fieldsOf question (compileProblem job how))) rest)
       Running page started -> do
         firing <- pageText page
         freePage page
@@ -291,7 +291,9 @@ bury pid how s = case Map.lookup pid (jobs s) of
                     then reply (gone Nothing Nothing) rest
                     else reply (Refused i (Lazy.toStrict (encode (object ["problems" .= [compileProblem job how]])))) rest
   where
-    fieldsOf p = Lazy.toStrict (encode (object (reportFields (emptyReport [p]))))
+    fieldsOf question p = Lazy.toStrict . encode . object $ case question of
+      Check _ -> reportFields (emptyReport [p])
+      Complete _ _ -> completionFields (Completion Nothing [])
     isExit (Exited n) = n /= ranOutOfMemory
     isExit _ = False
 

@@ -9,6 +9,7 @@
 module Rosy.Worker.Wire
   ( -- * Requests
     Request (..),
+    Question (..),
     Id,
     parseRequest,
 
@@ -16,6 +17,7 @@ module Rosy.Worker.Wire
     Answer (..),
     answerLine,
     reportFields,
+    completionFields,
 
     -- * Cutting a stream into lines
     Lines,
@@ -32,19 +34,27 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Rosy.Worker.Problem (Problem, Report (..))
+import Rosy.Worker.Problem (Completion (..), Place (Place), Problem, Report (..), Span (..), Typed (..))
 
 -- | Chosen by the service; any JSON value.
 type Id = Value
 
 data Request
-  = Check Id Text
+  = Ask Id Question
   | -- | The source and the bytes of memory the run may take.
     Run Id Text Int
   | Kill Id
   deriving (Eq, Show)
+
+-- | What a service may want to know about a text.
+data Question
+  = Check Text
+  | Complete Text Place
+  deriving (Eq, Ord, Show)
 
 -- | A request, or the id (null if there is none) and a sentence for @failed@.
 parseRequest :: ByteString -> Either (Id, Text) Request
@@ -59,7 +69,8 @@ request :: Id -> Object -> Parser Request
 request i o = do
   op <- o .: "op"
   case op :: Text of
-    "check" -> Check i <$> source
+    "check" -> Ask i . Check <$> source
+    "complete" -> (\s l c -> Ask i (Complete s (Place l c))) <$> source <*> o .: "line" <*> o .: "column"
     "run" -> Run i <$> source <*> o .: "memory"
     "kill" -> pure (Kill i)
     other -> fail ("There is no request called " ++ show other ++ ".")
@@ -77,7 +88,8 @@ longestSource = 200000
 -- | What the worker says. The fields of a report arrive from a child as they are to be sent.
 data Answer
   = ReadyNow Text
-  | Checked Id ByteString
+  | -- | To a question.
+    Known Question Id ByteString
   | Started Id ByteString
   | Refused Id ByteString
   | -- | How it ended, the function at work, a problem of the worker's own.
@@ -87,7 +99,8 @@ data Answer
 answerLine :: Answer -> ByteString
 answerLine answer = case answer of
   ReadyNow version -> whole [op "ready", "protocol" .= (1 :: Int), "ghc" .= version]
-  Checked i fields -> spliced [op "checked", "id" .= i] fields
+  Known (Check _) i fields -> spliced [op "checked", "id" .= i] fields
+  Known (Complete _ _) i fields -> spliced [op "completed", "id" .= i] fields
   Started i fields -> spliced [op "started", "id" .= i] fields
   Refused i fields -> spliced [op "refused", "id" .= i] fields
   GoneNow i how firing problem ->
@@ -107,8 +120,17 @@ reportFields :: Report -> [Pair]
 reportFields report =
   [ "problems" .= problems report,
     "declarations" .= declarations report,
-    "graph" .= object ["functions" .= toJSON (functions report)]
+    "graph" .= object ["functions" .= toJSON (functions report)],
+    "types" .= object ["names" .= Map.keys names, "at" .= map place (types report)]
   ]
+  where
+    -- Each type is written once; a place is five numbers.
+    names = Map.fromDistinctAscList (zip (Set.toAscList (Set.fromList (map hasType (types report)))) [0 :: Int ..])
+    place (Typed (Span (Place l c) (Place l' c')) t) = [l, c, l', c', names Map.! t]
+
+-- | The members of @completed@ besides @id@.
+completionFields :: Completion -> [Pair]
+completionFields completion = maybe [] (\t -> ["expected" .= t]) (expected completion) ++ ["names" .= offered completion]
 
 -- | What has arrived of a line that is not complete, or how much of a line that is too long has gone by.
 data Lines = Lines [ByteString] !Int | Skipping

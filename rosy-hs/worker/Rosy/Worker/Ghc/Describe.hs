@@ -15,6 +15,8 @@ module Rosy.Worker.Ghc.Describe
     describeFunctions,
     definitionSpans,
     signatureSpans,
+    derivedPlaces,
+    showType,
   )
 where
 
@@ -60,6 +62,16 @@ definitionSpans place parsed = concatMap placed (hsmodDecls parsed)
 -- | The top-level names of a program with the place of their type signature.
 signatureSpans :: (SrcSpan -> Maybe Span) -> HsModule -> [(Text, Span)]
 signatureSpans place parsed = [(plain n, s) | L whole (SigD _ (TypeSig _ ns _)) <- hsmodDecls parsed, Just s <- [place whole], L _ n <- ns]
+
+-- | The declarations at whose places the compiler writes code of its own.
+derivedPlaces :: HsModule -> [SrcSpan]
+derivedPlaces parsed = [at | L at d <- hsmodDecls parsed, derives d]
+  where
+    derives :: HsDecl GhcPs -> Bool
+    derives d = case d of
+      TyClD _ DataDecl {} -> True
+      DerivD {} -> True
+      _ -> False
 
 plain :: RdrName -> Text
 plain = Text.pack . occNameString . rdrNameOcc
@@ -110,6 +122,6 @@ describeFunctions flags spelling names checked =
     -- Through a synonym, if it stands for one of the shapes.
     see t = maybe t see (tcView t)
 
--- | On one line, without module names.
+-- | On one line, without module names, and without how often a constructor uses what it holds. Text is always a @String@.
 showType :: DynFlags -> Type -> Text
-showType flags = Text.unwords . Text.words . Text.pack . showSDocForUser flags neverQualify . pprTypeForUser
+showType flags = Text.replace "[Char]" "String" . Text.replace " %1 ->" " ->" . Text.unwords . Text.words . Text.pack . showSDocForUser flags neverQualify . pprTypeForUser

@@ -1,0 +1,153 @@
+{-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE RankNTypes #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- |
+-- Module      : Rosy.Worker.Ghc.Read
+-- Description : From a program's text to its tree, and what no program may have in it.
+module Rosy.Worker.Ghc.Read
+  ( -- * Reading
+    optionsOf,
+    readProgram,
+
+    -- * Refusing
+    Guard (..),
+    refusalsIn,
+    importRefusals,
+
+    -- * For the type checker
+    summaryOf,
+    parsedModule,
+  )
+where
+
+import Control.Exception (evaluate, try)
+import Data.Data (Data, cast, gmapQ)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Data.Time.Calendar (fromGregorian)
+import Data.Time.Clock (UTCTime (..))
+import GHC.Data.Bag (bagToList)
+import GHC.Data.FastString (mkFastString)
+import GHC.Data.StringBuffer (StringBuffer, stringToStringBuffer)
+import GHC.Driver.Session (DynFlags (..), mkHomeModule, parseDynamicFilePragma)
+import GHC.Driver.Types
+import GHC.Hs hiding (Warning)
+import GHC.Parser (parseModule)
+import GHC.Parser.Annotation (ApiAnns (..))
+import GHC.Parser.Header (getOptions)
+import GHC.Parser.Lexer (P (unP), ParseResult (..), getErrorMessages, getMessages, mkPState)
+import GHC.Types.Name.Occurrence (occNameString)
+import GHC.Types.Name.Reader (isQual, rdrNameOcc)
+import GHC.Types.SrcLoc
+import GHC.Unit.Module (mkModuleName, moduleNameString)
+import GHC.Unit.Module.Location (ModLocation (..))
+import Rosy.Worker.Allow
+import Rosy.Worker.Ghc.Describe
+import Rosy.Worker.Ghc.Report
+import Rosy.Worker.Place (Columns)
+import Rosy.Worker.Problem (Problem, problemAt, problemNowhere)
+import Rosy.Worker.Raw (Raw (..))
+
+-- | Whether what a program may import and switch on is limited. Only tests of the other protections go unguarded.
+data Guard = Guarded | Unguarded
+  deriving (Eq)
+
+-- | The flags after the pragmas at the top of the file, or why one of them is refused.
+optionsOf :: Guard -> DynFlags -> Columns -> StringBuffer -> IO (Either [Problem] DynFlags)
+optionsOf guarded flags columns buffer = do
+  attempt <- try $ do
+    let options = getOptions flags buffer fileName
+    mapM_ (evaluate . length . unLoc) options
+    case if guarded == Guarded then concatMap refusal options else [] of
+      [] -> do
+        (changed, _, _) <- parseDynamicFilePragma flags options
+        pure (Right changed)
+      found -> pure (Left found)
+  case attempt of
+    Right answer -> pure answer
+    Left e -> pure (Left [optionProblem (fromParser flags columns m) | m <- bagToList (srcErrorMessages e)])
+  where
+    refusal (L at option) = case option of
+      '-' : 'X' : extension
+        | isAllowedExtension (Text.pack extension) -> []
+        | otherwise -> [at `sayWith` ("extension", refuseExtension (Text.pack extension))]
+      _ -> [at `sayWith` ("options", refuseOptions)]
+    sayWith at (k, (m, h)) = say columns at k m h
+    optionProblem raw =
+      let (m, h) = refuseUnknown (Text.strip (snd (Text.breakOnEnd "Unsupported extension:" (Text.concat (take 1 (Text.lines (Text.concat (important raw))))))))
+       in maybe (problemNowhere "extension") (`problemAt` "extension") (region raw) m h
+
+-- | The tree of a program with warnings about its text, or what keeps it from being read.
+readProgram :: DynFlags -> Columns -> StringBuffer -> Either [Raw] (Located HsModule, [Raw])
+readProgram flags columns buffer = case unP parseModule (mkPState flags buffer (mkRealSrcLoc (mkFastString fileName) 1 1)) of
+  POk state tree
+    | errors@(_ : _) <- bagToList (getErrorMessages state flags) -> Left (map (fromParser flags columns) errors)
+    | otherwise -> Right (tree, map (fromParser flags columns) (bagToList (fst (getMessages state flags))))
+  PFailed state -> Left (map (fromParser flags columns) (bagToList (getErrorMessages state flags)))
+
+fileName :: FilePath
+fileName = "Main.hs"
+
+say :: Columns -> SrcSpan -> Text -> Text -> Text -> Problem
+say columns s k m h = maybe (problemNowhere k m h) (\p -> problemAt p k m h) (placeOf columns s)
+
+-- | All that no program may have in it, whatever its types are.
+refusalsIn :: Columns -> HsModule -> [Problem]
+refusalsIn columns parsed = importRefusals columns parsed ++ declarationRefusals columns parsed ++ nameRefusals columns parsed
+
+importRefusals :: Columns -> HsModule -> [Problem]
+importRefusals columns parsed =
+  [ say columns s "import" m h
+    | L s i <- hsmodImports parsed,
+      let wanted = Text.pack (moduleNameString (unLoc (ideclName i))),
+      not (isAllowedModule wanted),
+      let (m, h) = refuseModule wanted
+  ]
+
+-- | Declarations that have no place in a robot program, whatever the extensions say.
+declarationRefusals :: Columns -> HsModule -> [Problem]
+declarationRefusals columns parsed = concatMap refusal (hsmodDecls parsed)
+  where
+    refusal (L s d) = case d of
+      ForD {} -> [say columns s "foreign" "A program cannot call functions of other languages." "A robot program is all Haskell."]
+      SpliceD {} -> [say columns s "missing-equals" "This line has no equals sign." "A definition is a name, an equals sign and a value: move = Velocity 0.5 0."]
+      RuleD {} -> [say columns s "pragma" "A program cannot change how it is compiled." "Remove these rules."]
+      AnnD {} -> [say columns s "pragma" "A program cannot change how it is compiled." "Remove this annotation."]
+      _ -> []
+
+-- | Functions of the Prelude that reach out of the program, under whatever qualifier. A program's own function of that name is
+-- another matter.
+nameRefusals :: Columns -> HsModule -> [Problem]
+nameRefusals columns parsed = concat (gmapQ uses (hsmodDecls parsed))
+  where
+    own = map fst (definitionSpans (placeOf columns) parsed)
+    uses :: Data a => a -> [Problem]
+    uses x = case cast x of
+      Just (L s (HsVar _ (L _ n)) :: LHsExpr GhcPs)
+        | used <- Text.pack (occNameString (rdrNameOcc n)),
+          Just (m, h) <- refuseName used,
+          isQual n || used `notElem` own ->
+          [say columns s "not-allowed" m h]
+      _ -> concat (gmapQ uses x)
+
+summaryOf :: DynFlags -> Text -> ModSummary
+summaryOf flags source =
+  ModSummary
+    { ms_mod = mkHomeModule flags (mkModuleName "Main"),
+      ms_hsc_src = HsSrcFile,
+      ms_location = ModLocation {ml_hs_file = Just fileName, ml_hi_file = "Main.hi", ml_obj_file = "Main.o", ml_hie_file = "Main.hie"},
+      ms_hs_date = UTCTime (fromGregorian 2000 1 1) 0,
+      ms_obj_date = Nothing,
+      ms_iface_date = Nothing,
+      ms_hie_date = Nothing,
+      ms_parsed_mod = Nothing,
+      ms_srcimps = [],
+      ms_textual_imps = [],
+      ms_hspp_file = fileName,
+      ms_hspp_opts = flags,
+      ms_hspp_buf = Just (stringToStringBuffer (Text.unpack source))
+    }
+
+parsedModule :: Located HsModule -> HsParsedModule
+parsedModule tree = HsParsedModule tree [] (ApiAnns mempty Nothing mempty mempty)
