@@ -7,6 +7,7 @@ import type {Reader} from "@rosy/codegen/reader"
 import {type BlocksView, openBlocks} from "../blocks/index.ts"
 import type {Desk} from "../page/desk.ts"
 import {words} from "../page/words.ts"
+import {openWorldEditor, type WorldEditorView} from "../room/editorview.ts"
 import {openSpeaker} from "../room/sounds.ts"
 import {openRoom, type RoomView} from "../room/view.ts"
 import {openClipboard} from "../run/clipboard.ts"
@@ -61,6 +62,7 @@ export function openDesk(address: string): Desk {
   let room: RoomView | null = null
   let roomCanvas: HTMLCanvasElement | null = null
   let film: Film | null = null
+  let worldEditor: WorldEditorView | null = null
   let reader: Reader | null = null
   let project = codegen.newProject("")
   /// The blocks as the block view has them; when the document has others, they are loaded.
@@ -77,6 +79,10 @@ export function openDesk(address: string): Desk {
   let checking: ReturnType<typeof setTimeout> | undefined
   const perform = (order: Order) => {
     if (order.kind === "play") speaker.play(order.sound)
+    else if (order.kind === "pick-world")
+      pickFile(".json", (name, text) => store.dispatch({kind: "world-file-read", name, text}))
+    else if (order.kind === "save-world")
+      download(fileName(order.name, "json"), order.text, "application/json")
     else if (order.message.op === "check") {
       // While somebody types only the last text is worth a question.
       clearTimeout(checking)
@@ -92,6 +98,7 @@ export function openDesk(address: string): Desk {
     document.documentElement.dataset.theme = isDark() ? "dark" : "light"
     blocks?.setTone(isDark() ? "dark" : "light")
     room?.recolour()
+    worldEditor?.recolour()
   }
   store.onFrame(() => {
     if (cost < quick) flush()
@@ -111,6 +118,10 @@ export function openDesk(address: string): Desk {
       liking => shelf.setLiking(liking),
     ),
   )
+
+  store.onFrame(state => {
+    if (state.worldEditor !== null) worldEditor?.draw(state.worldEditor)
+  })
 
   const show = (opened: OpenedProject, welcome: boolean, place: string | null) => {
     typed = null
@@ -167,10 +178,12 @@ export function openDesk(address: string): Desk {
     else typing = setTimeout(flush, Math.min(longestPause, 3 * cost))
   }
   const undo = () => {
+    if (store.now.worldEditor !== null) return store.dispatch({kind: "world-edited", edit: {kind: "undo"}})
     flush()
     store.dispatch({kind: "undo-pressed"})
   }
   const redo = () => {
+    if (store.now.worldEditor !== null) return store.dispatch({kind: "world-edited", edit: {kind: "redo"}})
     flush()
     store.dispatch({kind: "redo-pressed"})
   }
@@ -188,6 +201,7 @@ export function openDesk(address: string): Desk {
       return true
     },
     run() {
+      if (store.now.worldEditor !== null) return
       flush()
       store.dispatch({kind: "run-pressed"})
     },
@@ -243,6 +257,18 @@ export function openDesk(address: string): Desk {
           flushSoon()
         },
       })
+    },
+    mountWorldEditor(canvas) {
+      const view = openWorldEditor(canvas, {
+        changed: () => store.redraw(),
+        edited: edit => store.dispatch({kind: "world-edited", edit}),
+      })
+      worldEditor = view
+      store.redraw()
+      return () => {
+        view.dispose()
+        worldEditor = null
+      }
     },
     mountRoom(canvas) {
       roomCanvas = canvas

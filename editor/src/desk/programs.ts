@@ -24,10 +24,10 @@ import {
   type View,
   workspaceOf,
 } from "@rosy/codegen/reader"
-import {decode} from "../state/decode.ts"
 import type {Document} from "../state/history.ts"
-import {type WorldFile, world} from "../state/messages.ts"
 import {type Definition, type Finding, movedRange, type Program, type Span, textOf} from "../state/program.ts"
+import {readWorld} from "../worlds/read.ts"
+import type {WorldFile} from "../worlds/world.ts"
 import {asInFile, oneKindOfLine} from "./lines.ts"
 
 /// A program as it comes from a file.
@@ -59,7 +59,7 @@ export function readProject(reader: Reader, text: string): Opening {
 /// A room that cannot be read leaves the room as it is; the project file keeps it.
 function roomOf({world: room}: Project): string | WorldFile | null {
   if (typeof room === "string") return room === "" ? null : room
-  return decode(world, room).kind === "ok" ? room : null
+  return readWorld(room).kind === "world" ? room : null
 }
 
 /// Opens plain Haskell from elsewhere. Any text is a program, if perhaps a broken one.

@@ -11,6 +11,7 @@ import {useDesk, usePage} from "./pick.ts"
 import {RoomRegion} from "./roomregion.tsx"
 import {TopBar} from "./topbar.tsx"
 import {words} from "./words.ts"
+import {WorldEditorDialog} from "./worldeditor.tsx"
 
 /// Which regions are to be seen. On a wide page the view decides, on a tablet one of the first two stands
 /// beside the room, on a phone there is one.
@@ -44,6 +45,7 @@ export function App(): VNode {
       </main>
       {size === "phone" && <BottomBar />}
       <GalleryDialog />
+      <WorldEditorDialog />
     </div>
   )
 }

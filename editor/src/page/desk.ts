@@ -10,6 +10,8 @@ export interface Desk {
   mountBlocks(host: HTMLElement): void
   mountSource(host: HTMLElement): void
   mountRoom(canvas: HTMLCanvasElement): void
+  /// The world editor has its canvas; what it gives back ends with it.
+  mountWorldEditor(canvas: HTMLCanvasElement): () => void
   openGallery(): void
   openExample(name: string): void
   openKept(id: string): void

@@ -129,3 +129,8 @@ export const LogoIcon = () => (
     <circle cx="13" cy="15" r="2.6" fill="currentColor" />
   </svg>
 )
+export const EditIcon = () => (
+  <Picture>
+    <path d="m3 13 .7-3 6.9-6.9a1.3 1.3 0 0 1 1.9 0l.4.4a1.3 1.3 0 0 1 0 1.9L6 12.3z" {...line} />
+  </Picture>
+)

@@ -8,13 +8,14 @@ import {isActive} from "../state/run.ts"
 import {Border} from "./border.tsx"
 import {ChartsPanel} from "./charts.tsx"
 import {ConsolePanel} from "./console.tsx"
-import {SoundIcon} from "./icons.tsx"
+import {EditIcon, SoundIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {ProblemsPanel, problemCount} from "./problems.tsx"
 import {SensorsPanel} from "./sensors.tsx"
 import {Sight} from "./sight.tsx"
 import {TimeBar} from "./timebar.tsx"
 import {runWords, words} from "./words.ts"
+import {worldWords} from "./worldwords.ts"
 
 export function RoomRegion({shown}: {shown: boolean}): VNode {
   const desk = useDesk()
@@ -56,6 +57,7 @@ function RoomBar(): VNode {
   const worlds = usePage(s => s.worlds)
   const world = usePage(s => s.room.world?.name ?? "")
   const muted = usePage(s => s.muted)
+  const there = usePage(s => s.room.world !== null)
   const known = worlds.includes(world)
   const status = usePage(runWords)
   const kind = usePage(s =>
@@ -80,6 +82,16 @@ function RoomBar(): VNode {
       ) : (
         <span class="quiet">{world}</span>
       )}
+      <button
+        type="button"
+        class="plain icon"
+        aria-label={worldWords.change}
+        title={worldWords.change}
+        disabled={!there}
+        onClick={() => store.dispatch({kind: "world-editor-opened"})}
+      >
+        <EditIcon />
+      </button>
       <span class="space" />
       <span class={`state ${kind}`} role="status">
         {status}

@@ -149,6 +149,8 @@ export function runWords(state: PageState): string {
   }
 }
 
+const sentence = (text: string) => text.charAt(0).toUpperCase() + text.slice(1)
+
 /// What the page itself has to say: first what, then what to do.
 export function noticeWords(notice: Notice): {readonly message: string; readonly hint: string} {
   switch (notice.kind) {
@@ -158,6 +160,11 @@ export function noticeWords(notice: Notice): {readonly message: string; readonly
       return {
         message: `${notice.name} does not hold text.`,
         hint: "Rosy opens programs: files that end in .rosy or .hs.",
+      }
+    case "unreadable-world":
+      return {
+        message: `${notice.name} is not a room Rosy can use.`,
+        hint: notice.path === "" ? sentence(notice.why) : `${notice.path}: ${notice.why}`,
       }
     case "example-missing":
       return {message: `There is no example ${notice.name}.`, hint: "Examples, above, shows those there are."}

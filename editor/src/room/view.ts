@@ -1,8 +1,9 @@
 /// The room on a canvas. `draw` is called once per frame with the page's state and decides nothing; what does
 /// not move, and what of the trail is finished, is kept on layers beside it.
 
-import type {Frame, World} from "../state/messages.ts"
+import type {Frame} from "../state/messages.ts"
 import {type RoomState, shownFrame, speech, type TrailStyle} from "../state/room.ts"
+import type {World} from "../worlds/world.ts"
 import {drawBubble} from "./bubble.ts"
 import {type Camera, follow, type Look, lookAt, pan, toScreen, zoom} from "./camera.ts"
 import {watchGestures} from "./gestures.ts"

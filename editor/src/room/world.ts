@@ -1,10 +1,7 @@
 /// Draws what does not move: floor, grid, holes, walls and boxes. In metres; the context is already scaled.
 
-import type {World} from "../state/messages.ts"
+import {placesOf, type World, wallThickness} from "../worlds/world.ts"
 import type {Palette} from "./palette.ts"
-
-/// protocol §6: walls are 5 cm thick.
-const wallThickness = 0.05
 
 export function drawWorld(
   ctx: CanvasRenderingContext2D,
@@ -92,8 +89,9 @@ function drawGoals(ctx: CanvasRenderingContext2D, world: World, palette: Palette
   ctx.save()
   ctx.lineWidth = 2 / scale
   ctx.setLineDash([6 / scale, 5 / scale])
-  for (const {kind, points, r} of world.goals) {
-    ctx.strokeStyle = kind === "avoid" ? palette.avoid : palette.goal
+  for (const goal of world.goals) {
+    const {points, r} = placesOf(goal)
+    ctx.strokeStyle = goal.kind === "avoid" ? palette.avoid : palette.goal
     ctx.fillStyle = ctx.strokeStyle
     if (r > 0)
       for (const [x, y] of points) {
@@ -102,7 +100,7 @@ function drawGoals(ctx: CanvasRenderingContext2D, world: World, palette: Palette
         ctx.globalAlpha = 0.12
         ctx.fill()
         ctx.globalAlpha = 1
-        if (kind === "avoid") {
+        if (goal.kind === "avoid") {
           ctx.moveTo(x - r * 0.7, y - r * 0.7)
           ctx.lineTo(x + r * 0.7, y + r * 0.7)
         }

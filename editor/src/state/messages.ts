@@ -1,8 +1,9 @@
 /// The messages between the page and the service, as `protocol/README.md` §1, §4 and §6 define them, and the
 /// one parser that lets them in. Units are SI: metres, radians counter-clockwise, seconds.
 
+import {readWorld} from "../worlds/read.ts"
+import type {World, WorldFile} from "../worlds/world.ts"
 import {
-  boolean,
   type Decoded,
   type Decoder,
   decode,
@@ -35,38 +36,6 @@ export interface Problem {
   readonly time: number | null
   readonly inputs: readonly string[]
 }
-
-/// protocol §6. The room's lower left corner is (0, 0), y up.
-export interface World {
-  readonly name: string
-  readonly size: readonly [number, number]
-  readonly start: {readonly x: number; readonly y: number; readonly theta: number}
-  readonly tile: number
-  readonly tiles: readonly string[]
-  readonly walls: readonly {
-    readonly from: readonly [number, number]
-    readonly to: readonly [number, number]
-  }[]
-  readonly boxes: readonly {
-    readonly x: number
-    readonly y: number
-    readonly w: number
-    readonly h: number
-    readonly theta: number
-    readonly movable: boolean
-  }[]
-  /// Posts and drums, by their centre and radius.
-  readonly rounds: readonly {
-    readonly x: number
-    readonly y: number
-    readonly r: number
-    readonly movable: boolean
-  }[]
-  readonly goals: readonly GoalPlace[]
-}
-
-/// A world as it came from a file: whatever it says beyond what this page draws is kept.
-export type WorldFile = {readonly [key: string]: unknown}
 
 /// One picture of the robot: ground truth in room coordinates. Bits as in kobuki_msgs/SensorState: right 1,
 /// centre 2, left 4; wheels right 1, left 2; button n is bit n. LEDs: 0 black, 1 green, 2 orange, 3 red.
@@ -102,14 +71,6 @@ export interface Goal {
   readonly progress: number
   /// When it was done or missed, in seconds of the run.
   readonly time: number | null
-}
-
-/// A goal as the world describes it, as far as it has a place to be drawn.
-export interface GoalPlace {
-  readonly kind: string
-  readonly points: readonly (readonly [number, number])[]
-  /// Metres around each point; 0 for a line through them.
-  readonly r: number
 }
 
 export type WorkerState = "starting" | "ready" | "restarting"
@@ -187,86 +148,21 @@ export const problem = object<Problem>(get => ({
   inputs: get("inputs", optional(list(string), [])),
 }))
 
-const pair: Decoder<readonly [number, number]> = (v, path) => {
-  if (!Array.isArray(v) || v.length !== 2) throw new Mismatch(path, "two numbers")
-  return [number(v[0], `${path}[0]`), number(v[1], `${path}[1]`)]
-}
-
 const triple: Decoder<readonly [number, number, number]> = (v, path) => {
   if (!Array.isArray(v) || v.length !== 3) throw new Mismatch(path, "three numbers")
   return [number(v[0], `${path}[0]`), number(v[1], `${path}[1]`), number(v[2], `${path}[2]`)]
 }
 
-/// protocol §6: a goal has a place, or points, or a line, or none at all.
-const goalPlace = object<GoalPlace>(get => {
-  const x = get("x", optional(number, null))
-  const y = get("y", optional(number, null))
-  const line = get(
-    "line",
-    optional(
-      object(at => [at("from", pair), at("to", pair)] as const),
-      null,
-    ),
+/// A world, and the JSON it came as.
+const world: Decoder<World> = (value, path) => {
+  const read = readWorld(value)
+  if (read.kind === "world") return read.world
+  const {fault} = read
+  throw new Mismatch(
+    [path, fault.path].filter(Boolean).join("."),
+    fault.why.replace(/^expected /, "").replace(/\.$/, ""),
   )
-  const points = get("points", optional(list(pair), []))
-  return {
-    kind: get("kind", string),
-    points: line ?? (x === null || y === null ? points : [[x, y] as const]),
-    r: get("r", optional(number, 0)),
-  }
-})
-
-/// A world of tiles may leave its size out: the tiles say it.
-function sizeOfTiles(tiles: readonly string[], tile: number): readonly [number, number] | null {
-  const first = tiles[0]
-  return first === undefined ? null : [first.length * tile, tiles.length * tile]
 }
-
-export const world = object<World>(get => ({
-  name: get("name", optional(string, "")),
-  size:
-    get("size", optional(pair, null)) ??
-    sizeOfTiles(get("tiles", optional(list(string), [])), get("tile", optional(number, 0.5))) ??
-    get("size", pair),
-  start: get(
-    "start",
-    object(at => ({x: at("x", number), y: at("y", number), theta: at("theta", optional(number, 0))})),
-  ),
-  tile: get("tile", optional(number, 0.5)),
-  tiles: get("tiles", optional(list(string), [])),
-  walls: get("walls", optional(list(object(at => ({from: at("from", pair), to: at("to", pair)}))), [])),
-  boxes: get(
-    "boxes",
-    optional(
-      list(
-        object(at => ({
-          x: at("x", number),
-          y: at("y", number),
-          w: at("w", number),
-          h: at("h", number),
-          theta: at("theta", optional(number, 0)),
-          movable: at("movable", optional(boolean, false)),
-        })),
-      ),
-      [],
-    ),
-  ),
-  goals: get("goals", optional(list(goalPlace), [])),
-  rounds: get(
-    "rounds",
-    optional(
-      list(
-        object(at => ({
-          x: at("x", number),
-          y: at("y", number),
-          r: at("r", number),
-          movable: at("movable", optional(boolean, false)),
-        })),
-      ),
-      [],
-    ),
-  ),
-}))
 
 const frame = object<Frame>(get => ({
   run: get("run", number),

@@ -1,5 +1,11 @@
 /// One step of the page: what happened turns one state into the next, and says what to send. Pure.
 
+import {edit, isChanged, openEditor} from "../worlds/editor.ts"
+import {startFault} from "../worlds/parts.ts"
+import {type Fault, readWorld} from "../worlds/read.ts"
+import type {World} from "../worlds/world.ts"
+import {worldText, writeWorld} from "../worlds/write.ts"
+import {parseJson} from "./decode.ts"
 import {type Document, emptyHistory, redo, remember, undo} from "./history.ts"
 import type {ServiceMessage} from "./messages.ts"
 import type {Order, PageEvent, PageState, Step} from "./page.ts"
@@ -124,6 +130,25 @@ export function next(state: PageState, event: PageEvent): Step {
         },
         {op: "world", world: event.world},
       )
+    case "world-editor-opened": {
+      const {world} = state.room
+      return still(world === null ? state : {...state, worldEditor: openEditor(world)})
+    }
+    case "world-edited":
+      return still(
+        state.worldEditor === null ? state : {...state, worldEditor: edit(state.worldEditor, event.edit)},
+      )
+    case "world-editor-closed":
+      return closeWorldEditor(state, event.keep)
+    case "world-file-wanted":
+      return {state, orders: [{kind: "pick-world"}]}
+    case "world-file-made": {
+      const world = state.worldEditor?.world ?? state.room.world
+      if (world === null) return still(state)
+      return {state, orders: [{kind: "save-world", name: world.name, text: worldText(world)}]}
+    }
+    case "world-file-read":
+      return readWorldFile(state, event.name, event.text)
     case "worlds-listed":
       return still({...state, worlds: event.worlds})
     case "gallery":
@@ -174,6 +199,49 @@ function changeTo(state: PageState, document: Document): Step {
     findings: {compiler: state.findings.compiler.map(moved(state.document, document)), run: []},
     welcome: state.welcome === "ran" ? "over" : state.welcome,
   })
+}
+
+/// A room from a file: into the editor when it is open, or else it is the room now.
+function readWorldFile(state: PageState, name: string, text: string | null): Step {
+  const unreadable = (fault: Fault) =>
+    still({...state, notice: {kind: "unreadable-world", name, path: fault.path, why: fault.why}})
+  const value = parseJson(text?.replace(/^\uFEFF/, "") ?? "")
+  if (value === undefined) return unreadable({path: "", why: "the file is damaged or cut short."})
+  const read = readWorld(value)
+  if (read.kind === "fault") return unreadable(read.fault)
+  const {world} = read
+  const open = {...state, notice: null}
+  const {worldEditor} = state
+  if (worldEditor !== null) return still({...open, worldEditor: edit(worldEditor, {kind: "change", world})})
+  const wrong = startFault(world)
+  if (wrong !== null) return unreadable(wrong)
+  return takeWorld(open, world)
+}
+
+/// Makes a world the room, and saves it with the program.
+function takeWorld(state: PageState, world: World): Step {
+  const file = writeWorld(world)
+  const taken: PageState = {
+    ...state,
+    worldName: file,
+    saved: "changed",
+    run: nextRun(state.run, {kind: "reset-pressed"}),
+    room: {...clearRoom(state.room, null), world},
+  }
+  return state.link === "open" ? sending(taken, {op: "world", world: file}) : still(taken)
+}
+
+/// The changed room goes to the simulator and into the project; one that cannot be used stays in the editor.
+function closeWorldEditor(state: PageState, keep: boolean): Step {
+  const editor = state.worldEditor
+  if (editor === null) return still(state)
+  const closed = {...state, worldEditor: null}
+  if (!keep || !isChanged(editor)) return still(closed)
+  if (startFault(editor.world) !== null) return still(state)
+  // A room of the gallery stays what it is: the changed one is another.
+  const {name} = editor.world
+  const own = state.worlds.includes(name) ? {...editor.world, name: `my ${name}`, title: ""} : editor.world
+  return takeWorld(closed, own)
 }
 
 /// Ends looking back.

@@ -1,7 +1,9 @@
 /// All that the page knows, as one value without a DOM, and everything that can happen to it.
 
+import type {WorldEdit, WorldEditor} from "../worlds/editor.ts"
+import type {WorldFile} from "../worlds/world.ts"
 import {type Document, emptyDocument, emptyHistory, type History} from "./history.ts"
-import type {Declared, Hand, PageMessage, ServiceMessage, Speed, WorkerState, WorldFile} from "./messages.ts"
+import type {Declared, Hand, PageMessage, ServiceMessage, Speed, WorkerState} from "./messages.ts"
 import type {BlockId, Finding} from "./program.ts"
 import {type ConsoleLine, emptyRoom, type RoomState, type TrailStyle} from "./room.ts"
 import type {RunState} from "./run.ts"
@@ -29,6 +31,8 @@ export type Gallery =
 export type Notice =
   | {readonly kind: "unreadable-file"; readonly name: string; readonly message: string; readonly hint: string}
   | {readonly kind: "not-text"; readonly name: string}
+  /// `path` is empty when it is about the whole file.
+  | {readonly kind: "unreadable-world"; readonly name: string; readonly path: string; readonly why: string}
   | {readonly kind: "example-missing"; readonly name: string}
   | {readonly kind: "refusal"; readonly message: string; readonly hint: string}
   | {readonly kind: "no-film"}
@@ -94,6 +98,8 @@ export interface PageState {
   readonly films: boolean
   readonly worlds: readonly string[]
   readonly layout: Layout
+  /// The room that is being changed; `null` while none is.
+  readonly worldEditor: WorldEditor | null
 }
 
 /// Where the borders between regions are: pixels for widths, a share for the height of the room.
@@ -139,6 +145,7 @@ export const firstPage: PageState = {
   films: false,
   worlds: [],
   layout: {haskell: 360, room: 410, canvas: 0.56},
+  worldEditor: null,
 }
 
 export type PageEvent =
@@ -171,6 +178,14 @@ export type PageEvent =
   | {readonly kind: "renamed"; readonly name: string}
   | {readonly kind: "stored"; readonly ok: boolean}
   | {readonly kind: "world-chosen"; readonly world: string}
+  | {readonly kind: "world-editor-opened"}
+  | {readonly kind: "world-edited"; readonly edit: WorldEdit}
+  /// The room as it was drawn is the room now, or the drawing is thrown away.
+  | {readonly kind: "world-editor-closed"; readonly keep: boolean}
+  /// The room as a file: to be asked for, to be handed out, and as it was read (`null` when it holds no text).
+  | {readonly kind: "world-file-wanted"}
+  | {readonly kind: "world-file-made"}
+  | {readonly kind: "world-file-read"; readonly name: string; readonly text: string | null}
   | {readonly kind: "worlds-listed"; readonly worlds: readonly string[]}
   | {readonly kind: "gallery"; readonly gallery: Gallery}
   | {readonly kind: "dialog"; readonly dialog: PageState["dialog"]}
@@ -190,6 +205,9 @@ export type PageEvent =
 export type Order =
   | {readonly kind: "send"; readonly message: PageMessage}
   | {readonly kind: "play"; readonly sound: number}
+  /// A file of a room: let the learner pick one, or hand one out.
+  | {readonly kind: "pick-world"}
+  | {readonly kind: "save-world"; readonly name: string; readonly text: string}
 
 export interface Step {
   readonly state: PageState

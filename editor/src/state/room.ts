@@ -1,6 +1,7 @@
 /// What the room shows: the world, the robot, the path it drove, what it says, and the console beside it.
 
-import type {Frame, Goal, World} from "./messages.ts"
+import type {World} from "../worlds/world.ts"
+import type {Frame, Goal} from "./messages.ts"
 import {emptyRecording, frameAt, type Recording, record} from "./recording.ts"
 
 export interface Point {

@@ -129,6 +129,8 @@ def read_arena(value: object) -> Arena:
     name = fields.get("name", "")
     if not isinstance(name, str):
         raise ArenaError("name", "the name must be text.")
+    if not isinstance(fields.get("title", ""), str):
+        raise ArenaError("title", "the title must be text.")
     tile = number(fields.get("tile", DEFAULT_TILE), "tile")
     if not 0.05 <= tile <= 10:
         raise ArenaError("tile", "a tile must be between 0.05 and 10 metres wide.")
