@@ -141,6 +141,12 @@ export class Learner {
     await expect(this.page.getByTestId("problems")).toContainText(words)
   }
 
+  /// A button that mends a problem.
+  async seesFix(name: string): Promise<void> {
+    await this.page.getByRole("tab", {name: /Problems/}).click()
+    await expect(this.page.getByTestId("problems").getByRole("button", {name})).toBeVisible()
+  }
+
   /// Blocks that wear a problem.
   wrongBlocks(): Locator {
     return this.page.locator(".blocklyBlockCanvas .rosyWrong")

@@ -19,6 +19,7 @@ import {openSession, type Session} from "../run/session.ts"
 import {type Liking, openShelf} from "../run/storage.ts"
 import {watchDark, watchKeys, watchSize} from "../run/window.ts"
 import {openSource, type SourcePane} from "../source/pane.ts"
+import {type Fix, mended, movedFix, signatureFix, whereToGoOn} from "../state/fixes.ts"
 import type {Order, PageState} from "../state/page.ts"
 import {believed} from "../state/page.ts"
 import {type Finding, innermostBlock, textOf} from "../state/program.ts"
@@ -177,6 +178,22 @@ export function openDesk(address: string): Desk {
     else if (performance.now() - typedSince > furthestBehind) flush()
     else typing = setTimeout(flush, Math.min(longestPause, 3 * cost))
   }
+  /// Changes the text by a command: one step, whatever was typed before it.
+  const rewrite = (text: string) => {
+    if (reader === null || text === store.now.document.program.text) return
+    const document = withText(reader, store.now.document, text)
+    store.dispatch({kind: "program-changed", document, by: "command", at: performance.now()})
+  }
+  const mend = (fix: Fix) => {
+    // What was typed in the meantime has moved the places that the fix is about.
+    const {text} = store.now.document.program
+    flush()
+    const now = store.now.document.program.text
+    const still = movedFix(text, now, fix)
+    rewrite(mended(now, still))
+    source?.setProgram(store.now.document.program)
+    source?.choose(whereToGoOn(still))
+  }
   const undo = () => {
     if (store.now.worldEditor !== null) return store.dispatch({kind: "world-edited", edit: {kind: "undo"}})
     flush()
@@ -251,6 +268,11 @@ export function openDesk(address: string): Desk {
       source = openSource(host, {
         label: words.haskellPane,
         cursorMoved,
+        mend,
+        fixHere(offset) {
+          const {document, declared} = store.now
+          return signatureFix(document.program, declared, offset, words.writeType)
+        },
         edited(text) {
           if (typed === null) typedSince = performance.now()
           typed = text
@@ -326,6 +348,7 @@ export function openDesk(address: string): Desk {
     },
     undo,
     redo,
+    mend,
     show(finding: Finding) {
       const {size, view, region} = store.now
       if (size === "phone" && region === "room") store.dispatch({kind: "region", region: "blocks"})

@@ -180,6 +180,7 @@ function findingOf(program: Program, problem: BlockProblem): Finding {
     function: null,
     time: null,
     inputs: [],
+    fixes: [],
     block,
     range: block === null ? null : textOf(program.spans, block),
   }

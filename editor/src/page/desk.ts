@@ -1,6 +1,7 @@
 /// What panels may ask for. `main.ts` makes it from the store, the blocks, the text, the room and the rim.
 
 import type {Kept} from "../run/storage.ts"
+import type {Fix} from "../state/fixes.ts"
 import type {Finding} from "../state/program.ts"
 import type {Store} from "../store.ts"
 
@@ -30,6 +31,8 @@ export interface Desk {
   film(going: boolean): void
   undo(): void
   redo(): void
+  /// Mends the program, in one step.
+  mend(fix: Fix): void
   /// Brings the block and the text of a problem into sight.
   show(finding: Finding): void
 }

@@ -66,6 +66,11 @@ function Card({finding}: {finding: Finding}): VNode {
         </p>
       )}
       <div class="actions">
+        {finding.fixes.map(fix => (
+          <button type="button" key={fix.title} class="fix" onClick={() => desk.mend(fix)}>
+            {fix.title}
+          </button>
+        ))}
         {place && (
           <button type="button" class="link" onClick={() => desk.show(finding)}>
             {words.showIt}

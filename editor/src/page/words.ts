@@ -70,6 +70,7 @@ export const words = {
   times: (n: number) => `×${n}`,
   plays: "plays",
   showIt: "Show it",
+  writeType: (signature: string) => `Write its type: ${signature}`,
   compilerSays: "What the compiler said",
   givenInputs: "It was given",
   atTime: (seconds: number) => `at ${seconds.toFixed(2)} s`,

@@ -4,10 +4,11 @@
 import {closeBrackets, closeBracketsKeymap, completionKeymap} from "@codemirror/autocomplete"
 import {defaultKeymap, indentLess, indentMore} from "@codemirror/commands"
 import {bracketMatching} from "@codemirror/language"
-import {type Diagnostic, lintGutter, lintKeymap, setDiagnostics} from "@codemirror/lint"
+import {type Diagnostic, lintGutter, lintKeymap, openLintPanel, setDiagnostics} from "@codemirror/lint"
 import {highlightSelectionMatches, search, searchKeymap} from "@codemirror/search"
 import {Annotation, Compartment, EditorState} from "@codemirror/state"
 import {drawSelection, EditorView, keymap} from "@codemirror/view"
+import type {Fix} from "../state/fixes.ts"
 import type {Declared} from "../state/messages.ts"
 import type {Finding, Program} from "../state/program.ts"
 import {colours, programShown} from "./colours.ts"
@@ -30,6 +31,8 @@ export interface SourcePane {
   cursor(): number
   /// Brings a place into sight and puts the cursor there.
   reveal(range: Range): void
+  /// Selects a place, and gives the pane the keyboard.
+  choose(range: Range): void
   dispose(): void
 }
 
@@ -39,6 +42,10 @@ export interface SourceOptions {
   cursorMoved(offset: number): void
   /// The learner changed the text.
   edited(text: string): void
+  /// The learner chose a way to mend a problem.
+  mend(fix: Fix): void
+  /// What can be made better at a place that has no problem.
+  fixHere(offset: number): Fix | null
 }
 
 /// Marks changes that come from the page and not from the learner.
@@ -49,6 +56,19 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
   // Tab indents for somebody who writes; for somebody who walks through the page by keyboard it goes on to the next
   // part (WCAG 2.2 §2.1.2: no keyboard trap).
   let writing = false
+  /// Mends the problem at the cursor when there is one way to do it, and shows the ways when there are several.
+  const mendHere = (v: EditorView): boolean => {
+    const {head} = v.state.selection.main
+    const line = v.state.doc.lineAt(head)
+    const near = found.filter(f => f.range !== null && f.range.start <= line.to && f.range.end >= line.from)
+    const fixes = near.flatMap(f => f.fixes)
+    const [first] = fixes.length > 0 ? fixes : [options.fixHere(head)]
+    if (fixes.length > 1) return openLintPanel(v)
+    if (first === undefined || first === null) return false
+    options.mend(first)
+    return true
+  }
+  let found: readonly Finding[] = []
   const view = new EditorView({
     parent: host,
     state: EditorState.create({
@@ -68,6 +88,7 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
         layout,
         names,
         keymap.of([
+          {key: "Mod-.", run: mendHere},
           ...closeBracketsKeymap,
           ...completionKeymap,
           ...searchKeymap,
@@ -119,6 +140,7 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
       view.dispatch({effects: setGlowing.of(ranges)})
     },
     mark(findings) {
+      found = findings
       const length = view.state.doc.length
       const diagnostics = findings.flatMap((f): Diagnostic[] => {
         if (f.range === null || f.range.start > length) return []
@@ -129,6 +151,7 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
             to,
             severity: f.severity,
             message: `${f.message} ${f.hint}`.trim().replaceAll("`", ""),
+            actions: f.fixes.map(fix => ({name: fix.title, apply: () => options.mend(fix)})),
           },
         ]
       })
@@ -141,6 +164,14 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
         selection: {anchor: at},
         effects: EditorView.scrollIntoView(at, {y: "center"}),
       })
+    },
+    choose(range) {
+      const {length} = view.state.doc
+      view.dispatch({
+        selection: {anchor: Math.min(range.start, length), head: Math.min(range.end, length)},
+        scrollIntoView: true,
+      })
+      view.focus()
     },
     dispose() {
       view.destroy()

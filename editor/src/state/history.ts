@@ -30,8 +30,11 @@ export interface History {
   readonly past: readonly Document[]
   readonly future: readonly Document[]
   /// Where and when the last change was made, in milliseconds; `null` when none can be joined to it.
-  readonly last: {readonly by: "blocks" | "haskell"; readonly at: number} | null
+  readonly last: {readonly by: Changer; readonly at: number} | null
 }
+
+/// What changed the program: one of its views, or a command like a fix, which is a step by itself.
+export type Changer = "blocks" | "haskell" | "command"
 
 export const emptyHistory: History = {past: [], future: [], last: null}
 
@@ -41,9 +44,10 @@ const joinWithin = 700
 const maxSteps = 500
 
 /// The history after `before` was changed.
-export function remember(history: History, before: Document, by: "blocks" | "haskell", at: number): History {
+export function remember(history: History, before: Document, by: Changer, at: number): History {
   const {last, past} = history
-  const joins = last !== null && last.by === by && at - last.at < joinWithin && past.length > 0
+  const joins =
+    last !== null && by !== "command" && last.by === by && at - last.at < joinWithin && past.length > 0
   return {
     past: joins ? past : [...past.slice(-maxSteps + 1), before],
     future: [],

@@ -35,6 +35,13 @@ export interface Problem {
   readonly ghc: string
   readonly time: number | null
   readonly inputs: readonly string[]
+  /// Ways to mend it, the likeliest first.
+  readonly fixes: readonly ProblemFix[]
+}
+
+export interface ProblemFix {
+  readonly title: string
+  readonly edits: readonly {readonly start: Place; readonly end: Place; readonly text: string}[]
 }
 
 /// One picture of the robot: ground truth in room coordinates. Bits as in kobuki_msgs/SensorState: right 1,
@@ -135,6 +142,14 @@ export type PageMessage =
 
 const place = object<Place>(get => ({line: get("line", number), column: get("column", number)}))
 
+const fix = object<ProblemFix>(get => ({
+  title: get("title", string),
+  edits: get(
+    "edits",
+    list(object(at => ({start: at("start", place), end: at("end", place), text: at("text", string)}))),
+  ),
+}))
+
 export const problem = object<Problem>(get => ({
   severity: get("severity", oneOf("error", "warning")),
   kind: get("kind", string),
@@ -146,6 +161,7 @@ export const problem = object<Problem>(get => ({
   ghc: get("ghc", optional(string, "")),
   time: get("time", optional(number, null)),
   inputs: get("inputs", optional(list(string), [])),
+  fixes: get("fixes", optional(list(fix), [])),
 }))
 
 const triple: Decoder<readonly [number, number, number]> = (v, path) => {

@@ -6,6 +6,7 @@ import {type Fault, readWorld} from "../worlds/read.ts"
 import type {World} from "../worlds/world.ts"
 import {worldText, writeWorld} from "../worlds/write.ts"
 import {parseJson} from "./decode.ts"
+import {movedFix} from "./fixes.ts"
 import {type Document, emptyHistory, redo, remember, undo} from "./history.ts"
 import type {ServiceMessage} from "./messages.ts"
 import type {Order, PageEvent, PageState, Step} from "./page.ts"
@@ -187,7 +188,11 @@ const moved =
   (finding: Finding): Finding =>
     finding.range === null
       ? finding
-      : {...finding, range: movedRange(before.program.text, after.program.text, finding.range)}
+      : {
+          ...finding,
+          range: movedRange(before.program.text, after.program.text, finding.range),
+          fixes: finding.fixes.map(f => movedFix(before.program.text, after.program.text, f)),
+        }
 
 /// Makes another document the program. What the last run said was about the old one.
 function changeTo(state: PageState, document: Document): Step {

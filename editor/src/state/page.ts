@@ -2,7 +2,7 @@
 
 import type {WorldEdit, WorldEditor} from "../worlds/editor.ts"
 import type {WorldFile} from "../worlds/world.ts"
-import {type Document, emptyDocument, emptyHistory, type History} from "./history.ts"
+import {type Changer, type Document, emptyDocument, emptyHistory, type History} from "./history.ts"
 import type {Declared, Hand, PageMessage, ServiceMessage, Speed, WorkerState} from "./messages.ts"
 import type {BlockId, Finding} from "./program.ts"
 import {type ConsoleLine, emptyRoom, type RoomState, type TrailStyle} from "./room.ts"
@@ -163,11 +163,11 @@ export type PageEvent =
   | {readonly kind: "hand"; readonly hand: Hand}
   | {readonly kind: "speed-chosen"; readonly speed: Speed}
   | {readonly kind: "opened"; readonly opened: Opened}
-  /// The learner changed the program in one of its views; `at` is now, in milliseconds.
+  /// The learner changed the program in one of its views, or by a command; `at` is now, in milliseconds.
   | {
       readonly kind: "program-changed"
       readonly document: Document
-      readonly by: "blocks" | "haskell"
+      readonly by: Changer
       readonly at: number
     }
   /// Types were inferred for these blocks; `document` is the one before with what they tell.

@@ -1,5 +1,6 @@
 /// The program as the page knows it: its text, where each block's text is, and which block a problem is about.
 
+import type {Fix} from "./fixes.ts"
 import type {Place, Problem} from "./messages.ts"
 
 export type BlockId = string
@@ -43,6 +44,7 @@ export interface Finding {
   /// Seconds since the program started, for problems of a run.
   readonly time: number | null
   readonly inputs: readonly string[]
+  readonly fixes: readonly Fix[]
   readonly block: BlockId | null
   /// Where in the program's text.
   readonly range: {readonly start: number; readonly end: number} | null
@@ -102,6 +104,14 @@ export function locate(program: Program, problem: Problem, from: "compiler" | "r
     function: problem.function,
     time: problem.time,
     inputs: problem.inputs,
+    fixes: problem.fixes.map(({title, edits}) => ({
+      title,
+      edits: edits.map(e => ({
+        start: offsetOf(program.text, e.start),
+        end: offsetOf(program.text, e.end),
+        text: e.text,
+      })),
+    })),
     block: block ?? named?.block ?? null,
     range: range ?? (named === null ? null : {start: named.start, end: named.end}),
   }
@@ -113,14 +123,21 @@ export function movedRange(
   now: string,
   range: {readonly start: number; readonly end: number},
 ): {start: number; end: number} {
+  const move = mover(old, now)
+  const start = move(range.start, "before")
+  return {start, end: Math.max(start, move(range.end, "before"))}
+}
+
+/// Where an offset is after `old` became `now`; an offset at which something was put in is `before` or `behind` it.
+export function mover(old: string, now: string): (at: number, side: "before" | "behind") => number {
   const most = Math.min(old.length, now.length)
   let head = 0
   while (head < most && old[head] === now[head]) head += 1
   let tail = 0
   while (tail < most - head && old[old.length - 1 - tail] === now[now.length - 1 - tail]) tail += 1
   const shift = now.length - old.length
-  const move = (at: number) =>
-    at <= head ? at : at >= old.length - tail ? at + shift : Math.min(at, now.length - tail)
-  const start = move(range.start)
-  return {start, end: Math.max(start, move(range.end))}
+  return (at, side) => {
+    if (at < head || (at === head && side === "before")) return at
+    return at >= old.length - tail ? at + shift : Math.min(at, now.length - tail)
+  }
 }

@@ -82,6 +82,7 @@ const problem: Problem = {
   ghc: "",
   time: null,
   inputs: [],
+  fixes: [],
 }
 
 describe("a run", () => {
@@ -247,6 +248,7 @@ describe("the compiler", () => {
       function: null,
       time: null,
       inputs: [],
+      fixes: [],
       block: "b",
       range: null,
     })

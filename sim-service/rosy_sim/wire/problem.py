@@ -6,7 +6,7 @@ from typing import Literal
 
 import msgspec
 
-__all__ = ["Place", "Problem", "problem"]
+__all__ = ["Edit", "Fix", "Place", "Problem", "problem"]
 
 
 class Place(msgspec.Struct, frozen=True):
@@ -14,6 +14,21 @@ class Place(msgspec.Struct, frozen=True):
 
     line: int
     column: int
+
+
+class Edit(msgspec.Struct, frozen=True):
+    """A piece of the program and the text that goes in its place."""
+
+    start: Place
+    end: Place
+    text: str
+
+
+class Fix(msgspec.Struct, frozen=True):
+    """One way to mend a problem: what a button for it says, and all that it replaces, at once."""
+
+    title: str
+    edits: list[Edit]
 
 
 class Problem(msgspec.Struct, frozen=True, omit_defaults=True, kw_only=True):
@@ -29,6 +44,7 @@ class Problem(msgspec.Struct, frozen=True, omit_defaults=True, kw_only=True):
     function: str | None = None
     time: float | None = None
     inputs: list[str] | None = None
+    fixes: list[Fix] | None = None
 
 
 def problem(

@@ -15,7 +15,7 @@ import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isUpper)
 import Data.Foldable (toList)
-import Data.List (sort)
+import Data.List (sort, sortOn)
 import Data.Maybe (isJust)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -35,6 +35,7 @@ tests start = do
     testGroup
       "Gallery of mistakes"
       [ testGroup "says what is expected" [testCase name (judged start name) | name <- names],
+        testGroup "is mended by what is offered" [testCase name (mended start name) | name <- names],
         testCase "has at least forty mistakes" (assertBool (show (length names)) (length names >= 40)),
         testCase "is shown on its page" (start >>= \w -> page w names)
       ]
@@ -77,6 +78,38 @@ judged start name = do
       expected <- eitherDecodeFileStrict' file
       either assertFailure (@?= answer) expected
 
+-- | Each fix, done, leaves the program without the problem that it is for.
+mended :: IO Worker -> FilePath -> Assertion
+mended start name = do
+  worker <- start
+  source <- Text.readFile (gallery </> name </> "Main.hs")
+  problems <- said worker name
+  sequence_
+    [ do
+        let now = edited (elements (field "edits" fix)) source
+        tell worker (check (toJSON (name ++ " mended")) now)
+        left <- elements . field "problems" <$> answerOf worker (toJSON (name ++ " mended"))
+        assertBool
+          (Text.unpack (text "title" fix <> " leaves the problem:\n" <> now))
+          (about problem `notElem` map about left)
+      | problem <- problems,
+        fix <- elements (field "fixes" problem)
+    ]
+  where
+    -- The same mistake may be made again elsewhere.
+    about p = (text "kind" p, text "message" p, field "start" p)
+
+-- | A text after edits, done from its end.
+edited :: [Value] -> Text -> Text
+edited edits source = foldr one source (sortOn (\e -> place "start" e) edits)
+  where
+    one e t = let (before, rest) = Text.splitAt (at "start" e) t in before <> text "text" e <> Text.drop (at "end" e - at "start" e) rest
+    at which e = let (l, c) = place which e in sum (map ((+ 1) . Text.length) (take (l - 1) (Text.splitOn "\n" source))) + c - 1
+    place which e = let p = field which e in (whole (field "line" p), whole (field "column" p))
+    whole v = case Aeson.fromJSON v of
+      Aeson.Success n -> n :: Int
+      Aeson.Error e -> error e
+
 -- | What every sentence keeps to.
 plainWords :: Value -> Assertion
 plainWords problem = do
@@ -111,7 +144,10 @@ page worker names = do
         ""
       ]
     entry p =
-      "> **" <> text "message" p <> "** " <> text "hint" p <> "  \n> <sub>" <> text "severity" p <> " `" <> text "kind" p <> "`" <> at p <> owner p <> "</sub>\n"
+      "> **" <> text "message" p <> "** " <> text "hint" p <> "  \n> <sub>" <> text "severity" p <> " `" <> text "kind" p <> "`" <> at p <> owner p <> offers p <> "</sub>\n"
+    offers p = case map (text "title") (elements (field "fixes" p)) of
+      [] -> ""
+      titles -> "; offers: " <> Text.intercalate " · " titles
     at p = case (field "start" p, field "end" p) of
       (s@(Object _), e@(Object _)) -> ", " <> spot s <> " to " <> spot e
       _ -> ""

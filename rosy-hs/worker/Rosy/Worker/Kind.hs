@@ -16,6 +16,8 @@ import Data.List (nub, nubBy)
 import Data.Maybe (catMaybes, fromMaybe, listToMaybe, mapMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Rosy.Worker.Kind.Fix (fixesFor, nearMisses)
+import Rosy.Worker.Kind.Imports (importFor, moduleOf)
 import Rosy.Worker.Kind.Syntax (explainSyntax)
 import Rosy.Worker.Kind.Types
 import Rosy.Worker.Kind.Words
@@ -26,7 +28,8 @@ import Rosy.Worker.Raw
 explainAll :: Outline -> [Raw] -> [Problem]
 explainAll outline = withoutEchoes . map explained . filter worthwhile
   where
-    explained raw = located outline ((explain outline raw) {ghc = original raw})
+    explained raw = mended raw (located outline ((explain outline raw) {ghc = original raw}))
+    mended raw p = p {fixes = fixesFor outline raw p}
     -- Rosy says this itself.
     worthwhile raw = not ("The IO action ‘main’ is not defined" `Text.isPrefixOf` Text.concat (take 1 (important raw)))
 
@@ -75,7 +78,7 @@ explain outline raw = case reason raw of
   where
     said = flat (Text.unwords (important raw))
     everything = flat (Text.unwords (important raw ++ context raw ++ supplementary raw))
-    problem k m h = Problem (gravity raw) k (region raw) Nothing m h ""
+    problem k m h = Problem (gravity raw) k (region raw) Nothing m h "" []
     names = quotes said
     firstName = fromMaybe "this" (listToMaybe names)
     saying t = t `Text.isInfixOf` said
@@ -158,13 +161,11 @@ readNumber t = case reads (Text.unpack (Text.dropWhileEnd (`elem` (".,:" :: Stri
 typeHead :: Type -> Type
 typeHead t = fromMaybe t (listToMaybe (atoms t))
 
--- | The names that GHC thinks may have been meant.
+-- | Asks whether another name was meant.
 nearMiss :: Text -> Text -> Text
-nearMiss everything unknownName = case candidates of
-  [] -> "Check its spelling, or define it."
+nearMiss everything unknownName = case nearMisses everything unknownName of
+  [] -> maybe "Check its spelling, or define it." (\m -> "It comes with Haskell: write at the top: import " <> m <> " (" <> unknownName <> ").") (importFor unknownName)
   xs -> "Did you mean " <> sentenceList (take 3 xs) <> "?"
-  where
-    candidates = nub (filter (/= unknownName) (maybe [] quotes (after "Perhaps you meant" everything)))
 
 lacking :: Text -> Text
 lacking everything = case maybe [] quotes (after "Perhaps you meant" everything) of
@@ -172,11 +173,9 @@ lacking everything = case maybe [] quotes (after "Perhaps you meant" everything)
   [] -> "Write an equation for it below its type."
 
 importHint :: Text -> Text
-importHint q = case lookup q known of
+importHint q = case moduleOf q of
   Just m -> "Write at the top: import qualified " <> m <> " as " <> q <> "."
   Nothing -> "Import the module, or leave out what stands before the dot."
-  where
-    known = [("Map", "Data.Map"), ("Set", "Data.Set"), ("M", "Data.Map"), ("S", "Data.Set"), ("Seq", "Data.Sequence"), ("List", "Data.List"), ("Char", "Data.Char"), ("IntMap", "Data.IntMap")]
 
 -- | The local names that GHC lists, with their types.
 atHand :: Text -> [(Text, Type)]

@@ -14,6 +14,8 @@ module Rosy.Worker.Problem
     -- * Problems
     Severity (..),
     Problem (..),
+    Fix (..),
+    Edit (..),
     isError,
     problemAt,
     problemNowhere,
@@ -53,8 +55,17 @@ data Problem = Problem
     function :: !(Maybe Text),
     message :: !Text,
     hint :: !Text,
-    ghc :: !Text
+    ghc :: !Text,
+    fixes :: ![Fix]
   }
+  deriving (Eq, Show)
+
+-- | One way to mend a problem: what a button for it says, and what to replace, all at once.
+data Fix = Fix {title :: !Text, edits :: ![Edit]}
+  deriving (Eq, Show)
+
+-- | A piece of the program and the text that goes in its place.
+data Edit = Edit {replaces :: !Span, by :: !Text}
   deriving (Eq, Show)
 
 isError :: Problem -> Bool
@@ -64,7 +75,7 @@ problemAt :: Span -> Text -> Text -> Text -> Problem
 problemAt s k m h = (problemNowhere k m h) {place = Just s}
 
 problemNowhere :: Text -> Text -> Text -> Problem
-problemNowhere k m h = Problem Error k Nothing Nothing m h ""
+problemNowhere k m h = Problem Error k Nothing Nothing m h "" []
 
 -- | A top-level name with its type as Haskell writes it; the span is the whole of its definition.
 data Declaration = Declaration {declares :: !Text, ofType :: !Text, covers :: !Span}
@@ -116,6 +127,13 @@ instance ToJSON Problem where
       ]
         ++ maybe [] (\s -> ["start" .= start s, "end" .= end s]) (place p)
         ++ maybe [] (\f -> ["function" .= f]) (function p)
+        ++ ["fixes" .= fixes p | not (null (fixes p))]
+
+instance ToJSON Fix where
+  toJSON f = object ["title" .= title f, "edits" .= edits f]
+
+instance ToJSON Edit where
+  toJSON e = object ["start" .= start (replaces e), "end" .= end (replaces e), "text" .= by e]
 
 instance ToJSON Declaration where
   toJSON d = object ["name" .= declares d, "type" .= ofType d, "start" .= start (covers d), "end" .= end (covers d)]

@@ -8,6 +8,11 @@
 -- mistakes that beginners make, in the order in which they explain most.
 module Rosy.Worker.Kind.Syntax
   ( explainSyntax,
+
+    -- * The words of a program
+    Token (..),
+    scan,
+    upTo,
   )
 where
 
@@ -115,7 +120,7 @@ explainSyntax source said spot = fromMaybe fallback (listToMaybe (concat finding
       ]
     fallback = case here of
       Just t -> problemAt (spanning t) "syntax" ("The program cannot be understood from " <> quoted (word t) <> " on.") "Something before it is missing, too much, or in the wrong column."
-      Nothing -> Problem Error "syntax" spot Nothing "The program ends too early." "The last line is not finished." ""
+      Nothing -> Problem Error "syntax" spot Nothing "The program ends too early." "The last line is not finished." "" []
     partner w = case w of
       "of" -> "‘case’"
       "in" -> "‘let’"

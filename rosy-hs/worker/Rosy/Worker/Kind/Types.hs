@@ -30,7 +30,7 @@ explainTypes outline raw =
     <|> (if "rigid type variable" `Text.isInfixOf` said then Just (problem "too-general" "The type promises more than the definition keeps." "Write the type that it really has.") else Nothing)
   where
     said = scrub (flat (Text.unwords (important raw)))
-    problem k m h = Problem (gravity raw) k (region raw) Nothing m h ""
+    problem k m h = Problem (gravity raw) k (region raw) Nothing m h "" []
 
 type Say = Text -> Text -> Text -> Problem
 

@@ -1,0 +1,4 @@
+main = simulate greet
+
+greet :: Bumper -> Say
+greet _ = Say “ouch"
