@@ -129,7 +129,9 @@ test("a problem is mended with a button, in one step that undo takes back", asyn
   await expect.poll(() => learner.haskellText()).toBe(before)
 })
 
-test("misspelt, not imported, without a type: Ctrl and the full stop mend it where the cursor is", async ({page}) => {
+test("misspelt, not imported, without a type: Ctrl and the full stop mend it where the cursor is", async ({
+  page,
+}) => {
   const learner = new Learner(page)
   await learner.opens("accelerateAndPlay")
   await learner.findsInHaskell("ErrorSound")
@@ -140,7 +142,7 @@ test("misspelt, not imported, without a type: Ctrl and the full stop mend it whe
   await page.keyboard.press("Control+.")
   await expect(learner.haskell()).toContainText("Just ErrorSound")
   await page.keyboard.press("Control+End")
-  await page.keyboard.type("\ngreet (Bumper _ _) = Say (map toUpper \"ouch\"")
+  await page.keyboard.type('\ngreet (Bumper _ _) = Say (map toUpper "ouch"')
   await learner.seesFix("Import toUpper")
   await learner.haskell().focus()
   await page.keyboard.press("Escape")

@@ -101,7 +101,7 @@ mended start name = do
 
 -- | A text after edits, done from its end.
 edited :: [Value] -> Text -> Text
-edited edits source = foldr one source (sortOn (\e -> place "start" e) edits)
+edited edits source = foldr one source (sortOn (place "start") edits)
   where
     one e t = let (before, rest) = Text.splitAt (at "start" e) t in before <> text "text" e <> Text.drop (at "end" e - at "start" e) rest
     at which e = let (l, c) = place which e in sum (map ((+ 1) . Text.length) (take (l - 1) (Text.splitOn "\n" source))) + c - 1

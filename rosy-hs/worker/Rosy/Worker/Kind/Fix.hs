@@ -87,7 +87,7 @@ fixesFor outline raw p = case (kind p, place p) of
     writable m = not (" where " `Text.isInfixOf` m) && m /= "..."
 
     equations name s =
-      let begin = fromMaybe (start s) (start <$> lookup name (bindings outline))
+      let begin = maybe (start s) start (lookup name (bindings outline))
           n = arity source begin
           left ps = "\n" <> Text.replicate (column begin - 1) " " <> name <> " " <> ps <> " = _"
           whole m = if n == 1 then bracketed m else m
