@@ -1,7 +1,7 @@
 /// Compiles many programs with GHC in one go, adding what Rosy's worker adds to a program (rosy-hs/src/Rosy/Program.hs).
 
 import {spawnSync} from "node:child_process"
-import {mkdtempSync, rmSync, writeFileSync} from "node:fs"
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs"
 import {tmpdir} from "node:os"
 import {join} from "node:path"
 import {withRosy} from "../scripts/ghc.ts"
@@ -13,6 +13,12 @@ export interface Candidate {
   readonly program: Program
   readonly text: string
 }
+
+/// The extensions that the worker gives to every program.
+const warm = readFileSync(new URL("../../rosy-hs/worker/Rosy/Worker/Ghc/Warm.hs", import.meta.url), "utf8")
+const extensions = (/^defaultExtensions =\s*\[([\w\s,]+)\]/m.exec(warm)?.[1] ?? "")
+  .split(",")
+  .map(e => `-X${e.trim().replace("RecordPuns", "NamedFieldPuns")}`)
 
 /// GHC's complaints by the name of the program; programs that compile are absent.
 export function compileAll(
@@ -31,6 +37,7 @@ export function compileAll(
         "-fkeep-going",
         "-v0",
         "-dynamic",
+        ...extensions,
         ...options,
         ...candidates.map(c => `${c.name}.hs`),
       ],
@@ -73,7 +80,7 @@ function asModule({name, program, text}: Candidate): string {
     ]
   })
   return [
-    "{-# LANGUAGE StandaloneDeriving, DerivingStrategies, DeriveGeneric, FlexibleContexts, UndecidableInstances, PatternSynonyms #-}",
+    "{-# LANGUAGE PatternSynonyms #-}",
     `module ${name} (main) where`,
     `import Rosy hiding (${own.filter(n => !n.startsWith("pattern ")).join(", ")})`,
     "import qualified Rosy.Program",

@@ -5,19 +5,25 @@ import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {toHaskell} from "../src/index.ts"
 import {openView, workspaceOf} from "../src/reader/index.ts"
 import {everyBlock} from "../src/workspace/infer.ts"
-import {generateProgram} from "./generate.ts"
+import {generateProgram} from "./generate/program.ts"
 import {testReader} from "./reader/open.ts"
 
 const reader = await testReader()
 
-/// Blocks that say nothing of their own: the text has no trace of them.
-const silent = new Set(["pattern_any", "do", "step_do"])
+/// Blocks that say nothing of their own: the text has no trace of them. Inputs that are given one after the other are given together.
+const silent = new Set(["pattern_any", "do", "step_do", "apply"])
 
 function kinds(workspace: SavedWorkspace): {[type: string]: number} {
   const counted: {[type: string]: number} = {}
   for (const block of everyBlock(workspace)) {
     // `Red` chosen from a menu and `Red` as a constructor without parts are the same word.
     const type = block.type.replace("choice", "construct")
+    // What is run together may be one tuple, or several sockets of `simulate`.
+    if (block.type === "main") {
+      const [only, ...more] = Object.values(block.inputs ?? {}).flatMap(i => i.block ?? [])
+      if (only?.type === "tuple" && only.extraState?.items !== 0 && more.length === 0)
+        counted.tuple = (counted.tuple ?? 0) - 1
+    }
     // One step alone is written without its stack, as the call that it is.
     if (!silent.has(type) && !type.startsWith("step_") && type !== "name")
       counted[type] = (counted[type] ?? 0) + 1

@@ -1,10 +1,16 @@
 /// Generates programs and asks GHC about those that are finished.
 
 import {blockView} from "../src/blocks/language.ts"
-import type {SavedBlock} from "../src/index.ts"
+import {printProgram} from "../src/haskell/print.ts"
+import type {SavedWorkspace} from "../src/index.ts"
 import {checker, plug, toHaskell} from "../src/index.ts"
+import type {Program} from "../src/model/tree.ts"
 import {everyBlock, solve} from "../src/workspace/infer.ts"
-import {generateProgram, randomFrom} from "./generate.ts"
+import {find} from "../src/workspace/plug.ts"
+import {Maker} from "./generate/blocks.ts"
+import {generateProgram, sizeOf} from "./generate/program.ts"
+import {Dice} from "./generate/random.ts"
+import {Values} from "./generate/values.ts"
 import type {Candidate} from "./ghc.ts"
 import {compileAll} from "./ghc.ts"
 
@@ -13,93 +19,155 @@ export interface Soundness {
   /// Without an empty socket or an open question.
   readonly whole: number
   readonly blocks: number
-  /// Seed, program and GHC's complaint.
-  readonly refused: readonly string[]
+  /// How many finished programs have up to 10, 20, … blocks.
+  readonly sizes: readonly number[]
+  /// How often each kind of block stands in finished programs.
+  readonly kinds: ReadonlyMap<string, number>
+  readonly refused: readonly Refused[]
+}
+
+/// A finished program that GHC does not take.
+export interface Refused {
+  readonly seed: number
+  readonly workspace: SavedWorkspace
+  readonly complaint: string
 }
 
 /// Programs handed to GHC at once.
 const batch = 250
 
+/// A workspace as GHC gets it.
+export function candidate(name: string, workspace: SavedWorkspace): Candidate {
+  return {name, text: toHaskell(workspace).text, program: solve(workspace).read.program}
+}
+
 export function soundness(database: string, from: number, count: number): Soundness {
   let whole = 0
   let blocks = 0
-  const refused: string[] = []
+  const sizes: number[] = Array.from({length: 15}, () => 0)
+  const kinds = new Map<string, number>()
+  const refused: Refused[] = []
   for (let start = from; start < from + count; start += batch) {
-    const candidates: Candidate[] = []
+    const made = new Map<string, {seed: number; workspace: SavedWorkspace}>()
     for (let seed = start; seed < Math.min(start + batch, from + count); seed++) {
       const generated = generateProgram(seed, sizeOf(seed))
-      blocks += generated.blocks
       if (!generated.whole) continue
-      candidates.push({
-        name: `P${seed}`,
-        text: toHaskell(generated.workspace).text,
-        program: solve(generated.workspace).read.program,
-      })
+      blocks += generated.blocks
+      const size = Math.ceil(generated.blocks / 10) - 1
+      sizes[size] = (sizes[size] ?? 0) + 1
+      for (const b of everyBlock(generated.workspace)) kinds.set(b.type, (kinds.get(b.type) ?? 0) + 1)
+      made.set(`P${seed}`, {seed, workspace: generated.workspace})
     }
-    whole += candidates.length
-    for (const [name, complaint] of compileAll(database, candidates))
-      refused.push(`seed ${name}\n${candidates.find(c => c.name === name)?.text ?? ""}\n${complaint}`)
+    whole += made.size
+    const complaints = compileAll(
+      database,
+      [...made].map(([name, {workspace}]) => candidate(name, workspace)),
+    )
+    for (const [name, complaint] of complaints) {
+      const program = made.get(name)
+      if (program !== undefined) refused.push({...program, complaint})
+      else throw new Error(`expected a complaint about a program, found: ${complaint}`)
+    }
   }
-  return {programs: count, whole, blocks, refused}
+  return {programs: count, whole, blocks, sizes, kinds, refused}
 }
 
 export interface Completeness {
-  /// Moves in finished programs that the checker refused and that leave no socket empty.
-  readonly refusals: number
-  /// Those whose program GHC would have taken: the checker was stricter than it had to be.
+  /// Random moves into finished programs, sorts apart.
+  readonly moves: number
+  /// Those that the checker allows.
+  readonly allowed: number
+  /// Those that would make a function that nothing can ever call: GHC minds only once something does.
+  readonly unusable: number
+  /// Those that it refuses and GHC would have taken: the checker was stricter than it had to be.
   readonly needless: readonly string[]
 }
 
-/// Tries random leaves in random sockets of finished programs and asks GHC about the refused ones.
+/// Tries random blocks in random sockets of finished programs, also blocks of the program itself, and asks GHC about the refused ones.
 export function completeness(database: string, from: number, count: number): Completeness {
-  const candidates: Candidate[] = []
-  for (let seed = from; seed < from + count; seed++) {
-    const {workspace, whole} = generateProgram(seed, sizeOf(seed))
-    if (!whole) continue
-    const check = checker(workspace)
-    const random = randomFrom(seed)
-    const pick = <T>(items: readonly T[]): T | undefined => items[Math.floor(random() * items.length)]
-    const parents = [...everyBlock(workspace)].filter(b => Object.keys(b.inputs ?? {}).length > 0)
-    for (let i = 0; i < 8; i++) {
-      const parent = pick(parents)
-      const input = pick(Object.keys(parent?.inputs ?? {}))
-      const leaf = pick(leaves)
-      if (parent?.id === undefined || input === undefined || leaf === undefined) continue
-      const place = {block: parent.id, input}
-      const block = {...leaf, id: "leaf"}
-      // A value where a pattern goes is not Haskell at all, so there is nothing to ask.
-      const old = parent.inputs?.[input]?.block
-      if (old === undefined || blockView(old.type)?.meaning.as !== "expression") continue
-      if (check.fits(place, block).fits) continue
-      const changed = plug(workspace, place, block)
-      candidates.push({
-        name: `R${seed}x${i}`,
-        text: toHaskell(changed).text,
-        program: solve(changed).read.program,
-      })
+  const needless: string[] = []
+  let moves = 0
+  let allowed = 0
+  let unusable = 0
+  for (let start = from; start < from + count; start += batch) {
+    const candidates: Candidate[] = []
+    const whys = new Map<string, string>()
+    for (let seed = start; seed < Math.min(start + batch, from + count); seed++) {
+      const {workspace, whole} = generateProgram(seed, sizeOf(seed))
+      if (!whole) continue
+      for (const [i, {move, fits, why}] of randomMoves(seed, workspace).entries()) {
+        moves++
+        if (fits) allowed++
+        else {
+          whys.set(`R${seed}x${i}`, why)
+          // What the program's author wrote, without the types that inference would add to it.
+          const program = derivingAll(move)
+          candidates.push({name: `R${seed}x${i}`, text: printProgram(program).text, program})
+        }
+      }
     }
+    const complaints = compileAll(database, candidates)
+    const taken = candidates.filter(c => !complaints.has(c.name))
+    // Haskell 2010 has no constraint like `Num (Maybe a)`; GHC takes it, until the function that has it is used.
+    const plain =
+      taken.length === 0 ? new Map<string, string>() : compileAll(database, taken, ["-XNoFlexibleContexts"])
+    for (const c of taken)
+      if (/Non type-variable argument/.test(plain.get(c.name) ?? "")) unusable++
+      else needless.push(`${c.name}: ${whys.get(c.name)}\n${c.text}`)
   }
-  const complaints = compileAll(database, candidates)
-  return {
-    refusals: candidates.length,
-    needless: candidates.filter(c => !complaints.has(c.name)).map(c => `${c.name}\n${c.text}`),
-  }
+  return {moves, allowed, unusable, needless}
 }
 
-const leaves: readonly SavedBlock[] = [
-  {type: "number", extraState: {value: "1"}},
-  {type: "number", extraState: {value: "0.5"}},
-  {type: "text", extraState: {value: "hi"}},
-  {type: "choice", extraState: {of: "Bool", value: "True"}},
-  {type: "choice", extraState: {of: "Sound", value: "ErrorSound"}},
-  {type: "construct", extraState: {con: "Nothing", args: 0}},
-  {type: "tuple", extraState: {items: 0}},
-  {type: "list", extraState: {items: 0}},
-  {type: "name", extraState: {name: "pi", args: 0}},
-  {type: "name", extraState: {name: "say", args: 0}},
-]
+/// Sockets of one program that are tried.
+const movesEach = 8
 
-/// 5 to 40 blocks, and one in fifty up to 150.
-function sizeOf(seed: number): number {
-  return seed % 50 === 49 ? 100 + (seed % 51) : 5 + ((seed * 7) % 36)
+interface Move {
+  readonly move: SavedWorkspace
+  readonly fits: boolean
+  readonly why: string
+}
+
+function randomMoves(seed: number, workspace: SavedWorkspace): Move[] {
+  const dice = new Dice(seed)
+  const maker = new Maker(dice)
+  const values = new Values(maker)
+  const check = checker(workspace)
+  const all = [...everyBlock(workspace)]
+  const isValue = (type: string) => blockView(type)?.meaning.as === "expression"
+  const parents = all.filter(b =>
+    Object.values(b.inputs ?? {}).some(i => i.block !== undefined && isValue(i.block.type)),
+  )
+  const complete = all.filter(b => isValue(b.type))
+  const moves: Move[] = []
+  for (let i = 0; i < movesEach; i++) {
+    const parent = dice.pick(parents)
+    const [input] = dice.pick(
+      Object.entries(parent.inputs ?? {}).filter(([, c]) => c.block !== undefined && isValue(c.block.type)),
+    )
+    // A value where a pattern goes is not Haskell at all, so there is nothing to ask.
+    if (parent.id === undefined) continue
+    const place = {block: parent.id, input}
+    const old = find(workspace, parent.id)?.inputs?.[input]?.block
+    const other = dice.once(2) ? dice.pick(complete) : values.leaf()
+    const block = {...structuredClone(other), id: "moved"}
+    if (old === undefined || JSON.stringify(old.inputs) === JSON.stringify(block.inputs)) continue
+    const verdict = check.fits(place, block)
+    const why = verdict.fits
+      ? ""
+      : `${JSON.stringify(place)} ${block.type} ${JSON.stringify(block.extraState)}: ${verdict.why}`
+    moves.push({move: plug(workspace, place, block), fits: verdict.fits, why})
+  }
+  return moves
+}
+
+/// Its own types with all they can derive, so that a refused program is not GHC's to refuse for that alone.
+function derivingAll(workspace: SavedWorkspace): Program {
+  const {read, inferrer} = solve(workspace)
+  const able = (name: string, of: string) => inferrer.env.instances.get(of)?.get(name) !== "none"
+  return {
+    ...read.program,
+    declarations: read.program.declarations.map(d =>
+      d.kind === "data" ? {...d, deriving: ["Eq", "Ord", "Show"].filter(c => able(d.name, c))} : d,
+    ),
+  }
 }

@@ -160,7 +160,14 @@ function exprBody(e: Expr, context: Context): Doc {
       return fieldsDoc(constructorWord(e.name), e.fields, context)
     case "update":
       if (e.fields.length === 0) return printExpr(e.record, context)
-      return fieldsDoc(atom(e.record, context, true), e.fields, context)
+      // `f r {x = 1}` changes `r`, so a call is bracketed here; and `C {x = 1}` makes a `C`, so a bare constructor is, too.
+      return fieldsDoc(
+        transparent(e.record).kind === "constructor-name"
+          ? mark(e.record, ["(", exprBody(e.record, context), ")"])
+          : atom(e.record, context),
+        e.fields,
+        context,
+      )
     case "hole":
       return "_"
     case "raw":
@@ -227,7 +234,10 @@ function bracketed(open: string, items: readonly Expr[], close: string, context:
 
 function fieldsDoc(head: Doc, fields: readonly FieldValue[], context: Context): Doc {
   const docs = fields.map(f => [variableName(f.name), " = ", printExpr(f.value, context)])
-  return group([head, " {", nest(join(docs, [",", line])), "}"])
+  return group([
+    head,
+    nest([line, "{", ifBroken(" "), docs.map((d, i) => (i === 0 ? d : [softline, ", ", d])), softline, "}"]),
+  ])
 }
 
 function printInfix(e: Expr & {kind: "infix"}, context: Context): Doc {

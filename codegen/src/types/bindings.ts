@@ -13,7 +13,7 @@ import type {
   Statement,
 } from "../model/tree.ts"
 import {unreachable} from "../model/tree.ts"
-import {freeInDeclaration} from "../model/uses.ts"
+import {bindersIn, freeInDeclaration} from "../model/uses.ts"
 import {components} from "./components.ts"
 import {Patterns} from "./patterns.ts"
 import type {Wanted} from "./problems.ts"
@@ -22,11 +22,13 @@ import type {Rigid} from "./solve.ts"
 import {simplify} from "./solve.ts"
 import {mono} from "./state.ts"
 import type {Meta, Scheme, Type} from "./type.ts"
-import {asFunction, bool, fun, metasIn, substitute, variablesIn} from "./type.ts"
+import {asFunction, bool, fun, metasIn, rigidsIn, substitute, variablesIn} from "./type.ts"
 
 export abstract class Bindings extends Patterns {
   /// What stands for top-level names until their turn.
   readonly placeholders = new Set<Scheme>()
+  /// Definitions whose type must not be written out.
+  readonly unsignable = new Set<Declaration>()
 
   /// An expression must have a type.
   abstract check(e: Expr, type: Type, scope: Scope): void
@@ -107,9 +109,11 @@ export abstract class Bindings extends Patterns {
     this.level--
     const {stuck} = this.reduceAll(this.wanted, givens)
     const deferred: Wanted[] = []
+    const own = new Set([...rigid.values()])
     for (const c of stuck) {
-      const metas = [...metasIn(c.type)]
-      if (metas.length === 0) this.problems.push({kind: "too-general", node: c.node, constraint: c})
+      // Only about variables that this signature promises to work for.
+      const mine = metasIn(c.type).size === 0 && [...rigidsIn(c.type)].some(v => own.has(v))
+      if (mine) this.problems.push({kind: "too-general", node: c.node, constraint: c})
       else deferred.push(c)
     }
     this.wanted = before
@@ -158,16 +162,12 @@ export abstract class Bindings extends Patterns {
     )
     const own = new Set<Meta>()
     for (const type of types.values()) for (const m of metasIn(type)) if (m.level > this.level) own.add(m)
-    if (restricted || members.some(d => d.kind === "binding"))
+    if (restricted)
       for (const c of stuck)
         for (const m of metasIn(c.type)) {
           own.delete(m)
           if (m.level > this.level && this.reaches(types, m)) m.level = this.level
         }
-    if (members.some(d => d.kind === "binding")) {
-      for (const m of own) m.level = Math.min(m.level, this.level)
-      own.clear()
-    }
     // A hole's type is still open: what goes into it may decide it, so it is not everybody's.
     const quantified: Wanted[] = []
     const rest: Wanted[] = []
@@ -184,6 +184,12 @@ export abstract class Bindings extends Patterns {
     const taken = new Set<string>()
     for (const type of types.values()) variablesIn(type, taken)
     const alive = [...own].filter(m => m.is === undefined)
+    // What only GHC knows may turn out to be less general than it looks.
+    if (top && this.holes.length > 0) {
+      const open = new Set<Meta>()
+      for (const h of this.holes) metasIn(h, open)
+      if (alive.some(m => open.has(m))) for (const d of members) this.unsignable.add(d)
+    }
     for (const m of alive) {
       const name = letterFor(names.size, taken)
       names.set(m, name)
@@ -205,7 +211,41 @@ export abstract class Bindings extends Patterns {
       }
       this.schemes.set(d, scheme)
       if (d.kind === "function") scope.set(d.name, scheme)
+      // Each name that a pattern takes out is as general by itself.
+      else if (d.kind === "binding")
+        for (const [name] of bindersIn(d.pattern)) {
+          const part = scope.get(name)?.type
+          if (part === undefined) continue
+          const general = [...variablesIn(part)].filter(v => variables.includes(v))
+          scope.set(name, {variables: general, constraints: [], type: part})
+        }
     }
+    if (top && constraints.length > 0 && this.recursive(members)) this.checkSignable(members, scope)
+  }
+
+  private recursive(members: readonly Declaration[]): boolean {
+    const names = new Set(members.flatMap(definedBy))
+    return members.some(d => [...this.freeIn(d)].some(name => names.has(name)))
+  }
+
+  /// With its type written out, a definition may use itself at another type each time, and GHC may find that nothing decides
+  /// which. Such a definition is better off without a signature.
+  private checkSignable(members: readonly Declaration[], scope: Scope): void {
+    const {found, schemes, wanted} = this
+    const [problems, holes] = [this.problems.length, this.holes.length]
+    this.found = new Map()
+    this.schemes = new Map()
+    this.wanted = []
+    for (const d of members) {
+      const scheme = schemes.get(d)
+      if (d.kind === "function" && scheme !== undefined) this.checkSigned(d, scheme, scope, true)
+    }
+    if (this.problems.length > problems) for (const d of members) this.unsignable.add(d)
+    this.problems.length = problems
+    this.holes.length = holes
+    this.found = found
+    this.schemes = schemes
+    this.wanted = wanted
   }
 
   protected reaches(types: ReadonlyMap<Declaration, Type>, meta: Meta): boolean {

@@ -16,7 +16,7 @@ function isKnownNow(c: Constraint): boolean {
 
 /// Classes that Haskell's defaulting rules accept beside a number class. (Haskell 2010 report §4.3.4)
 const standardClasses = new Set(
-  `Eq Ord Show Enum Bounded Num Real Integral Fractional Floating RealFrac RealFloat Semigroup Monoid Functor Applicative Monad Foldable Traversable Typeable`.split(
+  `Eq Ord Show Enum Bounded Num Real Integral Fractional Floating RealFrac RealFloat Semigroup Monoid Functor Applicative Monad Foldable Traversable`.split(
     " ",
   ),
 )
@@ -29,7 +29,9 @@ export class Constraints extends State {
     const open: Wanted[] = []
     for (const c of constraints) {
       const metas = [...metasIn(c.type)]
-      if (metas.some(m => m.level <= this.level || own.has(m))) this.wanted.push(c)
+      // About a signature's variable: the definition that has the signature answers for it.
+      const theirs = metas.length === 0 || metas.some(m => m.level <= this.level || own.has(m))
+      if (theirs) this.wanted.push(c)
       else open.push(c)
     }
     this.byDefault(open, false)

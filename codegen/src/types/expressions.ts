@@ -4,10 +4,24 @@ import {isFractionalLiteral} from "../haskell/lexemes.ts"
 import type {Expr, Statement} from "../model/tree.ts"
 import {unreachable} from "../model/tree.ts"
 import {Bindings} from "./bindings.ts"
+import {expand} from "./environment.ts"
 import type {Scope} from "./scope.ts"
 import {unify} from "./solve.ts"
 import type {Type} from "./type.ts"
-import {app, asFunction, bool, con, fun, funs, listOf, string, tupleOf} from "./type.ts"
+import {
+  app,
+  asFunction,
+  bool,
+  con,
+  fun,
+  funs,
+  listOf,
+  spine,
+  string,
+  substitute,
+  tupleOf,
+  variablesIn,
+} from "./type.ts"
 
 export class Expressions extends Bindings {
   check(e: Expr, type: Type, scope: Scope): void {
@@ -124,18 +138,11 @@ export class Expressions extends Bindings {
         this.record(e, type, scope)
         return
       case "update":
-        this.check(e.record, type, scope)
-        for (const f of e.fields) {
-          const field = this.fresh()
-          const selector = scope.get(f.name) ?? this.env.values.get(f.name)
-          if (selector === undefined) this.problems.push({kind: "unknown-name", node: e, name: f.name})
-          else this.same(this.instantiate(selector, e), fun(type, field), e)
-          this.check(f.value, field, scope)
-        }
+        this.update(e, type, scope)
         return
       case "hole":
         this.holes.push(type)
-        if (e.from?.block === this.watch?.block && e.from?.input === this.watch?.input) this.watched ??= scope
+        this.look(e.from, type, scope)
         return
       case "raw":
         // GHC will say; until then it fits anywhere and decides nothing.
@@ -168,7 +175,8 @@ export class Expressions extends Bindings {
     const info = this.env.constructors.get(e.name)
     if (info === undefined) {
       this.problems.push({kind: "unknown-name", node: e, name: e.name})
-      for (const f of e.fields) this.check(f.value, this.fresh(), scope)
+      this.holes.push(type)
+      for (const f of e.fields) this.check(f.value, this.unknown(), scope)
       return
     }
     const {fields, result} = this.opened(info.scheme, info.fields.length, e)
@@ -178,6 +186,59 @@ export class Expressions extends Bindings {
       if (at < 0) this.problems.push({kind: "unknown-name", node: e, name: f.name})
       this.check(f.value, fields[at] ?? this.fresh(), scope)
     }
+  }
+
+  /// A changed copy may have another type: what only the changed parts are made of is open again. (Haskell 2010 report §3.15.3)
+  protected update(e: Expr & {kind: "update"}, type: Type, scope: Scope): void {
+    const names = e.fields.map(f => f.name)
+    const of = this.recordWith(names)
+    if (of === undefined) {
+      const [unknown] = names.filter(n => this.recordWith([n]) === undefined)
+      this.problems.push({kind: "unknown-name", node: e, name: unknown ?? names[0] ?? ""})
+      this.holes.push(type)
+      this.check(e.record, this.unknown(), scope)
+      for (const f of e.fields) this.check(f.value, this.unknown(), scope)
+      return
+    }
+    const {name, parameters, constructors} = of
+    const kept = new Set<string>()
+    const changed = new Map<string, Type>()
+    for (const c of constructors)
+      c.fields.forEach((field, i) => {
+        const at = c.fieldNames[i]
+        if (at !== undefined && names.includes(at)) changed.set(at, field)
+        else for (const v of variablesIn(field)) kept.add(v)
+      })
+    const before = new Map(parameters.map(p => [p, this.fresh() as Type]))
+    // A parameter that no part is made of stays, too.
+    const open = new Set([...changed.values()].flatMap(t => [...variablesIn(t)]))
+    const after = new Map([...before].map(([p, t]) => [p, kept.has(p) || !open.has(p) ? t : this.fresh()]))
+    this.same(type, app(con(name), ...after.values()), e)
+    this.check(e.record, app(con(name), ...before.values()), scope)
+    for (const f of e.fields) {
+      const field = changed.get(f.name)
+      this.check(
+        f.value,
+        field === undefined ? this.fresh() : expand(substitute(field, after), this.env),
+        scope,
+      )
+    }
+  }
+
+  /// The type whose constructors have all these fields, with the constructors that have them.
+  private recordWith(names: readonly string[]) {
+    const [first = ""] = names
+    const selector = this.env.values.get(first)
+    const head = selector === undefined ? undefined : asFunction(selector.type)
+    const name = head === undefined ? undefined : spine(head.from).head
+    const entry = name?.kind === "con" ? this.env.types.get(name.name) : undefined
+    if (name?.kind !== "con" || entry === undefined) return undefined
+    const constructors = entry.constructors
+      .flatMap(c => this.env.constructors.get(c) ?? [])
+      .filter(c => names.every(n => c.fieldNames.includes(n)))
+    return constructors.length === 0
+      ? undefined
+      : {name: name.name, parameters: entry.parameters, constructors}
   }
 
   protected comprehension(e: Expr & {kind: "comprehension"}, type: Type, scope: Scope): void {

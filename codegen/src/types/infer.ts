@@ -107,7 +107,10 @@ export class Inferrer extends Expressions {
   /// Infers a group of top-level definitions, or takes what was found for the very same group before.
   protected override remembering(members: readonly Declaration[], scope: Scope, go: () => void): void {
     const memo = this.memo
-    const key = memo === undefined || this.watch !== undefined ? undefined : this.keyOf(members, scope, memo)
+    const watched = this.watch?.block
+    // What is looked at must be gone through; all else may be remembered.
+    const fresh = memo === undefined || (watched !== undefined && members.some(d => memo.holds(d, watched)))
+    const key = fresh ? undefined : this.keyOf(members, scope, memo)
     const known = key === undefined ? undefined : memo?.groups.get(key)
     if (known !== undefined) {
       for (const [d, scheme] of known.schemes) {
@@ -116,6 +119,7 @@ export class Inferrer extends Expressions {
       }
       this.problems.push(...known.problems)
       for (const n of known.needs) this.env.needs.add(n)
+      for (const d of known.unsignable) this.unsignable.add(d)
       this.remembered.push(known.types)
       return
     }
@@ -123,10 +127,13 @@ export class Inferrer extends Expressions {
       found: this.found,
       wanted: this.wanted.length,
       problems: this.problems.length,
-      needs: new Set(this.env.needs),
+      needs: [...this.env.needs],
     }
     this.found = new Map()
+    this.env.needs.clear()
     go()
+    const needs = [...this.env.needs]
+    for (const n of outer.needs) this.env.needs.add(n)
     const types = this.found
     this.found = outer.found
     for (const [node, type] of types) this.found.set(node, type)
@@ -143,7 +150,8 @@ export class Inferrer extends Expressions {
       schemes,
       types,
       problems: this.problems.slice(outer.problems),
-      needs: [...this.env.needs].filter(n => !outer.needs.has(n)),
+      needs,
+      unsignable: members.filter(d => this.unsignable.has(d)),
     })
   }
 

@@ -3,8 +3,11 @@
 /// A group of definitions is known by its nodes, the types of the program's names it uses, and the program's own types. While
 /// blocks are dragged, all definitions but one stay the same nodes.
 
+import {everyNode} from "../model/children.ts"
 import type {Declaration, Node} from "../model/tree.ts"
 import {freeInDeclaration} from "../model/uses.ts"
+import type {BlockId} from "../saved.ts"
+import type {Environment} from "./environment.ts"
 import type {TypeProblem} from "./problems.ts"
 import type {Scheme, Type} from "./type.ts"
 
@@ -13,12 +16,22 @@ export interface Remembered {
   readonly types: ReadonlyMap<Node, Type>
   readonly problems: readonly TypeProblem[]
   readonly needs: readonly string[]
+  readonly unsignable: readonly Declaration[]
+}
+
+/// The program's own types, with what is wrong with them.
+export interface World {
+  readonly env: Environment
+  readonly problems: readonly TypeProblem[]
 }
 
 export class Memo {
+  /// By the numbers of the declarations.
+  readonly worlds = new Map<string, World>()
   readonly groups = new Map<string, Remembered>()
   private readonly numbers = new WeakMap<object, number>()
   private readonly free = new WeakMap<Declaration, Set<string>>()
+  private readonly blocks = new WeakMap<Declaration, Set<BlockId>>()
   private count = 0
 
   numberOf(node: object): number {
@@ -35,5 +48,16 @@ export class Memo {
     const names = freeInDeclaration(d)
     this.free.set(d, names)
     return names
+  }
+
+  /// Whether a definition is made from a block, or has it in it.
+  holds(d: Declaration, block: BlockId): boolean {
+    let known = this.blocks.get(d)
+    if (known === undefined) {
+      known = new Set()
+      for (const n of everyNode(d)) if (n.kind !== "program" && n.from !== undefined) known.add(n.from.block)
+      this.blocks.set(d, known)
+    }
+    return known.has(block)
   }
 }

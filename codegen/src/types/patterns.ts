@@ -27,6 +27,7 @@ export class Patterns extends Constraints {
         scope.set(p.name, mono(type))
         return
       case "wildcard":
+        this.look(p.from, type, scope)
         return
       case "constructor-pattern":
         this.constructorPattern(p, type, scope)
@@ -75,7 +76,8 @@ export class Patterns extends Constraints {
         const info = this.env.constructors.get(p.name)
         if (info === undefined) {
           this.problems.push({kind: "unknown-name", node: p, name: p.name})
-          for (const f of p.fields) this.pattern(f.pattern, this.fresh(), scope)
+          this.holes.push(type)
+          for (const f of p.fields) this.pattern(f.pattern, this.unknown(), scope)
           return
         }
         const {fields, result} = this.opened(info.scheme, info.fields.length, p)
@@ -104,7 +106,8 @@ export class Patterns extends Constraints {
     const info = this.env.constructors.get(p.name)
     if (info === undefined) {
       this.problems.push({kind: "unknown-name", node: p, name: p.name})
-      for (const a of p.args) this.pattern(a, this.fresh(), scope)
+      this.holes.push(type)
+      for (const a of p.args) this.pattern(a, this.unknown(), scope)
       return
     }
     const {fields, result} = this.opened(info.scheme, info.fields.length, p)

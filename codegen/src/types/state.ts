@@ -12,7 +12,7 @@ import {asFunction, con, funs, listOf, prune, substitute, tupleOf} from "./type.
 
 export class State {
   protected found = new Map<Node, Type>()
-  readonly schemes = new Map<Declaration, Scheme>()
+  schemes = new Map<Declaration, Scheme>()
   readonly problems: TypeProblem[] = []
   protected readonly holes: Type[] = []
   protected wanted: Wanted[] = []
@@ -27,9 +27,17 @@ export class State {
     this.env = env
   }
 
-  /// An empty socket whose scope is asked for, and the answer.
+  /// An empty socket that is asked about, and the answers: the names known there, and the type that it wants.
   watch: Origin | undefined
   watched: Scope | undefined
+  watchedType: Type | undefined
+
+  protected look(from: Origin | undefined, type: Type, scope: Scope): void {
+    if (this.watch === undefined || this.watched !== undefined) return
+    if (from?.block !== this.watch.block || from.input !== this.watch.input) return
+    this.watched = scope
+    this.watchedType = type
+  }
 
   fresh(): Meta {
     return {kind: "meta", id: this.count++, level: this.level, is: undefined}

@@ -94,6 +94,17 @@ export function variablesIn(type: Type, found: Set<string> = new Set()): Set<str
   return found
 }
 
+/// The variables of signatures in a type.
+export function rigidsIn(type: Type, found: Set<Type> = new Set()): Set<Type> {
+  const t = prune(type)
+  if (t.kind === "var" && "id" in t) found.add(t)
+  if (t.kind === "app") {
+    rigidsIn(t.fn, found)
+    rigidsIn(t.arg, found)
+  }
+  return found
+}
+
 /// The names of the types that a type is made of.
 export function namesIn(type: Type, found: Set<string> = new Set()): Set<string> {
   const t = prune(type)
@@ -105,9 +116,10 @@ export function namesIn(type: Type, found: Set<string> = new Set()): Set<string>
   return found
 }
 
+/// Puts types for a scheme's variables. A rigid variable stays, also one that has the same letter.
 export function substitute(type: Type, by: ReadonlyMap<string, Type>): Type {
   const t = prune(type)
-  if (t.kind === "var") return by.get(t.name) ?? t
+  if (t.kind === "var") return "id" in t ? t : (by.get(t.name) ?? t)
   if (t.kind !== "app") return t
   const fn = substitute(t.fn, by)
   const arg = substitute(t.arg, by)

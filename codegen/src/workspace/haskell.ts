@@ -33,7 +33,7 @@ export function withSignatures(program: Program, {inferrer}: Pick<Solved, "infer
     ...program,
     declarations: program.declarations.map((d): Declaration => {
       if (d.kind === "data") return withDeriving(d, inferrer.env.needs)
-      if (d.kind !== "function" || d.signature !== undefined) return d
+      if (d.kind !== "function" || d.signature !== undefined || inferrer.unsignable.has(d)) return d
       const scheme = inferrer.schemes.get(d)
       if (scheme === undefined || (scheme.variables.length > 0 && hasUnknowns(d))) return d
       if (scheme.constraints.some(c => inferrer.env.hidden.has(c.name) || c.name === "Typeable")) return d

@@ -31,9 +31,15 @@ export function solve(workspace: SavedWorkspace): Solved {
 export function solveRead(read: ReadWorkspace, watch?: Origin, memo?: Memo): Solved {
   const declarations = read.program.declarations
   const types = declarations.filter(d => d.kind === "data" || d.kind === "synonym")
-  const inferrer = new Inferrer(withTypes(library, types), memo, types.map(d => memo?.numberOf(d)).join(" "))
+  const world = types.map(d => memo?.numberOf(d)).join(" ")
+  const known = memo?.worlds.get(world)
+  // What a program's types must derive is found anew each time.
+  const env = known === undefined ? withTypes(library, types) : {...known.env, needs: new Set<string>()}
+  const inferrer = new Inferrer(env, memo, world)
   inferrer.watch = watch
-  for (const d of types) inferrer.declaredTypes(d)
+  if (known === undefined) for (const d of types) inferrer.declaredTypes(d)
+  else inferrer.problems.push(...known.problems)
+  memo?.worlds.set(world, {env, problems: [...inferrer.problems]})
   const globals = inferrer.program(declarations)
   for (const l of read.loose)
     if (l.kind === "expression") inferrer.loose(l.expr, globals)

@@ -1,0 +1,55 @@
+/// Types that definitions of generated programs are given.
+
+import type {Dice} from "./random.ts"
+
+const sensors =
+  `Bumper|Cliff|Wheel|Button|BumperLeft|Velocity|Position|Orientation|Pose|Clock|Memory Bool|Memory Int|Param Double|Seconds|StdGen|Either Bumper Wheel|(Velocity, Bumper)|(Bumper, Memory Int)|Maybe Velocity|Bool|()`.split(
+    "|",
+  )
+
+const commands =
+  `Velocity|Led1|Led2|Sound|Maybe Sound|(Led1, Led2)|Either Velocity Sound|Memory Bool|Memory Int|[Say]|Say|Param Double|Maybe Velocity|(Velocity, Maybe Led1)|()`.split(
+    "|",
+  )
+
+const plain =
+  `Double|Int|Bool|String|[Int]|[Double]|Maybe Double|Task ()|Double -> Double|Task Bool|(Int, String)|Either Int String|[Task ()]|Char|Ordering`.split(
+    "|",
+  )
+
+/// Types with variables, as a learner who knows classes writes them.
+const general: readonly {readonly text: string; readonly arity: number}[] = [
+  {text: "a -> a", arity: 1},
+  {text: "a -> b -> a", arity: 2},
+  {text: "Num a => a -> a", arity: 1},
+  {text: "Fractional a => a -> a -> a", arity: 2},
+  {text: "Ord a => a -> a -> Bool", arity: 2},
+  {text: "Eq a => a -> [a] -> Bool", arity: 2},
+  {text: "Show a => a -> String", arity: 1},
+  {text: "(Ord a, Show a) => [a] -> Maybe a", arity: 1},
+  {text: "(a -> b) -> Maybe a -> Maybe b", arity: 2},
+  {text: "Maybe a -> a -> a", arity: 2},
+  {text: "[a] -> Int", arity: 1},
+  {text: "Integral a => a -> a", arity: 1},
+]
+
+export function signatureFor(
+  dice: Dice,
+  own: readonly string[],
+): {readonly text: string; readonly arity: number} {
+  if (dice.once(9)) return dice.pick(general)
+  if (dice.once(5)) {
+    const result = dice.pick(["()", "()", "Double", "Bool", "Maybe Bumper", ...own])
+    const input = dice.pick(["Double", "Int", "String", "Task ()", ...own])
+    const task = `Task ${result.includes(" ") ? `(${result})` : result}`
+    return dice.once(2) ? {text: task, arity: 0} : {text: `${input} -> ${task}`, arity: 1}
+  }
+  const reaction = !dice.once(3)
+  const count = reaction ? 1 + dice.below(2) : dice.below(3)
+  const inputs = Array.from({length: count}, () =>
+    dice.pick(reaction ? [...sensors, ...own] : [...plain, ...own, ...sensors.slice(0, 4)]),
+  )
+  const result = dice.pick(dice.once(3) ? [...plain, ...own] : [...commands, ...own])
+  const bracket = (t: string) => (t.includes("->") ? `(${t})` : t)
+  return {text: [...inputs.map(bracket), result].join(" -> "), arity: inputs.length}
+}

@@ -1,0 +1,343 @@
+/// Blocks that may go into a socket of some type: likely ones, and now and then any at all.
+
+import {choices} from "../../src/blocks/vocabulary.ts"
+import type {SavedBlock} from "../../src/index.ts"
+import type {Type} from "../../src/types/type.ts"
+import {asFunction, con, prune, showType, spine, substitute, variablesIn} from "../../src/types/type.ts"
+import type {Made, Maker} from "./blocks.ts"
+import {everyName, libraryConstructors, makersOf} from "./blocks.ts"
+
+/// A name that is known where the block goes.
+export interface Known {
+  readonly name: string
+  readonly type: Type
+}
+
+const numbers = new Set(["Double", "Int", "Integer", "Seconds", "Orientation", "Float", "Word"])
+const whole = new Set(["Int", "Integer", "Word"])
+
+function headOf(type: Type): string {
+  const {head} = spine(type)
+  return head.kind === "con" ? head.name : head.kind === "var" ? `'${head.name}` : "*"
+}
+
+/// What a known name makes with as many inputs as it takes to get there.
+function uses(known: readonly Known[], wanted: Type): {readonly name: string; readonly args: number}[] {
+  const head = headOf(wanted)
+  return known.flatMap(k => {
+    const found = []
+    let type = prune(k.type)
+    for (let args = 0; args < 10; args++) {
+      const h = headOf(type)
+      if (h === head || h === "*" || head === "*") found.push({name: k.name, args})
+      const f = asFunction(type)
+      if (f === undefined) break
+      type = prune(f.to)
+    }
+    return found
+  })
+}
+
+export class Values {
+  private readonly make: Maker
+
+  constructor(make: Maker) {
+    this.make = make
+  }
+
+  /// A block for a socket. `small`: without sockets of its own, if that can be.
+  propose(wanted: Type, known: readonly Known[], small: boolean): SavedBlock {
+    const {dice} = this.make
+    const near = uses(known, wanted).filter(u => !small || u.args === 0)
+    const use = () => {
+      const {name, args} = dice.pick(near)
+      return this.make.call(name, args)
+    }
+    const fitting = this.ofType(wanted, small)
+    return dice.weighed<() => SavedBlock>([
+      [near.length > 0 ? 5 : 0, use],
+      [fitting === undefined ? 0 : 11, () => fitting ?? this.anything(small)],
+      [small ? 0 : 5, () => this.around(wanted)],
+      [small ? 0 : 2, () => this.throughLibrary(wanted)],
+      [small ? 1 : 3, () => this.anything(small)],
+    ])()
+  }
+
+  /// Blocks that go anywhere, whatever the type.
+  private around(wanted: Type): SavedBlock {
+    const {make} = this
+    const {dice} = make
+    const text = showType(wanted)
+    const closed = /^[^?]*$/.test(text) && variablesIn(wanted).size === 0 && !/\b[a-z]\w*\b/.test(text)
+    return dice.weighed<() => SavedBlock>([
+      [3, () => make.block("if")],
+      [2, () => this.caseOf()],
+      [2, () => make.block("let", {}, {D: make.localDefinitions(1)})],
+      [1, () => make.block("apply", {args: 1 + dice.below(2)})],
+      [1, () => make.block("apply", {args: 1}, {F: make.block("lambda", {inputs: 1}, {P0: make.named()})})],
+      [1, () => make.block("infix", {op: "$"})],
+      [closed ? 1 : 0, () => make.block("typed", {type: text})],
+      [1, () => this.update()],
+    ])()
+  }
+
+  private caseOf(): SavedBlock {
+    const {make} = this
+    const parts = Array.from({length: 1 + make.dice.below(3)}, () => make.equation(2))
+    const inputs = Object.assign({}, ...parts.map((p, i) => p.inputs(i))) as {[name: string]: SavedBlock}
+    return make.block("case", {alternatives: parts.map(p => p.extra)}, inputs)
+  }
+
+  private update(): SavedBlock {
+    const records = [...this.make.own, ...libraryConstructors].filter(c => c.fieldNames[0] !== undefined)
+    const fields = this.make.dice.pick(records).fieldNames.flatMap(f => f ?? [])
+    return this.make.block("update", {fields: [this.make.dice.pick(fields)]})
+  }
+
+  private throughLibrary(wanted: Type): SavedBlock {
+    const {dice} = this.make
+    const makers = [...makersOf(headOf(wanted)), ...makersOf("*")]
+    if (makers.length === 0) return this.anything(false)
+    const maker = dice.pick(makers)
+    return this.make.call(maker.name, dice.once(8) ? dice.below(maker.arity + 1) : maker.arity)
+  }
+
+  /// Any block without sockets.
+  leaf(): SavedBlock {
+    return this.anything(true)
+  }
+
+  /// Any block: the checker will say.
+  private anything(small: boolean): SavedBlock {
+    const {make} = this
+    const {dice} = make
+    const leaves: readonly (() => SavedBlock)[] = [
+      () => make.block("number", {value: dice.pick(["0", "1", "0.5", "2", "-3", "1e-3"])}),
+      () => make.block("text", {value: dice.pick(["", "hi", 'a"b', "grüß\\dich"])}),
+      () => make.block("character", {value: dice.pick(["a", "'", "\\", "ü"])}),
+      () => {
+        const of = dice.pick(Object.keys(choices))
+        return make.block("choice", {of, value: dice.pick(choices[of]?.options ?? ["True"])})
+      },
+      () => make.block("tuple", {items: 0}),
+      () => make.block("list", {items: 0}),
+      () => make.call(dice.pick(everyName).name, 0),
+      () => make.block("construct", {con: dice.pick([...make.own, ...libraryConstructors]).con, args: 0}),
+    ]
+    const nodes: readonly (() => SavedBlock)[] = [
+      () => this.construct(dice.pick([...make.own, ...libraryConstructors]), false),
+      () => {
+        const {name, arity} = dice.pick(everyName)
+        return make.call(name, dice.below(arity + 1))
+      },
+      () =>
+        make.block("infix", {
+          op: dice.pick([
+            "+",
+            "-",
+            "*",
+            "/",
+            "==",
+            "<",
+            "&&",
+            "||",
+            "++",
+            ":",
+            "$",
+            ".",
+            "<>",
+            "div",
+            "^",
+            "/=",
+            "**",
+            "mod",
+            ">=",
+          ]),
+        }),
+      () => make.block("negate"),
+      () => make.block("tuple", {items: 2 + dice.below(2)}),
+      () => make.block("list", {items: 1 + dice.below(2)}),
+      () => make.block("lambda", {inputs: 1 + dice.below(2)}, {P0: make.named()}),
+      () =>
+        make.block("section", {
+          op: dice.pick(["+", "*", "==", "++", "-", "<", "/", "div", ":", "."]),
+          side: dice.pick(["left", "right"]),
+        }),
+      () => make.block("range", dice.pick([{}, {step: true}])),
+      () => make.block("comprehension", {}, {S: make.sources()}),
+      () => make.block("do", {}, {S: make.steps(1)}),
+    ]
+    return dice.pick(small ? leaves : dice.once(3) ? leaves : nodes)()
+  }
+
+  private construct(c: Made, small: boolean): SavedBlock {
+    const {make} = this
+    const named = c.fieldNames.length > 0 && c.fieldNames.every(n => n !== undefined)
+    if (named && make.dice.once(3)) {
+      const fields = c.fieldNames.flatMap(n => n ?? [])
+      return make.block("record", {con: c.con, fields})
+    }
+    return small && c.fields.length > 0
+      ? (this.least({kind: "con", name: c.of}, []) ??
+          make.block("construct", {con: c.con, args: c.fields.length}))
+      : make.block("construct", {con: c.con, args: c.fields.length})
+  }
+
+  /// Literals, constructors and structures of a type.
+  private ofType(wanted: Type, small: boolean): SavedBlock | undefined {
+    const {make} = this
+    const {dice} = make
+    const {head, args} = spine(wanted)
+    if (head.kind !== "con") return undefined
+    if (numbers.has(head.name)) {
+      const value = whole.has(head.name)
+        ? dice.pick(["0", "1", "2", "10", "-1"])
+        : dice.pick(["0", "1", "0.5", "2", "-0.25"])
+      const number = () => make.block("number", {value})
+      if (small) return number()
+      return dice.weighed<() => SavedBlock>([
+        [4, number],
+        [
+          4,
+          () =>
+            make.block("infix", {
+              op: dice.pick(
+                whole.has(head.name) ? ["+", "-", "*", "div", "mod", "^"] : ["+", "-", "*", "/", "**"],
+              ),
+            }),
+        ],
+        [1, () => make.block("negate")],
+        [2, () => this.throughLibrary(wanted)],
+      ])()
+    }
+    const of = choices[head.name]
+    if (head.name === "Bool" && !small)
+      return dice.weighed<() => SavedBlock>([
+        [3, () => make.block("infix", {op: dice.pick(["==", "/=", "<", "<=", ">", ">="])})],
+        [2, () => make.block("infix", {op: dice.pick(["&&", "||"])})],
+        [2, () => this.throughLibrary(wanted)],
+        [1, () => make.block("choice", {of: "Bool", value: dice.pick(["True", "False"])})],
+      ])()
+    if (of !== undefined) return make.block("choice", {of: head.name, value: dice.pick(of.options)})
+    if (/^\(,+\)$/.test(head.name)) return make.block("tuple", {items: args.length})
+    if (head.name === "()") return make.block("tuple", {items: 0})
+    if (head.name === "Char") return make.block("character", {value: dice.pick(["a", " ", "z"])})
+    if (head.name === "[]") return this.list(args[0] ?? con("()"), small)
+    if (head.name === "->") return this.fn(wanted, small)
+    if (head.name === "Task") {
+      if (small) return this.least(wanted, [])
+      return dice.weighed<() => SavedBlock>([
+        [3, () => make.block("do", {}, {S: make.steps(0)})],
+        [3, () => this.throughLibrary(wanted)],
+      ])()
+    }
+    const made = make.constructorsOf(head.name)
+    if (made.length === 0) return this.throughLibrary(wanted)
+    const leaves = made.filter(c => c.fields.length === 0)
+    return this.construct(dice.pick(small && leaves.length > 0 ? leaves : made), small)
+  }
+
+  private list(item: Type, small: boolean): SavedBlock {
+    const {make} = this
+    const {dice} = make
+    const text = headOf(item) === "Char"
+    if (text && (small || dice.once(2))) return make.block("text", {value: dice.pick(["", "hi", "go on"])})
+    if (small) return make.block("list", {items: 0})
+    return dice.weighed<() => SavedBlock>([
+      [2, () => make.block("list", {items: dice.below(4)})],
+      [2, () => make.block("infix", {op: dice.pick(["++", ":", "<>"])})],
+      [numbers.has(headOf(item)) ? 2 : 0, () => make.block("range", dice.pick([{}, {step: true}]))],
+      [2, () => make.block("comprehension", {}, {S: make.sources()})],
+      [2, () => this.throughLibrary({kind: "app", fn: con("[]"), arg: item})],
+      [text ? 2 : 0, () => make.call("show", 1)],
+    ])()
+  }
+
+  private fn(wanted: Type, small: boolean): SavedBlock {
+    const {make} = this
+    const {dice} = make
+    let inputs = 0
+    for (let f = asFunction(wanted); f !== undefined; f = asFunction(f.to)) inputs++
+    const lambda = () => {
+      const count = dice.once(4) ? 1 : inputs
+      const parameters = Array.from({length: count}, (_, i) => [`P${i}`, make.named()] as const)
+      return make.block("lambda", {inputs: count}, Object.fromEntries(parameters))
+    }
+    if (small) return this.least(wanted, []) ?? lambda()
+    return dice.weighed<() => SavedBlock>([
+      [4, lambda],
+      [
+        2,
+        () =>
+          make.block("section", {
+            op: dice.pick(["+", "*", "-", "/", "==", "<", "++", ":", "div"]),
+            side: dice.pick(["left", "right"]),
+          }),
+      ],
+      [1, () => make.block("infix", {op: "."})],
+      [
+        2,
+        () => {
+          const {name, arity} = dice.pick(everyName.filter(n => n.arity >= inputs))
+          return make.call(name, arity - inputs)
+        },
+      ],
+      [
+        1,
+        () =>
+          make.block("construct", {
+            con: dice.pick(["Just", "Left", "Right", "Led1", "Memory", "Say"]),
+            args: 0,
+          }),
+      ],
+    ])()
+  }
+
+  /// The smallest value of a type with nothing left open, or `undefined` where none is known.
+  least(wanted: Type, known: readonly Known[], depth = 0): SavedBlock | undefined {
+    const {make} = this
+    const {head, args} = spine(wanted)
+    if (depth > 6) return undefined
+    const [use] = uses(known, wanted).filter(u => u.args === 0 && headOf(wanted) !== "*")
+    if (head.kind === "var") return use === undefined ? undefined : make.call(use.name, 0)
+    if (head.kind !== "con") return make.block("tuple", {items: 0})
+    if (numbers.has(head.name)) return make.block("number", {value: make.dice.pick(["1", "2"])})
+    const of = choices[head.name]
+    if (of !== undefined) return make.block("choice", {of: head.name, value: make.dice.pick(of.options)})
+    const all = (types: readonly Type[]): SavedBlock[] | undefined => {
+      const found = types.map(t => this.least(t, known, depth + 1))
+      return found.every(b => b !== undefined) ? (found as SavedBlock[]) : undefined
+    }
+    const numbered = (blocks: readonly SavedBlock[], letter: string) =>
+      Object.fromEntries(blocks.map((b, i) => [`${letter}${i}`, b]))
+    if (/^\(,*\)$/.test(head.name)) {
+      const items = all(args)
+      return items && make.block("tuple", {items: items.length}, numbered(items, "I"))
+    }
+    if (head.name === "Char") return make.block("character", {value: "a"})
+    if (head.name === "[]")
+      return args[0] !== undefined && headOf(args[0]) === "Char"
+        ? make.block("text", {value: "hi"})
+        : make.block("list", {items: 0})
+    const f = asFunction(wanted)
+    if (f !== undefined) {
+      const result = this.least(f.to, known, depth + 1)
+      return (
+        result &&
+        make.block("lambda", {inputs: 1}, {P0: make.block("pattern_any", {what: "thing"}), B: result})
+      )
+    }
+    if (head.name === "Task" || head.name === "IO") {
+      const [inner] = all(args) ?? []
+      return inner && make.block("name", {name: "return", args: 1}, {A0: inner})
+    }
+    const made = [...make.constructorsOf(head.name)].sort((a, b) => a.fields.length - b.fields.length)
+    for (const c of made) {
+      const by = new Map(c.parameters.map((p, i) => [p, args[i] ?? con("()")] as const))
+      const fields = all(c.fields.map(t => substitute(t, by)))
+      if (fields !== undefined)
+        return make.block("construct", {con: c.con, args: fields.length}, numbered(fields, "A"))
+    }
+    return use === undefined ? undefined : make.call(use.name, 0)
+  }
+}
