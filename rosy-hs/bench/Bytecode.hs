@@ -24,8 +24,8 @@ main = do
   writeIORef fired 0
   once
   firings <- readIORef fired
-  seconds <- times 7 once
-  line "Rosy, bytecode" (batchesOfOneRun * instantsOfOneBatch) firings seconds
+  costs <- inTurn 7 [once]
+  mapM_ (line "Rosy, bytecode" (batchesOfOneRun * instantsOfOneBatch) firings) costs
   where
     messages todo = [message | Hear message <- map what todo]
 

@@ -1,41 +1,60 @@
 -- |
 -- Module      : Measure
--- Description : Seconds that something takes, several times, and a line about it.
+-- Description : What something costs, several times in turn with its peer, and a line about it.
 module Measure
-  ( times,
+  ( Cost (..),
+    inTurn,
+    ratio,
     line,
     decimals,
   )
 where
 
 import Control.Monad (replicateM)
-import Data.List (sort)
+import Data.List (sort, transpose)
 import GHC.Clock (getMonotonicTime)
+import GHC.Stats (allocated_bytes, getRTSStats)
 import Numeric (showFFloat)
 import System.Mem (performMajorGC)
 
--- | Seconds of each of so many runs.
-times :: Int -> IO () -> IO [Double]
-times n act = replicateM n $ do
-  performMajorGC
-  before <- getMonotonicTime
-  act
-  after <- getMonotonicTime
-  pure (after - before)
+-- | What runs cost: seconds of each, and bytes that one allocates.
+data Cost = Cost {seconds :: [Double], bytes :: Double}
 
--- | A name, how many instants and firings, and the seconds of each run: the median and the slowest.
-line :: String -> Int -> Int -> [Double] -> IO ()
-line name instants firings seconds =
+-- | The costs of several things, each done so many times in turn, so that a busy moment of the machine meets all of them.
+inTurn :: Int -> [IO ()] -> IO [Cost]
+inTurn n acts = do
+  rounds <- replicateM n (mapM once acts)
+  pure [Cost (map fst runs) (snd (head runs)) | runs <- transpose rounds]
+  where
+    once act = do
+      performMajorGC
+      allocated <- allocated_bytes <$> getRTSStats
+      before <- getMonotonicTime
+      _ <- act
+      after <- getMonotonicTime
+      allocated' <- allocated_bytes <$> getRTSStats
+      pure (after - before, fromIntegral (allocated' - allocated))
+
+-- | How many times as long the first takes as the second, in the middle of the rounds.
+ratio :: Cost -> Cost -> Double
+ratio a b = median (zipWith (/) (seconds a) (seconds b))
+
+median :: [Double] -> Double
+median xs = sort xs !! (length xs `div` 2)
+
+-- | A name, how many instants and firings, and what they cost: the median and the slowest.
+line :: String -> Int -> Int -> Cost -> IO ()
+line name instants firings cost =
   putStrLn $
     pad 28 name
       ++ pad 26 (thousands (fromIntegral instants / middle) ++ " instants/s")
       ++ pad 26 (thousands (fromIntegral firings / middle) ++ " firings/s")
-      ++ decimals 2 (middle / fromIntegral firings * 1e6)
-      ++ " µs a firing (slowest run "
-      ++ decimals 2 (maximum seconds / fromIntegral firings * 1e6)
-      ++ ")"
+      ++ pad 52 (decimals 2 (perFiring middle * 1e6) ++ " µs a firing (slowest run " ++ decimals 2 (perFiring (maximum (seconds cost)) * 1e6) ++ ")")
+      ++ decimals 0 (perFiring (bytes cost))
+      ++ " bytes a firing"
   where
-    middle = sort seconds !! (length seconds `div` 2)
+    middle = median (seconds cost)
+    perFiring x = x / fromIntegral firings
     pad k s = s ++ replicate (k - length s) ' '
 
 -- | A number in thousands.

@@ -1,3 +1,4 @@
+{-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DefaultSignatures #-}
 {-# LANGUAGE DeriveGeneric #-}
 {-# LANGUAGE FlexibleInstances #-}
@@ -37,7 +38,7 @@ module Rosy.Command
 where
 
 import Control.Exception (throw)
-import Data.Dynamic (toDyn)
+import Data.Dynamic (Dynamic, toDyn)
 import Data.Proxy (Proxy (..))
 import Data.Typeable (typeRep)
 import GHC.Generics (Generic)
@@ -53,7 +54,12 @@ class Command c where
   -- | What a value of this type does.
   command :: Plan c
   default command :: Value c => Plan c
-  command = Plain (\x -> Then (Emit (toDyn (settled x)) (shown x)))
+  command = Plain (\x -> Then (Emit (carried x) (shown x)))
+
+-- | A value on its way out of a firing: computed here, so that an error is blamed on the function that made it,
+-- and what is kept is a value and no promise.
+carried :: Value a => a -> Dynamic
+carried x = let !value = settled x in toDyn value
 
 -- | Ends the enclosing task with this value.
 newtype Done a = Done a
@@ -88,8 +94,8 @@ instance Command Velocity where
     where
       -- The wire has no word for an endless or undefined number, and no wheel can turn at one.
       finite x
-        | isNaN x || isInfinite x = throw (NotANumber "speed")
-        | otherwise = x
+        | x - x == 0 = x -- Of no other number this is so, and it costs less than to ask twice.
+        | otherwise = throw (NotANumber "speed")
 
 instance Command Led1 where command = act (\(Led1 c) -> SetLed1 c)
 
@@ -107,16 +113,16 @@ longestLine :: Int
 longestLine = 10000
 
 instance Default a => Command (Memory a) where
-  command = Plain (\(Memory x) -> Then (Remember (typeRep (Proxy @a)) (toDyn (settled x))))
+  command = Plain (\(Memory x) -> Then (Remember (typeRep (Proxy @a)) (carried x)))
 
 instance Default a => Command (Param a) where
-  command = Plain (\(Param x) -> Then (Share (typeRep (Proxy @a)) (toDyn (settled x))))
+  command = Plain (\(Param x) -> Then (Share (typeRep (Proxy @a)) (carried x)))
 
 instance Value a => Command (Done a) where
-  command = Plain (\(Done x) -> Then (End (toDyn (settled x))))
+  command = Plain (\(Done x) -> Then (End (carried x)))
 
 instance Value a => Command (Feedback a) where
-  command = Plain (\(Feedback x) -> Then (Feed (toDyn (settled x))))
+  command = Plain (\(Feedback x) -> Then (Feed (carried x)))
 
 instance Command Call where
   command = Plain (\(Call calling) -> Then (StartCall calling))

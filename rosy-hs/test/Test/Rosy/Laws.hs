@@ -1,4 +1,5 @@
 {-# LANGUAGE BangPatterns #-}
+{-# LANGUAGE FlexibleContexts #-}
 {-# LANGUAGE ScopedTypeVariables #-}
 
 -- |
@@ -7,6 +8,8 @@
 module Test.Rosy.Laws (tests) where
 
 import Control.Exception (evaluate)
+import Data.Word (Word64)
+import GHC.Stats
 import Rosy
 import Rosy.Core (Message (..))
 import Rosy.Loop
@@ -58,13 +61,23 @@ tests =
         hear busy days === hear busy days,
       testProperty "a trace so far does not depend on what comes later" $ \(Story days) (NonNegative n) ->
         let early = hear busy (take n days) in take (length early) (hear busy days) === early,
-      testCase "a million instants of a busy controller run in constant space" $ do
-        -- The test runs with a small stack; the heap is bounded by what the network itself needs.
-        counted <- evaluate (million 1000000)
-        performMajorGC
-        counted @?= 1000000
+      testCase "an error in what is written is blamed on the function that wrote it" $
+        map
+          (concatMap heardFired)
+          [ simple (\() -> Memory (errorWithoutStackTrace "oh" :: Int)),
+            simple (\() -> Param (errorWithoutStackTrace "oh" :: Int)),
+            simple (\() -> Memory (1 :: Int, errorWithoutStackTrace "oh" :: Int))
+          ]
+          @?= replicate 3 ["function 1", "failed: oh"],
+      testCaseInfo "a million instants of a busy controller run in constant space" $ do
+        sizes <- liveSizes (div 1000000 5) 5
+        let slope = fromIntegral (last sizes - head sizes) / 800000 :: Double
+        assertBool ("it grows: live bytes after each fifth are " ++ show sizes) (slope < 0.05)
+        pure ("peak " ++ show (div (maximum sizes) 1000) ++ " kB, slope " ++ show slope ++ " bytes an instant")
     ]
   where
+    simple :: Runnable (c, Velocity -> Say) => c -> [Heard]
+    simple c = hear (c, \(Velocity _ _) -> Say "read") [at 0 ticked, at 0.02 still]
     same (Story days) a b = hear (a >>= say . show) days === hear (b >>= say . show) days
     -- A task that waits, speaks and ends with a value.
     step :: Int -> Task Int
@@ -74,16 +87,37 @@ tests =
 busy :: (Velocity -> Memory Int -> (Memory Int, Maybe Say), Bumper -> StdGen -> Memory Int, Either Button Velocity -> Seconds -> Memory (Double, Int) -> (Memory (Double, Int), Led1))
 busy = (\(Velocity _ _) (Memory n) -> (Memory (n + 1), if n `mod` 10 == 0 then Just (Say (show n)) else Nothing), \(Bumper _ _) g -> Memory (fst (randomR (0, 9) g)), \_ (Seconds s) (Memory (_, n)) -> (Memory (s, n + 1), Led1 Green))
 
--- | Drive the loop through so many instants, forgetting all reports.
-million :: Int -> Int
-million n = go 0 (begin (Start 0 (mkStdGen 1)) (program (Names []) busy))
+-- | Still more at once: memory that nobody reads, a partner that never comes, events of the program's own, tasks without end,
+-- beside each other, on call and cancelled.
+busier :: Task ()
+busier = () <$ parallel (task () (busy, unread, alone, calling) :: Task ()) (forever (race (walk 3) (wait 0.5)))
   where
-    go !k turn = case turn of
-      Fires firing after -> firingEffects firing `seq` go k after
+    unread :: Velocity -> Memory Integer -> (Memory Integer, Param [Int])
+    unread (Velocity v _) (Memory n) = (Memory (n + 1), Param (replicate 5 (round v)))
+    alone :: Velocity -> Either Bumper RobotStatus -> Wheel -> Memory (Maybe Int)
+    alone _ _ _ = Memory (Just 1)
+    calling :: Bumper -> Call
+    calling _ = call (walk 2 >> task () (Feedback 'x', \(Button _ _) -> Done ())) callOptions {onFeedback = \c -> Memory (c :: Char), cancelOn = \(Bumper _ _) -> Just Cancel}
+    walk :: Int -> Task Int
+    walk 0 = pure 0
+    walk n = wait 0.04 >> task () (\(Velocity _ _) (Memory k) -> (Memory (k + 1), if k > (1 :: Int) then Just (Done ()) else Nothing)) >> walk (n - 1)
+
+-- | Bytes that are live after each of so many stretches of so many instants, forgetting all reports.
+liveSizes :: Int -> Int -> IO [Word64]
+liveSizes stretch = go 0 (begin (Start 0 (mkStdGen 1)) (program (Names []) busier))
+  where
+    go :: Int -> Turn -> Int -> IO [Word64]
+    go !_ _ 0 = pure []
+    go !k turn left = case turn of
+      Fires firing after -> evaluate (firingEffects firing) >> go k after left
       Settled network
-        | k == n -> k
-        | otherwise -> go (k + 1) (instant (0.02 * fromIntegral k) (what k) (snd (collect network)))
-      Ended _ _ -> k
+        | k > 0 && k `mod` stretch == 0 -> do
+          performMajorGC
+          size <- gcdetails_live_bytes . gc <$> getRTSStats
+          (size :) <$> step k network (left - 1)
+        | otherwise -> step k network left
+      Ended _ _ -> assertFailure "it ended"
+    step k network = go (k + 1) (instant (0.02 * fromIntegral k) (what k) (snd (collect network)))
     what k
       | k `mod` 7 == 0 = Hear (BumperMessage (Bumper LeftBumper Pressed))
       | k `mod` 11 == 0 = TickNow
