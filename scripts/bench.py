@@ -30,7 +30,8 @@ BENCHES: dict[str, tuple[str, list[list[str]]]] = {
             [
                 "bash",
                 "-c",
-                'exec ghc -v0 -O0 -package-db "dist-newstyle/packagedb/ghc-$(ghc --numeric-version)" -irosy-hs/bench +RTS -T -RTS -e main rosy-hs/bench/Bytecode.hs',
+                'exec ghc -v0 -O0 -package-db "dist-newstyle/packagedb/ghc-$(ghc --numeric-version)" +RTS -T -RTS -irosy-hs/bench '
+                "-e main rosy-hs/bench/Bytecode.hs",
             ],
         ],
     ),

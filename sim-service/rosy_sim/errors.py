@@ -40,7 +40,7 @@ class WorkerLost(RosyError):
 
     def __init__(self, detail: str = "") -> None:
         super().__init__(
-            "The compiler part of Rosy stopped unexpectedly; try again." + (f" ({detail})" if detail else "")
+            f"The compiler part of Rosy stopped unexpectedly{f' ({detail})' if detail else ''}; try again."
         )
 
 

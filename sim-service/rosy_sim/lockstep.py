@@ -120,9 +120,10 @@ class Lockstep:
     def trace_line(self) -> bytes:
         """The line of `--trace` for the step that has just settled or ended (DESIGN.md, section 5)."""
         x, y, theta, v, w = self._sensed
-        settled = self.settled
-        if settled is not None:
-            events, commands, fired = settled.events, settled.commands, settled.fired
+        done = self.settled or self.ended
+        # A program that died in this step has told nothing of it.
+        if done is not None:
+            events, commands, fired = done.events, done.commands, done.fired
         else:
             events = [show_event(e) for e in self.events]
             commands, fired = [show_command(c) for c in self.commands], []

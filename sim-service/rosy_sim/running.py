@@ -139,8 +139,9 @@ class Running:
         showing.step = lockstep.step
         self._sensed(lockstep.events)
         showing.words(lockstep.time, lockstep.said(), lockstep.sounds())
-        if lockstep.settled is not None:
-            showing.fired(lockstep.settled.fired)
+        done = lockstep.settled or lockstep.ended
+        if done is not None:
+            showing.fired(done.fired)
         showing.frame(force=self._paused)
         if lockstep.goals:
             showing.goals(lockstep.goals.states)

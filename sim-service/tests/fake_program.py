@@ -91,11 +91,15 @@ class _Player:
                         return
                 case "stop":
                     if not self.script.has("deaf"):
-                        self.send(self.velocity(0.0, 0.0), {"op": "ended", "how": "stopped"})
+                        self.send(self.velocity(0.0, 0.0), self.ended(how="stopped"))
                         return
 
     def velocity(self, linear: float, angular: float) -> dict[str, Any]:
         return publish(TWIST, {"linear": {"x": linear}, "angular": {"z": angular}})
+
+    def ended(self, fired: list[str] | None = None, **how: Any) -> dict[str, Any]:
+        told = {"events": [], "commands": ["Velocity 0.0 0.0"]} if self.trace else {}
+        return {"op": "ended", "fired": fired or [], **told, **how}
 
     def step(self, step: int) -> bool:
         script = self.script
@@ -110,14 +114,14 @@ class _Player:
         if script.now("led", step):
             commands.append(publish("/mobile_base/commands/led1", {"value": int(script.value("led"))}))
         if script.now("done", step):
-            self.send(*commands, self.velocity(0.0, 0.0), {"op": "ended", "how": "done"})
+            self.send(*commands, self.velocity(0.0, 0.0), self.ended(how="done", fired=["script"]))
             return False
         if script.now("error", step):
             problem = {
                 "severity": "error", "kind": "exception", "function": "move", "time": step / 50,
                 "message": "`move` divided by zero.", "hint": "", "ghc": "divide by zero",
             }  # fmt: skip
-            self.send(self.velocity(0.0, 0.0), {"op": "ended", "how": "error", "problem": problem})
+            self.send(self.velocity(0.0, 0.0), self.ended(how="error", problem=problem))
             return False
         if script.now("hang", step):
             time.sleep(3600)

@@ -141,6 +141,15 @@ def test_every_end_is_told_once(source: str, ended: str, kind: str | None, confi
     story(play, config)
 
 
+def test_what_fired_at_the_end_is_shown(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="done@3", speed="max")
+        await page.ended(1)
+        assert [name for m in page.seen if m["op"] == "frame" for name in m["fired"]][-1] == "script"
+
+    story(play, config)
+
+
 def test_stop_works_while_compiling(config: Config) -> None:
     async def play(page: Page, _: Service) -> None:
         await page.send("run", run=1, source="slow")

@@ -81,13 +81,13 @@ def test_the_simulator_holds_each_conversation_with_a_program(path: Path) -> Non
         if line["op"] in ("advertise", "subscribe"):
             assert {**COMMAND_TOPICS, **SENSOR_TOPICS}[line["topic"]] == line["type"]
         for message in link.feed(json.dumps(line).encode() + b"\n"):
-            if isinstance(message, Settled):
+            if isinstance(message, Settled | Ended):
                 if traced:
                     # User events, which only the program knows, stand between those it sensed.
                     assert [shown for shown in message.events if shown in events] == events
                     assert message.commands == commands
                 events, commands = [], []
-            elif not isinstance(message, Ended) and line["op"] == "publish":
+            elif line["op"] == "publish":
                 commands.append(show_command(message))  # type: ignore[arg-type]
 
 

@@ -79,6 +79,13 @@ def test_a_trace_has_a_line_per_step_with_the_pose_at_its_start(limits: Limits) 
     assert lines[9]["x"] > lines[1]["x"] > 10.0
 
 
+def test_the_last_line_tells_what_fired_at_the_end(limits: Limits) -> None:
+    trace = io.BytesIO()
+    run("drive:0.5 done@3", limits, trace=trace)
+    lines = [json.loads(line) for line in trace.getvalue().splitlines()]
+    assert (lines[-1]["fired"], lines[-1]["commands"]) == (["script"], ["Velocity 0.0 0.0"])
+
+
 def test_hands_act_at_their_time(limits: Limits) -> None:
     world = hall()
     hands = ((0.1, Press(1, True)), (0.2, Teleport(Pose(3.0, 4.0, 1.0))))

@@ -76,15 +76,15 @@ onPipe descriptor page mainOf = do
 onLink :: Link -> IO () -> IO ()
 onLink link mainOf = do
   ended <- newIORef False
-  let once' commands ending = do
+  let once' answer' ending = do
         before <- atomicModifyIORef' ended (True,)
-        unless before (end link commands ending)
+        unless before (end link answer' ending)
       link' = link {end = once'}
   writeIORef robot (Ready link')
   result <- try mainOf
   hFlush stdout
   case result of
-    Right () -> once' [] EndedDone
+    Right () -> once' noAnswer EndedDone
     Left exception -> case fromException exception of
       Just (LinkLost why) -> throwIO (LinkLost why)
-      _ -> once' [] (EndedError (problemFrom (Just "main") [] Nothing exception))
+      _ -> once' noAnswer (EndedError (problemFrom (Just "main") [] Nothing exception))

@@ -10,6 +10,7 @@ module Rosy.Link
     Opening (..),
     Batch (..),
     Answer (..),
+    noAnswer,
     Ending (..),
   )
 where
@@ -25,8 +26,8 @@ data Link = Link
     next :: IO (Maybe Batch),
     -- | What the program makes of the batch.
     answer :: Answer -> IO (),
-    -- | The last words: commands, then zero velocity, then how it ended.
-    end :: [Action] -> Ending -> IO (),
+    -- | The last words: what the program did in its last step, then zero velocity, then how it ended.
+    end :: Answer -> Ending -> IO (),
     -- | Leaves the name of the function at work where it can be found if it never ends.
     atWork :: FunctionName -> IO (),
     -- | No function is at work.
@@ -56,6 +57,10 @@ data Answer = Answer
     answerFired :: [FunctionName],
     answerEvents :: [String]
   }
+
+-- | Nothing was done.
+noAnswer :: Answer
+noAnswer = Answer 0 [] [] []
 
 -- | How a run ended.
 data Ending = EndedDone | EndedStopped | EndedError Problem

@@ -22,7 +22,7 @@ runOn link program = do
   opening <- open link
   first <- next link
   case first of
-    Nothing -> end link [] EndedStopped
+    Nothing -> end link noAnswer EndedStopped
     Just batch -> do
       let start = Start {startTime = batchTime batch, startGen = mkStdGen (openingSeed opening)}
       batches link batch (begin start program)
@@ -41,39 +41,44 @@ batches link batch = drive [] (occasions batch)
           Right _ -> drive (name : fired) todo after
           Left exception -> do
             inputs <- showInputs (firingInputs firing)
-            cleanUp link (EndedError (problemFrom (Just (nameText name)) inputs (Just (batchTime batch)) exception)) (firingFailed firing)
+            cleanUp link batch fired (EndedError (problemFrom (Just (nameText name)) inputs (Just (batchTime batch)) exception)) (firingFailed firing)
       Settled network -> case todo of
         what : rest -> drive fired rest (instant (batchTime batch) what network)
         [] -> do
           atRest link
           let (report, network') = collect network
-          answer
-            link
-            Answer
-              { answerStep = batchStep batch,
-                answerActions = reportActions report,
-                answerFired = reverse fired,
-                answerEvents = reportEvents report
-              }
+          answer link (answerOf batch fired report)
           following <- next link
           case following of
-            Nothing -> cleanUp link EndedStopped (stop network')
+            Nothing -> cleanUp link batch [] EndedStopped (stop network')
             Just batch' -> batches link batch' (Settled network')
-      Ended outcome report -> end link (reportActions report) (endingOf batch outcome)
+      Ended outcome report -> end link (answerOf batch fired report) (endingOf batch outcome)
+
+-- | What was done in a step, given the names of what fired, newest first.
+answerOf :: Batch -> [FunctionName] -> Report -> Answer
+answerOf batch fired report =
+  Answer
+    { answerStep = batchStep batch,
+      answerActions = reportActions report,
+      answerFired = reverse fired,
+      answerEvents = reportEvents report
+    }
 
 -- | The instants of a batch in order.
 occasions :: Batch -> [What]
 occasions batch = map Hear (batchMessages batch) ++ [TickNow | batchTick batch]
 
--- | Let the live tasks clean up; a clean-up that fails itself is passed over, for the first failure is the one to tell.
-cleanUp :: Link -> Ending -> Turn -> IO ()
-cleanUp link ending turn = case turn of
+-- | Let the live tasks clean up, after what has fired in this step, newest first; a clean-up that fails itself is passed over, for the first failure is the one to tell.
+cleanUp :: Link -> Batch -> [FunctionName] -> Ending -> Turn -> IO ()
+cleanUp link batch fired ending turn = case turn of
   Fires firing after -> do
     atWork link (firingName firing)
     result <- try (evaluate (firingEffects firing)) :: IO (Either SomeException Effects)
-    cleanUp link ending (either (const (firingFailed firing)) (const after) result)
-  Settled network -> cleanUp link ending (stop network)
-  Ended _ report -> atRest link >> end link (reportActions report) ending
+    case result of
+      Right _ -> cleanUp link batch (firingName firing : fired) ending after
+      Left _ -> cleanUp link batch fired ending (firingFailed firing)
+  Settled network -> cleanUp link batch fired ending (stop network)
+  Ended _ report -> atRest link >> end link (answerOf batch fired report) ending
 
 endingOf :: Batch -> Outcome -> Ending
 endingOf batch outcome = case outcome of

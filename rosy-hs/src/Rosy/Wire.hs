@@ -142,21 +142,33 @@ writeAnswer trace a =
   foldMap action (answerActions a)
     <> "{\"op\":\"settled\",\"step\":"
     <> Builder.intDec (answerStep a)
-    <> ",\"fired\":"
+    <> done trace a
+    <> "}\n"
+
+-- | The last batch: commands, zero velocity, and how the program ended. With trace also in words.
+writeEnding :: Bool -> Answer -> Ending -> Builder
+writeEnding trace a ending =
+  foldMap action (answerActions a')
+    <> "{\"op\":\"ended\",\"how\":"
+    <> ( case ending of
+           EndedDone -> "\"done\""
+           EndedStopped -> "\"stopped\""
+           EndedError p -> "\"error\",\"problem\":" <> problem p
+       )
+    <> done trace a'
+    <> "}\n"
+  where
+    a' = a {answerActions = answerActions a ++ [SetVelocity 0 0]}
+
+-- | What fired in a step, and with trace what was heard and said.
+done :: Bool -> Answer -> Builder
+done trace a =
+  ",\"fired\":"
     <> list (text . nameText) (answerFired a)
     <> ( if trace
            then ",\"events\":" <> list text (answerEvents a) <> ",\"commands\":" <> list (text . tellAction) (answerActions a)
            else mempty
        )
-    <> "}\n"
-
--- | The last batch: commands, zero velocity, and how the program ended.
-writeEnding :: [Action] -> Ending -> Builder
-writeEnding commands ending =
-  foldMap action commands <> action (SetVelocity 0 0) <> case ending of
-    EndedDone -> "{\"op\":\"ended\",\"how\":\"done\"}\n"
-    EndedStopped -> "{\"op\":\"ended\",\"how\":\"stopped\"}\n"
-    EndedError p -> "{\"op\":\"ended\",\"how\":\"error\",\"problem\":" <> problem p <> "}\n"
 
 action :: Action -> Builder
 action a = case a of

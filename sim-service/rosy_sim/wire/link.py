@@ -68,10 +68,13 @@ class Settled(msgspec.Struct, tag="settled", tag_field="op"):
 
 
 class Ended(msgspec.Struct, tag="ended", tag_field="op"):
-    """The program's last line."""
+    """The program's last line, in place of the last step's ``Settled``."""
 
     how: Literal["done", "error", "stopped"]
     problem: Problem | None = None
+    fired: list[str] = []
+    events: list[str] = []
+    commands: list[str] = []
 
 
 class Advertise(msgspec.Struct, tag="advertise", tag_field="op"):

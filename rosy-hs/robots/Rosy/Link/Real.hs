@@ -145,9 +145,9 @@ realLink clock patience r base = do
           mapM_ (drive t) (answerActions a)
           tick <- readIORef ticked
           when tick (guarding (ticking t) >>= mapM_ (tell base)),
-        end = \actions _ -> do
+        end = \a _ -> do
           t <- now clock
-          mapM_ (drive t) actions
+          mapM_ (drive t) (answerActions a)
           halt r base,
         atWork = const (pure ()),
         atRest = pure ()

@@ -62,7 +62,9 @@ pipeLink descriptor page = do
         answer = \a -> do
           trace <- readIORef tracing
           send descriptor (writeAnswer trace a),
-        end = \commands ending -> send descriptor (writeEnding commands ending),
+        end = \a ending -> do
+          trace <- readIORef tracing
+          send descriptor (writeEnding trace a ending),
         atWork = unless (page == nullPtr) . leave page . nameBytes,
         atRest = unless (page == nullPtr) (poke page 0)
       }

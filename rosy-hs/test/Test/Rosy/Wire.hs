@@ -47,7 +47,7 @@ tests =
         length [() | a <- answer, "two" `isInfixOf` show a] @?= 0,
       testCase "a main without simulate ends as done, with the wheels at rest" $ do
         answer <- held [start] (pure ())
-        map Line' answer @?= map Line' [object ["op" .= publish, "topic" .= velocity, "msg" .= object ["linear" .= object ["x" .= zero], "angular" .= object ["z" .= zero]]], object ["op" .= ended, "how" .= done]],
+        map Line' answer @?= map Line' [object ["op" .= publish, "topic" .= velocity, "msg" .= object ["linear" .= object ["x" .= zero], "angular" .= object ["z" .= zero]]], object ["op" .= ended, "how" .= done, "fired" .= ([] :: [String])]],
       testCase "a heading comes out of the quaternion" $
         case readLine (odom "0.5" "0.8660254037844386") of
           Right (SensorLine (OdometryMessage o)) -> do
