@@ -90,7 +90,7 @@ busy = (\(Velocity _ _) (Memory n) -> (Memory (n + 1), if n `mod` 10 == 0 then J
 -- | Still more at once: memory that nobody reads, a partner that never comes, events of the program's own, tasks without end,
 -- beside each other, on call and cancelled.
 busier :: Task ()
-busier = () <$ parallel (task () (busy, unread, alone, calling) :: Task ()) (forever (race (walk 3) (wait 0.5)))
+busier = void (parallel (task () (busy, unread, alone, calling) :: Task ()) (forever (race (walk 3) (wait 0.5))))
   where
     unread :: Velocity -> Memory Integer -> (Memory Integer, Param [Int])
     unread (Velocity v _) (Memory n) = (Memory (n + 1), Param (replicate 5 (round v)))
