@@ -37,10 +37,10 @@
 module Rosy.Program
   ( -- * Instances
     Generic,
-    Value,
-    Default,
-    Sensor,
-    Command,
+    Value (..),
+    Default (..),
+    Sensor (..),
+    Command (..),
     Typeable,
 
     -- * Names
@@ -55,9 +55,9 @@ where
 
 import Data.Typeable (Typeable)
 import GHC.Generics (Generic)
-import Rosy.Command (Command)
+import Rosy.Command (Command (..))
 import Rosy.Controller (Names (..))
 import Rosy.Launch (simulateNamed)
-import Rosy.Sensor (Sensor)
+import Rosy.Sensor (Sensor (..))
 import Rosy.Task (callNamed, onceNamed, taskNamed, taskWithNamed)
-import Rosy.Value (Default, Value)
+import Rosy.Value (Default (..), Value (..))

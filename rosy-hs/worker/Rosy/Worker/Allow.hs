@@ -12,6 +12,7 @@ module Rosy.Worker.Allow
     allowedModules,
     refuseModule,
     refuseName,
+    refusedNames,
 
     -- * Extensions
     isAllowedExtension,
@@ -70,11 +71,16 @@ refuseModule m
     cannot = "A program cannot import " <> quoted m <> "."
     right = head ([a | a <- Set.toList allowedModules, Text.toLower a == Text.toLower m] ++ [m])
 
+refusedNames, fileNames, inputNames :: [Text]
+refusedNames = fileNames ++ inputNames
+fileNames = ["readFile", "writeFile", "appendFile"]
+inputNames = ["getLine", "getChar", "getContents", "interact", "readLn", "readIO"]
+
 -- | Two sentences for a function of the Prelude that reaches out of the program.
 refuseName :: Text -> Maybe (Text, Text)
 refuseName n
-  | n `elem` ["readFile", "writeFile", "appendFile"] = Just (cannot, "A robot program talks to its robot only, not to files.")
-  | n `elem` ["getLine", "getChar", "getContents", "interact", "readLn", "readIO"] = Just (cannot, "Nobody types while the robot drives: let a function take a Button.")
+  | n `elem` fileNames = Just (cannot, "A robot program talks to its robot only, not to files.")
+  | n `elem` inputNames = Just (cannot, "Nobody types while the robot drives: let a function take a Button.")
   | otherwise = Nothing
   where
     cannot = "A program cannot use " <> quoted n <> "."

@@ -68,14 +68,14 @@ answerChild :: Settings -> Session -> Fd -> Question -> IO ()
 answerChild settings session answer question = alone answer $ do
   begin settings [answer]
   fields <- case question of
-    Check source -> reportFields . fst <$> judge settings session source
+    Check source -> reportFields . fst <$> judge settings ToKnow session source
     Complete source at -> completionFields <$> complete session source at
   writeAll answer ("C" <> line fields)
 
 -- | The report, and the program if it may run.
-judge :: Settings -> Session -> Text -> IO (Report, Maybe Ready)
-judge settings session source = do
-  found <- analyse (if language (layers settings) then Guarded else Unguarded) session source
+judge :: Settings -> Aim -> Session -> Text -> IO (Report, Maybe Ready)
+judge settings aim session source = do
+  found <- analyse (if language (layers settings) then Guarded else Unguarded) aim session source
   let all' = refusals found ++ explainAll (outline found) (messages found)
       report = Report all' (declared found) (connected found) (typed found)
   pure (report, if any isError all' then Nothing else ready found)
@@ -85,7 +85,7 @@ runChild :: Settings -> Session -> Fd -> Fd -> Page -> Word64 -> Text -> IO ()
 runChild settings session answer link page memory source = alone answer $ do
   began <- getMonotonicTime
   begin settings [answer, link]
-  (report, mayRun) <- judge settings session source
+  (report, mayRun) <- judge settings ToRun session source
   let found = problems report
   case mayRun of
     Nothing -> writeAll answer ("R" <> line ["problems" .= found])

@@ -17,6 +17,7 @@ module Rosy.Worker.Ghc
 
     -- * Asking
     Guard (..),
+    Aim (..),
     Analysis (..),
     analyse,
     complete,
@@ -28,21 +29,20 @@ module Rosy.Worker.Ghc
   )
 where
 
-import Control.Exception (try)
 import Control.Monad (void)
-import Data.IORef (modifyIORef', newIORef, readIORef)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Word (Word32)
 import Foreign.C.Types (CInt)
 import Foreign.Ptr (Ptr)
-import GHC.Data.Bag (bagToList)
+import GHC.Data.Bag (bagToList, filterBag)
 import GHC.Data.StringBuffer (stringToStringBuffer)
-import GHC.Driver.Main (hscDesugar)
 import GHC.Driver.Pipeline (compileOne')
 import GHC.Driver.Session (DynFlags (..), SafeHaskellMode (..), xopt_set)
 import GHC.Driver.Types
 import GHC.Hs hiding (Warning)
+import GHC.HsToCore.Binds (dsTopLHsBinds)
+import GHC.HsToCore.Monad (initDs)
 import GHC.LanguageExtensions.Type (Extension (ForeignFunctionInterface))
 import GHC.Runtime.Linker (getHValue, unload)
 import GHC.Settings.Config (cProjectVersion)
@@ -75,14 +75,15 @@ compilerVersion = Text.pack cProjectVersion
 start :: Library -> IO Session
 start library = do
   session <- warm library
-  practised <- analyse Guarded session practice
+  _ <- analyse Guarded ToKnow session practice
+  practised <- analyse Guarded ToRun session practice
   case ready practised of
     Just sample -> do
       _ <- load session sample
       -- The linker keeps what it has linked by name: without this every program's main would be the practice's.
       unload (environment session) []
     Nothing -> pure ()
-  _ <- analyse Guarded session "hole = _ :: Velocity\nwrong = not hole + \"\" + undefinedName\n"
+  _ <- analyse Guarded ToKnow session "hole = _ :: Velocity\nwrong = not hole + \"\" + undefinedName\n"
   _ <- complete session "asked :: Velocity -> Memory Bool -> Velocity\nasked v (Memory m) = \nmain = simulate asked\n" (Place 2 22)
   pure session
 
@@ -137,18 +138,22 @@ data Analysis = Analysis
 -- | A program that has passed the type checker.
 data Ready = Ready HscEnv ModSummary TcGblEnv Name
 
+-- | What for: to say what is wrong and of what types things are, or to run it. Knowing is quicker.
+data Aim = ToKnow | ToRun
+  deriving (Eq)
+
 -- | Reads and checks a program.
-analyse :: Guard -> Session -> Text -> IO Analysis
-analyse guarded session source = do
+analyse :: Guard -> Aim -> Session -> Text -> IO Analysis
+analyse guarded aim session source = do
   options <- optionsOf guarded (allowing (hsc_dflags (environment session))) columns buffer
   case options of
     Left found -> pure (stopped found [])
     Right flags -> case readProgram flags columns buffer of
       Left raws -> pure (stopped [] raws)
       Right (L at parsed, warnings) -> do
-        let refused = if guarded == Guarded then refusalsIn columns parsed else []
+        let refused = if guarded == Guarded then refusalsIn columns source parsed else []
         if null refused
-          then check session flags columns source (L at parsed) warnings
+          then check aim session flags columns source (L at parsed) warnings
           else pure (stopped refused warnings)
   where
     columns = columnsOf source
@@ -160,13 +165,11 @@ analyse guarded session source = do
 
 -- * Checking
 
-check :: Session -> DynFlags -> Columns -> Text -> Located HsModule -> [Raw] -> IO Analysis
-check session flags columns source (L at parsed) warnings = do
-  noted <- newIORef []
-  let added = addRosy (rosyNames session) parsed
-      logging = flags {log_action = \_ r _ s doc -> modifyIORef' noted (fromLog flags columns r s doc :)}
-      env = (environment session) {hsc_dflags = logging}
-      summary = summaryOf logging source
+check :: Aim -> Session -> DynFlags -> Columns -> Text -> Located HsModule -> [Raw] -> IO Analysis
+check aim session flags columns source (L at parsed) warnings = do
+  let added = addRosy instances (linesWith (map Text.pack namingWords) source) (rosyNames session) parsed
+      env = (environment session) {hsc_dflags = flags}
+      summary = summaryOf flags source
       placed = definitionSpans (placeOf columns) parsed
       outlined = Outline source placed (signatureSpans (placeOf columns) parsed) [] []
   ((warned, failed), outcome) <- tcRnModule env summary False (parsedModule (L at (program added)))
@@ -184,15 +187,17 @@ check session flags columns source (L at parsed) warnings = do
     Just tcg
       | bad found -> pure (whole found tcg Nothing)
       | otherwise -> do
-        desugared <- try (hscDesugar env summary tcg)
-        logged <- reverse <$> readIORef noted
-        let raws = found ++ logged
-        case desugared of
-          Left e -> pure (whole (raws ++ map (fromMessage flags columns) (bagToList (srcErrorMessages e))) tcg Nothing)
-          Right _
-            | bad raws || any isError noMain -> pure (whole raws tcg Nothing)
-            | otherwise -> pure (whole raws tcg (Ready env summary tcg <$> mainOf tcg))
+        -- The compiler finds missing cases only now. What it derives has none.
+        ((doubts, failures), _) <- initDs env tcg (dsTopLHsBinds (filterBag (isWritten . getLoc) (tcg_binds tcg)))
+        let raws = found ++ map (fromMessage flags columns) (bagToList failures ++ bagToList doubts)
+        pure $
+          if bad raws || any isError noMain || aim == ToKnow
+            then whole raws tcg Nothing
+            else whole raws tcg (Ready env summary tcg <$> mainOf tcg)
   where
+    -- A program that speaks of Generic may want the real thing.
+    instances = if aim == ToKnow && not ("Generic" `Text.isInfixOf` source) then Promised else Whole
+    isWritten = not . standsIn (derivedPlaces parsed)
     mainOf tcg = case [getName i | i <- typeEnvIds (tcg_type_env tcg), getOccString i == "main", nameModule_maybe (getName i) == Just (tcg_mod tcg)] of
       n : _ -> Just n
       [] -> Nothing

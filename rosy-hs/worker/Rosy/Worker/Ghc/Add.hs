@@ -11,7 +11,9 @@
 -- is put into the parsed tree, so that every place the compiler mentions is a place in the learner's text.
 module Rosy.Worker.Ghc.Add
   ( Added (..),
+    Instances (..),
     addRosy,
+    namingWords,
     generatedQualifier,
   )
 where
@@ -21,7 +23,7 @@ import Data.List (nub)
 import Data.Maybe (maybeToList)
 import Data.Typeable (cast, eqT, (:~:) (..))
 import GHC (mkModuleName)
-import GHC.Data.Bag (bagToList, emptyBag)
+import GHC.Data.Bag (bagToList, emptyBag, listToBag)
 import GHC.Data.FastString (mkFastString)
 import GHC.Hs
 import GHC.Types.Basic (PromotionFlag (NotPromoted), SourceText (..))
@@ -43,17 +45,23 @@ generatedQualifier = "$rosy"
 added :: OccName -> RdrName
 added = mkRdrQual (mkModuleName generatedQualifier)
 
+-- | How the instances of declared types get their functions: from the type's structure, or not at all. That is enough to check
+-- types, and takes the compiler a tenth of the time; nothing that is compiled so ever runs.
+data Instances = Whole | Promised
+  deriving (Eq)
+
 -- | Adds the header, the import of Rosy without the names that the program defines itself, the instances of the
--- program's own types, and the names of functions. The set holds what @import Rosy@ brings.
-addRosy :: OccSet -> HsModule -> Added
-addRosy exported parsed =
+-- program's own types, and the names of functions. The set holds what @import Rosy@ brings; the predicate says where one of
+-- 'namingWords' may stand.
+addRosy :: Instances -> (SrcSpan -> Bool) -> OccSet -> HsModule -> Added
+addRosy instances mayName exported parsed =
   Added
     { program =
         parsed
           { hsmodName = Just (noLoc (mkModuleName "Main")),
             hsmodExports = Nothing,
             hsmodImports = imports,
-            hsmodDecls = decls ++ concatMap (instancesFor (hsmodDecls parsed)) (hsmodDecls parsed)
+            hsmodDecls = decls ++ concatMap (instancesFor instances (hsmodDecls parsed)) (hsmodDecls parsed)
           },
       controllers = concatMap snd named
     }
@@ -63,10 +71,11 @@ addRosy exported parsed =
       concatMap (giveWay exported own) (hsmodImports parsed)
         ++ (if any importsRosy (hsmodImports parsed) then [] else giveWay exported own (noLoc (implicit "Rosy")))
         ++ [noLoc (implicit "Rosy.Program") {ideclQualified = QualifiedPre, ideclAs = Just (noLoc (mkModuleName generatedQualifier))}]
-    named = map (nameFunctions hidden definitions) (hsmodDecls parsed)
+    named = [if mayName (getLoc d) then nameFunctions hidden definitions d else (d, []) | d <- hsmodDecls parsed]
     decls = map fst named
-    definitions = definitionsOf (allBinds parsed)
-    hidden = map occNameString (concatMap bound (allBinds parsed) ++ variables (hsmodDecls parsed))
+    definitions = definitionsOf binds
+    hidden = map occNameString (concatMap bound binds ++ variables (filter (mayName . getLoc) (hsmodDecls parsed)))
+    binds = allBinds (mayName . getLoc) parsed
     bound (L _ b) = case b of
       FunBind {fun_id = L _ n} -> [rdrNameOcc n]
       _ -> []
@@ -134,12 +143,16 @@ definedNames = nub . concatMap (names . unLoc)
 
 -- | The instances that make a declared type an event of its own ("Rosy.Program" says which). They stand at the place of the
 -- declaration, so that whatever is wrong with them is wrong with it.
-instancesFor :: [LHsDecl GhcPs] -> LHsDecl GhcPs -> [LHsDecl GhcPs]
-instancesFor everything (L at d) = case d of
+instancesFor :: Instances -> [LHsDecl GhcPs] -> LHsDecl GhcPs -> [LHsDecl GhcPs]
+instancesFor instances everything (L at d) = case d of
   TyClD _ t@DataDecl {tcdDataDefn = defn}
     | all (isPlain . unLoc) (dd_cons defn) ->
-      [L at (DerivD noExtField (generic t)) | not (derives "Generic" defn), not (has "Generic" t)]
-        ++ concatMap (empty t) ["Value", "Default", "Sensor", "Command"]
+      [L at (DerivD noExtField (generic t)) | not promised, not (derives "Generic" defn), not (has "Generic" t)]
+        ++ concatMap (instance' t) [("Value", ["display", "settle", "initial"]), ("Default", ["defaultValue"]), ("Sensor", ["sense"]), ("Command", ["command"])]
+    where
+      -- What has a structure of its own kind may have none of the usual one, and must be tried.
+      promised = instances == Promised && not (any hasInnerTypes (dd_cons defn))
+      instance' = if promised then whole else empty
   _ -> []
   where
     isPlain :: ConDecl GhcPs -> Bool
@@ -159,10 +172,12 @@ instancesFor everything (L at d) = case d of
           deriv_strategy = Just (noLoc StockStrategy),
           deriv_overlap_mode = Nothing
         }
-    empty :: TyClDecl GhcPs -> String -> [LHsDecl GhcPs]
-    empty t c =
+    empty, whole :: TyClDecl GhcPs -> (String, [String]) -> [LHsDecl GhcPs]
+    empty t (c, _) = with emptyBag t c
+    whole t (c, methods) = with (listToBag [mkSimpleGeneratedFunBind at (mkRdrUnqual (mkVarOcc m)) [] (nlHsVar (added (mkVarOcc m))) | m <- methods]) t c
+    with binds t c =
       [ L at . InstD noExtField . ClsInstD noExtField $
-          ClsInstDecl {cid_ext = noExtField, cid_poly_ty = headOf c t, cid_binds = emptyBag, cid_sigs = [], cid_tyfam_insts = [], cid_datafam_insts = [], cid_overlap_mode = Nothing}
+          ClsInstDecl {cid_ext = noExtField, cid_poly_ty = headOf c t, cid_binds = binds, cid_sigs = [], cid_tyfam_insts = [], cid_datafam_insts = [], cid_overlap_mode = Nothing}
         | not (has c t)
       ]
     headOf :: String -> TyClDecl GhcPs -> LHsSigType GhcPs
@@ -182,6 +197,13 @@ instancesFor everything (L at d) = case d of
       vs -> L at (HsParTy noExtField (foldl (\f v -> L at (HsAppTy noExtField f (name v))) (name (unLoc (tcdLName t))) vs))
     name :: RdrName -> LHsType GhcPs
     name n = L at (HsTyVar noExtField NotPromoted (L at n))
+
+-- | Whether there are types with variables of their own inside.
+hasInnerTypes :: Data a => a -> Bool
+hasInnerTypes x = case cast x of
+  Just (HsForAllTy {} :: HsType GhcPs) -> True
+  Just HsQualTy {} -> True
+  _ -> or (gmapQ hasInnerTypes x)
 
 instanceHead :: HsDecl GhcPs -> [(String, String)]
 instanceHead d = case d of
@@ -234,6 +256,9 @@ naming =
       RecordUpd {rupd_flds = fs} -> head ([name (hsRecFieldArg f) | L _ f <- fs, plainName (rdrNameAmbiguousFieldOcc (unLoc (hsRecFieldLbl f))) == wanted] ++ [Names []])
       RecordCon {rcon_flds = fs} -> head ([name (hsRecFieldArg f) | L _ f <- rec_flds fs, plainName (unLoc (rdrNameFieldOcc (unLoc (hsRecFieldLbl f)))) == wanted] ++ [Names []])
       _ -> Names []
+
+namingWords :: [String]
+namingWords = map fst naming
 
 -- | Replaces the functions of 'naming' where the program does not define the word itself.
 nameFunctions :: [String] -> Definitions -> LHsDecl GhcPs -> (LHsDecl GhcPs, [Names])
@@ -319,12 +344,12 @@ namesExpression n = case n of
 
 -- * Looking through the tree
 
--- | Every binding of the program, local ones included; top-level ones win when a name is bound twice.
-allBinds :: HsModule -> [LHsBind GhcPs]
-allBinds m = localOnes ++ topOnes
+-- | Every binding of the program, local ones included where that is asked for; top-level ones win when a name is bound twice.
+allBinds :: (LHsDecl GhcPs -> Bool) -> HsModule -> [LHsBind GhcPs]
+allBinds within m = localOnes ++ topOnes
   where
     topOnes = [L at b | L at (ValD _ b) <- hsmodDecls m]
-    localOnes = concatMap nested topOnes
+    localOnes = concat [nested (L at b) | d@(L at (ValD _ b)) <- hsmodDecls m, within d]
     nested :: Data a => a -> [LHsBind GhcPs]
     nested x = concat (gmapQ here x)
     here :: Data a => a -> [LHsBind GhcPs]

@@ -17,7 +17,7 @@ import GHC.Driver.Session (defaultFatalMessager, defaultFlushOut, xopt_set)
 import GHC.Driver.Types (HsParsedModule (..))
 import GHC.Types.Name (nameOccName)
 import GHC.Types.Name.Occurrence (OccSet, mkOccSet)
-import Rosy.Worker.Ghc.Add (Added (..), addRosy)
+import Rosy.Worker.Ghc.Add (Added (..), Instances (..), addRosy)
 import Rosy.Worker.Ghc.Warm (defaultExtensions)
 
 data Order = Order
@@ -84,5 +84,5 @@ adding :: OccSet -> StaticPlugin
 adding names = StaticPlugin (PluginWithArgs defaultPlugin {parsedResultAction = const add, pluginRecompile = purePlugin} [])
   where
     add summary tree
-      | moduleNameString (ms_mod_name summary) == "Main" = pure tree {hpm_module = fmap (program . addRosy names) (hpm_module tree)}
+      | moduleNameString (ms_mod_name summary) == "Main" = pure tree {hpm_module = fmap (program . addRosy Whole (const True) names) (hpm_module tree)}
       | otherwise = pure tree

@@ -13,7 +13,7 @@ module Rosy.Worker.Ghc.Read
     -- * Refusing
     Guard (..),
     refusalsIn,
-    importRefusals,
+    linesWith,
 
     -- * For the type checker
     summaryOf,
@@ -23,6 +23,7 @@ where
 
 import Control.Exception (evaluate, try)
 import Data.Data (Data, cast, gmapQ)
+import qualified Data.IntSet as IntSet
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Time.Calendar (fromGregorian)
@@ -93,8 +94,8 @@ say :: Columns -> SrcSpan -> Text -> Text -> Text -> Problem
 say columns s k m h = maybe (problemNowhere k m h) (\p -> problemAt p k m h) (placeOf columns s)
 
 -- | All that no program may have in it, whatever its types are.
-refusalsIn :: Columns -> HsModule -> [Problem]
-refusalsIn columns parsed = importRefusals columns parsed ++ declarationRefusals columns parsed ++ nameRefusals columns parsed
+refusalsIn :: Columns -> Text -> HsModule -> [Problem]
+refusalsIn columns source parsed = importRefusals columns parsed ++ declarationRefusals columns parsed ++ nameRefusals columns (linesWith refusedNames source) parsed
 
 importRefusals :: Columns -> HsModule -> [Problem]
 importRefusals columns parsed =
@@ -104,6 +105,15 @@ importRefusals columns parsed =
       not (isAllowedModule wanted),
       let (m, h) = refuseModule wanted
   ]
+
+-- | Whether a place has a line with one of these words. Looking at text is quick, walking through trees is not.
+linesWith :: [Text] -> Text -> SrcSpan -> Bool
+linesWith words' source = \at -> case at of
+  RealSrcSpan s _ -> maybe False (<= srcSpanEndLine s) (IntSet.lookupGE (srcSpanStartLine s) found)
+  UnhelpfulSpan _ -> False
+  where
+    -- Once for all places: hence the lambda.
+    found = IntSet.fromDistinctAscList [n | any (`Text.isInfixOf` source) words', (n, l) <- zip [1 ..] (Text.lines source), any (`Text.isInfixOf` l) words']
 
 -- | Declarations that have no place in a robot program, whatever the extensions say.
 declarationRefusals :: Columns -> HsModule -> [Problem]
@@ -118,9 +128,10 @@ declarationRefusals columns parsed = concatMap refusal (hsmodDecls parsed)
 
 -- | Functions of the Prelude that reach out of the program, under whatever qualifier. A program's own function of that name is
 -- another matter.
-nameRefusals :: Columns -> HsModule -> [Problem]
-nameRefusals columns parsed = concat (gmapQ uses (hsmodDecls parsed))
+nameRefusals :: Columns -> (SrcSpan -> Bool) -> HsModule -> [Problem]
+nameRefusals columns suspicious parsed = concat [gmapQ' d | d <- hsmodDecls parsed, suspicious (getLoc d)]
   where
+    gmapQ' d = concat (gmapQ uses d)
     own = map fst (definitionSpans (placeOf columns) parsed)
     uses :: Data a => a -> [Problem]
     uses x = case cast x of

@@ -11,7 +11,6 @@
 module Rosy.Worker.Ghc.Report
   ( placeOf,
     fromMessage,
-    fromLog,
     fromParser,
     showPart,
   )
@@ -47,12 +46,6 @@ fromMessage flags columns e =
   where
     parts f = map (showPart flags) (f (errMsgDoc e))
     (why, grave) = weigh (errMsgReason e)
-
--- | A message that was logged, as the desugarer does.
-fromLog :: DynFlags -> Columns -> WarnReason -> SrcSpan -> MsgDoc -> Raw
-fromLog flags columns r s doc = Raw {reason = why, gravity = grave, region = placeOf columns s, important = [showPart flags doc], context = [], supplementary = []}
-  where
-    (why, grave) = weigh r
 
 -- | A message of the parser.
 fromParser :: DynFlags -> Columns -> ErrMsg -> Raw

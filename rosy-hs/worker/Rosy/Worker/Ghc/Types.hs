@@ -12,6 +12,7 @@
 module Rosy.Worker.Ghc.Types
   ( typesAt,
     piecesOf,
+    standsIn,
   )
 where
 
@@ -46,10 +47,7 @@ import Rosy.Worker.Problem (Span (..), Typed (..))
 typesAt :: (Type -> Text) -> (SrcSpan -> Maybe Span) -> [SrcSpan] -> TcGblEnv -> [Typed]
 typesAt shown place derived checked = named Map.empty . sortOn (\(s, _) -> (start s, Down (end s))) $ mapMaybe placed (take mostPieces (filter isOwn (piecesOf checked)))
   where
-    isOwn (at, _) = case at of
-      RealSrcSpan s _ | Just (_, end') <- IntMap.lookupLE (srcSpanStartLine s) derivedLines -> srcSpanStartLine s > end'
-      _ -> True
-    derivedLines = IntMap.fromList [(srcSpanStartLine s, srcSpanEndLine s) | RealSrcSpan s _ <- derived]
+    isOwn = not . standsIn derived . fst
     placed (at, t) = place at >>= \s -> Just (s, t)
     named _ [] = []
     named known ((s, t) : rest) = case Map.lookup (keyOf t) known of
@@ -64,21 +62,64 @@ mostPieces = 20000
 
 type Piece = (SrcSpan, Type)
 
+-- | Whether a place is in the lines of one of these declarations.
+standsIn :: [SrcSpan] -> SrcSpan -> Bool
+standsIn declarations = \at -> case at of
+  RealSrcSpan s _ | Just (_, end') <- IntMap.lookupLE (srcSpanStartLine s) places -> srcSpanStartLine s <= end'
+  _ -> False
+  where
+    places = IntMap.fromList [(srcSpanStartLine s, srcSpanEndLine s) | RealSrcSpan s _ <- declarations]
+
 -- | Every piece, whoever wrote it, in no order.
 piecesOf :: TcGblEnv -> [Piece]
-piecesOf = pieces Nothing . tcg_binds
+piecesOf = bindings . tcg_binds
 
--- | The pieces of anything in the tree. The place is that of the piece around it, whose type has been noted already.
-pieces :: forall a. Data a => Maybe SrcSpan -> a -> [Piece]
-pieces around x
-  | Just Refl <- eqT :: Maybe (a :~: LHsExpr GhcTc) = expression around x
-  | Just Refl <- eqT :: Maybe (a :~: LPat GhcTc) = pattern' x
-  | Just Refl <- eqT :: Maybe (a :~: LHsBind GhcTc) = binding x
-  | Just Refl <- eqT :: Maybe (a :~: HsWrapper) = []
-  | Just Refl <- eqT :: Maybe (a :~: TcEvBinds) = []
-  | Just Refl <- eqT :: Maybe (a :~: Type) = []
-  | otherwise = concat (gmapQ (pieces around) x)
+-- The walk names the shapes that programs are made of: asking each part of the tree what it is takes three times as long as the
+-- type checker. What is rare is found by asking.
 
+bindings :: LHsBinds GhcTc -> [Piece]
+bindings = concatMap (binding Map.empty) . bagToList
+
+-- | Inside, a function has the type of one use; its own is outside: the map knows it.
+binding :: Map.Map Id Type -> LHsBind GhcTc -> [Piece]
+binding outer (L _ b) = case b of
+  AbsBinds {abs_exports = es, abs_binds = bs} -> concatMap (binding (Map.fromList [(abe_mono e, idType (abe_poly e)) | e <- es] `Map.union` outer)) (bagToList bs)
+  FunBind {fun_id = L s f, fun_matches = m}
+    | isWritten s -> concatMap (equation (Map.findWithDefault (idType f) f outer)) (unLoc (mg_alts m))
+  PatBind {pat_lhs = p, pat_rhs = r} -> pattern' p ++ sides r
+  _ -> []
+  where
+    equation :: Type -> LMatch GhcTc (LHsExpr GhcTc) -> [Piece]
+    equation t l@(L whole m) = case m_ctxt m of
+      FunRhs {mc_fun = L s _} -> concat [piece s t | s /= whole] ++ match l
+      _ -> match l
+
+matches :: MatchGroup GhcTc (LHsExpr GhcTc) -> [Piece]
+matches m = concatMap match (unLoc (mg_alts m))
+
+match :: LMatch GhcTc (LHsExpr GhcTc) -> [Piece]
+match (L _ m) = concatMap pattern' (m_pats m) ++ sides (m_grhss m)
+
+sides :: GRHSs GhcTc (LHsExpr GhcTc) -> [Piece]
+sides r = concatMap side (grhssGRHSs r) ++ locals (grhssLocalBinds r)
+
+side :: LGRHS GhcTc (LHsExpr GhcTc) -> [Piece]
+side (L _ (GRHS _ guards e)) = concatMap statement guards ++ expression Nothing e
+
+locals :: LHsLocalBinds GhcTc -> [Piece]
+locals (L _ l) = case l of
+  HsValBinds _ (XValBindsLR (NValBinds groups _)) -> concatMap (bindings . snd) groups
+  _ -> []
+
+statement :: ExprLStmt GhcTc -> [Piece]
+statement (L _ s) = case s of
+  LastStmt _ e _ _ -> expression Nothing e
+  BindStmt _ p e -> pattern' p ++ expression Nothing e
+  BodyStmt _ e _ _ -> expression Nothing e
+  LetStmt _ l -> locals l
+  _ -> rare Nothing s
+
+-- | The place is that of the piece around it, whose type has been noted already.
 expression :: Maybe SrcSpan -> LHsExpr GhcTc -> [Piece]
 expression around (L at e) = here ++ inside e
   where
@@ -91,13 +132,31 @@ expression around (L at e) = here ++ inside e
       | otherwise = around
     inside :: HsExpr GhcTc -> [Piece]
     inside y = case y of
+      HsVar {} -> []
+      HsConLikeOut {} -> []
+      HsLit {} -> []
+      HsOverLit {} -> []
       -- Of f x y the piece f x says nothing that f does not say.
       HsApp _ f a -> function f ++ expression below a
-      XExpr (WrapExpr (HsWrap _ z)) -> inside z
-      XExpr (ExpansionExpr (HsExpanded _ z)) -> inside z
+      OpApp _ a o b -> expression below a ++ expression below o ++ expression below b
+      HsPar _ x -> expression below x
+      NegApp _ x _ -> expression below x
+      SectionL _ a o -> expression below a ++ expression below o
+      SectionR _ o b -> expression below o ++ expression below b
+      HsLam _ m -> matches m
+      HsLamCase _ m -> matches m
+      HsCase _ x m -> expression below x ++ matches m
+      HsIf _ c x z -> concatMap (expression below) [c, x, z]
+      HsMultiIf _ gs -> concatMap side gs
+      HsLet _ l x -> locals l ++ expression below x
+      HsDo _ _ (L _ ss) -> concatMap statement ss
+      ExplicitList _ _ xs -> concatMap (expression below) xs
+      ExplicitTuple _ parts _ -> concat [expression below x | L _ (Present _ x) <- parts]
       ExprWithTySig _ z _ -> expression below z
       HsAppType _ z _ -> expression below z
-      _ -> concat (gmapQ (pieces below) y)
+      XExpr (WrapExpr (HsWrap _ z)) -> inside z
+      XExpr (ExpansionExpr (HsExpanded _ z)) -> inside z
+      _ -> rare below y
     function f@(L _ g) = case g of
       HsApp _ h a -> function h ++ expression below a
       XExpr (WrapExpr (HsWrap _ (HsApp _ h a))) -> function h ++ expression below a
@@ -109,25 +168,35 @@ pattern' (L at p) = case p of
   WildPat t -> piece at t
   LitPat _ l -> piece at (hsLitType l)
   NPat t _ _ _ -> piece at t
-  AsPat _ (L s v) inner -> piece s (idType v) ++ pattern' inner
-  ConPat {pat_con = L s (RealDataCon c)} -> piece s (constructorType c (cpt_arg_tys (pat_con_ext p))) ++ concat (gmapQ (pieces Nothing) p)
-  _ -> concat (gmapQ (pieces Nothing) p)
-
-binding :: LHsBind GhcTc -> [Piece]
-binding = go Map.empty
+  ParPat _ x -> pattern' x
+  BangPat _ x -> pattern' x
+  LazyPat _ x -> pattern' x
+  SigPat _ x _ -> pattern' x
+  AsPat _ (L s v) x -> piece s (idType v) ++ pattern' x
+  TuplePat _ xs _ -> concatMap pattern' xs
+  ListPat _ xs -> concatMap pattern' xs
+  ConPat {pat_con = L s (RealDataCon c), pat_con_ext = x, pat_args = args} -> piece s (constructorType c (cpt_arg_tys x)) ++ arguments args
+  XPat (CoPat {co_pat_inner = x}) -> pattern' (L at x)
+  _ -> rare Nothing p
   where
-    go :: Map.Map Id Type -> LHsBind GhcTc -> [Piece]
-    go outer (L _ b) = case b of
-      -- Inside, a function has the type of one use; its own is outside.
-      AbsBinds {abs_exports = es, abs_binds = bs} -> concatMap (go (Map.fromList [(abe_mono e, idType (abe_poly e)) | e <- es] `Map.union` outer)) (bagToList bs)
-      FunBind {fun_id = L s f, fun_matches = m}
-        | isWritten s -> concatMap (equation (Map.findWithDefault (idType f) f outer)) (unLoc (mg_alts m))
-      VarBind {} -> []
-      _ -> concat (gmapQ (pieces Nothing) b)
-    equation :: Type -> LMatch GhcTc (LHsExpr GhcTc) -> [Piece]
-    equation t (L whole m) = case m_ctxt m of
-      FunRhs {mc_fun = L s _} -> concat [piece s t | s /= whole] ++ concatMap pattern' (m_pats m) ++ pieces Nothing (m_grhss m)
-      _ -> concatMap pattern' (m_pats m) ++ pieces Nothing (m_grhss m)
+    arguments args = case args of
+      PrefixCon xs -> concatMap pattern' xs
+      InfixCon x y -> pattern' x ++ pattern' y
+      RecCon fs -> concat [pattern' (hsRecFieldArg f) | L _ f <- rec_flds fs]
+
+-- | The pieces in anything else.
+rare :: forall a. Data a => Maybe SrcSpan -> a -> [Piece]
+rare around = concat . gmapQ here
+  where
+    here :: forall b. Data b => b -> [Piece]
+    here x
+      | Just Refl <- eqT :: Maybe (b :~: LHsExpr GhcTc) = expression around x
+      | Just Refl <- eqT :: Maybe (b :~: LPat GhcTc) = pattern' x
+      | Just Refl <- eqT :: Maybe (b :~: LHsBind GhcTc) = binding Map.empty x
+      | Just Refl <- eqT :: Maybe (b :~: HsWrapper) = []
+      | Just Refl <- eqT :: Maybe (b :~: TcEvBinds) = []
+      | Just Refl <- eqT :: Maybe (b :~: Type) = []
+      | otherwise = rare around x
 
 piece :: SrcSpan -> Type -> [Piece]
 piece at t = [(at, t) | isWritten at]
