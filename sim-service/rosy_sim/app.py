@@ -24,6 +24,7 @@ from .budget import Budget
 from .config import Config
 from .library import example, examples, world_names
 from .live import Lateness
+from .places import Places
 from .sentences import room_full
 from .session import Session
 from .wire import page
@@ -48,6 +49,7 @@ class Service:
         self.config = config
         self.late = Lateness()
         self.sessions: dict[str, Session] = {}
+        self.places = Places(config.limits.runs)
         self.worker = Worker(config, self._worker_changed)
 
     def _worker_changed(self, state: State) -> None:
@@ -80,7 +82,7 @@ class Service:
             await socket.send_text(page.encode(page.Refusal(full.message, full.hint)))
             await socket.close(_TRY_AGAIN)
             return
-        session = Session(secrets.token_urlsafe(9), self.worker, self.config.limits, self.late)
+        session = Session(secrets.token_urlsafe(9), self.worker, self.places, self.config.limits, self.late)
         self.sessions[session.id] = session
         try:
             await _first_of(_receive(socket, session), _send(socket, session), session.outbox.overflowed.wait())
@@ -107,9 +109,14 @@ class Service:
     # HTTP
 
     async def health(self, _request: Request) -> Response:
-        """State of the worker, number of pages, lateness of their steps."""
+        """State of the worker, number of pages and of runs, lateness of their steps."""
         return JSONResponse(
-            {"worker": self.worker.state, "sessions": len(self.sessions), "lateness": self.late.summary()}
+            {
+                "worker": self.worker.state,
+                "sessions": len(self.sessions),
+                "runs": {"now": self.places.taken, "limit": self.places.limit, "queued": self.places.queued},
+                "lateness": self.late.summary(),
+            }
         )
 
     async def list_examples(self, _request: Request) -> Response:

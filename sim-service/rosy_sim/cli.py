@@ -13,6 +13,7 @@ import os
 import random
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO, NoReturn
 
@@ -59,6 +60,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if options.command == "serve":
             from .serve import serve
 
+            if options.runs is not None:
+                if options.runs < 1:
+                    raise BadInput("--runs says how many programs may run at once: at least 1.")
+                config = config.with_limits(replace(config.limits, runs=options.runs))
             return serve(config, options.host, options.port, not options.no_browser, options.unprotected)
         if options.command == "build":
             return _build(config, options)
@@ -86,6 +91,7 @@ def _parser() -> argparse.ArgumentParser:
     serve.add_argument("--port", type=int, default=8080)
     serve.add_argument("--host", default="127.0.0.1")
     serve.add_argument("--no-browser", action="store_true")
+    serve.add_argument("--runs", type=int, help="programs that run at once; others wait their turn")
     serve.add_argument("--unprotected", action="store_true", help="listen beyond this machine even without a sandbox")
     check = commands.add_parser("check", prog="rosy check", allow_abbrev=False)
     check.add_argument("file", type=Path)

@@ -30,10 +30,12 @@ class Limits:
     compile: float = 30.0
     # For a fresh worker to become `ready`.
     worker_ready: float = 30.0
-    # Memory of a run; issue 4 asks for 64 MB.
+    # Memory of a run: what a learner's program needs ten times over, and a class of thirty fits into 2 GB.
     memory: int = 64 * 1024 * 1024
-    # Pages and runs at once, all together.
+    # Pages at once.
     sessions: int = 400
+    # Programs that run at once; others wait their turn. `./rosy start --runs`.
+    runs: int = 100
     # A message from a page.
     page_message: int = 1_000_000
     # Characters of a program. protocol/README.md, section 3.

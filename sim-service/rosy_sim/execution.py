@@ -12,6 +12,7 @@ from typing import Literal, Protocol
 
 from .config import Limits
 from .errors import RosyError
+from .places import Places
 from .sentences import died, stuck, worker_lost
 from .wire.problem import Problem
 from .wire.worker import Gone, Refused, Started
@@ -21,7 +22,13 @@ __all__ = ["Execution", "Listener"]
 
 
 class Listener(Protocol):
-    """Who is told what became of the compilation; called on the loop, exactly one of both."""
+    """Who is told what became of the compilation; called on the loop, exactly one of the last two."""
+
+    def on_queued(self, place: int) -> None:
+        """All places are taken; ours in the queue, 1 for the next."""
+
+    def on_turn(self) -> None:
+        """There is a place now."""
 
     def on_started(self, link: socket.socket, problems: list[Problem]) -> None:
         """The program runs; our end of the link is the listener's now. The problems are warnings."""
@@ -31,10 +38,14 @@ class Listener(Protocol):
 
 
 class Execution:
-    """Compiles at once. cancel() while that goes on, kill() afterwards; a cancelled one says nothing any more."""
+    """
+    Compiles as soon as there is a place. cancel() while that goes on, kill() afterwards; a cancelled one says
+    nothing any more.
+    """
 
-    def __init__(self, worker: Worker, limits: Limits, source: str, listener: Listener) -> None:
+    def __init__(self, worker: Worker, places: Places, limits: Limits, source: str, listener: Listener) -> None:
         self._worker = worker
+        self._places = places
         self._limits = limits
         self._listener = listener
         # As the worker sees it; set once the worker has taken the text.
@@ -58,20 +69,33 @@ class Execution:
         if self._program is not None:
             self._worker.kill(self._program)
 
+    async def _enter(self) -> None:
+        waited = False
+
+        def told(place: int) -> None:
+            nonlocal waited
+            waited = True
+            self._listener.on_queued(place)
+
+        await self._places.enter(told)
+        if waited:
+            self._listener.on_turn()
+
     async def _compile(self, source: str) -> None:
+        await self._enter()
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
         answer: Started | Refused | Gone
         try:
             async with asyncio.timeout(self._limits.worker_ready + self._limits.compile):
                 self._program = await self._worker.start(source, theirs)
+                # However it ends, and the worker with it: then somebody else has the place.
+                self._program.gone.add_done_callback(lambda _: self._places.leave())
                 answer = await asyncio.shield(self._program.started)
         except asyncio.CancelledError:
-            ours.close()
-            self.kill()
+            self._give_up(ours)
             raise
         except (RosyError, TimeoutError):
-            ours.close()
-            self.kill()
+            self._give_up(ours)
             self._compiling = None
             self._listener.on_failed("error", [worker_lost()])
             return
@@ -84,6 +108,12 @@ class Execution:
             self._listener.on_failed("refused", answer.problems)
         else:
             self._listener.on_failed("error", [died(answer, 0.0)])
+
+    def _give_up(self, link: socket.socket) -> None:
+        link.close()
+        if self._program is None:
+            self._places.leave()
+        self.kill()
 
     async def why(self, busy: bool, time: float) -> Problem:
         """What a silent program was doing, which the worker knows; ``busy``: it lives, but does not answer."""

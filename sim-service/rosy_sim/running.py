@@ -13,6 +13,7 @@ from .config import Limits
 from .execution import Execution
 from .live import Ending, Lateness, LiveRun
 from .lockstep import Lockstep
+from .places import Places
 from .sentences import broken_link, died
 from .showing import Showing
 from .wire import page
@@ -40,6 +41,7 @@ class Running:
         seed: int,
         world: World,
         worker: Worker,
+        places: Places,
         limits: Limits,
         late: Lateness,
         showing: Showing,
@@ -62,7 +64,7 @@ class Running:
         self._asking: asyncio.Task[None] | None = None
         showing.state("compiling")
         showing.frame(force=True)
-        self._execution = Execution(worker, limits, request.source, self)
+        self._execution = Execution(worker, places, limits, request.source, self)
 
     # What the page may ask
 
@@ -118,6 +120,14 @@ class Running:
         return self._asking is None or self._asking.done()
 
     # What the compilation tells (execution.Listener)
+
+    def on_queued(self, place: int) -> None:
+        """The room is full."""
+        self._showing.queued(place)
+
+    def on_turn(self) -> None:
+        """There is a place."""
+        self._showing.state("compiling")
 
     def on_started(self, link: socket.socket, problems: list[Problem]) -> None:
         """The program runs."""

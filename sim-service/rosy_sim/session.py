@@ -19,6 +19,7 @@ from .idle import IdleClock
 from .library import DEFAULT_WORLD, named_world, usable_arena
 from .live import Lateness
 from .outbox import Outbox
+from .places import Places
 from .running import Running
 from .showing import Showing
 from .wire import page
@@ -35,10 +36,11 @@ _dice = random.SystemRandom()
 class Session:
     """Lives as long as its page is connected; close() ends everything it started."""
 
-    def __init__(self, ident: str, worker: Worker, limits: Limits, late: Lateness) -> None:
+    def __init__(self, ident: str, worker: Worker, places: Places, limits: Limits, late: Lateness) -> None:
         self.id = ident
         self.outbox = Outbox(limits.page_queue)
         self._worker = worker
+        self._places = places
         self._limits = limits
         self._late = late
         self._loop = asyncio.get_running_loop()
@@ -175,6 +177,7 @@ class Session:
             seed,
             self.world,
             self._worker,
+            self._places,
             self._limits,
             self._late,
             self._showing,

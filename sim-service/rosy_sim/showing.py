@@ -71,6 +71,10 @@ class Showing:
         """Where the run is."""
         self._outbox.put(page.RunState(self.run, state, problems or []))
 
+    def queued(self, place: int) -> None:
+        """The run waits for a place."""
+        self._outbox.put(page.RunState(self.run, "queued", [], place=place))
+
     def over(self, run: int, ended: Ended, problems: list[Problem]) -> None:
         """A run, which need not be the latest, has ended."""
         self._outbox.put(page.RunState(run, "ended", problems, ended))

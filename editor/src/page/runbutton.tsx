@@ -10,7 +10,7 @@ export function RunButton(): VNode {
   const {store} = useDesk()
   const active = usePage(s => isActive(s.run))
   // Until the robot answers; the mark appears by itself after half a second (controls.css).
-  const busy = usePage(s => s.run.kind === "compiling" || s.run.kind === "waiting")
+  const busy = usePage(s => s.run.kind === "compiling" || s.run.kind === "waiting" || s.run.kind === "queued")
   const inviting = usePage(s => s.welcome === "fresh" && s.document.program.text !== "")
   return (
     <button

@@ -133,6 +133,10 @@ export function runWords(state: PageState): string {
       return "Ready"
     case "waiting":
       return "Waiting"
+    case "queued":
+      return run.place === 1
+        ? "The room is full: you are next"
+        : `The room is full: ${run.place - 1} before you`
     case "compiling":
       return "Starting"
     case "running":

@@ -98,6 +98,7 @@ export type ServiceMessage =
       readonly declarations: readonly Declared[]
     }
   | {readonly op: "state"; readonly run: number; readonly state: "compiling" | "running"}
+  | {readonly op: "state"; readonly run: number; readonly state: "queued"; readonly place: number}
   | {
       readonly op: "state"
       readonly run: number
@@ -228,8 +229,9 @@ const serviceMessage: Decoder<ServiceMessage> = (value, path) => {
           declarations: get("declarations", optional(list(declared), [])),
         }
       case "state": {
-        const state = get("state", oneOf("compiling", "running", "ended"))
+        const state = get("state", oneOf("queued", "compiling", "running", "ended"))
         const run = get("run", number)
+        if (state === "queued") return {op, run, state, place: get("place", number)}
         if (state !== "ended") return {op, run, state}
         return {
           op,

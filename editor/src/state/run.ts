@@ -9,6 +9,8 @@ export type RunState =
   | {readonly kind: "ready"}
   /// Run was pressed while the service could not be reached; it is sent when the service is back.
   | {readonly kind: "waiting"; readonly run: number}
+  /// As many programs run as may; this one's place in the queue, 1 for the next.
+  | {readonly kind: "queued"; readonly run: number; readonly place: number}
   | {readonly kind: "compiling"; readonly run: number}
   | {readonly kind: "running"; readonly run: number}
   | {readonly kind: "ended"; readonly run: number; readonly how: Ended | "lost"}
@@ -24,8 +26,8 @@ export type RunEvent =
 /// True while Stop is what the button should say.
 export function isActive(
   run: RunState,
-): run is RunState & {readonly kind: "waiting" | "compiling" | "running"} {
-  return run.kind === "waiting" || run.kind === "compiling" || run.kind === "running"
+): run is RunState & {readonly kind: "waiting" | "queued" | "compiling" | "running"} {
+  return run.kind === "waiting" || run.kind === "queued" || run.kind === "compiling" || run.kind === "running"
 }
 
 export function nextRun(state: RunState, event: RunEvent): RunState {
@@ -40,14 +42,16 @@ export function nextRun(state: RunState, event: RunEvent): RunState {
     case "connected":
       return state.kind === "waiting" ? {kind: "compiling", run: state.run} : state
     case "lost":
-      if (state.kind === "compiling" || state.kind === "running")
+      if (state.kind === "queued" || state.kind === "compiling" || state.kind === "running")
         return {kind: "ended", run: state.run, how: "lost"}
       return state
     case "heard": {
       const {message} = event
       if (!isActive(state) || message.run !== state.run) return state
       if (message.state === "ended") return {kind: "ended", run: state.run, how: message.ended}
-      return message.state === "running" ? {kind: "running", run: state.run} : state
+      if (message.state === "queued") return {kind: "queued", run: state.run, place: message.place}
+      if (message.state === "compiling" && state.kind !== "queued") return state
+      return {kind: message.state, run: state.run}
     }
   }
 }

@@ -182,9 +182,11 @@ class RunState(msgspec.Struct, tag="state", tag_field="op", omit_defaults=True):
     """Where a run is. ``problems`` is always sent."""
 
     run: int
-    state: Literal["compiling", "running", "ended"]
+    state: Literal["queued", "compiling", "running", "ended"]
     problems: list[Problem]
     ended: Literal["done", "error", "stuck", "stopped", "time", "refused"] | None = None
+    # In the queue, while the state is `queued`: 1 is the next.
+    place: int | None = None
 
 
 class Frame(msgspec.Struct, tag="frame", tag_field="op", omit_defaults=True):

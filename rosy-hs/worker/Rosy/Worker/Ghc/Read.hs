@@ -1,3 +1,4 @@
+{-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE OverloadedStrings #-}
 {-# LANGUAGE RankNTypes #-}
 {-# LANGUAGE ScopedTypeVariables #-}
@@ -108,7 +109,7 @@ importRefusals columns parsed =
 
 -- | Whether a place has a line with one of these words. Looking at text is quick, walking through trees is not.
 linesWith :: [Text] -> Text -> SrcSpan -> Bool
-linesWith words' source = \at -> case at of
+linesWith words' source = \case
   RealSrcSpan s _ -> maybe False (<= srcSpanEndLine s) (IntSet.lookupGE (srcSpanStartLine s) found)
   UnhelpfulSpan _ -> False
   where

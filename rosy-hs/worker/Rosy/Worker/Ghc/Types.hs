@@ -1,4 +1,5 @@
 {-# LANGUAGE GADTs #-}
+{-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE RankNTypes #-}
 {-# LANGUAGE ScopedTypeVariables #-}
 {-# LANGUAGE TypeOperators #-}
@@ -64,7 +65,7 @@ type Piece = (SrcSpan, Type)
 
 -- | Whether a place is in the lines of one of these declarations.
 standsIn :: [SrcSpan] -> SrcSpan -> Bool
-standsIn declarations = \at -> case at of
+standsIn declarations = \case
   RealSrcSpan s _ | Just (_, end') <- IntMap.lookupLE (srcSpanStartLine s) places -> srcSpanStartLine s <= end'
   _ -> False
   where
