@@ -1,8 +1,9 @@
 """
-How a real robot differs from an ideal one: wheels that slip, a heading that drifts, noisy speeds, late commands.
+How a real robot differs from an ideal one: wheels that slip, a gyro that drifts, noisy speeds, late commands.
 
-Off unless the world asks for it. The robot still goes exactly where its wheels take it; what it *believes* goes
-astray, so a learner meets the difference in the simulator first. All of it comes from the run's seed.
+Off unless the world asks for it. Wheels that slip take the robot less far, and less straight, than they turn; its odometry
+counts their turning and knows nothing of it. What drifts and is noisy changes only what the robot believes. All of it
+comes from the run's seed.
 """
 
 from __future__ import annotations
@@ -13,19 +14,20 @@ from collections import deque
 from dataclasses import dataclass
 
 from .events import Command
+from .facts import MAX_ANGULAR_SPEED, WHEELBASE
 from .fields import ArenaError, number, objekt
 
-__all__ = ["Belief", "Latency", "Realism", "read_realism"]
+__all__ = ["Belief", "Latency", "Realism", "Slip", "read_realism"]
 
-_SLIP_LASTS = 0.5
-"""How long the wheels slip alike before the floor changes, s. Our choice."""
+_PATCH = 0.5
+"""How long a wheel is on one kind of floor before the next, s. Our choice."""
 
 
 @dataclass(frozen=True, slots=True)
 class Realism:
     """All zero is ideal."""
 
-    # Relative error of a wheel's distance, standard deviation.
+    # Part of its turning that a wheel loses, standard deviation.
     slip: float = 0.0
     # Wandering of the heading, rad per square root of a second.
     drift: float = 0.0
@@ -54,8 +56,42 @@ def read_realism(value: object) -> Realism:
     return Realism(**read)
 
 
+class Slip:
+    """Two wheels on a floor that does not hold them: each loses a part of its speed, changing slowly."""
+
+    def __init__(self, slip: float, seed: int) -> None:
+        self._deviation = slip
+        self._dice = random.Random(f"slip {seed}")
+        # What each wheel loses now and at the end of the patch, left and right, 0 to 1; how long the patch still is, s.
+        self._lost = (self._draw(), self._draw())
+        self._next = (self._draw(), self._draw())
+        self._left = _PATCH
+
+    def _draw(self) -> float:
+        return min(1.0, abs(self._dice.gauss(0.0, self._deviation)))
+
+    def on_floor(self, v: float, w: float, dt: float) -> tuple[float, float]:
+        """The speeds (m/s, rad/s) at which the robot goes when its wheels turn for these, after ``dt`` s."""
+        if dt >= self._left:
+            self._lost, self._next = self._next, (self._draw(), self._draw())
+            self._left = _PATCH
+        else:
+            part = dt / self._left
+            self._lost = (
+                self._lost[0] + (self._next[0] - self._lost[0]) * part,
+                self._lost[1] + (self._next[1] - self._lost[1]) * part,
+            )
+            self._left -= dt
+        left = (v - w * WHEELBASE / 2) * (1 - self._lost[0])
+        right = (v + w * WHEELBASE / 2) * (1 - self._lost[1])
+        return (left + right) / 2, max(-MAX_ANGULAR_SPEED, min(MAX_ANGULAR_SPEED, (right - left) / WHEELBASE))
+
+
 class Belief:
-    """Where the robot thinks it is, from wheels that slip and a gyro that drifts."""
+    """
+    Where the robot thinks it is: distance from its wheels, heading from a gyro that drifts. As kobuki_node has it
+    (``use_imu_heading``).
+    """
 
     def __init__(self, realism: Realism, seed: int) -> None:
         self._realism = realism
@@ -63,23 +99,17 @@ class Belief:
         # m, m, rad from the start pose; m/s, rad/s. Changed by moved().
         self.pose = (0.0, 0.0, 0.0)
         self.speeds = (0.0, 0.0)
-        self._slip = (0.0, 0.0)
-        self._slips_until = 0.0
-        self._time = 0.0
 
     def moved(self, ahead: float, turn: float, v: float, w: float, dt: float) -> None:
-        """The robot went ``ahead`` m and turned ``turn`` rad in ``dt`` s, and does now v and w."""
+        """The wheels rolled ``ahead`` m in ``dt`` s and do now v, and the robot turned ``turn`` rad and does now w."""
         realism, dice = self._realism, self._dice
-        self._time += dt
-        if self._time >= self._slips_until:
-            self._slips_until = self._time + _SLIP_LASTS
-            self._slip = (dice.gauss(0.0, realism.slip), dice.gauss(0.0, realism.slip))
-        ahead *= 1 + self._slip[0]
-        turn *= 1 + self._slip[1]
         if v or w:
             turn += dice.gauss(0.0, realism.drift * math.sqrt(dt))
         x, y, theta = self.pose
         middle = theta + turn / 2
+        # The chord of the arc that was driven.
+        if abs(turn) > 1e-9:
+            ahead *= math.sin(turn / 2) / (turn / 2)
         self.pose = (x + ahead * math.cos(middle), y + ahead * math.sin(middle), theta + turn)
         self.speeds = (v + dice.gauss(0.0, realism.noise), w + dice.gauss(0.0, realism.noise))
 

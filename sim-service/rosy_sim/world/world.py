@@ -13,7 +13,7 @@ from .arena import Arena, ArenaError, Pose
 from .drive import Drive
 from .events import Command, Event, Hand, Led, Lift, Press, Say, Sound, Teleport, Velocity
 from .facts import RADIUS, STEP
-from .realism import Belief, Latency
+from .realism import Belief, Latency, Slip
 from .room import Room
 from .sensors import Bits, bumper_bits, cliff_bits, edges, hanging_wheels
 
@@ -24,6 +24,9 @@ _SUBSTEPS = 4
 
 _NEAR_BOXES = 0.03
 """Distance at which movable boxes join the physics, m: more than a step of travel."""
+
+_AS_TOLD = 1e-6
+"""A robot slower than it should be by more than this is held by something, m/s and rad/s."""
 
 _LIFTED = {"left": 2, "right": 1, "both": 3}
 
@@ -48,6 +51,10 @@ class World:
         self.arena = arena
         realism = arena.realism
         self._belief = Belief(realism, seed) if realism is not None else None
+        self._slip = Slip(realism.slip, seed) if realism is not None and realism.slip else None
+        # The speeds for which slipping wheels turn, m/s and rad/s; what they rolled in the last step, m.
+        self._wheels = (0.0, 0.0)
+        self._rolled = 0.0
         self._latency = Latency(realism.latency) if realism is not None and realism.latency else None
         self.room = Room(arena)
         self._drive = Drive()
@@ -173,6 +180,7 @@ class World:
         self.theta = theta
         self._origin = Pose(self.x - (c * px - s * py), self.y - (s * px + c * py), otheta)
         self.v = self.w = 0.0
+        self._wheels = (0.0, 0.0)
         self._look()
         self._feel_floor()
 
@@ -187,14 +195,32 @@ class World:
             if self._belief is None:
                 self._integrate(part)
             else:
-                x, y, theta = self.x, self.y, self.theta
-                self._integrate(part)
-                heading = (theta + self.theta) / 2
-                ahead = (self.x - x) * math.cos(heading) + (self.y - y) * math.sin(heading)
-                self._belief.moved(ahead, self.theta - theta, self.v, self.w, part)
+                theta = self.theta
+                self._roll_wheels(part)
+                self._belief.moved(self._rolled, self.theta - theta, self._wheels[0], self.w, part)
+
+    def _roll_wheels(self, dt: float) -> None:
+        """A step in which what the wheels do and what the robot does are two things."""
+        x, y, theta = self.x, self.y, self.theta
+        before = self._wheels
+        wheels = self._drive.next(dt, *before)
+        v, w = self._slip.on_floor(*wheels, dt) if self._slip is not None else wheels
+        self._integrate_at(v, w, dt)
+        if abs(self.v - v) < _AS_TOLD and abs(self.w - w) < _AS_TOLD:
+            self._wheels = wheels
+            self._rolled = (before[0] + wheels[0]) / 2 * dt
+            return
+        # Something holds the robot, and its wheels with it.
+        self._wheels = (self.v, self.w)
+        heading = (theta + self.theta) / 2
+        self._rolled = (self.x - x) * math.cos(heading) + (self.y - y) * math.sin(heading)
 
     def _integrate(self, dt: float) -> None:
         v, w = self._drive.next(dt, self.v, self.w)
+        self._integrate_at(v, w, dt)
+
+    def _integrate_at(self, v: float, w: float, dt: float) -> None:
+        """Move for ``dt`` s towards these speeds, as far as the room lets the robot."""
         if self._hanging or self._lifted:
             self.v = self.w = 0.0
             if self.room.awake:
