@@ -237,6 +237,7 @@ def wall_depth(world: World) -> float:
     for box in arena.boxes:
         if not box.movable:
             gaps.append(_rectangle_gap(x, y, box.x, box.y, box.w, box.h, box.theta))
+    gaps += [math.dist((x, y), (round_.x, round_.y)) - round_.r for round_ in arena.rounds if not round_.movable]
     for row, text in enumerate(arena.tiles):
         for column, char in enumerate(text):
             if char == "#":

@@ -297,6 +297,8 @@ export function openDesk(address: string): Desk {
       room = openRoom(canvas, {
         changed: () => store.redraw(),
         placed: teleport => store.dispatch({kind: "hand", hand: {teleport}}),
+        pushed: (thing, pose) => store.dispatch({kind: "hand", hand: {move: {thing, ...pose}}}),
+        holds: thing => store.dispatch({kind: "held", thing}),
         follows: follows => store.dispatch({kind: "follows", follows}),
       })
     },
@@ -406,6 +408,12 @@ function drawParts(
     if (before !== null && liked.some(changed))
       remember(Object.fromEntries(liked.map(key => [key, state[key]])))
     before = state
-    if (room?.draw(state.room, state, now)) again()
+    const sight = {
+      trail: state.trail,
+      follows: state.follows,
+      hands: state.run.kind === "running",
+      held: state.room.held,
+    }
+    if (room?.draw(state.room, sight, now)) again()
   }
 }

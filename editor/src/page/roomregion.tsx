@@ -2,6 +2,7 @@
 
 import type {VNode} from "preact"
 import {useLayoutEffect, useRef} from "preact/hooks"
+import {thingsOf} from "../room/things.ts"
 import type {Hand} from "../state/messages.ts"
 import {readout} from "../state/next.ts"
 import {isActive} from "../state/run.ts"
@@ -40,6 +41,7 @@ export function RoomRegion({shown}: {shown: boolean}): VNode {
         {/* biome-ignore-end lint/a11y/noNoninteractiveTabindex: see above */}
         {/* biome-ignore-end lint/a11y/noInteractiveElementToNoninteractiveRole: see above */}
         <Hands />
+        <Held />
         <Readout />
         <Invitation />
         <Goals />
@@ -169,6 +171,24 @@ function Hands(): VNode | null {
         {words.lift}
       </button>
     </fieldset>
+  )
+}
+
+/// What the keyboard holds, for screen readers.
+function Held(): VNode {
+  const told = usePage(s => {
+    const {world, held} = s.room
+    if (world === null || held === null) return ""
+    const thing = thingsOf(world, [])[held]
+    const boxes = world.boxes.filter(b => b.movable).length
+    return thing === undefined
+      ? ""
+      : words.holdsThing(thing.kind, thing.kind === "box" ? held + 1 : held - boxes + 1)
+  })
+  return (
+    <p class="hidden-text" aria-live="polite" data-testid="held">
+      {told}
+    </p>
   )
 }
 

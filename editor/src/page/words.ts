@@ -101,7 +101,7 @@ export const words = {
       "The helper that reads Haskell is restarting. Your program is kept; run it again in a moment.",
   },
   roomLabel: (world: string) =>
-    `The room ${world} from above, with the robot in it. While it runs, the arrow keys move the robot, comma and full stop turn it; plus and minus zoom, F follows it.`,
+    `The room ${world} from above, with the robot in it. While it runs, the arrow keys move the robot, comma and full stop turn it, and B takes a thing to push instead; plus and minus zoom, F follows it.`,
   sight: "How to see the room",
   follow: "Follow the robot",
   followHint: "Follow the robot (F)",
@@ -119,6 +119,8 @@ export const words = {
   goalStates: {open: "open", done: "done", missed: "missed"},
   hands: "Touch the robot",
   robotButton: (n: number) => `Press button ${n} of the robot`,
+  holdsThing: (kind: "box" | "drum", n: number) =>
+    `${kind === "box" ? "Box" : "Drum"} ${n}: the arrow keys push it. Escape takes the robot again.`,
   lift: "Lift",
   liftHint: "Lift the robot off the floor, and put it down again",
 } as const

@@ -1,15 +1,28 @@
-/// Hands in the room: take the robot and put it elsewhere, turn it, move the view, look closer. With mouse,
-/// touch and keyboard. Says what was wanted; what becomes of it is decided elsewhere.
+/// Hands in the room: take the robot and put it elsewhere, turn it, push things, move the view, look closer. With
+/// mouse, touch and keyboard. Says what was wanted; what becomes of it is decided elsewhere.
 
 import {type Camera, toRoom} from "./camera.ts"
 import type {Pose} from "./motion.ts"
+import {type Thing, thingAt} from "./things.ts"
 
 export interface GestureHost {
   camera(): Camera
   /// Where the robot is drawn, or `null` when there is no room yet.
   robot(): Pose | null
+  /// What can be pushed, where it is drawn.
+  things(): readonly Thing[]
+  /// The thing that the keyboard holds; `null` is the robot.
+  held(): number | null
+  /// Whether hands can do anything: only while a program runs.
+  able(): boolean
   /// The robot was taken to this pose.
   placed(pose: Pose): void
+  /// A thing was pushed towards this pose.
+  pushed(thing: number, pose: Pose): void
+  /// The keyboard takes another thing, or the robot again.
+  holds(thing: number | null): void
+  /// The handle that turns the robot is to be seen, or no longer.
+  handled(shown: boolean): void
   /// The view was moved by so many pixels.
   panned(dx: number, dy: number): void
   /// The view became `factor` times as close, around a point on the canvas.
@@ -19,66 +32,123 @@ export interface GestureHost {
   followed(): void
 }
 
+/// From the robot's middle to the handle that turns it, m.
+export const handleReach = 0.32
 /// Kobuki's radius, m (see `robot.ts`); taking hold is a little easier than that.
 const reach = 0.22
+/// The handle shows while the pointer is so near to the robot, m.
+const near = 0.45
+/// How far around a pointer is meant, in pixels.
+const grasp = 16
 /// A key moves the robot so far, in metres, and turns it so far, in radians.
 const keyStep = 0.05
 const keyTurn = Math.PI / 12
 
+type Grip =
+  | {readonly kind: "robot"; readonly dx: number; readonly dy: number; theta: number}
+  | {readonly kind: "turn"; readonly by: number}
+  | {readonly kind: "thing"; readonly thing: number; readonly dx: number; readonly dy: number; theta: number}
+  | {readonly kind: "floor"; readonly x: number; readonly y: number}
+
+interface Spot {
+  readonly x: number
+  readonly y: number
+}
+
 export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): void {
-  const at = (event: PointerEvent | WheelEvent) => {
+  const at = (event: PointerEvent | WheelEvent): Spot => {
     const box = canvas.getBoundingClientRect()
     return {x: event.clientX - box.left, y: event.clientY - box.top}
   }
-  const holds = (event: PointerEvent): boolean => {
+  const inRoom = (p: Spot): Spot => toRoom(host.camera(), p.x, p.y)
+  const metres = (pixels: number) => pixels / host.camera().scale
+
+  /// What a hand takes hold of at a point of the canvas.
+  const gripAt = (p: Spot): Grip => {
     const robot = host.robot()
-    if (robot === null) return false
-    const p = at(event)
-    const point = toRoom(host.camera(), p.x, p.y)
-    return Math.hypot(point.x - robot.x, point.y - robot.y) < Math.max(reach, 16 / host.camera().scale)
+    const floor: Grip = {kind: "floor", ...p}
+    if (robot === null || !host.able()) return floor
+    const point = inRoom(p)
+    const away = Math.hypot(point.x - robot.x, point.y - robot.y)
+    const bearing = Math.atan2(point.y - robot.y, point.x - robot.x)
+    const handle = handleOf(robot)
+    const toHandle = Math.hypot(point.x - handle.x, point.y - handle.y)
+    if (away > reach && toHandle < Math.max(0.07, metres(grasp)))
+      return {kind: "turn", by: robot.theta - bearing}
+    if (away < Math.max(reach, metres(grasp)))
+      return {kind: "robot", dx: robot.x - point.x, dy: robot.y - point.y, theta: robot.theta}
+    const things = host.things()
+    const thing = thingAt(things, point.x, point.y, metres(grasp / 2))
+    const taken = thing === null ? undefined : things[thing]
+    if (thing === null || taken === undefined) return floor
+    return {kind: "thing", thing, dx: taken.x - point.x, dy: taken.y - point.y, theta: taken.theta}
+  }
+  /// The hand went to a point of the canvas with what it holds.
+  const drag = (grip: Grip, p: Spot) => {
+    const point = inRoom(p)
+    const robot = host.robot()
+    switch (grip.kind) {
+      case "robot":
+        return host.placed({x: point.x + grip.dx, y: point.y + grip.dy, theta: grip.theta})
+      case "turn": {
+        if (robot === null) return
+        const bearing = Math.atan2(point.y - robot.y, point.x - robot.x)
+        return host.placed({x: robot.x, y: robot.y, theta: bearing + grip.by})
+      }
+      case "thing":
+        return host.pushed(grip.thing, {x: point.x + grip.dx, y: point.y + grip.dy, theta: grip.theta})
+      case "floor":
+        return host.panned(p.x - grip.x, p.y - grip.y)
+    }
   }
 
-  let grip:
-    | {kind: "robot"; dx: number; dy: number; theta: number}
-    | {kind: "floor"; x: number; y: number}
-    | null = null
-  // With two fingers the view zooms; `fingers` are those on the canvas.
-  const fingers = new Map<number, {x: number; y: number}>()
+  let grip: Grip | null = null
+  // With two fingers the view zooms, or the robot that one of them holds is turned; `fingers` are those on the canvas.
+  const fingers = new Map<number, Spot>()
+  const otherFinger = (id: number) => [...fingers].find(([other]) => other !== id)?.[1]
 
   canvas.addEventListener("pointerdown", event => {
     canvas.setPointerCapture(event.pointerId)
     const p = at(event)
     fingers.set(event.pointerId, p)
-    const robot = host.robot()
-    if (robot !== null && holds(event)) {
-      const point = toRoom(host.camera(), p.x, p.y)
-      grip = {kind: "robot", dx: robot.x - point.x, dy: robot.y - point.y, theta: robot.theta}
-    } else grip = {kind: "floor", ...p}
+    if (fingers.size > 1) return
+    grip = gripAt(p)
+    host.handled(grip.kind === "robot" || grip.kind === "turn")
   })
   canvas.addEventListener("pointermove", event => {
     const p = at(event)
     if (grip === null) {
-      canvas.style.cursor = holds(event) ? "grab" : ""
+      const under = gripAt(p).kind
+      canvas.style.cursor = under === "floor" ? "" : "grab"
+      const robot = host.robot()
+      const point = inRoom(p)
+      if (event.pointerType === "mouse")
+        host.handled(robot !== null && Math.hypot(point.x - robot.x, point.y - robot.y) < near)
       return
     }
-    if (fingers.size === 2) {
-      const other = [...fingers].find(([id]) => id !== event.pointerId)?.[1]
-      const mine = fingers.get(event.pointerId)
-      if (other !== undefined && mine !== undefined) {
-        const spread =
-          Math.hypot(p.x - other.x, p.y - other.y) / Math.hypot(mine.x - other.x, mine.y - other.y)
-        host.zoomed(spread, (p.x + other.x) / 2, (p.y + other.y) / 2)
-      }
-    } else if (grip.kind === "robot") {
-      const point = toRoom(host.camera(), p.x, p.y)
-      canvas.style.cursor = "grabbing"
-      host.placed({x: point.x + grip.dx, y: point.y + grip.dy, theta: grip.theta})
-    } else {
-      host.panned(p.x - grip.x, p.y - grip.y)
-      grip = {kind: "floor", ...p}
-    }
+    const mine = fingers.get(event.pointerId)
+    const other = otherFinger(event.pointerId)
     fingers.set(event.pointerId, p)
+    if (mine !== undefined && other !== undefined) twoFingers(mine, p, other)
+    else {
+      canvas.style.cursor = grip.kind === "floor" ? "" : "grabbing"
+      drag(grip, p)
+      if (grip.kind === "floor") grip = {kind: "floor", ...p}
+    }
   })
+  const twoFingers = (before: Spot, now: Spot, other: Spot) => {
+    const robot = host.robot()
+    if (grip?.kind === "robot" && robot !== null) {
+      // Pixels count y downwards, the room counts it upwards.
+      const angle = (p: Spot) => Math.atan2(other.y - p.y, p.x - other.x)
+      grip.theta += angle(now) - angle(before)
+      host.placed({x: robot.x, y: robot.y, theta: grip.theta})
+      return
+    }
+    const spread = (p: Spot) => Math.hypot(p.x - other.x, p.y - other.y)
+    if (spread(before) > 0 && spread(now) > 0)
+      host.zoomed(spread(now) / spread(before), (now.x + other.x) / 2, (now.y + other.y) / 2)
+  }
   const release = (event: PointerEvent) => {
     fingers.delete(event.pointerId)
     if (fingers.size === 0) grip = null
@@ -86,16 +156,17 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
   }
   canvas.addEventListener("pointerup", release)
   canvas.addEventListener("pointercancel", release)
+  canvas.addEventListener("pointerleave", event => event.pointerType === "mouse" && host.handled(false))
 
   canvas.addEventListener(
     "wheel",
     event => {
       event.preventDefault()
       const p = at(event)
-      const robot = host.robot()
-      if (grip?.kind === "robot" && robot !== null) {
+      if (grip?.kind === "robot" || grip?.kind === "thing") {
+        // The wheel turns what the hand holds.
         grip.theta += Math.sign(event.deltaY) * keyTurn
-        host.placed({...robot, theta: grip.theta})
+        drag(grip, p)
       } else host.zoomed(1.0015 ** -event.deltaY, p.x, p.y)
     },
     {passive: false},
@@ -103,29 +174,48 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
   canvas.addEventListener("dblclick", () => host.fitted())
 
   canvas.addEventListener("keydown", event => {
-    const robot = host.robot()
     const middle = {x: canvas.clientWidth / 2, y: canvas.clientHeight / 2}
     const moves: Record<string, () => void> = {
       "+": () => host.zoomed(1.25, middle.x, middle.y),
       "-": () => host.zoomed(0.8, middle.x, middle.y),
       "0": () => host.fitted(),
       f: () => host.followed(),
-    }
-    if (robot !== null) {
-      const place = (dx: number, dy: number, turn: number) => () =>
-        host.placed({x: robot.x + dx, y: robot.y + dy, theta: robot.theta + turn})
-      Object.assign(moves, {
-        ArrowUp: place(0, keyStep, 0),
-        ArrowDown: place(0, -keyStep, 0),
-        ArrowLeft: place(-keyStep, 0, 0),
-        ArrowRight: place(keyStep, 0, 0),
-        ",": place(0, 0, keyTurn),
-        ".": place(0, 0, -keyTurn),
-      })
+      ...keyHands(host),
     }
     const move = event.ctrlKey || event.metaKey || event.altKey ? undefined : moves[event.key]
     if (move === undefined) return
     event.preventDefault()
     move()
   })
+}
+
+/// Where the handle that turns the robot is.
+export function handleOf(robot: Pose): Spot {
+  return {x: robot.x + handleReach * Math.cos(robot.theta), y: robot.y + handleReach * Math.sin(robot.theta)}
+}
+
+/// What the keys do to what they hold: the robot, or with `b` one thing after the other.
+function keyHands(host: GestureHost): Record<string, () => void> {
+  const robot = host.robot()
+  const things = host.things()
+  const held = host.held()
+  const thing = held === null ? undefined : things[held]
+  if (robot === null || !host.able()) return {}
+  const pose = thing ?? robot
+  const put = (dx: number, dy: number, turn: number) => () => {
+    const to = {x: pose.x + dx, y: pose.y + dy, theta: pose.theta + turn}
+    if (held === null || thing === undefined) host.placed(to)
+    else host.pushed(held, to)
+  }
+  const next = held === null ? 0 : held + 1
+  return {
+    ArrowUp: put(0, keyStep, 0),
+    ArrowDown: put(0, -keyStep, 0),
+    ArrowLeft: put(-keyStep, 0, 0),
+    ArrowRight: put(keyStep, 0, 0),
+    ",": put(0, 0, keyTurn),
+    ".": put(0, 0, -keyTurn),
+    b: () => host.holds(next < things.length ? next : null),
+    Escape: () => host.holds(null),
+  }
 }

@@ -6,12 +6,13 @@ import {type RoomState, shownFrame, speech, type TrailStyle} from "../state/room
 import type {World} from "../worlds/world.ts"
 import {drawBubble} from "./bubble.ts"
 import {type Camera, follow, type Look, lookAt, pan, toScreen, zoom} from "./camera.ts"
-import {watchGestures} from "./gestures.ts"
+import {handleOf, watchGestures} from "./gestures.ts"
 import {openLayer, type Size} from "./layer.ts"
 import {type Pose, poseAt, type Seen} from "./motion.ts"
-import {readPalette} from "./palette.ts"
+import {type Palette, readPalette} from "./palette.ts"
 import {openPath} from "./path.ts"
 import {drawGhost, drawRobot} from "./robot.ts"
+import {type Thing, thingsOf} from "./things.ts"
 import {drawThings, drawWorld} from "./world.ts"
 
 export interface RoomView {
@@ -31,6 +32,10 @@ export interface Sight {
   readonly trail: TrailStyle
   /// The picture goes with the robot.
   readonly follows: boolean
+  /// Hands can take hold of things: a program runs, and the learner looks at it as it is now.
+  readonly hands: boolean
+  /// The thing that the keyboard holds.
+  readonly held: number | null
 }
 
 const parked = {bumpers: 0, cliffs: 0, wheels: 0, buttons: 0, led1: 0, led2: 0}
@@ -40,6 +45,9 @@ export interface RoomListener {
   changed(): void
   /// The learner took the robot to this pose (room coordinates).
   placed(pose: Pose): void
+  /// The learner pushed a movable thing towards this pose, or took hold of it by keyboard.
+  pushed(thing: number, pose: Pose): void
+  holds(thing: number | null): void
   /// The picture is to go with the robot, or no longer: the learner moved it by hand, or asked for all of the room.
   follows(follows: boolean): void
 }
@@ -55,6 +63,8 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
   // How the room is looked at is no knowledge of the page's: it is gone with the canvas.
   let look: Look = null
   let following = false
+  let hands = {able: false, held: null as number | null, handle: false}
+  let things: readonly Thing[] = []
   let shown: Pose | null = null
   let before: Seen | null = null
   let last: Seen | null = null
@@ -87,7 +97,17 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
   watchGestures(canvas, {
     camera: () => camera,
     robot: () => shown,
-    placed: pose => listener.placed(pose),
+    things: () => things,
+    held: () => hands.held,
+    able: () => hands.able,
+    placed: pose => listener.placed(inside(drawnWorld, pose)),
+    pushed: (thing, pose) => listener.pushed(thing, inside(drawnWorld, pose)),
+    holds: thing => listener.holds(thing),
+    handled(handle) {
+      if (hands.handle === handle) return
+      hands = {...hands, handle}
+      listener.changed()
+    },
     panned: (dx, dy) => {
       if (look === null) return
       listener.follows(false)
@@ -137,11 +157,13 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
       const {world} = room
       const frame = shownFrame(room)
       following = sight.follows
+      hands = {...hands, able: sight.hands, held: sight.held}
       ctx.setTransform(1, 0, 0, 1, 0, 0)
       ctx.fillStyle = palette.around
       ctx.fillRect(0, 0, canvas.width, canvas.height)
       if (world === null) {
         shown = null
+        things = []
         return false
       }
       const pose = poseOf(room, world, frame, now)
@@ -150,10 +172,12 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
       ground.show(ctx, camera)
       path.draw(ctx, room, sight.trail, pose)
       metres()
+      things = thingsOf(world, frame?.boxes ?? [])
       drawThings(ctx, world, frame?.boxes ?? [], palette, camera.scale)
       if (frame !== null && frame.ghost !== null)
         drawAt(...frame.ghost, () => drawGhost(ctx, palette, camera.scale))
       drawAt(pose.x, pose.y, pose.theta, () => drawRobot(ctx, frame ?? parked, palette, camera.scale))
+      if (hands.able) drawHands(ctx, hands, pose, things, palette, camera.scale)
       const words = speech(room)
       if (words !== null) {
         ctx.setTransform(size.ratio, 0, 0, size.ratio, 0, 0)
@@ -173,4 +197,35 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
       watcher.disconnect()
     },
   }
+}
+
+/// Hands stay in the room: what is dragged out of it stops at its border.
+function inside(world: World | null, {x, y, theta}: Pose): Pose {
+  const [width, height] = world?.size ?? [0, 0]
+  return {x: Math.min(width, Math.max(0, x)), y: Math.min(height, Math.max(0, y)), theta}
+}
+
+/// The handle that turns the robot, and a ring around the thing that the keyboard holds.
+function drawHands(
+  ctx: CanvasRenderingContext2D,
+  hands: {readonly held: number | null; readonly handle: boolean},
+  robot: Pose,
+  things: readonly Thing[],
+  palette: Palette,
+  scale: number,
+): void {
+  ctx.strokeStyle = palette.trail
+  ctx.fillStyle = palette.trail
+  ctx.lineWidth = 2 / scale
+  const thing = hands.held === null ? undefined : things[hands.held]
+  if (thing !== undefined) {
+    ctx.beginPath()
+    ctx.arc(thing.x, thing.y, Math.max(0.12, 12 / scale), 0, 2 * Math.PI)
+    ctx.stroke()
+  }
+  if (!hands.handle) return
+  const {x, y} = handleOf(robot)
+  ctx.beginPath()
+  ctx.arc(x, y, 6.5 / scale, 0, 2 * Math.PI)
+  ctx.fill()
 }

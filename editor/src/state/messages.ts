@@ -122,6 +122,15 @@ export type Hand =
   | {readonly lift: "left" | "right" | "both"}
   | {readonly lower: "left" | "right" | "both"}
   | {readonly teleport: {readonly x: number; readonly y: number; readonly theta: number}}
+  | {
+      readonly move: {
+        /// The number of a movable thing, as in `boxes` of a frame.
+        readonly thing: number
+        readonly x: number
+        readonly y: number
+        readonly theta: number
+      }
+    }
 
 export type PageMessage =
   | {readonly op: "world"; readonly world: string | WorldFile}

@@ -51,6 +51,8 @@ export function next(state: PageState, event: PageEvent): Step {
       return state.run.kind === "running"
         ? sending(present(state), {op: "input", ...event.hand})
         : still(state)
+    case "held":
+      return still({...state, room: {...state.room, held: event.thing}})
     case "charted":
       return still({...state, charts: event.quantities})
     case "pause-pressed":

@@ -161,6 +161,8 @@ export type PageEvent =
   | {readonly kind: "looked-back"; readonly time: number | null}
   | {readonly kind: "charted"; readonly quantities: readonly string[]}
   | {readonly kind: "hand"; readonly hand: Hand}
+  /// The keyboard takes hold of a movable thing, or of the robot again.
+  | {readonly kind: "held"; readonly thing: number | null}
   | {readonly kind: "speed-chosen"; readonly speed: Speed}
   | {readonly kind: "opened"; readonly opened: Opened}
   /// The learner changed the program in one of its views, or by a command; `at` is now, in milliseconds.

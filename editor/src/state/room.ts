@@ -56,6 +56,8 @@ export interface RoomState {
   readonly goals: readonly Goal[]
   /// When each function fired last, in seconds of the run.
   readonly fired: {readonly [name: string]: number}
+  /// The movable thing that the keyboard holds, numbered as in a frame; `null` is the robot.
+  readonly held: number | null
   /// The run whose frames are drawn; `null` after a reset, when none is.
   readonly run: number | null
 }
@@ -69,6 +71,7 @@ export const emptyRoom: RoomState = {
   words: [],
   goals: [],
   fired: {},
+  held: null,
   run: null,
 }
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 import msgspec
 
 from ..world.arena import Pose
-from ..world.events import Hand, Lift, Press, Teleport
+from ..world.events import Hand, Lift, Move, Press, Teleport
 
 __all__ = ["HandMessage", "TimedHand", "hands_of"]
 
@@ -21,6 +21,10 @@ class _Place(msgspec.Struct):
     theta: float = 0.0
 
 
+class _Push(_Place):
+    thing: Annotated[int, msgspec.Meta(ge=0, le=10_000)] = 0
+
+
 class HandMessage(msgspec.Struct, kw_only=True):
     """One or more of these; applied in this order."""
 
@@ -29,6 +33,7 @@ class HandMessage(msgspec.Struct, kw_only=True):
     lift: _Side | None = None
     lower: _Side | None = None
     teleport: _Place | None = None
+    move: _Push | None = None
 
 
 class TimedHand(HandMessage, kw_only=True, forbid_unknown_fields=True):
@@ -50,4 +55,7 @@ def hands_of(message: HandMessage) -> list[Hand]:
         found.append(Lift(message.lower, False))
     if message.teleport is not None:
         found.append(Teleport(Pose(message.teleport.x, message.teleport.y, message.teleport.theta)))
+    if message.move is not None:
+        push = message.move
+        found.append(Move(push.thing, Pose(push.x, push.y, push.theta)))
     return found

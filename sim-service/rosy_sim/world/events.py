@@ -19,6 +19,7 @@ __all__ = [
     "Hand",
     "Led",
     "Lift",
+    "Move",
     "Press",
     "Say",
     "Side",
@@ -96,4 +97,12 @@ class Teleport:
     pose: Pose
 
 
-Hand = Press | Lift | Teleport
+@dataclass(frozen=True, slots=True)
+class Move:
+    """A hand pushes movable thing ``thing`` (boxes, then rounds, in the arena's order) towards a pose."""
+
+    thing: int
+    pose: Pose
+
+
+Hand = Press | Lift | Teleport | Move

@@ -1,9 +1,9 @@
 """
 How a real robot differs from an ideal one: wheels that slip, a gyro that drifts, noisy speeds, late commands.
 
-Off unless the world asks for it. Wheels that slip take the robot less far, and less straight, than they turn; its odometry
-counts their turning and knows nothing of it. What drifts and is noisy changes only what the robot believes. All of it
-comes from the run's seed.
+Off unless the world asks for it. Wheels that slip take the robot less far, and less straight, than they turn; its
+odometry counts their turning and knows nothing of it. What drifts and is noisy changes only what the robot believes.
+All of it comes from the run's seed.
 """
 
 from __future__ import annotations

@@ -43,6 +43,15 @@ _PUSHES = 24
 _AT_REST = 1e-4
 """A box slower than this stands, m/s and rad/s."""
 
+_HAND_STEP, _HAND_TURN = 0.01, 0.05
+"""A hand pushes in steps of this, m and rad, and looks each time whether something is in the way."""
+
+_HAND_GAP = 5e-4
+"""Overlap with which a thing that a hand pushes counts as only touching, m."""
+
+_LONGEST_PUSH = 2.0
+"""How far one message of a hand pushes, m: more is a slip of the hand."""
+
 _STATIC, _MOVABLE, _ROBOT = 1, 2, 4
 
 
@@ -129,6 +138,59 @@ class Room:
     def poses(self) -> list[tuple[float, float, float]]:
         """Where the movable things are now: x, y, theta of each, in the arena's order."""
         return [(b.position.x, b.position.y, b.angle) for b in self.movables]
+
+    def carry(self, thing: int, x: float, y: float, theta: float, robot: tuple[float, float]) -> None:
+        """
+        Let a hand push a movable thing towards a pose. It goes as far as nothing is in its way: neither walls, nor
+        other things, nor the robot.
+        """
+        body = self.movables[thing]
+        self._robot.position = robot
+        self._space.reindex_shapes_for_body(self._robot)
+        x0, y0 = body.position
+        turn = math.remainder(theta - body.angle, math.tau)
+        way = min(math.hypot(x - x0, y - y0), _LONGEST_PUSH)
+        pieces = max(1, math.ceil(way / _HAND_STEP), math.ceil(abs(turn) / _HAND_TURN))
+        far = way / math.hypot(x - x0, y - y0) if way else 0.0
+        dx, dy, dtheta = (x - x0) * far / pieces, (y - y0) * far / pieces, turn / pieces
+        for _ in range(pieces):
+            # What cannot go straight slides along what is in its way, and ends where it touches it.
+            if not any(self._nudge(body, *step) for step in ((dx, dy, dtheta), (dx, 0.0, 0.0), (0.0, dy, 0.0))):
+                for closer in (0.5, 0.25, 0.125, 0.0625, 0.03125):
+                    self._nudge(body, dx * closer, dy * closer, dtheta * closer)
+                break
+        body.velocity = (0.0, 0.0)
+        body.angular_velocity = 0.0
+
+    def depth(self, thing: int) -> float:
+        """How deep a movable thing is inside walls, other things or the robot, m."""
+        return self._overlap(self.movables[thing])
+
+    def _nudge(self, body: pymunk.Body, dx: float, dy: float, turn: float) -> bool:
+        """Move a thing a little, unless that brings it further into something."""
+        if not (dx or dy or turn):
+            return False
+        before, angle = body.position, body.angle
+        deep = self._overlap(body)
+        body.position = (before.x + dx, before.y + dy)
+        body.angle = angle + turn
+        now = self._overlap(body)
+        if now <= max(deep, _HAND_GAP):
+            return True
+        body.position, body.angle = before, angle
+        self._space.reindex_shapes_for_body(body)
+        return False
+
+    def _overlap(self, body: pymunk.Body) -> float:
+        """How deep a thing is inside others, m."""
+        self._space.reindex_shapes_for_body(body)
+        deepest = 0.0
+        for shape in body.shapes:
+            for found in self._space.shape_query(shape):
+                # Chipmunk reports only what overlaps, and turns the sign when it has swapped the two shapes.
+                for contact in found.contact_point_set.points:
+                    deepest = max(deepest, abs(contact.distance))
+        return deepest
 
     def look(self, x: float, y: float) -> Near:
         """What is around a robot that stands at a point."""

@@ -11,7 +11,7 @@ import math
 
 from .arena import Arena, ArenaError, Pose
 from .drive import Drive
-from .events import Command, Event, Hand, Led, Lift, Press, Say, Sound, Teleport, Velocity
+from .events import Command, Event, Hand, Led, Lift, Move, Press, Say, Sound, Teleport, Velocity
 from .facts import RADIUS, STEP
 from .realism import Belief, Latency, Slip
 from .room import Room
@@ -151,10 +151,10 @@ class World:
 
     def hand(self, hand: Hand) -> None:
         """
-        Let a hand press, lift or move the robot.
+        Let a hand press, lift or move the robot, or push a movable thing.
 
         Raises:
-            HandRefused: there is no room for the robot there.
+            HandRefused: there is no room for the robot there, or no such thing.
         """
         match hand:
             case Press(button, down):
@@ -165,6 +165,11 @@ class World:
                 self._lifted = self._lifted | wheels if up else self._lifted & ~wheels
             case Teleport(pose):
                 self._teleport(pose)
+            case Move(thing, pose):
+                if thing >= len(self.room.movables):
+                    raise HandRefused("There is no such thing to push in this room.")
+                self.room.carry(thing, *pose, robot=(self.x, self.y))
+                self._look()
 
     def _teleport(self, pose: Pose) -> None:
         x, y, theta = pose
