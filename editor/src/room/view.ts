@@ -102,7 +102,11 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
     able: () => hands.able,
     placed: pose => listener.placed(inside(drawnWorld, pose)),
     pushed: (thing, pose) => listener.pushed(thing, inside(drawnWorld, pose)),
-    holds: thing => listener.holds(thing),
+    holds(held) {
+      // At once: the next key may come before the next picture.
+      hands = {...hands, held}
+      listener.holds(held)
+    },
     handled(handle) {
       if (hands.handle === handle) return
       hands = {...hands, handle}
