@@ -175,6 +175,7 @@ function definition(group: readonly Syntax[], r: Reading): Declaration | Cause {
       : (child(equation, "pattern") ??
         equation.children.find(c => c.field === "name" && context.of(c) === "_"))
   if (equation !== undefined && pattern !== undefined) {
+    if (pattern.type === "splice") return "template"
     const read = readPattern(pattern, context)
     return context.at(equation, {kind: "binding", pattern: read, right: readRight(equation, r)})
   }
@@ -187,6 +188,9 @@ function definition(group: readonly Syntax[], r: Reading): Declaration | Cause {
     const patterns = head.patterns.map((p): Pattern => readPattern(p, context))
     clauses.push(context.at(e, {kind: "clause", patterns, right: readRight(e, r)} as const))
   }
+  // `f @t x`: no pattern, so no brackets may go around it.
+  if (clauses.some(c => c.patterns.some(p => p.kind === "raw-pattern" && p.text.startsWith("@"))))
+    return "typeApplication"
   if (!isVariableName(name) && !isOperator(name)) return "name"
   if (clauses.some(c => c.patterns.length !== clauses[0]?.patterns.length)) return "arity"
   const type = signed ? child(first, "type") : undefined

@@ -79,7 +79,7 @@ export class Reader {
     for (const part of partsOf(text, lexed)) {
       let piece: Omit<Piece, "slice" | "start" | "end" | "kind">
       if (part.kind === "declaration") {
-        const source = `${key}\0${part.trouble ?? ""}\0${part.comment}\0${part.source}`
+        const source = JSON.stringify([key, part.trouble ?? "", part.column, part.comment, part.source])
         // Two equal definitions must not share their nodes.
         const converted =
           (seen.has(source) ? undefined : this.known.get(source)) ?? this.convert(part, fixities)
@@ -114,9 +114,11 @@ export class Reader {
       start: c.start - part.core.start,
       end: c.end - part.core.start,
     }))
-    // The first line keeps its column: what stands below is indented against it.
-    const shift = part.column
-    const source = " ".repeat(shift) + part.source
+    // The first line keeps its column: what stands below is indented against it. (The grammar sees the indentation of
+    // a line only behind a line end.)
+    const above = part.column === 0 ? "" : `\n${" ".repeat(part.column)}`
+    const shift = above.length
+    const source = above + part.source
     const shifted = comments.map(c => ({...c, start: c.start + shift, end: c.end + shift}))
     const context = new Context(source, shifted, fixities)
     const parsed =
@@ -124,10 +126,13 @@ export class Reader {
     const made: Declaration | Cause =
       part.trouble ??
       (parsed === undefined ? "large" : parsed.broken ? "broken" : readTop(topOf(parsed.root), context))
-    const above = part.comment === "" ? [] : part.comment.split("\n")
+    const remarkAbove = part.comment === "" ? [] : part.comment.split("\n")
     if (typeof made !== "string") {
       const beside = context.takeComments(0, source.length).comment
-      const remarks = [...above, ...(made.kind === "raw-declaration" || beside === undefined ? [] : [beside])]
+      const remarks = [
+        ...remarkAbove,
+        ...(made.kind === "raw-declaration" || beside === undefined ? [] : [beside]),
+      ]
       const declaration = remarks.length === 0 ? made : {...made, comment: remarks.join("\n")}
       const spans =
         shift === 0
@@ -140,7 +145,7 @@ export class Reader {
       kind: "raw-declaration",
       text: part.source.replaceAll("\r\n", "\n"),
       reason: reasons[made],
-      ...(above.length === 0 ? {} : {comment: above.join("\n")}),
+      ...(remarkAbove.length === 0 ? {} : {comment: remarkAbove.join("\n")}),
     }
     return {
       declaration,
@@ -174,6 +179,8 @@ function plainer(source: string): string {
       .replace(/\p{Lo}/gu, c => (c.length === 1 ? "a" : "\u{1D44E}"))
       // An empty socket, where the grammar expects no `_`.
       .replace(/(?<![\p{L}\p{N}\p{M}_'])_(?![\p{L}\p{N}\p{M}_'])/gu, "a")
+      // `f$x` and `f $(g x)` apply an operator: no program of ours has code that writes code.
+      .replace(/(?<=[\p{L}\p{N}_'")\]] *)\$\$?(?=[\p{L}_(])/gu, o => "+".repeat(o.length))
       // `(-1)`, `[-x]` at the start of a condition or step: as one word, which `expressions.ts` takes apart again.
       .replace(
         /(?<=[([,] *)- *(?:0[xXoObB][\da-fA-F]+|\d[\d.]*(?:[eE][-+]?\d+)?|[\p{Ll}_][\p{L}\p{N}_']*)(?= *(?:[)\],]|::))/gu,

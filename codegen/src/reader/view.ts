@@ -249,8 +249,15 @@ function settle(
   const last = kept[kept.length - 1]
   const beforeMain = last !== undefined && view.module.pieces[last.piece]?.names[0] === "main"
   const order = beforeMain ? [...kept.slice(0, -1), ...fresh, last] : [...kept, ...fresh]
-  if (order.length !== pieces.length) {
-    // A text block held something other than one definition: the text decides what there is now.
+  const said = (s: Shown, piece: Piece | undefined): boolean =>
+    piece !== undefined &&
+    (s.dimmed ||
+      (!touched.has(s.block.id) && s.piece !== -1
+        ? sameText(view.module.pieces[s.piece], piece)
+        : saysTheSame(s.block, piece)))
+  if (order.length !== pieces.length || !order.every((s, k) => said(s, pieces[k]?.piece))) {
+    // A text block held something other than one definition, or what was broken swallows its neighbour: the text decides
+    // what there is now.
     const from: View = {
       ...view,
       declarations: order.map(s => ({...s, name: nameOf(s.block) ?? s.name, piece: -1})),
@@ -272,6 +279,20 @@ function settle(
     return {name, piece: i, block: s.block, dimmed: false, spans}
   })
   return {...view, text, module, declarations}
+}
+
+function sameText(before: Piece | undefined, now: Piece): boolean {
+  const core = (p: Piece) => p.slice.slice(p.core.start - p.start, p.core.end - p.start)
+  return (
+    before !== undefined && before.declaration?.kind === now.declaration?.kind && core(before) === core(now)
+  )
+}
+
+/// A block and the text that was printed from it are about one and the same definition.
+function saysTheSame(block: SavedBlock, {declaration: read}: Piece): boolean {
+  const [own] = readTree(block).declarations
+  if (own === undefined || read === undefined || own.kind !== read.kind) return false
+  return own.kind !== "raw-declaration" || (read.kind === "raw-declaration" && own.text === read.text)
 }
 
 /// A block's definition as it should be printed: with the inferred type where there was no text before, as it was where there was.

@@ -17,13 +17,17 @@ export function writeBack(module: Module, edits: Edits): string {
   const newline = /\r\n/.test(module.text) ? "\r\n" : "\n"
   const print = (d: Declaration): string => inLines(printDeclarationAlone(d, module.fixities), newline)
   const before = addedBefore(pieces, edits)
+  const margin = pieces
+    .filter(p => p.kind === "declaration")
+    .map(indentation)
+    .reduce((least, own) => (own.length < least.length ? own : least), " ".repeat(80))
   let out = ""
   pieces.forEach((piece, i) => {
     if (i === before) out = withAdded(out, edits.added.map(print), newline, !/^[ \t]*\r?\n/.test(piece.slice))
     if (!edits.pieces.has(i)) out += piece.slice
     else {
       const edited = edits.pieces.get(i)
-      out += edited === undefined ? removed(piece, newline) : replaced(piece, edited, print, newline)
+      out += edited === undefined ? removed(piece, newline) : replaced(piece, edited, print, newline, margin)
     }
   })
   return before === pieces.length ? withAdded(out, edits.added.map(print), newline, false) : out
@@ -58,17 +62,26 @@ function replaced(
   edited: Declaration,
   print: (d: Declaration) => string,
   newline: string,
+  margin: string,
 ): string {
   const same = piece.remarkText === (edited.comment ?? "")
   const start = (same || piece.remark === undefined ? piece.core.start : piece.remark.start) - piece.start
   const {comment: _, ...bare} = edited
   const above = piece.slice.slice(0, start)
-  // In a file with a margin every line keeps it; Haskell kept as text has it already.
-  const margin = edited.kind === "raw-declaration" ? "" : (/[ \t]*$/.exec(above)?.[0] ?? "")
+  const behind = piece.slice.slice(piece.core.end - piece.start)
   const printed = print(same ? (bare as Declaration) : edited)
-  return (
-    above + printed.replaceAll(newline, newline + margin) + piece.slice.slice(piece.core.end - piece.start)
-  )
+  // Haskell kept as text has its margin already.
+  if (edited.kind === "raw-declaration") return above + printed + behind
+  // In a file with a margin every line keeps it. A definition that stands to the right of others is put in line.
+  const own = indentation(piece)
+  const indent = own.length > margin.length ? margin : own
+  const line = /(?:^|\n|\uFEFF)[ \t]*$/.test(above) ? above.replace(/[ \t]*$/, indent) : above
+  return line + printed.replaceAll(newline, newline + indent) + behind
+}
+
+/// The blanks before a definition.
+function indentation(piece: Piece): string {
+  return /(?<=^|\n|\uFEFF)[ \t]*$/.exec(piece.slice.slice(0, piece.core.start - piece.start))?.[0] ?? ""
 }
 
 /// What stood around it stays: comments with an empty line between, and one behind it.

@@ -84,3 +84,10 @@ test(
   },
   patience,
 )
+
+test("`f$x` applies an operator, with or without spaces", () => {
+  for (const text of ["a = f$x\n", "a = f $x\n", "a = f $(x)\n"])
+    expect(plain(readProgram(text)), text).toEqual(plain(readProgram("a = f $ x\n")))
+  for (const text of ["a = f$(g 1)\n", "a = f $(g 1)\n"])
+    expect(plain(readProgram(text)), text).toEqual(plain(readProgram("a = f $ g 1\n")))
+})
