@@ -42,8 +42,9 @@ export type Item =
   | {readonly kind: "reference"; readonly key: string; readonly value: string; readonly aria: string}
   /// A Haskell type, as text.
   | {readonly kind: "type"; readonly key: string; readonly value: string; readonly aria: string}
-  /// Shows the inferred type of a definition; `Inference.definitions` has it.
-  | {readonly kind: "signature"}
+  /// The type of a definition: the written one, or while `value` is empty the inferred one, which
+  /// `Inference.definitions` has.
+  | {readonly kind: "signature"; readonly key: string; readonly value: string; readonly aria: string}
   /// A small button, for more or fewer sockets: `press(spec, extra, action)` answers the new `extraState`.
   /// Sockets come and go at the end of their group, so every other socket keeps its name.
   | {readonly kind: "button"; readonly action: string; readonly text: "+" | "−"; readonly aria: string}
@@ -74,6 +75,13 @@ export interface Shape {
   readonly aria: string
   /// A name in Rosy's Haddock that explains more, where there is one.
   readonly help?: string
+  /// What its menu offers beside Blockly's own: `press(extra, action)` answers the new `extraState`.
+  readonly menu?: readonly MenuEntry[]
+}
+
+export interface MenuEntry {
+  readonly action: string
+  readonly text: string
 }
 
 /// A copy of `extra` with the value at a dotted path replaced.

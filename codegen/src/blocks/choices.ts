@@ -3,7 +3,7 @@
 import type {Alternative, Declaration, Expr, Pattern, Statement} from "../model/tree.ts"
 import type {Extra} from "../saved.ts"
 import type {Family, Row} from "../shape.ts"
-import {partOf, pressPart, readRight, rightRows, savedPart, writeRight} from "./rightside.ts"
+import {partMenu, partOf, pressPart, readRight, rightRows, savedPart, writeRight} from "./rightside.ts"
 import type {BlockSpec} from "./spec.ts"
 import {noButtons, objectsIn, textIn} from "./spec.ts"
 
@@ -62,6 +62,9 @@ const caseBlock: BlockSpec = {
       rows,
       tooltip: "Looks at a value and takes the first case that matches.",
       aria: "look at a value and choose",
+      menu: alternatives.flatMap((a, i) =>
+        partMenu(i, partOf(a), alternatives.length > 1 ? `, case ${i + 1}` : ""),
+      ),
     }
   },
   press(extra, action) {
@@ -132,6 +135,11 @@ const menus: readonly {readonly family: Family; readonly ops: readonly string[];
     },
     {family: "choice", ops: ["&&", "||"], tooltip: "Combines two conditions. Example: hit && fast."},
     {family: "own", ops: ["++", "<>"], tooltip: "Puts two lists or texts together."},
+    {
+      family: "number",
+      ops: ["addVec", "subVec"],
+      tooltip: "Puts two arrows together, or takes one from the other.",
+    },
     {family: "own", ops: [":"], tooltip: "A list with one more item in front."},
     {family: "own", ops: ["$", "."], tooltip: "Gives a value to a function, or chains two functions."},
   ]

@@ -4,7 +4,7 @@ import {isOperator, isVariableName} from "../haskell/lexemes.ts"
 import type {Clause, Declaration, Expr, Pattern, Statement} from "../model/tree.ts"
 import type {Extra} from "../saved.ts"
 import type {Family, Item, Row} from "../shape.ts"
-import {partOf, pressPart, readRight, rightRows, savedPart, writeRight} from "./rightside.ts"
+import {partMenu, partOf, pressPart, readRight, rightRows, savedPart, writeRight} from "./rightside.ts"
 import type {BlockSpec, Reader} from "./spec.ts"
 import {countIn, counting, objectsIn, textIn} from "./spec.ts"
 
@@ -26,7 +26,10 @@ const define: BlockSpec = {
     const arity = countIn(extra, "arity", 0)
     const equations = equationsOf(extra)
     const rows: Row[] = [
-      [{kind: "binder", key: "name", value: name, aria: "name of the definition"}, {kind: "signature"}],
+      [
+        {kind: "binder", key: "name", value: name, aria: "name of the definition"},
+        {kind: "signature", key: "signature", value: textIn(extra, "signature"), aria: `type of ${name}`},
+      ],
     ]
     for (const [i, equation] of equations.entries()) {
       const inputs: Item[] = []
@@ -60,6 +63,9 @@ const define: BlockSpec = {
       tooltip:
         "Gives a name to what the robot does. Example: accelerate, when it has Velocity vl va, send Velocity (vl + 0.5) va.",
       aria: `definition of ${name}`,
+      menu: equations.flatMap((e, i) =>
+        partMenu(i, partOf(e), equations.length > 1 ? `, case ${i + 1}` : ""),
+      ),
     }
   },
   press(extra, action) {

@@ -3,7 +3,7 @@
 import {constructorName, isConstructorName} from "../haskell/lexemes.ts"
 import type {Constructor} from "../model/tree.ts"
 import type {Extra, Json} from "../saved.ts"
-import type {Item, Row} from "../shape.ts"
+import type {Item, MenuEntry, Row} from "../shape.ts"
 import type {BlockSpec, Reader} from "./spec.ts"
 import {objectsIn, textIn, wordsIn} from "./spec.ts"
 
@@ -91,11 +91,18 @@ const data: BlockSpec = {
       tooltip:
         "A type of your own. Its values can be sent and received like events. Example: type Mode is either Go or Stop.",
       aria: `type ${name}`,
+      menu: dataMenu(extra, parameters, constructors),
     }
   },
   press(extra, action) {
     const [what = "", index = "0"] = action.split(".")
     const constructors: Json[] = objectsIn(extra, "constructors").map(c => ({...c}))
+    if (what.endsWith("-parameter")) return pressParameter(extra, what)
+    if (what === "newtype") {
+      const {newtype, ...rest} = extra
+      return newtype === true ? rest : {...rest, newtype: true}
+    }
+    if (what === "names") return {...extra, constructors: renamedParts(constructors)}
     if (what === "more") constructors.push({name: `Case${constructors.length + 1}`, fields: []})
     if (what === "fewer" && constructors.length > 1) constructors.pop()
     const at = Number(index)
@@ -159,6 +166,52 @@ const data: BlockSpec = {
   },
 }
 
+function dataMenu(
+  extra: Extra,
+  parameters: readonly string[],
+  constructors: readonly SavedConstructor[],
+): MenuEntry[] {
+  const [only, ...others] = constructors
+  const single = others.length === 0 && only?.fields.length === 1
+  const fields = constructors.flatMap(c => c.fields)
+  const named = fields.some(f => f.name !== undefined)
+  return [
+    ...parameterMenu(parameters),
+    ...(single || extra.newtype === true
+      ? [{action: "newtype", text: extra.newtype === true ? "Make it plain data" : "Make it a newtype"}]
+      : []),
+    ...(fields.length > 0
+      ? [{action: "names", text: named ? "Take the parts' names away" : "Give the parts names"}]
+      : []),
+  ]
+}
+
+function parameterMenu(parameters: readonly string[]): MenuEntry[] {
+  return [
+    {action: "more-parameter", text: "Add a parameter"},
+    ...(parameters.length > 0 ? [{action: "fewer-parameter", text: "Remove the last parameter"}] : []),
+  ]
+}
+
+function pressParameter(extra: Extra, what: string): Extra {
+  const now = wordsIn(extra, "parameters")
+  const fresh = [..."abcdefghijklmnopqrstuvwxyz"].find(letter => !now.includes(letter)) ?? "a"
+  return {...extra, parameters: what === "more-parameter" ? [...now, fresh] : now.slice(0, -1)}
+}
+
+/// Every part with a name, or none.
+function renamedParts(constructors: readonly Json[]): Json[] {
+  const all = constructors.flatMap(c => objectsIn(c as Extra, "fields"))
+  const named = all.some(f => typeof f.name === "string")
+  let count = 0
+  return constructors.map(c => ({
+    ...(c as Extra),
+    fields: objectsIn(c as Extra, "fields").map(({name: _, ...f}) =>
+      named ? f : {...f, name: `part${++count}`},
+    ),
+  }))
+}
+
 const synonym: BlockSpec = {
   type: "synonym",
   shape(extra) {
@@ -179,9 +232,10 @@ const synonym: BlockSpec = {
       ],
       tooltip: "Another name for a type, to say what it is for. Example: type Hit is another name for Bool.",
       aria: `type ${name}`,
+      menu: parameterMenu(wordsIn(extra, "parameters")),
     }
   },
-  press: extra => extra,
+  press: pressParameter,
   meaning: {
     as: "definition",
     read(r) {

@@ -6,7 +6,7 @@
 
 import type {Expr, Guarded, Pattern, RightSide, Statement} from "../model/tree.ts"
 import type {Extra, Json} from "../saved.ts"
-import type {Row} from "../shape.ts"
+import type {MenuEntry, Row} from "../shape.ts"
 import type {Reader} from "./spec.ts"
 import {countIn, listIn} from "./spec.ts"
 
@@ -94,7 +94,33 @@ function condition(i: number, g: number, part: Part): Row {
 export function pressPart(part: Part, action: string): Part {
   if (action === "more-guards") return {...part, guards: Math.min(60, part.guards + 1)}
   if (action === "fewer-guards") return {...part, guards: Math.max(0, part.guards - 1)}
-  return action === "where" ? {...part, where: !part.where} : part
+  if (action === "where") return {...part, where: !part.where}
+  if (action === "otherwise") return {...part, otherwise: !part.otherwise}
+  // The last condition, as a stack of questions or as one.
+  const last = part.guards - 1
+  if (action !== "stacked" || last < 0) return part
+  const others = part.stacked.filter(g => g !== last)
+  return {...part, stacked: others.length < part.stacked.length ? others : [...others, last]}
+}
+
+/// What a part offers in its block's menu; `which` names the part when there are several.
+export function partMenu(i: number, part: Part, which: string): MenuEntry[] {
+  const entries: MenuEntry[] = [
+    {
+      action: `where.${i}`,
+      text: `${part.where ? "Remove" : "Add"} own definitions (where)${which}`,
+    },
+  ]
+  if (part.guards === 0) return entries
+  const stacked = part.stacked.includes(part.guards - 1)
+  return [
+    ...entries,
+    {action: `otherwise.${i}`, text: `${part.otherwise ? "Remove" : "Add"} “otherwise”${which}`},
+    {
+      action: `stacked.${i}`,
+      text: `${stacked ? "Ask the last condition as one" : "Ask the last condition in steps"}${which}`,
+    },
+  ]
 }
 
 export function readRight(r: Reader, i: number, part: Part): RightSide {

@@ -108,9 +108,18 @@ const construct: BlockSpec = {
       tooltip: look.tooltip,
       aria: look.word ?? name,
       help: name,
+      menu: [
+        {action: "more", text: "Give it one value more"},
+        ...(args > 0
+          ? [
+              {action: "fewer", text: "Give it one value less"},
+              {action: "bare", text: "Use it as a function"},
+            ]
+          : []),
+      ],
     }
   },
-  press: noButtons,
+  press: (extra, action) => (action === "bare" ? {...extra, args: 0} : counting("args", 0, 0)(extra, action)),
   meaning: {
     as: "expression",
     read(r) {

@@ -8,6 +8,7 @@ import type {LaidOut, PrintedProgram} from "../api.ts"
 import {blockView} from "../blocks/language.ts"
 import {chain, readTree} from "../blocks/read.ts"
 import {hashOf} from "../haskell/split.ts"
+import {hasUnknowns} from "../model/holes.ts"
 import type {Declaration} from "../model/tree.ts"
 import type {BlockId, SavedBlock, SavedWorkspace} from "../saved.ts"
 import {withSignatures} from "../workspace/haskell.ts"
@@ -319,7 +320,9 @@ function printable(
   return (block, piece) => {
     const [own] = readTree(block).declarations
     if (own === undefined) return {kind: "raw-declaration", text: ""}
-    const hadNone = piece?.declaration?.kind === "function" && piece.declaration.signature === undefined
+    // Text that was complete without a signature stays so; one that had empty sockets could not have it yet.
+    const was = piece?.declaration
+    const hadNone = was?.kind === "function" && was.signature === undefined && !hasUnknowns(was)
     if (own.kind !== "function" || own.signature !== undefined || hadNone || elsewhere.has(own.name))
       return own
     return inferred(block.id) ?? own

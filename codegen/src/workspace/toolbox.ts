@@ -3,8 +3,11 @@
 /// Three levels filter and order; none locks anything: text and saved programs may hold every block at every level.
 
 import type {Level, ToolboxCategory, ToolboxItem} from "../api.ts"
-import {choices, lookOf} from "../blocks/vocabulary.ts"
+import {choiceOf, choices, lookOf} from "../blocks/vocabulary.ts"
+import {isNumberLiteral, isOperator, isVariableName, reservedWords} from "../haskell/lexemes.ts"
 import type {Extra, SavedBlock} from "../saved.ts"
+import {library} from "../types/library.ts"
+import {asFunction, type Type} from "../types/type.ts"
 
 function make(
   type: string,
@@ -42,6 +45,49 @@ const call = (name: string, count: number, ...args: readonly SavedBlock[]) =>
 const infix = (op: string, left?: SavedBlock, right?: SavedBlock) =>
   make("infix", {op}, {...(left === undefined ? {} : {L: left}), ...(right === undefined ? {} : {R: right})})
 const item = (label: string, block: SavedBlock): ToolboxItem => ({label, block})
+
+/// Every other name that a program knows without defining it, for the search: it finds all of Haskell at every level.
+export function libraryItems(): ToolboxItem[] {
+  const values = [...library.values].flatMap(([name, scheme]): ToolboxItem[] => {
+    const count = inputsOf(scheme.type)
+    if (!isOperator(name) && count === 0) return [item(name, ref(name))]
+    if (!isOperator(name)) {
+      const itself = make("name", {name, args: 0, fn: true})
+      return [item(name, call(name, count)), item(`${name} as a function`, itself)]
+    }
+    return count === 2 ? [item(name, infix(name))] : []
+  })
+  const constructors = [...library.constructors.values()].flatMap((info): ToolboxItem[] => {
+    if (!/^[A-Z]/.test(info.name) || choiceOf(info.name) !== undefined) return []
+    const extra = {con: info.name, args: info.fields.length}
+    return [
+      item(info.name, make("construct", extra)),
+      item(`${info.name} pattern`, make("pattern_construct", extra)),
+      ...(info.fields.length === 0
+        ? []
+        : [item(`${info.name} as a function`, make("construct", {con: info.name, args: 0}))]),
+    ]
+  })
+  return [...values, ...constructors]
+}
+
+/// What was typed into the search as a block of its own: a number, a text in quotes, a new name.
+export function typedItems(typed: string): ToolboxItem[] {
+  const query = typed.trim()
+  const number = query.replace(",", ".")
+  if (isNumberLiteral(number.replace(/^-/, ""))) {
+    return [item(number, num(number)), item(number, make("pattern_number", {value: number}))]
+  }
+  const quoted = /^["“](.+?)["”]?$/.exec(query)?.[1]
+  if (quoted !== undefined)
+    return [item(quoted, text(quoted)), item(quoted, make("pattern_text", {value: quoted}))]
+  return isVariableName(query) && !reservedWords.has(query) ? [item(query, named(query))] : []
+}
+
+function inputsOf(type: Type): number {
+  const f = asFunction(type)
+  return f === undefined ? 0 : Math.min(9, 1 + inputsOf(f.to))
+}
 
 function reaction(
   name: string,
@@ -178,6 +224,11 @@ const numbers: readonly ToolboxItem[] = [
   item("whole division div mod", infix("div")),
   item("degrees as an orientation", call("degreesToOrientation", 1, num("90"))),
   item("orientation in degrees", call("orientationToDegrees", 1)),
+  item("position as an arrow, positionToVec", call("positionToVec", 1)),
+  item("arrow as a position, vecToPosition", call("vecToPosition", 1)),
+  item("length of an arrow, magnitudeVec", call("magnitudeVec", 1)),
+  item("add or subtract arrows, addVec subVec", infix("addVec")),
+  item("number as seconds, doubleToSeconds", call("doubleToSeconds", 1)),
   item("shortest turn, normOrientation", call("normOrientation", 1)),
   item("centimetres as metres", call("centimetersToMeters", 1, num("50"))),
   item("abs: without sign", call("abs", 1)),
@@ -234,6 +285,10 @@ const functionItems: readonly ToolboxItem[] = [
   item("simulate: what to run", make("main", {controllers: 1})),
   item("function with an input", reaction("f", "plain", [named("x")])),
   item("constant", reaction("speed", "plain", [], num("0.5"))),
+  item(
+    "function with own definitions, where",
+    make("define", {name: "f", as: "plain", arity: 1, equations: [{where: true}]}, {P0_0: named("x")}),
+  ),
   item("give inputs to a function", make("apply", {args: 1})),
   item("function without a name, lambda", make("lambda", {inputs: 1}, {P0: named("x")})),
   item("operator with one side open, section", make("section", {op: "+", side: "right"}, {X: num("1")})),

@@ -17,6 +17,8 @@ interface Built {
   skeleton: string
 }
 
+type ContextMenuOption = Parameters<NonNullable<Blockly.BlockSvg["customContextMenu"]>>[0][number]
+
 const built = new WeakMap<Blockly.Block, Built>()
 
 /// What the page does with things only it can answer.
@@ -32,10 +34,14 @@ export interface BuildActions {
 /// Registers every kind of block with Blockly; once for the page, with the actions of the view in use.
 export function registerBlocks(views: readonly BlockView[], actions: () => BuildActions | undefined): void {
   const fieldActions: FieldActions = {
-    changed: (field, key, value) => {
+    changed: (field, key, value, whole) => {
       const block = field.getSourceBlock()
       const state = block === null ? undefined : built.get(block)
       if (block === null || state === undefined) return
+      if (whole === true) {
+        change(block, setIn(state.extra, key, value))
+        return
+      }
       adopt(block, state, setIn(state.extra, key, value), fieldActions)
       actions()?.edited(block)
     },
@@ -56,6 +62,17 @@ export function registerBlocks(views: readonly BlockView[], actions: () => Build
         built.set(this, state)
         draw(this, state, shape, fieldActions)
         if (this instanceof Blockly.BlockSvg) actions()?.made(this)
+      },
+      customContextMenu(this: Blockly.BlockSvg, options: ContextMenuOption[]) {
+        const state = built.get(this)
+        if (state === undefined || this.isInFlyout) return
+        for (const {action, text} of state.shape.menu ?? []) {
+          options.push({
+            text,
+            enabled: true,
+            callback: () => change(this, state.view.press(state.extra, action)),
+          } as ContextMenuOption)
+        }
       },
       // Blockly pushes away blocks that lie near a socket of another. Here they lie where the learner put them.
       bumpNeighbours() {},
@@ -118,21 +135,34 @@ function draw(block: Blockly.Block, state: Built, shape: Shape, actions: FieldAc
   const same = bones === state.skeleton
   state.shape = shape
   state.skeleton = bones
+  block.setTooltip(shape.tooltip)
+  block.setAriaRoleDescriptionProvider(shape.aria)
+  if (same && block instanceof Blockly.BlockSvg && block.getFullBlockField() === null) {
+    // Blockly asks again only when the block gets the focus.
+    const {aria} = Blockly.utils
+    aria.setState(block.pathObject.svgPath, aria.State.ROLEDESCRIPTION, shape.aria)
+  }
   if (same) {
     const shown = values(shape)
-    for (const input of block.inputList) {
-      for (const field of input.fieldRow) {
+    for (const planned of plan(shape)) {
+      const input = block.getInput(planned.name)
+      input?.fieldRow.forEach((field, at) => {
+        const item = planned.fields[at]
+        // Names are said in the labels of what belongs to them.
+        if (item !== undefined && "aria" in item && field.getAriaTypeName() !== item.aria) {
+          field.setAriaTypeName(item.aria)
+          field.recomputeAriaContext()
+        }
         const value = field.name === undefined ? undefined : shown.get(field.name)
         if (value !== undefined) showValue(field, value)
-      }
+      })
+      if (planned.kind !== "words") input?.setAriaLabelProvider(planned.item.aria)
     }
     return
   }
   connect(block, shape)
   reconcile(block, plan(shape), actions)
   block.setInputsInline(true)
-  block.setTooltip(shape.tooltip)
-  block.setAriaRoleDescriptionProvider(shape.aria)
   block.setStyle(styleName(shape.family, shape.connects.as === "pattern"))
   if (block.outputConnection !== null)
     setLook(block.outputConnection, {family: shape.family, hint: "", hole: false})

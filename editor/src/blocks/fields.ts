@@ -9,7 +9,8 @@ import type {FieldItem} from "./plan.ts"
 /// What a field does when the learner has changed or used it.
 export interface FieldActions {
   /// The value under `key` is now `value`.
-  changed(field: Blockly.Field, key: string, value: string): void
+  /// `whole`: as one step of its own, which Blockly has not recorded.
+  changed(field: Blockly.Field, key: string, value: string, whole?: boolean): void
   /// A binder's name was edited to `name`; the field shows the old name until the answer comes.
   renamed(block: Blockly.Block, key: string, name: string): void
   pressed(block: Blockly.Block, action: string): void
@@ -43,10 +44,58 @@ export class Words extends Blockly.FieldLabel {
   }
 }
 
-/// @internal The inferred type in a definition's header.
-export class Signature extends Words {
-  constructor() {
-    super("", "rosySignature")
+/// @internal The type in a definition's header: the inferred one until the learner writes another; an empty one is
+/// inferred again.
+export class Signature extends Blockly.FieldTextInput {
+  /// Characters; Blockly cuts off after 50.
+  override maxDisplayLength = 120
+  readonly key: string
+  private readonly actions: FieldActions
+  private before = ""
+
+  constructor(key: string, value: string, aria: string, actions: FieldActions) {
+    super(value, undefined, {spellcheck: false, ariaTypeName: aria})
+    this.key = key
+    this.actions = actions
+  }
+
+  override isSerializable(): boolean {
+    return false
+  }
+
+  /// Shows a type without telling anyone.
+  show(type: string): void {
+    if (this.getValue() !== type) this.setValue(type, false)
+  }
+
+  /// With real arrows, which are easier to read at a glance; while it is edited it stands as Haskell writes it.
+  protected override getText_(): string | null {
+    return this.isBeingEdited_ ? super.getText_() : (this.getValue() ?? "").replaceAll("->", "→")
+  }
+
+  // A block that is read aloud says what it does; its type is one step away.
+  override computeAriaLabel(typed = true): string {
+    return typed ? super.computeAriaLabel(typed) : ""
+  }
+
+  protected override showEditor_(event?: Event, quiet?: boolean, ephemeral?: boolean): void {
+    this.before = this.getValue() ?? ""
+    super.showEditor_(event, quiet, ephemeral)
+  }
+
+  override onFinishEditing_(type: string): void {
+    super.onFinishEditing_(type)
+    const wanted = type.replaceAll("→", "->").replace(/\s+/g, " ").trim()
+    const before = this.before
+    if (wanted === before) return
+    this.setValue(before, false)
+    const block = this.getSourceBlock()
+    if (block !== null) queueMicrotask(() => this.actions.changed(this, this.key, wanted, true))
+  }
+
+  override initView(): void {
+    super.initView()
+    if (this.fieldGroup_ !== null) Blockly.utils.dom.addClass(this.fieldGroup_, "rosySignature")
   }
 }
 
@@ -295,7 +344,7 @@ export function makeField(item: FieldItem, actions: FieldActions): Blockly.Field
     case "label":
       return new Words(item.text, item.strong === true ? "rosyStrong" : "rosyWords")
     case "signature":
-      return new Signature()
+      return new Signature(item.key, item.value, item.aria, actions)
     case "reference":
       return new Words(item.value, "rosyReference")
     case "text":
@@ -317,6 +366,8 @@ export function makeField(item: FieldItem, actions: FieldActions): Blockly.Field
 /// Shows a value that came from elsewhere (undo, a rename, a load) in a field that is there already.
 export function showValue(field: Blockly.Field, value: string): void {
   if (field.getValue() === value) return
-  if (field instanceof Binder || field instanceof Words) field.show(value)
+  // Without a written type the inferred one stands there, and inference follows every edit.
+  if (field instanceof Signature && value === "") return
+  if (field instanceof Binder || field instanceof Words || field instanceof Signature) field.show(value)
   else field.setValue(value, false)
 }

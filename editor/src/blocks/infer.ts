@@ -9,11 +9,6 @@ import {Signature} from "./fields.ts"
 import {lookOf, setLook} from "./looks.ts"
 import {styleName} from "./theme.ts"
 
-/// Haskell's type as it stands on a header: with real arrows, which are easier to read at a glance.
-export function headerType(type: string): string {
-  return type.replaceAll("->", "→")
-}
-
 /// Paints `inference` onto the blocks of a workspace. `names` are families of names from elsewhere, for blocks in the
 /// toolbox, which stand outside the program.
 export function showInference(
@@ -43,8 +38,7 @@ export function showInference(
     }
     for (const input of block.inputList) {
       if (definition !== undefined) {
-        for (const field of input.fieldRow)
-          if (field instanceof Signature) field.show(headerType(definition.type))
+        for (const field of input.fieldRow) if (field instanceof Signature) field.show(definition.type)
       }
       const connection = input.connection
       if (connection === null || input.type !== Blockly.inputs.inputTypes.VALUE) continue

@@ -11,6 +11,7 @@ import type {
   Renaming,
   SavedWorkspace,
   ToolboxCategory,
+  ToolboxItem,
 } from "@rosy/codegen"
 
 export interface Language {
@@ -20,4 +21,8 @@ export interface Language {
   rename(workspace: SavedWorkspace, block: BlockId, key: string, name: string): Renaming
   namesInScope(workspace: SavedWorkspace, place: Place): readonly InScope[]
   toolbox(level: Level): readonly ToolboxCategory[]
+  /// What the search finds besides what the toolbox shows.
+  libraryItems(): readonly ToolboxItem[]
+  /// What was typed into the search as a block of its own: a number, a text, a new name.
+  typedItems(typed: string): readonly ToolboxItem[]
 }

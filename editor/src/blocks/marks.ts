@@ -16,6 +16,7 @@ export class Marks {
   private inferred: readonly BlockProblem[] = []
   private told: readonly BlockProblem[] = []
   private accepted = false
+  private waiting = false
   private highlighted: readonly BlockId[] = []
   private dimmed: readonly BlockId[] = []
   private readonly worded = new Map<BlockId, string>()
@@ -39,7 +40,15 @@ export class Marks {
     this.showProblems()
   }
 
+  /// Shows what was learnt while something was being moved.
+  dropped(): void {
+    if (this.waiting) this.showProblems()
+  }
+
+  // Icons make blocks wider: nothing shifts under a hand that is about to let go.
   private showProblems(): void {
+    this.waiting = this.workspace.isDragging()
+    if (this.waiting) return
     const sentences = new Map<BlockId, string[]>()
     for (const problem of [...(this.accepted ? [] : worn(this.inferred)), ...this.told]) {
       if (problem.block === undefined) continue

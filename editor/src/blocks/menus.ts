@@ -87,6 +87,8 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
     view => view.bringStraysHome(),
   )
 
+  commentAtOnce()
+
   const {registry: keys} = Blockly.ShortcutRegistry
   const {KeyCodes} = Blockly.utils
   // C tidies in Blockly; Ctrl+Enter is the page's Run.
@@ -111,4 +113,28 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
       return true
     },
   })
+}
+
+/// A comment that was asked for is open to be written; Blockly only puts its icon on the block.
+function commentAtOnce(): void {
+  const {registry: menus} = Blockly.ContextMenuRegistry
+  const item = menus.getItem("blockComment")
+  if (item === null || !("callback" in item) || item.callback === undefined) return
+  menus.unregister("blockComment")
+  const callback = item.callback as (...asked: [Blockly.ContextMenuRegistry.Scope, ...never[]]) => void
+  menus.register({
+    ...item,
+    callback: (...asked: Parameters<typeof callback>) => {
+      callback(...asked)
+      const [scope] = asked
+      const icon = scope.block?.getIcon(Blockly.icons.CommentIcon.TYPE)
+      if (icon == null) return
+      void icon.setBubbleVisible(true).then(() => {
+        const bubble = icon.getBubble()
+        if (bubble instanceof Blockly.bubbles.TextInputBubble) {
+          Blockly.getFocusManager().focusNode(bubble.getEditor())
+        }
+      })
+    },
+  } as Parameters<typeof menus.register>[0])
 }

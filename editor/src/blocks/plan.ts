@@ -86,7 +86,7 @@ export function skeleton(shape: Shape): string {
       case "stack":
         return ["t", item.name, item.sort]
       case "signature":
-        return ["g"]
+        return ["g", item.key]
       case "button":
         return ["b", item.action, item.text]
       case "text":

@@ -16,7 +16,8 @@ export const styleSheet = `
 .rosyBlocks .blocklySvg pattern line { stroke: var(--line-strong); stroke-linecap: round; }
 .rosyBlocks .blocklyText, .rosyBlocks .rosyHint { fill: var(--on-block); }
 .rosyBlocks .injectionDiv .blocklyText.rosyStrong { font-weight: 700; }
-.rosyBlocks .injectionDiv .blocklyText.rosySignature { font: 500 12.5px "JetBrains Mono", ui-monospace, monospace; }
+.rosyBlocks .injectionDiv .rosySignature > .blocklyText { font: 500 12.5px "JetBrains Mono", ui-monospace, monospace; fill: var(--on-block); }
+.rosyBlocks .rosySignature > .blocklyFieldRect { fill: #ffffff; fill-opacity: 0; }
 .rosyBlocks .rosyReference { font-weight: 600; }
 .rosyBlocks .rosyHint { font: 500 12px Inter, system-ui, sans-serif; text-anchor: middle; pointer-events: none; }
 .rosyBlocks .blocklyPath { stroke-width: 1; }
@@ -77,7 +78,7 @@ export const styleSheet = `
 .rosyBlocks .blocklyToolboxCategory .blocklyTreeRowContentContainer { display: flex; gap: 10px; align-items: center; }
 .rosyBlocks .blocklyToolboxCategoryLabel, .rosyBlocks .blocklyToolboxSelected .blocklyToolboxCategoryLabel { font: inherit; font-size: 14.5px; color: var(--ink); white-space: nowrap; }
 .rosyBlocks .rosySwatch { width: 18px; height: 14px; flex: none; overflow: visible; }
-.rosyBlocks .rosySearch { width: 100%; min-width: 0; font: 400 14px Inter, system-ui, sans-serif; color: var(--ink); background: var(--sunken); border: 1px solid var(--line); border-radius: 8px; padding: 7px 10px; outline-offset: 1px; }
+.rosyBlocks .rosySearch { pointer-events: auto; width: 100%; min-width: 0; font: 400 14px Inter, system-ui, sans-serif; color: var(--ink); background: var(--sunken); border: 1px solid var(--line); border-radius: 8px; padding: 7px 10px; outline-offset: 1px; }
 .rosyBlocks .rosySearch::placeholder { color: var(--ink-2); opacity: 1; }
 .rosyBlocks .rosySearch:focus { outline: 2px solid var(--focus); }
 .rosyBlocks .rosySearchRow { padding: 0 0 8px !important; background: none !important; }

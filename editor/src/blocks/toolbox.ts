@@ -3,6 +3,7 @@
 
 import type {BlockView, Family, Level, SavedBlock, ToolboxCategory, ToolboxItem} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
+import type {Language} from "./language.ts"
 import {outlineOf, pen, sides} from "./outlines.ts"
 
 /// Key of the category that is filled with names when it is opened.
@@ -44,15 +45,31 @@ function withoutIds(block: ToolboxItem["block"]): ToolboxItem["block"] {
   return copy
 }
 
+const levels: readonly Level[] = ["tasks", "reactions", "haskell"]
+
+/// All that the search finds: what this level shows comes first, but a level hides nothing from it.
+export function searchable(language: Language, level: Level): readonly ToolboxItem[] {
+  const found = new Map<string, ToolboxItem>()
+  for (const one of [level, ...levels]) {
+    for (const item of language.toolbox(one).flatMap(category => category.items)) {
+      const key = JSON.stringify(item.block)
+      if (!found.has(key)) found.set(key, item)
+    }
+  }
+  const shown = new Set([...found.values()].map(item => bareKey(item.block)))
+  return [...found.values(), ...language.libraryItems().filter(item => !shown.has(bareKey(item.block)))]
+}
+
+/// A block without what fills it: a ready block of the toolbox stands for the name from the library.
+function bareKey({type, extraState}: SavedBlock): string {
+  const {name, con, op, args} = extraState ?? {}
+  return JSON.stringify([type, name ?? con ?? op ?? extraState, args === 0])
+}
+
 /// What Blockly shows beside the workspace.
-export function toolboxInfo(
-  categories: readonly ToolboxCategory[],
-  views: readonly BlockView[],
-): Blockly.utils.toolbox.ToolboxInfo {
-  const items = findable(
-    categories.flatMap(category => category.items),
-    views,
-  )
+export function toolboxInfo(language: Language, level: Level): Blockly.utils.toolbox.ToolboxInfo {
+  const categories = language.toolbox(level)
+  const items = findable(searchable(language, level), language.blockTypes)
   const search: CategoryInfo = {kind: searchKind, name: "Search blocks", items, contents: []}
   const shown = categories.map(
     (category): CategoryInfo => ({
@@ -100,7 +117,7 @@ export function findable(items: readonly ToolboxItem[], views: readonly BlockVie
 }
 
 /// Items whose words hold every word of the query, best first: at the start of the label, of a word of the label,
-/// anywhere in it, on the blocks.
+/// anywhere in it, on the blocks. The whole label is best of all.
 export function search(items: readonly Findable[], query: string): readonly ToolboxItem[] {
   const words = query
     .toLowerCase()
@@ -110,6 +127,7 @@ export function search(items: readonly Findable[], query: string): readonly Tool
   const rank = ({label, words: others}: Findable) =>
     words.reduce((sum, word) => {
       const at = label.indexOf(word)
+      if (label === word) return sum + 6
       if (at >= 0) return sum + (at === 0 ? 4 : label[at - 1] === " " ? 3 : 2)
       return others.includes(word) ? sum + 1 : Number.NEGATIVE_INFINITY
     }, 0)
@@ -123,17 +141,34 @@ export function search(items: readonly Findable[], query: string): readonly Tool
 /// How many of the items found are asked whether they fit: those that a learner sees at once.
 const askedAbout = 16
 
-function fittingFirst(
+/// What is found, ordered by what the learner probably wants at the chosen place: what fits there and is called so,
+/// what stands alone and is called so, what was typed itself (`typed`), then what only has the words somewhere.
+function bestFirst(
   found: readonly ToolboxItem[],
-  fits: ((item: ToolboxItem) => boolean) | undefined,
+  typed: readonly ToolboxItem[],
+  query: string,
+  fits: ReturnType<Nearby["fitting"]>,
 ): readonly ToolboxItem[] {
-  if (fits === undefined) return found
-  const seen = found.slice(0, askedAbout).map(item => ({item, fits: fits(item)}))
-  return [
-    ...seen.filter(one => one.fits).map(one => one.item),
-    ...seen.filter(one => !one.fits).map(one => one.item),
-    ...found.slice(askedAbout),
-  ]
+  if (fits === undefined) return [...found, ...typed]
+  const asked = query.toLowerCase()
+  const place = (item: ToolboxItem): number => {
+    const label = item.label.toLowerCase()
+    // An operator is the whole of a word, a name may be the beginning of one.
+    const called = /^\p{L}/u.test(asked) ? label.startsWith(asked) : label.split(" ").includes(asked)
+    switch (fits(item)) {
+      case "here":
+        return typed.includes(item) ? 2 : called ? 0 : 3
+      case "alone":
+        return called ? 1 : 4
+      case "nowhere":
+        return typed.includes(item) ? Number.POSITIVE_INFINITY : 5
+    }
+  }
+  return [...found.slice(0, askedAbout), ...typed, ...found.slice(askedAbout)]
+    .map((item, at) => ({item, place: at < askedAbout + typed.length ? place(item) : 5}))
+    .filter(one => one.place < Number.POSITIVE_INFINITY)
+    .sort((one, two) => one.place - two.place)
+    .map(one => one.item)
 }
 
 /// A small picture of a family: its outline in its colour.
@@ -186,8 +221,10 @@ export interface Nearby {
   setLevel(level: Level): void
   /// Names that can be used there, as items.
   names(): readonly ToolboxItem[]
-  /// Tells of an item whether it fits there; undefined when no place is chosen.
-  fitting(): ((item: ToolboxItem) => boolean) | undefined
+  /// What was typed, as blocks of their own.
+  typed(query: string): readonly ToolboxItem[]
+  /// Tells of an item whether it fits there, or stands alone; undefined when no place is chosen.
+  fitting(): ((item: ToolboxItem) => "here" | "alone" | "nowhere") | undefined
   /// Ready blocks and names that fit there, best first; undefined when no place is chosen.
   suggestions(): readonly ToolboxItem[] | undefined
 }
@@ -213,6 +250,8 @@ class Search extends Blockly.ToolboxCategory {
     field.autocomplete = "off"
     field.addEventListener("input", () => this.match())
     field.addEventListener("keydown", event => this.key(event))
+    // A press into the field is the field's: the toolbox would close what is found.
+    field.addEventListener("pointerdown", event => event.stopPropagation())
     this.rowDiv_?.classList.add("rosySearchRow")
     this.rowContents_?.replaceChildren(field)
     dom.append(this.levels())
@@ -279,7 +318,12 @@ class Search extends Blockly.ToolboxCategory {
     const suggested = query === "" ? here?.suggestions() : undefined
     const found =
       suggested ??
-      fittingFirst(search([...findable(here?.names() ?? [], []), ...items], query), here?.fitting())
+      bestFirst(
+        search([...findable(here?.names() ?? [], []), ...items], query),
+        here?.typed(query) ?? [],
+        query,
+        here?.fitting(),
+      )
     const label = (text: string) => ({kind: "label", text}) as unknown as ItemInfo
     const heading =
       suggested !== undefined

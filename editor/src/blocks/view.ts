@@ -3,7 +3,15 @@
 /// Holds no truth of its own: blocks come in through `load`, and every change goes out through `onChange` together
 /// with what inference says about it.
 
-import type {BlockId, BlockProblem, Inference, Level, SavedBlock, SavedWorkspace} from "@rosy/codegen"
+import type {
+  BlockId,
+  BlockProblem,
+  Inference,
+  Level,
+  SavedBlock,
+  SavedWorkspace,
+  ToolboxItem,
+} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import * as English from "blockly/msg/en"
 import {type BuildActions, change, registerBlocks} from "./build.ts"
@@ -19,6 +27,7 @@ import {pull} from "./pull.ts"
 import {RefusalLine} from "./refusal.ts"
 import {registerRemark} from "./remark.ts"
 import {registerRenderer, rendererName} from "./renderer.ts"
+import {boxesOf, makeRoom} from "./room.ts"
 import {loadBlocks, loads, saveBlocks} from "./saved.ts"
 import {chosenBlock, chosenPlace, nameItem, scopeItems, suggest} from "./scope.ts"
 import {bringHome, inSight, straysOf} from "./sight.ts"
@@ -130,7 +139,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     renderer: rendererName,
     theme: blocklyThemes.get(options.tone)!,
     plugins: {connectionChecker: checkerName},
-    toolbox: toolboxInfo(language.toolbox(level), language.blockTypes),
+    toolbox: toolboxInfo(language, level),
     media: options.media ?? "media/",
     rtl: options.rightToLeft ?? false,
     sounds: false,
@@ -158,6 +167,10 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   /// The blocks as last told or loaded: one edit is heard of twice, at once and from Blockly.
   let told = ""
 
+  const views = new Map(language.blockTypes.map(view => [view.type, view]))
+  const sortOf = ({block}: ToolboxItem) =>
+    views.get(block.type)?.shape(block.extraState ?? {}).connects.as ?? ""
+
   const dragHost: DragHost = {
     asker: () => language.checker(saveBlocks(workspace)),
     chosen: () => chosenBlock(workspace),
@@ -178,8 +191,21 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     const now = JSON.stringify(saveBlocks(workspace))
     if (now === told) return
     told = now
-    const saved = refresh()
+    refresh()
+    const saved = giveRoom()
+    told = JSON.stringify(saved)
     for (const listener of changeListeners) listener({workspace: saved, inference})
+  }
+
+  let boxes = boxesOf(workspace)
+  /// Moves what a grown block would cover, as part of the edit.
+  const giveRoom = (): SavedWorkspace => {
+    Blockly.renderManagement.triggerQueuedRenders(workspace)
+    for (const [id, down] of makeRoom(boxes, boxesOf(workspace))) {
+      workspace.getBlockById(id)?.moveBy(0, down, ["cleanup"])
+    }
+    boxes = boxesOf(workspace)
+    return saveBlocks(workspace)
   }
 
   const announceLater = () => {
@@ -195,6 +221,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       for (const listener of selectListeners) listener(block?.id)
     }
     const dropped = event.type === Blockly.Events.BLOCK_DRAG && !(event as Blockly.Events.BlockDrag).isStart
+    if (dropped) marks.dropped()
     if (dropped || !event.isUiEvent) announceLater()
   })
 
@@ -228,11 +255,15 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       const place = chosenPlace(workspace)
       return place === undefined ? [] : language.namesInScope(saveBlocks(workspace), place).map(nameItem)
     },
+    typed: query => language.typedItems(query),
     fitting() {
       const place = chosenPlace(workspace)
       if (place === undefined) return undefined
       const check = language.checker(saveBlocks(workspace))
-      return item => check.fits(place, item.block).fits
+      // What stands alone has its place on the workspace.
+      const alone = new Set(["top", "definition"])
+      return item =>
+        alone.has(sortOf(item)) ? "alone" : check.fits(place, item.block).fits ? "here" : "nowhere"
     },
     suggestions() {
       const place = chosenPlace(workspace)
@@ -283,7 +314,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   const setLevel = (wanted: Level) => {
     if (wanted === level) return
     level = wanted
-    workspace.updateToolbox(toolboxInfo(language.toolbox(level), language.blockTypes))
+    workspace.updateToolbox(toolboxInfo(language, level))
     options.onLevel?.(level)
   }
 
@@ -300,6 +331,8 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       const loaded = loadBlocks(workspace, saved)
       workspace.clearUndo()
       told = JSON.stringify(refresh())
+      Blockly.renderManagement.triggerQueuedRenders(workspace)
+      boxes = boxesOf(workspace)
       marks.forget()
       const again = focused === undefined ? null : workspace.getBlockById(focused)
       if (again !== null) {

@@ -384,10 +384,13 @@ function drawParts(
       source?.setProgram(program)
       blocks?.dim(state.document.dimmed)
     }
-    if (changed("findings") || changed("document") || changed("accepted")) {
+    if (changed("findings") || changed("document") || changed("accepted") || changed("run")) {
       const {compiler, run} = state.findings
       source?.mark([...believed(state), ...compiler, ...run])
-      blocks?.mark([...compiler, ...run].map(blockProblem), state.accepted)
+      // While somebody builds, an empty socket is no mistake: it is drawn dashed. Only Run makes it one.
+      const tried = state.run.kind === "ended" && state.run.how === "refused"
+      const shown = [...compiler.filter(f => tried || f.kind !== "hole"), ...run]
+      blocks?.mark(shown.map(blockProblem), state.accepted)
     }
     if (changed("declared")) source?.setDeclared(state.declared)
     if (changed("selected") || changed("selectedIn") || changed("document")) {

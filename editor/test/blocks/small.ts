@@ -50,7 +50,7 @@ const views: readonly BlockView[] = [
     rows: [
       [
         {kind: "binder", key: "name", value: text(extra, "name", "f"), aria: "name of the function"},
-        {kind: "signature"},
+        {kind: "signature", key: "signature", value: "", aria: "type"},
       ],
       [label("when it has"), socket("P0", "what", "pattern")],
       [label("send"), socket("E0", "what")],
@@ -284,6 +284,8 @@ export const small: Language = {
       fits: true,
     }))
   },
+  libraryItems: () => [],
+  typedItems: () => [],
   toolbox() {
     return [
       {

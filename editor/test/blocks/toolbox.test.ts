@@ -43,9 +43,7 @@ test("a block from the toolbox brings no id along, at any depth", () => {
 })
 
 test("search comes first and the names in scope last", () => {
-  const names = (
-    toolboxInfo(small.toolbox("reactions"), small.blockTypes).contents as unknown as {name: string}[]
-  ).map(c => c.name)
+  const names = (toolboxInfo(small, "reactions").contents as unknown as {name: string}[]).map(c => c.name)
   expect(names[0]).toBe("Search blocks")
   expect(names.at(-1)).toBe("Names in scope")
 })

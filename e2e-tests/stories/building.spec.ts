@@ -1,0 +1,45 @@
+/// Whole programs from an empty page: they print exactly what the example says, and the robot does it.
+
+import {readFileSync} from "node:fs"
+import {expect, type Page, test} from "@playwright/test"
+import type {Hands} from "./hands.ts"
+import {Learner, until} from "./learner.ts"
+import {Mouse} from "./mouse.ts"
+import {drawSquare} from "./recipes.ts"
+
+// A whole program takes a learner a while, and a busy machine too.
+test.setTimeout(180_000)
+
+async function builds(
+  page: Page,
+  example: string,
+  recipe: (hands: Hands) => Promise<void>,
+  hands: Hands,
+): Promise<Learner> {
+  const learner = new Learner(page)
+  page.on("pageerror", error => {
+    throw error
+  })
+  await learner.opens("move")
+  await recipe(hands)
+  await learner.keeps(`built-${example}`)
+  const saving = page.waitForEvent("download")
+  await page.getByRole("button", {name: "More", exact: true}).click()
+  await page.getByText("Save the Haskell").click()
+  const text = readFileSync(await (await saving).path(), "utf8")
+  expect(text).toBe(readFileSync(new URL(`../../examples/${example}/Main.hs`, import.meta.url), "utf8"))
+  return learner
+}
+
+async function drivesASquare(page: Page, learner: Learner): Promise<void> {
+  await page.getByLabel("Speed", {exact: true}).selectOption("8")
+  await learner.runs()
+  await until(learner.robot("speed"), v => v > 0.1)
+  await until(learner.robot("heading"), degrees => Math.abs(degrees) > 80)
+  await expect(learner.status()).toHaveText("Finished", {timeout: 60_000})
+}
+
+test("drawSquare by mouse", async ({page}) => {
+  const learner = await builds(page, "drawSquare", drawSquare, new Mouse(page))
+  await drivesASquare(page, learner)
+})
