@@ -1,7 +1,7 @@
 /// The toolbox: codegen's ready blocks in categories, each with a swatch of its family's colour and outline, a
 /// search over their words, and the names that can be used at the chosen socket.
 
-import type {Family, Level, SavedBlock, ToolboxCategory, ToolboxItem} from "@rosy/codegen"
+import type {BlockView, Family, Level, SavedBlock, ToolboxItem} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import type {Language} from "./language.ts"
 import {outlineOf, pen, sides} from "./outlines.ts"
