@@ -182,16 +182,20 @@ export function printStatement(s: Statement, context: Context): Doc {
 }
 
 /// A condition of a guard. It ends before `,`, `=` or `->`, so what would read on past them gets brackets.
-export function printCondition(s: Statement, context: Context): Doc {
-  if (s.kind === "let-statement" || !readsOn(s.expr)) return printStatement(s, context)
+export function printCondition(s: Statement, sign: string, context: Context): Doc {
+  if (s.kind === "let-statement" || !readsOn(s.expr, sign)) return printStatement(s, context)
   const bracketed = mark(s.expr, ["(", bracketBody(s.expr, context), ")"])
   const pattern = s.kind === "bind" ? [printPattern(s.pattern, "top"), " <- "] : []
   return mark(s, [comment(s.comment), ...pattern, bracketed])
 }
 
-function readsOn(e: Expr): boolean {
+/// A type reads on past `->`. What goes on below its first line would hide where the condition ends.
+function readsOn(e: Expr, sign: string): boolean {
   const inner = transparent(e)
-  return inner.kind === "typed" || isOpen(inner) || (inner.kind === "infix" && readsOn(inner.right))
+  if (inner.kind === "typed") return sign === "->"
+  if (inner.kind === "infix") return readsOn(inner.right, sign)
+  if (inner.kind === "if") return readsOn(inner.no, sign)
+  return isOpen(inner)
 }
 
 function comment(text: string | undefined): Doc {

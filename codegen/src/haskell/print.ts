@@ -185,7 +185,7 @@ function printBody(right: RightSide, sign: string, context: Context): Doc {
             : group(
                 align(
                   join(
-                    g.guards.map(s => printCondition(s, context)),
+                    g.guards.map(s => printCondition(s, sign, context)),
                     [",", line],
                   ),
                 ),
