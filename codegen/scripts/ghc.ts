@@ -1,7 +1,7 @@
 /// Asks GHC what a Rosy program has in scope. The one place in codegen that starts another program.
 
 import {execFileSync} from "node:child_process"
-import {existsSync, readdirSync} from "node:fs"
+import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
 import {browsed, instancesOf} from "./browse.ts"
 
@@ -65,6 +65,45 @@ export function environmentFromGhc(database: string): string {
       contextOf(l).every(c => askable.has(c) || ["Typeable", "Ends"].includes(c)),
   )
   return [...new Set([...known, ...hidden, ...usable.sort()])].join("\n")
+}
+
+/// What each module that a program may import exports, by its name; `=Data.Map` for one that exports the same.
+export function modulesFromGhc(database: string): {[name: string]: string} {
+  const allow = readFileSync(`${root}rosy-hs/worker/Rosy/Worker/Allow.hs`, "utf8")
+  const list = /^allowedModules =[\s\S]*?\[([\s\S]*?)^ {4}\]/m.exec(allow)?.[1] ?? ""
+  const names = (list.match(/[A-Z][\w.]*/g) ?? []).filter(n => n !== "Rosy" && n !== "Prelude")
+  const between = "@@"
+  const told = execFileSync(
+    "ghc",
+    [
+      ...withRosy(database),
+      ..."-package containers -dppr-cols=4000 -ignore-dot-ghci".split(" "),
+      ...names.flatMap(n => [
+        "-e",
+        `:module ${n}`,
+        "-e",
+        `:browse ${n}`,
+        "-e",
+        `System.IO.putStrLn "${between}"`,
+      ]),
+    ],
+    {encoding: "utf8", maxBuffer: 1 << 26, stdio: ["ignore", "pipe", "pipe"]},
+  ).split(`${between}\n`)
+  const modules: {[name: string]: string} = {}
+  const seen = new Map<string, string>()
+  names.forEach((name, i) => {
+    const own = new RegExp(`^(\\s*\\(?)${name.replaceAll(".", "\\.")}\\.`, "gm")
+    const said = (told[i] ?? "").replace(own, "$1")
+    const lines = browsed(said).filter(l => !l.startsWith("type role "))
+    // Names whose types go beyond what is read here: they exist, and GHC knows the rest.
+    const known = new Set(lines.map(l => l.split(" :: ")[0]))
+    const others = [...said.matchAll(/^\s*(\(\S+\)|[a-z_][\w']*) ::/gm)].map(m => m[1] ?? "")
+    const text = [...lines, ...new Set(others.filter(n => !known.has(n)).map(n => `${n} :: _`))].join("\n")
+    const same = seen.get(text)
+    modules[name] = same === undefined ? text : `=${same}`
+    if (same === undefined) seen.set(text, name)
+  })
+  return modules
 }
 
 /// The classes an instance asks for.

@@ -33,6 +33,8 @@ export interface SavedBlock {
 
 /// `Blockly.serialization.workspaces.save` writes further keys; they are kept by whoever holds them and ignored here.
 export interface SavedWorkspace {
+  /// The text above the definitions: imports and instructions to the compiler, which have no blocks.
+  header?: string
   blocks: {languageVersion: number; blocks: SavedBlock[]}
 }
 

@@ -19,6 +19,7 @@ export interface ReadWorkspace {
   readonly program: Program
   readonly loose: readonly Loose[]
   readonly problems: readonly BlockProblem[]
+  readonly header: string | undefined
 }
 
 export interface ReadTree {
@@ -45,7 +46,7 @@ export function readWorkspace(
     if (tree.loose !== undefined) loose.push(tree.loose)
     problems.push(...tree.problems)
   }
-  return {program: {kind: "program", declarations}, loose, problems}
+  return {program: {kind: "program", declarations}, loose, problems, header: workspace.header}
 }
 
 /// Definitions in the order in which the workspace keeps them, with `main` last, as Haskell programs have it.

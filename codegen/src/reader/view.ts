@@ -304,7 +304,7 @@ function printable(
   let signed: ReadonlyMap<BlockId | undefined, Declaration> | undefined
   const inferred = (id: BlockId | undefined): Declaration | undefined => {
     if (signed === undefined) {
-      const solved = solve(workspace)
+      const solved = solve({...workspace, header: headerOf(view)})
       const all = withSignatures(solved.read.program, solved).declarations
       signed = new Map(all.map(d => [d.from?.block, d]))
     }
@@ -360,7 +360,19 @@ function firstFree(blocks: readonly SavedBlock[]): number {
 
 /// All blocks, as Blockly loads them.
 export function workspaceOf(view: View): SavedWorkspace {
-  return {blocks: {languageVersion: 0, blocks: [...view.declarations.map(s => s.block), ...view.loose]}}
+  const header = headerOf(view)
+  return {
+    ...(header === "" ? {} : {header}),
+    blocks: {languageVersion: 0, blocks: [...view.declarations.map(s => s.block), ...view.loose]},
+  }
+}
+
+/// What the text says above its definitions.
+function headerOf(view: View): string {
+  return view.module.pieces
+    .flatMap(p => (p.kind === "header" ? [p.slice] : []))
+    .join("")
+    .trim()
 }
 
 /// The layout to save beside the text.

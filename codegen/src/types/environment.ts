@@ -2,9 +2,7 @@
 ///
 /// An environment is read from declarations as Haskell writes them, one a line, and grows by a program's own types.
 
-import type {DataDeclaration, SynonymDeclaration} from "../model/tree.ts"
 import {parseScheme, parseSignature, parseType} from "./parse.ts"
-import {reduce} from "./solve.ts"
 import type {Constraint, Scheme, Type} from "./type.ts"
 import {app, con, funs, spine, substitute, variablesIn} from "./type.ts"
 
@@ -24,12 +22,17 @@ export interface TypeEntry {
   readonly synonym?: Type | undefined
   /// Declared by the program itself.
   readonly own: boolean
+  /// From an import or from text: which classes it belongs to is GHC's business, unless an instance is known.
+  readonly foreign?: boolean
 }
 
 export interface Instance {
   readonly constraints: readonly Constraint[]
   readonly type: Type
 }
+
+/// For a name of which only GHC knows the type: it fits everywhere.
+export const unknown: Scheme = {variables: [], constraints: [], type: con("?"), unknown: true}
 
 /// What is asked of a table; a program's own names are a thin layer over the library's.
 export interface Lookup<V> {
@@ -52,6 +55,12 @@ export interface Environment {
   /// By class, then by the name of the type's head (`*` for an instance that is for every type). "none" where a type
   /// of the program's own cannot derive the class.
   readonly instances: Lookup<Lookup<Instance | "none">>
+  /// Any name may come from a module that nobody told us about.
+  readonly open?: boolean
+  /// What may stand before the dot of a name.
+  readonly qualifiers?: ReadonlySet<string>
+  /// Instances that the program's text has, so that nothing derives them: `Eq Mode`.
+  readonly written?: ReadonlySet<string>
 }
 
 /// The library's environment, which can also be gone through.
@@ -61,7 +70,7 @@ export interface Library extends Environment {
   readonly types: ReadonlyMap<string, TypeEntry>
 }
 
-interface Growing {
+export interface Growing {
   values: Table<Scheme>
   constructors: Table<ConstructorInfo>
   types: Table<TypeEntry>
@@ -70,14 +79,17 @@ interface Growing {
   fixed: ReadonlySet<string>
   needs: Set<string>
   instances: Table<Table<Instance | "none">>
+  open?: boolean
+  qualifiers?: ReadonlySet<string>
+  written?: ReadonlySet<string>
 }
 
-interface Table<V> extends Lookup<V> {
+export interface Table<V> extends Lookup<V> {
   set(name: string, value: V): unknown
 }
 
 /// A table of a few names of its own over another that it leaves alone.
-class Layer<V> implements Table<V> {
+export class Layer<V> implements Table<V> {
   private readonly own = new Map<string, V>()
   private readonly below: Lookup<V>
 
@@ -164,7 +176,7 @@ function readLine(line: string, env: Growing): void {
   const value = /^(\S+) :: (.*)$/.exec(line)
   if (value !== null) {
     const [, name = "", type = ""] = value
-    const scheme = parseScheme(type)
+    const scheme = type === "_" ? unknown : parseScheme(type)
     if (scheme !== undefined) env.values.set(name.replace(/^\((.+)\)$/, "$1"), scheme)
   }
 }
@@ -179,6 +191,8 @@ function readConstructor(text: string): {name: string; fields: {name?: string; t
         return names.split(",").map(n => ({name: n.trim(), type: type.trim()}))
       }),
     }
+  const infix = /^!?(\S+) (:\S+) !?(\S+)$/.exec(text.trim())
+  if (infix !== null) return {name: infix[2] ?? "", fields: [{type: infix[1] ?? ""}, {type: infix[3] ?? ""}]}
   const [name = "", ...fields] = words(text.trim())
   return {name, fields: fields.map(type => ({type}))}
 }
@@ -204,7 +218,7 @@ function splitTop(text: string, separator: string): string[] {
   return parts.filter(p => p.trim() !== "")
 }
 
-function addData(
+export function addData(
   env: Growing,
   name: string,
   parameters: readonly string[],
@@ -234,94 +248,11 @@ function addData(
   }
 }
 
-function addInstance(env: Growing, name: string, instance: Instance): void {
+export function addInstance(env: Growing, name: string, instance: Instance): void {
   const {head} = spine(instance.type)
   const of = env.instances.get(name) ?? new Map<string, Instance | "none">()
   of.set(head.kind === "con" ? head.name : "*", instance)
   env.instances.set(name, of)
-}
-
-/// Classes that every type of the program's own belongs to: Rosy adds the instances (rosy-hs/src/Rosy/Program.hs).
-const givenToOwn = ["Sensor", "Command", "Default"]
-
-/// Classes that a type of the program's own gets when it needs them, if all it is made of has them; the printer writes
-/// `deriving` then.
-const derivable = ["Eq", "Ord", "Show"]
-
-/// The environment with a program's own types. What a program declares wins over a library's name.
-export function withTypes(
-  base: Environment,
-  declarations: readonly (DataDeclaration | SynonymDeclaration)[],
-): Environment {
-  const instances = new Layer<Table<Instance | "none">>(base.instances as Lookup<Table<Instance | "none">>)
-  for (const name of [
-    ...givenToOwn,
-    ...derivable,
-    ...declarations.flatMap(d => (d.kind === "data" ? d.deriving : [])),
-  ])
-    instances.set(name, new Layer(base.instances.get(name) ?? new Map<string, Instance>()))
-  const env: Growing = {
-    values: new Layer(base.values),
-    constructors: new Layer(base.constructors),
-    types: new Layer(base.types),
-    classes: base.classes as Table<readonly string[]>,
-    hidden: new Set(base.hidden),
-    fixed: base.fixed,
-    needs: new Set(),
-    instances,
-  }
-  for (const d of declarations) {
-    if (d.kind === "synonym") {
-      const synonym = parseType(d.type.text)
-      env.types.set(d.name, {
-        parameters: d.parameters,
-        constructors: [],
-        ...(synonym === undefined ? {} : {synonym}),
-        own: true,
-      })
-      continue
-    }
-    addData(
-      env,
-      d.name,
-      d.parameters,
-      d.constructors.map(c => ({
-        name: c.name,
-        fields: c.fields.map(f => ({name: f.name, type: f.type.text})),
-      })),
-      true,
-    )
-    const type = app(con(d.name), ...d.parameters.map((p): Type => ({kind: "var", name: p})))
-    const perParameter = (name: string) =>
-      d.parameters.map(p => ({name, type: {kind: "var", name: p} as Type}))
-    for (const name of givenToOwn) addInstance(env, name, {constraints: perParameter("Value"), type})
-    for (const name of new Set([...derivable, ...d.deriving]))
-      addInstance(env, name, {constraints: perParameter(name), type})
-  }
-  dropUnderivable(env, declarations)
-  return env
-}
-
-/// A type cannot be compared when something it is made of cannot. Taking one away may take others with it.
-function dropUnderivable(
-  env: Growing,
-  declarations: readonly (DataDeclaration | SynonymDeclaration)[],
-): void {
-  for (let again = true; again; ) {
-    again = false
-    for (const d of declarations) {
-      if (d.kind !== "data") continue
-      for (const name of derivable) {
-        if (d.deriving.includes(name) || env.instances.get(name)?.get(d.name) === "none") continue
-        const fields = d.constructors.flatMap(c => env.constructors.get(c.name)?.fields ?? [])
-        const all = fields.every(f => reduce({name, type: expand(f, env)}, env).kind === "stuck")
-        if (all) continue
-        env.instances.get(name)?.set(d.name, "none")
-        again = true
-      }
-    }
-  }
-  env.needs.clear()
 }
 
 /// A type with all synonyms written out. A synonym that goes round in a circle stays as it is.

@@ -173,8 +173,9 @@ export class Expressions extends Bindings {
 
   protected record(e: Expr & {kind: "record"}, type: Type, scope: Scope): void {
     const info = this.env.constructors.get(e.name)
-    if (info === undefined) {
-      this.problems.push({kind: "unknown-name", node: e, name: e.name})
+    if (info === undefined || info.scheme.unknown === true) {
+      if (info === undefined && !this.unseen(e.name))
+        this.problems.push({kind: "unknown-name", node: e, name: e.name})
       this.holes.push(type)
       for (const f of e.fields) this.check(f.value, this.unknown(), scope)
       return
@@ -194,7 +195,9 @@ export class Expressions extends Bindings {
     const of = this.recordWith(names)
     if (of === undefined) {
       const [unknown] = names.filter(n => this.recordWith([n]) === undefined)
-      this.problems.push({kind: "unknown-name", node: e, name: unknown ?? names[0] ?? ""})
+      const name = unknown ?? names[0] ?? ""
+      const known = this.env.values.get(name)?.unknown === true || this.unseen(name)
+      if (!known) this.problems.push({kind: "unknown-name", node: e, name})
       this.holes.push(type)
       this.check(e.record, this.unknown(), scope)
       for (const f of e.fields) this.check(f.value, this.unknown(), scope)

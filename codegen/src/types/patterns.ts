@@ -74,8 +74,9 @@ export class Patterns extends Constraints {
         return
       case "record-pattern": {
         const info = this.env.constructors.get(p.name)
-        if (info === undefined) {
-          this.problems.push({kind: "unknown-name", node: p, name: p.name})
+        if (info === undefined || info.scheme.unknown === true) {
+          if (info === undefined && !this.unseen(p.name))
+            this.problems.push({kind: "unknown-name", node: p, name: p.name})
           this.holes.push(type)
           for (const f of p.fields) this.pattern(f.pattern, this.unknown(), scope)
           return
@@ -104,8 +105,9 @@ export class Patterns extends Constraints {
       return
     }
     const info = this.env.constructors.get(p.name)
-    if (info === undefined) {
-      this.problems.push({kind: "unknown-name", node: p, name: p.name})
+    if (info === undefined || info.scheme.unknown === true) {
+      if (info === undefined && !this.unseen(p.name))
+        this.problems.push({kind: "unknown-name", node: p, name: p.name})
       this.holes.push(type)
       for (const a of p.args) this.pattern(a, this.unknown(), scope)
       return

@@ -85,11 +85,23 @@ export function reduce(
   // A class nobody told us about is GHC's business.
   if (!env.classes.has(wanted.name)) return {kind: "stuck", constraints: []}
   const instance = instances?.get(head.name) ?? everything
+  const entry = env.types.get(head.name)
+  // What a type from elsewhere can do, only GHC knows.
+  if (
+    instance === undefined &&
+    (entry === undefined || entry.foreign === true) &&
+    !builtInHeads.test(head.name)
+  )
+    return {kind: "stuck", constraints: []}
   if (instance === undefined || instance === "none" || depth > 50)
     return {kind: "no", constraint: {name: wanted.name, type}}
-  if (env.types.get(head.name)?.own === true) env.needs.add(`${wanted.name} ${head.name}`)
+  if (entry?.own === true && env.written?.has(`${wanted.name} ${head.name}`) !== true)
+    env.needs.add(`${wanted.name} ${head.name}`)
   return applyInstance(instance, wanted, args, env, givens, depth)
 }
+
+/// Types with a syntax of their own, which no table lists.
+const builtInHeads = /^(?:->|\[\]|\(,*\))$/
 
 function reduceAll(
   all: readonly Constraint[],

@@ -61,6 +61,7 @@ export class State {
 
   protected knownTypes(type: Type, node: Node): void {
     const t = prune(type)
+    if (this.env.open === true) return
     if (t.kind === "con" && !this.env.types.has(t.name) && !/^(?:->|\[\]|\(,*\))$/.test(t.name))
       this.problems.push({kind: "unknown-type", node, name: t.name})
     if (t.kind === "app") {
@@ -79,8 +80,14 @@ export class State {
       this.strays.set(name, stray)
       return stray
     }
-    this.problems.push({kind: "unknown-name", node, name})
+    if (!this.unseen(name)) this.problems.push({kind: "unknown-name", node, name})
     return this.unknown()
+  }
+
+  /// Whether a name may come from a module that nobody told us about.
+  protected unseen(name: string): boolean {
+    const qualifier = /^(.*)\.[^.]/.exec(name)?.[1]
+    return this.env.open === true || (qualifier !== undefined && this.env.qualifiers?.has(qualifier) === true)
   }
 
   /// The type of something that is wrong or only GHC knows; it decides nothing and is no reason for a second complaint.
@@ -108,11 +115,12 @@ export class State {
     }
     const info = this.env.constructors.get(name)
     if (info !== undefined) return this.instantiate(info.scheme, node)
-    this.problems.push({kind: "unknown-name", node, name})
+    if (!this.unseen(name)) this.problems.push({kind: "unknown-name", node, name})
     return this.unknown()
   }
 
   protected instantiate(scheme: Scheme, node: Node): Type {
+    if (scheme.unknown === true) return this.unknown()
     if (scheme.variables.length === 0) {
       for (const c of scheme.constraints) this.want(c.name, c.type, node)
       return expand(scheme.type, this.env)

@@ -25,6 +25,8 @@ export interface Scheme {
   readonly variables: readonly string[]
   readonly constraints: readonly Constraint[]
   readonly type: Type
+  /// Only GHC knows it: each use has a type of its own that nothing is known about.
+  readonly unknown?: boolean
 }
 
 export const con = (name: string): Type => ({kind: "con", name})

@@ -5,7 +5,7 @@ import {printProgram} from "../haskell/print.ts"
 import {hasUnknowns} from "../model/holes.ts"
 import type {Declaration, Program} from "../model/tree.ts"
 import type {BlockId, SavedWorkspace} from "../saved.ts"
-import {namesIn, showScheme} from "../types/type.ts"
+import {metasIn, namesIn, showScheme} from "../types/type.ts"
 import type {Solved} from "./infer.ts"
 import {problemsOf, solve} from "./infer.ts"
 
@@ -35,7 +35,13 @@ export function withSignatures(program: Program, {inferrer}: Pick<Solved, "infer
       if (d.kind === "data") return withDeriving(d, inferrer.env.needs)
       if (d.kind !== "function" || d.signature !== undefined || inferrer.unsignable.has(d)) return d
       const scheme = inferrer.schemes.get(d)
-      if (scheme === undefined || (scheme.variables.length > 0 && hasUnknowns(d))) return d
+      // What is open still may be decided by something that only GHC sees.
+      if (
+        scheme === undefined ||
+        metasIn(scheme.type).size > 0 ||
+        (scheme.variables.length > 0 && hasUnknowns(d))
+      )
+        return d
       if (scheme.constraints.some(c => inferrer.env.hidden.has(c.name) || c.name === "Typeable")) return d
       if ([...namesIn(scheme.type)].some(n => inferrer.env.hidden.has(n))) return d
       const text = showScheme(scheme)

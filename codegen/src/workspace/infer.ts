@@ -5,14 +5,17 @@ import {socketKey} from "../api.ts"
 import {blockView} from "../blocks/language.ts"
 import type {ReadWorkspace} from "../blocks/read.ts"
 import {readWorkspace} from "../blocks/read.ts"
-import type {Declaration, Node, Origin} from "../model/tree.ts"
+import type {Declaration, Node, Origin, RawDeclaration} from "../model/tree.ts"
 import type {SavedBlock, SavedWorkspace} from "../saved.ts"
-import {withTypes} from "../types/environment.ts"
+import {withTexts} from "../types/brought.ts"
+import type {Environment} from "../types/environment.ts"
 import {Inferrer} from "../types/infer.ts"
 import {library} from "../types/library.ts"
 import type {Memo} from "../types/memo.ts"
+import {withTypes} from "../types/own.ts"
 import type {TypeProblem} from "../types/problems.ts"
 import type {Scope} from "../types/scope.ts"
+import {readTexts} from "../types/texts.ts"
 import type {Meta} from "../types/type.ts"
 import {showScheme, showType} from "../types/type.ts"
 import {familyOfType, problemWords} from "../types/words.ts"
@@ -31,10 +34,14 @@ export function solve(workspace: SavedWorkspace): Solved {
 export function solveRead(read: ReadWorkspace, watch?: Origin, memo?: Memo): Solved {
   const declarations = read.program.declarations
   const types = declarations.filter(d => d.kind === "data" || d.kind === "synonym")
-  const world = types.map(d => memo?.numberOf(d)).join(" ")
+  const raw = declarations.flatMap(d => (d.kind === "raw-declaration" ? [d] : []))
+  const world = [...types, ...raw].map(d => memo?.numberOf(d)).join(" ") + (read.header ?? "")
   const known = memo?.worlds.get(world)
   // What a program's types must derive is found anew each time.
-  const env = known === undefined ? withTypes(library, types) : {...known.env, needs: new Set<string>()}
+  const env =
+    known === undefined
+      ? withTypes(inText(read.header ?? "", raw), types)
+      : {...known.env, needs: new Set<string>()}
   const inferrer = new Inferrer(env, memo, world)
   inferrer.watch = watch
   if (known === undefined) for (const d of types) inferrer.declaredTypes(d)
@@ -46,6 +53,19 @@ export function solveRead(read: ReadWorkspace, watch?: Origin, memo?: Memo): Sol
     else if (l.kind === "pattern") inferrer.loosePattern(l.pattern)
     else inferrer.looseStatements(l.steps, globals)
   return {read, inferrer, globals}
+}
+
+/// The library with what text brings into scope; most programs have no such text.
+function inText(header: string, raw: readonly RawDeclaration[]): Environment {
+  return header === "" && raw.length === 0
+    ? library
+    : withTexts(
+        library,
+        readTexts(
+          header,
+          raw.map(d => d.text),
+        ),
+      )
 }
 
 export function infer(workspace: SavedWorkspace): Inference {

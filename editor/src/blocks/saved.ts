@@ -6,10 +6,18 @@ import * as Blockly from "blockly/core"
 import {checkerName} from "./checker.ts"
 import {inOneOrder} from "./order.ts"
 
+/// The text above the definitions, which Blockly knows nothing of.
+const headers = new WeakMap<Blockly.Workspace, string>()
+
 /// The blocks as Blockly and codegen know them, with ids and positions.
 export function saveBlocks(workspace: Blockly.Workspace): SavedWorkspace {
   const saved = Blockly.serialization.workspaces.save(workspace) as Partial<SavedWorkspace>
-  return {...saved, blocks: saved.blocks ?? {languageVersion: 0, blocks: []}}
+  const header = headers.get(workspace)
+  return {
+    ...saved,
+    ...(header === undefined ? {} : {header}),
+    blocks: saved.blocks ?? {languageVersion: 0, blocks: []},
+  }
 }
 
 export interface Loaded {
@@ -35,6 +43,8 @@ function scratchPad(): Blockly.Workspace {
 /// Makes `workspace` hold `wanted`. A top-level block that is there already, the same in every respect, stays, with
 /// its selection and its open editors; the others are replaced. No events are fired.
 export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace): Loaded {
+  if (wanted.header === undefined) headers.delete(workspace)
+  else headers.set(workspace, wanted.header)
   const left: SavedBlock[] = []
   const there = new Map(saveBlocks(workspace).blocks.blocks.map(block => [block.id, inOneOrder(block)]))
   const coming = new Set<BlockId | undefined>()

@@ -1,0 +1,146 @@
+/// An environment with what a program's text brings into scope: its imports, and definitions that blocks cannot say.
+
+import type {ConstructorInfo, Environment, Instance, Library, Lookup, TypeEntry} from "./environment.ts"
+import {Layer, readEnvironment, unknown} from "./environment.ts"
+import {modules} from "./modules.generated.ts"
+import {parseType} from "./parse.ts"
+import type {Import, Texts, WrittenType} from "./texts.ts"
+import type {Scheme, Type} from "./type.ts"
+import {app, con, funs, variablesIn} from "./type.ts"
+
+/// What a module exports; undefined for one that nobody told us about.
+function exportsOf(name: string): Library | undefined {
+  const text = modules[name]
+  if (text === undefined) return undefined
+  const known =
+    read.get(name) ?? readEnvironment(text.startsWith("=") ? (modules[text.slice(1)] ?? "") : text)
+  read.set(name, known)
+  return known
+}
+
+/// Modules that were read already; each says the same for ever.
+const read = new Map<string, Library>()
+
+export function withTexts(base: Environment, {imports, values, types, instances}: Texts): Environment {
+  if (imports.length + values.size + types.length + instances.length === 0) return base
+  const env = {
+    ...base,
+    values: new Layer<Scheme>(base.values),
+    constructors: new Layer<ConstructorInfo>(base.constructors),
+    types: new Layer<TypeEntry>(base.types),
+    instances: new Layer<Lookup<Instance | "none">>(base.instances),
+    fixed: new Set(base.fixed),
+    hidden: new Set(base.hidden),
+    open: false,
+    qualifiers: new Set<string>(),
+    written: new Set<string>(),
+  }
+  for (const i of imports) addImport(env, i)
+  for (const t of types) addType(env, t)
+  for (const [name, scheme] of values) env.values.set(name, scheme ?? unknown)
+  for (const {name, instance} of instances) {
+    let head: Type = instance.type
+    while (head.kind === "app") head = head.fn
+    if (head.kind !== "con") continue
+    const of = new Layer<Instance | "none">(env.instances.get(name) ?? new Map<string, Instance>())
+    of.set(head.name, instance)
+    env.instances.set(name, of)
+    env.written.add(`${name} ${head.name}`)
+  }
+  return env
+}
+
+interface Growing {
+  readonly values: Layer<Scheme>
+  readonly constructors: Layer<ConstructorInfo>
+  readonly types: Layer<TypeEntry>
+  readonly fixed: Set<string>
+  /// Types that a signature cannot name without a dot.
+  readonly hidden: Set<string>
+  readonly qualifiers: Set<string>
+  open: boolean
+}
+
+function addImport(env: Growing, i: Import): void {
+  env.qualifiers.add(i.as)
+  if (i.module === "Prelude" || i.module === "Rosy") {
+    // What is left out may be defined anew.
+    for (const name of i.hiding) env.fixed.delete(name)
+    return
+  }
+  const library = exportsOf(i.module)
+  if (library === undefined) {
+    if (i.only === undefined) env.open ||= !i.qualified
+    for (const name of i.only ?? []) addUnknown(env, name, i)
+    return
+  }
+  const taken = (name: string, of?: string) =>
+    !i.hiding.has(name) &&
+    (i.only === undefined || i.only.has(name) || (of !== undefined && i.only.has(of) && i.only.has("..")))
+  const put = <V>(table: Layer<V>, name: string, value: V) => {
+    table.set(`${i.as}.${name}`, value)
+    if (!i.qualified) table.set(name, value)
+  }
+  for (const [name, scheme] of library.values) if (taken(name)) put(env.values, name, scheme)
+  for (const [name, info] of library.constructors) if (taken(name, info.of)) put(env.constructors, name, info)
+  // A type's name is needed to understand other types, whether or not a program may write it.
+  for (const [name, entry] of library.types) {
+    const named = !i.qualified && taken(name)
+    if (named) env.hidden.delete(name)
+    if (env.types.has(name)) continue
+    env.types.set(name, {...entry, foreign: true})
+    if (!named) env.hidden.add(name)
+  }
+  // Names whose types go beyond what is read here, and classes with their members.
+  for (const name of i.only ?? [])
+    if (!library.values.has(name) && !library.types.has(name)) addUnknown(env, name, i)
+}
+
+function addUnknown(env: Growing, name: string, i: Import): void {
+  const names = [`${i.as}.${name}`, ...(i.qualified ? [] : [name])]
+  for (const n of names) {
+    if (/^(?:.*\.)?[\p{Lu}:]/u.test(n)) {
+      if (!env.constructors.has(n)) env.constructors.set(n, unknownConstructor(n))
+      if (!env.types.has(n)) env.types.set(n, {parameters: [], constructors: [], own: false, foreign: true})
+    } else env.values.set(n, unknown)
+  }
+}
+
+function unknownConstructor(name: string): ConstructorInfo {
+  return {name, scheme: unknown, fields: [], fieldNames: [], of: "?"}
+}
+
+/// A type that is written as text: its constructors as far as their parts are plain.
+function addType(env: Growing, t: WrittenType): void {
+  env.types.set(t.name, {
+    parameters: t.parameters,
+    constructors: t.constructors.map(c => c.name),
+    own: false,
+    foreign: true,
+  })
+  const result = app(con(t.name), ...t.parameters.map((p): Type => ({kind: "var", name: p})))
+  for (const c of t.constructors) {
+    const fields = c.fields?.map(f => parseType(f.type))
+    const plain = fields?.every(
+      f => f !== undefined && [...variablesIn(f)].every(v => t.parameters.includes(v)),
+    )
+    if (fields === undefined || plain !== true) {
+      env.constructors.set(c.name, unknownConstructor(c.name))
+      for (const f of c.fields ?? []) if (f.name !== undefined) env.values.set(f.name, unknown)
+      continue
+    }
+    const types = fields as Type[]
+    env.constructors.set(c.name, {
+      name: c.name,
+      scheme: {variables: t.parameters, constraints: [], type: funs(types, result)},
+      fields: types,
+      fieldNames: c.fields?.map(f => f.name) ?? [],
+      of: t.name,
+    })
+    c.fields?.forEach((f, at) => {
+      const type = types[at]
+      if (f.name !== undefined && type !== undefined)
+        env.values.set(f.name, {variables: t.parameters, constraints: [], type: funs([result], type)})
+    })
+  }
+}

@@ -1,0 +1,232 @@
+/// What Haskell that is kept as text brings into scope: imports, and definitions that blocks cannot say.
+///
+/// A reading of lines, not a parser: whatever it cannot tell for sure is a name of unknown type, which fits everywhere and about which only
+/// GHC can say more.
+
+import type {Instance} from "./environment.ts"
+import {parseScheme, parseSignature} from "./parse.ts"
+import type {Scheme} from "./type.ts"
+
+/// `import qualified Data.Map as Map (Map, insert)`.
+export interface Import {
+  readonly module: string
+  readonly qualified: boolean
+  /// What stands before the dot.
+  readonly as: string
+  /// Names that are taken, or that are left out; undefined for all.
+  readonly only: ReadonlySet<string> | undefined
+  readonly hiding: ReadonlySet<string>
+}
+
+export interface WrittenType {
+  readonly name: string
+  readonly parameters: readonly string[]
+  /// `fields` is absent where they use more of Haskell than is read here.
+  readonly constructors: readonly {
+    readonly name: string
+    readonly fields: readonly {readonly name?: string; readonly type: string}[] | undefined
+  }[]
+}
+
+export interface Texts {
+  readonly imports: readonly Import[]
+  /// Undefined for a name whose type is not written.
+  readonly values: ReadonlyMap<string, Scheme | undefined>
+  readonly types: readonly WrittenType[]
+  readonly instances: readonly {readonly name: string; readonly instance: Instance}[]
+}
+
+export const noTexts: Texts = {imports: [], values: new Map(), types: [], instances: []}
+
+const word = String.raw`[\p{Ll}_][\p{L}\p{N}_']*`
+const symbol = String.raw`[!#$%&*+./<=>?@\\^|~:-]+`
+
+export function readTexts(header: string, definitions: readonly string[]): Texts {
+  const values = new Map<string, Scheme | undefined>()
+  const types: WrittenType[] = []
+  const instances: {name: string; instance: Instance}[] = []
+  for (const text of definitions)
+    for (const line of logical(text)) readDefinition(line, {values, types, instances})
+  return {imports: logical(header).flatMap(readImport), values, types, instances}
+}
+
+/// Lines that start at the margin, each with those below it that are indented. Without comments.
+function logical(text: string): string[] {
+  const lines: string[] = []
+  for (const line of text.replace(/\{-[\s\S]*?-\}/g, " ").split("\n")) {
+    const bare = line.replace(/(^|\s)--(?![!#$%&*+./<=>?@\\^|~:]).*$/, "").trimEnd()
+    if (bare === "") continue
+    if (/^\s/.test(bare) && lines.length > 0) lines[lines.length - 1] += `\n${bare}`
+    else lines.push(bare)
+  }
+  return lines
+}
+
+function readImport(line: string): Import[] {
+  const flat = line.replace(/\s+/g, " ")
+  const found =
+    /^import (?:safe )?(qualified )?(?:"[^"]*" )?([\p{Lu}][\w.']*)( qualified)?(?: as ([\p{Lu}][\w.']*))?(?: (hiding ?)?\((.*)\))?;?$/u.exec(
+      flat,
+    )
+  if (found === null) return []
+  const [, before, module = "", after, as, hiding, list] = found
+  const names = list === undefined ? undefined : listed(list)
+  return [
+    {
+      module,
+      qualified: before !== undefined || after !== undefined,
+      as: as ?? module,
+      only: hiding === undefined ? names : undefined,
+      hiding: (hiding === undefined ? undefined : names) ?? new Set(),
+    },
+  ]
+}
+
+/// `Map, (!), Maybe (..), Either (Left, Right)`.
+function listed(list: string): Set<string> {
+  return new Set(list.match(new RegExp(String.raw`[\p{L}_][\p{L}\p{N}_'.]*|\.\.|${symbol}`, "gu")) ?? [])
+}
+
+interface Growing {
+  readonly values: Map<string, Scheme | undefined>
+  readonly types: WrittenType[]
+  readonly instances: {name: string; instance: Instance}[]
+}
+
+function readDefinition(line: string, found: Growing): void {
+  const keyword =
+    /^(?:data|newtype|type|class|(?:deriving\s[^=]*)?instance|infix[lr]?|foreign|default|pattern|import)\b/.exec(
+      line,
+    )?.[0]
+  if (keyword === undefined) readValue(line, found)
+  else if (keyword === "data" || keyword === "newtype") found.types.push(readType(line))
+  else if (keyword === "type")
+    found.types.push({...readType(line.replace(/^type (?:family|instance) /, "type ")), constructors: []})
+  else if (keyword === "class") readClass(line, found)
+  else if (keyword.endsWith("instance")) readInstance(line, found)
+}
+
+/// A signature, an equation, or several names taken out of a pattern.
+function readValue(line: string, {values}: Growing): void {
+  const names = String.raw`(?:${word}|\(${symbol}\))(?:\s*,\s*(?:${word}|\(${symbol}\)))*`
+  const signature = new RegExp(String.raw`^(${names})\s*(?:::|∷)\s*([\s\S]*)$`, "u").exec(line)
+  if (signature !== null) {
+    const scheme = parseScheme((signature[2] ?? "").replace(/\s+/g, " "))
+    for (const name of (signature[1] ?? "").split(",")) values.set(bare(name), scheme)
+    return
+  }
+  const left = line.split(/\s=(?:\s|$)|\n\s*\|(?!\|)|\s\|\s/)[0] ?? line
+  const add = (name: string | undefined) => {
+    if (name !== undefined && !values.has(bare(name))) values.set(bare(name), undefined)
+  }
+  const infix = new RegExp(String.raw`\s(${symbol}|\x60${word}\x60)\s`, "u").exec(
+    ` ${left.replace(/\([^()]*\)|\[[^\][]*\]/g, "p")} `,
+  )?.[1]
+  if (infix !== undefined && !/^(?:=|@|!|~)$/.test(infix)) add(infix.replaceAll("`", ""))
+  else if (/^[([]/.test(left) && !/^\([!#$%&*+./<=>?@\\^|~:-]+\)/.test(left))
+    for (const [name] of left.matchAll(new RegExp(word, "gu"))) add(name)
+  else add(new RegExp(String.raw`^(?:${word}|\(${symbol}\))`, "u").exec(left)?.[0])
+}
+
+function bare(name: string): string {
+  return name
+    .trim()
+    .replace(/^\((.*)\)$/, "$1")
+    .trim()
+}
+
+/// A class's methods, each with the class itself as its first constraint.
+function readClass(line: string, {values}: Growing): void {
+  const [head = "", ...members] = line.split(/\bwhere\b/)
+  const name = /(?:=>\s*)?\b([\p{Lu}][\w']*)\s+([\p{Ll}_][\w']*)\s*(?:\||$)/u.exec(
+    head
+      .replace(/^class\s+/, "")
+      .replace(/\s+/g, " ")
+      .trim(),
+  )
+  for (const member of indentedLines(members.join("where"))) {
+    const inner = new Map<string, Scheme | undefined>()
+    readValue(member, {values: inner, types: [], instances: []})
+    for (const [method, scheme] of inner) {
+      const known = values.get(method) !== undefined || scheme === undefined || name === null
+      if (known) values.set(method, values.get(method))
+      else
+        values.set(method, {
+          ...scheme,
+          constraints: [
+            {name: name[1] ?? "", type: {kind: "var", name: name[2] ?? "a"}},
+            ...scheme.constraints,
+          ],
+        })
+    }
+  }
+}
+
+/// The lines of a block, each with those below it that are indented further.
+function indentedLines(block: string): string[] {
+  const lines = block.split("\n").filter(l => l.trim() !== "")
+  const margin = Math.min(...lines.map(l => l.length - l.trimStart().length))
+  const joined: string[] = []
+  for (const l of lines) {
+    if (l.length - l.trimStart().length > margin && joined.length > 0) joined[joined.length - 1] += `\n${l}`
+    else joined.push(l.trim())
+  }
+  return joined
+}
+
+function readInstance(line: string, {instances}: Growing): void {
+  const head = line
+    .replace(/^deriving\s+(?:stock\s+|newtype\s+|anyclass\s+)?/, "")
+    .replace(/^instance\s+(?:\{-#.*?#-\}\s*)?/, "")
+    .split(/\bwhere\b/)[0]
+  const found = /^(?:([\s\S]*?)=>)?\s*([\p{Lu}][\w'.]*)\s+([\s\S]+)$/u.exec((head ?? "").trim())
+  if (found === null) return
+  const [, context = "", name = "", type = ""] = found
+  const instance = parseSignature(context.trim() === "" ? type : `${context} => ${type}`)
+  if (instance !== undefined) instances.push({name: name.replace(/^.*\./, ""), instance})
+}
+
+/// A type with its constructors, as far as they are plain.
+function readType(line: string): WrittenType {
+  const flat = line.replace(/\bderiving\b[\s\S]*$/, "").replace(/\s+/g, " ")
+  const [head = "", right] = flat.split(/ = ?(.*)/s)
+  const [, name = "_", ...parameters] = head
+    .replace(/^(data|newtype|type) (?:.*=> )?/, "$1 ")
+    .replace(/ where.*$/, "")
+    .replace(/\((\w+) ::[^()]*\)/g, "$1")
+    .split(" ")
+  const gadt = / where (.*)$/.exec(flat)?.[1]
+  const names =
+    gadt === undefined ? [] : [...gadt.matchAll(/(?:^|\s)([\p{Lu}][\w']*) ::/gu)].map(m => m[1] ?? "")
+  const cases = right === undefined ? [] : right.split(" | ").map(c => c.trim())
+  return {
+    name,
+    parameters: parameters.filter(p => /^[\p{Ll}_]/u.test(p)),
+    constructors: [...names.map(n => ({name: n, fields: undefined})), ...cases.map(readConstructor)],
+  }
+}
+
+function readConstructor(text: string): WrittenType["constructors"][number] {
+  const plain = text.replace(/!(?=[\p{L}([])/gu, "")
+  const record = /^(\S+) ?\{(.*)\}$/.exec(plain)
+  if (record !== null) {
+    const fields = (record[2] ?? "").split(/,(?=[^()[\]]*(?:::|,))/).map(f => f.trim())
+    const read: {name: string; type: string}[] = []
+    for (let i = fields.length - 1, type = ""; i >= 0; i--) {
+      const [name = "", written] = (fields[i] ?? "").split("::")
+      type = written?.trim() ?? type
+      read.unshift({name: name.trim(), type})
+    }
+    return {name: record[1] ?? "", fields: read}
+  }
+  const core = plain.replace(/^forall [^.]*\. ?/, "").replace(/^.*=> ?/, "")
+  const name = /^[\p{Lu}][\w']*/u.exec(core)?.[0]
+  if (name === undefined || /\bforall\b|=>|[^\w\s'.()[\],>-]/u.test(plain))
+    return {name: name ?? "_", fields: undefined}
+  const fields: string[] = []
+  for (const [field] of plain
+    .slice(name.length)
+    .matchAll(/\((?:[^()]|\([^()]*\))*\)|\[(?:[^\][]|\[[^\][]*\])*\]|[\w'.]+/g))
+    fields.push(field)
+  return {name, fields: fields.map(type => ({type}))}
+}

@@ -1,0 +1,109 @@
+/// Blocks beside Haskell that blocks cannot say: what text brings into scope is known, and nothing is called wrong that only GHC can judge.
+
+import {describe, expect, test} from "vitest"
+import {modulesFromGhc, packageDatabase} from "../scripts/ghc.ts"
+import {infer, toHaskell} from "../src/index.ts"
+import {openView, workspaceOf} from "../src/reader/index.ts"
+import {modules} from "../src/types/modules.generated.ts"
+import {testReader} from "./reader/open.ts"
+
+const reader = await testReader()
+const run = "\n\nmain = simulate (Velocity 1 1)\n"
+
+/// What a learner would see: problems, and the types on the headers.
+function seen(text: string): {problems: string[]; types: string[]} {
+  const workspace = workspaceOf(openView(reader, text + run))
+  const {problems, definitions} = infer(workspace)
+  return {
+    problems: problems.map(p => p.message),
+    types: [...definitions.values()].flatMap(d => (d.name === "main" ? [] : [`${d.name} :: ${d.type}`])),
+  }
+}
+
+describe("names that text brings into scope", () => {
+  test.each([
+    ["a module that Rosy allows", "import Data.Char\n\nf x = toUpper x", "f :: Char -> Char"],
+    [
+      "some names of a module",
+      "import Data.List (sortOn, nub)\n\nf xs = sortOn negate (nub xs)",
+      "f :: (Num a, Ord a) => [a] -> [a]",
+    ],
+    [
+      "a qualified module",
+      "import qualified Data.Map as Map\n\nf = Map.insert 'a' True Map.empty",
+      "f :: Map Char Bool",
+    ],
+    [
+      "what is qualified after its name",
+      "import Data.Set qualified as Set\n\nf xs = Set.size (Set.fromList xs)",
+      "f :: Ord a => [a] -> Int",
+    ],
+    [
+      "a class and its instance",
+      "class Shape a where\n  area :: a -> Double\n\ninstance Shape Bool where\n  area _ = 1\n\nf = area True + 2",
+      "f :: Double",
+    ],
+    [
+      "an operator",
+      "infixl 6 <+>\n(<+>) :: Double -> Double -> Double\na <+> b = a * b\n\nf x = x <+> 2",
+      "f :: Double -> Double",
+    ],
+    ["a strict type", "data Vec = Vec !Double !Double\n\nf (Vec a _) = Vec a a", "f :: Vec -> Vec"],
+    [
+      "a record with strict parts",
+      "data Vec = Vec {east, north :: !Double}\n\nf v = east v",
+      "f :: Vec -> Double",
+    ],
+    [
+      "an instance of a known class",
+      "data Vec = Vec !Double\n\ninstance Num Vec where\n  fromInteger n = Vec (fromInteger n)\n\nf = Vec 1 + 2",
+      "f :: Vec",
+    ],
+  ])("%s", (_, text, type) => {
+    const {problems, types} = seen(text)
+    expect(problems).toEqual([])
+    expect(types).toContain(type)
+  })
+
+  test.each([
+    ["a module that nobody told us about", "import Mystery\n\nf x = mystery x + puzzle"],
+    ["names of an unknown module", "import Mystery (mystery, Riddle (..))\n\nf = mystery 3"],
+    ["an unknown qualified module", "import qualified Mystery as M\n\nf = M.solve (M.Riddle 1)"],
+    ["a definition without a type", "p = \\case\n  1 -> 2\n  _ -> 3\n\nf = p 3 + p 4"],
+    ["a type with a class in it", "data Any = forall a. Show a => Any a\n\nf (Any x) = Any 3"],
+    ["a type by its constructors' types", "data Sum where\n  Sum :: Int -> Sum\n\nf (Sum n) = Sum (n + 1)"],
+    ["a name the Prelude would have", "import Prelude hiding (lookup)\n\nlookup x = x + 1"],
+    ["a pattern of text", "f !x = x\n\ng = f 3"],
+  ])("%s is no problem", (_, text) => expect(seen(text).problems).toEqual([]))
+
+  test("a name that nothing brings is still a problem", () => {
+    expect(seen("import Data.Char (toUpper)\n\nf = toLower 'a'").problems).toEqual([
+      "`toLower` has no meaning here.",
+    ])
+    expect(seen("import qualified Data.Map as Map\n\nf = Nap.empty").problems).toEqual([
+      "`Nap.empty` has no meaning here.",
+    ])
+    expect(seen("import Data.Char\n\nf = toUpper True").problems).toEqual([
+      "Here goes a character, and `True` is a yes or no.",
+    ])
+  })
+})
+
+describe("what is printed", () => {
+  const print = (text: string) => toHaskell(workspaceOf(openView(reader, text + run))).text
+  test("no signature names a type that is not in scope without a dot", () =>
+    expect(print("import qualified Data.Map as Map\n\nf = Map.insert 'a' True Map.empty")).not.toMatch(
+      /f ::/,
+    ))
+  test("no signature for what only GHC knows", () =>
+    expect(print("import Mystery\n\nf x = mystery x")).not.toMatch(/f ::/))
+  test("nothing is derived that the text has an instance of", () => {
+    const text = "data Mode = Go | Stop\n\ninstance Eq Mode where\n  _ == _ = True\n\nf = Go == Stop"
+    expect(print(text)).toMatch(/^data Mode = Go \| Stop$/m)
+  })
+})
+
+const database = packageDatabase()
+test.skipIf(database === undefined)("the table of modules is not stale", {timeout: 60_000}, () =>
+  expect(modulesFromGhc(database ?? "")).toEqual(modules),
+)
