@@ -1,56 +1,100 @@
 -- |
--- Description : rosy-robot: a real robot for a program that waits for the simulator.
+-- Description : rosy-robot: a real robot for programs that wait for the simulator.
 --
 -- > rosy-robot ADDRESS DESCRIPTOR [SECONDS]
+-- > rosy-robot hold ADDRESS DESCRIPTOR
+-- > rosy-robot check ADDRESS
 --
--- The descriptor is a stream socket at whose other end the program waits. What the program says goes to standard output,
--- and behind it a line of JSON about how it ended, as @./rosy run@ prints it; sentences for a person go to standard error.
--- Ctrl-C and the system's request stop the robot at once and the program in good order.
+-- The first drives for one program: the descriptor is a stream socket at whose other end it waits. What the program says goes to
+-- standard output, and behind it a line of JSON about how it ended, as @./rosy run@ prints it; sentences for a person go to
+-- standard error. The second holds the robot for one program after another (@protocol/README.md@ section 7): requests come on
+-- standard input, lines go to standard output, and the programs' sockets arrive over the descriptor. The third only says whether the
+-- address can be one.
+--
+-- Ctrl-C and the system's request stop the robot at once and the program in good order. SIGUSR1 is the emergency stop.
 module Main (main) where
 
 import Control.Concurrent (forkIO, threadDelay)
 import Control.Concurrent.STM
 import Control.Exception (finally)
-import Control.Monad (forM_)
+import Control.Monad (forM_, unless, void)
 import qualified Data.ByteString as B
+import qualified Data.ByteString.Char8 as C
+import qualified Data.ByteString.Lazy as L
 import qualified Data.Text as T
 import qualified Data.Text.IO as T
 import GHC.Clock (getMonotonicTime)
-import Network.Socket (mkSocket)
+import Network.Socket (Socket, mkSocket, recvFd)
 import Rosy.Robot (Orientation (..), Position (..))
+import Rosy.Robots.Announce (announced)
 import Rosy.Robots.Base (Base (..))
-import Rosy.Robots.Drive (onSignals, withBase)
+import Rosy.Robots.Drive (endings, onSignals, withBase)
 import Rosy.Robots.Guard
+import Rosy.Robots.Hold
 import Rosy.Robots.Serve
 import Rosy.Robots.Target
 import System.Environment (getArgs)
 import System.Exit
-import System.IO (BufferMode (..), hPutStrLn, hSetBuffering, stderr, stdout)
+import System.IO hiding (withFile)
+import System.IO.Error (catchIOError)
+import System.Posix.IO (FdOption (..), setFdOption)
+import System.Posix.Signals (Handler (..), installHandler, sigUSR1)
 
 main :: IO ()
-main = do
-  hSetBuffering stdout LineBuffering
-  arguments <- getArgs
-  target <- case arguments of
-    address : _ : _ -> do
-      profile <- traverse B.readFile (profileFile address)
-      either (refuse . explainTargetError) pure (withFile profile address)
+main =
+  getArgs >>= \case
+    ["hold", address, fd] -> holdFor address fd
+    ["check", address] -> void (targetAt address)
+    address : fd : limit -> driveOnce address fd limit
     _ -> refuse "rosy-robot takes an address, such as ws://HOST:9090, and the descriptor of a socket."
-  socket <- case drop 1 arguments of
-    n : _ | [(fd, "")] <- reads n -> mkSocket fd
-    _ -> refuse "the second argument is the number of a descriptor."
+
+targetAt :: String -> IO Target
+targetAt address = do
+  profile <- traverse B.readFile (profileFile address)
+  either (refuse . explainTargetError) pure (withFile profile address)
+
+socketAt :: String -> IO Socket
+socketAt text = case reads text of
+  [(fd, "")] -> opened (fromIntegral (fd :: Int))
+  _ -> refuse "the second argument is the number of a descriptor."
+  where
+    opened fd = setFdOption fd NonBlockingRead True >> mkSocket (fromIntegral fd)
+
+driveOnce :: String -> String -> [String] -> IO ()
+driveOnce address fd limit = do
+  hSetBuffering stdout LineBuffering
+  target <- targetAt address
+  socket <- socketAt fd
   began <- getMonotonicTime
   stopWanted <- newTVarIO False
   guarded <- newTVarIO (newGuard (targetLimits target) (targetSafety target))
-  forM_ [s | [t] <- [drop 2 arguments], (s, "") <- reads t] $ \s ->
+  forM_ [s | [t] <- [limit], (s, "") <- reads t] $ \s ->
     -- A thread's delay is counted in an Int of microseconds: a week fits.
     forkIO (threadDelay (ceiling (s * 1e6 :: Double)) >> atomically (writeTVar stopWanted True))
-  served <- withBase target $ \base -> do
+  served <- announced address . withBase target $ \base -> do
     let standing = atomically (stateTVar guarded halting) >>= mapM_ (tell base)
-    onSignals (standing >> atomically (writeTVar stopWanted True)) (serve (readTVar stopWanted) (targetPatience target) guarded base socket)
+    onSignals endings (standing >> atomically (writeTVar stopWanted True)) (serve (onTerminal (baseName base)) (readTVar stopWanted) (targetPatience target) guarded base socket)
       `finally` standing
   ended <- getMonotonicTime
   report (ended - began) served
+
+-- | Until the service closes our input.
+holdFor :: String -> String -> IO ()
+holdFor address fd = do
+  target <- targetAt address
+  socket <- socketAt fd
+  requests <- newRequests
+  hSetBinaryMode stdout True
+  _ <- forkIO ((reading requests `catchIOError` const (pure ())) `finally` request requests Leave)
+  _ <- installHandler sigUSR1 (Catch (request requests EmergencyStop)) Nothing
+  announced address . withBase target $ \base ->
+    onSignals (filter (/= sigUSR1) endings) (request requests Leave) (hold target base requests (recvFd socket >>= socketAt . show) (\l -> L.hPut stdout l >> hFlush stdout))
+  where
+    reading requests = do
+      over <- isEOF
+      unless over $ do
+        C.hGetLine stdin >>= mapM_ (request requests) . readRequest
+        reading requests
 
 refuse :: String -> IO a
 refuse why = hPutStrLn stderr ("rosy: " ++ why) >> exitWith (ExitFailure 1)
@@ -60,7 +104,7 @@ report wall served = do
   (word, status) <- case how served of
     ByItself -> pure ("done", ExitSuccess)
     Asked -> pure ("time", ExitSuccess)
-    InError message hint -> ("error", ExitFailure 2) <$ mapM_ (T.hPutStrLn stderr) (message : [hint | not (T.null hint)])
+    InError message hint _ -> ("error", ExitFailure 2) <$ mapM_ (T.hPutStrLn stderr) (message : [hint | not (T.null hint)])
     IsStuck -> ("stuck", ExitFailure 2) <$ hPutStrLn stderr "The program was still busy after a second, so the robot was stopped."
     IsDead -> ("error", ExitFailure 2) <$ hPutStrLn stderr "The program has died, so the robot was stopped."
     RobotLost why -> ("error", ExitFailure 2) <$ hPutStrLn stderr ("The robot is gone: " ++ why ++ ".")

@@ -13,6 +13,7 @@ import Test.Robots.Programs (byName)
 import Test.Robots.Rigs (withReady)
 import qualified Test.Robots.Same
 import qualified Test.Robots.Target
+import qualified Test.Robots.Telemetry
 import Test.Tasty
 
 main :: IO ()
@@ -28,5 +29,6 @@ suite =
     [ Test.Robots.Kobuki.tests,
       Test.Robots.Guard.tests,
       Test.Robots.Target.tests,
+      Test.Robots.Telemetry.tests,
       withReady (\ready -> testGroup "robots that are not" [Test.Robots.Links.tests ready, Test.Robots.Same.tests ready])
     ]

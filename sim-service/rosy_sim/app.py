@@ -8,6 +8,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import secrets
+import time
 from collections.abc import AsyncIterator, Coroutine
 from typing import Any
 from urllib.parse import urlsplit
@@ -22,6 +23,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from .bridge import Client
 from .budget import Budget
 from .config import Config
+from .fleet import Fleet
 from .library import example, examples, world_names
 from .live import Lateness
 from .places import Places
@@ -51,10 +53,15 @@ class Service:
         self.sessions: dict[str, Session] = {}
         self.places = Places(config.limits.runs)
         self.worker = Worker(config, self._worker_changed)
+        self.fleet = Fleet(config.robots, time.monotonic, self._robots_changed)
 
     def _worker_changed(self, state: State) -> None:
         for session in self.sessions.values():
             session.outbox.put(page.WorkerState(state))
+
+    def _robots_changed(self) -> None:
+        for session in self.sessions.values():
+            session.helm.tell()
 
     @contextlib.asynccontextmanager
     async def lifespan(self, _app: Starlette) -> AsyncIterator[None]:
@@ -82,7 +89,10 @@ class Service:
             await socket.send_text(page.encode(page.Refusal(full.message, full.hint)))
             await socket.close(_TRY_AGAIN)
             return
-        session = Session(secrets.token_urlsafe(9), self.worker, self.places, self.config.limits, self.late)
+        ident = secrets.token_urlsafe(9)
+        session = Session(
+            ident, self.worker, self.places, self.config.limits, self.late, self.fleet, self.config.speaker
+        )
         self.sessions[session.id] = session
         try:
             await _first_of(_receive(socket, session), _send(socket, session), session.outbox.overflowed.wait())

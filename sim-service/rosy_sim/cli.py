@@ -25,6 +25,7 @@ from .grade import grade, programs_in, table
 from .inputs import read_inputs
 from .library import DEFAULT_WORLD, load_world, named_world, usable_arena
 from .program import ProgramFile, read_program
+from .roster import configured
 from .run import Order, Outcome, run_program
 from .wire.problem import Problem
 from .worker.blocking import BlockingWorker
@@ -64,6 +65,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 if options.runs < 1:
                     raise BadInput("--runs says how many programs may run at once: at least 1.")
                 config = config.with_limits(replace(config.limits, runs=options.runs))
+            config = replace(config, robots=configured(config.speaker, options.robot, options.robots))
             return serve(config, options.host, options.port, not options.no_browser, options.unprotected)
         if options.command == "build":
             return _build(config, options)
@@ -92,6 +94,8 @@ def _parser() -> argparse.ArgumentParser:
     serve.add_argument("--host", default="127.0.0.1")
     serve.add_argument("--no-browser", action="store_true")
     serve.add_argument("--runs", type=int, help="programs that run at once; others wait their turn")
+    serve.add_argument("--robot", action="append", default=[], metavar="NAME=ADDRESS")
+    serve.add_argument("--robots", type=Path, metavar="FILE")
     serve.add_argument("--unprotected", action="store_true", help="listen beyond this machine even without a sandbox")
     check = commands.add_parser("check", prog="rosy check", allow_abbrev=False)
     check.add_argument("file", type=Path)
@@ -185,10 +189,10 @@ def _drive(config: Config, program: ProgramFile, options: argparse.Namespace) ->
         if getattr(options, name) is not None:
             raise BadInput(f"--{name} is for the simulator; a real robot cannot have it.")
     seconds = MAX_SECONDS if options.seconds is None else _seconds(options.seconds)
-    if reaches(config.root, options.robot):
+    if reaches(config.speaker, options.robot) and config.speaker is not None:
         with BlockingWorker(config) as worker:
             worker.ready()
-            problems, status = run_natively(worker, config.root, program.source, options.robot, seconds)
+            problems, status = run_natively(worker, config.speaker, program.source, options.robot, seconds)
         for found in problems:
             print(_sentence(options.file, found), file=sys.stderr)
         return status

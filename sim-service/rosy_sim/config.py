@@ -61,6 +61,10 @@ class Config:
     sandbox: bool = True
     # Folders, read-only for the worker, beside the system's own.
     visible: tuple[Path, ...] = ()
+    # What speaks to real robots; None while it is not built. ROSY_ROBOT.
+    speaker: Path | None = None
+    # The robots that pages may drive: their names, and their addresses.
+    robots: dict[str, str] = field(default_factory=dict)
     limits: Limits = field(default_factory=Limits)
 
     @property
@@ -77,7 +81,8 @@ def discover() -> Config:
     """Find everything from the environment and the project's root."""
     root = Path(os.environ.get("ROSY_ROOT") or Path(__file__).resolve().parents[2]).resolve()
     named = os.environ.get("ROSY_WORKER")
-    executable = Path(named).resolve() if named else _built_worker(root)
+    executable = Path(named).resolve() if named else _built(root, "rosy-worker")
+    speaker = os.environ.get("ROSY_ROBOT")
     return Config(
         root=root,
         page=Path(os.environ.get("ROSY_PAGE") or root / "editor" / "dist"),
@@ -85,12 +90,13 @@ def discover() -> Config:
         worker=(str(executable), *_compiler()) if executable is not None else (),
         sandbox=os.environ.get("ROSY_SANDBOX", "on") != "off",
         visible=_visible(executable),
+        speaker=Path(speaker).resolve() if speaker else _built(root, "rosy-robot"),
     )
 
 
-def _built_worker(root: Path) -> Path | None:
-    """The newest rosy-worker that cabal built here."""
-    pattern = "dist-newstyle/build/*/ghc-*/rosy-*/x/rosy-worker/**/rosy-worker"
+def _built(root: Path, name: str) -> Path | None:
+    """The newest executable of this name that cabal built here."""
+    pattern = f"dist-newstyle/build/*/ghc-*/rosy-*/x/{name}/**/{name}"
     built = [path for path in root.glob(pattern) if path.is_file()]
     return max(built, key=lambda path: path.stat().st_mtime, default=None)
 

@@ -14,6 +14,7 @@ import subprocess
 from pathlib import Path
 from urllib.parse import urlsplit
 
+from .drivers import drivers
 from .errors import BadInput
 from .robot import robot_address
 from .wire.problem import Problem
@@ -29,7 +30,7 @@ _PORTS = {"ws": 9090, "ros": 11311}
 """Where rosbridge servers and ROS masters listen."""
 
 
-def reaches(root: Path, address: str) -> bool:
+def reaches(speaker: Path | None, address: str) -> bool:
     """
     Whether this is the way to the robot.
 
@@ -39,7 +40,7 @@ def reaches(root: Path, address: str) -> bool:
     way = address.partition(":")[0]
     if way not in ("ws", "ros", "serial"):
         return False
-    if _built(root) is not None:
+    if speaker is not None:
         return True
     if way != "ws":
         raise BadInput("The part of Rosy that speaks to robots is not built yet; ./rosy run --robot builds it.")
@@ -47,11 +48,12 @@ def reaches(root: Path, address: str) -> bool:
 
 
 def run_natively(
-    worker: BlockingWorker, root: Path, source: str, address: str, seconds: float
+    worker: BlockingWorker, speaker: Path, source: str, address: str, seconds: float
 ) -> tuple[list[Problem], int]:
     """Compile a program and let it drive; returns what compiling found and the exit status."""
-    speaker = _built(root)
-    assert speaker is not None
+    for driver in drivers():
+        if driver.address == address:
+            raise BadInput(f"Somebody on this machine drives the robot at {address} already; ./rosy estop stops it.")
     _answers(address)
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
     with ours:
@@ -88,10 +90,3 @@ def _answers(address: str) -> None:
             socket.create_connection((parts.hostname, port), _PATIENCE).close()
         except (OSError, ValueError) as error:
             raise BadInput(f"No robot answers at {address}; is it on, and does its server run?") from error
-
-
-def _built(root: Path) -> Path | None:
-    """The newest rosy-robot that cabal built here."""
-    pattern = "dist-newstyle/build/*/ghc-*/rosy-*/x/rosy-robot/**/rosy-robot"
-    built = [path for path in root.glob(pattern) if path.is_file()]
-    return max(built, key=lambda path: path.stat().st_mtime, default=None)

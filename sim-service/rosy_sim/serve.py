@@ -49,8 +49,10 @@ def serve(config: Config, host: str, port: int, open_browser: bool, unprotected:
     shown = f"[{host}]" if ":" in host else host
     address = f"http://{shown}:{bound}/"
     _go_first()
+    app = build_app(config)
+    code = app.state.service.fleet.code if config.robots else None
     settings = uvicorn.Config(
-        build_app(config),
+        app,
         log_level="warning",
         access_log=False,
         ws="websockets-sansio",
@@ -62,7 +64,7 @@ def serve(config: Config, host: str, port: int, open_browser: bool, unprotected:
     )
     try:
         with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
-            runner.run(_serve(_Server(settings, address, open_browser), listener))
+            runner.run(_serve(_Server(settings, address, open_browser, code), listener))
     finally:
         listener.close()
     return 0
@@ -71,9 +73,10 @@ def serve(config: Config, host: str, port: int, open_browser: bool, unprotected:
 class _Server(uvicorn.Server):
     """Says where it is once it is there."""
 
-    def __init__(self, config: uvicorn.Config, address: str, open_browser: bool) -> None:
+    def __init__(self, config: uvicorn.Config, address: str, open_browser: bool, code: str | None) -> None:
         super().__init__(config)
         self._address = address
+        self._code = code
         self._open_browser = open_browser
 
     @contextlib.contextmanager
@@ -96,8 +99,13 @@ class _Server(uvicorn.Server):
         """As uvicorn does, then the address."""
         await super().startup(sockets)
         print(f"Rosy is ready at {self._address} (Ctrl-C ends it)", flush=True)
+        address = self._address
+        if self._code is not None:
+            # Behind the hash: a browser keeps that part to itself.
+            address += f"#robots={self._code}"
+            print(f"Its robots may be driven by whoever knows the code {self._code}: {address}", flush=True)
         if self._open_browser:
-            await asyncio.to_thread(webbrowser.open, self._address)
+            await asyncio.to_thread(webbrowser.open, address)
 
 
 async def _serve(server: _Server, listener: socket.socket) -> None:

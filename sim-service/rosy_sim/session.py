@@ -10,11 +10,15 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import random
+from pathlib import Path
 from typing import Any
 
 from .bridge import Bridge, Client
 from .config import Limits
+from .driving import Driving
 from .errors import BadInput, RosyError, WorkerLost
+from .fleet import Fleet
+from .helm import Helm
 from .idle import IdleClock
 from .library import DEFAULT_WORLD, named_world, usable_arena
 from .live import Lateness
@@ -36,7 +40,16 @@ _dice = random.SystemRandom()
 class Session:
     """Lives as long as its page is connected; close() ends everything it started."""
 
-    def __init__(self, ident: str, worker: Worker, places: Places, limits: Limits, late: Lateness) -> None:
+    def __init__(
+        self,
+        ident: str,
+        worker: Worker,
+        places: Places,
+        limits: Limits,
+        late: Lateness,
+        fleet: Fleet,
+        speaker: Path | None,
+    ) -> None:
         self.id = ident
         self.outbox = Outbox(limits.page_queue)
         self._worker = worker
@@ -48,14 +61,16 @@ class Session:
         self._world_json: Any = named_world(DEFAULT_WORLD)
         self.world = World(usable_arena(self._world_json, DEFAULT_WORLD))
         self._showing = Showing(self.outbox, self.world, limits.frame_rate, self._loop.time)
-        # ROS clients of this robot.
+        # The real robots, of which this page may have one.
+        self.helm = Helm(speaker, ident, fleet, self.outbox, self._showing)
+        # ROS clients of the simulated robot.
         self.bridge = Bridge()
         # Steps since the session began, with and without programs.
         self._clock = 0
         self._idle = IdleClock(self.bridge, self._showing, self._tell_bridge)
         # The run under way, and those that are over but not explained yet.
-        self._running: Running | None = None
-        self._unexplained: list[Running] = []
+        self._running: Running | Driving | None = None
+        self._unexplained: list[Running | Driving] = []
         self._checking: asyncio.Task[None] | None = None
         self._completing: asyncio.Task[None] | None = None
         # Set by close(): no clock may start any more.
@@ -63,6 +78,7 @@ class Session:
         self.outbox.put(page.Hello(session=self.id))
         self.outbox.put(page.WorkerState(self._worker.state))
         self._showing.room(self._world_json)
+        self.helm.tell()
 
     # Requests
 
@@ -99,6 +115,17 @@ class Session:
                     self.world.hand(hand)
                 self._showing.frame(force=True)
                 self._wake()
+            case page.Unlock():
+                self.helm.unlock(request.code)
+            case page.Take():
+                self._end_now()
+                self.helm.take(request)
+            case page.Leave():
+                self._end_now()
+                self.helm.leave()
+                self._showing.room(self._world_json)
+            case page.EmergencyStop() | page.Free() | page.Alive():
+                self._tell_robot(request)
             case _ if running is None:
                 # The rest is about a run.
                 pass
@@ -112,6 +139,18 @@ class Session:
                 running.resume()
             case page.Forward():
                 running.forward()
+
+    def _tell_robot(self, request: page.EmergencyStop | page.Free | page.Alive) -> None:
+        holding = self.helm.holding
+        if holding is None:
+            return
+        match request:
+            case page.EmergencyStop():
+                holding.emergency_stop()
+            case page.Free():
+                holding.free()
+            case page.Alive():
+                holding.alive()
 
     def _choose(self, wanted: object) -> None:
         value: object = named_world(wanted) if isinstance(wanted, str) else wanted
@@ -169,6 +208,12 @@ class Session:
             self._too_long()
             return
         self._showing.run = request.run
+        holding = self.helm.holding
+        if holding is not None:
+            self._running = Driving(
+                request, self._worker, self._places, self._limits, holding, self._showing, self._run_over
+            )
+            return
         seed = request.seed if request.seed is not None else _dice.randrange(2**31)
         self._renew(seed)
         self._idle.hold()
@@ -192,7 +237,7 @@ class Session:
         self.world.command(Velocity(0.0, 0.0))
         self._wake()
 
-    def _run_over(self, running: Running) -> None:
+    def _run_over(self, running: Running | Driving) -> None:
         self._running = None
         self._unexplained = [r for r in [*self._unexplained, running] if not r.explained]
         self._wake()
@@ -248,3 +293,4 @@ class Session:
                     await question
         for running in self._unexplained:
             running.forget()
+        await self.helm.close()

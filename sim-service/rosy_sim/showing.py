@@ -12,6 +12,7 @@ from typing import Any, Literal
 from .budget import Budget
 from .outbox import Outbox
 from .wire import page
+from .wire.holder import FrameLine
 from .wire.problem import Problem
 from .world.goals import GoalState
 from .world.world import World
@@ -38,6 +39,8 @@ class Showing:
         self._now = now
         # What is drawn; renew() and enter() change it.
         self._world = world
+        # A real robot is shown instead of the world.
+        self.elsewhere = False
         # The run whose number is on what is shown, and its latest step.
         self.run = 0
         self.step = 0
@@ -108,7 +111,9 @@ class Showing:
             self._outbox.put(page.GoalsShown(self.run, goals))
 
     def frame(self, force: bool = False) -> None:
-        """The robot as it is now, unless the last frame was too recent."""
+        """The simulated robot as it is now, unless the last frame was too recent."""
+        if self.elsewhere:
+            return
         if not force and not self._frames.spend(1, self._now()):
             return
         world = self._world
@@ -133,6 +138,33 @@ class Showing:
                 fired,
                 self._moved_boxes(),
                 world.ghost(),
+            )
+        )
+
+    def telemetry(self, line: FrameLine) -> None:
+        """A real robot as it says it is, unless the last frame was too recent."""
+        if not self._frames.spend(1, self._now()):
+            self.fired(line.fired)
+            return
+        self.step = int(line.time * 50)
+        fired, self._fired = self._fired + line.fired, []
+        self._outbox.put(
+            page.Frame(
+                self.run,
+                self.step,
+                line.time,
+                line.x,
+                line.y,
+                line.theta,
+                line.v,
+                line.w,
+                line.bumpers,
+                line.cliffs,
+                line.wheels,
+                line.buttons,
+                line.led1,
+                line.led2,
+                fired[-_MAX_FIRED:],
             )
         )
 

@@ -10,6 +10,7 @@ import msgspec
 import pytest
 
 from rosy_sim.wire import page
+from rosy_sim.wire.holder import ask, read_line
 from rosy_sim.wire.link import Ended, Settled, SimulatorLink, start_line, step_line, stop_line
 from rosy_sim.wire.topics import (
     COMMAND_TOPICS,
@@ -129,6 +130,19 @@ def test_the_service_speaks_each_conversation_with_a_page(path: Path) -> None:
             assert json.loads(page.encode(decoder.decode(json.dumps(line)))) == line
 
 
+@pytest.mark.parametrize("path", files("holder"), ids=name)
+def test_the_service_holds_each_conversation_about_a_robot(path: Path) -> None:
+    for speaker, line in conversation(path):
+        if speaker == "holder":
+            understood = json.loads(msgspec.json.encode(read_line(json.dumps(line).encode())))
+            assert {k: v for k, v in understood.items() if k != "problem"} == {
+                k: v for k, v in line.items() if k != "problem"
+            }
+        else:
+            assert json.loads(ask(line["op"])) == line
+
+
 def test_there_are_goldens_for_each_border_of_the_service() -> None:
     assert files("link")
     assert files("page")
+    assert files("holder")

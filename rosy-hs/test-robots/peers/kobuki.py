@@ -2,8 +2,9 @@
 A Kobuki at the end of a pseudo-terminal.
 
 In: command packets on the terminal; on standard input `bump BITS`, `cliff BITS`, `drop BITS`, `press BITS`, `noise`, `cut`, `corrupt`,
-`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `hush` (no more packets of its own), `replay HEX`, `quit`; the path of a symbolic link as the argument, to which its process number is added. Out: a packet every 20 ms; on
-standard output `plugged PATH`, `control V W` when the speed changes, `led1 BITS`, `led2 BITS`, `sound N`, `versions asked`, `bad BYTES`.
+`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `hush` (no more packets of its own), `replay HEX`, `mark`, `quit`; the path of a symbolic link as the argument, to which its process number is added. Out: a packet every 20 ms; on
+standard output `plugged PATH`, `control V W` when the speed changes, `led1 BITS`, `led2 BITS`, `sound N`, `versions asked`, `bad BYTES`, after `mark` `stood SECONDS` when
+its wheels stand, by its own clock.
 Its wheels turn as told; counters wrap at 16 bits and begin shortly before that.
 """
 
@@ -24,7 +25,7 @@ bits = {"bump": 0, "cliff": 0, "drop": 0, "press": 0}
 left, right = 65000.0, 65000.0
 heading, stamp = 17000.0, 65000
 faults, firmware, speaking, replaying = [], 1, True, False
-outputs, versions_due = None, False
+outputs, versions_due, marked = None, False, None
 buffer = b""
 
 
@@ -94,7 +95,7 @@ def spoil(packet):
 
 
 def on_part(ident, data):
-    global versions_due, outputs
+    global versions_due, outputs, marked
     if ident == 1:
         s, r = struct.unpack("<hh", data)
         if r == 0:
@@ -107,6 +108,9 @@ def on_part(ident, data):
         if new != speed:
             speed[:] = new
             say("control", f"{new[0]:.3f}", f"{new[1]:.3f}", s, r)
+        if marked is not None and new == [0.0, 0.0]:
+            say("stood", f"{time.monotonic() - marked:.3f}")
+            marked = None
     elif ident == 12:
         word = struct.unpack("<H", data)[0]
         if outputs is None or (word ^ outputs) & 0x0300:
@@ -146,7 +150,7 @@ def on_bytes(data):
 
 
 def on_line(words):
-    global firmware, speaking, replaying, outputs
+    global firmware, speaking, replaying, outputs, marked
     if words[0] in bits:
         bits[words[0]] = int(words[1])
     elif words[0] in ("noise", "cut", "corrupt"):
@@ -162,6 +166,9 @@ def on_line(words):
     elif words[0] == "unplug":
         unplug()
         outputs = None
+    elif words[0] == "mark":
+        marked = time.monotonic()
+        say("marked")
     elif words[0] == "plug":
         plug()
     elif words[0] == "firmware":

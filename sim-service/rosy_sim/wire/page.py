@@ -15,23 +15,30 @@ from .hands import HandMessage
 from .problem import Problem
 
 __all__ = [
+    "Alive",
     "BadRequest",
     "Check",
     "Checked",
     "ChooseWorld",
     "Complete",
     "Completed",
+    "EmergencyStop",
     "Forward",
     "Frame",
+    "Free",
     "Goal",
     "GoalsShown",
     "Hello",
     "Input",
+    "Leave",
     "Pause",
     "Refusal",
     "Request",
     "Reset",
     "Resume",
+    "RobotName",
+    "RobotState",
+    "Robots",
     "Run",
     "RunState",
     "Said",
@@ -39,6 +46,8 @@ __all__ = [
     "SoundPlayed",
     "Speed",
     "Stop",
+    "Take",
+    "Unlock",
     "WorkerState",
     "WorldShown",
     "encode",
@@ -114,7 +123,55 @@ class Input(HandMessage, tag="input", tag_field="op", kw_only=True):
     """Hands."""
 
 
-Request = ChooseWorld | Check | Complete | Run | Stop | Reset | SetSpeed | Pause | Resume | Forward | Input
+class Unlock(msgspec.Struct, tag="unlock", tag_field="op"):
+    """The code that lets a page at the robots."""
+
+    code: str
+
+
+class Take(msgspec.Struct, tag="take", tag_field="op"):
+    """Have a robot. ``run`` is the number that its frames carry until the next run."""
+
+    robot: str
+    who: str
+    run: int = 0
+
+
+class Leave(msgspec.Struct, tag="leave", tag_field="op"):
+    """Let others have it."""
+
+
+class EmergencyStop(msgspec.Struct, tag="estop", tag_field="op"):
+    """The wheels stand, whatever happens, until `free`."""
+
+
+class Free(msgspec.Struct, tag="free", tag_field="op"):
+    """The robot may drive again."""
+
+
+class Alive(msgspec.Struct, tag="alive", tag_field="op"):
+    """Somebody looks at the robot: without it the wheels stand."""
+
+
+Request = (
+    ChooseWorld
+    | Check
+    | Complete
+    | Run
+    | Stop
+    | Reset
+    | SetSpeed
+    | Pause
+    | Resume
+    | Forward
+    | Input
+    | Unlock
+    | Take
+    | Leave
+    | EmergencyStop
+    | Free
+    | Alive
+)
 
 _decoder = msgspec.json.Decoder(Request)
 
@@ -245,6 +302,37 @@ class GoalsShown(msgspec.Struct, tag="goals", tag_field="op"):
     goals: list[Goal]
 
 
+class RobotName(msgspec.Struct):
+    """A robot, who has it, and whether that is this page."""
+
+    name: str
+    holder: str | None
+    yours: bool
+
+
+class Robots(msgspec.Struct, tag="robots", tag_field="op"):
+    """The robots one may choose; none are told while ``locked``."""
+
+    locked: bool
+    robots: list[RobotName]
+
+
+class RobotState(msgspec.Struct, tag="robot", tag_field="op"):
+    """The robot that this page has. ``link`` is ``gone`` when it has it no more."""
+
+    name: str
+    link: Literal["connecting", "connected", "lost", "gone"]
+    why: str
+    # Whether it backs off by itself from what it runs into, and whether it does so now.
+    safety: bool
+    backing: bool
+    # The emergency stop holds its wheels.
+    stopped: bool
+    # m/s, rad/s.
+    max_speed: float
+    max_turn: float
+
+
 class Refusal(msgspec.Struct, tag="refusal", tag_field="op"):
     """The last message could not be served."""
 
@@ -263,6 +351,8 @@ Answer = (
     | Said
     | SoundPlayed
     | GoalsShown
+    | Robots
+    | RobotState
     | Refusal
 )
 

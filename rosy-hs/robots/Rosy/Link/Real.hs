@@ -86,13 +86,13 @@ realLink clock patience r base = do
         wasHere <- isHere <$> readTVarIO (guarded r)
         case h of
           Gone why | wasHere -> do
-            complain (baseName base ++ " is lost: " ++ why)
+            complain (IsLost why)
             t <- now clock
             writeIORef lostSince (Just (t, why))
-          Gone why -> complain ("waiting for " ++ baseName base ++ ": " ++ why)
+          Gone why -> complain (IsAwaited why)
           Here -> do
             lost <- readIORef lostSince
-            forM_ lost (\_ -> complain (baseName base ++ " is back"))
+            forM_ lost (const (complain IsBack))
             writeIORef lostSince Nothing
           Heard _ -> pure ()
         guarding (hearing h)
@@ -136,7 +136,7 @@ realLink clock patience r base = do
   pure
     Link
       { open = do
-          complain ("waiting for " ++ baseName base)
+          complain (IsAwaited "")
           untilHere
           Opening <$> randomIO,
         next = following,
@@ -153,4 +153,4 @@ realLink clock patience r base = do
         atRest = pure ()
       }
   where
-    complain = hPutStrLn stderr
+    complain = hPutStrLn stderr . explainNotice (baseName base)

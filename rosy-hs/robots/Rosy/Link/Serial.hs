@@ -207,7 +207,7 @@ guardian device = do
     (Just hold, _, _, p) -> pure (hold, p)
     _ -> ioError (userError "no pipe to the guardian")
   where
-    script = "trap '' INT TERM HUP; exec 3>\"$1\"; cat >/dev/null; printf '" ++ concatMap octal (B.unpack (baseControl 0 0)) ++ "' >&3"
+    script = "trap '' INT TERM HUP; exec 3>\"$1\"; cat >/dev/null; printf '" ++ concatMap octal (B.unpack (baseControl 0 0)) ++ "' >&3 2>/dev/null"
     octal b = '\\' : drop 1 (showOct (512 + fromIntegral b :: Int) "")
 
 dismiss :: (Handle, ProcessHandle) -> IO ()

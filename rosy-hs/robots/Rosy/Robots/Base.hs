@@ -12,6 +12,10 @@ module Rosy.Robots.Base
     heard,
     hearAll,
     hearNow,
+
+    -- * For people
+    Notice (..),
+    explainNotice,
   )
 where
 
@@ -71,3 +75,21 @@ hearNow (Hearing var) = do
   hs <- readTVar var
   unless (null hs) (writeTVar var [])
   pure (reverse hs)
+
+-- | What a person wants to know of the way to the robot; the text is the reason, if one is known.
+data Notice
+  = IsAwaited String
+  | IsThere
+  | IsLost String
+  | IsBack
+  deriving (Eq, Show)
+
+-- | A sentence about the robot of this name.
+explainNotice :: String -> Notice -> String
+explainNotice name n = case n of
+  IsAwaited why -> "waiting for " ++ name ++ because why
+  IsThere -> name ++ " is there"
+  IsLost why -> name ++ " is lost" ++ because why
+  IsBack -> name ++ " is back"
+  where
+    because why = if null why then "" else ": " ++ why

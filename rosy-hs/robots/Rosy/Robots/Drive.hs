@@ -9,6 +9,7 @@ module Rosy.Robots.Drive
   ( drive,
     withBase,
     onSignals,
+    endings,
   )
 where
 
@@ -25,6 +26,7 @@ import Rosy.Link.Ros
 import Rosy.Link.Rosbridge
 import Rosy.Link.Serial
 import Rosy.Problem
+import Rosy.Robots.Announce (announced)
 import Rosy.Robots.Base
 import Rosy.Robots.Guard
 import Rosy.Robots.Target
@@ -32,7 +34,7 @@ import System.Environment (getEnvironment)
 import System.Exit
 import System.IO (BufferMode (..), hPutStrLn, hSetBuffering, stderr, stdout)
 import System.Posix.Process (exitImmediately)
-import System.Posix.Signals (Handler (..), installHandler, sigHUP, sigINT, sigTERM)
+import System.Posix.Signals (Handler (..), Signal, installHandler, sigHUP, sigINT, sigTERM, sigUSR1)
 
 -- | The robot that an address means, while an action runs.
 withBase :: Target -> (Base -> IO a) -> IO a
@@ -47,7 +49,7 @@ withBase target use = case targetWay target of
 
 -- | Drives a robot with a program's @main@.
 drive :: Target -> IO () -> IO ExitCode
-drive target program = do
+drive target program = announced (targetAddress target) $ do
   hSetBuffering stdout LineBuffering
   ended <- newIORef EndedDone
   r <- newReins (newGuard (targetLimits target) (targetSafety target))
@@ -63,7 +65,7 @@ drive target program = do
             threadDelay patienceWithProgram
             exitImmediately (ExitFailure 2)
     link <- realLink clock (targetPatience target) r base
-    onSignals stopping (onLink link {end = \as e -> writeIORef ended e >> end link as e} program)
+    onSignals endings stopping (onLink link {end = \as e -> writeIORef ended e >> end link as e} program)
       `finally` halt r base
   how <- readIORef ended
   case result of
@@ -80,9 +82,13 @@ drive target program = do
 patienceWithProgram :: Int
 patienceWithProgram = 1000000
 
--- | The first signal stops in good order. The handlers are put back afterwards.
-onSignals :: IO () -> IO a -> IO a
-onSignals act body = bracket (mapM install [sigINT, sigTERM, sigHUP]) (mapM_ restore) (const body)
+-- | The signals that mean that a program is to end. The last is the emergency stop of @./rosy estop@.
+endings :: [Signal]
+endings = [sigINT, sigTERM, sigHUP, sigUSR1]
+
+-- | The first of these signals stops in good order. The handlers are put back afterwards.
+onSignals :: [Signal] -> IO () -> IO a -> IO a
+onSignals signals act body = bracket (mapM install signals) (mapM_ restore) (const body)
   where
     install s = (,) s <$> installHandler s (CatchOnce act) Nothing
     restore (s, old) = installHandler s old Nothing

@@ -12,12 +12,15 @@ module Rosy.Robots.Guard
     newGuard,
     Limits (..),
     isHere,
+    isEvading,
 
     -- * What comes
     hearing,
     commanding,
     ticking,
     halting,
+    renewing,
+    watching,
   )
 where
 
@@ -41,14 +44,20 @@ data Guard = Guard
     kept :: !(Double, Double),
     here :: !Bool,
     halted :: !Bool,
+    -- | whether somebody watches the robot; wheels turn only then
+    watched :: !Bool,
     origin :: !(Maybe Odometry)
   }
 
 newGuard :: Limits -> Bool -> Guard
-newGuard l safe = Guard l (if safe then Just noTrouble else Nothing) 0 (0, 0) False False Nothing
+newGuard l safe = Guard l (if safe then Just noTrouble else Nothing) 0 (0, 0) False False True Nothing
 
 isHere :: Guard -> Bool
 isHere = here
+
+-- | Whether the safety rules own the wheels.
+isEvading :: Guard -> Bool
+isEvading g = ownedUntil g > 0
 
 -- | What the program is to hear of it.
 hearing :: Heard -> Guard -> ([Message], Guard)
@@ -77,6 +86,7 @@ commanding :: Double -> Action -> Guard -> ([Action], Guard)
 commanding t a g = case a of
   SetVelocity v w
     | not (here g) || halted g || t < ownedUntil g -> ([], g)
+    | not (watched g) -> ([], g {kept = limited})
     | otherwise -> ([uncurry SetVelocity limited], g {kept = limited})
     where
       limited = (within (maxSpeed (limits g)) v, within (maxTurn (limits g)) w)
@@ -94,7 +104,7 @@ within limit x
 -- | Ten times a second: what the robot is told without the program.
 ticking :: Double -> Guard -> ([Action], Guard)
 ticking t g
-  | not (here g) || halted g = ([], g)
+  | not (here g) || halted g || not (watched g) = ([], g)
   | Just (v, w) <- trouble g >>= evade = ([SetVelocity v w], g {ownedUntil = t + holds, kept = (0, 0)})
   | ownedUntil g > 0 && t >= ownedUntil g = ([SetVelocity 0 0], g {ownedUntil = 0})
   | kept g /= (0, 0) = ([uncurry SetVelocity (kept g)], g)
@@ -107,4 +117,15 @@ holds = 0.2
 
 -- | The person stops the robot: whatever the program wants from now on, the wheels stand.
 halting :: Guard -> ([Action], Guard)
-halting g = ([SetVelocity 0 0], g {halted = True, kept = (0, 0)})
+halting g = ([SetVelocity 0 0], g {halted = True, kept = (0, 0), ownedUntil = 0})
+
+-- | Another program begins: it starts where the robot is, may drive, and what is pressed is still pressed.
+renewing :: Guard -> Guard
+renewing g = g {halted = False, watched = True, kept = (0, 0), ownedUntil = 0, origin = Nothing}
+
+-- | Whether somebody watches. Unwatched wheels stand; what the program wanted last is done again when somebody is back.
+watching :: Bool -> Guard -> ([Action], Guard)
+watching yes g
+  | watched g == yes = ([], g)
+  | yes = ([], g {watched = True})
+  | otherwise = ([SetVelocity 0 0 | here g], g {watched = False, ownedUntil = 0})

@@ -56,10 +56,10 @@ sensorLine m = case m of
 data Wish
   = Wants Action
   | Ready
-  | -- | It has done all that this step makes it do.
-    Settled
-  | -- | It has ended: @done@, @stopped@ or @error@, with what a person should know and what to do.
-    HasEnded Text (Maybe (Text, Text))
+  | -- | It has done all that this step makes it do; these functions fired.
+    Settled [Text]
+  | -- | It has ended: @done@, @stopped@ or @error@, with what a person should know, what to do, and all of the problem.
+    HasEnded Text (Maybe (Text, Text, Value))
   | -- | It names its topics.
     NamesTopics
   deriving (Eq, Show)
@@ -75,13 +75,13 @@ wish o = do
   op <- o .: "op"
   case op :: Text of
     "publish" -> Wants <$> (o .: "topic" >>= \t -> o .: "msg" >>= action t)
-    "settled" -> pure Settled
+    "settled" -> Settled <$> o .:? "fired" .!= []
     "ready" -> pure Ready
     "advertise" -> pure NamesTopics
     "subscribe" -> pure NamesTopics
     "ended" -> do
       problem <- o .:? "problem"
-      HasEnded <$> o .: "how" <*> traverse (\p -> (,) <$> p .: "message" <*> p .:? "hint" .!= "") problem
+      HasEnded <$> o .: "how" <*> traverse (\p -> (,,) <$> p .: "message" <*> p .:? "hint" .!= "" <*> pure (Object p)) problem
     _ -> fail "unknown op"
 
 action :: Text -> Object -> Parser Action

@@ -9,6 +9,8 @@
 -- the real time, and the robot is told what the guard lets through. A program that does not answer a step is given up.
 module Rosy.Robots.Serve
   ( serve,
+    Witness (..),
+    onTerminal,
     Served (..),
     HowEnded (..),
   )
@@ -18,6 +20,7 @@ import Control.Concurrent (threadDelay)
 import Control.Concurrent.STM
 import Control.Exception (IOException, try)
 import Control.Monad (forM_, unless, when)
+import Data.Aeson (Value)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as C
@@ -37,6 +40,30 @@ import System.IO (hPutStrLn, stderr)
 import System.Random (randomRIO)
 import System.Timeout (timeout)
 
+-- | Who is told what happens; none of it may wait.
+data Witness = Witness
+  { -- | what the program hears, in its own frame
+    hears :: [Message] -> IO (),
+    -- | what the program wants, whether or not the robot may be told
+    wants :: Action -> IO (),
+    -- | the names of the functions that fired in a step
+    fires :: [Text] -> IO (),
+    -- | the robot is awaited, lost or back
+    noticed :: Notice -> IO ()
+  }
+
+-- | For a person at a terminal: the program's words go to standard output, the robot's state to standard error.
+onTerminal :: String -> Witness
+onTerminal name =
+  Witness
+    { hears = const (pure ()),
+      wants = \case
+        SayText s -> putStrLn s
+        _ -> pure (),
+      fires = const (pure ()),
+      noticed = hPutStrLn stderr . explainNotice name
+    }
+
 data Served = Served
   { how :: HowEnded,
     -- | steps that the program has answered
@@ -48,8 +75,8 @@ data Served = Served
 data HowEnded
   = ByItself
   | Asked
-  | -- | what a person should know, and what to do
-    InError Text Text
+  | -- | what a person should know, and what to do; the problem as the program told it
+    InError Text Text (Maybe Value)
   | -- | it did not answer
     IsStuck
   | -- | the program is gone without a word
@@ -71,8 +98,8 @@ tickSteps :: Int
 tickSteps = 5
 
 -- | Serves until the program or the person has had enough. The number is how many seconds a lost robot is waited for.
-serve :: STM Bool -> Double -> TVar Guard -> Base -> Socket -> IO Served
-serve stopWanted patience guarded base socket = do
+serve :: Witness -> STM Bool -> Double -> TVar Guard -> Base -> Socket -> IO Served
+serve witness stopWanted patience guarded base socket = do
   unread <- newIORef B.empty
   pose <- newIORef Nothing
   lost <- newIORef Nothing
@@ -101,15 +128,13 @@ serve stopWanted patience guarded base socket = do
             Just (Wants a) -> carry a >> listen
             Just NamesTopics -> listen
             Just Ready -> pure Nothing
-            Just Settled -> pure Nothing
-            Just (HasEnded "error" p) -> pure (Just (maybe (InError "The program failed." "") (uncurry InError) p))
+            Just (Settled fired) -> Nothing <$ unless (null fired) (fires witness fired)
+            Just (HasEnded "error" p) -> pure (Just (maybe (InError "The program failed." "" Nothing) (\(m, hint, v) -> InError m hint (Just v)) p))
             Just (HasEnded "stopped" _) -> pure (Just Asked)
             Just (HasEnded _ _) -> pure (Just ByItself)
-            Nothing -> pure (Just (InError "The program said something that a robot does not understand." ""))
+            Nothing -> pure (Just (InError "The program said something that a robot does not understand." "" Nothing))
       carry a = do
-        case a of
-          SayText s -> putStrLn s
-          _ -> pure ()
+        wants witness a
         t <- now
         guarding (commanding t a) >>= mapM_ (tell base)
       say builder = try (sendAll socket (Builder.toLazyByteString builder)) >>= either (\(_ :: IOException) -> pure ()) pure
@@ -118,14 +143,15 @@ serve stopWanted patience guarded base socket = do
         wasHere <- isHere <$> readTVarIO guarded
         case h of
           Gone why
-            | wasHere -> complain (baseName base ++ " is lost: " ++ why) >> now >>= \t -> writeIORef lost (Just (t, why))
-            | otherwise -> complain ("waiting for " ++ baseName base ++ ": " ++ why)
+            | wasHere -> noticed witness (IsLost why) >> now >>= \t -> writeIORef lost (Just (t, why))
+            | otherwise -> noticed witness (IsAwaited why)
           Here -> do
             l <- readIORef lost
-            unless (null l) (complain (baseName base ++ " is back"))
+            noticed witness (if null l then IsThere else IsBack)
             writeIORef lost Nothing
           Heard _ -> pure ()
         ms <- guarding (hearing h)
+        unless (null ms) (hears witness ms)
         forM_ ms $ \case
           OdometryMessage o -> writeIORef pose (Just (odometryPosition o, odometryOrientation o))
           _ -> pure ()
@@ -163,12 +189,11 @@ serve stopWanted patience guarded base socket = do
       ended n e = do
         guarding halting >>= mapM_ (tell base)
         Served e n <$> readIORef pose
-  complain ("waiting for " ++ baseName base)
-  early <- untilHere []
+  -- A robot that is held already is here.
+  there <- isHere <$> readTVarIO guarded
+  early <- if there then pure [] else noticed witness (IsAwaited "") >> untilHere []
   seed <- randomRIO (0, 2 ^ (31 :: Int) - 1)
   say (startLine seed)
   opened <- listen
   began <- getMonotonicTime
   maybe (steps 0 began early) (ended 0) opened
-  where
-    complain = hPutStrLn stderr

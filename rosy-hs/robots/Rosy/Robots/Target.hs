@@ -35,7 +35,9 @@ import Rosy.Robots.Guard (Limits (..))
 import Text.Read (readMaybe)
 
 data Target = Target
-  { targetWay :: Way,
+  { -- | as it was written
+    targetAddress :: String,
+    targetWay :: Way,
     targetProfile :: Profile,
     targetLimits :: Limits,
     -- | whether the safety rules go before the program
@@ -108,7 +110,7 @@ withFile :: Maybe B.ByteString -> String -> Either TargetError Target
 withFile profile t = do
   way <- maybe (Left (StrangeTarget t)) Right (readWay (takeWhile (/= '?') t))
   let named = optionsOf t
-      begun = Target way (startProfile (named ++ maybe [] (fromRight [] . fromJson "") profile)) (Limits 0.7 pi) True 10
+      begun = Target t way (startProfile (named ++ maybe [] (fromRight [] . fromJson "") profile)) (Limits 0.7 pi) True 10
   fromProfile <- maybe (Right []) (fromJson (fromMaybe "" (lookup "profile" named))) profile
   foldM option begun (fromProfile ++ filter ((/= "profile") . fst) named)
   where

@@ -12,7 +12,7 @@ import Test.Tasty.HUnit
 import Test.Tasty.QuickCheck
 
 -- | What can happen to a guard, a tenth of a second apart.
-data Happening = Says Heard | Wants Action | Ticks | Halts
+data Happening = Says Heard | Wants Action | Ticks | Halts | Watched Bool | Renewed
   deriving (Show)
 
 tests :: TestTree
@@ -30,6 +30,13 @@ tests =
       testCase "lets nothing move after a halt" $
         told False [Wants (SetVelocity 0.2 0), Halts, Ticks, Wants (SetVelocity 0.2 0), Wants (SetLed1 Red)]
           @?= [[SetVelocity 0.2 0], [SetVelocity 0 0], [], [], [SetLed1 Red]],
+      testCase "stands while nobody watches, and goes on when somebody does" $
+        told False [Wants (SetVelocity 0.2 0), Watched True, Watched False, Watched False, Ticks, Wants (SetVelocity 0.3 0), Watched True, Ticks]
+          @?= [[SetVelocity 0.2 0], [], [SetVelocity 0 0], [], [], [], [], [SetVelocity 0.3 0]],
+      testCase "does not back off while nobody watches" $
+        told True [Watched False, bump LeftBumper Pressed, Ticks, Watched True, Ticks] @?= [[SetVelocity 0 0], [], [], [], [back (-0.4)]],
+      testCase "begins anew after a halt, with nothing left of the velocity and all of what is pressed" $
+        told True [Wants (SetVelocity 0.2 0), Halts, bump CenterBumper Pressed, Renewed, Ticks] @?= [[SetVelocity 0.2 0], [SetVelocity 0 0], [], [], [back 0]],
       testCase "backs off before the program may drive again, and then stands until it says something" $
         told True [Wants (SetVelocity 0.3 0), bump LeftBumper Pressed, Ticks, Wants (SetVelocity 0.3 0), Ticks, bump LeftBumper Released, Ticks, Ticks, Ticks, Wants (SetVelocity 0.1 0)]
           @?= [[SetVelocity 0.3 0], [], [back (-0.4)], [], [back (-0.4)], [], [SetVelocity 0 0], [], [], [SetVelocity 0.1 0]],
@@ -80,4 +87,6 @@ told safe = snd . mapAccumL step (snd (hearing Here (newGuard (Limits 0.7 pi) sa
       Wants a -> swap (commanding t a g)
       Ticks -> swap (ticking t g)
       Halts -> swap (halting g)
+      Watched yes -> swap (watching yes g)
+      Renewed -> (renewing g, [])
     swap (a, b) = (b, a)

@@ -40,7 +40,7 @@ import Rosy.Robots.Base
 import Rosy.Robots.Drive (withBase)
 import Rosy.Robots.Guard
 import Rosy.Robots.Pipe
-import Rosy.Robots.Serve (serve)
+import Rosy.Robots.Serve (onTerminal, serve)
 import Rosy.Robots.Target
 import Rosy.Run (runOn)
 import Rosy.Runnable (program)
@@ -145,7 +145,7 @@ inPlace = do
   stop <- newTVarIO False
   guarded <- newTVarIO (newGuard (Limits 0.7 pi) False)
   let base = Base "a robot" (\a -> atomically (modifyTVar' told (a :))) (hearAll hearing')
-  withProgramAtPipe $ \socket -> withAsync (serve (readTVar stop) 10 guarded base socket) $ \_ -> do
+  withProgramAtPipe $ \socket -> withAsync (serve (onTerminal "a robot") (readTVar stop) 10 guarded base socket) $ \_ -> do
     atomically (heard hearing' Here)
     forM_ (zip steps expected) $ \(ms, actions) -> do
       atomically (mapM_ (heard hearing' . Heard) ms)

@@ -19,7 +19,7 @@ tests =
         fmap targetWay (readTarget "ros://10.0.0.7") @?= Right (Ros1 "10.0.0.7" 11311)
         fmap targetWay (readTarget "serial:/dev/kobuki?safety=off") @?= Right (Serial "/dev/kobuki"),
       testCase "without options a robot is a TurtleBot 2 at a Kobuki's limits, with the safety rules" $
-        readTarget "ros://h" @?= Right (Target (Ros1 "h" 11311) turtlebot2 (Limits 0.7 pi) True 10),
+        readTarget "ros://h" @?= Right (Target "ros://h" (Ros1 "h" 11311) turtlebot2 (Limits 0.7 pi) True 10),
       testCase "ros=2 changes names, and a prefix moves the topics that follow it" $ do
         fmap targetProfile (readTarget "ws://h?ros=2&prefix=/kitchen") @?= Right kobukiRos2 {prefix = "/kitchen", velocityTopic = "/kitchen/commands/velocity"}
         fmap (velocityTopic . targetProfile) (readTarget "ros://h?velocity=/cmd_vel_mux/input/navi&prefix=/b") @?= Right "/cmd_vel_mux/input/navi",

@@ -1,0 +1,66 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Description : What a held robot's lines look like, held against the golden conversations.
+module Test.Robots.Telemetry (tests) where
+
+import Control.Monad (forM_)
+import Data.Aeson (Value (..))
+import qualified Data.Aeson as Aeson
+import qualified Data.Aeson.KeyMap as KeyMap
+import qualified Data.ByteString.Char8 as C
+import qualified Data.ByteString.Lazy as L
+import Data.List (nub, sort)
+import qualified Data.Text as T
+import Rosy.Core (Action (..), Message (..), Odometry (..))
+import Rosy.Robot
+import Rosy.Robots.Base (Notice (..))
+import Rosy.Robots.Hold (readRequest)
+import Rosy.Robots.Telemetry
+import System.Directory (listDirectory)
+import Test.Tasty
+import Test.Tasty.HUnit
+
+tests :: TestTree
+tests =
+  testGroup
+    "a held robot"
+    [ testCase "understands all that the service asks in the golden conversations" $ do
+        asked <- spoken "service"
+        assertBool "nothing is asked" (not (null asked))
+        forM_ asked $ \l -> assertBool (show l) (readRequest (L.toStrict (Aeson.encode l)) /= Nothing),
+      testCase "says nothing but what stands in the golden conversations" $ do
+        golden <- spoken "holder"
+        sort (nub (map shape golden)) @?= sort (nub (map shape said)),
+      testCase "shows sides as the base's bits, right first" $
+        map picture [BumperMessage (Bumper LeftBumper Pressed), CliffMessage (Cliff RightCliff Hole), WheelMessage (Wheel LeftWheel Air), ButtonMessage (Button Button2 Pressed)]
+          @?= [(4, 0, 0, 0), (0, 1, 0, 0), (0, 0, 2, 0), (0, 0, 0, 4)],
+      testCase "shows what is let go of no more" $
+        field "bumpers" (sensed (BumperMessage (Bumper LeftBumper Released)) (sensed (BumperMessage (Bumper LeftBumper Pressed)) blank)) @?= Just (Number 0),
+      testCase "tells each firing once" $ do
+        let (first, p) = frameLine 1 False (firedBy ["a", "b"] blank)
+        (fieldOf "fired" first, fieldOf "fired" (fst (frameLine 1 False p))) @?= (Just (Aeson.toJSON ["a", "b" :: T.Text]), Just (Aeson.toJSON ([] :: [T.Text])))
+    ]
+  where
+    picture m = let p = sensed m blank in (number "bumpers" p, number "cliffs" p, number "wheels" p, number "buttons" p)
+    number k p = case field k p of Just (Number n) -> truncate n :: Int; _ -> -1
+    field k = fieldOf k . fst . frameLine 0 False
+    fieldOf k l = case Aeson.decode l of Just (Object o) -> KeyMap.lookup k o; _ -> Nothing
+    said =
+      [v | Just v <- map Aeson.decode $ [holdingLine True 0.7 3.14, saidLine 0 "hi", soundLine 0 OnSound, endedLine 0 "done" Nothing, endedLine 0 "error" (Just (Aeson.object [])), stoppedLine True, fst (frameLine 0 False moved)] ++ map linkLine [IsAwaited "", IsThere, IsLost "x"]]
+    moved = told (SetLed1 Red) (sensed (OdometryMessage (Odometry (Position 1 2) (Orientation 3) (Velocity 4 5))) blank)
+
+-- | A line's word and the names of its fields.
+shape :: Value -> [String]
+shape v = case v of
+  Object o -> concat [T.unpack t | Just (String t) <- [KeyMap.lookup "op" o]] : sort (map show (KeyMap.keys o))
+  _ -> []
+
+-- | All that one side says.
+spoken :: String -> IO [Value]
+spoken who = do
+  names <- listDirectory folder
+  texts <- mapM (C.readFile . (folder ++)) names
+  pure [l | text <- texts, bytes <- C.lines text, Just (Object o) <- [Aeson.decodeStrict' bytes], KeyMap.lookup "from" o == Just (String (T.pack who)), Just l <- [KeyMap.lookup "line" o]]
+  where
+    folder = "protocol/goldens/holder/"

@@ -1,0 +1,364 @@
+"""Real robots from the page: a real service, a real rosy-robot, and a Kobuki at the end of a pseudo-terminal."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import os
+import signal
+import sys
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from rosy_sim.app import Service
+from rosy_sim.config import Config, discover
+from rosy_sim.drivers import drivers, emergency_stop
+from rosy_sim.errors import BadInput
+from rosy_sim.roster import configured
+
+from .robot_rig import Kobuki, kobuki
+from .test_app import Page, opened, serving
+
+pytestmark = pytest.mark.skipif(discover().speaker is None, reason="rosy-robot is not built")
+
+HERE = Path(__file__).resolve().parents[1]
+
+LIMIT = 0.7
+"""Within so many s a robot that nobody drives any more stands."""
+
+Story = Callable[["Rig"], Awaitable[None]]
+
+
+class Rig:
+    """A service with one robot, called Kitchen, and a page that knows the code."""
+
+    def __init__(self, address: str, service: Service, page: Page, robot: Kobuki) -> None:
+        self.address = address
+        self.service = service
+        self.page = page
+        self.robot = robot
+        self._looking: asyncio.Task[None] | None = None
+
+    async def takes(self) -> None:
+        await self.page.send("unlock", code=self.service.fleet.code)
+        await self.page.op("robots", locked=False)
+        await self.page.send("take", robot="Kitchen", who="Anna")
+        await self.page.op("robot", link="connected")
+
+    async def drives(self, script: str = "drive:0.2", run: int = 1) -> None:
+        self.looks()
+        await self.page.send("run", run=run, source=script, speed=1)
+        await self.page.op("state", run=run, state="running")
+        await self.robot.moves(0.2)
+
+    def looks(self) -> None:
+        """The person at the page looks at the robot."""
+
+        async def look() -> None:
+            with contextlib.suppress(Exception):
+                while True:
+                    await self.page.send("alive")
+                    await asyncio.sleep(0.1)
+
+        self._looking = self._looking or asyncio.create_task(look())
+
+    async def looks_away(self) -> None:
+        assert self._looking is not None
+        self._looking.cancel()
+
+    @property
+    def driver(self) -> int:
+        """The process that drives the robot."""
+        [driver] = [d for d in drivers() if d.address == self.robot.address]
+        return driver.process
+
+
+def story(tell: Story, config: Config, folder: Path) -> None:
+    async def play() -> None:
+        async with kobuki(folder) as robot:
+            robots = replace(config, robots={"Kitchen": robot.address}, speaker=discover().speaker)
+            async with serving(robots) as (address, service), opened(address) as page:
+                await tell(Rig(address, service, page, robot))
+
+    asyncio.run(play())
+
+
+def test_robots_are_locked_until_the_page_knows_the_code(config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        page = rig.page
+        assert (await page.op("robots"))["robots"] == []
+        await page.send("take", robot="Kitchen", who="Eve")
+        assert "locked" in (await page.op("refusal"))["message"]
+        await page.send("unlock", code="guessed")
+        assert "not the code" in (await page.op("refusal"))["message"]
+        await page.send("unlock", code=f"{rig.service.fleet.code[:4]} - {rig.service.fleet.code[4:].upper()}")
+        found = await page.op("robots", locked=False)
+        assert found["robots"] == [{"name": "Kitchen", "holder": None, "yours": False}]
+
+    story(tell, config, tmp_path)
+
+
+def test_a_page_without_robots_hears_nothing_of_them(config: Config) -> None:
+    async def play() -> None:
+        async with serving(config) as (address, _), opened(address) as page:
+            await page.op("frame")
+            await page.send("estop")
+            await page.send("alive")
+            await page.send("take", robot="Kitchen", who="Eve")
+            await page.op("refusal")
+            assert not [m for m in page.seen if m["op"] in ("robots", "robot")]
+
+    asyncio.run(play())
+
+
+def test_a_program_drives_the_robot_and_the_page_sees_it(config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        state = next(m for m in rig.page.seen if m["op"] == "robot" and m["max_speed"])
+        assert (state["safety"], state["max_speed"]) == (True, 0.7)
+        await rig.drives("drive:0.2 led:2@3 say:hi@4 sound:4@5")
+        assert (await rig.page.op("said"))["text"] == "hi"
+        assert (await rig.page.op("sound"))["sound"] == 4
+        frame = await rig.page.until(lambda m: m["op"] == "frame" and m["x"] > 0.02)
+        assert frame["run"] == 1
+        assert frame["led1"] == 2
+        assert 0.15 < frame["v"] < 0.25
+        await rig.page.until(lambda m: m["op"] == "frame" and "move" in m["fired"])
+        rig.robot.ask("bump", "4")
+        await rig.page.op("robot", backing=True)
+        await rig.robot.says(lambda line: line.startswith("control -0.1"))
+        rig.robot.ask("bump", "0")
+        await rig.robot.marked()
+        await rig.page.send("stop")
+        await rig.robot.stands()
+        assert (await rig.page.ended(1))["ended"] == "stopped"
+        await rig.drives("drive:0.2", run=2)
+        assert (await rig.page.op("frame", run=2))["x"] < 0.1
+
+    story(tell, config, tmp_path)
+
+
+def test_one_page_has_a_robot_and_the_others_see_who(config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        async with opened(rig.address) as other:
+            await other.send("unlock", code=rig.service.fleet.code)
+            found = await other.op("robots", locked=False)
+            assert found["robots"] == [{"name": "Kitchen", "holder": "Anna", "yours": False}]
+            await other.send("take", robot="Kitchen", who="Ben")
+            assert "Anna has Kitchen" in (await other.op("refusal"))["message"]
+            await rig.page.send("leave")
+            await rig.page.op("robot", link="gone")
+            await rig.page.op("world")
+            await other.until(lambda m: m["op"] == "robots" and m["robots"][0]["holder"] is None)
+            await other.send("take", robot="Kitchen", who="Ben")
+            await other.op("robot", link="connected")
+            await rig.page.until(lambda m: m["op"] == "robots" and m["robots"][0]["holder"] == "Ben")
+
+    story(tell, config, tmp_path)
+
+
+async def _page_closes(rig: Rig) -> None:
+    await rig.page.socket.close()
+
+
+async def _stop_is_pressed(rig: Rig) -> None:
+    await rig.page.send("stop")
+
+
+async def _emergency_in_the_page(rig: Rig) -> None:
+    await rig.page.send("estop")
+
+
+async def _emergency_elsewhere(rig: Rig) -> None:
+    assert [d.process for d in emergency_stop(rig.robot.address)] == [rig.driver]
+
+
+async def _program_is_killed(rig: Rig) -> None:
+    [program] = children(rig.service.worker.pid)
+    os.kill(program, signal.SIGKILL)
+
+
+def children(process: int | None) -> list[int]:
+    return [int(p) for p in Path(f"/proc/{process}/task/{process}/children").read_text().split()]
+
+
+async def _driver_is_killed(rig: Rig) -> None:
+    os.kill(rig.driver, signal.SIGKILL)
+
+
+async def _driver_is_asked_to_end(rig: Rig) -> None:
+    os.kill(rig.driver, signal.SIGTERM)
+
+
+@pytest.mark.parametrize(
+    "happening",
+    [
+        _page_closes,
+        Rig.looks_away,
+        _stop_is_pressed,
+        _emergency_in_the_page,
+        _emergency_elsewhere,
+        _program_is_killed,
+        _driver_is_killed,
+        _driver_is_asked_to_end,
+    ],
+    ids=lambda f: f.__name__.strip("_").replace("_", " "),
+)
+def test_the_robot_stands_when(happening: Story, config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        await rig.drives()
+        await rig.robot.marked()
+        await happening(rig)
+        print(f"{happening.__name__.strip('_')}: stood after {await rig.robot.stands()} s (allowed: {LIMIT} s)")
+
+    story(tell, config, tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("script", "ended", "kind"),
+    [
+        ("error@9", "error", "exception"),
+        ("hang@9", "stuck", "stuck"),
+        ("close@9", "error", "died"),
+        ("done@9", "done", None),
+    ],
+)
+def test_the_robot_stands_and_the_page_is_told_when_a_program_ends(
+    script: str, ended: str, kind: str | None, config: Config, tmp_path: Path
+) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        await rig.drives(f"drive:0.2 {script}")
+        told = await rig.page.ended(1)
+        assert told["ended"] == ended
+        assert [p["kind"] for p in told["problems"]] == ([kind] if kind else [])
+        await rig.robot.moves(0.0)
+
+    story(tell, config, tmp_path)
+
+
+def test_after_an_emergency_stop_nothing_drives_until_the_robot_is_freed(config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        await rig.drives()
+        await rig.page.send("estop")
+        await rig.page.op("robot", stopped=True)
+        assert (await rig.page.ended(1))["ended"] == "stopped"
+        await rig.page.send("run", run=2, source="drive:0.2", speed=1)
+        assert (await rig.page.ended(2))["ended"] == "stopped"
+        await rig.page.send("free")
+        await rig.page.op("robot", stopped=False)
+        await rig.drives(run=3)
+
+    story(tell, config, tmp_path)
+
+
+def test_wheels_turn_again_when_somebody_looks_again(config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        await rig.drives()
+        await rig.looks_away()
+        await rig.robot.moves(0.0)
+        rig._looking = None
+        rig.looks()
+        await rig.robot.moves(0.2)
+
+    story(tell, config, tmp_path)
+
+
+def test_a_pulled_cable_is_told_and_found_again(config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        await rig.drives()
+        rig.robot.ask("unplug")
+        lost = await rig.page.op("robot", link="lost")
+        assert lost["why"]
+        rig.robot.ask("plug")
+        await rig.page.op("robot", link="connected")
+
+    story(tell, config, tmp_path)
+
+
+def test_the_page_is_told_when_the_part_that_drives_dies(config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        await rig.drives()
+        os.kill(rig.driver, signal.SIGKILL)
+        assert (await rig.page.ended(1))["problems"][0]["kind"] == "lost-robot"
+        await rig.page.op("robot", link="gone")
+        await rig.page.until(lambda m: m["op"] == "robots" and m["robots"][0]["holder"] is None)
+
+    story(tell, config, tmp_path)
+
+
+@asynccontextmanager
+async def service_of_its_own(robot: Kobuki, folder: Path) -> AsyncIterator[tuple[asyncio.subprocess.Process, str, str]]:
+    """A service in another process, its address and its code."""
+    process = await asyncio.create_subprocess_exec(
+        sys.executable, "-m", "tests.robot_service", robot.address, str(folder),
+        stdout=asyncio.subprocess.PIPE, cwd=HERE,
+    )  # fmt: skip
+    assert process.stdout is not None
+    try:
+        address, code = (await process.stdout.readline()).decode().split()
+        yield process, address, code
+    finally:
+        with contextlib.suppress(ProcessLookupError):
+            process.kill()
+        await process.wait()
+
+
+def test_the_robot_stands_when_the_service_is_killed(tmp_path: Path) -> None:
+    async def play() -> None:
+        async with (
+            kobuki(tmp_path) as robot,
+            service_of_its_own(robot, tmp_path) as (process, address, code),
+            opened(address) as page,
+        ):
+            await page.send("unlock", code=code)
+            await page.send("take", robot="Kitchen", who="Anna")
+            await page.op("robot", link="connected")
+            await page.send("run", run=1, source="drive:0.2", speed=1)
+            await robot.moves(0.2)
+            await robot.marked()
+            process.kill()
+            print(f"service killed: stood after {await robot.stands()} s (allowed: {LIMIT} s)")
+
+    asyncio.run(play())
+
+
+def test_the_operator_names_robots(tmp_path: Path) -> None:
+    speaker = discover().speaker
+    file = tmp_path / "robots.json"
+    file.write_text('{"Kitchen": "serial:/dev/kobuki?max_speed=0.1"}')
+    found = configured(speaker, ["Lab=ws://lab:9090?ros=2"], file)
+    assert found == {"Kitchen": "serial:/dev/kobuki?max_speed=0.1", "Lab": "ws://lab:9090?ros=2"}
+
+
+@pytest.mark.parametrize(
+    ("given", "why"),
+    [
+        (["ws://lab:9090"], "name and an address"),
+        (["ws://lab:9090?ros=2"], "name and an address"),
+        (["=ws://lab"], "1 to 40"),
+        (["a=ws://lab", "a=ws://pi"], "twice"),
+        (["a=ws://lab", "b=ws://lab"], "twice"),
+        (["a=http://lab"], "is no robot"),
+        (["a=ws://lab?speed=9"], "no option"),
+    ],
+)
+def test_a_robot_that_cannot_be_is_refused_at_the_start(given: list[str], why: str) -> None:
+    with pytest.raises(BadInput, match=why):
+        configured(discover().speaker, given, None)
+
+
+def test_the_files_of_the_dead_are_cleared_away(tmp_path: Path) -> None:
+    (tmp_path / "12345").write_text("ws://pi:9090")
+    assert drivers(tmp_path) == []
+    assert list(tmp_path.iterdir()) == []
