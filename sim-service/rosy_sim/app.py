@@ -70,8 +70,8 @@ class Service:
         try:
             yield
         finally:
-            for session in list(self.sessions.values()):
-                await session.close()
+            # All at once: a robot that drives must not wait until others stand.
+            await asyncio.gather(*(session.close() for session in list(self.sessions.values())))
             keeper.cancel()
             with contextlib.suppress(asyncio.CancelledError):
                 await keeper

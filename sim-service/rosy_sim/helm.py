@@ -5,6 +5,7 @@ A page's place among the robots: whether it may have one, which it has, and what
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Callable
 from pathlib import Path
 
 import msgspec
@@ -23,12 +24,22 @@ __all__ = ["Helm"]
 class Helm:
     """Lives as long as the page's session; close() leaves the robot standing."""
 
-    def __init__(self, speaker: Path | None, session: str, fleet: Fleet, outbox: Outbox, showing: Showing) -> None:
+    def __init__(
+        self,
+        speaker: Path | None,
+        session: str,
+        fleet: Fleet,
+        outbox: Outbox,
+        showing: Showing,
+        back: Callable[[], None],
+    ) -> None:
         self._speaker = speaker
         self._session = session
         self._fleet = fleet
         self._outbox = outbox
         self._showing = showing
+        # Called when the simulated robot is shown again.
+        self._back = back
         self._locked = True
         # The robot in our hands, and what the page was last told of it; None while there is none.
         self.holding: Holding | None = None
@@ -98,6 +109,7 @@ class Helm:
         if state is not None:
             self._showing.elsewhere = False
             self._outbox.put(msgspec.structs.replace(state, link="gone", why=why, stopped=False, backing=False))
+            self._back()
         return state
 
     # What the robot tells (holding.Listener)

@@ -62,7 +62,7 @@ class Session:
         self.world = World(usable_arena(self._world_json, DEFAULT_WORLD))
         self._showing = Showing(self.outbox, self.world, limits.frame_rate, self._loop.time)
         # The real robots, of which this page may have one.
-        self.helm = Helm(speaker, ident, fleet, self.outbox, self._showing)
+        self.helm = Helm(speaker, ident, fleet, self.outbox, self._showing, self._show_room)
         # ROS clients of the simulated robot.
         self.bridge = Bridge()
         # Steps since the session began, with and without programs.
@@ -77,7 +77,7 @@ class Session:
         self.closed = asyncio.Event()
         self.outbox.put(page.Hello(session=self.id))
         self.outbox.put(page.WorkerState(self._worker.state))
-        self._showing.room(self._world_json)
+        self._show_room()
         self.helm.tell()
 
     # Requests
@@ -107,7 +107,7 @@ class Session:
             case page.Reset():
                 self._end_now()
                 self._renew()
-                self._showing.room(self._world_json)
+                self._show_room()
             case page.ChooseWorld():
                 self._choose(request.world)
             case page.Input():
@@ -123,7 +123,6 @@ class Session:
             case page.Leave():
                 self._end_now()
                 self.helm.leave()
-                self._showing.room(self._world_json)
             case page.EmergencyStop() | page.Free() | page.Alive():
                 self._tell_robot(request)
             case _ if running is None:
@@ -139,6 +138,9 @@ class Session:
                 running.resume()
             case page.Forward():
                 running.forward()
+
+    def _show_room(self) -> None:
+        self._showing.room(self._world_json)
 
     def _tell_robot(self, request: page.EmergencyStop | page.Free | page.Alive) -> None:
         holding = self.helm.holding
@@ -159,7 +161,7 @@ class Session:
         self._world_json = value
         self.world = World(arena)
         self._showing.enter(self.world)
-        self._showing.room(self._world_json)
+        self._show_room()
 
     def _renew(self, seed: int = 0) -> None:
         self.world = World(self.world.arena, seed)

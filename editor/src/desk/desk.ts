@@ -15,11 +15,13 @@ import {download, downloadBlob, fileName, pickFile} from "../run/files.ts"
 import {type Film, startFilm, takePicture} from "../run/film.ts"
 import {fetchReader} from "../run/grammar.ts"
 import {fetchExample, fetchExamples, fetchWorlds} from "../run/library.ts"
+import {openCode} from "../run/robots.ts"
 import {openSession, type Session} from "../run/session.ts"
 import {type Liking, openShelf} from "../run/storage.ts"
-import {watchDark, watchKeys, watchSize} from "../run/window.ts"
+import {watchDark, watchKeys, watchSight, watchSize} from "../run/window.ts"
 import {openSource, type SourcePane} from "../source/pane.ts"
 import {type Fix, mended, movedFix, signatureFix, whereToGoOn} from "../state/fixes.ts"
+import {drives} from "../state/helm.ts"
 import type {Order, PageState} from "../state/page.ts"
 import {believed} from "../state/page.ts"
 import {type Finding, innermostBlock, textOf} from "../state/program.ts"
@@ -44,6 +46,9 @@ import {
 
 /// Milliseconds between the last change and the question to the compiler.
 const checkPause = 150
+
+/// Milliseconds between two signs that somebody watches a real robot (protocol §4, `alive`).
+const watchPause = 100
 
 /// Milliseconds that following a key may cost without being felt, the longest pause to wait for instead, and how long
 /// the blocks may stay behind somebody who never pauses.
@@ -211,7 +216,23 @@ export function openDesk(address: string): Desk {
     paint()
   })
   watchSize(size => store.dispatch({kind: "size", size}))
+  watchSight(() => store.dispatch({kind: "out-of-sight"}))
+  // Real wheels turn only while a page that is seen and does not hang says so.
+  setInterval(() => {
+    if (drives(store.now) && document.visibilityState === "visible") session?.send({op: "alive"})
+  }, watchPause)
+  const code = openCode(window)
+  const known = code.read()
+  if (known !== null) store.dispatch({kind: "robots-unlocked", code: known})
+  store.onFrame(({robots}) => {
+    if (robots.offered?.locked === false || robots.refused !== null) code.keep(robots.code)
+  })
   watchKeys({
+    emergency() {
+      if (!drives(store.now)) return false
+      store.dispatch({kind: "estop-pressed"})
+      return true
+    },
     space() {
       if (!isActive(store.now.run)) return false
       store.dispatch({kind: "stop-pressed"})

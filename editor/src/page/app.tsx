@@ -8,6 +8,8 @@ import {BottomBar} from "./bottombar.tsx"
 import {GalleryDialog} from "./gallery.tsx"
 import {NoticeBar} from "./notice.tsx"
 import {useDesk, usePage} from "./pick.ts"
+import {RobotBar} from "./robotbar.tsx"
+import {RobotsDialog} from "./robots.tsx"
 import {RoomRegion} from "./roomregion.tsx"
 import {TopBar} from "./topbar.tsx"
 import {words} from "./words.ts"
@@ -35,7 +37,10 @@ export function App(): VNode {
   return (
     <div class={`page ${size}`} data-regions={shown} style={style}>
       <TopBar />
-      <NoticeBar />
+      <div>
+        <RobotBar />
+        <NoticeBar />
+      </div>
       <main class="regions">
         <BlocksRegion shown={has("blocks")} />
         {has("blocks") && has("haskell") && <Border of="haskell" />}
@@ -46,6 +51,7 @@ export function App(): VNode {
       {size === "phone" && <BottomBar />}
       <GalleryDialog />
       <WorldEditorDialog />
+      <RobotsDialog />
     </div>
   )
 }

@@ -58,6 +58,7 @@ function MenuItems({close}: {close: () => void}): VNode {
   const desk = useDesk()
   const size = usePage(s => s.size)
   const theme = usePage(s => s.theme)
+  const offered = usePage(s => s.robots.offered !== null)
   const item = (text: string, act: () => void) => (
     <button
       type="button"
@@ -78,6 +79,7 @@ function MenuItems({close}: {close: () => void}): VNode {
           {item(words.examples, desk.openGallery)}
         </>
       )}
+      {offered && item(words.robots.choose, () => desk.store.dispatch({kind: "dialog", dialog: "robots"}))}
       {item(words.newProgram, desk.newProgram)}
       {item(words.openFile, desk.openFile)}
       {item(words.saveFile, desk.saveFile)}

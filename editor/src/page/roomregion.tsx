@@ -22,6 +22,7 @@ export function RoomRegion({shown}: {shown: boolean}): VNode {
   const desk = useDesk()
   const canvas = useRef<HTMLCanvasElement>(null)
   const world = usePage(s => s.room.world?.name ?? "")
+  const held = usePage(s => s.robots.held?.name ?? null)
   useLayoutEffect(() => {
     if (canvas.current !== null) desk.mountRoom(canvas.current)
   }, [desk])
@@ -35,7 +36,7 @@ export function RoomRegion({shown}: {shown: boolean}): VNode {
           ref={canvas}
           role="application"
           tabIndex={0}
-          aria-label={words.roomLabel(world)}
+          aria-label={held === null ? words.roomLabel(world) : words.robots.floor(held)}
           aria-describedby="robot-readout"
         />
         {/* biome-ignore-end lint/a11y/noNoninteractiveTabindex: see above */}
@@ -61,6 +62,7 @@ function RoomBar(): VNode {
   const muted = usePage(s => s.muted)
   const there = usePage(s => s.room.world !== null)
   const known = worlds.includes(world)
+  const held = usePage(s => s.robots.held?.name ?? null)
   const status = usePage(runWords)
   const kind = usePage(s =>
     s.clock === "standing" && isActive(s.run) ? "standing" : s.run.kind === "ended" ? s.run.how : s.run.kind,
@@ -68,7 +70,8 @@ function RoomBar(): VNode {
   return (
     <div class="roombar">
       <h2>{words.room}</h2>
-      {worlds.length > 0 ? (
+      <RobotChoice />
+      {held !== null ? null : worlds.length > 0 ? (
         <select
           aria-label={words.worldName}
           value={known ? world : ""}
@@ -89,6 +92,7 @@ function RoomBar(): VNode {
         class="plain icon"
         aria-label={worldWords.change}
         title={worldWords.change}
+        hidden={held !== null}
         disabled={!there}
         onClick={() => store.dispatch({kind: "world-editor-opened"})}
       >
@@ -112,6 +116,26 @@ function RoomBar(): VNode {
   )
 }
 
+/// Which robot it is, where there is a choice.
+function RobotChoice(): VNode | null {
+  const {store} = useDesk()
+  const offered = usePage(s => s.robots.offered !== null)
+  const held = usePage(s => s.robots.held?.name ?? null)
+  if (!offered) return null
+  return (
+    <button
+      type="button"
+      class="plain robot-choice"
+      aria-label={`${words.robots.choose}: ${held ?? words.robots.simulated}`}
+      title={words.robots.choose}
+      data-testid="robot-choice"
+      onClick={() => store.dispatch({kind: "dialog", dialog: "robots"})}
+    >
+      {held ?? words.robots.simulatedShort}
+    </button>
+  )
+}
+
 /// The robot in words and numbers, for screen readers (read when asked for) and for tests.
 function Readout(): VNode {
   const values = usePage(s => JSON.stringify(readout(s)))
@@ -132,7 +156,7 @@ function Readout(): VNode {
 /// The robot's three buttons and its wheels, for the learner's hands, while a program runs.
 function Hands(): VNode | null {
   const {store} = useDesk()
-  const running = usePage(s => s.run.kind === "running")
+  const running = usePage(s => s.run.kind === "running" && s.robots.held === null)
   const lifted = usePage(s => ((s.room.frame?.wheels ?? 0) & 3) !== 0)
   const pressed = usePage(s => s.room.frame?.buttons ?? 0)
   if (!running) return null

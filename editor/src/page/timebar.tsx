@@ -18,6 +18,8 @@ export function TimeBar(): VNode {
   const untouched = usePage(s => s.room.frame === null && !isActive(s.run))
   const active = usePage(s => isActive(s.run))
   const standing = usePage(s => s.clock === "standing")
+  // Real time neither stands nor hurries.
+  const real = usePage(s => s.robots.held !== null)
   return (
     <div class="timebar">
       <button
@@ -35,6 +37,7 @@ export function TimeBar(): VNode {
         class="plain icon"
         title={standing ? words.resume : words.pause}
         aria-label={standing ? words.resume : words.pause}
+        hidden={real}
         disabled={!active}
         onClick={() => store.dispatch({kind: standing ? "resume-pressed" : "pause-pressed"})}
       >
@@ -45,13 +48,14 @@ export function TimeBar(): VNode {
         class="plain icon"
         title={words.forward}
         aria-label={words.forward}
+        hidden={real}
         disabled={!active || !standing}
         onClick={() => store.dispatch({kind: "forward-pressed"})}
       >
         <StepIcon />
       </button>
       <LookBack />
-      <SpeedChoice />
+      {!real && <SpeedChoice />}
     </div>
   )
 }

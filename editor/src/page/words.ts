@@ -115,6 +115,37 @@ export const words = {
   savePicture: "Save a picture",
   startFilm: "Start a film",
   endFilm: "End the film",
+  robots: {
+    title: "Which robot?",
+    lead: "The same program runs on each of them.",
+    choose: "Choose a robot",
+    simulated: "Simulated robot",
+    simulatedShort: "Simulated",
+    simulatedHint: "It lives in the room of this page, and nothing can break.",
+    free: "nobody has it",
+    has: (who: string) => `${who} has it`,
+    yours: "you have it",
+    who: "Your name, for the others to see",
+    locked: "The robots are locked. The person who started Rosy can tell you the code.",
+    code: "Code",
+    unlock: "Open",
+    take: "Take it",
+    leave: "Let go",
+    leaveHint: "The robot stands, and others may have it",
+    link: {connecting: "Looking for it…", connected: "Connected", lost: "Lost, looking for it…"},
+    safetyOn: "Backs off by itself",
+    safetyOnHint: "It backs off from walls and holes before your program may drive again.",
+    safetyOff: "Does not back off",
+    safetyOffHint: "Whoever started Rosy has switched that off for this robot: watch its way.",
+    backing: "Backing off…",
+    limits: (speed: number) => `at most ${speed.toFixed(1)} m/s`,
+    estop: "Emergency stop",
+    estopHint: "Stop the robot at once (Space)",
+    stopped: "Emergency stop: it stands.",
+    letDrive: "Let it drive again",
+    region: (name: string) => `The robot ${name}`,
+    floor: (name: string) => `The way of the robot ${name}, as it measures it itself; plus and minus zoom.`,
+  },
   goals: "Goals",
   goalStates: {open: "open", done: "done", missed: "missed"},
   hands: "Touch the robot",
@@ -185,6 +216,16 @@ export function noticeWords(notice: Notice): {readonly message: string; readonly
       return {
         message: "This browser has no room to keep your program.",
         hint: "Save it as a file with the menu at the top right.",
+      }
+    case "robot-gone":
+      return {
+        message: `You no longer have ${notice.name}.`,
+        hint: notice.why === "" ? "Take it again when you need it." : notice.why,
+      }
+    case "out-of-sight":
+      return {
+        message: `${notice.name} was stopped because nobody saw this page.`,
+        hint: "Keep the page in view while a real robot drives.",
       }
     case "opened-elsewhere":
       return {

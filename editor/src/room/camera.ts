@@ -31,10 +31,23 @@ export type Look = {readonly zoom: number; readonly x: number; readonly y: numbe
 
 const closest = 12
 
-/// The view of a world of `width` × `height` metres on a canvas of `w` × `h` pixels.
-export function lookAt(look: Look, width: number, height: number, w: number, h: number): Camera {
+/// The view of a world of `width` × `height` metres on a canvas of `w` × `h` pixels. `corner` is where its lower left
+/// corner is, in metres along both axes.
+export function lookAt(
+  look: Look,
+  width: number,
+  height: number,
+  w: number,
+  h: number,
+  corner: readonly [number, number] = [0, 0],
+): Camera {
   const whole = fit(width, height, w, h)
-  if (look === null) return whole
+  if (look === null)
+    return {
+      scale: whole.scale,
+      left: whole.left - corner[0] * whole.scale,
+      bottom: whole.bottom + corner[1] * whole.scale,
+    }
   const scale = whole.scale * look.zoom
   return {scale, left: w / 2 - look.x * scale, bottom: h / 2 + look.y * scale}
 }

@@ -13,7 +13,7 @@ import {type Palette, readPalette} from "./palette.ts"
 import {openPath} from "./path.ts"
 import {drawGhost, drawRobot} from "./robot.ts"
 import {type Thing, thingsOf} from "./things.ts"
-import {drawThings, drawWorld} from "./world.ts"
+import {cornerOf, drawThings, drawWorld} from "./world.ts"
 
 export interface RoomView {
   /// Draws the room as it is; answers whether something still moves, so that another frame is worth drawing.
@@ -141,7 +141,7 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
   const place = (world: World, pose: Pose) => {
     const [width, height] = world.size
     if (following) look = follow(look, pose, width, height, size.w, size.h)
-    camera = lookAt(look, width, height, size.w, size.h)
+    camera = lookAt(look, width, height, size.w, size.h, cornerOf(world))
     path.place(camera, size)
     if (world !== drawnWorld) ground.forget()
     drawnWorld = world

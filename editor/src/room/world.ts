@@ -11,6 +11,16 @@ export function drawWorld(
 ): void {
   const [width, height] = world.size
   ctx.fillStyle = palette.floor
+  if (world.open) {
+    const [left, bottom] = cornerOf(world)
+    ctx.save()
+    ctx.translate(left, bottom)
+    ctx.fillRect(0, 0, width, height)
+    drawGrid(ctx, width, height, palette, scale)
+    ctx.restore()
+    drawStart(ctx, palette, scale)
+    return
+  }
   ctx.fillRect(0, 0, width, height)
   drawGrid(ctx, width, height, palette, scale)
   drawTiles(ctx, world, palette, scale)
@@ -31,6 +41,23 @@ export function drawWorld(
   ctx.lineWidth = border
   ctx.strokeStyle = palette.wall
   ctx.strokeRect(-border / 2, -border / 2, width + border, height + border)
+}
+
+/// Where the lower left corner of the floor is: open floor lies around the start.
+export function cornerOf(world: World): readonly [number, number] {
+  return world.open ? [-world.size[0] / 2, -world.size[1] / 2] : [0, 0]
+}
+
+/// A cross where the robot started.
+function drawStart(ctx: CanvasRenderingContext2D, palette: Palette, scale: number): void {
+  ctx.strokeStyle = palette.wall
+  ctx.lineWidth = 1.5 / scale
+  ctx.beginPath()
+  ctx.moveTo(-0.08, 0)
+  ctx.lineTo(0.08, 0)
+  ctx.moveTo(0, -0.08)
+  ctx.lineTo(0, 0.08)
+  ctx.stroke()
 }
 
 /// A line every half metre, so that a learner can read distances.

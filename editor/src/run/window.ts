@@ -23,6 +23,8 @@ export function watchDark(changed: (dark: boolean) => void): void {
 }
 
 export interface Keys {
+  /// Space, wherever nobody types: stops a real robot that drives, or does nothing.
+  emergency(): boolean
   /// Space, where it does nothing else.
   space(): boolean
   /// Ctrl+Enter (Cmd+Enter on a Mac), anywhere.
@@ -40,6 +42,18 @@ function belongsElsewhere(target: EventTarget | null): boolean {
       "input, textarea, select, button, summary, [contenteditable=true], .blocks-host, dialog[open]",
     ) !== null
   )
+}
+
+/// Whether somebody types there.
+function isTyping(target: EventTarget | null): boolean {
+  return target instanceof Element && target.closest("input, textarea, [contenteditable=true]") !== null
+}
+
+/// Tells when the page is seen no more, in a hidden tab or on a locked screen.
+export function watchSight(lost: () => void): void {
+  document.addEventListener("visibilitychange", () => {
+    if (document.visibilityState === "hidden") lost()
+  })
 }
 
 /// Text fields keep their own undo while they are being edited.
@@ -64,6 +78,11 @@ export function watchKeys(keys: Keys): void {
   window.addEventListener(
     "keydown",
     event => {
+      if (event.key === " " && !isTyping(event.target) && keys.emergency()) {
+        event.preventDefault()
+        event.stopPropagation()
+        return
+      }
       const command = commandOf(event, keys)
       if (command === null) return
       event.preventDefault()

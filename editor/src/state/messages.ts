@@ -4,6 +4,7 @@
 import {readWorld} from "../worlds/read.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
 import {
+  boolean,
   type Decoded,
   type Decoder,
   decode,
@@ -16,6 +17,7 @@ import {
   parseJson,
   string,
 } from "./decode.ts"
+import type {Held, RobotName} from "./robots.ts"
 
 /// 1-based, counted in characters.
 export interface Place {
@@ -110,6 +112,8 @@ export type ServiceMessage =
   | {readonly op: "goals"; readonly run: number; readonly goals: readonly Goal[]}
   | {readonly op: "said"; readonly run: number; readonly time: number; readonly text: string}
   | {readonly op: "sound"; readonly run: number; readonly time: number; readonly sound: number}
+  | {readonly op: "robots"; readonly locked: boolean; readonly robots: readonly RobotName[]}
+  | {readonly op: "robot"; readonly robot: Omit<Held, "link"> & {readonly link: Held["link"] | "gone"}}
   | {readonly op: "refusal"; readonly message: string; readonly hint: string}
 
 /// How many seconds of the run pass in one of the learner's; `"max"` is as fast as it can.
@@ -149,6 +153,12 @@ export type PageMessage =
   | {readonly op: "resume"}
   | {readonly op: "forward"}
   | ({readonly op: "input"} & Hand)
+  | {readonly op: "unlock"; readonly code: string}
+  | {readonly op: "take"; readonly robot: string; readonly who: string; readonly run: number}
+  | {readonly op: "leave"}
+  | {readonly op: "estop"}
+  | {readonly op: "free"}
+  | {readonly op: "alive"}
 
 const place = object<Place>(get => ({line: get("line", number), column: get("column", number)}))
 
@@ -220,6 +230,23 @@ const goal = object<Goal>(get => ({
 
 const declared = object<Declared>(get => ({name: get("name", string), type: get("type", string)}))
 
+const robotName = object<RobotName>(get => ({
+  name: get("name", string),
+  holder: get("holder", optional(string, null)),
+  yours: get("yours", boolean),
+}))
+
+const robot = object(get => ({
+  name: get("name", string),
+  link: get("link", oneOf("connecting", "connected", "lost", "gone")),
+  why: get("why", string),
+  safety: get("safety", boolean),
+  backing: get("backing", boolean),
+  stopped: get("stopped", boolean),
+  maxSpeed: get("max_speed", number),
+  maxTurn: get("max_turn", number),
+}))
+
 const serviceMessage: Decoder<ServiceMessage> = (value, path) => {
   const op = object(get => get("op", string))(value, path)
   return object<ServiceMessage>(get => {
@@ -258,6 +285,10 @@ const serviceMessage: Decoder<ServiceMessage> = (value, path) => {
         return {op, run: get("run", number), time: get("time", number), text: get("text", string)}
       case "sound":
         return {op, run: get("run", number), time: get("time", number), sound: get("sound", number)}
+      case "robots":
+        return {op, locked: get("locked", boolean), robots: get("robots", list(robotName))}
+      case "robot":
+        return {op, robot: robot(value, "robot")}
       case "refusal":
         return {op, message: get("message", string), hint: get("hint", optional(string, ""))}
       default:

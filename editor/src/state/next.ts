@@ -7,6 +7,7 @@ import type {World} from "../worlds/world.ts"
 import {worldText, writeWorld} from "../worlds/write.ts"
 import {parseJson} from "./decode.ts"
 import {movedFix} from "./fixes.ts"
+import {drives, letGo, robotEvent, robotHeard, robotRefused} from "./helm.ts"
 import {type Document, emptyHistory, redo, remember, undo} from "./history.ts"
 import type {ServiceMessage} from "./messages.ts"
 import type {Order, PageEvent, PageState, Step} from "./page.ts"
@@ -23,8 +24,12 @@ const sending = (state: PageState, ...messages: (Order & {kind: "send"})["messag
 
 export function next(state: PageState, event: PageEvent): Step {
   switch (event.kind) {
-    case "link-lost":
-      return still({...state, link: "lost", accepted: false, run: nextRun(state.run, {kind: "lost"})})
+    case "link-lost": {
+      // A robot in this page's hands stands now, and is anybody's.
+      const lost = state.robots.held === null ? state : letGo(state)
+      const run = nextRun(state.run, {kind: "lost"})
+      return still({...lost, link: "lost", accepted: false, run, robots: {...lost.robots, offered: null}})
+    }
     case "heard":
       return heard(state, event.message)
     case "run-pressed":
@@ -35,7 +40,7 @@ export function next(state: PageState, event: PageEvent): Step {
       return state.run.kind === "waiting" ? still(stopped) : sending(stopped, {op: "stop"})
     }
     case "reset-pressed": {
-      const room = clearRoom(state.room, null)
+      const room = clearRoom(state.room, state.robots.held === null ? null : state.runs)
       const run = nextRun(state.run, event)
       return sending({...state, run, room, lines: [], findings: {...state.findings, run: []}}, {op: "reset"})
     }
@@ -44,19 +49,28 @@ export function next(state: PageState, event: PageEvent): Step {
       // The end of the run is now: from there the picture goes on.
       const lookedAt = event.time === null || event.time >= last ? null : event.time
       const looking = {...state, room: {...state.room, lookedAt}}
-      const stands = lookedAt !== null && state.clock === "going" && isActive(state.run)
+      // A real robot does not wait while somebody looks back.
+      const stands =
+        lookedAt !== null && state.clock === "going" && isActive(state.run) && state.robots.held === null
       return stands ? sending({...looking, clock: "standing"}, {op: "pause"}) : still(looking)
     }
     case "hand":
-      return state.run.kind === "running"
+      return state.run.kind === "running" && state.robots.held === null
         ? sending(present(state), {op: "input", ...event.hand})
         : still(state)
     case "held":
       return still({...state, room: {...state.room, held: event.thing}})
+    case "robots-unlocked":
+    case "robot-taken":
+    case "robot-left":
+    case "estop-pressed":
+    case "free-pressed":
+    case "out-of-sight":
+      return robotEvent(state, event)
     case "charted":
       return still({...state, charts: event.quantities})
     case "pause-pressed":
-      return isActive(state.run) && state.clock === "going"
+      return isActive(state.run) && state.clock === "going" && !drives(state)
         ? sending({...state, clock: "standing"}, {op: "pause"})
         : still(state)
     case "resume-pressed":
@@ -73,7 +87,7 @@ export function next(state: PageState, event: PageEvent): Step {
     }
     case "opened": {
       const {opened} = event
-      const room = clearRoom(state.room, null)
+      const room = clearRoom(state.room, state.robots.held === null ? null : state.runs)
       const fresh: PageState = {
         ...state,
         name: opened.name,
@@ -135,7 +149,9 @@ export function next(state: PageState, event: PageEvent): Step {
       )
     case "world-editor-opened": {
       const {world} = state.room
-      return still(world === null ? state : {...state, worldEditor: openEditor(world)})
+      // A real robot has no room that could be changed.
+      if (world === null || state.robots.held !== null) return still(state)
+      return still({...state, worldEditor: openEditor(world)})
     }
     case "world-edited":
       return still(
@@ -233,7 +249,8 @@ function takeWorld(state: PageState, world: World): Step {
     worldName: file,
     saved: "changed",
     run: nextRun(state.run, {kind: "reset-pressed"}),
-    room: {...clearRoom(state.room, null), world},
+    // Below a real robot its floor stays.
+    room: state.robots.held === null ? {...clearRoom(state.room, null), world} : state.room,
   }
   return state.link === "open" ? sending(taken, {op: "world", world: file}) : still(taken)
 }
@@ -303,7 +320,12 @@ function heard(state: PageState, message: ServiceMessage): Step {
     case "worker":
       return still({...state, worker: message.state})
     case "world":
-      return still({...state, room: {...state.room, world: message.world}})
+      return state.robots.held === null
+        ? still({...state, room: {...state.room, world: message.world}})
+        : still(state)
+    case "robots":
+    case "robot":
+      return robotHeard(state, message)
     case "checked": {
       if (message.id !== state.checks) return still(state)
       const compiler = message.problems.map(p => locate(state.document.program, p, "compiler"))
@@ -353,6 +375,9 @@ function heard(state: PageState, message: ServiceMessage): Step {
       return state.muted ? still(played) : {state: played, orders: [{kind: "play", sound: message.sound}]}
     }
     case "refusal":
+      // What is about robots is said in their dialog.
+      if (state.dialog === "robots" || state.robots.offered?.locked)
+        return still(robotRefused(state, message.message))
       return still({...state, notice: {kind: "refusal", message: message.message, hint: message.hint}})
     default:
       return unreachable(message)

@@ -5,6 +5,7 @@ import type {WorldFile} from "../worlds/world.ts"
 import {type Changer, type Document, emptyDocument, emptyHistory, type History} from "./history.ts"
 import type {Declared, Hand, PageMessage, ServiceMessage, Speed, WorkerState} from "./messages.ts"
 import type {BlockId, Finding} from "./program.ts"
+import {noRobots, type RobotsState} from "./robots.ts"
 import {type ConsoleLine, emptyRoom, type RoomState, type TrailStyle} from "./room.ts"
 import type {RunState} from "./run.ts"
 
@@ -39,6 +40,8 @@ export type Notice =
   | {readonly kind: "no-reader"}
   | {readonly kind: "not-saved"}
   | {readonly kind: "opened-elsewhere"}
+  | {readonly kind: "robot-gone"; readonly name: string; readonly why: string}
+  | {readonly kind: "out-of-sight"; readonly name: string}
 
 export interface Opened {
   readonly name: string
@@ -67,6 +70,7 @@ export interface PageState {
   /// The program's own names with the types that the compiler found.
   readonly declared: readonly Declared[]
   readonly room: RoomState
+  readonly robots: RobotsState
   readonly lines: readonly ConsoleLine[]
   readonly findings: {
     readonly compiler: readonly Finding[]
@@ -80,7 +84,7 @@ export interface PageState {
   readonly selectedIn: "blocks" | "haskell"
   readonly welcome: "fresh" | "ran" | "over"
   readonly gallery: Gallery
-  readonly dialog: "gallery" | "menu" | "sight" | null
+  readonly dialog: "gallery" | "menu" | "sight" | "robots" | null
   readonly notice: Notice | null
   readonly view: View
   readonly region: Region
@@ -124,6 +128,7 @@ export const firstPage: PageState = {
   speed: 1,
   declared: [],
   room: emptyRoom,
+  robots: noRobots,
   lines: [],
   findings: {compiler: [], run: []},
   accepted: false,
@@ -163,6 +168,14 @@ export type PageEvent =
   | {readonly kind: "hand"; readonly hand: Hand}
   /// The keyboard takes hold of a movable thing, or of the robot again.
   | {readonly kind: "held"; readonly thing: number | null}
+  /// The learner gave the code of the real robots, or the page remembered it.
+  | {readonly kind: "robots-unlocked"; readonly code: string}
+  | {readonly kind: "robot-taken"; readonly robot: string; readonly who: string}
+  | {readonly kind: "robot-left"}
+  | {readonly kind: "estop-pressed"}
+  | {readonly kind: "free-pressed"}
+  /// The page is seen no more, in a hidden tab or on a locked screen.
+  | {readonly kind: "out-of-sight"}
   | {readonly kind: "speed-chosen"; readonly speed: Speed}
   | {readonly kind: "opened"; readonly opened: Opened}
   /// The learner changed the program in one of its views, or by a command; `at` is now, in milliseconds.

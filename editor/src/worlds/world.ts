@@ -71,6 +71,8 @@ export interface World {
   readonly rounds: readonly Round[]
   readonly goals: readonly WorldGoal[]
   readonly realism: Realism | null
+  /// Floor without walls around (0, 0), below a real robot whose room nobody knows. Never in a file.
+  readonly open?: true
 }
 
 /// A world as it stands in a file: JSON.

@@ -162,8 +162,8 @@ emergency h base = do
   t <- getMonotonicTime
   atomically (writeTVar (stoppedAt h) (Just t))
   standing h base
-  stopRun h
   tellLine h (stoppedLine True)
+  stopRun h
 
 runProgram :: Target -> Base -> Hold -> Socket -> IO ()
 runProgram target base h socket = do

@@ -1,0 +1,73 @@
+/// A Kobuki that is not there and a Rosy that may drive it. The base is the emulator of the robots' suite: a
+/// pseudo-terminal that answers as a Kobuki does, and tells what it was told.
+
+import {type ChildProcess, spawn} from "node:child_process"
+import {mkdtempSync} from "node:fs"
+import {tmpdir} from "node:os"
+import {join} from "node:path"
+import {createInterface} from "node:readline"
+
+const root = new URL("../..", import.meta.url).pathname
+
+/// A program and the lines it says.
+class Talker {
+  readonly process: ChildProcess
+  private readonly said: string[] = []
+  private waiting: (() => void) | null = null
+
+  constructor(command: string, args: readonly string[]) {
+    this.process = spawn(command, args, {cwd: root, stdio: ["pipe", "pipe", "inherit"]})
+    if (this.process.stdout === null) throw new Error(`expected ${command} to have an output`)
+    createInterface(this.process.stdout).on("line", line => {
+      this.said.push(line)
+      this.waiting?.()
+    })
+  }
+
+  ask(line: string): void {
+    this.process.stdin?.write(`${line}\n`)
+  }
+
+  /// The next line that fits; those before it are dropped.
+  async says(wanted: RegExp): Promise<RegExpExecArray> {
+    for (;;) {
+      for (let line = this.said.shift(); line !== undefined; line = this.said.shift()) {
+        const found = wanted.exec(line)
+        if (found !== null) return found
+      }
+      await new Promise<void>(resolve => {
+        this.waiting = resolve
+      })
+    }
+  }
+}
+
+export interface Rig {
+  readonly base: Talker
+  /// Of the page, without and with the code.
+  readonly address: string
+  readonly opened: string
+  readonly code: string
+  close(): void
+}
+
+export async function openRig(): Promise<Rig> {
+  const folder = mkdtempSync(join(tmpdir(), "rosy-e2e-"))
+  const emulator = join(root, "rosy-hs", "test-robots", "peers", "kobuki.py")
+  const base = new Talker("/usr/bin/python3", [emulator, join(folder, "kobuki")])
+  const device = (await base.says(/^plugged (.*)$/))[1]
+  const port = 30_000 + Math.floor(Math.random() * 10_000)
+  const args = ["start", "--no-browser", "--port", String(port), "--robot", `Kitchen=serial:${device}`]
+  const service = new Talker(join(root, "rosy"), args)
+  const [, code = "", opened = ""] = await service.says(/the code (\S+): (\S+)$/)
+  return {
+    base,
+    code,
+    opened,
+    address: opened.replace(/#.*/, ""),
+    close() {
+      service.process.kill("SIGTERM")
+      base.process.kill("SIGKILL")
+    },
+  }
+}

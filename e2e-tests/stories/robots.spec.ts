@@ -1,0 +1,131 @@
+/// A learner drives a real robot from the page: chooses it, sees it connect, runs, watches, and stops it in every way.
+
+import {execFileSync} from "node:child_process"
+import {expect, test} from "@playwright/test"
+import {Learner, until} from "./learner.ts"
+import {openRig, type Rig} from "./robot.ts"
+
+const rosy = new URL("../../rosy", import.meta.url).pathname
+
+let rig: Rig
+test.beforeAll(async () => {
+  rig = await openRig()
+})
+test.afterAll(() => rig.close())
+
+class Driver extends Learner {
+  /// Opens the page with the code in its address, as the operator's terminal prints it.
+  async arrives(): Promise<void> {
+    await this.page.goto(rig.opened.replace("#", "?example=move#"))
+    await expect(this.haskell()).toContainText("simulate")
+    expect(this.page.url()).not.toContain(rig.code)
+  }
+
+  async takes(who: string): Promise<void> {
+    await this.page.getByTestId("robot-choice").click()
+    await this.page.getByLabel("Your name").fill(who)
+    await this.page.getByRole("button", {name: "Take it: Kitchen"}).click()
+    await expect(this.page.getByTestId("robot-link")).toHaveText("Connected")
+  }
+
+  async drives(): Promise<void> {
+    await this.runs()
+    await expect(this.status()).toHaveText("Running")
+    await rig.base.says(/^control 0\.[1-9]/)
+  }
+}
+
+test("chooses a robot, sees it connect, runs, watches it move, and stops it", async ({page}) => {
+  const learner = new Driver(page)
+  await learner.arrives()
+  await learner.takes("Anna")
+  await expect(page.getByTestId("robot-safety")).toHaveText("Backs off by itself")
+  await learner.drives()
+  await until(learner.robot("x"), x => x > 0.05)
+  await until(learner.robot("speed"), v => v > 0.1)
+  rig.base.ask("bump 4")
+  await expect(page.getByTestId("robot-safety")).toHaveText("Backing off…")
+  await expect(learner.console()).toContainText("Bumper LeftBumper Pressed")
+  rig.base.ask("bump 0")
+  await page.getByRole("tab", {name: "Charts"}).click()
+  await learner.keeps("robot")
+  rig.base.ask("mark")
+  await learner.stops()
+  await rig.base.says(/^stood /)
+  await page.getByRole("button", {name: "Let go"}).click()
+  await expect(page.getByTestId("robotbar")).toHaveCount(0)
+})
+
+test("another page sees who has the robot, and takes it when it is free", async ({page, browser}) => {
+  const learner = new Driver(page)
+  await learner.arrives()
+  await learner.takes("Anna")
+  const other = new Driver(await browser.newPage())
+  await other.page.goto(rig.address)
+  await other.page.getByTestId("robot-choice").click()
+  await other.page.getByLabel("Code").fill("12345678")
+  await other.page.getByRole("button", {name: "Open", exact: true}).click()
+  await expect(other.page.getByRole("alert")).toContainText("not the code")
+  await other.page.getByLabel("Code").fill(rig.code)
+  await other.page.getByRole("button", {name: "Open", exact: true}).click()
+  const kitchen = other.page.getByTestId("robot Kitchen")
+  await expect(kitchen).toContainText("Anna has it")
+  await expect(kitchen.getByRole("button")).toHaveCount(0)
+  await page.close()
+  await expect(kitchen).toContainText("nobody has it")
+  await kitchen.getByRole("button").click()
+  await expect(other.page.getByTestId("robot-link")).toHaveText("Connected")
+  await other.page.close()
+})
+
+test("the emergency stop works on its button, on the space bar, and from a terminal", async ({page}) => {
+  const learner = new Driver(page)
+  await learner.arrives()
+  await learner.takes("Anna")
+  const stops: readonly (() => Promise<void> | void)[] = [
+    () => page.getByTestId("estop").click(),
+    () => page.keyboard.press("Space"),
+    () => {
+      execFileSync(rosy, ["estop"])
+    },
+  ]
+  for (const stop of stops) {
+    await learner.drives()
+    rig.base.ask("mark")
+    await stop()
+    await rig.base.says(/^stood /)
+    await expect(page.getByTestId("robot-link")).toHaveText("Emergency stop: it stands.")
+    await expect(learner.status()).toHaveText("Stopped")
+    await page.getByRole("button", {name: "Let it drive again"}).click()
+    await expect(page.getByTestId("robot-link")).toHaveText("Connected")
+  }
+})
+
+test("the robot stands when the page hangs, and the emergency stop of a terminal still reaches it", async ({
+  page,
+}) => {
+  const learner = new Driver(page)
+  await learner.arrives()
+  await learner.takes("Anna")
+  await learner.drives()
+  rig.base.ask("mark")
+  // The page answers nobody any more, until its tab is closed.
+  void page
+    .evaluate(() => {
+      for (;;);
+    })
+    .catch(() => {})
+  await rig.base.says(/^stood /)
+  execFileSync(rosy, ["estop"])
+  await page.close()
+})
+
+test("the robot stands when the page is closed", async ({page}) => {
+  const learner = new Driver(page)
+  await learner.arrives()
+  await learner.takes("Anna")
+  await learner.drives()
+  rig.base.ask("mark")
+  await page.close()
+  await rig.base.says(/^stood /)
+})

@@ -1,0 +1,161 @@
+/// Where a robot is chosen: the simulated one, or one of those that the person who started Rosy lets pages drive.
+
+import type {VNode} from "preact"
+import {useEffect, useRef, useState} from "preact/hooks"
+import type {RobotName} from "../state/robots.ts"
+import {CloseIcon} from "./icons.tsx"
+import {useDesk, usePage} from "./pick.ts"
+import {words} from "./words.ts"
+
+export function RobotsDialog(): VNode {
+  const {store} = useDesk()
+  const open = usePage(s => s.dialog === "robots")
+  const dialog = useRef<HTMLDialogElement>(null)
+  useEffect(() => {
+    if (open) dialog.current?.showModal()
+    else dialog.current?.close()
+  }, [open])
+  const close = () => store.dispatch({kind: "dialog", dialog: null})
+  return (
+    // A click on the backdrop is a click on the dialog itself; Escape closes it through `onClose`.
+    <dialog
+      class="gallery robots"
+      ref={dialog}
+      aria-labelledby="robots-title"
+      onClose={close}
+      onClick={event => event.target === event.currentTarget && close()}
+      onKeyDown={event => event.stopPropagation()}
+    >
+      {open && (
+        <div class="gallery-body">
+          <header>
+            <div>
+              <h2 id="robots-title">{words.robots.title}</h2>
+              <p class="quiet">{words.robots.lead}</p>
+            </div>
+            <button type="button" class="plain icon" aria-label={words.close} onClick={close}>
+              <CloseIcon />
+            </button>
+          </header>
+          <Choices close={close} />
+        </div>
+      )}
+    </dialog>
+  )
+}
+
+function Choices({close}: {close: () => void}): VNode {
+  const {store} = useDesk()
+  const offered = usePage(s => s.robots.offered)
+  const held = usePage(s => s.robots.held)
+  const known = usePage(s => s.robots.who)
+  const refused = usePage(s => s.robots.refused)
+  const [who, setWho] = useState(known)
+  const w = words.robots
+  const simulate = () => {
+    store.dispatch({kind: "robot-left"})
+    close()
+  }
+  return (
+    <>
+      <ul class="robot-list">
+        <Robot
+          name={w.simulated}
+          hint={w.simulatedHint}
+          current={held === null}
+          choose={held === null ? null : simulate}
+        />
+        {offered?.robots.map(robot => (
+          <Robot
+            key={robot.name}
+            name={robot.name}
+            hint={holder(robot)}
+            current={robot.yours && held !== null}
+            choose={
+              robot.holder === null
+                ? () => store.dispatch({kind: "robot-taken", robot: robot.name, who})
+                : null
+            }
+          />
+        ))}
+      </ul>
+      {offered?.locked === false && (
+        <label class="field">
+          <span>{w.who}</span>
+          <input
+            type="text"
+            value={who}
+            maxLength={40}
+            autocomplete="off"
+            onInput={event => setWho(event.currentTarget.value)}
+          />
+        </label>
+      )}
+      {offered?.locked && <Lock />}
+      {refused !== null && (
+        <p class="refused" role="alert">
+          {refused}
+        </p>
+      )}
+    </>
+  )
+}
+
+function holder(robot: RobotName): string {
+  if (robot.yours) return words.robots.yours
+  return robot.holder === null ? words.robots.free : words.robots.has(robot.holder)
+}
+
+interface RobotProps {
+  readonly name: string
+  readonly hint: string
+  readonly current: boolean
+  readonly choose: (() => void) | null
+}
+
+function Robot({name, hint, current, choose}: RobotProps): VNode {
+  return (
+    <li class={current ? "current" : ""} data-testid={`robot ${name}`}>
+      <span>
+        <b>{name}</b>
+        <span class="quiet">{hint}</span>
+      </span>
+      {choose !== null && (
+        <button type="button" class="plain" aria-label={`${words.robots.take}: ${name}`} onClick={choose}>
+          {words.robots.take}
+        </button>
+      )}
+    </li>
+  )
+}
+
+function Lock(): VNode {
+  const {store} = useDesk()
+  const [code, setCode] = useState("")
+  return (
+    <form
+      class="lock"
+      onSubmit={event => {
+        event.preventDefault()
+        if (code !== "") store.dispatch({kind: "robots-unlocked", code})
+      }}
+    >
+      <p>{words.robots.locked}</p>
+      <label class="field">
+        <span>{words.robots.code}</span>
+        <input
+          type="text"
+          value={code}
+          maxLength={20}
+          autocomplete="off"
+          autocapitalize="none"
+          spellcheck={false}
+          onInput={event => setCode(event.currentTarget.value)}
+        />
+      </label>
+      <button type="submit" class="plain">
+        {words.robots.unlock}
+      </button>
+    </form>
+  )
+}
