@@ -25,9 +25,10 @@ import System.Posix.User (getEffectiveUserID)
 
 -- | Where this user's robots are announced.
 folder :: IO FilePath
-folder = lookupEnv "XDG_RUNTIME_DIR" >>= \runtime -> case runtime of
-  Just d | not (null d) -> pure (d ++ "/rosy")
-  _ -> (\user -> "/tmp/rosy-" ++ show user) <$> getEffectiveUserID
+folder =
+  lookupEnv "XDG_RUNTIME_DIR" >>= \runtime -> case runtime of
+    Just d | not (null d) -> pure (d ++ "/rosy")
+    _ -> (\user -> "/tmp/rosy-" ++ show user) <$> getEffectiveUserID
 
 -- | While the action runs, others know that this process drives the robot at this address.
 announced :: String -> IO a -> IO a

@@ -27,6 +27,7 @@ import qualified Data.Aeson as Aeson
 import Data.Aeson.Types (parseMaybe)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as L
+import Data.Maybe (isNothing)
 import Data.Text (Text)
 import GHC.Clock (getMonotonicTime)
 import Network.Socket (Socket)
@@ -171,7 +172,7 @@ runProgram target base h socket = do
   t <- getMonotonicTime
   held <- atomically $ do
     held <- readTVar (stoppedAt h)
-    when (held == Nothing) $ do
+    when (isNothing held) $ do
       writeTVar (running h) (Just stop)
       writeTVar (aliveAt h) t
       writeTVar (began h) t
