@@ -7,7 +7,6 @@ module Main (main) where
 import Rosy ()
 import Test.Tasty (defaultMain, localOption, testGroup)
 import Test.Tasty.Runners (NumThreads (..))
-import qualified Test.Worker.Attacks as Attacks
 import Test.Worker.Client (withWorker)
 import qualified Test.Worker.Conversation as Conversation
 import qualified Test.Worker.Gallery as Gallery
@@ -20,4 +19,4 @@ main :: IO ()
 main = withWorker [] $ \worker -> do
   gallery <- Gallery.tests (pure worker)
   conversations <- Conversation.tests (pure worker)
-  defaultMain (localOption (NumThreads 1) (testGroup "worker" [Wire.tests, conversations, gallery, Places.tests (pure worker), Life.tests (pure worker), Attacks.tests]))
+  defaultMain (localOption (NumThreads 1) (testGroup "worker" [Wire.tests, conversations, gallery, Places.tests (pure worker), Life.tests (pure worker)]))

@@ -23,7 +23,7 @@ main = do
   serve
     Config
       { socket = socketFd options,
-        settings = Settings {layers = withLayers options, compileMemory = checkMemory options, nullFd = empty},
+        settings = Settings {layers = withLayers options, compileMemory = checkMemory options, runSeconds = runCpu options, nullFd = empty},
         compileSeconds = checkSeconds options,
         checksAtOnce = checksTogether options
       }

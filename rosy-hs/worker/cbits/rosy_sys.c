@@ -191,6 +191,17 @@ int rosy_limit_data(uint64_t bytes) {
   return setrlimit(RLIMIT_DATA, &data);
 }
 
+/* The kernel ends this process when it has computed for so many seconds more. */
+int rosy_limit_cpu(uint64_t seconds) {
+  struct rusage used;
+  if (getrusage(RUSAGE_SELF, &used) < 0) return -1;
+  struct rlimit cpu = {used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + seconds, RLIM_INFINITY};
+  struct rlimit now;
+  if (getrlimit(RLIMIT_CPU, &now) < 0) return -1;
+  cpu.rlim_max = now.rlim_max;
+  return setrlimit(RLIMIT_CPU, &cpu);
+}
+
 /* The kernel refuses more private memory than this, and further processes and threads. */
 int rosy_limit_process(uint64_t data_bytes) {
   struct rlimit data = {data_bytes, data_bytes}, none = {0, 0};

@@ -31,7 +31,6 @@ module Test.Worker.Client
     say,
     listen,
     linesUntil,
-    everythingFor,
     closeLink,
 
     -- * Looking at processes
@@ -189,17 +188,6 @@ linesUntil op link = do
     Just l
       | text "op" l == op || text "op" l == "ended" -> pure [l]
       | otherwise -> (l :) <$> linesUntil op link
-
--- | All bytes until the program has settled or ended or closed the link, for at most so many microseconds.
-everythingFor :: Int -> Link -> IO ByteString
-everythingFor limit (Link s _) = do
-  parts <- newIORef []
-  let go = do
-        more <- fromRight "" <$> (try (recv s 262144) :: IO (Either IOException ByteString))
-        modifyIORef' parts (more :)
-        unless (ByteString.null more || any (`ByteString.isInfixOf` more) ["\"op\":\"settled\"", "\"op\":\"ended\""]) go
-  _ <- timeout limit go
-  ByteString.concat . reverse <$> readIORef parts
 
 closeLink :: Link -> IO ()
 closeLink (Link s _) = void (try (close s) :: IO (Either SomeException ()))

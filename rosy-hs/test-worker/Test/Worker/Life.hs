@@ -3,7 +3,7 @@
 -- |
 -- Module      : Test.Worker.Life
 -- Description : Children come and go, and nothing of them stays.
-module Test.Worker.Life (tests, odometry, start) where
+module Test.Worker.Life (tests) where
 
 import Control.Monad (forM_, replicateM, replicateM_)
 import Data.Aeson (Value (..), object, toJSON, (.=))
@@ -80,6 +80,27 @@ tests borrow =
           gone <- hear worker
           let told = [text "kind" (field "problem" l) | l <- said ++ [gone], field "problem" l /= Null]
           assertBool (show (said, gone)) ("memory" `elem` told),
+      testCase "a program that has computed for too long ends with a sentence" $
+        withWorker ["--run-seconds", "1"] $ \worker ->
+          withRun worker "busy" stuck (64 * megabytes) $ \link -> do
+            _ <- hear worker
+            say link start
+            _ <- linesUntil "ready" link
+            say link odometry
+            say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
+            gone <- hear worker
+            (text "op" gone, text "kind" (field "problem" gone), text "firing" gone) @?= ("gone", "time", "forEver"),
+      testCase "Safe Haskell alone refuses what is unsafe" $
+        withWorker ["--without", "lists"] $ \worker -> do
+          forM_ ["System.IO.Unsafe", "Unsafe.Coerce", "GHC.Exts", "GHC.IO", "Foreign.ForeignPtr.Unsafe", "Control.Monad.ST.Unsafe", "GHC.Conc", "GHC.Ptr"] $ \m -> do
+            answer <- ask worker (check (Number 1) ("import " <> m <> "\nmain = pure ()\n"))
+            (m, kinds answer) @?= (m, ["import"])
+          forM_ ["System.IO", "Data.IORef", "Data.List", "Data.Map"] $ \m -> do
+            answer <- ask worker (check (Number 1) ("import " <> m <> "\nmain = pure ()\n"))
+            (m, kinds answer) @?= (m, [])
+          forM_ ["{-# LANGUAGE TemplateHaskell #-}\nmain = $(undefined)", "{-# LANGUAGE Trustworthy #-}\nimport System.IO.Unsafe\nmain = pure ()"] $ \source -> do
+            answer <- ask worker (check (Number 1) source)
+            assertBool (show (source, answer)) (not (null (kinds answer))),
       testCase "the same source again gets the same answer" $ do
         worker <- borrow
         first <- ask worker (check (Number 1) stuck)

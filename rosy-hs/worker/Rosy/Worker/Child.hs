@@ -37,8 +37,10 @@ import System.Posix.Types (Fd (..))
 
 -- | The protections, each of which can be switched off to see what the others catch.
 data Layers = Layers
-  { -- | The import list and refused extensions.
+  { -- | Safe Haskell, and what goes beyond it.
     language :: Bool,
+    -- | The lists of modules and extensions.
+    lists :: Bool,
     -- | The seccomp filters.
     systemCalls :: Bool,
     -- | Memory and process limits.
@@ -46,12 +48,14 @@ data Layers = Layers
   }
 
 allLayers :: Layers
-allLayers = Layers True True True
+allLayers = Layers True True True True
 
 data Settings = Settings
   { layers :: Layers,
     -- | Bytes a check may take beyond what the worker has already.
     compileMemory :: Word64,
+    -- | Seconds that a run may compute, all its steps together.
+    runSeconds :: Word64,
     nullFd :: Fd
   }
 
@@ -75,10 +79,15 @@ answerChild settings session answer question = alone answer $ do
 -- | The report, and the program if it may run.
 judge :: Settings -> Aim -> Session -> Text -> IO (Report, Maybe Ready)
 judge settings aim session source = do
-  found <- analyse (if language (layers settings) then Guarded else Unguarded) aim session source
+  found <- analyse guarded aim session source
   let all' = refusals found ++ explainAll (outline found) (messages found)
       report = Report all' (declared found) (connected found) (typed found)
   pure (report, if any isError all' then Nothing else ready found)
+  where
+    guarded
+      | not (language (layers settings)) = Unguarded
+      | lists (layers settings) = Guarded
+      | otherwise = OnlySafe
 
 -- | Answers @started@ or @refused@ with a letter before the line, then runs the program over the link.
 runChild :: Settings -> Session -> Fd -> Fd -> Page -> Word64 -> Text -> IO ()
@@ -97,6 +106,7 @@ runChild settings session answer link page memory source = alone answer $ do
       when (limits (layers settings)) $ do
         size <- dataSize
         limitHeap memory
+        limitCpu (runSeconds settings)
         limitProcess (size + 2 * memory + heapSlack)
       now <- getMonotonicTime
       writeAll answer ("S" <> line ["problems" .= found, "compile" .= (now - began)])
@@ -110,6 +120,10 @@ runChild settings session answer link page memory source = alone answer $ do
 heapSlack :: Word64
 heapSlack = 64 * 1024 * 1024
 
+-- | Seconds of computing for a check, should its parent not end it in time.
+compileCpu :: Word64
+compileCpu = 60
+
 begin :: Settings -> [Fd] -> IO ()
 begin settings keep = do
   beginChild keep (nullFd settings)
@@ -117,6 +131,7 @@ begin settings keep = do
     size <- dataSize
     -- Only the kernel's limit: close to its own, the run-time system would collect for minutes before it gives up.
     limitData (size + compileMemory settings)
+    limitCpu compileCpu
   when (systemCalls (layers settings)) filterCompiling
 
 -- | Lives as a program's main does, so that a full heap is an exception there, and leaves at once. What went wrong

@@ -35,9 +35,11 @@ import qualified Data.Text as Text
 import Data.Word (Word32)
 import Foreign.C.Types (CInt)
 import Foreign.Ptr (Ptr)
+import GHC.Core.Opt.Monad (CoreToDo (..))
 import GHC.Data.Bag (bagToList, filterBag)
 import GHC.Data.StringBuffer (stringToStringBuffer)
 import GHC.Driver.Pipeline (compileOne')
+import GHC.Driver.Plugins (Plugin (..), PluginWithArgs (..), StaticPlugin (..), defaultPlugin)
 import GHC.Driver.Session (DynFlags (..), SafeHaskellMode (..), xopt_set)
 import GHC.Driver.Types
 import GHC.Hs hiding (Warning)
@@ -151,7 +153,9 @@ analyse guarded aim session source = do
     Right flags -> case readProgram flags columns buffer of
       Left raws -> pure (stopped [] raws)
       Right (L at parsed, warnings) -> do
-        let refused = if guarded == Guarded then refusalsIn columns source parsed else []
+        let listed = if guarded == Guarded then refusalsIn columns source parsed else []
+        unsafe <- if guarded == Unguarded || not (null listed) then pure [] else unsafeImports (environment session) {hsc_dflags = flags} columns parsed
+        let refused = listed ++ unsafe
         if null refused
           then check aim session flags columns source (L at parsed) warnings
           else pure (stopped refused warnings)
@@ -159,9 +163,14 @@ analyse guarded aim session source = do
     columns = columnsOf source
     buffer = stringToStringBuffer (Text.unpack source)
     allowing flags
-      | guarded == Guarded = flags
-      | otherwise = (xopt_set flags ForeignFunctionInterface) {safeHaskell = Sf_None}
+      | guarded /= Unguarded = flags
+      | otherwise = (xopt_set flags ForeignFunctionInterface) {safeHaskell = Sf_None, staticPlugins = [StaticPlugin (PluginWithArgs withoutStubs [])]}
     stopped found raws = Analysis found raws (noOutline source) [] [] [] Nothing
+
+-- | For the tests of the other protections: a program that calls foreign functions is linked without the C file that the
+-- compiler would write for it, and could not, so that the calls are made and the other protections have something to stop.
+withoutStubs :: Plugin
+withoutStubs = defaultPlugin {installCoreToDos = \_ passes -> pure (CoreDoPluginPass "without stubs" (\guts -> pure guts {mg_foreign = NoStubs}) : passes)}
 
 -- * Checking
 

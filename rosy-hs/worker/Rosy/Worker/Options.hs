@@ -28,19 +28,20 @@ data Options = Options
     withLayers :: Layers,
     checkSeconds :: Double,
     checkMemory :: Word64,
-    checksTogether :: Int
+    checksTogether :: Int,
+    runCpu :: Word64
   }
 
 usage :: String
 usage =
   unlines
     [ "rosy-worker [--fd N] [--package-db DIR] [--rosy-unit ID] [--libdir DIR]",
-      "            [--check-seconds S] [--check-memory BYTES] [--checks N] [--without language|system-calls|limits]",
+      "            [--check-seconds S] [--check-memory BYTES] [--checks N] [--run-seconds S] [--without language|lists|system-calls|limits]",
       "Serves one Unix stream socket, descriptor 3 unless told otherwise. See protocol/README.md, section 3."
     ]
 
 parseOptions :: [String] -> Either String Options
-parseOptions = go (Options 3 [] Nothing Nothing allLayers 10 (512 * 1024 * 1024) 2)
+parseOptions = go (Options 3 [] Nothing Nothing allLayers 10 (512 * 1024 * 1024) 2 3600)
   where
     go o arguments = case arguments of
       [] -> Right o
@@ -51,10 +52,12 @@ parseOptions = go (Options 3 [] Nothing Nothing allLayers 10 (512 * 1024 * 1024)
       "--check-seconds" : n : rest | Just x <- readMaybe n, x > 0 -> go o {checkSeconds = x} rest
       "--check-memory" : n : rest | Just x <- readMaybe n -> go o {checkMemory = x} rest
       "--checks" : n : rest | Just x <- readMaybe n, x > 0 -> go o {checksTogether = x} rest
+      "--run-seconds" : n : rest | Just x <- readMaybe n, x > 0 -> go o {runCpu = x} rest
       "--without" : l : rest | Just f <- lookup l layerNames -> go o {withLayers = f (withLayers o)} rest
       other : _ -> Left ("rosy-worker does not understand " ++ other ++ ".\n" ++ usage)
     layerNames =
       [ ("language", \l -> l {language = False}),
+        ("lists", \l -> l {lists = False}),
         ("system-calls", \l -> l {systemCalls = False}),
         ("limits", \l -> l {limits = False})
       ]

@@ -282,7 +282,7 @@ bury pid how s = case Map.lookup pid (jobs s) of
         freePage page
         pure $
           if started
-            then reply (gone (if Text.null firing || isExit how then Nothing else Just firing) (if outOfMemory how then Just memoryProblem else Nothing)) rest
+            then reply (gone (if Text.null firing || isExit how then Nothing else Just firing) (endedBy how)) rest
             else
               if answered job
                 then rest
@@ -294,6 +294,10 @@ bury pid how s = case Map.lookup pid (jobs s) of
     fieldsOf question p = Lazy.toStrict . encode . object $ case question of
       Check _ -> reportFields (emptyReport [p])
       Complete _ _ -> completionFields (Completion Nothing [])
+    endedBy ended
+      | outOfMemory ended = Just memoryProblem
+      | ended == Signalled tookTooLong = Just timeProblem
+      | otherwise = Nothing
     isExit (Exited n) = n /= ranOutOfMemory
     isExit _ = False
 
@@ -303,7 +307,12 @@ outOfMemory how = how `elem` [Exited ranOutOfMemory, Signalled sigABRT']
   where
     sigABRT' = 6
 
-memoryProblem :: Problem
+-- | The signal of a process that has computed for longer than it may (SIGXCPU).
+tookTooLong :: Int
+tookTooLong = 24
+
+memoryProblem, timeProblem :: Problem
+timeProblem = problemNowhere "time" "The program has computed for too long." "Press Run to start it again."
 memoryProblem = problemNowhere "memory" "The program used up its memory." "Look for a list or a value that grows for ever."
 
 -- | Why a compilation ended without an answer.

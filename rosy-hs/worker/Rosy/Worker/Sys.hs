@@ -38,6 +38,7 @@ module Rosy.Worker.Sys
     limitData,
     limitProcess,
     limitHeap,
+    limitCpu,
     dataSize,
     exitNow,
   )
@@ -95,6 +96,8 @@ foreign import ccall unsafe rosy_filter_running :: IO CInt
 foreign import ccall unsafe rosy_limit_data :: Word64 -> IO CInt
 
 foreign import ccall unsafe rosy_limit_process :: Word64 -> IO CInt
+
+foreign import ccall unsafe rosy_limit_cpu :: Word64 -> IO CInt
 
 foreign import ccall unsafe rosy_limit_heap :: Word64 -> IO ()
 
@@ -239,6 +242,10 @@ limitData bytes = void $ orThrow "setrlimit" (rosy_limit_data bytes)
 -- | Bytes of private memory for good (0: no limit).
 limitProcess :: Word64 -> IO ()
 limitProcess bytes = void $ orThrow "setrlimit" (rosy_limit_process bytes)
+
+-- | Seconds of computing from now on.
+limitCpu :: Word64 -> IO ()
+limitCpu seconds = void $ orThrow "setrlimit" (rosy_limit_cpu seconds)
 
 limitHeap :: Word64 -> IO ()
 limitHeap = rosy_limit_heap

@@ -14,6 +14,7 @@ module Rosy.Worker.Ghc.Read
     -- * Refusing
     Guard (..),
     refusalsIn,
+    unsafeImports,
     linesWith,
 
     -- * For the type checker
@@ -32,6 +33,8 @@ import Data.Time.Clock (UTCTime (..))
 import GHC.Data.Bag (bagToList)
 import GHC.Data.FastString (mkFastString)
 import GHC.Data.StringBuffer (StringBuffer, stringToStringBuffer)
+import GHC.Driver.Finder (findImportedModule)
+import GHC.Driver.Main (hscCheckSafe)
 import GHC.Driver.Session (DynFlags (..), mkHomeModule, parseDynamicFilePragma)
 import GHC.Driver.Types
 import GHC.Hs hiding (Warning)
@@ -51,8 +54,9 @@ import Rosy.Worker.Place (Columns)
 import Rosy.Worker.Problem (Problem, problemAt, problemNowhere)
 import Rosy.Worker.Raw (Raw (..))
 
--- | Whether what a program may import and switch on is limited. Only tests of the other protections go unguarded.
-data Guard = Guarded | Unguarded
+-- | What limits what a program may import and switch on: our lists and Safe Haskell, Safe Haskell alone, or nothing. Only tests of
+-- one protection go without another.
+data Guard = Guarded | OnlySafe | Unguarded
   deriving (Eq)
 
 -- | The flags after the pragmas at the top of the file, or why one of them is refused.
@@ -97,6 +101,19 @@ say columns s k m h = maybe (problemNowhere k m h) (\p -> problemAt p k m h) (pl
 -- | All that no program may have in it, whatever its types are.
 refusalsIn :: Columns -> Text -> HsModule -> [Problem]
 refusalsIn columns source parsed = importRefusals columns parsed ++ declarationRefusals columns parsed ++ nameRefusals columns (linesWith refusedNames source) parsed
+
+-- | Imports that Safe Haskell does not trust.
+unsafeImports :: HscEnv -> Columns -> HsModule -> IO [Problem]
+unsafeImports env columns parsed = concat <$> mapM judged (hsmodImports parsed)
+  where
+    judged (L s i) = do
+      found <- findImportedModule env (unLoc (ideclName i)) Nothing
+      safe <- case found of
+        Found _ m -> hscCheckSafe env m s
+        -- The type checker says that there is no such module.
+        _ -> pure True
+      let (m, h) = refuseModule (Text.pack (moduleNameString (unLoc (ideclName i))))
+      pure [say columns s "import" m h | not safe]
 
 importRefusals :: Columns -> HsModule -> [Problem]
 importRefusals columns parsed =

@@ -1,0 +1,43 @@
+"""What the system says about processes: who is below whom, what they have open, what they take. proc(5)."""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+
+__all__ = ["below", "descriptors", "named", "resident"]
+
+
+def below(pid: int) -> set[int]:
+    """The processes that a process has started, and theirs."""
+    found: set[int] = set()
+    with contextlib.suppress(FileNotFoundError, ProcessLookupError):
+        for task in Path(f"/proc/{pid}/task").iterdir():
+            for child in (task / "children").read_text().split():
+                found |= {int(child), *below(int(child))}
+    return found
+
+
+def descriptors(pid: int) -> int:
+    """How many files and sockets a process has open."""
+    with contextlib.suppress(FileNotFoundError):
+        return len(list(Path(f"/proc/{pid}/fd").iterdir()))
+    return 0
+
+
+def resident(pid: int) -> int:
+    """Memory of a process, kB; 0 when it is gone."""
+    with contextlib.suppress(FileNotFoundError, ProcessLookupError, StopIteration):
+        lines = Path(f"/proc/{pid}/status").read_text().splitlines()
+        return int(next(line for line in lines if line.startswith("VmRSS:")).split()[1])
+    return 0
+
+
+def named(pids: set[int], name: str) -> set[int]:
+    """Those whose command begins with this program."""
+    found = set()
+    for pid in pids:
+        with contextlib.suppress(FileNotFoundError, ProcessLookupError):
+            if Path(f"/proc/{pid}/cmdline").read_bytes().split(b"\0")[0].endswith(name.encode()):
+                found.add(pid)
+    return found
