@@ -42,7 +42,7 @@ run fired batches = do
           { open = pure (Opening 1),
             next = atomicModifyIORef' left $ \case
               [] -> ([], Nothing)
-              (k, batch) : rest -> (rest, Just (Batch k (0.02 * fromIntegral k) batch True)),
+              (k, batch) : rest -> (rest, Just (Batch k (0.02 * fromIntegral k) batch True False)),
             answer = \a -> modifyIORef' fired (+ length (answerFired a)),
             end = \_ _ -> pure (),
             atWork = const (pure ()),

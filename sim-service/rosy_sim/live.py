@@ -23,6 +23,9 @@ __all__ = ["Ending", "Lateness", "LiveRun", "Watcher"]
 
 Ending = Literal["done", "error", "stopped", "stuck", "died", "broken"]
 
+_LOOK = 0.1
+"""How often the program's memory is looked at, s; each single step looks too."""
+
 _FALL_BEHIND = 0.25
 """A run that is later than this forgets the lost time instead of hurrying after it, s."""
 
@@ -87,6 +90,8 @@ class LiveRun:
         # When the next step is due, on the loop's clock; moved on by each step.
         self._due = 0.0
         self._timer: asyncio.TimerHandle | None = None
+        # When the memory was looked at last, on the loop's clock.
+        self._looked = 0.0
         # When the program must have answered, on the monotonic clock; None while it owes nothing.
         self._deadline: float | None = time.monotonic() + limits.ready
         self._stopping = False
@@ -178,7 +183,11 @@ class LiveRun:
 
     def _step(self) -> None:
         self._deadline = time.monotonic() + self._limits.settle
-        self._send(self._lockstep.sense())
+        now = self._loop.time()
+        looks = self.paused or now - self._looked >= _LOOK
+        if looks:
+            self._looked = now
+        self._send(self._lockstep.sense(looks))
 
     def _read(self) -> None:
         try:

@@ -66,8 +66,8 @@ class Lockstep:
         """What to send to ask the program to end."""
         return stop_line()
 
-    def sense(self) -> bytes:
-        """The batch of the current step. Call when ready or settled and integrated."""
+    def sense(self, memory: bool = False) -> bytes:
+        """The batch of the current step, which may ask what the program remembers. Call when ready or integrated."""
         world = self.world
         self.events = events = world.sense()
         self.commands = []
@@ -76,7 +76,7 @@ class Lockstep:
         self.state = "thinking"
         if self._trace:
             self._sensed = (world.x, world.y, world.theta, world.v, world.w)
-        batch = odometry_line(world.odometry()) + step_line(self.step)
+        batch = odometry_line(world.odometry()) + step_line(self.step, memory)
         return b"".join(map(event_line, events)) + batch if events else batch
 
     def feed(self, data: bytes) -> State:

@@ -34,6 +34,7 @@ class Outbox:
             if isinstance(last, Frame) and last.run == answer.run:
                 answer.fired = (last.fired + answer.fired)[-_MAX_FIRED:]
                 answer.boxes = answer.boxes or last.boxes
+                answer.memory = last.memory if answer.memory is None else answer.memory
                 waiting.pop()
         if len(waiting) >= self._limit:
             self.overflowed.set()

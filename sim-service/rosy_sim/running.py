@@ -152,6 +152,8 @@ class Running:
         done = lockstep.settled or lockstep.ended
         if done is not None:
             showing.fired(done.fired)
+        if lockstep.settled is not None and lockstep.settled.memory is not None:
+            showing.memory(lockstep.settled.memory)
         showing.frame(force=self._paused)
         if lockstep.goals:
             showing.goals(lockstep.goals.states)

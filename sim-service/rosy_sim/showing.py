@@ -13,6 +13,7 @@ from .budget import Budget
 from .outbox import Outbox
 from .wire import page
 from .wire.holder import FrameLine
+from .wire.link import Kept
 from .wire.problem import Problem
 from .world.goals import GoalState
 from .world.world import World
@@ -52,6 +53,8 @@ class Showing:
         # Frames that may still go out, a few at once so that a step that is late gets one too; and what fired since.
         self._frames = Budget(frame_rate, 3.0, now())
         self._fired: list[str] = []
+        # What the program remembers now, when the page has not been told yet.
+        self._memory: list[Kept] | None = None
 
     def enter(self, world: World) -> None:
         """Another room; the page does not know where its things are."""
@@ -63,6 +66,7 @@ class Showing:
         self.enter(world)
         self._goals = []
         self._fired = []
+        self._memory = None
         self.step = 0
 
     def room(self, world_json: Any) -> None:
@@ -85,6 +89,10 @@ class Showing:
     def fired(self, names: list[str]) -> None:
         """Functions have fired; the next frame says so."""
         self._fired = (self._fired + names)[-_MAX_FIRED:]
+
+    def memory(self, kept: list[Kept]) -> None:
+        """The program remembers something else; the next frame says so."""
+        self._memory = kept
 
     def words(self, time: float, said: list[str], sounds: list[int]) -> None:
         """What a step of the run was heard to say."""
@@ -119,6 +127,7 @@ class Showing:
         world = self._world
         bits = world.bits
         fired, self._fired = self._fired, []
+        memory, self._memory = self._memory, None
         self._outbox.put(
             page.Frame(
                 self.run,
@@ -138,6 +147,7 @@ class Showing:
                 fired,
                 self._moved_boxes(),
                 world.ghost(),
+                memory,
             )
         )
 

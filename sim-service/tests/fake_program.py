@@ -11,7 +11,7 @@ A script is words; each is one behaviour, with ``@N`` for the step from which it
     garble@N    sends what is no line              lie@N       settles another step
     flood@N     sends commands without end         long@N      sends a line without end
     deaf        ignores `stop`                     mute        never sends `ready`
-    drip        sends byte by byte
+    drip        sends byte by byte             count       remembers the step, and tells it when asked
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ class _Player:
                     if message["topic"].endswith("bumper") and message["msg"]["state"] and self.script.has("bump"):
                         self.backwards = True
                 case "step":
-                    if not self.step(message["step"]):
+                    if not self.step(message["step"], message.get("memory", False)):
                         return
                 case "stop":
                     if not self.script.has("deaf"):
@@ -101,7 +101,7 @@ class _Player:
         told = {"events": [], "commands": ["Velocity 0.0 0.0"]} if self.trace else {}
         return {"op": "ended", "fired": fired or [], **told, **how}
 
-    def step(self, step: int) -> bool:
+    def step(self, step: int, asked: bool) -> bool:
         script = self.script
         commands: list[dict[str, Any]] = []
         if step % 5 == 0 and (script.has("drive") or script.has("turn")):
@@ -140,5 +140,7 @@ class _Player:
         settled: dict[str, Any] = {"op": "settled", "step": step, "fired": ["move"] * len(commands)}
         if self.trace:
             settled |= {"events": [], "commands": []}
+        if asked and script.has("count"):
+            settled["memory"] = [{"type": "Memory Int", "value": str(step)}]
         self.send(*commands, settled)
         return True

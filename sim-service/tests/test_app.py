@@ -17,6 +17,9 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from rosy_sim.app import Service, build_app
 from rosy_sim.config import Config, Limits
+from rosy_sim.outbox import Outbox
+from rosy_sim.wire.link import Kept
+from rosy_sim.wire.page import Frame
 
 Message = dict[str, Any]
 
@@ -398,5 +401,32 @@ def test_the_http_api(config: Config) -> None:
             assert (await client.get("/api-docs/Rosy.html")).text == "wait"
             assert (await client.get("/api-docs/")).text == "index"
             assert (await client.get("/")).status_code == 503
+
+    asyncio.run(tell())
+
+
+def test_every_single_step_shows_what_the_program_remembers(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="count")
+        await page.send("pause")
+        await page.op("state", run=1, state="running")
+        for step in range(1, 6):
+            await page.send("forward")
+            frame = await page.op("frame", run=1, step=step)
+            assert frame["memory"] == [{"type": "Memory Int", "value": str(step - 1)}]
+
+    story(play, config)
+
+
+def test_memory_is_not_lost_with_a_frame_that_a_slow_page_never_gets() -> None:
+    def frame(step: int, memory: list[Kept] | None) -> Frame:
+        return Frame(1, step, step / 50, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, [], memory=memory)
+
+    async def tell() -> None:
+        outbox = Outbox(10)
+        outbox.put(frame(1, [Kept("Memory Int", "1")]))
+        outbox.put(frame(2, [Kept("Memory Int", "2")]))
+        outbox.put(frame(3, None))
+        assert await outbox.get() == frame(3, [Kept("Memory Int", "2")])
 
     asyncio.run(tell())

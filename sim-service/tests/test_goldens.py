@@ -74,7 +74,7 @@ def test_the_simulator_holds_each_conversation_with_a_program(path: Path) -> Non
                     event = sensed(line)
                     events += [show_event(event)] if event is not None else []
                 case "step":
-                    assert line == json.loads(step_line(line["step"]))
+                    assert line == json.loads(step_line(line["step"], line.get("memory", False)))
                     link.step = line["step"]
                 case op:
                     assert (op, line) == ("stop", json.loads(stop_line()))

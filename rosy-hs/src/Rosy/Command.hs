@@ -113,10 +113,10 @@ longestLine :: Int
 longestLine = 10000
 
 instance Default a => Command (Memory a) where
-  command = Plain (\(Memory x) -> Then (Remember (typeRep (Proxy @a)) (carried x)))
+  command = Plain (\(Memory x) -> Then (Remember (typeRep (Proxy @a)) (Kept (carried x) (shown x))))
 
 instance Default a => Command (Param a) where
-  command = Plain (\(Param x) -> Then (Share (typeRep (Proxy @a)) (carried x)))
+  command = Plain (\(Param x) -> Then (Share (typeRep (Proxy @a)) (Kept (carried x) (shown x))))
 
 instance Value a => Command (Done a) where
   command = Plain (\(Done x) -> Then (End (carried x)))

@@ -18,6 +18,7 @@ module Rosy.Core
     -- * What a function may read
     Env (..),
     Memories,
+    Kept (..),
     ScopeId,
     withoutGenerators,
 
@@ -109,7 +110,10 @@ data Event = Event
 type ScopeId = Int
 
 -- | One value per type.
-type Memories = Map TypeRep Dynamic
+type Memories = Map TypeRep Kept
+
+-- | A value that is remembered, and how Haskell shows it: computed only when somebody looks.
+data Kept = Kept Dynamic ~String
 
 -- | All that a function can read apart from events.
 data Env = Env
@@ -214,8 +218,8 @@ data Effects = Nothing' | Then Effect Effects
 data Effect
   = Act Action
   | Emit Dynamic ~String
-  | Remember TypeRep Dynamic
-  | Share TypeRep Dynamic
+  | Remember TypeRep Kept
+  | Share TypeRep Kept
   | End Dynamic
   | Feed Dynamic
   | StartCall Calling

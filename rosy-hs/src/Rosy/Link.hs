@@ -47,7 +47,9 @@ data Batch = Batch
     batchTime :: Double,
     batchMessages :: [Message],
     -- | Whether the default-rate clock ticks after the messages.
-    batchTick :: Bool
+    batchTick :: Bool,
+    -- | Whether somebody wants to see what the program remembers.
+    batchLooks :: Bool
   }
 
 -- | What the program did with a batch.
@@ -55,12 +57,14 @@ data Answer = Answer
   { answerStep :: Int,
     answerActions :: [Action],
     answerFired :: [FunctionName],
-    answerEvents :: [String]
+    answerEvents :: [String],
+    -- | What the program remembers, type and value, when somebody looks and it is not what they saw last.
+    answerMemory :: Maybe [(String, String)]
   }
 
 -- | Nothing was done.
 noAnswer :: Answer
-noAnswer = Answer 0 [] [] []
+noAnswer = Answer 0 [] [] [] Nothing
 
 -- | How a run ended.
 data Ending = EndedDone | EndedStopped | EndedError Problem

@@ -26,6 +26,7 @@ module Rosy.Loop
     -- * What came of it
     Report (..),
     collect,
+    remembered,
 
     -- * Limits
     roundLimit,
@@ -680,6 +681,13 @@ stop (Network _ w) = abandon Stopped w
 -- | Take what the steps since the last time have left for the outside.
 collect :: Network -> (Report, Network)
 collect (Network running w) = (reportOf w, Network running w {actions = [], heard = []})
+
+-- | What the program remembers, the outermost task's memory first, then what its tasks share: type and value, as Haskell
+-- writes them. The values are not computed yet.
+remembered :: Network -> [(String, String)]
+remembered (Network _ w) = concatMap (kept "Memory") (IntMap.elems (envMemories (env w))) ++ kept "Param" (envParams (env w))
+  where
+    kept of' memories = [(of' ++ ' ' : showsPrec 11 what "", text) | (what, Kept _ text) <- Map.toAscList memories]
 
 reportOf :: World -> Report
 reportOf w = Report (reverse (actions w)) (reverse (heard w))

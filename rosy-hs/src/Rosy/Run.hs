@@ -25,11 +25,11 @@ runOn link program = do
     Nothing -> end link noAnswer EndedStopped
     Just batch -> do
       let start = Start {startTime = batchTime batch, startGen = mkStdGen (openingSeed opening)}
-      batches link batch (begin start program)
+      batches link [] batch (begin start program)
 
--- | Go through one batch, starting from a turn, then wait for the next.
-batches :: Link -> Batch -> Turn -> IO ()
-batches link batch = drive [] (occasions batch)
+-- | Go through one batch, starting from a turn, then wait for the next. The memory is as it was seen last.
+batches :: Link -> [(String, String)] -> Batch -> Turn -> IO ()
+batches link seen batch = drive [] (occasions batch)
   where
     -- Names of what fired, newest first, and what of the batch is to come.
     drive fired todo turn = case turn of
@@ -47,11 +47,12 @@ batches link batch = drive [] (occasions batch)
         [] -> do
           atRest link
           let (report, network') = collect network
-          answer link (answerOf batch fired report)
+          memory <- if batchLooks batch then showMemory (remembered network') else pure seen
+          answer link (answerOf batch fired report) {answerMemory = if memory == seen then Nothing else Just memory}
           following <- next link
           case following of
             Nothing -> cleanUp link batch [] EndedStopped (stop network')
-            Just batch' -> batches link batch' (Settled network')
+            Just batch' -> batches link memory batch' (Settled network')
       Ended outcome report -> end link (answerOf batch fired report) (endingOf batch outcome)
 
 -- | What was done in a step, given the names of what fired, newest first.
@@ -61,7 +62,8 @@ answerOf batch fired report =
     { answerStep = batchStep batch,
       answerActions = reportActions report,
       answerFired = reverse fired,
-      answerEvents = reportEvents report
+      answerEvents = reportEvents report,
+      answerMemory = Nothing
     }
 
 -- | The instants of a batch in order.
@@ -88,14 +90,24 @@ endingOf batch outcome = case outcome of
   EndedWrongly who given wanted ->
     EndedError (problemFrom (Just who) [] (Just (batchTime batch)) (toException (WrongDone given wanted)))
 
--- | Inputs as text, each cut to a length that fits a message; one that fails itself is told as @_@.
+-- | Inputs as text, each cut to a length that fits a message.
 showInputs :: [String] -> IO [String]
-showInputs = mapM showInput . take 20
-  where
-    showInput input = do
-      result <- try (let text = take inputLength input in evaluate (foldr seq text text))
-      pure (either (const "_" :: SomeException -> String) id result)
+showInputs = mapM showValue . take 20
 
--- | Longest text of one input in a problem, characters. A choice of ours.
+-- | What is remembered, as much of it as a page can show.
+showMemory :: [(String, String)] -> IO [(String, String)]
+showMemory = mapM (\(what, value) -> (,) what <$> showValue value) . take memoryLength
+
+-- | Cut to a length that fits a message; a value that fails itself is told as @_@.
+showValue :: String -> IO String
+showValue value = do
+  result <- try (let text = take inputLength value in evaluate (foldr seq text text))
+  pure (either (const "_" :: SomeException -> String) id result)
+
+-- | The most values of a memory that are shown. A choice of ours.
+memoryLength :: Int
+memoryLength = 50
+
+-- | Longest text of one input in a problem, or of one value in a memory, characters. A choice of ours.
 inputLength :: Int
 inputLength = 200

@@ -151,7 +151,9 @@ instance Default a => Sensor (Param a) where
   sense = sample (Param . recall . envParams)
 
 recall :: forall a. Default a => Memories -> a
-recall memories = fromMaybe defaultValue (Map.lookup (typeRep (Proxy @a)) memories >>= fromDynamic)
+recall memories = case Map.lookup (typeRep (Proxy @a)) memories of
+  Just (Kept value _) -> fromMaybe defaultValue (fromDynamic value)
+  Nothing -> defaultValue
 
 -- | Hours, minutes, seconds and milliseconds of so many seconds, round the clock.
 clockAt :: Double -> Clock

@@ -44,8 +44,8 @@ data Line
   = -- | Protocol version, seed, trace.
     StartLine Int Int Bool
   | SensorLine Message
-  | -- | Number and time (s) of the step whose messages came before.
-    StepLine Int Double
+  | -- | Number and time (s) of the step whose messages came before, and whether the memory is looked at.
+    StepLine Int Double Bool
   | StopLine
   deriving (Eq, Show)
 
@@ -63,7 +63,7 @@ line o = do
       topic <- o .: "topic"
       msg <- o .: "msg"
       SensorLine <$> sensorMessage topic msg
-    "step" -> StepLine <$> o .: "step" <*> o .: "time"
+    "step" -> StepLine <$> o .: "step" <*> o .: "time" <*> o .:? "memory" .!= False
     "start" -> StartLine <$> o .: "protocol" <*> o .: "seed" <*> o .:? "trace" .!= False
     "stop" -> pure StopLine
     _ -> fail ("unknown op " ++ show op)
@@ -160,7 +160,7 @@ writeEnding trace a ending =
   where
     a' = a {answerActions = answerActions a ++ [SetVelocity 0 0]}
 
--- | What fired in a step, and with trace what was heard and said.
+-- | What fired in a step, with trace what was heard and said, and what is remembered when somebody looks.
 done :: Bool -> Answer -> Builder
 done trace a =
   ",\"fired\":"
@@ -169,6 +169,9 @@ done trace a =
            then ",\"events\":" <> list text (answerEvents a) <> ",\"commands\":" <> list (text . tellAction) (answerActions a)
            else mempty
        )
+    <> foldMap (\kept -> ",\"memory\":" <> list remember kept) (answerMemory a)
+  where
+    remember (what, value) = "{\"type\":" <> text what <> ",\"value\":" <> text value <> "}"
 
 action :: Action -> Builder
 action a = case a of

@@ -22,6 +22,7 @@ __all__ = [
     "MAX_LINE",
     "MAX_STEP",
     "Ended",
+    "Kept",
     "LinkError",
     "Publish",
     "Ready",
@@ -46,6 +47,9 @@ MAX_STEP = 4_000_000
 MAX_FIRED = 100_000
 """Most firings that one `settled` may report."""
 
+MAX_KEPT = 1_000
+"""Most values of a memory that one `settled` may report."""
+
 
 class LinkError(Exception):
     """The program broke the protocol; the text says how. Never the learner's own doing."""
@@ -58,13 +62,24 @@ class Publish(msgspec.Struct, tag="publish", tag_field="op"):
     msg: msgspec.Raw
 
 
+class Kept(msgspec.Struct):
+    """A value that the program remembers: its type and the value, as Haskell writes them."""
+
+    type: str
+    value: str
+
+
 class Settled(msgspec.Struct, tag="settled", tag_field="op"):
-    """The end of the program's batch. ``commands`` and ``events`` only with trace."""
+    """
+    The end of the program's batch. ``commands`` and ``events`` only with trace; ``memory`` only when the step asked
+    for it and it is not what the program told last.
+    """
 
     step: int
     fired: list[str] = []
     events: list[str] = []
     commands: list[str] = []
+    memory: list[Kept] | None = None
 
 
 class Ended(msgspec.Struct, tag="ended", tag_field="op"):
@@ -106,9 +121,10 @@ def start_line(seed: int, trace: bool) -> bytes:
     return msgspec.json.encode({"op": "start", "protocol": PROTOCOL, "seed": seed, "trace": trace}) + b"\n"
 
 
-def step_line(step: int) -> bytes:
-    """The end of a step's batch."""
-    return b'{"op":"step","step":%d,"time":%s}\n' % (step, repr(step / 50).encode())
+def step_line(step: int, memory: bool = False) -> bytes:
+    """The end of a step's batch; with ``memory`` it asks what the program remembers."""
+    asking = b',"memory":true' if memory else b""
+    return b'{"op":"step","step":%d,"time":%s%s}\n' % (step, repr(step / 50).encode(), asking)
 
 
 def stop_line() -> bytes:
@@ -194,6 +210,8 @@ class SimulatorLink:
             raise LinkError(f"`settled` for step {message.step} instead of {self.step}")
         if len(message.fired) > MAX_FIRED:
             raise LinkError(f"more than {MAX_FIRED} firings in one step")
+        if message.memory is not None and len(message.memory) > MAX_KEPT:
+            raise LinkError(f"more than {MAX_KEPT} values in a memory")
         self._commands = self._octets = 0
         self.step = None
         return message

@@ -12,6 +12,7 @@ from typing import Any, Literal
 import msgspec
 
 from .hands import HandMessage
+from .link import Kept
 from .problem import Problem
 
 __all__ = [
@@ -248,7 +249,7 @@ class RunState(msgspec.Struct, tag="state", tag_field="op", omit_defaults=True):
 
 class Frame(msgspec.Struct, tag="frame", tag_field="op", omit_defaults=True):
     """Ground truth for drawing. ``boxes`` only when movable things have moved since the last
-    frame with them; ``ghost`` only when odometry is not the truth."""
+    frame with them; ``ghost`` only when odometry is not the truth; ``memory`` only when it has changed."""
 
     run: int
     step: int
@@ -267,6 +268,7 @@ class Frame(msgspec.Struct, tag="frame", tag_field="op", omit_defaults=True):
     fired: list[str]
     boxes: list[tuple[float, float, float]] | None = None
     ghost: tuple[float, float, float] | None = None
+    memory: list[Kept] | None = None
 
 
 class Said(msgspec.Struct, tag="said", tag_field="op"):

@@ -132,7 +132,7 @@ realLink clock patience r base = do
               else do
                 n <- atomicModifyIORef' steps (\i -> (i + 1, i))
                 writeIORef ticked tick
-                pure (Just (Batch n t ms tick))
+                pure (Just (Batch n t ms tick False))
   pure
     Link
       { open = do

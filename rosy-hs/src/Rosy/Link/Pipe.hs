@@ -75,7 +75,7 @@ batch heard messages = do
   l <- heard
   case l of
     SensorLine message -> batch heard (message : messages)
-    StepLine step time -> pure (Just (Batch step time (reverse messages) (step `mod` ticksEvery == 0)))
+    StepLine step time looks -> pure (Just (Batch step time (reverse messages) (step `mod` ticksEvery == 0) looks))
     StopLine -> pure Nothing
     StartLine {} -> throwIO (Malformed "a second start")
 

@@ -87,7 +87,8 @@ programs =
     ("said", simulateNamed (Names [Name "greet", Name "light"]) (greet, light)),
     ("error", simulateNamed (Names [Name "retreat"]) [retreat]),
     ("done", simulate (taskNamed (Name "start") (Names [Name "accelerate", Name "untilBump"]) (Led1 Green) (accelerate, untilBump))),
-    ("events", simulateNamed (Names [Name "lift", Name "alarm", Name "count"]) (lift, alarm, count))
+    ("events", simulateNamed (Names [Name "lift", Name "alarm", Name "count"]) (lift, alarm, count)),
+    ("memory", simulateNamed (Names [Name "hold", Name "share"]) (hold, share))
   ]
   where
     accelerate :: Velocity -> Velocity
@@ -112,6 +113,11 @@ programs =
     lift _ (Memory n) = Right (Memory (n + 10))
     alarm :: Cancel -> Orientation -> Sound
     alarm Cancel _ = ErrorSound
+    -- A value without end and one that nobody can show.
+    hold :: Button -> Memory Int -> (Memory Int, Memory [Int], Memory [Int -> Int])
+    hold _ (Memory n) = (Memory (n + 1), Memory [n ..], Memory [(+ n)])
+    share :: Bumper -> Param Bool
+    share _ = Param True
     count :: Maybe Cancel -> Memory Int -> (Memory Int, Say)
     count c (Memory n) = (Memory (n + 1), Say (maybe "tick " (const "cancel ") c ++ show n))
 
