@@ -25,9 +25,9 @@ import {drives} from "../state/helm.ts"
 import type {Order, PageState} from "../state/page.ts"
 import {believed} from "../state/page.ts"
 import {type Finding, innermostBlock, textOf} from "../state/program.ts"
-import {toCsv} from "../state/recording.ts"
 import {glowing} from "../state/room.ts"
 import {isActive} from "../state/run.ts"
+import {toCsv} from "../state/values.ts"
 import {openStore} from "../store.ts"
 import {openAutosave} from "./autosave.ts"
 import {merged} from "./merge.ts"
@@ -386,7 +386,7 @@ export function openDesk(address: string): Desk {
 }
 
 /// What the browser remembers of how the learner likes the page.
-const liked = ["theme", "muted", "view", "layout", "trail"] as const
+const liked = ["theme", "muted", "view", "layout", "trail", "charts", "chartSpan"] as const
 
 /// Draws what is not Preact's: each part is told only of what changed for it.
 function drawParts(

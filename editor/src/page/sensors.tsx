@@ -1,38 +1,58 @@
-/// What the robot senses and shows now, as a table.
+/// What the robot senses and shows, and what the program remembers, now or at the time that is looked at.
 
 import type {VNode} from "preact"
 import type {Frame} from "../state/messages.ts"
-import {quantities} from "../state/recording.ts"
 import {ledNames, shownFrame} from "../state/room.ts"
+import {quantities, remembered} from "../state/values.ts"
 import {usePage} from "./pick.ts"
 import {words} from "./words.ts"
 
 export function SensorsPanel(): VNode {
   const frame = usePage(s => shownFrame(s.room))
   if (frame === null) return <p class="quiet">{words.noRun}</p>
+  const kept = remembered(frame.memory)
   return (
-    <table class="sensors" data-testid="sensors">
-      <tbody>
-        {rows(frame).map(([name, value, on]) => (
-          <tr key={name} class={on ? "on" : ""}>
-            <th scope="row">{name}</th>
-            <td>{value}</td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
+    <>
+      {kept.length > 0 && (
+        <table class="sensors" data-testid="memory">
+          <caption>{words.remembers}</caption>
+          <tbody>
+            {kept.map(({key, name, value}) => (
+              <tr key={key} class="kept">
+                <th scope="row">
+                  <code>{name}</code>
+                </th>
+                <td>{value}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      )}
+      <table class="sensors" data-testid="sensors">
+        {kept.length > 0 && <caption>{words.robotValues}</caption>}
+        <tbody>
+          {rows(frame).map(([name, value, on]) => (
+            <tr key={name} class={on ? "on" : ""}>
+              <th scope="row">{name}</th>
+              <td>{value}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </>
   )
 }
 
 /// Name, value, and whether it is something to notice.
 function rows(frame: Frame): readonly (readonly [string, string, boolean])[] {
+  const time = [words.time, `${frame.time.toFixed(2)} s`, false] as const
   const sensed = quantities.map(q => {
-    const value = q.of(frame)
+    const value = q.of(frame) ?? 0
     const kind = Object.keys(words.senses).find(k => q.key.startsWith(k))
     const [yes, no] = words.senses[kind ?? ""] ?? ["", ""]
     const text = kind === undefined ? `${value.toFixed(3)} ${q.unit}` : value === 1 ? yes : no
     return [words.quantities[q.key] ?? q.key, text, kind !== undefined && value === 1] as const
   })
   const led = (n: number, value: number) => [words.led(n), ledNames[value] ?? "Black", value > 0] as const
-  return [...sensed, led(1, frame.led1), led(2, frame.led2)]
+  return [time, ...sensed, led(1, frame.led1), led(2, frame.led2)]
 }

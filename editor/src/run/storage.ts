@@ -33,7 +33,9 @@ export interface Shelf {
   setLiking(liking: Liking): void
 }
 
-export type Liking = Partial<Pick<PageState, "theme" | "muted" | "view" | "layout" | "trail">>
+export type Liking = Partial<
+  Pick<PageState, "theme" | "muted" | "view" | "layout" | "trail" | "charts" | "chartSpan">
+>
 
 const index = list(
   object<Kept>(get => ({id: get("id", string), name: get("name", string), at: get("at", number)})),
@@ -43,18 +45,23 @@ const layout = object<Layout>(get => ({
   room: get("room", number),
   canvas: get("canvas", number),
 }))
+const chartSpans = [20, 60, "all"] as const
 const liking = object<Liking>(get => {
   const theme = get("theme", optional(oneOf("auto", "light", "dark"), null))
   const muted = get("muted", optional(boolean, null))
   const view = get("view", optional(oneOf("blocks", "both", "haskell"), null))
   const borders = get("layout", optional(layout, null))
   const trail = get("trail", optional(oneOf("plain", "speed", "time"), null))
+  const charts = get("charts", optional(list(string), null))
+  const chartSpan = chartSpans.find(span => span === get("chartSpan", value => value))
   return {
     ...(theme === null ? {} : {theme}),
     ...(muted === null ? {} : {muted}),
     ...(view === null ? {} : {view}),
     ...(borders === null ? {} : {layout: borders}),
     ...(trail === null ? {} : {trail}),
+    ...(charts === null ? {} : {charts}),
+    ...(chartSpan === undefined ? {} : {chartSpan}),
   }
 })
 

@@ -69,6 +69,14 @@ export interface Frame {
   readonly boxes: readonly (readonly [number, number, number])[] | null
   /// Where the robot believes it is, in a world where that differs.
   readonly ghost: readonly [number, number, number] | null
+  /// All that the program remembers; `null` in a message when that has not changed.
+  readonly memory: readonly Kept[] | null
+}
+
+/// A value that the program remembers: its type (`Memory Int`) and the value, as Haskell writes them.
+export interface Kept {
+  readonly type: string
+  readonly value: string
 }
 
 /// What is to be done in a world, and how far it is.
@@ -200,6 +208,8 @@ const world: Decoder<World> = (value, path) => {
   )
 }
 
+const kept = object<Kept>(get => ({type: get("type", string), value: get("value", string)}))
+
 const frame = object<Frame>(get => ({
   run: get("run", number),
   step: get("step", number),
@@ -218,6 +228,7 @@ const frame = object<Frame>(get => ({
   fired: get("fired", optional(list(string), [])),
   boxes: get("boxes", optional(list(triple), null)),
   ghost: get("ghost", optional(triple, null)),
+  memory: get("memory", optional(list(kept), null)),
 }))
 
 const goal = object<Goal>(get => ({

@@ -69,6 +69,8 @@ export function next(state: PageState, event: PageEvent): Step {
       return robotEvent(state, event)
     case "charted":
       return still({...state, charts: event.quantities})
+    case "chart-span":
+      return still({...state, chartSpan: event.span})
     case "pause-pressed":
       return isActive(state.run) && state.clock === "going" && !drives(state)
         ? sending({...state, clock: "standing"}, {op: "pause"})

@@ -14,6 +14,8 @@ export type Region = "blocks" | "haskell" | "room"
 /// How much room the window has: all regions, two of them, or one at a time.
 export type Size = "wide" | "tablet" | "phone"
 export type Tab = "console" | "charts" | "sensors" | "problems"
+/// Seconds that a strip chart shows, or all of the run.
+export type ChartSpan = 20 | 60 | "all"
 export type Theme = "auto" | "light" | "dark"
 
 export interface Example {
@@ -92,6 +94,8 @@ export interface PageState {
   readonly tab: Tab
   /// The keys of the quantities that have a curve.
   readonly charts: readonly string[]
+  /// Seconds that a curve shows, or all of the run.
+  readonly chartSpan: ChartSpan
   readonly theme: Theme
   readonly muted: boolean
   /// What the colour and the width of the trail tell.
@@ -143,6 +147,7 @@ export const firstPage: PageState = {
   size: "wide",
   tab: "console",
   charts: ["speed", "bumperCenter"],
+  chartSpan: 20,
   theme: "auto",
   muted: false,
   trail: "plain",
@@ -165,6 +170,7 @@ export type PageEvent =
   /// The learner looks at this time of the run; `null` is now.
   | {readonly kind: "looked-back"; readonly time: number | null}
   | {readonly kind: "charted"; readonly quantities: readonly string[]}
+  | {readonly kind: "chart-span"; readonly span: ChartSpan}
   | {readonly kind: "hand"; readonly hand: Hand}
   /// The keyboard takes hold of a movable thing, or of the robot again.
   | {readonly kind: "held"; readonly thing: number | null}

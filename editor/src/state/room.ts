@@ -100,7 +100,8 @@ export function speech(room: RoomState): string | null {
 export function showFrame(room: RoomState, told: Frame): RoomState {
   if (told.run !== room.run) return room
   // What has not changed is not told again.
-  const frame = told.boxes === null && room.frame !== null ? {...told, boxes: room.frame.boxes} : told
+  const {boxes, memory} = room.frame ?? {boxes: null, memory: null}
+  const frame = {...told, boxes: told.boxes ?? boxes, memory: told.memory ?? memory}
   const fired =
     frame.fired.length === 0
       ? room.fired

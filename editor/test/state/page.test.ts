@@ -49,6 +49,7 @@ const frame = (run: number, more: Partial<Frame> = {}): PageEvent =>
       fired: [],
       boxes: null,
       ghost: null,
+      memory: null,
       ...more,
     },
   })

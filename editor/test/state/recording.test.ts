@@ -3,7 +3,7 @@
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
 import type {Frame} from "../../src/state/messages.ts"
-import {emptyRecording, frameAt, framesBetween, record, spanOfTime, toCsv} from "../../src/state/recording.ts"
+import {emptyRecording, frameAt, framesBetween, record, spanOfTime} from "../../src/state/recording.ts"
 
 const frame = (step: number): Frame => ({
   run: 1,
@@ -23,6 +23,7 @@ const frame = (step: number): Frame => ({
   fired: [],
   boxes: null,
   ghost: null,
+  memory: null,
 })
 const recorded = (steps: number) => {
   let recording = emptyRecording
@@ -64,13 +65,5 @@ describe("a recording", () => {
     expect(long.length).toBeLessThanOrEqual(235 * 256)
     expect(spanOfTime(long)?.from).toBeGreaterThan(0)
     expect(spanOfTime(long)?.to).toBe(60_999 * 0.02)
-  })
-
-  it("becomes a table", () => {
-    expect(toCsv(recorded(2)).split("\n").slice(0, 3)).toEqual([
-      "time,speed,turning,x,y,heading,bumperLeft,bumperCenter,bumperRight,cliffLeft,cliffCenter,cliffRight,wheelLeft,wheelRight",
-      "0.00,0,0,0,0,0,0,0,0,0,0,0,0,0",
-      "0.02,0,0,1,0,0,1,0,0,0,0,0,0,0",
-    ])
   })
 })

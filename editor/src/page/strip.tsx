@@ -1,0 +1,117 @@
+/// One value over time, on a canvas: the curve, its lowest and highest, seconds as lines, and the cursor.
+
+import type {VNode} from "preact"
+import {useLayoutEffect, useRef} from "preact/hooks"
+import type {Curve} from "../room/chart.ts"
+import type {Quantity} from "../state/values.ts"
+import {usePage} from "./pick.ts"
+import {words} from "./words.ts"
+
+export function Strip(props: {
+  readonly quantity: Quantity
+  readonly curve: Curve
+  /// Where the cursor stands, in seconds of the run.
+  readonly at: number | null
+  /// The pointer is over this time, or has left.
+  pointed(time: number | null): void
+  chosen(time: number): void
+}): VNode {
+  const {quantity, curve, at} = props
+  const canvas = useRef<HTMLCanvasElement>(null)
+  const theme = usePage(s => s.theme)
+  const value = curve.at(at ?? curve.to)
+  useLayoutEffect(() => {
+    if (canvas.current !== null) draw(canvas.current, curve, at)
+  }, [curve, at, theme])
+
+  const timeUnder = (event: {clientX: number; currentTarget: Element}) => {
+    const box = event.currentTarget.getBoundingClientRect()
+    return curve.from + ((event.clientX - box.left) / box.width) * (curve.to - curve.from)
+  }
+  const name = quantity.name ?? words.quantities[quantity.key] ?? quantity.key
+  const text = value === null ? "" : `${told(value, quantity.unit === "" ? 0 : 3)} ${quantity.unit}`
+  return (
+    <figure class="strip" style={{"--curve": `var(--${quantity.family})`}}>
+      <figcaption>
+        <span>{name}</span>
+        <span class="value">{text}</span>
+      </figcaption>
+      <canvas
+        ref={canvas}
+        role="img"
+        aria-label={`${name}: ${text}`}
+        onPointerMove={event => props.pointed(timeUnder(event))}
+        onPointerLeave={() => props.pointed(null)}
+        onClick={event => props.chosen(timeUnder(event))}
+      />
+    </figure>
+  )
+}
+
+/// So many digits, or more where a whole number would hide what the value is.
+function told(value: number, digits: number): string {
+  return Number.isInteger(value) ? value.toFixed(digits) : value.toFixed(Math.max(digits, 3))
+}
+
+/// Seconds between two lines, the smallest that gives no more than eight.
+function lineStep(seconds: number): number {
+  return [5, 10, 30, 60, 120, 300, 600].find(step => seconds / step <= 8) ?? 1200
+}
+
+function draw(canvas: HTMLCanvasElement, curve: Curve, at: number | null): void {
+  const ctx = canvas.getContext("2d")
+  if (ctx === null) return
+  const ratio = window.devicePixelRatio || 1
+  const {clientWidth: w, clientHeight: h} = canvas
+  if (canvas.width !== Math.round(w * ratio)) canvas.width = Math.round(w * ratio)
+  if (canvas.height !== Math.round(h * ratio)) canvas.height = Math.round(h * ratio)
+  const style = getComputedStyle(canvas)
+  ctx.setTransform(ratio, 0, 0, ratio, 0, 0)
+  ctx.clearRect(0, 0, w, h)
+  const x = (time: number) => ((time - curve.from) / (curve.to - curve.from)) * w
+  const y = (value: number) => h - 4 - ((value - curve.low) / (curve.high - curve.low)) * (h - 8)
+  const quiet = style.getPropertyValue("--ink-2")
+  ctx.strokeStyle = style.getPropertyValue("--line")
+  ctx.lineWidth = 1
+  ctx.beginPath()
+  const step = lineStep(curve.to - curve.from)
+  for (let second = Math.ceil(curve.from / step) * step; second < curve.to; second += step) {
+    ctx.moveTo(x(second), 0)
+    ctx.lineTo(x(second), h)
+  }
+  if (curve.low < 0 && curve.high > 0) {
+    ctx.moveTo(0, y(0))
+    ctx.lineTo(w, y(0))
+  }
+  ctx.stroke()
+  ctx.strokeStyle = style.color
+  ctx.lineWidth = 1.75
+  ctx.lineJoin = "round"
+  ctx.beginPath()
+  for (const [i, point] of curve.points.entries()) {
+    if (i === 0) ctx.moveTo(x(point.time), y(point.value))
+    else ctx.lineTo(x(point.time), y(point.value))
+  }
+  ctx.stroke()
+  if (at !== null) {
+    ctx.strokeStyle = quiet
+    ctx.lineWidth = 1
+    ctx.beginPath()
+    ctx.moveTo(x(at), 0)
+    ctx.lineTo(x(at), h)
+    ctx.stroke()
+  }
+  // Numbers last and with a rim, so that the curve never hides them.
+  ctx.font = `12px ${style.getPropertyValue("--code")}`
+  ctx.lineWidth = 3
+  ctx.strokeStyle = style.getPropertyValue("--ground")
+  ctx.fillStyle = quiet
+  for (const [value, place] of [
+    [curve.high, 12],
+    [curve.low, h - 4],
+  ] as const) {
+    const text = String(+value.toFixed(2))
+    ctx.strokeText(text, 4, place)
+    ctx.fillText(text, 4, place)
+  }
+}
