@@ -108,7 +108,7 @@ def suites() -> list[Suite]:
     return [
         Suite("shell", ["shellcheck", "rosy", "scripts/lib/setup.sh", "scripts/fix", ".ci/run"], by_exit),
         Suite("format-ts", ["npx", "biome", "check", "."], by_exit),
-        Suite("types-ts", ["npx", "tsc", "-b", "codegen", "editor", "e2e-tests"], by_exit),
+        Suite("types-ts", ["npx", "tsc", "-b", "codegen", "editor", "e2e-tests", "examples/teleop"], by_exit),
         Suite("format-py", [python, "-m", "ruff", "format", "--check", "sim-service", "scripts"], by_exit),
         Suite("lint-py", [python, "-m", "ruff", "check", "sim-service", "scripts"], by_exit),
         Suite("types-py", [python, "-m", "mypy", "--config-file", "sim-service/pyproject.toml", "sim-service/rosy_sim", "sim-service/tests"], by_exit),

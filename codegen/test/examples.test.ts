@@ -1,7 +1,7 @@
 /// The examples' Haskell is what an experienced Haskeller would write: no warning of `-Wall`, no hint of hlint.
 
 import {spawnSync} from "node:child_process"
-import {readdirSync, readFileSync} from "node:fs"
+import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
 import {expect, test} from "vitest"
 import {packageDatabase} from "../scripts/ghc.ts"
@@ -10,7 +10,7 @@ import {solve} from "../src/workspace/infer.ts"
 import {compileAll} from "./ghc.ts"
 
 const examples = fileURLToPath(new URL("../../examples/", import.meta.url))
-const names = readdirSync(examples).filter(n => !n.includes("."))
+const names = readdirSync(examples).filter(n => existsSync(`${examples}${n}/program.rosy`))
 const database = packageDatabase()
 const hlint = spawnSync("hlint", ["--version"]).status === 0
 

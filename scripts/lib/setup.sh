@@ -144,7 +144,7 @@ build_codegen() { (cd "$ROSY_ROOT" && npm run -s build -w codegen); }
 need_page() {
   need_node
   need_api_docs
-  step page "$(fingerprint codegen/src editor package-lock.json)" "Building the page." build_page
+  step page "$(fingerprint codegen/src editor examples/teleop package-lock.json)" "Building the page." build_page
 }
 need_api_docs() {
   step api-docs "$(fingerprint rosy-hs/src scripts/api_docs.py scripts/api_docs.css editor/src/styles/tokens.css package-lock.json)" \

@@ -59,6 +59,7 @@ function MenuItems({close}: {close: () => void}): VNode {
   const size = usePage(s => s.size)
   const theme = usePage(s => s.theme)
   const offered = usePage(s => s.robots.offered !== null)
+  const session = usePage(s => s.session)
   const item = (text: string, act: () => void) => (
     <button
       type="button"
@@ -84,6 +85,11 @@ function MenuItems({close}: {close: () => void}): VNode {
       {item(words.openFile, desk.openFile)}
       {item(words.saveFile, desk.saveFile)}
       {item(words.saveHaskell, desk.saveHaskell)}
+      {session !== null && (
+        <a class="item" target="_blank" rel="noopener" href={`examples/teleop/?session=${session}`}>
+          {words.driveByHand}
+        </a>
+      )}
       <hr />
       <p class="label">{words.theme}</p>
       <Segments

@@ -3,6 +3,7 @@
 import type {VNode} from "preact"
 import type {Speed} from "../state/messages.ts"
 import {spanOfTime} from "../state/recording.ts"
+import {isUntouched} from "../state/room.ts"
 import {isActive} from "../state/run.ts"
 import {GoIcon, PauseIcon, ResetIcon, StepIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
@@ -15,7 +16,7 @@ const step = 0.02
 
 export function TimeBar(): VNode {
   const {store} = useDesk()
-  const untouched = usePage(s => s.room.frame === null && !isActive(s.run))
+  const untouched = usePage(s => isUntouched(s.room) && !isActive(s.run))
   const active = usePage(s => isActive(s.run))
   const standing = usePage(s => s.clock === "standing")
   // Real time neither stands nor hurries.

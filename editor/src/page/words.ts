@@ -91,6 +91,7 @@ export const words = {
   openFile: "Open a file…",
   saveFile: "Save as a file",
   saveHaskell: "Save the Haskell",
+  driveByHand: "Drive by hand (ROS)",
   theme: "Colours",
   themes: {auto: "As the system", light: "Light", dark: "Dark"},
   galleryTitle: "Examples",

@@ -12,7 +12,17 @@ import {type Document, emptyHistory, redo, remember, undo} from "./history.ts"
 import type {ServiceMessage} from "./messages.ts"
 import type {Order, PageEvent, PageState, Step} from "./page.ts"
 import {type Finding, locate, movedRange} from "./program.ts"
-import {addLine, clearRoom, hear, ledNames, sensedBetween, showFrame, shownFrame, soundNames} from "./room.ts"
+import {
+  addLine,
+  clearRoom,
+  hear,
+  isShown,
+  ledNames,
+  sensedBetween,
+  showFrame,
+  shownFrame,
+  soundNames,
+} from "./room.ts"
 import {isActive, nextRun} from "./run.ts"
 import {unreachable} from "./unreachable.ts"
 
@@ -309,7 +319,12 @@ function check(state: PageState): Step {
 function heard(state: PageState, message: ServiceMessage): Step {
   switch (message.op) {
     case "hello": {
-      const back: PageState = {...state, link: "open", run: nextRun(state.run, {kind: "connected"})}
+      const back: PageState = {
+        ...state,
+        link: "open",
+        session: message.session,
+        run: nextRun(state.run, {kind: "connected"}),
+      }
       const asked = check(back)
       const orders: Order[] = []
       if (state.worldName !== null)
@@ -323,7 +338,7 @@ function heard(state: PageState, message: ServiceMessage): Step {
       return still({...state, worker: message.state})
     case "world":
       return state.robots.held === null
-        ? still({...state, room: {...state.room, world: message.world}})
+        ? still({...state, room: {...state.room, world: message.world, idle: true}})
         : still(state)
     case "robots":
     case "robot":
@@ -352,7 +367,7 @@ function heard(state: PageState, message: ServiceMessage): Step {
       return still({...state, run, findings, tab})
     }
     case "frame": {
-      if (message.frame.run !== state.room.run) return still(state)
+      if (!isShown(state.room, message.frame.run)) return still(state)
       const {frame} = message
       let {lines} = state
       for (const text of sensedBetween(state.room.frame, frame))
@@ -365,13 +380,13 @@ function heard(state: PageState, message: ServiceMessage): Step {
         ? still({...state, room: {...state.room, goals: message.goals}})
         : still(state)
     case "said": {
-      if (message.run !== state.room.run) return still(state)
+      if (!isShown(state.room, message.run)) return still(state)
       const lines = addLine(state.lines, "said", message.text, message.time)
       return still({...state, room: hear(state.room, message.text, message.time), lines})
     }
     case "sound": {
       const name = soundNames[message.sound]
-      if (message.run !== state.room.run || name === undefined) return still(state)
+      if (!isShown(state.room, message.run) || name === undefined) return still(state)
       const lines = addLine(state.lines, "sound", name, message.time)
       const played = {...state, lines}
       return state.muted ? still(played) : {state: played, orders: [{kind: "play", sound: message.sound}]}

@@ -60,6 +60,8 @@ export interface PageState {
   readonly history: History
   readonly worldName: string | WorldFile | null
   readonly link: "connecting" | "open" | "lost"
+  /// The name that ROS clients reach the robot by; `null` before the first connection.
+  readonly session: string | null
   readonly worker: WorkerState
   readonly run: RunState
   /// The number of the newest run; each run takes the next.
@@ -124,6 +126,7 @@ export const firstPage: PageState = {
   history: emptyHistory,
   worldName: null,
   link: "connecting",
+  session: null,
   worker: "starting",
   run: {kind: "ready"},
   runs: 0,

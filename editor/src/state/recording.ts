@@ -14,9 +14,12 @@ const pieceLength = 256
 /// Pieces kept: 20 minutes at 50 frames a second. Then the oldest go.
 const maxPieces = 235
 
+/// A frame at the same time as the last one takes its place: the clock stands, or there is no run, and hands move the robot.
 export function record(recording: Recording, frame: Frame): Recording {
   const {pieces} = recording
   const last = pieces.at(-1)
+  if (last !== undefined && last.at(-1)?.time === frame.time)
+    return {...recording, pieces: [...pieces.slice(0, -1), [...last.slice(0, -1), frame]]}
   if (last !== undefined && last.length < pieceLength)
     return {pieces: [...pieces.slice(0, -1), [...last, frame]], length: recording.length + 1}
   const kept = pieces.slice(-maxPieces + 1)

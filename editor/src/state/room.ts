@@ -58,8 +58,11 @@ export interface RoomState {
   readonly fired: {readonly [name: string]: number}
   /// The movable thing that the keyboard holds, numbered as in a frame; `null` is the robot.
   readonly held: number | null
-  /// The run whose frames are drawn; `null` after a reset, when none is.
+  /// The run whose frames are drawn; `null` before the first one and after a reset.
   readonly run: number | null
+  /// Without a run, frames are drawn too: ROS clients and the learner's hands move the robot. But what still comes from
+  /// the run before a reset is not; it ends when the service tells the room anew.
+  readonly idle: boolean
 }
 
 export const emptyRoom: RoomState = {
@@ -73,6 +76,19 @@ export const emptyRoom: RoomState = {
   fired: {},
   held: null,
   run: null,
+  idle: false,
+}
+
+/// Whether what the service tells about this run is to be seen.
+export function isShown(room: RoomState, run: number): boolean {
+  return run === room.run || (room.run === null && room.idle)
+}
+
+/// Whether the robot stands where the room puts it, and has not been driven since.
+export function isUntouched({run, frame, world}: RoomState): boolean {
+  if (run !== null) return false
+  if (frame === null || world === null) return true
+  return Math.hypot(frame.x - world.start.x, frame.y - world.start.y) < 1e-6 && frame.v === 0
 }
 
 /// The room as it is before a run (or before any, with `run` null): the world stays.
@@ -98,7 +114,7 @@ export function speech(room: RoomState): string | null {
 }
 
 export function showFrame(room: RoomState, told: Frame): RoomState {
-  if (told.run !== room.run) return room
+  if (!isShown(room, told.run)) return room
   // What has not changed is not told again.
   const {boxes, memory} = room.frame ?? {boxes: null, memory: null}
   const frame = {...told, boxes: told.boxes ?? boxes, memory: told.memory ?? memory}

@@ -7,6 +7,7 @@ import {next, readout} from "../../src/state/next.ts"
 import {believed, firstPage, type Order, type PageEvent, type PageState} from "../../src/state/page.ts"
 import type {Finding} from "../../src/state/program.ts"
 import {shownFrame, speech} from "../../src/state/room.ts"
+import type {World} from "../../src/worlds/world.ts"
 
 /// Plays events in order; answers the last state and every message that was sent.
 function play(state: PageState, ...events: readonly PageEvent[]) {
@@ -166,6 +167,16 @@ describe("time", () => {
   const pause = {kind: "pause-pressed"} as const
   const resume = {kind: "resume-pressed"} as const
   const driving = play(open, press, running(1), frame(1, {time: 1, x: 1}), frame(1, {time: 2, x: 2})).state
+
+  it("shows a robot that is driven without a run, but nothing of the run before a reset", () => {
+    const world = hear({op: "world", world: {...driving.room.world, name: "room"} as World})
+    const idle = frame(1, {time: 0, x: 3, v: 0.2})
+    const still = play(open, press, running(1), frame(1, {x: 2}), reset, frame(1, {x: 9})).state
+    expect(still.room.frame).toBeNull()
+    const driven = play(still, world, idle, idle).state
+    expect(readout(driven)).toMatchObject({x: "3.000", speed: "0.200"})
+    expect(driven.room.recording.length).toBe(1)
+  })
 
   it("shows what was said and where the boxes stood at that moment", () => {
     const told = play(
