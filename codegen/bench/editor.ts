@@ -1,6 +1,6 @@
 /// How long the page waits for codegen: a drag's check, an edit to updated Haskell, inference, by size of program.
 
-import {readdirSync, readFileSync} from "node:fs"
+import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
 import type {Place, SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {blockView, checker, infer, openProject, parseProject, toHaskell} from "../src/index.ts"
@@ -10,7 +10,7 @@ const examples = fileURLToPath(new URL("../../examples/", import.meta.url))
 
 /// Copies of example definitions, each with names of its own, until there are as many blocks as wanted.
 function programOf(size: number): SavedWorkspace {
-  const sources = readdirSync(examples).filter(n => !n.includes("."))
+  const sources = readdirSync(examples).filter(n => existsSync(`${examples}${n}/program.rosy`))
   const tops: SavedBlock[] = []
   let count = 0
   for (let copy = 0; count < size; copy++) {

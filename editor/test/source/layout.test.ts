@@ -1,6 +1,6 @@
 /// Where a new line of Haskell begins.
 
-import {readdirSync, readFileSync} from "node:fs"
+import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
 import {describe, expect, it} from "vitest"
 import {indentBelow} from "../../src/source/layout.ts"
@@ -51,7 +51,7 @@ describe("a new line", () => {
 
   it("stands where it must when an example is typed line by line", () => {
     const elsewhere: string[] = []
-    for (const name of readdirSync(examples).filter(n => !n.includes("."))) {
+    for (const name of readdirSync(examples).filter(n => existsSync(`${examples}${n}/Main.hs`))) {
       const lines = readFileSync(`${examples}${name}/Main.hs`, "utf8").trimEnd().split("\n")
       lines.forEach((line, i) => {
         if (line.trim() === "") return
