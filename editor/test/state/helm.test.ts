@@ -36,7 +36,8 @@ const robot = (more: Partial<Omit<Held, "link">> & {link?: Held["link"] | "gone"
   })
 const frame = (run: number, x: number): PageEvent => {
   const still = {theta: 0, v: 0, w: 0, bumpers: 0, cliffs: 0, wheels: 0, buttons: 0, led1: 0, led2: 0}
-  const told: Frame = {run, step: 1, time: 0.02, x, y: 0, fired: [], boxes: null, ghost: null, ...still}
+  const none = {fired: [], boxes: null, ghost: null, memory: null}
+  const told: Frame = {run, step: 1, time: 0.02, x, y: 0, ...none, ...still}
   return hear({op: "frame", frame: told})
 }
 const open = play(firstPage, hear({op: "hello", session: "s"}), robots(false)).state
