@@ -144,6 +144,25 @@ def test_every_end_is_told_once(source: str, ended: str, kind: str | None, confi
     story(play, config)
 
 
+@pytest.mark.parametrize(
+    "source", ["drive:0.5 done@30", "drive:0.5 error@30", "drive:0.5 close@30", "drive:0.5 hang@30"]
+)
+def test_the_simulated_robot_stands_however_a_program_ends(source: str, config: Config, impatient: Limits) -> None:
+    """Its clock stands while a program thinks, and its wheels are at rest a quarter of a second after the end."""
+
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source=source, seed=1, speed="max")
+        await page.until(lambda m: m["op"] == "frame" and m["v"] > 0)
+        await page.ended(1)
+        last = [m for m in page.seen if m["op"] == "frame"][-1]
+        if last["v"] > 0:
+            last = await page.until(lambda m: m["op"] == "frame" and m["v"] == 0)
+        # By itself, and not at the wall.
+        assert (last["v"], last["bumpers"]) == (0, 0)
+
+    story(play, config.with_limits(impatient))
+
+
 def test_what_fired_at_the_end_is_shown(config: Config) -> None:
     async def play(page: Page, _: Service) -> None:
         await page.send("run", run=1, source="done@3", speed="max")

@@ -1,9 +1,9 @@
 """
 A rosbridge server that is as strict as the real ones and knows one robot.
 
-In: frames from one client at a time; on standard input `send TOPIC JSON`, `stream TOPIC JSON`, `still`, `raw TEXT`, `drop`, `refuse`, `accept`, `quit`; the
+In: frames from one client at a time; on standard input `send TOPIC JSON`, `stream TOPIC JSON`, `still`, `raw TEXT`, `drop`, `refuse`, `accept`, `mark`, `quit`; the
 version of ROS as the argument. Out: on standard output `port N`, `advertised TOPIC TYPE`, `subscribed TOPIC TYPE`,
-`got TOPIC JSON`, `rejected WHY`, `watchdog` when 0.6 s pass after a velocity that was not zero. It refuses what rosbridge_suite
+`got TOPIC JSON`, `rejected WHY`, `watchdog` when 0.6 s pass after a velocity that was not zero, after `mark` `stood SECONDS` when its wheels stand, by its own clock. It refuses what rosbridge_suite
 refuses: 1.0 for an integer, unknown fields, types it does not know, topics without a type.
 """
 
@@ -32,10 +32,17 @@ client = None
 open_to_all = True
 advertised, subscribed = {}, set()
 last_moving = [None]
+marked = [None]
 
 
 def say(*words):
     print(*words, flush=True)
+
+
+def stand():
+    if marked[0] is not None:
+        say("stood", f"{time.monotonic() - marked[0]:.3f}")
+        marked[0] = None
 
 
 def known(kind):
@@ -95,6 +102,8 @@ def on_frame(frame):
             twist = message["msg"]
             moving = twist.get("linear", {}).get("x", 0) != 0 or twist.get("angular", {}).get("z", 0) != 0
             last_moving[0] = time.monotonic() if moving else None
+            if not moving:
+                stand()
         say("got", topic, json.dumps(message["msg"]))
     else:
         say("rejected", f"op {op}")
@@ -135,6 +144,7 @@ async def watch():
         if last_moving[0] is not None and time.monotonic() - last_moving[0] > 0.6:
             last_moving[0] = None
             say("watchdog")
+            stand()
 
 
 async def main():
@@ -158,6 +168,9 @@ async def main():
                 await client.send(rest)
             elif word == "drop" and client is not None:
                 await client.close()
+            elif word == "mark":
+                marked[0] = time.monotonic()
+                say("marked")
             elif word in ("refuse", "accept"):
                 open_to_all = word == "accept"
             elif word == "quit":

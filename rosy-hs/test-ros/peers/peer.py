@@ -2,8 +2,9 @@
 A rospy node that does what its standard input says, one command a line, and says on its standard output what it sees.
 
 In: `sub TOPIC TYPE`, `pub TOPIC TYPE [latch]`, `send TOPIC JSON`, `stream TOPIC JSON`, `flood TOPIC COUNT`, `echo FROM TO`, `time TOPIC BACK COUNT`,
-`connected TOPIC COUNT`, `heard TOPIC COUNT`, `watchdog TOPIC`, `param get|set NAME JSON`, `rosout`, `quit`.
-Out: `ready`, `got TOPIC JSON` for every message, an answer per command. It never decides whether a test passes.
+`connected TOPIC COUNT`, `heard TOPIC COUNT`, `watchdog TOPIC`, `mark`, `param get|set NAME JSON`, `rosout`, `quit`.
+Out: `ready`, `got TOPIC JSON` for every message, an answer per command, after `mark` `stood SECONDS` when a
+watched velocity is zero or the watchdog has spoken, by its own clock. It never decides whether a test passes.
 """
 
 import importlib
@@ -138,18 +139,36 @@ def measure(topic, back, count):
     say("took", f"{took[len(took) // 2]:.3f}", f"{took[int(len(took) * 0.95)]:.3f}")
 
 
+marked = [None]
+
+
+def mark():
+    marked[0] = time.monotonic()
+    say("marked")
+
+
+def stand():
+    if marked[0] is not None:
+        say("stood", f"{time.monotonic() - marked[0]:.3f}")
+        marked[0] = None
+
+
 def watchdog(topic):
-    """What kobuki_node does: says so when 0.6 s pass without a command (cmd_vel_timeout), once per silence."""
+    """What kobuki_node does: says so when 0.6 s pass without a command that moves it (cmd_vel_timeout), once per silence."""
     last = [None]
 
     def on_message(message):
-        last[0] = (time.monotonic(), message)
+        moving = message.linear.x != 0 or message.angular.z != 0
+        last[0] = (time.monotonic(), message) if moving else None
         say("got", topic, json.dumps(plain(message)))
+        if not moving:
+            stand()
 
     def look(_event):
         if last[0] is not None and time.monotonic() - last[0][0] > 0.6:
             last[0] = None
             say("watchdog")
+            stand()
 
     rospy.Subscriber(topic, kind("geometry_msgs/Twist"), on_message, tcp_nodelay=True)
     rospy.Timer(rospy.Duration(0.1), look)
@@ -182,6 +201,7 @@ COMMANDS = {
     "echo": echo,
     "time": measure,
     "watchdog": watchdog,
+    "mark": mark,
     "param": param,
     "rosout": rosout,
 }

@@ -10,6 +10,7 @@ module Rosy.Link.Ros
   )
 where
 
+import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (withAsync)
 import Control.Concurrent.STM
 import Control.Monad (unless, when)
@@ -32,7 +33,9 @@ import Ros.Lens
 import Ros.Message (def)
 import qualified Ros.Message as Ros
 import qualified Ros.Nav_msgs.Odometry as Odometry
+import qualified Ros.Net.Master as Master
 import Ros.Node
+import Ros.Node.Core (master)
 import qualified Ros.Std_msgs.String as Ros
 import Rosy.Core (Action (..), Message (..), Odometry (..))
 import Rosy.Robot
@@ -85,8 +88,20 @@ withRos settings name p use = withNodeIn settings "rosy" $ do
           writeTVar present False
           heard hearing (Gone "nothing was heard of it for a second")
         watch
+  core <- askCore
+  let -- Until the robot is there: what it waits for.
+      advise told = do
+        threadDelay silence
+        there <- readTVarIO present
+        answer <- if there then pure Nothing else Just <$> Master.hasParam (master core) "/run_id"
+        let why = case answer of
+              Nothing -> ""
+              Just (Left _) -> "no ROS master answers; does roscore run there?"
+              Just (Right _) -> "the ROS master answers and nobody tells it odometry as " ++ odometryTopic p ++ "; does the base's own program run?"
+        when (why /= told && not (null why)) (atomically (heard hearing (Gone why)))
+        advise why
   nodeIO $ \run ->
-    withAsync watch $ \_ ->
+    withAsync watch $ \_ -> withAsync (advise "") $ \_ ->
       withAsync (run awaitEnd >>= atomically . heard hearing . Gone . because) (const (use base))
   where
     kept = publisherOptions {latched = True}

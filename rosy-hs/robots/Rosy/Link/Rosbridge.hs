@@ -14,7 +14,7 @@ import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (race, race_, withAsync)
 import Control.Concurrent.STM
 import Control.Exception (Handler (..), IOException, bracket, catches, finally)
-import Control.Monad (forM_, forever, unless, void)
+import Control.Monad (forM_, forever, unless, void, when)
 import Data.IORef
 import Data.Maybe (isNothing)
 import Network.Socket (close)
@@ -22,6 +22,7 @@ import qualified Network.WebSockets as WS
 import Ros.Net.Rpc (connectTo)
 import Rosy.Core (Action, Message (..))
 import Rosy.Robots.Base
+import Rosy.Robots.Reason (reason)
 import Rosy.Robots.Rosbridge
 import Rosy.Robots.Target
 import System.Timeout (timeout)
@@ -58,7 +59,7 @@ keepConnected :: String -> Int -> String -> Profile -> Hearing -> TQueue Action 
 keepConnected host port path profile hearing outgoing sending connected = go firstPause ""
   where
     go pause said = do
-      why <- (converse >> pure "the connection ended") `catches` [Handler (\e -> pure (reason (e :: IOException))), Handler (\e -> pure (ended (e :: WS.ConnectionException))), Handler (\e -> pure (show (e :: WS.HandshakeException)))]
+      why <- (converse >> pure "the connection ended") `catches` [Handler (\e -> pure (reason (e :: IOException))), Handler (\e -> pure (ended (e :: WS.ConnectionException))), Handler (\(_ :: WS.HandshakeException) -> pure "what listens there is no rosbridge server")]
       wasConnected <- atomically (swapTVar connected False <* flushTQueue outgoing)
       if wasConnected || why /= said then atomically (heard hearing (Gone why)) else pure ()
       threadDelay pause
@@ -73,6 +74,8 @@ keepConnected host port path profile hearing outgoing sending connected = go fir
       WS.sendTextData c (command profile a) `finally` atomically (writeTVar sending False)
     listen c = do
       present <- newIORef False
+      -- Somebody who waits has been told that the server has no odometry.
+      missing <- newIORef False
       lastWords <- newTVarIO (0 :: Int)
       let read' = forever $ do
             frame <- WS.receiveData c
@@ -92,14 +95,16 @@ keepConnected host port path profile hearing outgoing sending connected = go fir
             before <- readTVarIO lastWords
             came <- timeout silence (atomically (readTVar lastWords >>= check . (/= before)))
             known <- readIORef present
+            lately <- readIORef missing
             if isNothing came && known
               then do
                 writeIORef present False
                 atomically (heard hearing (Gone "nothing was heard of it for a second"))
-                watch
-              else watch
+              else when (isNothing came && not lately) (atomically (heard hearing (Gone (noOdometry profile))))
+            writeIORef missing (isNothing came)
+            watch
       void (race read' watch)
-    reason e = takeWhile (/= '\n') (show e)
+    noOdometry p = "the server answers and has no odometry called " ++ odometryTopic p ++ "; does the base's own program run?"
     ended e = case e of
       WS.CloseRequest _ _ -> "the server closed the connection"
       WS.ConnectionClosed -> "the connection was closed"

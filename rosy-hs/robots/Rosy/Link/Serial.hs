@@ -18,14 +18,13 @@ where
 import Control.Concurrent (threadDelay, threadWaitRead, threadWaitWrite)
 import Control.Concurrent.Async (withAsync)
 import Control.Concurrent.STM
-import Control.Exception (IOException, bracket, finally, try)
+import Control.Exception (bracket, finally, try)
 import Control.Monad (forM_, unless, void, when)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Internal as B (createAndTrim)
 import qualified Data.ByteString.Unsafe as B
 import Data.IORef
-import Data.List (isSuffixOf)
 import Foreign.Ptr (castPtr)
 import GHC.Clock (getMonotonicTime)
 import Numeric (showOct)
@@ -36,6 +35,7 @@ import qualified Rosy.Kobuki.Frame as Frame
 import Rosy.Kobuki.Sensing
 import Rosy.Robot
 import Rosy.Robots.Base
+import Rosy.Robots.Reason (reason)
 import System.IO (Handle, hClose)
 import System.Posix.IO (OpenFileFlags (..), OpenMode (..), closeFd, defaultFileFlags, fdReadBuf, fdWriteBuf, openFd)
 import System.Posix.Terminal
@@ -93,12 +93,11 @@ keepOpen device wanted hearing = newIORef unsensed >>= \sensing -> go sensing ""
       modifyIORef' sensing resumed
       outcome <- try (bracket (openRaw device) closeFd (\fd -> guarded (converse fd wanted hearing sensing)))
       was <- atomically (swapTVar (alive wanted) False)
-      let why = either told id outcome
+      let why = either reason id outcome
       when (was || why /= said) (atomically (heard hearing (Gone why)))
       threadDelay again
       go sensing why
     guarded act = bracket (guardian device) dismiss (const act)
-    told e = let t = takeWhile (/= '\n') (show (e :: IOException)) in if "does not exist (No such file or directory)" `isSuffixOf` t then "it is not plugged in" else t
 
 -- | Pause between attempts to open the device, microseconds. Upstream's driver waits 5 s.
 again :: Int

@@ -87,6 +87,7 @@ data Notice
 -- | A sentence about the robot of this name.
 explainNotice :: String -> Notice -> String
 explainNotice name n = case n of
+  IsAwaited "" -> "waiting for " ++ name ++ " (Ctrl-C gives up)"
   IsAwaited why -> "waiting for " ++ name ++ because why
   IsThere -> name ++ " is there"
   IsLost why -> name ++ " is lost" ++ because why

@@ -11,6 +11,7 @@ module Test.Robots.Rigs
     rosbridge,
     rospy,
     serial,
+    plainEnvironment,
   )
 where
 
@@ -78,7 +79,7 @@ rosbridge version ros = (\_ use -> plainEnvironment >>= \e -> withProgram e "/us
             options = "&ros=" ++ version,
             robot = p,
             environment = e,
-            streaming = say p ("stream /odom " ++ odometry),
+            streaming = say p ("stream /odom " ++ odometry (stamp version)),
             prepared = pure (),
             attached = void (hears p "subscribed /odom"),
             bumped = say p ("send " ++ prefix' ++ "/events/bumper {\"bumper\": 0, \"state\": 1}"),
@@ -102,7 +103,7 @@ rospy ros = (\folder use -> withMaster folder (\e -> withPeer e "mobile_base" (a
             options = "",
             robot = p,
             environment = e,
-            streaming = say p ("stream /odom " ++ odometry) >> void (hears p "streaming"),
+            streaming = say p ("stream /odom " ++ odometry "") >> void (hears p "streaming"),
             prepared = mapM_ (say p) ["pub /mobile_base/events/cliff kobuki_msgs/CliffEvent", "pub /mobile_base/events/button kobuki_msgs/ButtonEvent", "sub /mobile_base/commands/sound kobuki_msgs/Sound"] >> void (hears p "subscribed"),
             attached = mapM_ (\t -> say p ("connected " ++ t ++ " 1") >> hears p ("connected " ++ t)) ["/odom", "/mobile_base/events/bumper", "/mobile_base/events/cliff", "/mobile_base/events/button"],
             bumped = say p "send /mobile_base/events/bumper {\"bumper\": 0, \"state\": 1}",
@@ -146,5 +147,11 @@ plainEnvironment = Ros (Uri "127.0.0.1" 0) <$> getEnvironment
 peers :: String -> FilePath
 peers = ("rosy-hs/test-robots/peers/" ++)
 
-odometry :: String
-odometry = "{\"header\": {\"frame_id\": \"odom\"}, \"child_frame_id\": \"base_footprint\", \"pose\": {\"pose\": {\"position\": {\"x\": 0.0, \"y\": 0.0, \"z\": 0.0}, \"orientation\": {\"x\": 0.0, \"y\": 0.0, \"z\": 0.0, \"w\": 1.0}}}, \"twist\": {\"twist\": {\"linear\": {\"x\": 0.0, \"y\": 0.0, \"z\": 0.0}, \"angular\": {\"x\": 0.0, \"y\": 0.0, \"z\": 0.0}}}}"
+-- | A header's time as the two write it.
+stamp :: String -> String
+stamp version
+  | version == "2" = "\"stamp\": {\"sec\": 12, \"nanosec\": 500000000}, "
+  | otherwise = "\"seq\": 7, \"stamp\": {\"secs\": 12, \"nsecs\": 500000000}, "
+
+odometry :: String -> String
+odometry header = "{\"header\": {" ++ header ++ "\"frame_id\": \"odom\"}, \"child_frame_id\": \"base_footprint\", \"pose\": {\"pose\": {\"position\": {\"x\": 0.0, \"y\": 0.0, \"z\": 0.0}, \"orientation\": {\"x\": 0.0, \"y\": 0.0, \"z\": 0.0, \"w\": 1.0}}}, \"twist\": {\"twist\": {\"linear\": {\"x\": 0.0, \"y\": 0.0, \"z\": 0.0}, \"angular\": {\"x\": 0.0, \"y\": 0.0, \"z\": 0.0}}}}"

@@ -43,6 +43,7 @@ import Network.Socket.ByteString (recv)
 import Network.Socket.ByteString.Lazy (sendAll)
 import Ros.Net.Http
 import Ros.Net.XmlRpc
+import System.IO.Error (ioeGetErrorString)
 import System.Timeout (timeout)
 
 -- | @http://host:port/@
@@ -89,7 +90,7 @@ call uri c = do
   done <- timeout limit (try (bracket (connectTo (uriHost uri) (uriPort uri)) close exchange))
   pure $ case done of
     Nothing -> Left (Slow uri)
-    Just (Left e) -> Left (Unreachable uri (show (e :: IOException)))
+    Just (Left e) -> Left (Unreachable uri (ioeGetErrorString e))
     Just (Right r) -> r
   where
     exchange s = do
