@@ -15,8 +15,10 @@ import os
 import resource
 import selectors
 import socket
+import statistics
 import time
 from multiprocessing.connection import Connection
+from pathlib import Path
 
 import uvicorn
 import uvloop
@@ -56,23 +58,29 @@ async def _measure(config: Config, count: int, seconds: float) -> None:
         await asyncio.sleep(0.02)
     port = server.servers[0].sockets[0].getsockname()[1]
     ours, theirs = multiprocessing.Pipe()
-    crowd = multiprocessing.get_context("spawn").Process(target=_crowd, args=(port, count, theirs), daemon=True)
+    crowd = multiprocessing.get_context("spawn").Process(
+        target=_crowd, args=(port, count, min(count, config.limits.runs), theirs), daemon=True
+    )
     crowd.start()
     await asyncio.to_thread(ours.recv)
     service.late.clear()
     before, began = _cpu(), time.perf_counter()
     ours.send("count")
     await asyncio.sleep(seconds)
+    memory = [_proportional(pid) for pid in _programs(service.worker.pid)]
     ours.send("stop")
     frames, octets = await asyncio.to_thread(ours.recv)
     took, cost = time.perf_counter() - began, _cpu() - before
     late = service.late.summary()
-    rate = late["steps"] / took / count
+    driving = min(count, config.limits.runs)
+    rate = late["steps"] / took / driving
     print(
         f"  {count:>3} pages: {rate:5.1f} steps/s each; a step begins late by {late['p50'] * 1e3:.1f} ms (median), "
         f"{late['p99'] * 1e3:.1f} (p99), {late['worst'] * 1e3:.1f} (worst); "
         f"{frames / took / count:.0f} frames/s and {octets / took / count / 1e3:.1f} kB/s to each; "
-        f"service {cost / took * 100:.0f} % of a core",
+        f"service {cost / took * 100:.0f} % of a core; "
+        f"{statistics.median(memory) / 1024:.1f} MB of memory to each program (proportional; {len(memory)} alive); "
+        f"{service.places.queued} waited for a place, none was refused",
         flush=True,
     )
     crowd.join(5)
@@ -81,13 +89,29 @@ async def _measure(config: Config, count: int, seconds: float) -> None:
     await serving
 
 
+def _programs(worker: int | None) -> list[int]:
+    """The processes of programs: those without further ones that are at work below the worker's own."""
+    found: list[int] = []
+    level = [worker] if worker is not None else []
+    while level:
+        found = level
+        level = [int(child) for pid in level for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+    return found
+
+
+def _proportional(pid: int) -> int:
+    """Memory of a process, shared parts divided among those who share them, kB. proc(5)."""
+    lines = Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines()
+    return next(int(line.split()[1]) for line in lines if line.startswith("Pss:"))
+
+
 def _cpu() -> float:
     used = resource.getrusage(resource.RUSAGE_SELF)
     return used.ru_utime + used.ru_stime
 
 
-def _crowd(port: int, count: int, talk: Connection) -> None:
-    """Open the pages, wait until all of them drive, then count what they are sent."""
+def _crowd(port: int, count: int, drivers: int, talk: Connection) -> None:
+    """Open the pages, wait until as many of them drive as may, then count what they are sent."""
     pages = [_open(port) for _ in range(count)]
     request = json.dumps({"op": "run", "run": 1, "source": _PROGRAM, "seed": 1, "speed": 1}).encode()
     for page in pages:
@@ -98,7 +122,7 @@ def _crowd(port: int, count: int, talk: Connection) -> None:
         for page in pages:
             page.setblocking(False)
             selector.register(page, selectors.EVENT_READ, page)
-        while waiting:
+        while len(waiting) > count - drivers:
             for key, _ in selector.select(1):
                 page = key.data
                 data = page.recv(1 << 16)
