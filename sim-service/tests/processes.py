@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 from pathlib import Path
 
-__all__ = ["below", "descriptors", "named", "resident"]
+__all__ = ["alive", "below", "descriptors", "named", "resident"]
 
 
 def below(pid: int) -> set[int]:
@@ -16,6 +16,11 @@ def below(pid: int) -> set[int]:
             for child in (task / "children").read_text().split():
                 found |= {int(child), *below(int(child))}
     return found
+
+
+def alive(pids: set[int]) -> set[int]:
+    """Those that have not ended."""
+    return {pid for pid in pids if Path(f"/proc/{pid}").exists()}
 
 
 def descriptors(pid: int) -> int:

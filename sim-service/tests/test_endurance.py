@@ -30,7 +30,7 @@ from rosy_sim.errors import WorkerLost
 from rosy_sim.wire.worker import Started
 from rosy_sim.worker.client import Worker
 
-from .processes import below, descriptors, named, resident
+from .processes import alive, below, descriptors, named, resident
 from .test_app import Page, opened
 
 pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]
@@ -242,7 +242,7 @@ class Fort:
 async def gone(pids: set[int]) -> None:
     """Until none of these processes is left."""
     async with asyncio.timeout(30):
-        while any(os.path.exists(f"/proc/{pid}") for pid in pids):
+        while alive(pids):
             await asyncio.sleep(0.01)
 
 
@@ -274,9 +274,7 @@ async def serves(fort: Fort) -> None:
 
 async def drives(page: Page, run: int) -> bool:
     await page.send("run", run=run, source=DRIVE, speed=1)
-    last = await page.until(
-        lambda m: m["op"] in ("state", "frame") and (m.get("state") == "ended" or m.get("v", 0) > 0.1)
-    )
+    last = await page.until(lambda m: m.get("state") == "ended" or (m["op"] == "frame" and m["v"] > 0.1))
     return bool(last["op"] == "frame")
 
 
