@@ -51,7 +51,8 @@ export abstract class Bindings extends Patterns {
     const byName = new Map<string, number>()
     values.forEach((d, i) => {
       for (const name of definedBy(d)) {
-        if (byName.has(name)) this.problems.push({kind: "twice", node: d, name})
+        if (byName.has(name) || (top && this.env.fields?.has(name) === true))
+          this.problems.push({kind: "twice", node: d, name})
         byName.set(name, i)
         if (top && this.env.fixed.has(name)) this.problems.push({kind: "taken", node: d, name})
         // Known from the start, also to whom asks for the scope before its turn; its type comes with its component.

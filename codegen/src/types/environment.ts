@@ -55,6 +55,8 @@ export interface Environment {
   /// By class, then by the name of the type's head (`*` for an instance that is for every type). "none" where a type
   /// of the program's own cannot derive the class.
   readonly instances: Lookup<Lookup<Instance | "none">>
+  /// Fields of the program's own types: no definition can have such a name.
+  readonly fields?: ReadonlySet<string>
   /// Any name may come from a module that nobody told us about.
   readonly open?: boolean
   /// What may stand before the dot of a name.
@@ -79,6 +81,7 @@ export interface Growing {
   fixed: ReadonlySet<string>
   needs: Set<string>
   instances: Table<Table<Instance | "none">>
+  fields?: ReadonlySet<string>
   open?: boolean
   qualifiers?: ReadonlySet<string>
   written?: ReadonlySet<string>

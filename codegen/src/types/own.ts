@@ -37,6 +37,11 @@ export function withTypes(
     fixed: base.fixed,
     needs: new Set(),
     instances,
+    fields: new Set(
+      declarations.flatMap(d =>
+        d.kind === "data" ? d.constructors.flatMap(c => c.fields.flatMap(f => f.name ?? [])) : [],
+      ),
+    ),
     open: base.open ?? false,
     qualifiers: base.qualifiers ?? new Set<string>(),
     written,

@@ -170,8 +170,15 @@ function duplicates(declarations: readonly Declaration[]): BlockProblem[] {
   const seen = new Set<string>()
   return declarations.flatMap((d): BlockProblem[] => {
     if (d.kind !== "data" && d.kind !== "synonym") return []
+    // Cases of one type may share a part.
     const names =
-      d.kind === "data" ? [`type ${d.name}`, ...d.constructors.map(c => c.name)] : [`type ${d.name}`]
+      d.kind === "data"
+        ? [
+            `type ${d.name}`,
+            ...d.constructors.map(c => c.name),
+            ...new Set(d.constructors.flatMap(c => c.fields.flatMap(f => f.name ?? []))),
+          ]
+        : [`type ${d.name}`]
     const twice = names.filter(n => seen.has(n))
     for (const n of names) seen.add(n)
     return twice.map(n => ({

@@ -13,7 +13,7 @@ import type {Scheme} from "../types/type.ts"
 import {asFunction, showScheme} from "../types/type.ts"
 import {familyOfType} from "../types/words.ts"
 import {checker, itemAt} from "./check.ts"
-import {everyBlock} from "./infer.ts"
+import {everyBlock, solve} from "./infer.ts"
 import {find, without} from "./plug.ts"
 import {Session} from "./session.ts"
 
@@ -110,14 +110,36 @@ export function rename(workspace: SavedWorkspace, block: BlockId, key: string, n
       changes.set(user, renameUse(changes.get(user) ?? node.extraState ?? {}, use, name))
   }
   const renamed = mapExtras(workspace, changes)
-  const after = usesIn(renamed)
-  const moved = after.find(
-    (use, i) => binderBlock(use) !== (before[i] === undefined ? undefined : binderBlock(before[i])),
-  )
-  if (moved !== undefined || before.length !== after.length)
+  if (moved(before, usesIn(renamed)))
     return {ok: false, why: `\`${name}\` already means something else where this name is used.`}
   if (definedTwice(renamed, name)) return {ok: false, why: `There is another definition called \`${name}\`.`}
-  return {ok: true, changes: [...changes].map(([id, extra]) => ({block: id, extra}))}
+  return unlessWrong(workspace, renamed, changes, name)
+}
+
+/// Whether a use means another binder than before.
+function moved(before: readonly Use[], after: readonly Use[]): boolean {
+  return (
+    before.length !== after.length ||
+    after.some(
+      (use, i) => binderBlock(use) !== (before[i] === undefined ? undefined : binderBlock(before[i])),
+    )
+  )
+}
+
+/// The changes, unless the program would have a problem that it does not have now.
+function unlessWrong(
+  before: SavedWorkspace,
+  after: SavedWorkspace,
+  changes: ReadonlyMap<BlockId, Extra>,
+  name: string,
+): Renaming {
+  const problems = solve(after).inferrer.problems
+  if (problems.length > solve(before).inferrer.problems.length) {
+    if (problems.some(p => p.kind === "taken" && p.name === name))
+      return {ok: false, why: `Haskell itself has a \`${name}\` already.`}
+    return {ok: false, why: `There is another \`${name}\` already.`}
+  }
+  return {ok: true, changes: [...changes].map(([block, extra]) => ({block, extra}))}
 }
 
 function textAt(extra: Extra, key: string): Json | undefined {
@@ -151,14 +173,26 @@ function renamePart(workspace: SavedWorkspace, data: SavedBlock, key: string, na
   )
   if (taken && name !== old) return {ok: false, why: `There is another \`${name}\` already.`}
   const changes = new Map<BlockId, Extra>()
+  const before = usesIn(workspace)
+  // Blocks whose name is bound nearer by, and only reads like the field's.
+  const others = new Set(
+    before.filter(u => u.name === old && u.binder !== undefined).map(u => u.node.from?.block),
+  )
   for (const b of everyBlock(workspace)) {
     if (b.id === undefined) continue
     const extra = b.extraState ?? {}
     const next =
-      b.id === data.id ? setIn(extra, key, name) : renamedPart(b, extra, String(old), name, isConstructor)
+      b.id === data.id
+        ? setIn(extra, key, name)
+        : b.type === "name" && others.has(b.id)
+          ? extra
+          : renamedPart(b, extra, String(old), name, isConstructor)
     if (JSON.stringify(next) !== JSON.stringify(extra)) changes.set(b.id, next)
   }
-  return {ok: true, changes: [...changes].map(([block, extra]) => ({block, extra}))}
+  const renamed = mapExtras(workspace, changes)
+  return moved(before, usesIn(renamed))
+    ? {ok: false, why: `\`${name}\` already means something else where this name is used.`}
+    : unlessWrong(workspace, renamed, changes, name)
 }
 
 function renamedPart(b: SavedBlock, extra: Extra, old: string, name: string, isConstructor: boolean): Extra {

@@ -1,0 +1,111 @@
+/// Renaming: a program means the same before and after, or the new name is refused.
+
+import {expect, test} from "vitest"
+import {packageDatabase} from "../scripts/ghc.ts"
+import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
+import {blockView, infer, rename, toHaskell} from "../src/index.ts"
+import {everyBlock} from "../src/workspace/infer.ts"
+import {generateProgram} from "./generate/program.ts"
+import {Dice} from "./generate/random.ts"
+import type {Candidate} from "./ghc.ts"
+import {compileAll} from "./ghc.ts"
+import {candidate} from "./soundness.ts"
+
+const database = packageDatabase()
+
+interface Binder {
+  readonly block: SavedBlock
+  readonly key: string
+  readonly name: string
+}
+
+/// Everything in a program that has a name of the learner's.
+function bindersOf(workspace: SavedWorkspace): Binder[] {
+  return [...everyBlock(workspace)].flatMap(block =>
+    (blockView(block.type)?.shape(block.extraState ?? {}).rows ?? [])
+      .flat()
+      .flatMap(item => (item.kind === "binder" ? [{block, key: item.key, name: item.value}] : [])),
+  )
+}
+
+function renamed(workspace: SavedWorkspace, {block, key}: Binder, name: string): SavedWorkspace | string {
+  const renaming = rename(workspace, block.id ?? "", key, name)
+  if (!renaming.ok) return renaming.why
+  const changes = new Map(renaming.changes.map(c => [c.block, c.extra]))
+  const copy = structuredClone(workspace)
+  for (const b of everyBlock(copy)) {
+    const extra = changes.get(b.id ?? "")
+    if (extra !== undefined) b.extraState = extra
+  }
+  return copy
+}
+
+/// Types on the headers, in the order of their blocks.
+function typesOf(workspace: SavedWorkspace, own: ReadonlyMap<string, string>): string[] {
+  return [...infer(workspace).definitions.values()].map(d =>
+    d.type.replaceAll(/[A-Z]\w*/g, w => own.get(w) ?? w),
+  )
+}
+
+const names = [
+  "fresh",
+  "x",
+  "x0",
+  "x1",
+  "x2",
+  "f0",
+  "f1",
+  "map",
+  "lookup",
+  "say",
+  "velocityLinear",
+  "pi",
+  "where",
+  "T1C0",
+  "Fresh",
+  "Just",
+  "Bumper",
+  "t1c0a",
+]
+
+test.skipIf(database === undefined)("a renamed program means what it meant", {timeout: 120_000}, () => {
+  let done = 0
+  let refused = 0
+  const candidates: Candidate[] = []
+  for (let seed = 0; seed < 70; seed++) {
+    const {workspace, whole} = generateProgram(seed, 12 + (seed % 30))
+    if (!whole) continue
+    const dice = new Dice(seed)
+    const binders = bindersOf(workspace)
+    const text = toHaskell(workspace).text
+    for (let i = 0; i < 6; i++) {
+      const binder = dice.pick(binders)
+      const name = dice.pick(dice.once(3) ? binders.map(b => b.name) : names)
+      if (name === binder.name || binder.name === "main") continue
+      const after = renamed(workspace, binder, name)
+      const what = `seed ${seed}: ${binder.name} to ${name}\n${text}`
+      if (typeof after === "string") {
+        refused++
+        // A name that nothing else has is never refused.
+        expect(["fresh", "Fresh"].includes(name) && after.includes("already"), `${what}\n${after}`).toBe(
+          false,
+        )
+        continue
+      }
+      done++
+      const back = new Map([[name, binder.name]])
+      expect(infer(after).problems, what).toEqual([])
+      expect(typesOf(after, back), what).toEqual(typesOf(workspace, new Map()))
+      // The way back leads home: nothing was caught on the way.
+      const home = renamed(after, binder, binder.name)
+      expect(typeof home === "string" ? home : toHaskell(home).text, what).toBe(text)
+      candidates.push(candidate(`N${seed}x${i}`, after))
+    }
+  }
+  const complaints = [...compileAll(database ?? "", candidates)]
+  expect(
+    complaints.map(([name, complaint]) => `${candidates.find(c => c.name === name)?.text}\n${complaint}`),
+  ).toEqual([])
+  expect(done).toBeGreaterThan(150)
+  expect(refused).toBeGreaterThan(40)
+})
