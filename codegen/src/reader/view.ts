@@ -139,7 +139,8 @@ function advance(
     module,
     declarations: shown.map((s, i) => ({...s, block: placed[i] ?? s.block})),
     loose: view.loose,
-    gone: left.slice(0, remembered),
+    // Their numbers are of a text that is no more.
+    gone: left.slice(0, remembered).map(s => ({...s, piece: -1})),
     nextId,
   }
 }

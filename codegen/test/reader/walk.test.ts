@@ -70,12 +70,23 @@ function editBlocks(workspace: SavedWorkspace, kind: string, which: number): Sav
   return copy
 }
 
-/// What a definition says, without what only says how.
+/// What a definition says, without what only says how. A `do` of one step is that step, and is printed so; a pattern
+/// kept as text has brackets where it needs them.
 function said(d: Declaration | undefined, signed: boolean): unknown {
   return JSON.parse(
     JSON.stringify(d ?? null, (key, v: unknown) =>
       ["from", "comment", "reason"].includes(key) || (key === "signature" && !signed) ? undefined : v,
     ),
+    (_, v: unknown) => {
+      const {kind, statements, text} = (v ?? {}) as {
+        kind?: string
+        statements?: {kind: string; expr: unknown}[]
+        text?: string
+      }
+      if (kind === "raw-pattern") return {kind, text: text?.replace(/^\((.*)\)$/s, "$1")}
+      const [only, ...more] = kind === "do" ? (statements ?? []) : []
+      return only?.kind === "statement" && more.length === 0 ? only.expr : v
+    },
   )
 }
 
