@@ -182,27 +182,18 @@ def _grade(options: argparse.Namespace) -> int:
 
 def _drive(config: Config, program: ProgramFile, options: argparse.Namespace) -> int:
     """A real robot: only the time of a run can be chosen."""
-    from .native import reaches, run_natively
-    from .robot import robot_address, run_on_robot
+    from .native import run_natively
 
     for name in ("world", "trace", "input"):
         if getattr(options, name) is not None:
             raise BadInput(f"--{name} is for the simulator; a real robot cannot have it.")
     seconds = MAX_SECONDS if options.seconds is None else _seconds(options.seconds)
-    if reaches(config.speaker, options.robot) and config.speaker is not None:
-        with BlockingWorker(config) as worker:
-            worker.ready()
-            problems, status = run_natively(worker, config.speaker, program.source, options.robot, seconds)
-        for found in problems:
-            print(_sentence(options.file, found), file=sys.stderr)
-        return status
-    robot_address(options.robot)
     with BlockingWorker(config) as worker:
         worker.ready()
-        outcome = run_on_robot(
-            worker, program.source, options.robot, Order(seconds, _seed(options)), config.limits, _say
-        )
-    return _report(options.file, None, outcome)
+        problems, status = run_natively(worker, config.speaker, program.source, options.robot, seconds)
+    for found in problems:
+        print(_sentence(options.file, found), file=sys.stderr)
+    return status
 
 
 def _seed(options: argparse.Namespace) -> int:

@@ -16,12 +16,12 @@ from urllib.parse import urlsplit
 
 from .drivers import drivers
 from .errors import BadInput
-from .robot import robot_address
+from .roster import usable
 from .wire.problem import Problem
 from .wire.worker import Refused
 from .worker.blocking import BlockingWorker
 
-__all__ = ["reaches", "run_natively"]
+__all__ = ["run_natively"]
 
 _PATIENCE = 5.0
 """For a robot's computer to answer, s."""
@@ -30,27 +30,16 @@ _PORTS = {"ws": 9090, "ros": 11311}
 """Where rosbridge servers and ROS masters listen."""
 
 
-def reaches(speaker: Path | None, address: str) -> bool:
+def run_natively(
+    worker: BlockingWorker, speaker: Path | None, source: str, address: str, seconds: float
+) -> tuple[list[Problem], int]:
     """
-    Whether this is the way to the robot.
+    Compile a program and let it drive; returns what compiling found and the exit status.
 
     Raises:
-        BadInput: it is the only way, and not built.
+        BadInput: the address is none, nobody answers there, or somebody drives already.
     """
-    way = address.partition(":")[0]
-    if way not in ("ws", "ros", "serial"):
-        return False
-    if speaker is not None:
-        return True
-    if way != "ws":
-        raise BadInput("The part of Rosy that speaks to robots is not built yet; ./rosy run --robot builds it.")
-    return False
-
-
-def run_natively(
-    worker: BlockingWorker, speaker: Path, source: str, address: str, seconds: float
-) -> tuple[list[Problem], int]:
-    """Compile a program and let it drive; returns what compiling found and the exit status."""
+    speaker = usable(speaker, address)
     for driver in drivers():
         if driver.address == address:
             raise BadInput(f"Somebody on this machine drives the robot at {address} already; ./rosy estop stops it.")
@@ -82,8 +71,6 @@ def _status(process: subprocess.Popen[bytes]) -> int:
 def _answers(address: str) -> None:
     """Look whether anybody is there, before a program is compiled for nobody."""
     parts = urlsplit(address)
-    if parts.scheme == "ws":
-        robot_address(address)
     if parts.scheme in _PORTS and parts.hostname:
         try:
             port = parts.port or _PORTS[parts.scheme]

@@ -11,7 +11,7 @@ import msgspec
 
 from .errors import BadInput
 
-__all__ = ["configured"]
+__all__ = ["configured", "usable"]
 
 _MAX_NAME = 40
 """Characters of a robot's name."""
@@ -37,7 +37,7 @@ def configured(speaker: Path | None, given: list[str], file: Path | None) -> dic
             raise BadInput(f"A robot's name has 1 to {_MAX_NAME} characters; {name!r} does not.")
         if name in robots or address in robots.values():
             raise BadInput(f"The robot {name} is there twice; give each robot one name.")
-        _usable(speaker, address)
+        usable(speaker, address)
         robots[name] = address
     return robots
 
@@ -51,10 +51,16 @@ def _in_file(file: Path) -> list[tuple[str, str]]:
         raise BadInput(f'{file} is no list of robots; it looks like {{"kitchen": "ws://HOST:9090"}}.') from error
 
 
-def _usable(speaker: Path | None, address: str) -> None:
-    """Whether it is an address, which rosy-robot knows best."""
+def usable(speaker: Path | None, address: str) -> Path:
+    """
+    What speaks to the robot at an address; rosy-robot knows best what an address is.
+
+    Raises:
+        BadInput: this is none, or rosy-robot is not built.
+    """
     if speaker is None:
-        raise BadInput("The part of Rosy that speaks to robots is not built yet; ./rosy start --robot builds it.")
+        raise BadInput("The part of Rosy that speaks to robots is not built yet; ./rosy run --robot builds it.")
     looked = subprocess.run([str(speaker), "check", address], capture_output=True, text=True, check=False)
     if looked.returncode != 0:
         raise BadInput(looked.stderr.strip().removeprefix("rosy: ").rstrip(".") + ".")
+    return speaker
