@@ -3,6 +3,56 @@
 import {expect, type Page, test} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
 
+/// Pixels that the page leaves free around a room (`camera.ts`).
+const margin = 18
+
+/// The room's canvas, in metres: what hands do to the robot and to things.
+class Floor {
+  readonly page: Page
+  readonly size: readonly [number, number]
+  constructor(page: Page, size: readonly [number, number]) {
+    this.page = page
+    this.size = size
+  }
+
+  canvas() {
+    return this.page.getByRole("application", {name: /^The room/})
+  }
+
+  async pixel(x: number, y: number): Promise<readonly [number, number]> {
+    const box = await this.canvas().boundingBox()
+    if (box === null) throw new Error("expected the room to be seen")
+    const [w, h] = this.size
+    const scale = Math.min((box.width - 2 * margin) / w, (box.height - 2 * margin) / h)
+    return [box.x + (box.width - w * scale) / 2 + x * scale, box.y + (box.height + h * scale) / 2 - y * scale]
+  }
+
+  async drags(from: readonly [number, number], to: readonly [number, number]): Promise<void> {
+    const {mouse} = this.page
+    await mouse.move(...(await this.pixel(...from)))
+    await mouse.down()
+    await mouse.move(...(await this.pixel((from[0] + to[0]) / 2, (from[1] + to[1]) / 2)))
+    await mouse.move(...(await this.pixel(...to)))
+    await mouse.up()
+  }
+}
+
+/// Opens the gallery of rooms and takes one.
+async function chooses(page: Page, room: string): Promise<void> {
+  await page.getByRole("button", {name: /^Room to drive in/}).click()
+  await page.getByRole("dialog").getByRole("button", {name: room}).click()
+  await expect(page.getByRole("button", {name: `Room to drive in: ${room}`})).toBeVisible()
+}
+
+/// Opens the gallery of rooms and takes one from a file.
+async function opensRoom(page: Page, name: string, world: object | string): Promise<void> {
+  await page.getByRole("button", {name: /^Room to drive in/}).click()
+  const chooser = page.waitForEvent("filechooser")
+  await page.getByRole("dialog").getByRole("button", {name: "Open a room…"}).click()
+  const text = typeof world === "string" ? world : JSON.stringify(world)
+  await (await chooser).setFiles({name, mimeType: "application/json", buffer: Buffer.from(text)})
+}
+
 /// The world editor, as hands meet it. Places are parts of the sheet, from its upper left corner.
 class Workshop {
   readonly page: Page
@@ -67,4 +117,163 @@ test("a learner draws a wall and a box, drags, undoes, and the robot bumps into 
   await expect(learner.robot("bumpers")).toHaveText("centre")
   await until(learner.robot("x"), x => x > 2.7 && x < 2.85)
   await learner.stops()
+})
+
+test("a changed room is kept with the program, and comes back after a reload", async ({page}) => {
+  const learner = new Learner(page)
+  const workshop = new Workshop(page)
+  await learner.opens("move")
+  await workshop.opens()
+  await workshop.takes("Wall")
+  await page.keyboard.press("Tab")
+  await workshop.sheet().focus()
+  // By keyboard alone: the cross-hair begins in the middle.
+  await page.keyboard.press("Enter")
+  for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowUp")
+  await page.keyboard.press("Enter")
+  await expect(workshop.told()).toHaveText("Wall 1 from 2.5 m, 2 m to 2.5 m, 2.5 m")
+  await page.keyboard.press("ArrowRight")
+  await expect(workshop.told()).toHaveText("Wall 1 from 2.6 m, 2 m to 2.6 m, 2.5 m")
+  await workshop.isDone()
+  await expect(page.getByTestId("saved")).toHaveText("saved")
+  await page.goto("/")
+  await expect(page.getByRole("button", {name: "Room to drive in: my room"})).toBeVisible()
+  await learner.runs()
+  await until(learner.robot("x"), x => x > 2.3 && x < 2.5)
+  await expect(learner.robot("bumpers")).not.toBeEmpty()
+  await learner.stops()
+})
+
+test("the editor says why the robot cannot start there, and Done waits", async ({page}) => {
+  const learner = new Learner(page)
+  const workshop = new Workshop(page)
+  await learner.opens("move")
+  await workshop.opens()
+  await workshop.takes("Holes")
+  await workshop.drags([0.25, 0.45], [0.35, 0.55])
+  await expect(page.getByRole("alert")).toContainText("over a hole")
+  await expect(page.getByRole("button", {name: "Done"})).toBeDisabled()
+  await page.keyboard.press("Control+z")
+  await expect(page.getByRole("button", {name: "Done"})).toBeEnabled()
+  await page.getByRole("button", {name: "Leave it as it was"}).click()
+  await expect(page.getByRole("button", {name: "Room to drive in: A room"})).toBeVisible()
+})
+
+test("a room from a file tells where it is wrong, and a good one is driven in until its goal is reached", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await learner.opens("move")
+  const good = {
+    name: "hall",
+    size: [6, 4],
+    start: {x: 1, y: 2, theta: 0},
+    goals: [
+      {kind: "reach", x: 3, y: 2, r: 0.3, title: "Come to the middle"},
+      {kind: "avoid", what: "bumps", title: "Touch nothing"},
+    ],
+  }
+  await opensRoom(page, "bad.json", {...good, walls: [{from: [0, 0], to: [1]}]})
+  await expect(page.getByTestId("notice")).toContainText("walls[0].to: expected a point")
+  await opensRoom(page, "cut.json", JSON.stringify(good).slice(0, 30))
+  await expect(page.getByTestId("notice")).toContainText("damaged or cut short")
+  await opensRoom(page, "hall.json", good)
+  const goals = page.getByTestId("goals")
+  await expect(goals.getByRole("listitem")).toHaveCount(2)
+  await learner.runs()
+  await expect(goals.locator(".done")).toContainText("Come to the middle")
+  await learner.keeps("goals")
+  await expect(goals.locator(".missed")).toContainText("Touch nothing")
+  await learner.stops()
+})
+
+test("hands take the robot, turn it, press and lift it, and push a box, while it runs", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("move")
+  await chooses(page, "A room full of boxes")
+  await page.getByRole("combobox", {name: "Speed"}).selectOption("0.1")
+  await learner.runs()
+  await expect(learner.status()).toHaveText("Running")
+  const floor = new Floor(page, [6, 5])
+  await floor.drags([1, 2.5], [2, 4])
+  await until(learner.robot("y"), y => y > 3.8)
+  await until(learner.robot("x"), x => x > 1.8)
+  // The handle in front of the robot turns it.
+  const [x, y] = [
+    Number(await learner.robot("x").textContent()),
+    Number(await learner.robot("y").textContent()),
+  ]
+  await floor.drags([x + 0.33, y], [x, y + 0.5])
+  await until(learner.robot("heading"), angle => angle > 60 && angle < 120)
+  // A drum is pushed against the robot from its right; its bumper feels it.
+  await floor.canvas().focus()
+  await page.keyboard.press("b")
+  await expect(page.getByTestId("held")).toContainText("Box 1")
+  await page.keyboard.press("Escape")
+  await page.keyboard.press(",")
+  await until(learner.robot("heading"), angle => angle > 75 && angle < 135)
+  await floor.drags([5, 1], [5, 2.5])
+  await floor.drags([5, 2.5], [1.2, 4.9])
+  await expect(learner.robot("bumpers")).not.toBeEmpty()
+  await page.getByRole("button", {name: "Lift", exact: true}).click()
+  await expect(learner.robot("wheels")).toHaveText("left right")
+  await page.getByRole("button", {name: "Lift", exact: true}).click()
+  await expect(learner.robot("wheels")).toBeEmpty()
+  await learner.keeps("hands")
+  await learner.stops()
+})
+
+test("the clock stands, makes single steps, goes on, and the run can be looked back at", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("forwardBackward")
+  await learner.runs()
+  await until(learner.robot("time"), time => time > 1)
+  await page.getByRole("button", {name: "Pause"}).click()
+  await expect(learner.status()).toHaveText("Paused")
+  const time = async () => Number(await learner.robot("time").textContent())
+  const stood = await time()
+  for (let i = 0; i < 3; i++) await page.getByRole("button", {name: /^One step/}).click()
+  await until(learner.robot("time"), now => Math.abs(now - stood - 0.06) < 0.001)
+  const x = Number(await learner.robot("x").textContent())
+  const line = page.getByRole("slider", {name: "Look back in the run"})
+  await line.fill("0.5")
+  await expect(learner.status()).toHaveText("Looking back")
+  await until(learner.robot("time"), now => Math.abs(now - 0.5) < 0.021)
+  await until(learner.robot("x"), then => then < x - 0.1)
+  await learner.keeps("looking-back")
+  await page.getByRole("button", {name: "Go on"}).click()
+  await until(learner.robot("time"), now => now > stood + 0.5)
+  await learner.stops()
+})
+
+test("the same run again is the same to the last digit on a slippery floor; Run has new luck", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await learner.opens("drawSquare")
+  await chooses(page, "A slippery room, like a real one")
+  await page.getByRole("combobox", {name: "Speed"}).selectOption("max")
+  const pose = () =>
+    Promise.all(["time", "x", "y", "heading"].map(async what => `${await learner.robot(what).textContent()}`))
+  /// Where the robot has rolled to rest after the program's end.
+  const end = async () => {
+    await expect(learner.status()).toHaveText("Finished")
+    let last: readonly string[] = []
+    await expect
+      .poll(async () => {
+        const before = last
+        last = await pose()
+        return before.join() === last.join()
+      })
+      .toBe(true)
+    return last
+  }
+  await learner.runs()
+  const first = await end()
+  await page.getByRole("button", {name: "Reset"}).click()
+  await page.getByRole("button", {name: "The same run again"}).click()
+  expect(await end()).toEqual(first)
+  await page.getByRole("button", {name: "Reset"}).click()
+  await learner.runs()
+  expect(await end()).not.toEqual(first)
 })

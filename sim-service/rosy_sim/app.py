@@ -23,8 +23,9 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from .bridge import Client
 from .budget import Budget
 from .config import Config
+from .errors import BadInput
 from .fleet import Fleet
-from .library import example, examples, world_names
+from .library import example, examples, named_world, world_names
 from .live import Lateness
 from .places import Places
 from .sentences import room_full
@@ -140,6 +141,13 @@ class Service:
             return JSONResponse({"message": "There is no example of that name."}, status_code=404)
         return Response(found, media_type="application/json")
 
+    async def one_world(self, request: Request) -> Response:
+        """A room of the gallery."""
+        try:
+            return JSONResponse(named_world(request.path_params["name"]))
+        except BadInput as error:
+            return JSONResponse({"message": str(error)}, status_code=404)
+
     async def list_worlds(self, _request: Request) -> Response:
         """Names."""
         return JSONResponse(world_names())
@@ -224,6 +232,7 @@ def build_app(config: Config) -> Starlette:
         Route("/api/examples", service.list_examples),
         Route("/api/examples/{name}", service.one_example),
         Route("/api/worlds", service.list_worlds),
+        Route("/api/worlds/{name}", service.one_world),
     ]
     if config.api_docs.is_dir():
         routes.append(Mount("/api-docs", StaticFiles(directory=config.api_docs, html=True)))

@@ -415,6 +415,8 @@ def test_the_http_api(config: Config) -> None:
             assert (await client.get("/api/examples/..%2Fmove")).status_code == 404
             assert (await client.get("/api/examples/none")).status_code == 404
             assert "room" in (await client.get("/api/worlds")).json()
+            assert (await client.get("/api/worlds/maze")).json()["name"] == "maze"
+            assert (await client.get("/api/worlds/none")).status_code == 404
             health = (await client.get("/api/health")).json()
             assert (health["worker"], health["sessions"]) == (service.worker.state, 0)
             assert (await client.get("/api-docs/Rosy.html")).text == "wait"

@@ -11,10 +11,10 @@ import {openWorldEditor, type WorldEditorView} from "../room/editorview.ts"
 import {openSpeaker} from "../room/sounds.ts"
 import {openRoom, type RoomView} from "../room/view.ts"
 import {openClipboard} from "../run/clipboard.ts"
-import {download, downloadBlob, fileName, pickFile} from "../run/files.ts"
+import {download, downloadBlob, fileName, pickFile, watchDrops} from "../run/files.ts"
 import {type Film, startFilm, takePicture} from "../run/film.ts"
 import {fetchReader} from "../run/grammar.ts"
-import {fetchExample, fetchExamples, fetchWorlds} from "../run/library.ts"
+import {fetchExample, fetchExamples, fetchRooms, fetchWorlds} from "../run/library.ts"
 import {openCode} from "../run/robots.ts"
 import {openSession, type Session} from "../run/session.ts"
 import {type Liking, openShelf} from "../run/storage.ts"
@@ -35,6 +35,7 @@ import {
   analysed,
   blockProblem,
   emptyProject,
+  isWorldFile,
   type OpenedProject,
   readHaskell,
   readProject,
@@ -147,6 +148,13 @@ export function openDesk(address: string): Desk {
       store.dispatch({kind: "notice", notice: {kind: "unreadable-file", name, message, hint}})
     }
   }
+  /// A file from the learner's disk: a program, or a room.
+  const openAny = (name: string, text: string | null) => {
+    if (text === null) store.dispatch({kind: "notice", notice: {kind: "not-text", name}})
+    else if (store.now.worldEditor !== null || isWorldFile(name, text))
+      store.dispatch({kind: "world-file-read", name, text})
+    else openText(name, text, false, null)
+  }
   const openExample = async (name: string, welcome: boolean) => {
     const answer = await fetchExample(name)
     if (answer.kind === "there") openText(name, answer.value, welcome, null)
@@ -209,8 +217,13 @@ export function openDesk(address: string): Desk {
     flush()
     store.dispatch({kind: "redo-pressed"})
   }
+  const run = () => {
+    flush()
+    store.dispatch({kind: "run-pressed", seed: newSeed()})
+  }
   const saveFile = () => download(fileName(store.now.name, "rosy"), projectText(), "application/json")
 
+  watchDrops(openAny)
   watchDark(dark => {
     systemDark = dark
     paint()
@@ -240,8 +253,7 @@ export function openDesk(address: string): Desk {
     },
     run() {
       if (store.now.worldEditor !== null) return
-      flush()
-      store.dispatch({kind: "run-pressed"})
+      run()
     },
     undo,
     redo,
@@ -323,6 +335,12 @@ export function openDesk(address: string): Desk {
         follows: follows => store.dispatch({kind: "follows", follows}),
       })
     },
+    run,
+    openRooms() {
+      store.dispatch({kind: "dialog", dialog: "rooms"})
+      if (store.now.rooms === null)
+        void fetchRooms(store.now.worlds).then(rooms => store.dispatch({kind: "rooms-read", rooms}))
+    },
     openGallery() {
       store.dispatch({kind: "dialog", dialog: "gallery"})
       if (store.now.gallery.kind === "there") return
@@ -341,11 +359,7 @@ export function openDesk(address: string): Desk {
     },
     kept: () => shelf.kept(),
     newProgram: () => reader !== null && show(emptyProject(reader), false, null),
-    openFile: () =>
-      pickFile(".rosy,.json,.hs", (name, text) => {
-        if (text === null) store.dispatch({kind: "notice", notice: {kind: "not-text", name}})
-        else openText(name, text, false, null)
-      }),
+    openFile: () => pickFile(".rosy,.json,.hs", openAny),
     saveFile,
     saveHaskell: () =>
       download(fileName(store.now.name, "hs"), writeHaskell(project, store.now.document), "text/plain"),
@@ -387,6 +401,9 @@ export function openDesk(address: string): Desk {
 
 /// What the browser remembers of how the learner likes the page.
 const liked = ["theme", "muted", "view", "layout", "trail", "charts", "chartSpan"] as const
+
+/// Luck for a run: any number that the service's dice take (protocol §4).
+const newSeed = () => Math.floor(Math.random() * 2 ** 31)
 
 /// Draws what is not Preact's: each part is told only of what changed for it.
 function drawParts(
@@ -435,7 +452,7 @@ function drawParts(
     const sight = {
       trail: state.trail,
       follows: state.follows,
-      hands: state.run.kind === "running",
+      hands: state.run.kind === "running" && state.robots.held === null,
       held: state.room.held,
     }
     if (room?.draw(state.room, sight, now)) again()

@@ -24,6 +24,7 @@ import {
   type View,
   workspaceOf,
 } from "@rosy/codegen/reader"
+import {parseJson} from "../state/decode.ts"
 import type {Document} from "../state/history.ts"
 import {type Definition, type Finding, movedRange, type Program, type Span, textOf} from "../state/program.ts"
 import {readWorld} from "../worlds/read.ts"
@@ -54,6 +55,13 @@ export function readProject(reader: Reader, text: string): Opening {
       world: roomOf(project),
     },
   }
+}
+
+/// Whether a file is a room and no program: JSON that is no project.
+export function isWorldFile(name: string, text: string): boolean {
+  if (/\.(hs|rosy)$/i.test(name)) return false
+  const value = parseJson(text.replace(/^\uFEFF/, ""))
+  return typeof value === "object" && value !== null && !("rosy" in value)
 }
 
 /// A room that cannot be read leaves the room as it is; the project file keeps it.

@@ -13,7 +13,11 @@ export interface Desk {
   mountRoom(canvas: HTMLCanvasElement): void
   /// The world editor has its canvas; what it gives back ends with it.
   mountWorldEditor(canvas: HTMLCanvasElement): () => void
+  /// Runs the program with new luck.
+  run(): void
   openGallery(): void
+  /// Shows the rooms that there are.
+  openRooms(): void
   openExample(name: string): void
   openKept(id: string): void
   kept(): readonly Kept[]

@@ -134,3 +134,14 @@ export const EditIcon = () => (
     <path d="m3 13 .7-3 6.9-6.9a1.3 1.3 0 0 1 1.9 0l.4.4a1.3 1.3 0 0 1 0 1.9L6 12.3z" {...line} />
   </Picture>
 )
+export const ChevronIcon = () => (
+  <Picture size={12}>
+    <path d="m3.5 6 4.5 4.5L12.5 6" {...line} />
+  </Picture>
+)
+export const AgainIcon = () => (
+  <Picture>
+    <path d="M3.2 8a4.9 4.9 0 1 0 1.7-3.7M5 1.8v2.7h2.7" {...line} />
+    <path d="M7 6.1v3.8L10 8z" fill="currentColor" />
+  </Picture>
+)

@@ -5,18 +5,20 @@ import {useLayoutEffect, useRef} from "preact/hooks"
 import {thingsOf} from "../room/things.ts"
 import type {Hand} from "../state/messages.ts"
 import {readout} from "../state/next.ts"
+import {goalsOf} from "../state/room.ts"
 import {isActive} from "../state/run.ts"
 import {Border} from "./border.tsx"
 import {ChartsPanel} from "./charts.tsx"
 import {ConsolePanel} from "./console.tsx"
-import {EditIcon, SoundIcon} from "./icons.tsx"
+import {ChevronIcon, EditIcon, SoundIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {ProblemsPanel, problemCount} from "./problems.tsx"
+import {nameOfRoom, RoomsDialog} from "./rooms.tsx"
 import {SensorsPanel} from "./sensors.tsx"
 import {Sight} from "./sight.tsx"
 import {TimeBar} from "./timebar.tsx"
 import {runWords, words} from "./words.ts"
-import {worldWords} from "./worldwords.ts"
+import {goalTitle, worldWords} from "./worldwords.ts"
 
 export function RoomRegion({shown}: {shown: boolean}): VNode {
   const desk = useDesk()
@@ -51,17 +53,17 @@ export function RoomRegion({shown}: {shown: boolean}): VNode {
       <TimeBar />
       <Border of="canvas" />
       <Tabs />
+      <RoomsDialog />
     </section>
   )
 }
 
 function RoomBar(): VNode {
-  const {store} = useDesk()
-  const worlds = usePage(s => s.worlds)
-  const world = usePage(s => s.room.world?.name ?? "")
+  const desk = useDesk()
+  const {store} = desk
+  const name = usePage(s => (s.room.world === null ? "" : nameOfRoom(s.room.world)))
   const muted = usePage(s => s.muted)
   const there = usePage(s => s.room.world !== null)
-  const known = worlds.includes(world)
   const held = usePage(s => s.robots.held?.name ?? null)
   const status = usePage(runWords)
   const kind = usePage(s =>
@@ -71,21 +73,17 @@ function RoomBar(): VNode {
     <div class="roombar">
       <h2>{words.room}</h2>
       <RobotChoice />
-      {held !== null ? null : worlds.length > 0 ? (
-        <select
-          aria-label={words.worldName}
-          value={known ? world : ""}
-          onChange={event => store.dispatch({kind: "world-chosen", world: event.currentTarget.value})}
+      {held === null && (
+        <button
+          type="button"
+          class="plain room-choice"
+          aria-label={worldWords.choose(name)}
+          title={worldWords.choose(name)}
+          onClick={() => desk.openRooms()}
         >
-          {!known && <option value="">{world === "" ? words.ownWorld : world}</option>}
-          {worlds.map(name => (
-            <option key={name} value={name}>
-              {name}
-            </option>
-          ))}
-        </select>
-      ) : (
-        <span class="quiet">{world}</span>
+          <span>{name}</span>
+          <ChevronIcon />
+        </button>
       )}
       <button
         type="button"
@@ -218,14 +216,15 @@ function Held(): VNode {
 
 /// What is to be done in this world, and what is done.
 function Goals(): VNode | null {
-  const goals = usePage(s => s.room.goals)
-  if (goals.length === 0) return null
+  const goals = usePage(s => JSON.stringify(goalsOf(s.room)))
+  const shown = JSON.parse(goals) as ReturnType<typeof goalsOf>
+  if (shown.length === 0) return null
   return (
     <ul class="goals" aria-label={words.goals} aria-live="polite" data-testid="goals">
-      {goals.map((goal, i) => (
+      {shown.map((goal, i) => (
         <li key={`${i} ${goal.title}`} class={goal.state} style={{"--progress": `${goal.progress * 100}%`}}>
           <span aria-hidden="true">{goal.state === "done" ? "✓" : goal.state === "missed" ? "✗" : "○"}</span>
-          {goal.title === "" ? goal.kind : goal.title}
+          {goal.title === "" ? goalTitle(goal.kind) : goal.title}
           <span class="hidden-text">{words.goalStates[goal.state]}</span>
           {goal.time !== null && <span class="quiet">{goal.time.toFixed(1)} s</span>}
         </li>

@@ -7,7 +7,7 @@ import {useDesk, usePage} from "./pick.ts"
 import {words} from "./words.ts"
 
 export function RunButton(): VNode {
-  const {store} = useDesk()
+  const desk = useDesk()
   const active = usePage(s => isActive(s.run))
   // Until the robot answers; the mark appears by itself after half a second (controls.css).
   const busy = usePage(s => s.run.kind === "compiling" || s.run.kind === "waiting" || s.run.kind === "queued")
@@ -18,7 +18,7 @@ export function RunButton(): VNode {
       class={`run${active ? " active" : ""}${busy ? " busy" : ""}${inviting ? " inviting" : ""}`}
       title={active ? words.stopHint : words.runHint}
       data-testid="run"
-      onClick={() => store.dispatch({kind: active ? "stop-pressed" : "run-pressed"})}
+      onClick={() => (active ? desk.store.dispatch({kind: "stop-pressed"}) : desk.run())}
     >
       {active ? <StopIcon /> : <PlayIcon />}
       <span>{active ? words.stop : words.run}</span>

@@ -5,7 +5,7 @@ import type {Speed} from "../state/messages.ts"
 import {spanOfTime} from "../state/recording.ts"
 import {isUntouched} from "../state/room.ts"
 import {isActive} from "../state/run.ts"
-import {GoIcon, PauseIcon, ResetIcon, StepIcon} from "./icons.tsx"
+import {AgainIcon, GoIcon, PauseIcon, ResetIcon, StepIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {words} from "./words.ts"
 
@@ -21,6 +21,7 @@ export function TimeBar(): VNode {
   const standing = usePage(s => s.clock === "standing")
   // Real time neither stands nor hurries.
   const real = usePage(s => s.robots.held !== null)
+  const again = usePage(s => s.seed !== null && s.robots.held === null)
   return (
     <div class="timebar">
       <button
@@ -54,6 +55,16 @@ export function TimeBar(): VNode {
         onClick={() => store.dispatch({kind: "forward-pressed"})}
       >
         <StepIcon />
+      </button>
+      <button
+        type="button"
+        class="plain icon"
+        title={words.sameAgainHint}
+        aria-label={words.sameAgain}
+        disabled={!again}
+        onClick={() => store.dispatch({kind: "run-pressed"})}
+      >
+        <AgainIcon />
       </button>
       <LookBack />
       {!real && <SpeedChoice />}

@@ -12,6 +12,8 @@ export const words = {
   stopHint: "Stop (Space)",
   reset: "Reset",
   resetHint: "Put the robot back to the start",
+  sameAgain: "The same run again",
+  sameAgainHint: "The same run again: the same luck with dice and slipping wheels",
   pause: "Pause",
   resume: "Go on",
   forward: "One step (0.02 s)",

@@ -1,6 +1,7 @@
 /// What is chosen in the world editor, as fields; or the room itself and a list of all that stands in it.
 
 import type {VNode} from "preact"
+import {useEffect, useRef} from "preact/hooks"
 import type {WorldEdit} from "../worlds/editor.ts"
 import {clamp, hasRoomFor, type Part, partsOf, put, samePart, tidy, wrapped} from "../worlds/parts.ts"
 import {limits, type World, type WorldGoal} from "../worlds/world.ts"
@@ -11,11 +12,21 @@ type Edit = (event: WorldEdit) => void
 
 export function PartPanel({edit}: {edit: Edit}): VNode | null {
   const editor = usePage(s => s.worldEditor)
+  const panel = useRef<HTMLElement>(null)
+  const about = JSON.stringify(editor?.chosen ?? null)
+  // The fields of what is chosen come into sight, also after choosing at the end of the list.
+  useEffect(() => {
+    if (about !== "null") panel.current?.scrollTo({top: 0})
+  }, [about])
   if (editor === null) return null
   const {world, chosen} = editor
   const change = (changed: World) => edit({kind: "change", world: changed})
   return (
-    <aside class="part-panel" aria-label={chosen === null ? worldWords.room : nameOfPart(world, chosen)}>
+    <aside
+      ref={panel}
+      class="part-panel"
+      aria-label={chosen === null ? worldWords.room : nameOfPart(world, chosen)}
+    >
       {chosen === null ? (
         <RoomFields world={world} change={change} edit={edit} snap={editor.snap} />
       ) : (

@@ -5,6 +5,10 @@ import type {Part} from "../worlds/parts.ts"
 import type {Spot, World, WorldGoal} from "../worlds/world.ts"
 
 export const worldWords = {
+  rooms: "Rooms",
+  roomsLead: "Choose where the robot drives. Your program stays as it is.",
+  roomsLoading: "Looking for the rooms…",
+  choose: (name: string) => `Room to drive in: ${name}`,
   change: "Change this room",
   title: "Change this room",
   done: "Done",
@@ -76,18 +80,27 @@ export const worldWords = {
   wall: (n: number) => `Wall ${n}`,
   box: (n: number, movable: boolean) => `${movable ? "Box" : "Block"} ${n}`,
   round: (n: number, movable: boolean) => `${movable ? "Drum" : "Post"} ${n}`,
-  goal: (n: number, goal: WorldGoal) =>
-    goal.title === "" ? `Goal ${n}: ${goalNames[goal.kind]}` : goal.title,
 } as const
 
-const goalNames: Readonly<Record<WorldGoal["kind"], string>> = {
-  reach: "come here",
-  touch: "touch here",
-  avoid: "stay away",
-  visit: "visit all",
-  lap: "drive laps",
-  draw: "draw this",
+/// What a goal without a title of its own is called; the service says the same (`world/goals.py`).
+const goalTitles: Readonly<Record<string, string>> = {
+  reach: "Come to the place",
+  touch: "Touch the thing",
+  avoid: "Stay away",
+  visit: "Visit all the places",
+  lap: "Drive a lap",
+  draw: "Draw the shape",
 }
+
+export const goalTitle = (kind: string): string => goalTitles[kind] ?? kind
+
+/// The goals without a place say what is to be avoided.
+const nameOfGoal = (goal: WorldGoal): string =>
+  goal.title !== ""
+    ? goal.title
+    : goal.kind === "avoid" && goal.what !== "place"
+      ? worldWords.avoids[goal.what]
+      : goalTitle(goal.kind)
 
 const metres = (value: number) => `${+value.toFixed(2)} m`
 const degrees = (angle: number) => `${Math.round((angle * 180) / Math.PI)}°`
@@ -105,7 +118,7 @@ export function nameOfPart(world: World, part: Part): string {
       return worldWords.round(part.index + 1, world.rounds[part.index]?.movable ?? false)
     case "goal": {
       const goal = world.goals[part.index]
-      return goal === undefined ? "" : worldWords.goal(part.index + 1, goal)
+      return goal === undefined ? "" : nameOfGoal(goal)
     }
   }
 }

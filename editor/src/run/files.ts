@@ -41,3 +41,17 @@ export function fileName(name: string, extension: string): string {
   const safe = name.replace(/[^\p{L}\p{N} _-]+/gu, "-").trim()
   return `${safe === "" ? "program" : safe}.${extension}`
 }
+
+/// Files that are let fall onto the page; what else is dragged over it (blocks, text) is left alone.
+export function watchDrops(dropped: (name: string, text: string | null) => void): void {
+  const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") === true
+  window.addEventListener("dragover", event => {
+    if (hasFiles(event)) event.preventDefault()
+  })
+  window.addEventListener("drop", async event => {
+    const file = event.dataTransfer?.files[0]
+    if (!hasFiles(event) || file === undefined) return
+    event.preventDefault()
+    dropped(file.name, textIn(await file.arrayBuffer()))
+  })
+}

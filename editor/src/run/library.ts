@@ -2,6 +2,8 @@
 
 import {decode, list, object, optional, parseJson, string} from "../state/decode.ts"
 import type {Example} from "../state/page.ts"
+import {readWorld} from "../worlds/read.ts"
+import type {World} from "../worlds/world.ts"
 
 const example = object<Example>(get => ({
   name: get("name", string),
@@ -63,4 +65,35 @@ export async function fetchWorlds(): Promise<Fetched<readonly string[]>> {
   if (answer.kind === "failed") return answer
   const read = decode(list(string), parseJson(answer.value))
   return read.kind === "ok" ? {kind: "there", value: read.value} : {kind: "failed"}
+}
+
+/// From the simplest room to the one most like a real floor; others follow by name.
+const roomOrder = [
+  "room",
+  "empty",
+  "corridor",
+  "two-rooms",
+  "slalom",
+  "obstacles",
+  "boxes",
+  "maze",
+  "pits",
+  "table",
+  "track",
+  "classroom",
+  "slippery",
+]
+
+/// The rooms of these names in the order of their gallery, as far as they can be had.
+export async function fetchRooms(names: readonly string[]): Promise<readonly World[]> {
+  const place = (name: string) => (roomOrder.includes(name) ? roomOrder.indexOf(name) : roomOrder.length)
+  const sorted = [...names].sort((a, b) => place(a) - place(b) || a.localeCompare(b))
+  const found = await Promise.all(
+    sorted.map(async name => {
+      const answer = await get(`api/worlds/${encodeURIComponent(name)}`)
+      const read = answer.kind === "there" ? readWorld(parseJson(answer.value)) : null
+      return read?.kind === "world" ? [read.world] : []
+    }),
+  )
+  return found.flat()
 }

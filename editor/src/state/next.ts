@@ -43,7 +43,7 @@ export function next(state: PageState, event: PageEvent): Step {
     case "heard":
       return heard(state, event.message)
     case "run-pressed":
-      return start(state)
+      return start(state, event.seed ?? state.seed)
     case "stop-pressed": {
       if (!isActive(state.run)) return still(state)
       const stopped = {...state, run: nextRun(state.run, event)}
@@ -156,6 +156,7 @@ export function next(state: PageState, event: PageEvent): Step {
           saved: "changed",
           run: nextRun(state.run, {kind: "reset-pressed"}),
           room: clearRoom(state.room, null),
+          dialog: null,
         },
         {op: "world", world: event.world},
       )
@@ -180,6 +181,8 @@ export function next(state: PageState, event: PageEvent): Step {
     }
     case "world-file-read":
       return readWorldFile(state, event.name, event.text)
+    case "rooms-read":
+      return still({...state, rooms: event.rooms})
     case "worlds-listed":
       return still({...state, worlds: event.worlds})
     case "gallery":
@@ -285,13 +288,14 @@ function present(state: PageState): PageState {
   return {...state, room: {...state.room, lookedAt: null}}
 }
 
-function start(state: PageState): Step {
+function start(state: PageState, seed: number | null): Step {
   const connected = state.link === "open"
   const run = state.runs + 1
   const started: PageState = {
     ...state,
     run: nextRun(state.run, {kind: "run-pressed", connected, run}),
     runs: run,
+    seed,
     clock: "going",
     room: clearRoom(state.room, run),
     lines: [],
@@ -305,7 +309,9 @@ function start(state: PageState): Step {
 }
 
 function runMessage(state: PageState, run: number) {
-  return {op: "run", run, source: state.document.program.text, speed: state.speed} as const
+  const {seed} = state
+  const luck = seed === null ? {} : {seed}
+  return {op: "run", run, source: state.document.program.text, ...luck, speed: state.speed} as const
 }
 
 /// Asks the compiler about the text as it is now.

@@ -1,7 +1,7 @@
 /// All that the page knows, as one value without a DOM, and everything that can happen to it.
 
 import type {WorldEdit, WorldEditor} from "../worlds/editor.ts"
-import type {WorldFile} from "../worlds/world.ts"
+import type {World, WorldFile} from "../worlds/world.ts"
 import {type Changer, type Document, emptyDocument, emptyHistory, type History} from "./history.ts"
 import type {Declared, Hand, PageMessage, ServiceMessage, Speed, WorkerState} from "./messages.ts"
 import type {BlockId, Finding} from "./program.ts"
@@ -68,6 +68,8 @@ export interface PageState {
   readonly runs: number
   /// The newest question to the compiler; an answer to an older one is dropped.
   readonly checks: number
+  /// The luck of the newest run: the same seed is the same run, to the last bit. `null` before the first.
+  readonly seed: number | null
   /// The run's clock: it goes, or it stands at a step until it is let go.
   readonly clock: "going" | "standing"
   readonly speed: Speed
@@ -88,7 +90,9 @@ export interface PageState {
   readonly selectedIn: "blocks" | "haskell"
   readonly welcome: "fresh" | "ran" | "over"
   readonly gallery: Gallery
-  readonly dialog: "gallery" | "menu" | "sight" | "robots" | null
+  readonly dialog: "gallery" | "rooms" | "menu" | "sight" | "robots" | null
+  /// The rooms of the service, for their gallery; `null` until they have been read.
+  readonly rooms: readonly World[] | null
   readonly notice: Notice | null
   readonly view: View
   readonly region: Region
@@ -131,6 +135,7 @@ export const firstPage: PageState = {
   run: {kind: "ready"},
   runs: 0,
   checks: 0,
+  seed: null,
   clock: "going",
   speed: 1,
   declared: [],
@@ -144,6 +149,7 @@ export const firstPage: PageState = {
   welcome: "over",
   gallery: {kind: "unasked"},
   dialog: null,
+  rooms: null,
   notice: null,
   view: "both",
   region: "blocks",
@@ -164,7 +170,8 @@ export const firstPage: PageState = {
 export type PageEvent =
   | {readonly kind: "link-lost"}
   | {readonly kind: "heard"; readonly message: ServiceMessage}
-  | {readonly kind: "run-pressed"}
+  /// `seed` is new luck, thrown outside of the state; without it the run has the luck of the one before.
+  | {readonly kind: "run-pressed"; readonly seed?: number}
   | {readonly kind: "stop-pressed"}
   | {readonly kind: "reset-pressed"}
   | {readonly kind: "pause-pressed"}
@@ -210,6 +217,7 @@ export type PageEvent =
   | {readonly kind: "world-file-wanted"}
   | {readonly kind: "world-file-made"}
   | {readonly kind: "world-file-read"; readonly name: string; readonly text: string | null}
+  | {readonly kind: "rooms-read"; readonly rooms: readonly World[]}
   | {readonly kind: "worlds-listed"; readonly worlds: readonly string[]}
   | {readonly kind: "gallery"; readonly gallery: Gallery}
   | {readonly kind: "dialog"; readonly dialog: PageState["dialog"]}

@@ -91,6 +91,12 @@ export function isUntouched({run, frame, world}: RoomState): boolean {
   return Math.hypot(frame.x - world.start.x, frame.y - world.start.y) < 1e-6 && frame.v === 0
 }
 
+/// What is to be done here: as the run has it, or as the world says it before a run.
+export function goalsOf(room: RoomState): readonly Goal[] {
+  if (room.goals.length > 0 || room.world === null) return room.goals
+  return room.world.goals.map(({kind, title}) => ({kind, title, state: "open", progress: 0, time: null}))
+}
+
 /// The room as it is before a run (or before any, with `run` null): the world stays.
 export function clearRoom(room: RoomState, run: number | null): RoomState {
   return {...emptyRoom, world: room.world, run}

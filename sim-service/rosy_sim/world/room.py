@@ -247,12 +247,17 @@ class Room:
     def _rub(self, body: pymunk.Body, radius: float, dt: float) -> None:
         """Floor friction: a box loses speed, and turning, at the rate its weight allows."""
         loss = FLOOR_FRICTION * GRAVITY * dt
-        speed, spin = body.velocity.length, abs(body.angular_velocity)
-        if speed:
-            body.velocity = body.velocity * max(0.0, 1 - loss / speed)
-        if spin:
-            body.angular_velocity *= max(0.0, 1 - loss / (radius * spin))
-        if speed - loss > _AT_REST or spin * radius - loss > _AT_REST:
+        speed, rim = body.velocity.length, abs(body.angular_velocity) * radius
+        # Compared before it is divided: a speed may be so small that its inverse is none.
+        if speed > loss:
+            body.velocity = body.velocity * (1 - loss / speed)
+        else:
+            body.velocity = (0.0, 0.0)
+        if rim > loss:
+            body.angular_velocity *= 1 - loss / rim
+        else:
+            body.angular_velocity = 0.0
+        if speed - loss > _AT_REST or rim - loss > _AT_REST:
             self.awake = True
 
 

@@ -1,0 +1,109 @@
+/// The gallery of rooms: a picture and a name of each, and the learner's own.
+
+import type {VNode} from "preact"
+import {useEffect, useLayoutEffect, useRef} from "preact/hooks"
+import {drawPicture} from "../room/picture.ts"
+import type {World} from "../worlds/world.ts"
+import {CloseIcon} from "./icons.tsx"
+import {useDesk, usePage} from "./pick.ts"
+import {words} from "./words.ts"
+import {worldWords} from "./worldwords.ts"
+
+export function RoomsDialog(): VNode {
+  const {store} = useDesk()
+  const open = usePage(s => s.dialog === "rooms")
+  const rooms = usePage(s => s.rooms)
+  const dialog = useRef<HTMLDialogElement>(null)
+  useEffect(() => {
+    if (open) dialog.current?.showModal()
+    else dialog.current?.close()
+  }, [open])
+  const close = () => store.dispatch({kind: "dialog", dialog: null})
+  const ask = (text: string, act: () => void) => (
+    <button
+      type="button"
+      class="plain"
+      onClick={() => {
+        close()
+        act()
+      }}
+    >
+      {text}
+    </button>
+  )
+  return (
+    // A click on the backdrop is a click on the dialog itself; Escape closes it through `onClose`.
+    <dialog
+      class="gallery rooms"
+      ref={dialog}
+      aria-labelledby="rooms-title"
+      onClose={() => store.now.dialog === "rooms" && close()}
+      onClick={event => event.target === event.currentTarget && close()}
+      onKeyDown={event => event.stopPropagation()}
+    >
+      {open && (
+        <div class="gallery-body">
+          <header>
+            <div>
+              <h2 id="rooms-title">{worldWords.rooms}</h2>
+              <p class="quiet">{worldWords.roomsLead}</p>
+            </div>
+            <button type="button" class="plain icon" aria-label={words.close} onClick={close}>
+              <CloseIcon />
+            </button>
+          </header>
+          {rooms === null ? <p class="quiet late">{worldWords.roomsLoading}</p> : <Cards rooms={rooms} />}
+          <p class="pair">
+            {ask(worldWords.change, () => store.dispatch({kind: "world-editor-opened"}))}
+            {ask(worldWords.openFile, () => store.dispatch({kind: "world-file-wanted"}))}
+            {ask(worldWords.saveFile, () => store.dispatch({kind: "world-file-made"}))}
+          </p>
+        </div>
+      )}
+    </dialog>
+  )
+}
+
+function Cards({rooms}: {rooms: readonly World[]}): VNode {
+  const {store} = useDesk()
+  const chosen = usePage(s => s.room.world)
+  const own = chosen !== null && !rooms.some(room => room.name === chosen.name)
+  return (
+    <ul class="cards">
+      {own && (
+        <li>
+          <Card room={chosen} chosen={true} choose={() => store.dispatch({kind: "dialog", dialog: null})} />
+        </li>
+      )}
+      {rooms.map(room => (
+        <li key={room.name}>
+          <Card
+            room={room}
+            chosen={room.name === chosen?.name}
+            choose={() => store.dispatch({kind: "world-chosen", world: room.name})}
+          />
+        </li>
+      ))}
+    </ul>
+  )
+}
+
+function Card({room, chosen, choose}: {room: World; chosen: boolean; choose: () => void}): VNode {
+  const canvas = useRef<HTMLCanvasElement>(null)
+  useLayoutEffect(() => {
+    if (canvas.current !== null) drawPicture(canvas.current, room)
+  }, [room])
+  const [goal] = room.goals
+  return (
+    <button type="button" class="card" aria-current={chosen} onClick={choose}>
+      <canvas ref={canvas} />
+      <b>{nameOfRoom(room)}</b>
+      {goal !== undefined && goal.title !== "" && <span>{goal.title}</span>}
+    </button>
+  )
+}
+
+/// What a room is called.
+export function nameOfRoom(room: Pick<World, "name" | "title">): string {
+  return room.title !== "" ? room.title : room.name !== "" ? room.name : words.ownWorld
+}
