@@ -168,6 +168,9 @@ int rosy_child_begin(int count, const int *keep, int null_fd) {
   return 0;
 }
 
+/* As the system shows this process. */
+int rosy_name(const char *name) { return prctl(PR_SET_NAME, name, 0, 0, 0); }
+
 /* Less important than whoever is not nice. */
 int rosy_nice(int niceness) { return setpriority(PRIO_PROCESS, 0, niceness); }
 

@@ -23,6 +23,7 @@ int rosy_write_all(int fd, const char *buffer, size_t size);
 
 /* Becoming a child. */
 int rosy_child_begin(int count, const int *keep, int null_fd);
+int rosy_name(const char *name);
 int rosy_nice(int niceness);
 int rosy_filter_compiling(void);
 int rosy_filter_running(void);

@@ -90,13 +90,13 @@ async def _measure(config: Config, count: int, seconds: float) -> None:
 
 
 def _programs(worker: int | None) -> list[int]:
-    """The processes of programs: those without further ones that are at work below the worker's own."""
+    """The processes of programs: the last below the worker's own, but for those that only check."""
     found: list[int] = []
     level = [worker] if worker is not None else []
     while level:
         found = level
-        level = [int(child) for pid in level for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
-    return found
+        level = [int(pid) for one in level for pid in Path(f"/proc/{one}/task/{one}/children").read_text().split()]
+    return [pid for pid in found if Path(f"/proc/{pid}/comm").read_text() != "rosy-check\n"]
 
 
 def _proportional(pid: int) -> int:

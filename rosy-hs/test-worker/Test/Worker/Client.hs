@@ -43,7 +43,7 @@ where
 
 import Control.Concurrent (threadDelay)
 import Control.Exception (IOException, SomeException, bracket, onException, try)
-import Control.Monad (unless, void)
+import Control.Monad (filterM, unless, void)
 import Data.Aeson (Value (..), decodeStrict', encode, object, (.=))
 import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
@@ -192,9 +192,14 @@ linesUntil op link = do
 closeLink :: Link -> IO ()
 closeLink (Link s _) = void (try (close s) :: IO (Either SomeException ()))
 
--- | The processes that a process has started and not yet buried.
+-- | The processes that a worker has started for runs and not yet buried; those that only answer questions stay.
 childrenOf :: Int -> IO [Int]
-childrenOf pid = do
+childrenOf pid = allChildrenOf pid >>= filterM (fmap (/= "rosy-check\n") . nameOf)
+  where
+    nameOf child = fromRight "" <$> (try (readFile ("/proc/" ++ show child ++ "/comm") >>= \s -> length s `seq` pure s) :: IO (Either IOException String))
+
+allChildrenOf :: Int -> IO [Int]
+allChildrenOf pid = do
   found <- try (readFile ("/proc/" ++ show pid ++ "/task/" ++ show pid ++ "/children") >>= \s -> length s `seq` pure s) :: IO (Either IOException String)
   pure (either (const []) (map read . words) found)
 

@@ -17,10 +17,11 @@ module Rosy.Worker.Child
 where
 
 import Control.Exception (AsyncException (HeapOverflow), IOException, displayException, fromException, try)
-import Control.Monad (when)
+import Control.Monad (unless, when)
 import Data.Aeson (encode, object, (.=))
 import Data.Aeson.Types (Pair)
 import Data.ByteString (ByteString)
+import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -31,7 +32,7 @@ import Rosy.Worker.Ghc
 import Rosy.Worker.Kind (explainAll)
 import Rosy.Worker.Problem (Report (..), isError)
 import Rosy.Worker.Sys
-import Rosy.Worker.Wire (Question (..), completionFields, reportFields)
+import Rosy.Worker.Wire
 import System.Posix.IO (FdOption (NonBlockingRead), closeFd, setFdOption)
 import System.Posix.Types (Fd (..))
 
@@ -67,14 +68,32 @@ ranOutOfMemory = 251
 runNiceness :: Int
 runNiceness = 5
 
--- | Answers a question with the fields of its answer.
-answerChild :: Settings -> Session -> Fd -> Question -> IO ()
-answerChild settings session answer question = alone answer $ do
-  begin settings [answer]
-  fields <- case question of
-    Check source -> reportFields . fst <$> judge settings ToKnow session source
-    Complete source at -> completionFields <$> complete session source at
-  writeAll answer ("C" <> line fields)
+-- | Answers one question after the other, each with the fields of its answer, until nobody asks any more or it has grown too large.
+answerChild :: Settings -> Session -> Fd -> IO ()
+answerChild settings session service = alone service $ do
+  begin settings [service]
+  beCalled "rosy-check"
+  atFirst <- dataSize
+  let next held = do
+        bytes <- readSome service
+        unless (ByteString.null bytes) $ do
+          let (found, rest) = cut held bytes
+          sequence_ [either (const (pure ())) answer (parseRequest l) | Line l <- found]
+          now <- dataSize
+          when (now < atFirst + mostGrown) (next rest)
+      answer request = case request of
+        Ask _ question -> do
+          when (limits (layers settings)) (limitCpu compileCpu)
+          fields <- case question of
+            Check source -> reportFields . fst <$> judge settings ToKnow session source
+            Complete source at -> completionFields <$> complete session source at
+          writeAll service ("C" <> line fields)
+        _ -> pure ()
+  next noLines
+
+-- | Bytes by which a child that answers questions may grow before a new one takes its place.
+mostGrown :: Word64
+mostGrown = 128 * 1024 * 1024
 
 -- | The report, and the program if it may run.
 judge :: Settings -> Aim -> Session -> Text -> IO (Report, Maybe Ready)

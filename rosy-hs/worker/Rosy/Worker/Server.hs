@@ -26,6 +26,7 @@ import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8With)
 import Data.Text.Encoding.Error (lenientDecode)
 import GHC.Clock (getMonotonicTime)
+import Rosy.Worker.Checkers
 import Rosy.Worker.Child
 import Rosy.Worker.Ghc (Session, compilerVersion)
 import Rosy.Worker.Problem (Completion (..), Problem (..), emptyReport, problemNowhere)
@@ -45,15 +46,13 @@ data Config = Config
     checksAtOnce :: Int
   }
 
--- | What a child is for.
-data Purpose
-  = Answering Question
-  | -- | The page with the function at work; whether the program has started.
-    Running Page Bool
-
+-- | A run.
 data Job = Job
   { jobId :: Id,
-    purpose :: Purpose,
+    -- | The page with the function at work.
+    page :: Page,
+    -- | Whether the program has started.
+    started :: Bool,
     -- | Until the child has closed it.
     answers :: Maybe Fd,
     heard :: Lines,
@@ -73,6 +72,7 @@ data State = State
     outgoing :: Seq ByteString,
     -- | By process id.
     jobs :: Map.Map Int Job,
+    checkers :: Checkers,
     -- | Questions that nobody works on yet.
     waiting :: Seq (Id, Question),
     cache :: Map.Map Question ByteString,
@@ -85,25 +85,28 @@ serve :: Config -> Session -> IO ()
 serve config session = do
   ended <- watchChildren
   performMajorGC
-  let begun = State noLines Seq.empty (Seq.singleton (answerLine (ReadyNow compilerVersion))) Map.empty Seq.empty Map.empty Seq.empty False
+  let begun = State noLines Seq.empty (Seq.singleton (answerLine (ReadyNow compilerVersion))) Map.empty noCheckers Seq.empty Map.empty Seq.empty False
   loop config session ended begun
 
 loop :: Config -> Session -> Fd -> State -> IO ()
 loop config session ended = go
   where
     go s
-      | peerGone s = forM_ (Map.keys (jobs s)) (signalProcess sigKILL . fromIntegral)
+      | peerGone s = forM_ (Map.keys (jobs s) ++ map fst (ears (checkers s))) (signalProcess sigKILL . fromIntegral)
       | otherwise = do
         now <- getMonotonicTime
         let listening = [(fd, pid) | (pid, Job {answers = Just fd}) <- Map.toList (jobs s)]
-            next = minimum (60 : [t - now | Job {deadline = Just t} <- Map.elems (jobs s)])
+            asking = ears (checkers s)
+            next = minimum (60 : map (subtract now) (nextDeadline (checkers s) ++ [t | Job {deadline = Just t} <- Map.elems (jobs s)]))
         ready <-
           poll
-            ((socket config, if Seq.null (outgoing s) then ToRead else ToWriteOrRead) : (ended, ToRead) : [(fd, ToRead) | (fd, _) <- listening])
+            ((socket config, if Seq.null (outgoing s) then ToRead else ToWriteOrRead) : (ended, ToRead) : [(fd, ToRead) | (fd, _) <- listening] ++ map snd asking)
             (max 0 (ceiling (next * 1000)))
         case ready of
-          (mine, canWrite) : (reaping, _) : children -> do
-            s1 <- foldM (\st ((fd, pid), (yes, _)) -> if yes then hear fd pid st else pure st) s (zip listening children)
+          (mine, canWrite) : (reaping, _) : others -> do
+            let (children, askers) = splitAt (length listening) others
+            s0 <- foldM attend s (zip (map fst asking) askers)
+            s1 <- foldM (\st ((fd, pid), (yes, _)) -> if yes then hear fd pid st else pure st) s0 (zip listening children)
             s2 <- if reaping then drain ended >> reapAll s1 else pure s1
             s3 <- expire s2
             s4 <- if mine then listen config session s3 else pure s3
@@ -172,6 +175,7 @@ flush config s = case outgoing s of
 kill :: Id -> State -> IO State
 kill i s = do
   forM_ [pid | (pid, job) <- Map.toList (jobs s), jobId job == i] (signalProcess sigKILL . fromIntegral)
+  stopAsking i (checkers s)
   let (dropped, kept) = Seq.partition ((== i) . fst) (waiting s)
   pure (foldr (\_ -> reply (GoneNow i (Right 9) Nothing Nothing)) s {waiting = kept} dropped)
 
@@ -181,28 +185,46 @@ kill i s = do
 beginAnswers :: Config -> Session -> State -> IO State
 beginAnswers config session s
   | (i, question) :<| others <- waiting s,
-    length [() | Job {purpose = Answering _} <- Map.elems (jobs s)] < checksAtOnce config = do
-    (mine, theirs) <- newPair
-    pid <- forkProcess (answerChild (settings config) session theirs question)
-    closeFd theirs
-    s' <- addJob config (fromIntegral pid) i (Answering question) mine s {waiting = others}
-    beginAnswers config session s'
+    hasRoom (checksAtOnce config) (checkers s) = do
+    now <- getMonotonicTime
+    asked <- askOne newChecker (now + compileSeconds config) i question (checkers s)
+    beginAnswers config session s {waiting = others, checkers = asked}
   | otherwise = pure s
+  where
+    newChecker = do
+      (mine, theirs) <- newPair
+      pid <- forkProcess (answerChild (settings config) session theirs)
+      closeFd theirs
+      pure (fromIntegral pid, mine)
+
+-- | Serves a checker that is ready to be heard or told more.
+attend :: State -> (Int, (Bool, Bool)) -> IO State
+attend s (pid, (canRead, canWrite)) = do
+  told <- if canWrite then sendMore pid (checkers s) else pure (checkers s)
+  (said, after) <- if canRead then listenTo pid told else pure ([], told)
+  pure (foldl (flip report) s {checkers = after} said)
+
+-- | Passes on what became of a question.
+report :: Heard -> State -> State
+report heard' s = case heard' of
+  Answered i question fields -> remember question fields (reply (Known question i fields) s)
+  Broken i _ (Signalled 9) False _ -> reply (GoneNow i (Right 9) Nothing Nothing) s
+  Broken i question how tooLate words' -> reply (Known question i (fieldsOf question (compileProblem tooLate words' how))) s
+  where
+    fieldsOf question p = Lazy.toStrict . encode . object $ case question of
+      Check _ -> reportFields (emptyReport [p])
+      Complete _ _ -> completionFields (Completion Nothing [])
 
 startRun :: Config -> Session -> Id -> Text -> Int -> Fd -> State -> IO State
 startRun config session i source memory link s = do
   (mine, theirs) <- newPair
-  page <- newPage
-  pid <- forkProcess (runChild (settings config) session theirs link page (fromIntegral (max 0 memory)) source)
-  keepPage page
+  shared <- newPage
+  pid <- forkProcess (runChild (settings config) session theirs link shared (fromIntegral (max 0 memory)) source)
+  keepPage shared
   closeFd theirs
   closeFd link
-  addJob config (fromIntegral pid) i (Running page False) mine s
-
-addJob :: Config -> Int -> Id -> Purpose -> Fd -> State -> IO State
-addJob config pid i why fd s = do
   now <- getMonotonicTime
-  pure s {jobs = Map.insert pid (Job i why (Just fd) noLines (Just (now + compileSeconds config)) False False "") (jobs s)}
+  pure s {jobs = Map.insert (fromIntegral pid) (Job i shared False (Just mine) noLines (Just (now + compileSeconds config)) False False "") (jobs s)}
 
 -- | Takes what a child has to say.
 hear :: Fd -> Int -> State -> IO State
@@ -224,12 +246,11 @@ understand :: Int -> Cut -> State -> State
 understand pid (Line bytes) s
   | Just job <- Map.lookup pid (jobs s),
     not (answered job) =
-    let done answer p = reply answer s {jobs = Map.insert pid job {answered = True, deadline = Nothing, purpose = p} (jobs s)}
-     in case (purpose job, Char8.uncons bytes) of
-          (Answering question, Just ('C', fields)) -> remember question fields (done (Known question (jobId job) fields) (purpose job))
-          (Running page _, Just ('S', fields)) -> done (Started (jobId job) fields) (Running page True)
-          (Running page _, Just ('R', fields)) -> done (Refused (jobId job) fields) (Running page False)
-          (_, Just ('!', words')) -> s {jobs = Map.insert pid job {lastWords = decodeUtf8With lenientDecode words'} (jobs s)}
+    let done answer runs = reply answer s {jobs = Map.insert pid job {answered = True, deadline = Nothing, started = runs} (jobs s)}
+     in case Char8.uncons bytes of
+          Just ('S', fields) -> done (Started (jobId job) fields) True
+          Just ('R', fields) -> done (Refused (jobId job) fields) False
+          Just ('!', words') -> s {jobs = Map.insert pid job {lastWords = decodeUtf8With lenientDecode words'} (jobs s)}
           _ -> s
 understand _ _ s = s
 
@@ -250,7 +271,8 @@ expire s = do
   now <- getMonotonicTime
   let over job = maybe False (<= now) (deadline job)
   forM_ [pid | (pid, job) <- Map.toList (jobs s), over job] (signalProcess sigKILL . fromIntegral)
-  pure s {jobs = Map.map (\job -> if over job then job {deadline = Nothing, late = True} else job) (jobs s)}
+  asked <- overdue now (checkers s)
+  pure s {checkers = asked, jobs = Map.map (\job -> if over job then job {deadline = Nothing, late = True} else job) (jobs s)}
 
 reapAll :: State -> IO State
 reapAll s = do
@@ -260,7 +282,8 @@ reapAll s = do
     Just (pid, how) -> do
       -- What it said before it ended may still be on its way.
       s' <- maybe (pure s) (\fd -> hear fd pid s) (answers =<< Map.lookup pid (jobs s))
-      bury pid how s' >>= reapAll
+      (said, after) <- buried pid how (checkers s')
+      bury pid how (foldl (flip report) s' {checkers = after} said) >>= reapAll
 
 -- | The last word about a child.
 bury :: Int -> Ended -> State -> IO State
@@ -272,28 +295,19 @@ bury pid how s = case Map.lookup pid (jobs s) of
         i = jobId job
         wasKilled = how == Signalled 9 && not (late job)
         gone = GoneNow i (case how of Exited n -> Left n; Signalled n -> Right n)
-    case purpose job of
-      Answering question
-        | answered job -> pure rest
-        | wasKilled -> pure (reply (gone Nothing Nothing) rest)
-        | otherwise -> pure (reply (Known question i (fieldsOf question (compileProblem job how))) rest)
-      Running page started -> do
-        firing <- pageText page
-        freePage page
-        pure $
-          if started
-            then reply (gone (if Text.null firing || isExit how then Nothing else Just firing) (endedBy how)) rest
+    firing <- pageText (page job)
+    freePage (page job)
+    pure $
+      if started job
+        then reply (gone (if Text.null firing || isExit how then Nothing else Just firing) (endedBy how)) rest
+        else
+          if answered job
+            then rest
             else
-              if answered job
-                then rest
-                else
-                  if wasKilled
-                    then reply (gone Nothing Nothing) rest
-                    else reply (Refused i (Lazy.toStrict (encode (object ["problems" .= [compileProblem job how]])))) rest
+              if wasKilled
+                then reply (gone Nothing Nothing) rest
+                else reply (Refused i (Lazy.toStrict (encode (object ["problems" .= [compileProblem (late job) (lastWords job) how]])))) rest
   where
-    fieldsOf question p = Lazy.toStrict . encode . object $ case question of
-      Check _ -> reportFields (emptyReport [p])
-      Complete _ _ -> completionFields (Completion Nothing [])
     endedBy ended
       | outOfMemory ended = Just memoryProblem
       | ended == Signalled tookTooLong = Just timeProblem
@@ -316,8 +330,8 @@ timeProblem = problemNowhere "time" "The program has computed for too long." "Pr
 memoryProblem = problemNowhere "memory" "The program used up its memory." "Look for a list or a value that grows for ever."
 
 -- | Why a compilation ended without an answer.
-compileProblem :: Job -> Ended -> Problem
-compileProblem job how
-  | late job = problemNowhere "too-long" "The program takes too long to check." "Make it shorter, or split large expressions into several functions."
+compileProblem :: Bool -> Text -> Ended -> Problem
+compileProblem tooLate words' how
+  | tooLate = problemNowhere "too-long" "The program takes too long to check." "Make it shorter, or split large expressions into several functions."
   | outOfMemory how = problemNowhere "too-large" "The program takes too much memory to check." "Make it shorter, or split large expressions into several functions."
-  | otherwise = (problemNowhere "compiler" "The program could not be checked." "Undo the last change and try again.") {ghc = lastWords job}
+  | otherwise = (problemNowhere "compiler" "The program could not be checked." "Undo the last change and try again.") {ghc = words'}

@@ -29,10 +29,12 @@ module Rosy.Worker.Sys
     keepPage,
     newPair,
     writeAll,
+    readSome,
 
     -- * Becoming a child
     beginChild,
     beNice,
+    beCalled,
     filterCompiling,
     filterRunning,
     limitData,
@@ -48,7 +50,7 @@ import Control.Exception (throwIO)
 import Control.Monad (void, when)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as ByteString
-import Data.ByteString.Internal (createAndTrim')
+import Data.ByteString.Internal (createAndTrim, createAndTrim')
 import Data.ByteString.Unsafe (unsafeUseAsCStringLen)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -56,11 +58,13 @@ import Data.Text.Encoding (decodeUtf8With)
 import Data.Text.Encoding.Error (lenientDecode)
 import Data.Word (Word32, Word64, Word8)
 import Foreign.C.Error (errnoToIOError, getErrno)
+import Foreign.C.String (CString, withCString)
 import Foreign.C.Types
 import Foreign.Marshal.Alloc (alloca)
 import Foreign.Marshal.Array (allocaArray, peekArray, withArrayLen)
 import Foreign.Ptr (Ptr, castPtr, nullPtr, plusPtr)
 import Foreign.Storable (peek)
+import System.Posix.IO (fdReadBuf)
 import System.Posix.Types (CSsize (..), Fd (..))
 
 foreign import ccall unsafe rosy_receive :: CInt -> Ptr Word8 -> CSize -> Ptr CInt -> IO CSsize
@@ -84,6 +88,8 @@ foreign import ccall unsafe rosy_page_keep :: Ptr Word32 -> IO ()
 foreign import ccall unsafe rosy_pair :: Ptr CInt -> IO CInt
 
 foreign import ccall unsafe rosy_write_all :: CInt -> Ptr CChar -> CSize -> IO CInt
+
+foreign import ccall unsafe rosy_name :: CString -> IO CInt
 
 foreign import ccall unsafe rosy_nice :: CInt -> IO CInt
 
@@ -221,6 +227,16 @@ newPair = allocaArray 2 $ \ends -> do
 writeAll :: Fd -> ByteString -> IO ()
 writeAll (Fd fd) bytes =
   void $ unsafeUseAsCStringLen bytes (\(buffer, size) -> orThrow "write" (rosy_write_all fd buffer (fromIntegral size)))
+
+-- | What is there, waiting for it; nothing when the other end is closed.
+readSome :: Fd -> IO ByteString
+readSome fd = createAndTrim chunk (\buffer -> fromIntegral <$> fdReadBuf fd buffer (fromIntegral chunk))
+  where
+    chunk = 65536
+
+-- | The name that the system shows for this process, at most 15 characters.
+beCalled :: String -> IO ()
+beCalled name = withCString name (void . rosy_name)
 
 -- | See @rosy_child_begin@: the descriptors to keep, and one that stands in for 0 to 2.
 beginChild :: [Fd] -> Fd -> IO ()
