@@ -10,13 +10,19 @@ __all__ = ["broken_link", "died", "lost_robot", "room_full", "stuck", "worker_lo
 _SIGXCPU, _SIGKILL, _SIGSEGV, _SIGSYS = 24, 9, 11, 31
 
 
+_ENDLESS_TASKS = "Perhaps tasks follow one another for ever: put a `wait` into the loop, so that time can pass."
+"""Between two functions it is `main` that says which task comes next."""
+
+
 def stuck(function: str | None, limit: float, time: float) -> Problem:
     """A step took longer than ``limit`` s of wall-clock time."""
     who = f"`{function}`" if function else "The program"
     return problem(
         "stuck",
         f"{who} was still busy after {limit:g} seconds, so the robot was stopped.",
-        "A robot must answer quickly: look for something in it that never comes to an end.",
+        _ENDLESS_TASKS
+        if function == "main"
+        else "A robot must answer quickly: look for something in it that never comes to an end.",
         function=function,
         time=time,
     )

@@ -107,10 +107,11 @@ def ran(
     *hands: tuple[float, Hand],
     seed: int = 1,
     world: dict[str, Any] | None = None,
+    limits: Limits = LIMITS,
 ) -> Ran:
     """Run a program."""
     place = World(usable_arena(world if world is not None else named_world("empty"), "world"), seed)
     trace = io.BytesIO()
     said: list[str] = []
-    outcome = run_program(worker, source, place, Order(seconds, seed, None, hands), LIMITS, said.append, trace)
+    outcome = run_program(worker, source, place, Order(seconds, seed, None, hands), limits, said.append, trace)
     return Ran(outcome, [json.loads(line) for line in trace.getvalue().splitlines()], said, place)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -17,7 +18,7 @@ from rosy_sim.worker.blocking import BlockingWorker
 from rosy_sim.world.events import Press
 from rosy_sim.world.facts import MAX_SPEED
 
-from .real_runs import program, ran, worker_started
+from .real_runs import LIMITS, program, ran, worker_started
 
 pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]
 
@@ -197,3 +198,22 @@ def test_a_problem_is_in_the_line_that_the_learner_wrote(source: str, line: int,
     first = worker.check(source).problems[0]
     assert first.start is not None
     assert first.start.line == line
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        'main = simulate (dizzy >> say "never")\n\ndizzy :: Task ()\ndizzy = forever (pure ())\n',
+        "main = simulate (task () hit >> dizzy 1)\n\nhit :: Button -> Done ()\nhit _ = Done ()\n\n"
+        'dizzy :: Int -> Task ()\ndizzy n = if n > 0 then dizzy n else say "never"\n',
+    ],
+    ids=["from the start", "after another task"],
+)
+def test_tasks_that_never_let_time_pass_are_stopped_and_not_blamed_on_the_function_before(
+    source: str, worker: BlockingWorker
+) -> None:
+    run = ran(worker, source, 5, (0.5, Press(0, True)), limits=replace(LIMITS, settle=1.0, ready=1.0))
+    assert run.outcome.ended == "stuck"
+    [problem] = run.outcome.problems
+    assert problem.function == "main"
+    assert "`wait`" in problem.hint

@@ -24,6 +24,7 @@ runOn link program = do
   case first of
     Nothing -> end link noAnswer EndedStopped
     Just batch -> do
+      between link
       let start = Start {startTime = batchTime batch, startGen = mkStdGen (openingSeed opening)}
       batches link [] batch (begin start program)
 
@@ -38,7 +39,7 @@ batches link seen batch = drive [] (occasions batch)
         atWork link name
         result <- try (evaluate (firingEffects firing))
         case result of
-          Right _ -> drive (name : fired) todo after
+          Right _ -> between link >> drive (name : fired) todo after
           Left exception -> do
             inputs <- showInputs (firingInputs firing)
             cleanUp link batch fired (EndedError (problemFrom (Just (nameText name)) inputs (Just (batchTime batch)) exception)) (firingFailed firing)
@@ -52,8 +53,13 @@ batches link seen batch = drive [] (occasions batch)
           following <- next link
           case following of
             Nothing -> cleanUp link batch [] EndedStopped (stop network')
-            Just batch' -> batches link memory batch' (Settled network')
+            Just batch' -> between link >> batches link memory batch' (Settled network')
       Ended outcome report -> end link (answerOf batch fired report) (endingOf batch outcome)
+
+-- | Between two firings the program's own expression is at work, from @main@: it says which task comes next. A loop of tasks that
+-- never lets time pass is stuck there.
+between :: Link -> IO ()
+between link = atWork link (functionName "main")
 
 -- | What was done in a step, given the names of what fired, newest first.
 answerOf :: Batch -> [FunctionName] -> Report -> Answer
@@ -77,7 +83,7 @@ cleanUp link batch fired ending turn = case turn of
     atWork link (firingName firing)
     result <- try (evaluate (firingEffects firing)) :: IO (Either SomeException Effects)
     case result of
-      Right _ -> cleanUp link batch (firingName firing : fired) ending after
+      Right _ -> between link >> cleanUp link batch (firingName firing : fired) ending after
       Left _ -> cleanUp link batch fired ending (firingFailed firing)
   Settled network -> cleanUp link batch fired ending (stop network)
   Ended _ report -> atRest link >> end link (answerOf batch fired report) ending
