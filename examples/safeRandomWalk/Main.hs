@@ -33,18 +33,32 @@ chgdir ChgDir gen now = Memory (Turn speed (now + doubleToSeconds angle))
     speed = if left then 1 else -1
 
 spin :: Memory Mode -> Seconds -> Either (M2 Velocity) (Memory Mode)
-spin (Memory Go) _ = Left (M2 (Velocity 0.5 0))
+spin (Memory Go) _ = Left (M2 (Velocity 0.2 0))
 spin (Memory Stop) _ = Left (M2 (Velocity 0 0))
 spin (Memory (Turn speed end)) now
   | now < end = Left (M2 (Velocity 0 speed))
   | otherwise = Right (Memory Go)
 
-safetyControl :: Either (Either Bumper Cliff) Wheel -> Maybe (M1 Velocity)
-safetyControl (Right (Wheel _ Air)) = Just (M1 (Velocity 0 0))
-safetyControl (Left (Left (Bumper side Pressed))) = Just (M1 (backOff side))
-safetyControl (Left (Right (Cliff side Hole))) =
-  Just (M1 (backOff (bumperAt side)))
-safetyControl _ = Nothing
+-- Remembers the sides on which something is in the way.
+watch :: Either Bumper Cliff -> Memory [BumperSide] -> Memory [BumperSide]
+watch (Left (Bumper side Pressed)) (Memory sides) = Memory (side : sides)
+watch (Left (Bumper side Released)) (Memory sides) = Memory (without side sides)
+watch (Right (Cliff side Hole)) (Memory sides) = Memory (bumperAt side : sides)
+watch (Right (Cliff side Floor)) (Memory sides) =
+  Memory (without (bumperAt side) sides)
+
+without :: BumperSide -> [BumperSide] -> [BumperSide]
+without side = filter (/= side)
+
+-- Warns at once, and then ten times a second for as long as it is so.
+safetyControl ::
+  Maybe (Either Bumper Cliff) ->
+  Memory [BumperSide] ->
+  Memory Mode ->
+  Maybe (M1 Velocity)
+safetyControl _ _ (Memory Stop) = Just (M1 (Velocity 0 0))
+safetyControl _ (Memory (side : _)) _ = Just (M1 (backOff side))
+safetyControl _ (Memory []) _ = Nothing
 
 -- Backwards, and away from the side that was hit.
 backOff :: BumperSide -> Velocity
@@ -72,4 +86,5 @@ muxVelocity = mux
 
 main :: IO ()
 main =
-  simulate ((bumper, cliff, wheel, chgdir, spin), safetyControl, muxVelocity)
+  simulate
+    ((bumper, cliff, wheel, chgdir, spin), (watch, safetyControl), muxVelocity)

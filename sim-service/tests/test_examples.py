@@ -11,6 +11,7 @@ a second.
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Iterator
 from itertools import pairwise
 
@@ -368,20 +369,16 @@ def test_safe_random_walk_never_stays_stuck_at_a_wall(seed: int, worker: Blockin
 
 
 def test_safe_random_walk_stands_while_its_wheels_hang(worker: BlockingWorker) -> None:
-    run = example(worker, "safeRandomWalk", 4, (1.0, Lift("both", True)), (3.0, Lift("both", False)))
+    run = example(worker, "safeRandomWalk", 5, (1.0, Lift("both", True)), (3.0, Lift("both", False)))
     assert {velocity for line in run.between(1.0, 3.0) for velocity in velocities(line)} == {(0.0, 0.0)}
-    assert run.at(3.98)["v"] == pytest.approx(0.5)
+    assert run.at(4.9)["v"] == pytest.approx(0.2)
 
 
-def test_safe_random_walk_unlike_the_reference_may_drive_on_over_a_hole_it_was_warned_of(
-    worker: BlockingWorker,
-) -> None:
-    """
-    The reference warns as long as the cliff sensor sees the hole, and its message outranks the walker's. The paper's
-    program warns once; a second later the walker drives again, and a sensor that still sees the hole has no news.
-    """
-    run = example(worker, "safeRandomWalk", 60, seed=3)
-    fall = run.heard("Wheel", "Air")[0]
-    warning = max(time for time in run.heard("Cliff", "Hole") if time < fall)
-    assert any(v == 0.5 for time, v, _ in run.velocities() if warning + 1.0 < time < fall)
-    assert {(v, w) for time, v, w in run.velocities() if time >= fall} == {(0.0, 0.0)}
+@pytest.mark.parametrize("seed", range(1, 1 + int(os.environ.get("ROSY_SEEDS", "4"))))
+def test_safe_random_walk_stays_out_of_every_pit_for_ten_minutes(seed: int, worker: BlockingWorker) -> None:
+    """As the reference, it warns for as long as a sensor sees the hole; `ROSY_SEEDS` asks for more seeds."""
+    run = example(worker, "safeRandomWalk", 600, seed=seed)
+    assert run.outcome.ended == "time"
+    assert len(run.heard("Cliff", "Hole")) > 10
+    assert run.heard("Wheel", "Air") == []
+    assert run.longest_stay(0.25) < 60

@@ -120,6 +120,7 @@ unclear outline problem = case find (any isOpen . (\f -> inputs f ++ outputs f))
 
 explainInstance :: Outline -> Raw -> Say -> Text -> Type -> Text -> Problem
 explainInstance outline raw problem c t user
+  | c == "Typeable", isOpenType t = problem "ambiguous-type" "This task has no end: none of its functions gives Done." "Give Done () when it is over; if it goes on for ever, say so: (task start go :: Task ())."
   | c == "Sensor" = blaming inputs (problem "not-a-sensor" (who "takes" <> a t <> ", which the robot cannot sense.") sensorHint)
   | c == "Command", "Task" `Text.isPrefixOf` t = blaming outputs (problem "controller-needed" (owner <> " is a task, but here a function for the robot is needed.") "Simulate the task alone, or put it into another task with do.")
   | c == "Command", "IO" `Text.isPrefixOf` t = problem "not-a-command" "Only main may be an IO action." "Give a command instead, for example Say to show a text."
@@ -141,6 +142,7 @@ explainInstance outline raw problem c t user
   | c `elem` ["Monad", "Applicative", "Functor", "MonadFail", "Foldable", "Traversable"] = problem "type-mismatch" (quoted t <> " cannot be used with " <> quoted user <> ".") "Check which value was meant."
   | otherwise = problem "type-mismatch" (a' t <> " cannot be used with " <> quoted user <> ".") "Check which value was meant."
   where
+    isOpenType = maybe False (isLower . fst) . Text.uncons
     whole = flat (Text.unwords (important raw))
     shown = if t == "Char" then "String" else t
     a' x = "A " <> quoted x
