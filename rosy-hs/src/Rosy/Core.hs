@@ -266,7 +266,7 @@ instance Functor Task where
 instance Applicative Task where
   pure x = Task (\k -> k x)
   (<*>) = ap
-  Task m *> Task n = Task (\k -> m (const (n k)))
+  Task m *> Task n = Task (m . const . n)
 
 instance Monad Task where
   Task m >>= f = Task (\k -> m (\x -> runTask (f x) k))

@@ -35,7 +35,7 @@ module Rosy.Model
 where
 
 import Control.Monad (foldM)
-import Control.Monad.Trans.State.Strict (State, execState, get, gets, modify)
+import Control.Monad.Trans.State.Strict (State, execState, get, gets, modify, state)
 import Data.Bifunctor (first)
 import Data.Maybe (catMaybes, fromMaybe, isJust)
 
@@ -59,6 +59,10 @@ data Input
     Memory Type
   | -- | The memory of the program, of a type.
     Param Type
+  | -- | The time, in milliseconds.
+    Time
+  | -- | A random generator of its own: the first one of the program is 0, the next one 1.
+    Chance
   | -- | All of these: curried arguments, tuples.
     All [Input]
   | -- | Either, as it comes. @Maybe a@ is @Either a (Event "()")@.
@@ -122,7 +126,7 @@ data Said = Fired String | Commanded Value | Over
 meaning :: Program -> [(Int, Happening)] -> [(Int, Said)]
 meaning program happenings = heard (execState run world0)
   where
-    world0 = World 0 Nothing [] [] 0 0 [] []
+    world0 = World 0 Nothing [] [] 0 0 0 [] []
     run = do
       running <- advance limit program
       case running of
@@ -143,6 +147,8 @@ data World = World
     queue :: [(Int, (Type, Value))],
     emitted :: Int,
     scopes :: Int,
+    -- | How many random generators were read.
+    chances :: Int,
     -- | Newest first.
     said :: [(Int, Said)],
     fed :: [Value]
@@ -165,21 +171,20 @@ say what = modify (\w -> w {said = (time w, what) : said w})
 data Occurrence = Outside Happening | Inside Int Type Value
 
 -- | The value of an arrival, read in the task's scope when the function fires. 'needsState' arrivals wait for odometry (rule 5).
-data Arrival = Arrival {needsState :: Bool, readIn :: Int -> World -> Value}
+data Arrival = Arrival {needsState :: Bool, readIn :: Int -> State World Value}
 
 -- | What each occurrence of a history brings to an input, turn by turn.
 arrivals :: Input -> [Occurrence] -> [[Maybe Arrival]]
 arrivals i history = case i of
-  Event t -> [[fmap (\v -> Arrival False (\_ _ -> v)) (eventOf t o)] | o <- history]
+  Event t -> [[fmap (Arrival False . const . pure) (eventOf t o)] | o <- history]
   State -> [[if isOdometry o then Just (level State) else Nothing] | o <- history] -- rule 2, and rule 4 inside Either
-  Memory _ -> map (const [Nothing]) history -- rule 3
-  Param _ -> map (const [Nothing]) history
   Either a b -> zipWith (++) (side InLeft a) (side InRight b) -- rule 4
   All members -> case flatten members of
     [] -> map (const [Nothing]) history
     inputs -> joined inputs history
+  _ -> map (const [Nothing]) history -- rule 3
   where
-    side f = map (map (fmap (\a -> a {readIn = \s w -> f (readIn a s w)}))) . (`arrivals` history)
+    side f = map (map (fmap (\a -> a {readIn = fmap f . readIn a}))) . (`arrivals` history)
 
 -- | All of these: once every event has an unused value; it takes the newest of each. Members without events are read.
 joined :: [Input] -> [Occurrence] -> [[Maybe Arrival]]
@@ -201,7 +206,7 @@ joined members history = go (map (const Nothing) events) rows
               Nothing -> fmap (Nothing :) (turns newest more)
     newer (Just new) _ = Just new
     newer Nothing old = old
-    together values = Arrival (any needsState parts) (\s w -> Tuple [readIn p s w | p <- parts])
+    together values = Arrival (any needsState parts) (\s -> Tuple <$> mapM (`readIn` s) parts)
       where
         parts = merge members values
     merge (m : ms) values
@@ -230,11 +235,15 @@ isEvent i = case i of
 -- | The current value of states and samples.
 level :: Input -> Arrival
 level i = case i of
-  State -> Arrival True (\_ w -> Int (fromMaybe 0 (odometry w)))
-  Memory t -> Arrival False (\s w -> fromMaybe (Int 0) (lookup (s, t) (memory w))) -- rule 7
-  Param t -> Arrival False (\_ w -> fromMaybe (Int 0) (lookup (paramScope, t) (memory w)))
-  All members -> Arrival (any (needsState . level) members) (\s w -> Tuple [readIn (level m) s w | m <- flatten members])
-  _ -> Arrival False (\_ _ -> Tuple [])
+  State -> Arrival True (\_ -> gets (Int . fromMaybe 0 . odometry))
+  Memory t -> Arrival False (\s -> recall (s, t)) -- rule 7
+  Param t -> Arrival False (\_ -> recall (paramScope, t))
+  Time -> Arrival False (\_ -> gets (Int . time))
+  Chance -> Arrival False (\_ -> state (\w -> (Int (chances w), w {chances = chances w + 1})))
+  All members -> Arrival (any (needsState . level) members) (\s -> Tuple <$> mapM ((`readIn` s) . level) (flatten members))
+  _ -> Arrival False (\_ -> pure (Tuple []))
+  where
+    recall key = gets (fromMaybe (Int 0) . lookup key . memory)
 
 -- | Whether a level is refreshed by odometry.
 isState :: Input -> Bool
@@ -281,7 +290,7 @@ due o w l
 -- | One transaction: read, compute, write, all at once (rule 6).
 fire :: Int -> Function -> Arrival -> State World [Output]
 fire scope f a = do
-  v <- gets (readIn a scope)
+  v <- readIn a scope
   say (Fired (name f))
   let outputs = body f v
   mapM_ carryOut outputs

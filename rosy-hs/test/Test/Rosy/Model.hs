@@ -22,6 +22,7 @@ import qualified Rosy.Sense as R
 import qualified Rosy.Sensor as R
 import qualified Rosy.Value as V
 import Support.Story
+import System.Random (StdGen, mkStdGen, split)
 import Test.QuickCheck hiding (Function, function, label)
 import Test.Tasty (TestTree, adjustOption, localOption, testGroup)
 import Test.Tasty.QuickCheck (QuickCheckTests (..), testProperty)
@@ -112,6 +113,10 @@ what h = case h of
   Odometry v -> moving (fromIntegral v)
   Tick -> TickNow
 
+-- | Which of a program's random generators this is.
+numberOf :: StdGen -> Int
+numberOf g = length (takeWhile (/= g) (map (fst . split) (iterate (snd . split) (mkStdGen 1))))
+
 -- | An input together with what its values are in the model.
 data AnInput = forall a. AnInput (R.Sense a) (a -> Value)
 
@@ -127,6 +132,8 @@ inputOf i = case i of
   Memory _ -> AnInput R.sense (\(R.Memory (M1 v)) -> v)
   Param "M0" -> AnInput R.sense (\(R.Param (M0 v)) -> v)
   Param _ -> AnInput R.sense (\(R.Param (M1 v)) -> v)
+  Time -> AnInput R.sense (\(R.Seconds s) -> Int (round (s * 1000)))
+  Chance -> AnInput R.sense (Int . numberOf)
   Either a (Event "()") -> case inputOf a of
     -- The instance of Maybe, rebuilt for an input that is not known by its type.
     AnInput sa fa -> AnInput (R.oneOf sa R.tick) (either (InLeft . fa) (const (InRight (Tuple []))))
@@ -227,7 +234,8 @@ anInput depth =
     [ (4, Event <$> elements ["Bumper", "Button", "E0", "E0", "E1", "()"]),
       (2, pure State),
       (2, Memory <$> elements ["M0", "M1"]),
-      (1, Param <$> elements ["M0", "M1"])
+      (1, Param <$> elements ["M0", "M1"]),
+      (1, elements [Time, Chance])
     ]
       ++ [ (3, choose (0, 3) >>= fmap All . flip vectorOf (anInput (depth - 1))) | depth > 0
          ]
