@@ -2,7 +2,8 @@
 How long a check and a run take in the worker, beside runghc, ghc -O0 and a warm ghci on the same program in the same run.
 
 In: the built worker and library. Out: a table of medians and 95th percentiles in milliseconds, and memory per run. `started` is the time from sending a run to
-`main` being about to run, seen from outside; a run that compilers start is timed to the end of a program that ends at once.
+`main` being about to run, seen from outside; `first firing` to the answer to its first step; a run that compilers start is timed to the end of a program that ends at
+once. `30 clients` ask once a second each, every time about a changed program, on as many cores as there are.
 """
 
 from __future__ import annotations
@@ -10,6 +11,8 @@ from __future__ import annotations
 import array
 import json
 import os
+import random
+import select
 import socket
 import statistics
 import subprocess
@@ -22,6 +25,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 ROUNDS = int(os.environ.get("ROSY_BENCH_ROUNDS", "50"))
 COLD_ROUNDS = 10
+AT_ONCE = 200
 
 SMALL = """main = simulate (accelerate, play)
 
@@ -32,6 +36,16 @@ play :: Bumper -> Maybe Sound
 play (Bumper _ Pressed) = Just ErrorSound
 play _ = Nothing
 """
+
+
+FIRST_STEP = b"".join(
+    json.dumps(line).encode() + b"\n"
+    for line in (
+        {"op": "start", "protocol": 1, "seed": 1, "trace": False},
+        {"op": "publish", "topic": "/odom", "msg": {"pose": {"pose": {"position": {"x": 0, "y": 0}, "orientation": {"z": 0, "w": 1}}}, "twist": {"twist": {"linear": {"x": 0}, "angular": {"z": 0}}}}},
+        {"op": "step", "step": 0, "time": 0},
+    )
+)
 
 
 def hundred_lines() -> str:
@@ -91,6 +105,40 @@ class Worker:
         self.say({"op": "check", "id": self.next, "source": f"{source}-- {self.next}\n"})
         assert self.hear()["op"] == "checked"
 
+    def clients(self, source: str, clients: int, seconds: float) -> list[float]:
+        """Each asks once a second from a moment of its own on, whether others have been answered or not."""
+        dice = random.Random(1)
+        moments = sorted(dice.random() + second for _ in range(clients) for second in range(round(seconds)))
+        began, asked, took = time.perf_counter(), {}, []
+        while len(took) < len(moments):
+            now = time.perf_counter() - began
+            while len(asked) < len(moments) and moments[len(asked)] <= now:
+                self.next += 1
+                asked[self.next] = began + moments[len(asked)]
+                self.say({"op": "check", "id": self.next, "source": f"{source}-- {self.next}\n"})
+            until = moments[len(asked)] - now if len(asked) < len(moments) else 60.0
+            if b"\n" in self.unread or select.select([self.socket], [], [], max(0.0, until))[0]:
+                answer = self.hear()
+                took.append((time.perf_counter() - asked[answer["id"]]) * 1000)
+        return took
+
+    def fire(self, source: str) -> socket.socket:
+        """A run up to the first step in which a function has fired."""
+        mine, theirs = socket.socketpair()
+        self.next += 1
+        mine.sendall(FIRST_STEP)
+        self.say({"op": "run", "id": self.next, "source": source, "memory": 64 << 20}, theirs.fileno())
+        theirs.close()
+        said = b""
+        while b'"settled"' not in said:
+            more = mine.recv(1 << 16)
+            if not more:
+                sys.exit("bench worker: the program ended.")
+            said += more
+        assert b'"fired":["' in said
+        assert self.hear()["op"] == "started"
+        return mine
+
     def run(self, source: str) -> socket.socket:
         mine, theirs = socket.socketpair()
         self.next += 1
@@ -129,7 +177,9 @@ def private_kilobytes(pid: int) -> tuple[int, int]:
 
 
 def children(pid: int) -> list[int]:
-    return [int(child) for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+    """The programs, without the children that only check."""
+    found = [int(child) for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+    return [child for child in found if Path(f"/proc/{child}/comm").read_text() != "rosy-check\n"]
 
 
 def ghci(folder: Path, packages: list[str]) -> list[float]:
@@ -162,11 +212,24 @@ def main() -> int:
     row(f"check: {len(SMALL.splitlines())} lines", timed(ROUNDS, lambda: worker.check(SMALL)))
     row(f"check: {len(large.splitlines())} lines", timed(ROUNDS, lambda: worker.check(large)))
 
+    row(f"check: {len(large.splitlines())} lines, 30 clients", worker.clients(large, 30, 10))
+
     links: list[socket.socket] = []
+    row("run: to its first firing", timed(ROUNDS, lambda: links.append(worker.fire(SMALL))))
+    for link in links:
+        link.close()
+    for _ in links:
+        worker.hear()
+    links = [worker.fire(SMALL) for _ in range(AT_ONCE)]
+    memory = [private_kilobytes(pid) for pid in children(worker.process.pid)]
+    row(f"run: to its first firing, beside {AT_ONCE}", timed(ROUNDS, lambda: worker.fire(SMALL).close() or worker.hear()))
+    for link in links:
+        link.close()
+    for _ in links:
+        worker.hear()
+    links = []
     started = row("run: to started", timed(ROUNDS, lambda: links.append(worker.run(SMALL))))
     row(f"run: to started, {len(large.splitlines())} lines", timed(ROUNDS, lambda: links.append(worker.run(large))))
-    alive = children(worker.process.pid)
-    memory = [private_kilobytes(pid) for pid in alive]
     for link in links:
         link.close()
 
