@@ -38,13 +38,16 @@ _MAX_FORWARDS = 1000
 
 
 class Lateness:
-    """How late steps began, s: the last some thousand of them."""
+    """How late steps began, s: how many there were, and the last some thousand of them."""
 
     def __init__(self, size: int = 50_000) -> None:
         self._samples: deque[float] = deque(maxlen=size)
+        # Steps since the last clear().
+        self._steps = 0
 
     def add(self, late: float) -> None:
         """Remember one step."""
+        self._steps += 1
         self._samples.append(late)
 
     def summary(self) -> dict[str, float]:
@@ -53,10 +56,16 @@ class Lateness:
         if not samples:
             return {"steps": 0, "p50": 0.0, "p99": 0.0, "worst": 0.0}
         n = len(samples)
-        return {"steps": n, "p50": samples[n // 2], "p99": samples[min(n - 1, n * 99 // 100)], "worst": samples[-1]}
+        return {
+            "steps": self._steps,
+            "p50": samples[n // 2],
+            "p99": samples[min(n - 1, n * 99 // 100)],
+            "worst": samples[-1],
+        }
 
     def clear(self) -> None:
         """Forget all."""
+        self._steps = 0
         self._samples.clear()
 
 

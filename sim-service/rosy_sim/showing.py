@@ -25,6 +25,9 @@ Ended = Literal["done", "error", "stuck", "stopped", "time", "refused"]
 _MAX_FIRED = 200
 """Firings told in one frame; the latest ones."""
 
+_DIGITS = 5
+"""Digits after the point of what is drawn, m and rad: a hundredth of a millimetre. All would double the bytes."""
+
 _MAX_WORDS = 10_000
 """Characters of one `Say` that reach the page."""
 
@@ -133,11 +136,11 @@ class Showing:
                 self.run,
                 self.step,
                 self.step / 50,
-                world.x,
-                world.y,
-                world.theta,
-                world.v,
-                world.w,
+                round(world.x, _DIGITS),
+                round(world.y, _DIGITS),
+                round(world.theta, _DIGITS),
+                round(world.v, _DIGITS),
+                round(world.w, _DIGITS),
                 bits.bumpers,
                 bits.cliffs,
                 bits.wheels,
@@ -146,7 +149,7 @@ class Showing:
                 world.leds[1],
                 fired,
                 self._moved_boxes(),
-                world.ghost(),
+                _drawn(world.ghost()),
                 memory,
             )
         )
@@ -186,4 +189,8 @@ class Showing:
         if poses == self._boxes:
             return None
         self._boxes = poses
-        return poses
+        return [(round(x, _DIGITS), round(y, _DIGITS), round(theta, _DIGITS)) for x, y, theta in poses]
+
+
+def _drawn(pose: tuple[float, float, float] | None) -> tuple[float, float, float] | None:
+    return None if pose is None else (round(pose[0], _DIGITS), round(pose[1], _DIGITS), round(pose[2], _DIGITS))

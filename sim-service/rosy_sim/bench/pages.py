@@ -9,14 +9,17 @@ from __future__ import annotations
 
 import asyncio
 import base64
+import cProfile
 import json
 import multiprocessing
 import os
+import pstats
 import resource
 import selectors
 import socket
 import statistics
 import time
+from dataclasses import replace
 from multiprocessing.connection import Connection
 from pathlib import Path
 
@@ -25,8 +28,15 @@ import uvloop
 
 from ..app import Service, build_app
 from ..config import Config
+from ..world.facts import STEP
 
-__all__ = ["report"]
+__all__ = ["IN_TIME", "report"]
+
+IN_TIME = STEP
+"""A step that begins later than the next one was due is late, s."""
+
+_SHOWN = 12
+"""Lines of a profile."""
 
 _PROGRAM = """accelerate :: Velocity -> Velocity
 accelerate (Velocity v w) = Velocity (v + 0.3) 0.4
@@ -35,13 +45,21 @@ main = simulate accelerate
 """
 
 
-def report(config: Config, count: int, seconds: float) -> None:
-    """Print a row."""
+def report(config: Config, count: int, runs: int, seconds: float, profile: bool) -> float:
+    """
+    Print a row: so many pages, of which so many may drive at once. With ``profile`` also where the service's time
+    went. Answers how late steps began, s (p99).
+    """
+    limits = replace(config.limits, runs=runs, sessions=max(count, config.limits.sessions))
+    profiler = cProfile.Profile(time.process_time) if profile else None
     with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
-        runner.run(_measure(config, count, seconds))
+        late = runner.run(_measure(config.with_limits(limits), count, seconds, profiler))
+    if profiler is not None:
+        pstats.Stats(profiler).sort_stats("tottime").print_stats(_SHOWN)
+    return late
 
 
-async def _measure(config: Config, count: int, seconds: float) -> None:
+async def _measure(config: Config, count: int, seconds: float, profiler: cProfile.Profile | None) -> float:
     app = build_app(config)
     service: Service = app.state.service
     settings = uvicorn.Config(
@@ -64,13 +82,18 @@ async def _measure(config: Config, count: int, seconds: float) -> None:
     crowd.start()
     await asyncio.to_thread(ours.recv)
     service.late.clear()
-    before, began = _cpu(), time.perf_counter()
+    programs = _programs(service.worker.pid)
+    before, theirs_before, began = _cpu(), _used(programs), time.perf_counter()
+    if profiler is not None:
+        profiler.enable()
     ours.send("count")
     await asyncio.sleep(seconds)
-    memory = [_proportional(pid) for pid in _programs(service.worker.pid)]
+    if profiler is not None:
+        profiler.disable()
+    memory = [_proportional(pid) for pid in programs]
     ours.send("stop")
     frames, octets = await asyncio.to_thread(ours.recv)
-    took, cost = time.perf_counter() - began, _cpu() - before
+    took, cost, theirs = time.perf_counter() - began, _cpu() - before, _used(programs) - theirs_before
     late = service.late.summary()
     driving = min(count, config.limits.runs)
     rate = late["steps"] / took / driving
@@ -78,7 +101,8 @@ async def _measure(config: Config, count: int, seconds: float) -> None:
         f"  {count:>3} pages: {rate:5.1f} steps/s each; a step begins late by {late['p50'] * 1e3:.1f} ms (median), "
         f"{late['p99'] * 1e3:.1f} (p99), {late['worst'] * 1e3:.1f} (worst); "
         f"{frames / took / count:.0f} frames/s and {octets / took / count / 1e3:.1f} kB/s to each; "
-        f"service {cost / took * 100:.0f} % of a core; "
+        f"service {cost / took * 100:.0f} % of a core, programs {theirs / took * 100:.0f} %: "
+        f"{cost / late['steps'] * 1e6:.0f} and {theirs / late['steps'] * 1e6:.0f} µs a step; "
         f"{statistics.median(memory) / 1024:.1f} MB of memory to each program (proportional; {len(memory)} alive); "
         f"{service.places.queued} waited for a place, none was refused",
         flush=True,
@@ -87,6 +111,7 @@ async def _measure(config: Config, count: int, seconds: float) -> None:
     crowd.kill()
     server.should_exit = True
     await serving
+    return late["p99"]
 
 
 def _programs(worker: int | None) -> list[int]:
@@ -108,6 +133,15 @@ def _proportional(pid: int) -> int:
 def _cpu() -> float:
     used = resource.getrusage(resource.RUSAGE_SELF)
     return used.ru_utime + used.ru_stime
+
+
+def _used(pids: list[int]) -> float:
+    """CPU time of processes, s. proc(5): fields 14 and 15 of /proc/PID/stat, in clock ticks."""
+    ticks = 0
+    for pid in pids:
+        fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+        ticks += int(fields[11]) + int(fields[12])
+    return ticks / os.sysconf("SC_CLK_TCK")
 
 
 def _crowd(port: int, count: int, drivers: int, talk: Connection) -> None:

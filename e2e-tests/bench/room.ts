@@ -1,0 +1,182 @@
+/// How smoothly the room is drawn when there is much to draw: 30 obstacles, ten minutes of trail and three strip charts,
+/// in a real browser on the real service, while a program drives. And how many bytes a second the page is sent.
+///
+/// Prints the time between two pictures, median and 95th percentile, and the page's own work for one. The ten minutes
+/// are played to the page beforehand, frame by frame as the service writes them. Nothing is asserted: machines differ.
+
+import {spawn} from "node:child_process"
+import {chromium, type Page} from "@playwright/test"
+
+const SECONDS = Number(process.env["ROSY_BENCH_SECONDS"] ?? 10)
+const root = new URL("../..", import.meta.url).pathname
+const port = 20_000 + Math.floor(Math.random() * 10_000)
+
+const world = {
+  name: "thirty obstacles",
+  size: [12, 9],
+  start: {x: 6, y: 4.5, theta: 0.3},
+  boxes: Array.from({length: 20}, (_, i) => ({
+    x: 1 + (i % 5) * 2.5,
+    y: [0.6, 2.6, 6.4, 8.4][Math.floor(i / 5)],
+    w: 0.4,
+    h: 0.3,
+    theta: i * 0.4,
+    movable: i % 2 === 0,
+  })),
+  rounds: Array.from({length: 10}, (_, i) => ({
+    x: 0.7 + i * 1.15,
+    y: i % 2 ? 3.4 : 5.6,
+    r: 0.14,
+    movable: i % 3 === 0,
+  })),
+}
+const program =
+  "drive :: Velocity -> Velocity\ndrive (Velocity v _) = Velocity (v + 0.1) 0.9\n\nmain = simulate drive\n"
+const project = {
+  rosy: 1,
+  name: "bench",
+  haskell: program,
+  layout: {declarations: [], loose: []},
+  world,
+  settings: {},
+}
+
+/// Runs in the page before it: plays ten minutes when the first frame of a run comes, moves the rest behind them, and
+/// counts what arrives and how long each picture takes.
+function watch(): void {
+  const earlier = 600
+  const seen = {bytes: 0, frames: 0, played: false, gaps: [] as number[]}
+  Object.assign(window, {seen})
+  const Real = window.WebSocket
+  const past = (message: {run: number}) =>
+    Array.from({length: earlier * 50}, (_, step) => {
+      const time = step / 50
+      const x = 6 + 5 * Math.sin(time * 0.11) * Math.cos(time * 0.013)
+      const y = 4.5 + 3.8 * Math.sin(time * 0.17)
+      const v = 0.35 + 0.3 * Math.sin(time * 0.9)
+      const bumpers = step % 700 < 20 ? 2 : 0
+      const still = {w: 0.4, cliffs: 0, wheels: 0, buttons: 0, led1: 0, led2: 0, fired: ["drive"]}
+      return JSON.stringify({
+        op: "frame",
+        run: message.run,
+        step,
+        time,
+        x,
+        y,
+        theta: time,
+        v,
+        bumpers,
+        ...still,
+      })
+    })
+  window.WebSocket = class extends Real {
+    override set onmessage(handler: ((event: MessageEvent) => void) | null) {
+      super.onmessage = event => {
+        const text = String(event.data)
+        seen.bytes += text.length
+        const message = JSON.parse(text)
+        if (message.op !== "frame" || message.step === 0) return handler?.(event)
+        seen.frames += 1
+        if (!seen.played) for (const data of past(message)) handler?.(new MessageEvent("message", {data}))
+        seen.played = true
+        const moved = {...message, step: message.step + earlier * 50, time: message.time + earlier}
+        handler?.(new MessageEvent("message", {data: JSON.stringify(moved)}))
+      }
+    }
+  }
+  let last = 0
+  const beat = (now: number) => {
+    if (last > 0) seen.gaps.push(now - last)
+    last = now
+    requestAnimationFrame(beat)
+  }
+  requestAnimationFrame(beat)
+}
+
+type Seen = {bytes: number; frames: number; played: boolean; gaps: number[]}
+
+function told(times: readonly number[]): string {
+  const sorted = [...times].sort((a, b) => a - b)
+  const at = (q: number) => sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? Number.NaN
+  return `median ${at(0.5).toFixed(1).padStart(5)} ms   p95 ${at(0.95).toFixed(1).padStart(5)} ms`
+}
+
+/// Milliseconds that the page's main thread has worked so far: script, style, layout and painting.
+async function busy(page: Page): Promise<number> {
+  const devtools = await page.context().newCDPSession(page)
+  await devtools.send("Performance.enable")
+  const {metrics} = await devtools.send("Performance.getMetrics")
+  await devtools.detach()
+  return 1000 * (metrics.find(m => m.name === "TaskDuration")?.value ?? Number.NaN)
+}
+
+async function measure(page: Page, name: string): Promise<void> {
+  const before = await busy(page)
+  const seen = await page.evaluate(async ms => {
+    const {seen} = window as unknown as {seen: Seen}
+    Object.assign(seen, {bytes: 0, frames: 0, gaps: []})
+    await new Promise(resolve => setTimeout(resolve, ms))
+    return {...seen, gaps: [...seen.gaps]}
+  }, SECONDS * 1000)
+  const work = ((await busy(page)) - before) / seen.gaps.length
+  console.log(
+    `  ${name.padEnd(40)} between two pictures ${told(seen.gaps)}   work for one ${work.toFixed(1)} ms`,
+  )
+  console.log(
+    `  ${"".padEnd(40)} ${(seen.gaps.length / SECONDS).toFixed(0)} pictures/s, ${(seen.frames / SECONDS).toFixed(0)} frames/s, ` +
+      `${(seen.bytes / SECONDS / 1000).toFixed(1)} kB/s to the page`,
+  )
+}
+
+async function answers(url: string): Promise<void> {
+  for (let i = 0; i < 600; i++) {
+    try {
+      const health = (await (await fetch(url)).json()) as {worker: string}
+      if (health.worker === "ready") return
+    } catch {
+      // Not listening yet.
+    }
+    await new Promise(resolve => setTimeout(resolve, 100))
+  }
+  throw new Error("the service did not start")
+}
+
+const service = spawn(`${root}rosy`, ["start", "--no-browser", "--port", String(port)], {
+  stdio: ["ignore", "ignore", "inherit"],
+})
+try {
+  await answers(`http://127.0.0.1:${port}/api/health`)
+  const browser = await chromium.launch({
+    executablePath: process.env["ROSY_CHROMIUM"] ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--disable-gpu"],
+  })
+  const page = await browser.newPage({viewport: {width: 1440, height: 900}})
+  await page.addInitScript(watch)
+  await page.goto(`http://127.0.0.1:${port}/?example=move`)
+  await page.getByTestId("run").filter({hasText: "Run"}).waitFor()
+  const chooser = page.waitForEvent("filechooser")
+  await page.getByRole("button", {name: "More", exact: true}).click()
+  await page.getByText("Open a file").click()
+  await (await chooser).setFiles({
+    name: "bench.rosy",
+    mimeType: "application/json",
+    buffer: Buffer.from(JSON.stringify(project)),
+  })
+  await page.getByText("drive (Velocity").waitFor()
+  await page.getByTestId("run").click()
+  await page.getByRole("tab", {name: "Charts"}).click()
+  await page.getByRole("button", {name: "x", exact: true}).click()
+  await page.waitForFunction(() => (window as unknown as {seen: Seen}).seen.played)
+  await measure(page, "all of the room, curves of 20 s")
+  await page.getByRole("button", {name: "All", exact: true}).click()
+  await measure(page, "all of the room, curves of all the run")
+  await page.getByRole("button", {name: "Trail, picture and film"}).click()
+  await page.getByRole("group", {name: "Trail"}).getByRole("button", {name: "Speed"}).click()
+  await page.keyboard.press("Escape")
+  await page.getByRole("button", {name: "Follow the robot"}).click()
+  await measure(page, "following, trail by speed")
+  if (process.env["ROSY_BENCH_PICTURE"]) await page.screenshot({path: process.env["ROSY_BENCH_PICTURE"]})
+  await browser.close()
+} finally {
+  service.kill("SIGTERM")
+}
