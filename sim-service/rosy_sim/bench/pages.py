@@ -93,7 +93,7 @@ async def _measure(config: Config, count: int, seconds: float, profiler: cProfil
     memory = [_proportional(pid) for pid in programs]
     ours.send("stop")
     frames, octets = await asyncio.to_thread(ours.recv)
-    took, cost, theirs = time.perf_counter() - began, _cpu() - before, _used(programs) - theirs_before
+    took, cost, spent = time.perf_counter() - began, _cpu() - before, _used(programs) - theirs_before
     late = service.late.summary()
     driving = min(count, config.limits.runs)
     rate = late["steps"] / took / driving
@@ -101,8 +101,8 @@ async def _measure(config: Config, count: int, seconds: float, profiler: cProfil
         f"  {count:>3} pages: {rate:5.1f} steps/s each; a step begins late by {late['p50'] * 1e3:.1f} ms (median), "
         f"{late['p99'] * 1e3:.1f} (p99), {late['worst'] * 1e3:.1f} (worst); "
         f"{frames / took / count:.0f} frames/s and {octets / took / count / 1e3:.1f} kB/s to each; "
-        f"service {cost / took * 100:.0f} % of a core, programs {theirs / took * 100:.0f} %: "
-        f"{cost / late['steps'] * 1e6:.0f} and {theirs / late['steps'] * 1e6:.0f} µs a step; "
+        f"service {cost / took * 100:.0f} % of a core, programs {spent / took * 100:.0f} %: "
+        f"{cost / late['steps'] * 1e6:.0f} and {spent / late['steps'] * 1e6:.0f} µs a step; "
         f"{statistics.median(memory) / 1024:.1f} MB of memory to each program (proportional; {len(memory)} alive); "
         f"{service.places.queued} waited for a place, none was refused",
         flush=True,
