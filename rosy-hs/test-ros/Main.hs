@@ -1,7 +1,8 @@
 -- |
--- Description : Everything about the ROS client that needs no ROS.
+-- Description : Everything about the ROS client, without ROS and with it.
 module Main (main) where
 
+import System.Environment (getArgs)
 import qualified Test.Ros.Generator
 import qualified Test.Ros.Messages
 import qualified Test.Ros.Names
@@ -12,6 +13,13 @@ import Test.Tasty
 
 main :: IO ()
 main =
+  getArgs >>= \case
+    -- The tests start this program again as a node of its own.
+    "--node" : _ -> Test.Ros.System.aNode
+    _ -> suite
+
+suite :: IO ()
+suite =
   defaultMain . testGroup "ros" $
     [ Test.Ros.Generator.tests,
       Test.Ros.Messages.tests,

@@ -7,12 +7,14 @@ import qualified Data.ByteString as B
 import Data.List (foldl')
 import Data.Word (Word16, Word8)
 import Numeric (readHex)
-import Rosy.Core (Message (..), Odometry (..))
+import Rosy.Core (Action (..), Message (..), Odometry (..))
 import Rosy.Kobuki.Command
 import Rosy.Kobuki.Feedback
 import Rosy.Kobuki.Frame
 import Rosy.Kobuki.Sensing
 import Rosy.Robot
+import Rosy.Robots.Base (Heard (..))
+import Rosy.Robots.Guard
 import System.Random (mkStdGen, randomR)
 import Test.Tasty
 import Test.Tasty.HUnit
@@ -146,9 +148,10 @@ sensing =
             outcomes = drop 1 (scanl (\(_, s) t -> sense (far t) Nothing s) ([], s1) [40, 60 ..])
         map (length . fst) (take 7 outcomes) @?= [0, 0, 0, 0, 0, 1, 1]
         map (odometryPosition . snd') (concatMap fst (take 7 outcomes)) @?= [Position 0 0, Position 0 0],
-      testCase "an hour of packets of which one in a hundred is spoilt gives no event that was not there and no leap" $ do
+      testCase "an hour of packets of which one in a hundred is spoilt gives no event that was not there, no leap, and no command but the program's" $ do
         let packets = 180000 :: Int
-            (wrong, _, _, _) = foldl' step (0 :: Int, noBytes, unsensed, mkStdGen 7) [0 .. packets - 1]
+            safe = snd (hearing Here (newGuard (Limits 0.7 pi) True))
+            (wrong, _, _, _, _) = foldl' step (0 :: Int, noBytes, unsensed, safe, mkStdGen 7) [0 .. packets - 1]
         wrong @?= 0
     ]
   where
@@ -159,15 +162,25 @@ sensing =
     run = concat . fst . foldl' (\(seen, s) (c, i) -> let (ms, s') = sense c i s in (seen ++ [ms], s')) ([], unsensed)
     angleOf o = let Orientation a = odometryOrientation o in a
     swap s = unwords (map (\w -> case w of "Pressed)" -> "Released)"; "Hole)" -> "Floor)"; "Air)" -> "Ground)"; _ -> w) (words s))
-    -- The robot stands still, so every event is a wrong one.
-    step (wrong, frames, s, g) i =
+    -- The robot stands still, so every event is a wrong one; the program wants one speed ten times a second, so the safety rules have
+    -- nothing to say, and every other speed is a wrong one.
+    step (wrong, frames, s, guard', g) i =
       let bytes = corePacket (still (fromIntegral (20 * i))) 0
           (spoilt, g1) = randomR (1, 100 :: Int) g
           (sent, g2) = if spoilt == 1 then spoil bytes g1 else (bytes, g1)
           Feeding found _ frames' = feed frames sent
           (messages, s') = foldl' (\(ms, st) p -> let fs = readFeedback p in maybe (ms, st) (\c -> let (m, st') = sense c (inertiaOf fs) st in (ms ++ m, st')) (coreOf fs)) ([], s) found
-          bad = length (events messages) + length [() | OdometryMessage (Odometry (Position x _) _ _) <- messages, abs x > 0.03]
-       in bad `seq` (wrong + bad, frames', s', g2)
+          heard' = foldl' (\gd m -> snd (hearing (Heard m) gd)) guard' messages
+          (told, guard2)
+            | i `mod` 5 /= 0 = ([], heard')
+            | otherwise =
+              let at' = fromIntegral i / 50
+                  (as, gd) = commanding at' wanted heard'
+                  (bs, gd') = ticking at' gd
+               in (as ++ bs, gd')
+          bad = length (filter (/= wanted) told) + length [() | i `mod` 5 == 0, length told /= 2] + length (events messages) + length [() | OdometryMessage (Odometry (Position x _) _ _) <- messages, abs x > 0.03]
+       in bad `seq` guard2 `seq` (wrong + bad, frames', s', guard2, g2)
+    wanted = SetVelocity 0.2 0
     -- Up to four bytes changed, or the end missing, or bytes in between.
     spoil bytes g =
       let (how, g1) = randomR (0, 5 :: Int) g

@@ -3,7 +3,7 @@
 --
 -- The peers are Debian's rosmaster, rospy nodes, roscpp's relay, rostopic and rosnode. Where they cannot
 -- be installed every test says so and passes without having tested.
-module Test.Ros.System (tests) where
+module Test.Ros.System (tests, aNode) where
 
 import Control.Concurrent.Async (wait, withAsync)
 import Control.Concurrent.STM
@@ -34,6 +34,8 @@ import Ros.Topic (Topic (..))
 import qualified Ros.Topic as T
 import Ros.Topic.Util
 import System.Directory (createDirectoryIfMissing, getTemporaryDirectory, removeDirectoryRecursive)
+import System.Environment (getExecutablePath)
+import System.Exit (ExitCode (..))
 import System.IO (hFlush, stdout)
 import System.Posix.Process (getProcessID)
 import System.Timeout (timeout)
@@ -60,6 +62,7 @@ tests = withResource acquire release $ \ready ->
       story ready "one topic with two types in one node is refused" twoTypes,
       story ready "a handler that fails ends the node" handlerFails,
       story ready "when it ends, its last message arrives and the master forgets it" saysGoodbye,
+      story ready "Ctrl-C and the system's request end it, and the master forgets it" endsOnSignals,
       restartStory ready,
       story ready "a round trip takes no longer than rospy's (printed, not judged)" roundTrip
     ]
@@ -359,6 +362,26 @@ saysGoodbye ros = withPeer ros "mobile_base" $ \base -> do
   case answer of
     Right (VArray [VInt (-1), _, _]) -> pure ()
     other -> assertFailure (show other)
+
+-- | A node in a process of its own, until it is asked to end.
+aNode :: IO ()
+aNode = runNode "signalled" $ do
+  p <- publisher "/x"
+  _ <- subscribe "/y" :: Node (Topic IO Ros.String)
+  liftIO (publish p (Int32.Int32 1))
+
+endsOnSignals :: Ros -> IO ()
+endsOnSignals ros = do
+  self <- getExecutablePath
+  forM_ ["INT", "TERM"] $ \name ->
+    withProgram ros self ["--node"] $ \p -> do
+      awaitNode ros "/signalled"
+      signal p name
+      exitOf p >>= (@?= ExitSuccess)
+      answer <- call (rosMaster ros) (Call "getSystemState" [VString "/test"])
+      case answer of
+        Right (VArray [VInt 1, _, VArray [VArray publishers', VArray subscribers', _]]) -> (publishers', subscribers') @?= ([], [])
+        other -> assertFailure (show other)
 
 -- | A master that comes back knows nothing; rospy's nodes do not tell it again, ours does.
 restartStory :: Ready -> TestTree
