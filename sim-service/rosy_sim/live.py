@@ -13,15 +13,16 @@ import time
 from collections import deque
 from typing import Literal, Protocol
 
+from .budget import Budget
 from .config import Limits
 from .lockstep import Lockstep
-from .wire.link import LinkError
+from .wire.link import LinkError, TooMuch
 from .wire.page import Speed
 from .world.facts import STEP
 
 __all__ = ["Ending", "Lateness", "LiveRun", "Watcher"]
 
-Ending = Literal["done", "error", "stopped", "stuck", "died", "broken"]
+Ending = Literal["done", "error", "stopped", "stuck", "died", "broken", "loud"]
 
 _LOOK = 0.1
 """How often the program's memory is looked at, s; each single step looks too."""
@@ -31,6 +32,10 @@ _FALL_BEHIND = 0.25
 
 _PATROL = 0.25
 """How often a run's deadline is looked at, s."""
+
+
+_OUTPUT = 20e6
+"""Bytes that a program may send in a second for long: forty times what the fastest of the examples sends."""
 
 
 _MAX_FORWARDS = 1000
@@ -76,7 +81,7 @@ class Watcher(Protocol):
         """A step has settled and its time has passed."""
 
     def on_end(self, lockstep: Lockstep, ending: Ending, detail: str) -> None:
-        """The run is over; ``detail`` is for ``broken``."""
+        """The run is over; ``detail`` is for ``broken`` and ``loud``."""
 
 
 class LiveRun:
@@ -105,6 +110,7 @@ class LiveRun:
         self._deadline: float | None = time.monotonic() + limits.ready
         self._stopping = False
         self._over = False
+        self._allowance = Budget(_OUTPUT, 2 * _OUTPUT, self._loop.time())
         link.setblocking(False)
         self._loop.add_reader(link, self._read)
         self._patrol: asyncio.TimerHandle = self._loop.call_later(_PATROL, self._look_at_deadline)
@@ -208,9 +214,15 @@ class LiveRun:
         if not data:
             self._end("died", "")
             return
+        if not self._allowance.spend(len(data), self._loop.time()):
+            self._end("loud", f"more than {_OUTPUT:.0f} bytes a second")
+            return
         before = self._lockstep.state
         try:
             state = self._lockstep.feed(data)
+        except TooMuch as error:
+            self._end("loud", str(error))
+            return
         except LinkError as error:
             self._end("broken", str(error))
             return

@@ -15,8 +15,8 @@ from typing import BinaryIO, Literal
 
 from .config import Limits
 from .lockstep import Lockstep
-from .sentences import broken_link, died, stuck, worker_lost
-from .wire.link import LinkError
+from .sentences import broken_link, died, stuck, too_much, worker_lost
+from .wire.link import LinkError, TooMuch
 from .wire.problem import Problem
 from .wire.worker import Gone, Refused
 from .worker.blocking import BlockingWorker
@@ -99,6 +99,9 @@ def drive(
         ended, problems = "stuck", [stuck(last.firing if last else None, limits.settle, lockstep.time)]
     except _Died:
         ended, problems = "error", [died(gone(), lockstep.time)]
+    except TooMuch as error:
+        kill()
+        ended, problems = "error", [too_much(str(error), lockstep.time)]
     except LinkError as error:
         kill()
         ended, problems = "error", [broken_link(str(error), lockstep.time)]

@@ -14,7 +14,7 @@ from .execution import Execution
 from .live import Ending, Lateness, LiveRun
 from .lockstep import Lockstep
 from .places import Places
-from .sentences import broken_link, died
+from .sentences import broken_link, died, too_much
 from .showing import Showing
 from .wire import page
 from .wire.problem import Problem
@@ -178,6 +178,8 @@ class Running:
             self._end("error", [problem])
         elif ending == "broken":
             self._end("error", [broken_link(detail, time)])
+        elif ending == "loud":
+            self._end("error", [too_much(detail, time)])
         else:
             self._end(ending, [])
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from .wire.problem import Problem, problem
 from .wire.worker import Gone
 
-__all__ = ["broken_link", "died", "lost_robot", "room_full", "stuck", "worker_lost"]
+__all__ = ["broken_link", "died", "lost_robot", "room_full", "stuck", "too_much", "worker_lost"]
 
 _SIGXCPU, _SIGKILL, _SIGSEGV, _SIGSYS = 24, 9, 11, 31
 
@@ -52,6 +52,18 @@ def broken_link(detail: str, time: float) -> Problem:
         kind="broken-link",
         message="The program sent something the robot does not understand, so the robot was stopped.",
         hint="Run it again; if that does not help, use fewer commands at once.",
+        ghc=detail,
+        time=time,
+    )
+
+
+def too_much(detail: str, time: float) -> Problem:
+    """The program sent more than the robot, or anybody, can take; ``detail`` is for the curious."""
+    return Problem(
+        severity="error",
+        kind="too-much",
+        message="The program sent far too much at once, so the robot was stopped.",
+        hint="Look for something in it that sends without end.",
         ghc=detail,
         time=time,
     )

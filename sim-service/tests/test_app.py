@@ -123,7 +123,7 @@ def test_a_program_drives_into_the_wall_and_presses_the_bumper(config: Config) -
         ("hang@4", "stuck", "stuck"),
         ("close@4", "error", "died"),
         ("garble@4", "error", "broken-link"),
-        ("flood@4", "error", "broken-link"),
+        ("flood@4", "error", "too-much"),
         ("lie@4", "error", "broken-link"),
         ("refuse", "refused", "type-mismatch"),
         ("die", "error", "worker-lost"),

@@ -172,8 +172,9 @@ def test_no_text_crashes_or_hangs_the_worker_or_leaves_anything_behind() -> None
                 for name, source in work:
                     ran += await checked_and_run(worker, name, source)
 
-            for name, source in texts(20, SEED + 1):
-                await checked_and_run(worker, name, source)
+            # Several at once, so that all the children are there that answer questions.
+            first_ones = list(texts(20, SEED + 1))
+            await asyncio.gather(*(checked_and_run(worker, name, source) for name, source in first_ones))
             await asyncio.sleep(3.5)
             before = await settled()
             began = time.monotonic()

@@ -43,8 +43,8 @@ def test_a_run_ends_when_the_program_is_done(limits: Limits) -> None:
         ("close@4", "error", "died"),
         ("garble@4", "error", "broken-link"),
         ("lie@4", "error", "broken-link"),
-        ("flood@4", "error", "broken-link"),
-        ("long@4", "error", "broken-link"),
+        ("flood@4", "error", "too-much"),
+        ("long@4", "error", "too-much"),
         ("mute", "stuck", "stuck"),
     ],
 )

@@ -20,6 +20,7 @@ from .topics import BadMessage, read_command
 __all__ = [
     "MAX_COMMANDS",
     "MAX_LINE",
+    "MAX_RUN",
     "MAX_STEP",
     "Ended",
     "Kept",
@@ -28,6 +29,7 @@ __all__ = [
     "Ready",
     "Settled",
     "SimulatorLink",
+    "TooMuch",
     "start_line",
     "step_line",
     "stop_line",
@@ -44,6 +46,9 @@ MAX_COMMANDS = 10_000
 MAX_STEP = 4_000_000
 """Most bytes in one step."""
 
+MAX_RUN = 2_000_000_000
+"""Bytes of a whole run: more than a day of a chatty program."""
+
 MAX_FIRED = 100_000
 """Most firings that one `settled` may report."""
 
@@ -53,6 +58,10 @@ MAX_KEPT = 1_000
 
 class LinkError(Exception):
     """The program broke the protocol; the text says how. Never the learner's own doing."""
+
+
+class TooMuch(LinkError):
+    """The program sent more than any program needs, which may well be the learner's doing."""
 
 
 class Publish(msgspec.Struct, tag="publish", tag_field="op"):
@@ -135,7 +144,7 @@ def stop_line() -> bytes:
 class SimulatorLink:
     """What the simulator knows about its end of the link."""
 
-    __slots__ = ("_commands", "_lines", "_octets", "ended", "ready", "step", "subscribed")
+    __slots__ = ("_all", "_commands", "_lines", "_octets", "ended", "ready", "step", "subscribed")
 
     def __init__(self) -> None:
         self._lines = Lines(MAX_LINE)
@@ -147,6 +156,8 @@ class SimulatorLink:
         self.ended = False
         # The step whose `settled` may come next; set by the owner when it sends a batch.
         self.step: int | None = None
+        # Bytes of the run so far.
+        self._all = 0
         # Topics the program asked for.
         self.subscribed: set[str] = set()
 
@@ -155,15 +166,18 @@ class SimulatorLink:
         Take bytes from the program; return the messages they complete, in order.
 
         Raises:
-            LinkError: a line is not a message, comes at the wrong time, or there is too much of it.
+            LinkError: a line is not a message, comes at the wrong time, or there is too much of it (``TooMuch``).
         """
         self._octets += len(data)
         if self._octets > MAX_STEP:
-            raise LinkError(f"more than {MAX_STEP} bytes in one step")
+            raise TooMuch(f"more than {MAX_STEP} bytes in one step")
+        self._all += len(data)
+        if self._all > MAX_RUN:
+            raise TooMuch(f"more than {MAX_RUN} bytes in one run")
         try:
             lines = self._lines.feed(data)
         except LineTooLong as error:
-            raise LinkError(str(error)) from error
+            raise TooMuch(str(error)) from error
         messages: list[Message] = []
         for line in lines:
             try:
@@ -199,7 +213,7 @@ class SimulatorLink:
     def _publish(self, message: Publish) -> Command:
         self._commands += 1
         if self._commands > MAX_COMMANDS:
-            raise LinkError(f"more than {MAX_COMMANDS} commands in one step")
+            raise TooMuch(f"more than {MAX_COMMANDS} commands in one step")
         try:
             return read_command(message.topic, message.msg)
         except BadMessage as error:
