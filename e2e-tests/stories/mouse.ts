@@ -64,7 +64,6 @@ export class Mouse implements Hands {
       .last()
       .getAttribute("data-id")
     this.root = id ?? undefined
-    this.stacked = this.last = undefined
     const top = (await this.block().boundingBox())!.y
     if (top > workbench.top && top < workbench.bottom) return
     await this.page.mouse.move(900, 300)

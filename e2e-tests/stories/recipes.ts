@@ -135,3 +135,153 @@ export async function drawSquare(hands: Hands): Promise<void> {
   await hands.takesUp("the program: simulate")
   await hands.puts("drawSquare")
 }
+
+/// A type with one constructor of the same name.
+async function single(hands: Hands, name: string, part?: string): Promise<void> {
+  await hands.starts("own type with cases, data")
+  await hands.writes(field.typeName, name)
+  await hands.presses(/^remove the last case$/)
+  await hands.writes(/name of case 1/, name)
+  if (part === undefined) return
+  await hands.presses(new RegExp(`one more part of ${name}$`))
+  await hands.writes(new RegExp(`type of part 1 of ${name}`), part)
+  await hands.asks("Make it a newtype")
+}
+
+export async function mux(hands: Hands): Promise<void> {
+  await hands.begins()
+
+  await single(hands, "M1", "a")
+  await hands.asks("Add a parameter")
+  await hands.remarks("Messages of the first kind are more important than those of the second.")
+  await single(hands, "M2", "a")
+  await hands.asks("Add a parameter")
+  await single(hands, "M", "Seconds")
+  await hands.remarks("Until then, only important messages pass.")
+
+  await begin(hands, "mux", "Seconds -> Memory M -> Either (M1 a) (M2 a) -> Maybe (a, Memory M)", 3)
+  await hands.presses(/^one more case$/)
+  await hands.presses(/^add a condition$/)
+  await hands.puts("now", "any, whatever", "left pattern")
+  await hands.throws(field.x, "last")
+  await hands.puts("M1", "message")
+  await hands.puts("just:", "several at once", "message", "Memory:", "M", "plus", "now", "1")
+  await hands.puts("now", "what is remembered")
+  await hands.throws(field.m, "last")
+  await hands.puts("M", "end", "right pattern")
+  await hands.throws(field.x, "last")
+  await hands.puts("M2", "message", ">", "now", "end")
+  await hands.puts("just:", "several at once", "message", "Memory:", "M", "end", "nothing: no value")
+
+  const type = "Seconds -> Memory M -> Either (M1 Velocity) (M2 Velocity) -> Maybe (Velocity, Memory M)"
+  await begin(hands, "muxVelocity", type, 0)
+  await hands.puts("mux")
+
+  await hands.starts("when a button is pressed")
+  await hands.writes(field.name, "button")
+  await hands.throws(/button: Button0$/)
+  await hands.puts("any, whatever", "just:", "M1", "velocity:")
+  await hands.writes(field.speed, "0", "last")
+  await hands.writes(field.turning, "1", "last")
+  await hands.presses(/^one more case$/)
+  await hands.puts("button event")
+  await hands.throws(/button: Button0$/, "last")
+  await hands.chooses(/status: Pressed$/, "Released", "last")
+  await hands.puts("any, whatever", "nothing: no value")
+
+  await begin(hands, "circle", "Position -> M2 Velocity", 1)
+  await hands.puts("any, whatever", "M2", "velocity:")
+  await hands.writes(field.speed, "0.2", "last")
+  await hands.writes(field.turning, "0.2", "last")
+
+  await hands.takesUp("the program: simulate")
+  await hands.presses(/^run one more$/, 2)
+  await hands.puts("button", "circle", "muxVelocity")
+}
+
+export async function randomWalk(hands: Hands): Promise<void> {
+  await hands.begins()
+
+  await hands.starts("own type with cases, data")
+  await hands.presses(/^one more case$/)
+  await hands.writes(/name of case 3/, "Turn")
+  await hands.presses(/one more part of Turn/, 2)
+  await hands.writes(/type of part 2 of Turn/, "Seconds")
+  await hands.remarks("What the robot is doing. A turn has a speed and a time when it ends.")
+  await single(hands, "ChgDir")
+  await hands.remarks("Sent when something is in the way.")
+
+  for (const [ready, name, light, again, status] of [
+    ["when the bumper is pressed", "bumper", "Led1", "bumper event", ["Pressed", "Released"]],
+    ["when there is a hole", "cliff", "Led2", "cliff event", ["Hole", "Floor"]],
+  ] as const) {
+    await hands.starts(ready)
+    await hands.writes(field.name, name)
+    await hands.puts("several at once", light, "just:", "ChgDir")
+    await hands.presses(/^one more case$/)
+    await hands.puts(again)
+    await hands.chooses(new RegExp(`status: ${status[0]}$`), status[1], "last")
+    await hands.puts("several at once", light)
+    await hands.chooses(/colour: Orange$/, "Black", "last")
+    await hands.puts("nothing: no value")
+  }
+
+  await hands.starts("when a wheel leaves the ground")
+  await hands.writes(field.name, "wheel")
+  for (const [colour, mode] of [
+    ["Red", "Stop"],
+    ["Black", "Go"],
+  ] as const) {
+    await hands.puts("three at once")
+    for (const light of ["Led1", "Led2"]) {
+      await hands.puts(light)
+      await hands.chooses(/colour: Orange$/, colour, "last")
+    }
+    await hands.puts("Memory:", mode)
+    if (colour === "Black") break
+    await hands.presses(/^one more case$/)
+    await hands.puts("wheel event")
+    await hands.chooses(/status: Air$/, "Ground", "last")
+  }
+
+  await begin(hands, "chgdir", "ChgDir -> StdGen -> Seconds -> Memory Mode", 3)
+  await hands.remarks("Picks an angle up to half a turn, and a side.")
+  await hands.puts("ChgDir", "gen", "now")
+  await hands.asks("Add own definitions")
+  await hands.stacks("take a value apart", "where")
+  await hands.takesUp("definition of several names")
+  await hands.writes(/name: a$/, "angle")
+  await hands.writes(/name: b$/, "more")
+  await hands.puts("a random number in a range", "gen")
+  await hands.stacks("take a value apart")
+  await hands.takesUp("definition of several names")
+  await hands.writes(/name: a$/, "left")
+  await hands.throws(/name: b$/)
+  await hands.puts("any, whatever", "a random value", "more")
+  await hands.stacks("constant")
+  await hands.takesUp("definition of speed")
+  await hands.throws(/number: 0.5$/)
+  await hands.puts("if then else", "left", "1", "-1")
+  await hands.takesUp("definition of chgdir")
+  await hands.puts("Memory:", "Turn", "speed", "plus", "now", "number as seconds", "angle")
+
+  await begin(hands, "spin", "Memory Mode -> Seconds -> Either Velocity (Memory Mode)", 2)
+  await hands.presses(/^one more case$/, 2)
+  await hands.presses(/^add a condition$/)
+  for (const mode of ["Go", "Stop"]) {
+    await hands.puts("what is remembered")
+    await hands.throws(field.m, "last")
+    await hands.puts(mode, "any, whatever", "left:", "velocity:")
+    if (mode === "Stop") await hands.writes(field.speed, "0", "last")
+  }
+  await hands.puts("what is remembered")
+  await hands.throws(field.m, "last")
+  await hands.puts("Turn", "speed", "end", "now", "<", "now", "end", "left:", "velocity:")
+  await hands.writes(field.speed, "0", "last")
+  await hands.throws(field.turning, "last")
+  await hands.puts("speed", "right:", "Memory:", "Go")
+
+  await hands.takesUp("the program: simulate")
+  await hands.presses(/^run one more$/, 4)
+  await hands.puts("bumper", "cliff", "wheel", "chgdir", "spin")
+}

@@ -171,6 +171,7 @@ const commands: readonly ToolboxItem[] = [
   item("Say: speech bubble", con("Say", text("hello"))),
   item("colour of a light", pick("LedColor", "Red")),
   item("several at once, tuple", make("tuple", {items: 2})),
+  item("three at once, tuple", make("tuple", {items: 3})),
   item("nothing to send, ()", make("tuple", {items: 0})),
 ]
 

@@ -3,6 +3,7 @@
 /// Blockly keeps both per document, so they ask for the view in use.
 
 import * as Blockly from "blockly/core"
+import {nextEmpty} from "./scope.ts"
 
 export interface MenuActions {
   undo(): void
@@ -110,6 +111,19 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
       event.preventDefault()
       Blockly.keyboardNavigationController.setIsActive(true)
       view.focusSearch()
+      return true
+    },
+  })
+  keys.register({
+    name: "rosyNextEmpty",
+    keyCodes: [KeyCodes.E],
+    displayText: "Next empty place",
+    preconditionFn: workspace => !workspace.isDragging(),
+    callback: workspace => {
+      const next = nextEmpty(workspace)
+      if (next === undefined) return false
+      Blockly.keyboardNavigationController.setIsActive(true)
+      Blockly.getFocusManager().focusNode(next)
       return true
     },
   })

@@ -24,8 +24,12 @@ export function chosenPlace(workspace: Blockly.WorkspaceSvg): Place | undefined 
   for (const input of block.inputList) {
     if (input.connection !== null && input.connection.targetBlock() === null) return placeOf(input.connection)
   }
-  // A step is followed by another.
-  if (block.nextConnection?.getCheck()?.includes("step")) return placeOf(block.nextConnection)
+  // A step is followed by another, and so is a definition inside one.
+  const stacked = block.nextConnection?.getCheck()
+  const inside = block.getSurroundParent() !== null
+  if (block.nextConnection !== null && (stacked?.includes("step") || (stacked?.includes("definition") && inside))) {
+    return placeOf(block.nextConnection)
+  }
   const above = block.outputConnection?.targetConnection
   return above == null ? undefined : placeOf(above)
 }
@@ -43,6 +47,43 @@ function chosenNode(workspace: Blockly.WorkspaceSvg): Blockly.IFocusableNode | n
       `.${Blockly.FocusManager.PASSIVE_FOCUS_NODE_CSS_CLASS_NAME}, .${Blockly.FocusManager.ACTIVE_FOCUS_NODE_CSS_CLASS_NAME}`,
     )
   return marked?.id ? workspace.lookUpFocusableNode(marked.id) : null
+}
+
+/// The next place that is empty, as one reads: after the one with the focus, and from the beginning again.
+export function nextEmpty(workspace: Blockly.WorkspaceSvg): Blockly.RenderedConnection | undefined {
+  const node = chosenNode(workspace)
+  const from = node instanceof Blockly.BlockSvg ? node : ownerOf(node)
+  const start = from === undefined ? [] : placesIn(from.getRootBlock() as Blockly.BlockSvg)
+  const others = workspace.getTopBlocks(true).flatMap(block => placesIn(block))
+  const all = [...start, ...others.filter(place => !start.includes(place))]
+  const inside = node instanceof Blockly.RenderedConnection ? all.indexOf(node) + 1 : -1
+  const after =
+    inside > 0 ? inside : from === undefined ? 0 : Math.max(0, all.findIndex(place => isAtOrAfter(place, from)))
+  const turned = [...all.slice(after), ...all.slice(0, after)]
+  return turned.find(place => place.targetBlock() === null)
+}
+
+function ownerOf(node: Blockly.IFocusableNode | null): Blockly.BlockSvg | undefined {
+  if (!(node instanceof Blockly.Field) && !(node instanceof Blockly.RenderedConnection)) return undefined
+  return (node.getSourceBlock() ?? undefined) as Blockly.BlockSvg | undefined
+}
+
+/// Every place of a block and of what it carries, filled or not, as one reads.
+function placesIn(block: Blockly.BlockSvg): Blockly.RenderedConnection[] {
+  const own = block.inputList.flatMap(input => {
+    if (input.connection === null) return []
+    const inside = input.connection.targetBlock() as Blockly.BlockSvg | null
+    return [input.connection as Blockly.RenderedConnection, ...(inside === null ? [] : placesIn(inside))]
+  })
+  const next = block.getNextBlock() as Blockly.BlockSvg | null
+  return next === null ? own : [...own, ...placesIn(next)]
+}
+
+/// Whether a place is one of `block` or comes after it.
+function isAtOrAfter(place: Blockly.RenderedConnection, block: Blockly.BlockSvg): boolean {
+  if (place.getSourceBlock() === block) return true
+  const order = place.getSourceBlock().getRootBlock().getDescendants(true)
+  return order.indexOf(place.getSourceBlock()) > order.indexOf(block)
 }
 
 /// The flyout's contents for the names at a place; those whose type fits come first.

@@ -263,7 +263,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       // What stands alone has its place on the workspace.
       const alone = new Set(["top", "definition"])
       return item =>
-        alone.has(sortOf(item)) ? "alone" : check.fits(place, item.block).fits ? "here" : "nowhere"
+        check.fits(place, item.block).fits ? "here" : alone.has(sortOf(item)) ? "alone" : "nowhere"
     },
     suggestions() {
       const place = chosenPlace(workspace)

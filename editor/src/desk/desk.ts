@@ -278,6 +278,8 @@ export function openDesk(address: string): Desk {
       blocks = openBlocks(host, {
         language: codegen,
         tone: isDark() ? "dark" : "light",
+        level: shelf.level() ?? "reactions",
+        onLevel: level => shelf.setLevel(level),
         clipboard: openClipboard(window.localStorage),
         history: {
           undo,

@@ -1,7 +1,8 @@
 /// The gallery: examples to open, each with what it teaches, and the learner's own programs.
 
 import type {VNode} from "preact"
-import {useEffect, useRef} from "preact/hooks"
+import {useEffect, useRef, useState} from "preact/hooks"
+import type {Example} from "../state/page.ts"
 import {CloseIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {Said} from "./said.tsx"
@@ -46,8 +47,8 @@ export function GalleryDialog(): VNode | null {
 }
 
 function Examples(): VNode {
-  const desk = useDesk()
   const gallery = usePage(s => s.gallery)
+  const desk = useDesk()
   const name = usePage(s => s.name)
   if (gallery.kind === "failed")
     return (
@@ -62,22 +63,44 @@ function Examples(): VNode {
   return (
     <ul class="cards">
       {gallery.examples.map(example => (
-        <li key={example.name}>
-          <button
-            type="button"
-            class="card"
-            aria-current={example.name === name}
-            onClick={() => desk.openExample(example.name)}
-          >
-            <b>{example.title === "" ? example.name : example.title}</b>
-            {example.title !== "" && example.title !== example.name && <code>{example.name}</code>}
-            <span>
-              <Said text={example.teaches} strong={null} />
-            </span>
-          </button>
-        </li>
+        <ExampleCard key={example.name} example={example} current={example.name === name} />
       ))}
     </ul>
+  )
+}
+
+/// One line of what it teaches; the rest when it is asked for.
+function ExampleCard({example, current}: {example: Example; current: boolean}): VNode {
+  const desk = useDesk()
+  const [whole, setWhole] = useState(false)
+  const [first = "", ...rest] = example.teaches.split(/(?<=[.!?])\s+/)
+  const title = example.title === "" ? example.name : example.title
+  return (
+    <li class="card" aria-current={current}>
+      <button
+        type="button"
+        class="opens"
+        aria-current={current}
+        title={whole ? undefined : example.teaches}
+        onClick={() => desk.openExample(example.name)}
+      >
+        <b>{title}</b>
+        <span class={whole ? "" : "line"}>
+          <Said text={whole ? example.teaches : first} strong={null} />
+        </span>
+      </button>
+      {rest.length > 0 && (
+        <button
+          type="button"
+          class="plain more"
+          aria-expanded={whole}
+          aria-label={words.moreAbout(title)}
+          onClick={() => setWhole(!whole)}
+        >
+          {whole ? "−" : "+"}
+        </button>
+      )}
+    </li>
   )
 }
 

@@ -100,6 +100,7 @@ export const words = {
   galleryLead: "Open one, run it, change it. Your own program is kept.",
   galleryLoading: "Looking for the examples…",
   galleryFailed: "The examples could not be loaded. Rosy's service does not answer; try again in a moment.",
+  moreAbout: (title: string) => `What ${title} teaches`,
   again: "Try again",
   yourPrograms: "Your programs",
   invite: ["Change", "0.5", ", and run again."] as const,

@@ -1,6 +1,7 @@
 /// What the browser remembers: the learner's programs and how they like the page. Every program that was
 /// changed keeps a place of its own, so opening another never loses it.
 
+import type {Level} from "@rosy/codegen"
 import {boolean, decode, list, number, object, oneOf, optional, parseJson, string} from "../state/decode.ts"
 import type {Layout, PageState} from "../state/page.ts"
 
@@ -17,6 +18,7 @@ const maxKept = 30
 const indexKey = "rosy.programs"
 const currentKey = "rosy.current"
 const likingKey = "rosy.liking"
+const levelKey = "rosy.level"
 const programKey = (id: string) => `rosy.program.${id}`
 
 export interface Shelf {
@@ -29,6 +31,9 @@ export interface Shelf {
   /// Answers whether the browser took it: its space is limited, and may be switched off.
   keep(id: string, name: string, text: string, at: number): boolean
   setCurrent(id: string): void
+  /// How much of the language the toolbox shows, when the learner has chosen.
+  level(): Level | null
+  setLevel(level: Level): void
   liking(): Liking
   setLiking(liking: Liking): void
 }
@@ -108,6 +113,13 @@ export function openShelf(storage: Storage): Shelf {
     },
     setCurrent(id) {
       write(currentKey, id)
+    },
+    level() {
+      const found = decode(oneOf("tasks", "reactions", "haskell"), read(levelKey))
+      return found.kind === "ok" ? found.value : null
+    },
+    setLevel(level) {
+      write(levelKey, level)
     },
     liking() {
       const text = read(likingKey)
