@@ -28,7 +28,7 @@ export class Keys implements Hands {
     await this.press("Enter")
     await this.tabTo(/^New program/)
     await this.press("Enter")
-    await this.tabTo(/figure|workspace|simulate/i)
+    await this.tabTo(/stack of blocks$/)
   }
 
   async starts(found: string): Promise<void> {
@@ -178,6 +178,6 @@ export class Keys implements Hands {
       }
       await this.press("ArrowDown")
     }
-    throw new Error(`expected ${entry} in the menu`)
+    throw new Error(`expected ${entry} in the menu, at ${JSON.stringify(await this.heard())}: ${await this.page.evaluate(() => document.querySelector(".blocklyMenu")?.textContent)}`)
   }
 }

@@ -40,12 +40,10 @@ const order = [
   "drawSquare",
 ]
 
-/// The examples in the order of the gallery, each with the first sentence of what it teaches.
+/// The examples in the order of the gallery.
 export function galleryOrder(examples: readonly Example[]): readonly Example[] {
   const place = (e: Example) => (order.includes(e.name) ? order.indexOf(e.name) : order.length)
-  return [...examples]
-    .sort((a, b) => place(a) - place(b) || a.name.localeCompare(b.name))
-    .map(e => ({...e, teaches: /^.*?[.!?](?=\s|$)/s.exec(e.teaches)?.[0] ?? e.teaches}))
+  return [...examples].sort((a, b) => place(a) - place(b) || a.name.localeCompare(b.name))
 }
 
 export async function fetchExamples(): Promise<Fetched<readonly Example[]>> {
