@@ -73,7 +73,7 @@ export interface Shape {
   readonly tooltip: string
   /// What a screen reader calls the block.
   readonly aria: string
-  /// A name in Rosy's Haddock that explains more, where there is one.
+  /// What Haddock says more about, as its anchors do: `v:wait` a value or constructor, `t:Velocity` a type.
   readonly help?: string
   /// What its menu offers beside Blockly's own: `press(extra, action)` answers the new `extraState`.
   readonly menu?: readonly MenuEntry[]

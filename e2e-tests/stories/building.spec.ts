@@ -4,7 +4,6 @@ import {readFileSync} from "node:fs"
 import {expect, type Page, test} from "@playwright/test"
 import type {Hands} from "./hands.ts"
 import {Learner, until} from "./learner.ts"
-import {Keys} from "./keys.ts"
 import {Mouse} from "./mouse.ts"
 import {drawSquare, mux, randomWalk} from "./recipes.ts"
 
@@ -76,20 +75,5 @@ test("the multiplexer by mouse", async ({page}) => {
 
 test("the random walker by mouse", async ({page}) => {
   const learner = await builds(page, "randomWalk", randomWalk, new Mouse(page))
-  await walksAtRandom(page, learner)
-})
-
-test("drawSquare by keyboard alone", async ({page}) => {
-  const learner = await builds(page, "drawSquare", drawSquare, new Keys(page))
-  await drivesASquare(page, learner)
-})
-
-test("the multiplexer by keyboard alone", async ({page}) => {
-  const learner = await builds(page, "mux", mux, new Keys(page))
-  await circlesUntilAButtonIsPressed(page, learner)
-})
-
-test("the random walker by keyboard alone", async ({page}) => {
-  const learner = await builds(page, "randomWalk", randomWalk, new Keys(page))
   await walksAtRandom(page, learner)
 })

@@ -1,4 +1,4 @@
-/// A learner who builds a program from nothing: the same recipe (`recipes.ts`) is followed by mouse (`mouse.ts`) or by keys alone (`keys.ts`).
+/// A learner who builds a program from nothing: a recipe (`recipes.ts`) is followed by hands, for now a mouse's (`mouse.ts`).
 ///
 /// One block that stands alone is in hand: the one that was started or taken up last. What is put goes into its first
 /// empty socket, as one reads.

@@ -60,7 +60,8 @@ const caseBlock: BlockSpec = {
       family: "choice",
       connects: {as: "expression"},
       rows,
-      tooltip: "Looks at a value and takes the first case that matches.",
+      tooltip:
+        "Looks at a value and takes the first case that matches. Example: look at mode, when Go then Velocity 0.5 0.",
       aria: "look at a value and choose",
       menu: alternatives.flatMap((a, i) =>
         partMenu(i, partOf(a), alternatives.length > 1 ? `, case ${i + 1}` : ""),
@@ -134,14 +135,27 @@ const menus: readonly {readonly family: Family; readonly ops: readonly string[];
       tooltip: "Compares two values. Example: vl > 0.",
     },
     {family: "choice", ops: ["&&", "||"], tooltip: "Combines two conditions. Example: hit && fast."},
-    {family: "own", ops: ["++", "<>"], tooltip: "Puts two lists or texts together."},
+    {
+      family: "own",
+      ops: ["++", "<>"],
+      tooltip: "Puts two lists or texts together. Example: “at ” ++ show 3 is “at 3”.",
+    },
     {
       family: "number",
       ops: ["addVec", "subVec"],
-      tooltip: "Puts two arrows together, or takes one from the other.",
+      tooltip:
+        "Puts two arrows together, or takes one from the other. Example: goal subVec here points from here to the goal.",
     },
-    {family: "own", ops: [":"], tooltip: "A list with one more item in front."},
-    {family: "own", ops: ["$", "."], tooltip: "Gives a value to a function, or chains two functions."},
+    {
+      family: "own",
+      ops: [":"],
+      tooltip: "A list with one more item in front. Example: 1 : list 2 3 is list 1 2 3.",
+    },
+    {
+      family: "own",
+      ops: ["$", "."],
+      tooltip: "Gives a value to a function, or chains two functions. Example: (abs . negate) 2 is 2.",
+    },
   ]
 
 /// What a screen reader says for a symbol.
@@ -161,7 +175,13 @@ const spoken: {readonly [op: string]: string} = {
 }
 
 export function operatorMenu(op: string): (typeof menus)[number] {
-  return menus.find(m => m.ops.includes(op)) ?? {family: "own", ops: [op], tooltip: `The operator ${op}.`}
+  return (
+    menus.find(m => m.ops.includes(op)) ?? {
+      family: "own",
+      ops: [op],
+      tooltip: `The operator ${op}. Example: a ${op} b.`,
+    }
+  )
 }
 
 export function operatorOptions(op: string): (readonly [string, string])[] {
@@ -185,7 +205,7 @@ const infix: BlockSpec = {
       ],
       tooltip: menu.tooltip,
       aria: spoken[op] ?? op,
-      help: `(${op})`,
+      help: `v:${op}`,
     }
   },
   press: noButtons,
@@ -213,7 +233,7 @@ const negate: BlockSpec = {
         {kind: "socket", name: "X", sort: "expression", aria: "number"},
       ],
     ],
-    tooltip: "The same number on the other side of zero.",
+    tooltip: "The same number on the other side of zero. Example: − 2 is -2.",
     aria: "minus",
   }),
   press: noButtons,

@@ -210,7 +210,7 @@ const main: BlockSpec = {
       tooltip:
         "What the program runs: functions that react, all at the same time, or a task. Example: simulate accelerate and play.",
       aria: "the program: simulate",
-      help: "simulate",
+      help: "v:simulate",
     }
   },
   press: counting("controllers", 1, 1),

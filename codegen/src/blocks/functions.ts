@@ -4,6 +4,7 @@ import {isConstructorName} from "../haskell/lexemes.ts"
 import type {Expr, Pattern} from "../model/tree.ts"
 import type {Family, Item} from "../shape.ts"
 import {operatorMenu, operatorOptions} from "./choices.ts"
+import {exampleOf} from "./samples.ts"
 import type {BlockSpec} from "./spec.ts"
 import {countIn, counting, noButtons, textIn} from "./spec.ts"
 
@@ -33,9 +34,9 @@ const name: BlockSpec = {
       family: familyOfName(word),
       connects: {as: "expression"},
       rows: [items],
-      tooltip: args === 0 ? `What ${word} stands for.` : `What ${word} makes of its inputs.`,
+      tooltip: `${args === 0 ? `What ${word} stands for.` : `What ${word} makes of its inputs.`} Example: ${exampleOf(word, args)}.`,
       aria: word,
-      help: word,
+      help: `v:${word}`,
     }
   },
   press: counting("args", 0, 0),
@@ -84,7 +85,7 @@ const apply: BlockSpec = {
       family: "own",
       connects: {as: "expression"},
       rows: [items],
-      tooltip: "Gives inputs to any function.",
+      tooltip: "Gives inputs to any function. Example: give to (… * 2) the number 3: it makes 6.",
       aria: "give inputs to a function",
     }
   },
@@ -201,7 +202,7 @@ const letBlock: BlockSpec = {
         {kind: "socket", name: "B", sort: "expression", aria: "what they are used for"},
       ],
     ],
-    tooltip: "Defines names for one expression.",
+    tooltip: "Defines names for one expression. Example: let half be 0.25 in Velocity half 0.",
     aria: "let in",
   }),
   press: noButtons,
@@ -227,7 +228,7 @@ const typed: BlockSpec = {
         {kind: "type", key: "type", value: textIn(extra, "type", "Double"), aria: "type"},
       ],
     ],
-    tooltip: "Says which type a value has.",
+    tooltip: "Says which type a value has. Example: 3 of type Double.",
     aria: `value of type ${textIn(extra, "type", "Double")}`,
   }),
   press: noButtons,

@@ -10,7 +10,7 @@ function shape(connects: Connects, what: string): (extra: Extra) => Shape {
     family: "own",
     connects,
     rows: [[{kind: "text", key: "text", value: textIn(extra, "text"), aria: what, lines: true}]],
-    tooltip: textIn(extra, "reason", "A piece of Haskell, as it stands."),
+    tooltip: textIn(extra, "reason", "A piece of Haskell, as it stands. Example: foldr (+) 0 [1, 2]."),
     aria: what,
   })
 }

@@ -107,7 +107,7 @@ const construct: BlockSpec = {
       rows: [items],
       tooltip: look.tooltip,
       aria: look.word ?? name,
-      help: name,
+      help: `v:${name}`,
       menu: [
         {action: "more", text: "Give it one value more"},
         ...(args > 0
@@ -169,9 +169,9 @@ const choice: BlockSpec = {
       family: choices[type]?.family ?? "own",
       connects: {as: "expression"},
       rows: [choiceItems(type, value)],
-      tooltip: `One of ${(choices[type]?.options ?? [value]).join(", ")}.`,
+      tooltip: `One of ${(choices[type]?.options ?? [value]).join(", ")}. Example: ${value}.`,
       aria: `${choices[type]?.what ?? type} ${value}`,
-      help: type,
+      help: `t:${type}`,
     }
   },
   press: noButtons,
@@ -205,7 +205,7 @@ const tuple: BlockSpec = {
             {kind: "button", action: "more", text: "+", aria: "one more part"},
           ],
         ],
-        tooltip: "The value that says nothing.",
+        tooltip: "The value that says nothing. Example: Done ().",
         aria: "nothing in particular",
       }
     const items: Item[] = []
@@ -384,7 +384,7 @@ const record: BlockSpec = {
       rows: [items],
       tooltip: `Makes a ${name} from named parts.`,
       aria: `${name} with named parts`,
-      help: name,
+      help: `v:${name}`,
     }
   },
   press: noButtons,

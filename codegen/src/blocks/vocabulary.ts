@@ -66,23 +66,39 @@ const looks: {readonly [name: string]: ConstructorLook} = {
     ["speed, metres a second", "turning, radians a second"],
     "How fast the robot drives and turns. Example: Velocity 0.5 0 drives straight on.",
   ),
-  Position: state("state", ["x, metres", "y, metres"], "Where the robot is, seen from where it started."),
-  Orientation: state("state", ["angle, radians"], "Which way the robot looks; left turns count up."),
-  Pose: state("state", ["position", "orientation"], "Where the robot is and which way it looks."),
-  Seconds: state("number", ["seconds"], "A time in seconds."),
-  Clock: state("state", ["hours", "minutes", "seconds", "milliseconds"], "The time of day."),
+  Position: state(
+    "state",
+    ["x, metres", "y, metres"],
+    "Where the robot is, seen from where it started. Example: Position 1 0 is one metre ahead.",
+  ),
+  Orientation: state(
+    "state",
+    ["angle, radians"],
+    "Which way the robot looks; left turns count up. Example: Orientation pi looks back.",
+  ),
+  Pose: state(
+    "state",
+    ["position", "orientation"],
+    "Where the robot is and which way it looks. Example: Pose here facing.",
+  ),
+  Seconds: state("number", ["seconds"], "A time in seconds. Example: Seconds 2."),
+  Clock: state(
+    "state",
+    ["hours", "minutes", "seconds", "milliseconds"],
+    "The time of day. Example: Clock 8 30 0 0 is half past eight.",
+  ),
   Led1: command(["colour"], "Sets the first light. Example: Led1 Orange."),
   Led2: command(["colour"], "Sets the second light. Example: Led2 Green."),
   Say: command(["text"], 'The robot says something. Example: Say "hello".'),
   Just: memory(["value"], "There is a value, and this is it. Example: just 3.", "just"),
-  Nothing: memory([], "There is no value.", "nothing"),
-  Left: memory(["value"], "The first of two possibilities.", "left"),
-  Right: memory(["value"], "The second of two possibilities.", "right"),
+  Nothing: memory([], "There is no value. Example: send nothing.", "nothing"),
+  Left: memory(["value"], "The first of two possibilities. Example: left (Velocity 0.5 0).", "left"),
+  Right: memory(["value"], "The second of two possibilities. Example: right (Done ()).", "right"),
   Memory: memory(
     ["value"],
-    "What the program remembers. As an input it is read, as an output it is written.",
+    "What the program remembers. As an input it is read, as an output it is written. Example: Memory True.",
   ),
-  Param: memory(["value"], "What all tasks of the program remember together."),
+  Param: memory(["value"], "What all tasks of the program remember together. Example: Param 0."),
   Done: {
     family: "task",
     asPattern: "task",
@@ -97,7 +113,7 @@ export function lookOf(name: string): ConstructorLook {
       family: "own",
       asPattern: "own",
       parts: [],
-      tooltip: `Makes a value with ${name || "a constructor"}.`,
+      tooltip: `Makes a value with ${name || "a constructor"}. Example: ${name || "Go"}.`,
     }
   )
 }

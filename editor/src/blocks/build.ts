@@ -6,6 +6,7 @@
 import {type BlockView, type Extra, type Shape, setIn} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {Binder, type FieldActions, makeField, Press, showValue, Words} from "./fields.ts"
+import {helpAddress} from "./help.ts"
 import {setLook} from "./looks.ts"
 import {type PlannedInput, plan, skeleton, values} from "./plan.ts"
 import {styleName} from "./theme.ts"
@@ -74,6 +75,12 @@ export function registerBlocks(views: readonly BlockView[], actions: () => Build
           } as ContextMenuOption)
         }
       },
+      // Blockly brings into view what the focus is on, but not a block itself.
+      onNodeFocus(this: Blockly.BlockSvg) {
+        Blockly.BlockSvg.prototype.onNodeFocus.call(this)
+        if (this.isInFlyout || !Blockly.keyboardNavigationController.getIsActive()) return
+        this.workspace.scrollBoundsIntoView(this.getBoundingRectangleWithoutChildren())
+      },
       // Blockly pushes away blocks that lie near a socket of another. Here they lie where the learner put them.
       bumpNeighbours() {},
       saveExtraState(this: Blockly.Block) {
@@ -123,6 +130,7 @@ function refocus(block: Blockly.BlockSvg, action: string): void {
       }
     }
   }
+  Blockly.getFocusManager().focusNode(block)
 }
 
 function adopt(block: Blockly.Block, state: Built, extra: Extra, actions: FieldActions): void {
@@ -136,6 +144,7 @@ function draw(block: Blockly.Block, state: Built, shape: Shape, actions: FieldAc
   state.shape = shape
   state.skeleton = bones
   block.setTooltip(shape.tooltip)
+  block.setHelpUrl(helpAddress(shape.help))
   block.setAriaRoleDescriptionProvider(shape.aria)
   if (same && block instanceof Blockly.BlockSvg && block.getFullBlockField() === null) {
     // Blockly asks again only when the block gets the focus.

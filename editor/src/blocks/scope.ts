@@ -27,7 +27,10 @@ export function chosenPlace(workspace: Blockly.WorkspaceSvg): Place | undefined 
   // A step is followed by another, and so is a definition inside one.
   const stacked = block.nextConnection?.getCheck()
   const inside = block.getSurroundParent() !== null
-  if (block.nextConnection !== null && (stacked?.includes("step") || (stacked?.includes("definition") && inside))) {
+  if (
+    block.nextConnection !== null &&
+    (stacked?.includes("step") || (stacked?.includes("definition") && inside))
+  ) {
     return placeOf(block.nextConnection)
   }
   const above = block.outputConnection?.targetConnection
@@ -58,9 +61,16 @@ export function nextEmpty(workspace: Blockly.WorkspaceSvg): Blockly.RenderedConn
   const all = [...start, ...others.filter(place => !start.includes(place))]
   const inside = node instanceof Blockly.RenderedConnection ? all.indexOf(node) + 1 : -1
   const after =
-    inside > 0 ? inside : from === undefined ? 0 : Math.max(0, all.findIndex(place => isAtOrAfter(place, from)))
+    inside > 0
+      ? inside
+      : from === undefined
+        ? 0
+        : Math.max(
+            0,
+            all.findIndex(place => isAtOrAfter(place, from)),
+          )
   const turned = [...all.slice(after), ...all.slice(0, after)]
-  return turned.find(place => place.targetBlock() === null)
+  return turned.find(place => place.targetBlock() === null && place.canBeFocused())
 }
 
 function ownerOf(node: Blockly.IFocusableNode | null): Blockly.BlockSvg | undefined {

@@ -19,6 +19,7 @@ import {checkerName, registerChecker} from "./checker.ts"
 import {type SharedClipboard, shareCopies} from "./copied.ts"
 import {type DragHost, makeDraggable} from "./drag.ts"
 import type {Tone} from "./families.ts"
+import {nameAfresh} from "./fresh.ts"
 import {showInference} from "./infer.ts"
 import type {Language} from "./language.ts"
 import {Marks} from "./marks.ts"
@@ -185,9 +186,14 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     return saved
   }
 
+  /// Blocks that came since the last edit was told.
+  const made = new Set<string>()
+
   const settle = () => {
     due = false
     if (workspace.isDragging()) return
+    nameAfresh(workspace, made)
+    made.clear()
     const now = JSON.stringify(saveBlocks(workspace))
     if (now === told) return
     told = now
@@ -219,6 +225,9 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       const chosen = (event as Blockly.Events.Selected).newElementId
       const block = chosen == null ? null : workspace.getBlockById(chosen)
       for (const listener of selectListeners) listener(block?.id)
+    }
+    if (event.type === Blockly.Events.BLOCK_CREATE && event.recordUndo) {
+      for (const id of (event as Blockly.Events.BlockCreate).ids ?? []) made.add(id)
     }
     const dropped = event.type === Blockly.Events.BLOCK_DRAG && !(event as Blockly.Events.BlockDrag).isStart
     if (dropped) marks.dropped()

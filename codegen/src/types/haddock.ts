@@ -1,0 +1,15 @@
+/// Where a name is explained: in Rosy's own Haddock, in that of the Prelude, or nowhere yet because the program defines it.
+
+import {library} from "./library.ts"
+
+export type Home = "rosy" | "prelude" | "nowhere"
+
+/// `help` as Haddock's anchors write it: `v:wait`, `t:Velocity`.
+export function homeOf(help: string): Home {
+  const name = help.slice(2)
+  const known = help.startsWith("t:")
+    ? library.types.has(name)
+    : library.values.has(name) || library.constructors.has(name)
+  if (!known) return "nowhere"
+  return library.fixed.has(name) ? "prelude" : "rosy"
+}

@@ -1,0 +1,61 @@
+/// New names for definitions that come twice: out of the toolbox, duplicated or pasted. Two of one name side by side
+/// would be read as one function of several cases.
+
+import type {Extra, Json} from "@rosy/codegen"
+import type * as Blockly from "blockly/core"
+import {change, extraOf, shapeOf} from "./build.ts"
+
+/// `name`, or with the first number behind it that nobody has. Pure.
+export function freshName(name: string, taken: ReadonlySet<string>): string {
+  if (!taken.has(name)) return name
+  const stem = name.replace(/\d+$/, "")
+  for (let count = 2; ; count++) if (!taken.has(`${stem}${count}`)) return `${stem}${count}`
+}
+
+/// `extra` of a definition or a type with names that nobody else has: its own and those of its constructors. Pure.
+export function withFreshNames(extra: Extra, taken: ReadonlySet<string>): Extra {
+  const constructors = Array.isArray(extra.constructors) ? extra.constructors : undefined
+  const renamed = constructors?.map((one): Json => {
+    if (typeof one !== "object" || one === null || Array.isArray(one)) return one
+    const {name} = one as Extra
+    return typeof name === "string" ? {...(one as Extra), name: freshName(name, taken)} : one
+  })
+  return {
+    ...extra,
+    ...(typeof extra.name === "string" ? {name: freshName(extra.name, taken)} : {}),
+    ...(renamed === undefined ? {} : {constructors: renamed}),
+  }
+}
+
+/// Gives the definitions among `made` names of their own.
+export function nameAfresh(workspace: Blockly.WorkspaceSvg, made: ReadonlySet<string>): void {
+  for (const id of made) {
+    const block = workspace.getBlockById(id)
+    if (block === null || !isDefinition(block) || block.isInsertionMarker()) continue
+    const extra = extraOf(block)
+    const wanted = withFreshNames(extra, new Set(siblings(workspace, block).flatMap(namesOf)))
+    if (JSON.stringify(wanted) !== JSON.stringify(extra)) change(block, wanted)
+  }
+}
+
+function isDefinition(block: Blockly.Block): boolean {
+  const as = shapeOf(block)?.connects.as
+  return as === "definition" || as === "top"
+}
+
+/// The definitions that a block stands among: those of its `where` or `let`, or those of the program.
+function siblings(workspace: Blockly.Workspace, block: Blockly.Block): readonly Blockly.Block[] {
+  const parent = block.getSurroundParent()
+  const all =
+    parent === null
+      ? workspace.getTopBlocks(false)
+      : parent.getDescendants(false).filter(one => one.getSurroundParent() === parent)
+  return all.filter(one => one !== block && isDefinition(one))
+}
+
+function namesOf(block: Blockly.Block): string[] {
+  const {name, constructors} = extraOf(block)
+  const own = typeof name === "string" ? [name] : []
+  const parts = Array.isArray(constructors) ? constructors.map(one => (one as Extra | null)?.name) : []
+  return [...own, ...parts.filter(part => typeof part === "string")]
+}
