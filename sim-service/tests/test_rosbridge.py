@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import json
+import random
 import threading
 from typing import Any
 
@@ -13,7 +15,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from roslibpy.core import ServiceException
 from websockets.asyncio.client import connect
+from websockets.exceptions import InvalidStatus
 
+from rosy_sim.bridge import MAX_CLIENTS
 from rosy_sim.config import Config
 from rosy_sim.wire.rosbridge import MAX_SUBSCRIPTIONS, BridgeClient
 from rosy_sim.world.events import Led, Velocity
@@ -152,6 +156,72 @@ def test_a_hostile_client_harms_nobody(config: Config) -> None:
             await page.send("run", run=1, source="done@2", speed="max")
             assert (await page.ended(1))["ended"] == "done"
             assert len(service.sessions) == 1
+
+    asyncio.run(tell())
+
+
+WORDS = (
+    "subscribe", "unsubscribe", "advertise", "publish", "call_service", "set_level", "/odom", BUMPER, "/rosapi/topics",
+    "/mobile_base/commands/velocity", "/rosy/say", "geometry_msgs/Twist", "", "x" * 300, 1e308, -1, None, True,
+)  # fmt: skip
+FIELDS = (
+    "op",
+    "topic",
+    "msg",
+    "id",
+    "service",
+    "args",
+    "type",
+    "throttle_rate",
+    "queue_length",
+    "level",
+    "linear",
+    "x",
+)
+
+
+def nonsense(dice: random.Random, depth: int = 0) -> Any:
+    if depth < 3 and dice.random() < 0.4:
+        return {dice.choice(FIELDS): nonsense(dice, depth + 1) for _ in range(dice.randrange(6))}
+    return [nonsense(dice, depth + 1)] * dice.randrange(4) if dice.random() < 0.1 else dice.choice(WORDS)
+
+
+async def pester(address: str, session: str, seed: int) -> None:
+    """Nonsense in frames of both kinds; some of it cut short."""
+    dice = random.Random(seed)
+    async with connect(f"ws://{address}/rosbridge/{session}", close_timeout=1) as ros:
+        for _ in range(100):
+            text = json.dumps({"op": dice.choice(WORDS[:6]), **{f: nonsense(dice) for f in dice.sample(FIELDS[1:], 5)}})
+            whole = text if dice.random() < 0.8 else text[: dice.randrange(len(text))]
+            await ros.send(whole if dice.random() < 0.8 else whole.encode() + b"\xff")
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_a_crowd_of_hostile_clients_harms_nobody(config: Config, seed: int) -> None:
+    """Nonsense, a client that never reads, more connections than there are: page, program and a good client go on."""
+
+    async def tell() -> None:
+        async with serving(config) as (address, service), opened(address) as page, opened(address) as other:
+            session = (await page.op("hello"))["session"]
+            path = f"ws://{address}/rosbridge/{session}"
+            async with contextlib.AsyncExitStack() as stack:
+                good = await stack.enter_async_context(connect(path, max_queue=None, close_timeout=1))
+                await good.send('{"op":"subscribe","topic":"/odom"}')
+                deaf = await stack.enter_async_context(connect(path, max_queue=1, close_timeout=1))
+                for _ in range(100):
+                    await deaf.send('{"op":"call_service","service":"/rosapi/topics"}')
+                await deaf.send('{"op":"subscribe","topic":"/odom"}')
+                await asyncio.gather(*[pester(address, session, 100 * seed + i) for i in range(4)])
+                for _ in range(MAX_CLIENTS - 2):
+                    await stack.enter_async_context(connect(path, close_timeout=1))
+                with pytest.raises(InvalidStatus):
+                    await connect(path)
+                await other.send("run", run=1, source="drive:0.5 done@50", speed="max")
+                assert (await other.ended(1))["ended"] == "done"
+                await page.send("run", run=1, source="drive:0.5 done@50", speed="max")
+                assert (await page.ended(1))["ended"] == "done"
+                assert json.loads(await asyncio.wait_for(good.recv(), 60))["topic"] == "/odom"
+                assert len(service.sessions) == 2
 
     asyncio.run(tell())
 
