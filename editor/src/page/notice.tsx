@@ -1,4 +1,4 @@
-/// A quiet bar below the top bar for what the page itself must say: a lost connection, a helper that restarts,
+/// A quiet bar below the top bar for what the page itself must say: a lost connection, a helper that restarts, a full room,
 /// a file that could not be read.
 
 import type {VNode} from "preact"
@@ -11,15 +11,18 @@ export function NoticeBar(): VNode {
   const notice = usePage(s => s.notice)
   const link = usePage(s => s.link)
   const worker = usePage(s => s.worker)
+  const place = usePage(s => (s.run.kind === "queued" ? s.run.place : null))
   // The first connection and the first start are quick as a rule: the stylesheet shows these lines late.
   const state =
     link === "lost"
       ? words.link.lost
       : link === "connecting"
         ? words.link.connecting
-        : worker === "ready"
-          ? null
-          : words.worker[worker]
+        : worker !== "ready"
+          ? words.worker[worker]
+          : place === null
+            ? null
+            : words.queued(place)
   const said = notice === null ? null : noticeWords(notice)
   return (
     <div class="notices" aria-live="polite">

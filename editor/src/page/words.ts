@@ -116,6 +116,12 @@ export const words = {
     restarting:
       "The helper that reads Haskell is restarting. Your program is kept; run it again in a moment.",
   },
+  queued: (place: number) =>
+    place === 1
+      ? "The room is full. Your program is the next to run."
+      : place === 2
+        ? "The room is full. One program is before yours."
+        : `The room is full. ${place - 1} programs are before yours.`,
   roomLabel: (world: string) =>
     `The room ${world} from above, with the robot in it. While it runs, the arrow keys move the robot, comma and full stop turn it, and B takes a thing to push instead; plus and minus zoom, F follows it.`,
   sight: "How to see the room",
@@ -183,9 +189,7 @@ export function runWords(state: PageState): string {
     case "waiting":
       return "Waiting"
     case "queued":
-      return run.place === 1
-        ? "The room is full: you are next"
-        : `The room is full: ${run.place - 1} before you`
+      return "Waiting"
     case "compiling":
       return "Starting"
     case "running":
