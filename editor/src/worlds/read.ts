@@ -62,7 +62,7 @@ const known = [
 function world(value: unknown): World {
   const fields = record(value, "")
   for (const key of Object.keys(fields))
-    if (!known.includes(key)) throw new Wrong(key, "no such field in a world.")
+    if (!known.includes(key)) throw new Wrong(key, "a world has nothing of that name.")
   const name = text(fields, "name", "the name must be text.")
   const title = text(fields, "title", "the title must be text.")
   const tile = number(or(field(fields, "tile"), defaultTile), "tile")
@@ -247,7 +247,9 @@ function record(value: unknown, path: string): Fields {
   if (typeof value !== "object" || value === null || Array.isArray(value))
     throw new Wrong(
       path,
-      path === "" ? "a world must be an object with named fields." : "expected an object with named fields.",
+      path === ""
+        ? 'this is no world; a world looks like {"size": [5, 4], "start": {"x": 1, "y": 1}}.'
+        : 'expected named values in curly brackets, such as {"x": 1, "y": 1}.',
     )
   return value as Fields
 }

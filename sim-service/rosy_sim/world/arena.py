@@ -125,7 +125,7 @@ def read_arena(value: object) -> Arena:
     known = {"name", "size", "start", "tile", "tiles", "walls", "boxes", "rounds", "goals", "title", "realism"}
     for key in fields:
         if key not in known:
-            raise ArenaError(key, "no such field in a world.")
+            raise ArenaError(key, "a world has nothing of that name.")
     name = fields.get("name", "")
     if not isinstance(name, str):
         raise ArenaError("name", "the name must be text.")

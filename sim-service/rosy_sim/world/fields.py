@@ -32,7 +32,10 @@ def objekt(value: object, path: str) -> dict[str, object]:
     """A value with named fields."""
     if not isinstance(value, dict):
         raise ArenaError(
-            path, "expected an object with named fields." if path else "a world must be an object with named fields."
+            path,
+            'expected named values in curly brackets, such as {"x": 1, "y": 1}.'
+            if path
+            else 'this is no world; a world looks like {"size": [5, 4], "start": {"x": 1, "y": 1}}.',
         )
     return value
 
