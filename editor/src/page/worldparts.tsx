@@ -32,7 +32,7 @@ export function PartPanel({edit}: {edit: Edit}): VNode | null {
       ) : (
         <>
           <h3>{nameOfPart(world, chosen)}</h3>
-          <div class="fields">
+          <div class="part-fields">
             <PartFields world={world} part={chosen} change={change} />
           </div>
           {chosen.kind !== "start" && (
@@ -94,7 +94,7 @@ function NumberField(props: {
 }): VNode {
   const {label, unit, value, step, least, most, set} = props
   return (
-    <label class="field">
+    <label class="part-field">
       <span>{label}</span>
       <input
         type="number"
@@ -144,7 +144,7 @@ function Angle({value, set}: {value: number; set: (value: number) => void}): VNo
 
 function Check({label, value, set}: {label: string; value: boolean; set: (on: boolean) => void}): VNode {
   return (
-    <label class="field check">
+    <label class="part-field check">
       <input type="checkbox" checked={value} onChange={event => set(event.currentTarget.checked)} />
       <span>{label}</span>
     </label>
@@ -288,7 +288,7 @@ function GoalFields({
   const [shortest] = limits.within
   return (
     <>
-      <label class="field wide">
+      <label class="part-field wide">
         <span>{worldWords.goalTitle}</span>
         <input
           type="text"
@@ -378,8 +378,8 @@ function RoomFields({
   return (
     <>
       <h3>{worldWords.room}</h3>
-      <div class="fields">
-        <label class="field wide">
+      <div class="part-fields">
+        <label class="part-field wide">
           <span>{worldWords.name}</span>
           <input
             type="text"
