@@ -277,3 +277,25 @@ test("the same run again is the same to the last digit on a slippery floor; Run 
   await learner.runs()
   expect(await end()).not.toEqual(first)
 })
+
+test.describe("on a phone", () => {
+  test.use({viewport: {width: 390, height: 844}, hasTouch: true})
+
+  test("a finger puts down a post and takes it away again", async ({page}) => {
+    const workshop = new Workshop(page)
+    await page.goto("/?example=move")
+    await page.getByRole("button", {name: "Room", exact: true}).tap()
+    await page.getByRole("button", {name: "Change this room"}).tap()
+    await page.getByRole("toolbar").getByRole("button", {name: "Post", exact: true}).tap()
+    const box = await workshop.sheet().boundingBox()
+    if (box === null) throw new Error("expected the sheet to be seen")
+    await page.touchscreen.tap(box.x + 0.7 * box.width, box.y + 0.5 * box.height)
+    await expect(workshop.told()).toHaveText(/^Post 1 at .*, radius 0.2 m$/)
+    await page.getByRole("button", {name: "Take away"}).tap()
+    await expect(workshop.told()).toBeEmpty()
+    await page.getByRole("button", {name: "Undo"}).tap()
+    await expect(page.getByRole("button", {name: /^Post 1 at/})).toBeVisible()
+    await page.getByRole("button", {name: "Done"}).tap()
+    await expect(page.getByRole("button", {name: "Room to drive in: my room"})).toBeVisible()
+  })
+})
