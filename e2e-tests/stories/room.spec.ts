@@ -37,6 +37,19 @@ class Floor {
   }
 }
 
+/// What is read twice alike: frames that were on their way have come.
+async function atRest<T>(read: () => Promise<T>): Promise<T> {
+  let last = await read()
+  await expect
+    .poll(async () => {
+      const before = JSON.stringify(last)
+      last = await read()
+      return before === JSON.stringify(last)
+    })
+    .toBe(true)
+  return last
+}
+
 /// Opens the gallery of rooms and takes one.
 async function chooses(page: Page, room: string): Promise<void> {
   await page.getByRole("button", {name: /^Room to drive in/}).click()
@@ -230,8 +243,7 @@ test("the clock stands, makes single steps, goes on, and the run can be looked b
   await until(learner.robot("time"), time => time > 1)
   await page.getByRole("button", {name: "Pause"}).click()
   await expect(learner.status()).toHaveText("Paused")
-  const time = async () => Number(await learner.robot("time").textContent())
-  const stood = await time()
+  const stood = Number(await atRest(() => learner.robot("time").textContent()))
   for (let i = 0; i < 3; i++) await page.getByRole("button", {name: /^One step/}).click()
   await until(learner.robot("time"), now => Math.abs(now - stood - 0.06) < 0.001)
   const x = Number(await learner.robot("x").textContent())
@@ -253,20 +265,14 @@ test("the same run again is the same to the last digit on a slippery floor; Run 
   await learner.opens("drawSquare")
   await chooses(page, "A slippery room, like a real one")
   await page.getByRole("combobox", {name: "Speed"}).selectOption("max")
-  const pose = () =>
-    Promise.all(["time", "x", "y", "heading"].map(async what => `${await learner.robot(what).textContent()}`))
   /// Where the robot has rolled to rest after the program's end.
   const end = async () => {
     await expect(learner.status()).toHaveText("Finished")
-    let last: readonly string[] = []
-    await expect
-      .poll(async () => {
-        const before = last
-        last = await pose()
-        return before.join() === last.join()
-      })
-      .toBe(true)
-    return last
+    return atRest(() =>
+      Promise.all(
+        ["time", "x", "y", "heading"].map(async what => `${await learner.robot(what).textContent()}`),
+      ),
+    )
   }
   await learner.runs()
   const first = await end()
