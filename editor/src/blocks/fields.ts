@@ -5,6 +5,7 @@
 import * as Blockly from "blockly/core"
 import {Code} from "./code.ts"
 import type {FieldItem} from "./plan.ts"
+import {measure} from "./widths.ts"
 
 /// What a field does when the learner has changed or used it.
 export interface FieldActions {
@@ -33,6 +34,11 @@ export function haskellNumber(text: string): string | null {
 
 /// @internal Words of a block.
 export class Words extends Blockly.FieldLabel {
+  protected override updateSize_(margin?: number): void {
+    measure(this.textElement_)
+    super.updateSize_(margin)
+  }
+
   override isSerializable(): boolean {
     return false
   }
@@ -121,6 +127,11 @@ export class Entry extends Blockly.FieldTextInput {
     this.live = true
   }
 
+  protected override updateSize_(margin?: number): void {
+    measure(this.textElement_)
+    super.updateSize_(margin)
+  }
+
   override isSerializable(): boolean {
     return false
   }
@@ -144,9 +155,10 @@ export class Entry extends Blockly.FieldTextInput {
 
   override initView(): void {
     super.initView()
-    if (this.fieldGroup_ !== null) {
-      Blockly.utils.dom.addClass(this.fieldGroup_, this.kind === "type" ? "rosyTypeEntry" : "rosyEntry")
-    }
+    const name = this.kind === "type" ? "rosyTypeEntry" : "rosyEntry"
+    if (this.fieldGroup_ !== null) Blockly.utils.dom.addClass(this.fieldGroup_, name)
+    // Widths are remembered by the text's own class, and types have a face of their own.
+    if (this.textElement_ !== null) Blockly.utils.dom.addClass(this.textElement_, `${name}Text`)
   }
 }
 
@@ -200,6 +212,11 @@ export class Menu extends Blockly.FieldDropdown {
     this.live = true
   }
 
+  protected override updateSize_(margin?: number): void {
+    measure(this.textElement_)
+    super.updateSize_(margin)
+  }
+
   override isSerializable(): boolean {
     return false
   }
@@ -223,6 +240,11 @@ export class Binder extends Blockly.FieldTextInput {
     super(value, undefined, {spellcheck: false, ariaTypeName: aria})
     this.key = key
     this.actions = actions
+  }
+
+  protected override updateSize_(margin?: number): void {
+    measure(this.textElement_)
+    super.updateSize_(margin)
   }
 
   override isSerializable(): boolean {
@@ -321,6 +343,7 @@ export class Press extends Blockly.Field<string> {
   }
 
   protected override updateSize_(): void {
+    measure(this.textElement_)
     super.updateSize_(pressMargin)
     // Lower than other fields, so that a row of buttons is hardly a row.
     this.size_ = new Blockly.utils.Size(this.size_.width, pressHeight)

@@ -17,6 +17,7 @@ export class Marks {
   private told: readonly BlockProblem[] = []
   private accepted = false
   private waiting = false
+  private loose: ReadonlySet<BlockId | undefined> = new Set()
   private highlighted: readonly BlockId[] = []
   private dimmed: readonly BlockId[] = []
   private readonly worded = new Map<BlockId, string>()
@@ -60,9 +61,11 @@ export class Marks {
     const loose = new Set(
       this.inferred.filter(problem => problem.kind === "loose").map(problem => problem.block),
     )
+    for (const id of [...this.loose, ...loose])
+      if (id !== undefined) toggle(this.workspace.getBlockById(id), "rosyLoose", loose.has(id))
+    this.loose = loose
     for (const block of this.workspace.getAllBlocks(false)) {
       if (block.isInsertionMarker()) continue
-      toggle(block, "rosyLoose", loose.has(block.id))
       const words = sentences.get(block.id)?.join("\n") ?? ""
       if ((this.worded.get(block.id) ?? "") === words) continue
       this.worded.set(block.id, words)

@@ -57,6 +57,7 @@ export const styleSheet = `
 .rosyBlocks .blocklyBlock.rosyTold > .blocklyPath { stroke: var(--rosy); stroke-width: 2.5; }
 .rosyBlocks .blocklyBlock.rosyWrong > .blocklyPath:not(.blocklyPathSelected) { stroke: var(--bad); stroke-width: 3; }
 .rosyBlocks .blocklyBlock.rosyFired > .blocklyPath { stroke: var(--on-block); stroke-width: 3; }
+.rosyBlocks .blocklyBlock.rosyAway { display: none; }
 .rosyBlocks .blocklyBlock.rosyDim { opacity: .45; }
 .rosyBlocks .blocklyBlock.rosyLoose > .blocklyPath { stroke-dasharray: 5 4; stroke: var(--ink-2); stroke-width: 1.5; }
 .rosyBlocks .blocklyDragging.rosyRefused > .blocklyPath { stroke: var(--bad); stroke-width: 2.5; stroke-dasharray: 6 4; }

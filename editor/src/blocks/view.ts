@@ -14,6 +14,7 @@ import type {
 } from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import * as English from "blockly/msg/en"
+import {hideFarBlocks} from "./away.ts"
 import {type BuildActions, change, registerBlocks} from "./build.ts"
 import {checkerName, registerChecker} from "./checker.ts"
 import {type SharedClipboard, shareCopies} from "./copied.ts"
@@ -35,6 +36,7 @@ import {bringHome, inSight, straysOf} from "./sight.ts"
 import {styleSheet} from "./style.ts"
 import {themes} from "./theme.ts"
 import {focusSearch, registerToolbox, scopeKey, setNearby, toolboxInfo} from "./toolbox.ts"
+import {forgetWidths, rememberWidths} from "./widths.ts"
 
 export interface BlocksOptions {
   readonly language: Language
@@ -118,6 +120,7 @@ function register(language: Language): void {
     registerChecker()
     registerToolbox()
     registerRemark()
+    rememberWidths()
     registerMenus(() => open?.menus)
     for (const [tone, theme] of Object.entries(themes())) blocklyThemes.set(tone as Tone, theme)
     const sheet = document.createElement("style")
@@ -161,6 +164,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     },
   })
   const marks = new Marks(workspace)
+  const away = hideFarBlocks(workspace, host)
   const changeListeners = new Set<(change: BlocksChange) => void>()
   const selectListeners = new Set<(block: BlockId | undefined) => void>()
   let inference: Inference = language.infer(saveBlocks(workspace))
@@ -332,7 +336,10 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   const observer = new ResizeObserver(() => Blockly.svgResize(workspace))
   observer.observe(host)
   // Widths measured before the fonts arrived are wrong.
-  void Promise.all(fonts.map(font => document.fonts.load(font))).then(() => measureAgain(workspace))
+  void Promise.all(fonts.map(font => document.fonts.load(font))).then(() => {
+    forgetWidths()
+    measureAgain(workspace)
+  })
 
   return {
     load(saved) {
@@ -343,6 +350,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       Blockly.renderManagement.triggerQueuedRenders(workspace)
       boxes = boxesOf(workspace)
       marks.forget()
+      away.update()
       const again = focused === undefined ? null : workspace.getBlockById(focused)
       if (again !== null) {
         // Only what is drawn can have the focus.
@@ -363,6 +371,8 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     },
     select(id) {
       const block = id === undefined ? null : workspace.getBlockById(id)
+      // What is not drawn cannot have the focus.
+      block?.getRootBlock().getSvgRoot().classList.remove("rosyAway")
       if (block === null) {
         Blockly.getFocusManager().focusNode(workspace)
         return
@@ -401,6 +411,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       observer.disconnect()
       unshare?.()
       marks.dispose()
+      away.dispose()
       refusal.dispose()
       zoom.remove()
       if (open === actions) open = undefined

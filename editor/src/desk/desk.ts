@@ -24,7 +24,7 @@ import {type Fix, mended, movedFix, signatureFix, whereToGoOn} from "../state/fi
 import {drives} from "../state/helm.ts"
 import type {Order, PageState} from "../state/page.ts"
 import {believed} from "../state/page.ts"
-import {type Finding, innermostBlock, textOf} from "../state/program.ts"
+import {type Finding, innermostBlock, mover, textOf} from "../state/program.ts"
 import {glowing} from "../state/room.ts"
 import {isActive} from "../state/run.ts"
 import {toCsv} from "../state/values.ts"
@@ -184,12 +184,12 @@ export function openDesk(address: string): Desk {
     if (source !== null) cursorMoved(source.cursor())
     cost = performance.now() - began
   }
-  /// Small programs follow every key; where that would be felt, they follow a pause in the typing.
+  /// Small programs follow every key; where that would be felt, they follow in the gap after it.
   const flushSoon = () => {
     clearTimeout(typing)
     if (cost < quick) store.redraw()
     else if (performance.now() - typedSince > furthestBehind) flush()
-    else typing = setTimeout(flush, Math.min(longestPause, 3 * cost))
+    else typing = setTimeout(flush, Math.min(longestPause, cost))
   }
   /// Changes the text by a command: one step, whatever was typed before it.
   const rewrite = (text: string) => {
@@ -202,7 +202,7 @@ export function openDesk(address: string): Desk {
     const {text} = store.now.document.program
     flush()
     const now = store.now.document.program.text
-    const still = movedFix(text, now, fix)
+    const still = movedFix(mover(text, now), fix)
     rewrite(mended(now, still))
     source?.setProgram(store.now.document.program)
     source?.choose(whereToGoOn(still))

@@ -26,7 +26,15 @@ import {
 } from "@rosy/codegen/reader"
 import {parseJson} from "../state/decode.ts"
 import type {Document} from "../state/history.ts"
-import {type Definition, type Finding, movedRange, type Program, type Span, textOf} from "../state/program.ts"
+import {
+  type Definition,
+  type Finding,
+  mover,
+  type Program,
+  rangeMoved,
+  type Span,
+  textOf,
+} from "../state/program.ts"
 import {readWorld} from "../worlds/read.ts"
 import type {WorldFile} from "../worlds/world.ts"
 import {asInFile, oneKindOfLine} from "./lines.ts"
@@ -108,8 +116,9 @@ export function writeProject(
 export function withText(reader: Reader, document: Document, text: string): Document {
   const view = document.view === null ? openView(reader, text) : syncText(reader, document.view, text)
   const fresh = documentOf(view, workspaceOf(view))
+  const move = mover(document.program.text, text)
   const findings = document.findings.map(f =>
-    f.range === null ? f : {...f, range: movedRange(document.program.text, text, f.range)},
+    f.range === null ? f : {...f, range: rangeMoved(move, f.range)},
   )
   return {...fresh, program: {...fresh.program, families: document.program.families}, findings}
 }

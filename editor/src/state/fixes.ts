@@ -1,7 +1,7 @@
 /// Ways to mend a program, as edits of its text: what the worker offers for a problem, and what the page can offer by itself. Pure.
 
 import type {Declared} from "./messages.ts"
-import {mover, type Program} from "./program.ts"
+import type {Mover, Program} from "./program.ts"
 
 /// Text to put in the place of a range. Offsets in UTF-16 units; `end` is exclusive.
 export interface Edit {
@@ -32,9 +32,8 @@ export function whereToGoOn(fix: Fix): {start: number; end: number} {
   return {start, end: hole === null ? start : start + 1}
 }
 
-/// A fix after `old` became `now`.
-export function movedFix(old: string, now: string, fix: Fix): Fix {
-  const move = mover(old, now)
+/// A fix after the text has changed.
+export function movedFix(move: Mover, fix: Fix): Fix {
   const edits = fix.edits.map(e => {
     // What was put in at its edge is none of its business.
     const end = move(e.end, "before")

@@ -11,7 +11,7 @@ import {drives, letGo, robotEvent, robotHeard, robotRefused} from "./helm.ts"
 import {type Document, emptyHistory, redo, remember, undo} from "./history.ts"
 import type {ServiceMessage} from "./messages.ts"
 import type {Order, PageEvent, PageState, Step} from "./page.ts"
-import {type Finding, locate, movedRange} from "./program.ts"
+import {type Finding, locate, type Mover, mover, rangeMoved} from "./program.ts"
 import {
   addLine,
   clearRoom,
@@ -217,24 +217,25 @@ export function next(state: PageState, event: PageEvent): Step {
 }
 
 const moved =
-  (before: Document, after: Document) =>
+  (move: Mover) =>
   (finding: Finding): Finding =>
     finding.range === null
       ? finding
       : {
           ...finding,
-          range: movedRange(before.program.text, after.program.text, finding.range),
-          fixes: finding.fixes.map(f => movedFix(before.program.text, after.program.text, f)),
+          range: rangeMoved(move, finding.range),
+          fixes: finding.fixes.map(f => movedFix(move, f)),
         }
 
 /// Makes another document the program. What the last run said was about the old one.
 function changeTo(state: PageState, document: Document): Step {
   const changed: PageState = {...state, document, saved: "changed"}
   if (document.program.text === state.document.program.text) return still(changed)
+  const move = mover(state.document.program.text, document.program.text)
   return check({
     ...changed,
     // What the compiler said stands, moved along, until it has read the new text: marks do not flicker while typing.
-    findings: {compiler: state.findings.compiler.map(moved(state.document, document)), run: []},
+    findings: {compiler: state.findings.compiler.map(moved(move)), run: []},
     welcome: state.welcome === "ran" ? "over" : state.welcome,
   })
 }

@@ -123,13 +123,23 @@ export function movedRange(
   now: string,
   range: {readonly start: number; readonly end: number},
 ): {start: number; end: number} {
-  const move = mover(old, now)
+  return rangeMoved(mover(old, now), range)
+}
+
+/// The same for many ranges: comparing the texts is what costs.
+export function rangeMoved(
+  move: Mover,
+  range: {readonly start: number; readonly end: number},
+): {start: number; end: number} {
   const start = move(range.start, "before")
   return {start, end: Math.max(start, move(range.end, "before"))}
 }
 
-/// Where an offset is after `old` became `now`; an offset at which something was put in is `before` or `behind` it.
-export function mover(old: string, now: string): (at: number, side: "before" | "behind") => number {
+/// Where an offset is in a text that has changed; one at which something was put in is `before` or `behind` it.
+export type Mover = (at: number, side: "before" | "behind") => number
+
+/// Where offsets are after `old` became `now`.
+export function mover(old: string, now: string): Mover {
   const most = Math.min(old.length, now.length)
   let head = 0
   while (head < most && old[head] === now[head]) head += 1

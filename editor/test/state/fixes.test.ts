@@ -4,7 +4,7 @@ import fc from "fast-check"
 import {describe, expect, it} from "vitest"
 import {type Fix, mended, movedFix, signatureFix, whereToGoOn} from "../../src/state/fixes.ts"
 import {emptyDocument, emptyHistory, remember} from "../../src/state/history.ts"
-import {emptyProgram, locate} from "../../src/state/program.ts"
+import {emptyProgram, locate, mover} from "../../src/state/program.ts"
 
 const fix = (...edits: Fix["edits"]): Fix => ({title: "mend", edits})
 
@@ -54,8 +54,8 @@ describe("a fix", () => {
         const text = before + inside + behind
         const one = fix({start: before.length, end: before.length + inside.length, text: "X"})
         fc.pre(inside !== "")
-        expect(mended(typed + text, movedFix(text, typed + text, one))).toBe(typed + mended(text, one))
-        expect(mended(text + typed, movedFix(text, text + typed, one))).toBe(mended(text, one) + typed)
+        expect(mended(typed + text, movedFix(mover(text, typed + text), one))).toBe(typed + mended(text, one))
+        expect(mended(text + typed, movedFix(mover(text, text + typed), one))).toBe(mended(text, one) + typed)
       }),
     )
   })
