@@ -49,7 +49,6 @@ async function type(page: Page, key: string, follows: string): Promise<Typed> {
       ([selector, gap]) => {
         const look = () =>
           Array.from(document.querySelectorAll<HTMLElement>(selector))
-            .slice(0, 6)
             .map(e => (e instanceof HTMLTextAreaElement ? e.value.length : e.textContent))
             .join(" ")
         const before = look()
