@@ -1,10 +1,11 @@
 /// A workspace as Haskell: read, infer, print.
 
 import type {BlockProblem, PrintedProgram, Span} from "../api.ts"
-import {printProgram} from "../haskell/print.ts"
+import {readWorkspace} from "../blocks/read.ts"
+import {printExprAlone, printPatternAlone, printProgram} from "../haskell/print.ts"
 import {hasUnknowns} from "../model/holes.ts"
 import type {Declaration, Program} from "../model/tree.ts"
-import type {BlockId, SavedWorkspace} from "../saved.ts"
+import type {BlockId, SavedBlock, SavedWorkspace} from "../saved.ts"
 import {metasIn, namesIn, showScheme} from "../types/type.ts"
 import type {Solved} from "./infer.ts"
 import {problemsOf, solve} from "./infer.ts"
@@ -24,6 +25,29 @@ export function toHaskell(workspace: SavedWorkspace): Haskell {
     return span === undefined ? [] : [{...span, block: d.from?.block}]
   })
   return {text: printed.text, spans: printed.spans, problems: problemsOf(solved), declarations}
+}
+
+/// A block, with all it carries, as a piece of Haskell to put into a text. A definition stands at the margin; anything else begins where it is put.
+export function codeOf(block: SavedBlock): {readonly text: string; readonly definition: boolean} | undefined {
+  const {program, loose} = readWorkspace({blocks: {languageVersion: 0, blocks: [block]}})
+  const [one] = loose
+  if (program.declarations.length > 0) return {text: printProgram(program).text.trimEnd(), definition: true}
+  if (one === undefined) return undefined
+  switch (one.kind) {
+    case "expression":
+      return {text: printExprAlone(one.expr), definition: false}
+    case "pattern":
+      return {text: printPatternAlone(one.pattern), definition: false}
+    default: {
+      // A block of steps is printed with its `do`; without it, its steps stand below each other.
+      const lines = printExprAlone({kind: "do", statements: one.steps}).replace(/^do\s/, "").split("\n")
+      const indent = Math.min(...lines.map(l => l.search(/\S/)).filter(n => n >= 0))
+      return {
+        text: lines.map(l => l.slice(Math.max(0, Math.min(indent, l.search(/\S/))))).join("\n"),
+        definition: false,
+      }
+    }
+  }
 }
 
 /// The program with the inferred type as signature where the learner wrote none. A definition with an empty socket whose

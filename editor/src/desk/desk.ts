@@ -11,6 +11,7 @@ import {openWorldEditor, type WorldEditorView} from "../room/editorview.ts"
 import {openSpeaker} from "../room/sounds.ts"
 import {openRoom, type RoomView} from "../room/view.ts"
 import {openClipboard} from "../run/clipboard.ts"
+import {openExplanations} from "../run/explanations.ts"
 import {download, downloadBlob, fileName, pickFile, watchDrops} from "../run/files.ts"
 import {type Film, startFilm, takePicture} from "../run/film.ts"
 import {fetchReader} from "../run/grammar.ts"
@@ -30,6 +31,7 @@ import {isActive} from "../state/run.ts"
 import {toCsv} from "../state/values.ts"
 import {openStore} from "../store.ts"
 import {openAutosave} from "./autosave.ts"
+import {openCompletions} from "./completions.ts"
 import {merged} from "./merge.ts"
 import {
   analysed,
@@ -44,6 +46,7 @@ import {
   writeHaskell,
   writeProject,
 } from "./programs.ts"
+import {snippets} from "./snippets.ts"
 
 /// Milliseconds between the last change and the question to the compiler.
 const checkPause = 150
@@ -63,6 +66,8 @@ const firstExample = "accelerateAndPlay"
 export function openDesk(address: string): Desk {
   const shelf = openShelf(window.localStorage)
   const speaker = openSpeaker()
+  const explanations = openExplanations()
+  const answers = openCompletions(message => session?.send(message))
   let session: Session | null = null
   let blocks: BlocksView | null = null
   let source: SourcePane | null = null
@@ -260,7 +265,10 @@ export function openDesk(address: string): Desk {
     save: saveFile,
   })
   session = openSession(address, {
-    heard: message => store.dispatch({kind: "heard", message}),
+    heard(message) {
+      if (message.op === "completed") answers.heard(message)
+      store.dispatch({kind: "heard", message})
+    },
     lost: () => store.dispatch({kind: "link-lost"}),
     garbled: message => console.warn(`Rosy's service sent something this page does not know: ${message}`),
   })
@@ -302,6 +310,12 @@ export function openDesk(address: string): Desk {
     mountSource(host) {
       source = openSource(host, {
         label: words.haskellPane,
+        completer: {
+          fitting: answers.fitting,
+          snippets,
+          fromToolbox: words.fromToolbox,
+        },
+        explainer: {about: explanations.about, more: words.readMore},
         cursorMoved,
         mend,
         fixHere(offset) {
@@ -432,7 +446,8 @@ function drawParts(
       const shown = [...compiler.filter(f => tried || f.kind !== "hole"), ...run]
       blocks?.mark(shown.map(blockProblem), state.accepted)
     }
-    if (changed("declared")) source?.setDeclared(state.declared)
+    if (changed("declared") || changed("types"))
+      source?.setTold({declared: state.declared, types: state.types})
     if (changed("selected") || changed("selectedIn") || changed("document")) {
       const {selected, selectedIn} = state
       source?.link(selected === null ? null : textOf(program.spans, selected))

@@ -84,6 +84,8 @@ export const words = {
   times: (n: number) => `×${n}`,
   plays: "plays",
   showIt: "Show it",
+  readMore: "Read more",
+  fromToolbox: "From the toolbox",
   writeType: (signature: string) => `Write its type: ${signature}`,
   compilerSays: "What the compiler said",
   givenInputs: "It was given",

@@ -1,63 +1,70 @@
-/// What the Haskell pane knows of names: what it completes and what it says about the word under the pointer.
+/// What completion offers: where the compiler can say what fits, its names, those that fit best first; until it has answered, and where the program
+/// cannot be read yet, the names that the page knows itself. Blocks of the toolbox come as whole pieces of text.
 
 import {
   autocompletion,
   type Completion,
   type CompletionContext,
   type CompletionResult,
+  snippetCompletion,
 } from "@codemirror/autocomplete"
-import {type Extension, StateEffect, StateField} from "@codemirror/state"
-import {hoverTooltip} from "@codemirror/view"
-import {type KnownName, knownNames} from "@rosy/codegen"
-import type {Declared} from "../state/messages.ts"
+import type {Extension} from "@codemirror/state"
+import type {KnownName} from "@rosy/codegen"
+import type {Fitting} from "../state/messages.ts"
+import {known, told} from "./known.ts"
 import {tokens} from "./lexer.ts"
 
-/// The program's own top-level names with the types that the compiler found.
-export const setDeclared = StateEffect.define<readonly Declared[]>()
-
-const declaredField = StateField.define<readonly Declared[]>({
-  create: () => [],
-  update(value, transaction) {
-    for (const effect of transaction.effects) if (effect.is(setDeclared)) return effect.value
-    return value
-  },
-})
-
-const known: readonly KnownName[] = knownNames()
-const knownByName = new Map<string, KnownName[]>()
-for (const n of known) knownByName.set(n.name, [...(knownByName.get(n.name) ?? []), n])
+export interface Completer {
+  /// What can stand at an offset of a text; `null` when nobody knows.
+  fitting(text: string, offset: number): Promise<{names: readonly Fitting[]} | null>
+  /// Pieces of Haskell to put in, with a word for each.
+  snippets(): readonly {readonly label: string; readonly code: string}[]
+  readonly fromToolbox: string
+}
 
 /// CodeMirror's words for what a completion is.
 const kinds: Record<KnownName["kind"], string> = {value: "function", constructor: "class", type: "type"}
 
 const keywordOptions: readonly Completion[] = "case data do else if in let newtype of then type where"
   .split(" ")
-  .map(label => ({label, type: "keyword", boost: -2}))
+  .map(label => ({label, type: "keyword", boost: -20}))
 
 const knownOptions: readonly Completion[] = known.map(n => ({
   label: n.name,
   detail: n.kind === "type" ? "type" : n.type,
   type: kinds[n.kind],
-  boost: -1,
+  boost: -10,
 }))
 
-function complete(context: CompletionContext): CompletionResult | null {
+/// Boosts go from -99 to 99.
+function ranked(names: readonly Fitting[]): readonly Completion[] {
+  return names.map(({name, type, takes}, i) => ({
+    label: name,
+    detail: type,
+    type: /^\p{Lu}/u.test(name) ? "class" : "function",
+    boost: Math.max(1, 60 - Math.floor(i / 4) - 2 * takes),
+  }))
+}
+
+async function complete(context: CompletionContext, completer: Completer): Promise<CompletionResult | null> {
   const word = context.matchBefore(/[\p{L}_][\p{L}\p{N}_']*/u)
   if (word === null && !context.explicit) return null
   const text = context.state.doc.toString()
   const words = tokens(text)
   const here = words.find(t => t.start < context.pos && context.pos <= t.end)
   if (here?.kind === "comment" || here?.kind === "string" || here?.kind === "number") return null
+  const answer = await completer.fitting(text, context.pos)
+  if (context.aborted) return null
   // After `::` on its line a type is wanted, elsewhere a value.
-  const wantsType = /::[^=|]*$/.test(
-    context.state.doc
-      .lineAt(context.pos)
-      .text.slice(0, context.pos - context.state.doc.lineAt(context.pos).from),
-  )
+  const line = context.state.doc.lineAt(context.pos)
+  const wantsType = /::[^=|]*$/.test(line.text.slice(0, context.pos - line.from))
+  const fits = ranked(answer?.names ?? [])
   const own = context.state
-    .field(declaredField)
-    .map((d): Completion => ({label: d.name, detail: d.type, type: "function", boost: 2}))
-  const named = new Set([...own.map(o => o.label), ...known.map(n => n.name)])
+    .field(told)
+    .declared.filter(d => /^\p{Lu}/u.test(d.name) === wantsType || !wantsType)
+    .map((d): Completion => ({label: d.name, detail: d.type, type: "function", boost: 0}))
+  const offered = new Set(fits.map(o => o.label))
+  const named = new Set([...offered, ...own.map(o => o.label), ...known.map(n => n.name)])
   const local = [
     ...new Set(
       words
@@ -65,48 +72,41 @@ function complete(context: CompletionContext): CompletionResult | null {
         .map(t => text.slice(t.start, t.end)),
     ),
   ]
-    .filter(name => !named.has(name) && name !== "_")
-    .map((label): Completion => ({label, type: "variable", boost: 1}))
-  const fitting = knownOptions.filter(o => (o.type === "type") === wantsType)
+    .filter(name => !named.has(name) && name !== "_" && (!wantsType || /^\p{Lu}/u.test(name)))
+    .map((label): Completion => ({label, type: "variable", boost: -1}))
+  const others = [...own, ...knownOptions.filter(o => (o.type === "type") === wantsType)].filter(
+    o => !offered.has(o.label),
+  )
+  const pieces = wantsType
+    ? []
+    : completer.snippets().map(s => snippet(s.label, s.code, completer.fromToolbox))
   return {
     from: word?.from ?? context.pos,
-    options: wantsType
-      ? [...local.filter(l => /^\p{Lu}/u.test(l.label)), ...fitting]
-      : [...own, ...local, ...fitting, ...keywordOptions],
+    options: [
+      ...fits,
+      ...local,
+      ...others,
+      ...(wantsType ? [] : keywordOptions),
+      ...(context.explicit ? pieces : []),
+    ],
     validFor: /^[\p{L}\p{N}_']*$/u,
   }
 }
 
-const explain = hoverTooltip((view, pos) => {
-  const text = view.state.doc.toString()
-  const token = tokens(text).find(t => t.start <= pos && pos < t.end)
-  if (token === undefined || (token.kind !== "name" && token.kind !== "type")) return null
-  const word = text.slice(token.start, token.end)
-  const own = view.state.field(declaredField).find(d => d.name === word)
-  const lines =
-    own !== undefined
-      ? [`${own.name} :: ${own.type}`]
-      : (knownByName.get(word) ?? []).map(n =>
-          n.kind === "type"
-            ? `data ${n.name}${n.type === "" ? "" : ` = ${n.type}`}`
-            : `${n.name} :: ${n.type}`,
-        )
-  if (lines.length === 0) return null
-  return {
-    pos: token.start,
-    end: token.end,
-    above: true,
-    create() {
-      const dom = document.createElement("div")
-      dom.className = "hs-explained"
-      for (const line of new Set(lines)) {
-        const row = document.createElement("div")
-        row.textContent = line
-        dom.append(row)
-      }
-      return {dom}
-    },
-  }
-})
+/// An open place becomes a field to go through with Tab.
+function snippet(label: string, code: string, section: string): Completion {
+  let n = 0
+  const template = code
+    .replace(/[{}$\\]/g, "\\$&")
+    .replace(/(?<![\p{L}\p{N}_'])_(?![\p{L}\p{N}_'])/gu, () => `\${${++n}:_}`)
+  return snippetCompletion(template, {
+    label,
+    detail: code.split("\n")[0] ?? "",
+    type: "text",
+    section: {name: section, rank: 1},
+    boost: -30,
+  })
+}
 
-export const names: Extension = [declaredField, autocompletion({override: [complete], icons: false}), explain]
+export const names = (completer: Completer): Extension =>
+  autocompletion({override: [context => complete(context, completer)], icons: false})

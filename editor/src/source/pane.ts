@@ -9,20 +9,21 @@ import {highlightSelectionMatches, search, searchKeymap} from "@codemirror/searc
 import {Annotation, Compartment, EditorState} from "@codemirror/state"
 import {drawSelection, EditorView, keymap} from "@codemirror/view"
 import type {Fix} from "../state/fixes.ts"
-import type {Declared} from "../state/messages.ts"
 import type {Finding, Program} from "../state/program.ts"
 import {colours, programShown} from "./colours.ts"
 import {difference} from "./difference.ts"
+import {type Explainer, explain} from "./explain.ts"
+import {knowledge, setTold, type Told} from "./known.ts"
 import {layout} from "./layout.ts"
 import {marks, type Range, setGlowing, setLinked} from "./marks.ts"
-import {names, setDeclared} from "./names.ts"
+import {type Completer, names} from "./names.ts"
 
 export interface SourcePane {
   setProgram(program: Program): void
   /// Whether the learner may type; before text can be read it is only shown.
   setEditable(editable: boolean): void
-  /// The program's own names, for completion and explanations.
-  setDeclared(declared: readonly Declared[]): void
+  /// What the compiler knows of names and places, for completion and explanations.
+  setTold(told: Told): void
   /// Marks the text of the block under the cursor; scrolls to it unless the cursor is in the text itself.
   link(range: Range | null): void
   glow(ranges: readonly Range[]): void
@@ -38,6 +39,8 @@ export interface SourcePane {
 
 export interface SourceOptions {
   readonly label: string
+  readonly completer: Completer
+  readonly explainer: Explainer
   /// The learner moved the cursor, to this offset.
   cursorMoved(offset: number): void
   /// The learner changed the text.
@@ -86,7 +89,9 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
         highlightSelectionMatches(),
         search({top: true}),
         layout,
-        names,
+        knowledge,
+        names(options.completer),
+        explain(options.explainer),
         keymap.of([
           {key: "Mod-.", run: mendHere},
           ...closeBracketsKeymap,
@@ -128,8 +133,8 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
     setEditable(on) {
       view.dispatch({effects: editable.reconfigure(EditorState.readOnly.of(!on))})
     },
-    setDeclared(declared) {
-      view.dispatch({effects: setDeclared.of(declared)})
+    setTold(told) {
+      view.dispatch({effects: setTold.of(told)})
     },
     link(range) {
       view.dispatch({effects: setLinked.of(range)})

@@ -92,6 +92,20 @@ export interface Goal {
 
 export type WorkerState = "starting" | "ready" | "restarting"
 export type Ended = "done" | "error" | "stuck" | "stopped" | "time" | "refused"
+/// protocol §3: the piece of text from line and column up to line and column has the type `names[n]`; an outer piece comes
+/// before those inside it.
+export interface TypesAtPlaces {
+  readonly names: readonly string[]
+  readonly at: readonly (readonly number[])[]
+}
+
+/// A name that can stand at a place, with its type and how many values must follow it to give what is wanted there.
+export interface Fitting {
+  readonly name: string
+  readonly type: string
+  readonly takes: number
+}
+
 export interface Declared {
   readonly name: string
   readonly type: string
@@ -106,6 +120,14 @@ export type ServiceMessage =
       readonly id: number
       readonly problems: readonly Problem[]
       readonly declarations: readonly Declared[]
+      readonly types: TypesAtPlaces
+    }
+  | {
+      readonly op: "completed"
+      readonly id: number
+      readonly names: readonly Fitting[]
+      /// The type that is wanted there; `null` when anything would do or nothing is known.
+      readonly expected: string | null
     }
   | {readonly op: "state"; readonly run: number; readonly state: "compiling" | "running"}
   | {readonly op: "state"; readonly run: number; readonly state: "queued"; readonly place: number}
@@ -147,6 +169,13 @@ export type Hand =
 export type PageMessage =
   | {readonly op: "world"; readonly world: string | WorldFile}
   | {readonly op: "check"; readonly id: number; readonly source: string}
+  | {
+      readonly op: "complete"
+      readonly id: number
+      readonly source: string
+      readonly line: number
+      readonly column: number
+    }
   | {
       readonly op: "run"
       readonly run: number
@@ -190,6 +219,17 @@ export const problem = object<Problem>(get => ({
   time: get("time", optional(number, null)),
   inputs: get("inputs", optional(list(string), [])),
   fixes: get("fixes", optional(list(fix), [])),
+}))
+
+const types = object<TypesAtPlaces>(get => ({
+  names: get("names", list(string)),
+  at: get("at", list(list(number))),
+}))
+
+const fitting = object<Fitting>(get => ({
+  name: get("name", string),
+  type: get("type", string),
+  takes: get("takes", number),
 }))
 
 const triple: Decoder<readonly [number, number, number]> = (v, path) => {
@@ -274,6 +314,14 @@ const serviceMessage: Decoder<ServiceMessage> = (value, path) => {
           id: get("id", number),
           problems: get("problems", list(problem)),
           declarations: get("declarations", optional(list(declared), [])),
+          types: get("types", optional(types, {names: [], at: []})),
+        }
+      case "completed":
+        return {
+          op,
+          id: get("id", number),
+          names: get("names", list(fitting)),
+          expected: get("expected", optional(string, null)),
         }
       case "state": {
         const state = get("state", oneOf("queued", "compiling", "running", "ended"))

@@ -350,6 +350,9 @@ function heard(state: PageState, message: ServiceMessage): Step {
     case "robots":
     case "robot":
       return robotHeard(state, message)
+    case "completed":
+      // Whoever asked has the answer; nothing on the page depends on it.
+      return still(state)
     case "checked": {
       if (message.id !== state.checks) return still(state)
       const compiler = message.problems.map(p => locate(state.document.program, p, "compiler"))
@@ -357,6 +360,7 @@ function heard(state: PageState, message: ServiceMessage): Step {
       return still({
         ...state,
         declared: message.declarations,
+        types: {...message.types, text: state.document.program.text},
         findings: {...state.findings, compiler},
         accepted,
       })

@@ -3,7 +3,15 @@
 import type {WorldEdit, WorldEditor} from "../worlds/editor.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
 import {type Changer, type Document, emptyDocument, emptyHistory, type History} from "./history.ts"
-import type {Declared, Hand, PageMessage, ServiceMessage, Speed, WorkerState} from "./messages.ts"
+import type {
+  Declared,
+  Hand,
+  PageMessage,
+  ServiceMessage,
+  Speed,
+  TypesAtPlaces,
+  WorkerState,
+} from "./messages.ts"
 import type {BlockId, Finding} from "./program.ts"
 import {noRobots, type RobotsState} from "./robots.ts"
 import {type ConsoleLine, emptyRoom, type RoomState, type TrailStyle} from "./room.ts"
@@ -75,6 +83,8 @@ export interface PageState {
   readonly speed: Speed
   /// The program's own names with the types that the compiler found.
   readonly declared: readonly Declared[]
+  /// The type of every piece of the text that the compiler has read last.
+  readonly types: TypesAtPlaces & {readonly text: string}
   readonly room: RoomState
   readonly robots: RobotsState
   readonly lines: readonly ConsoleLine[]
@@ -139,6 +149,7 @@ export const firstPage: PageState = {
   clock: "going",
   speed: 1,
   declared: [],
+  types: {text: "", names: [], at: []},
   room: emptyRoom,
   robots: noRobots,
   lines: [],

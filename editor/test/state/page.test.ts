@@ -244,7 +244,8 @@ describe("the compiler", () => {
     const {state, sent} = play(open, change("a"), change("b"))
     const ids = sent.flatMap(m => (m.op === "check" ? [m.id] : []))
     expect(new Set(ids).size).toBe(2)
-    const checked = (id: number) => hear({op: "checked", id, problems: [problem], declarations: []})
+    const checked = (id: number) =>
+      hear({op: "checked", id, problems: [problem], declarations: [], types: {names: [], at: []}})
     expect(play(state, checked(ids[0] ?? -1)).state.findings.compiler).toEqual([])
     expect(play(state, checked(ids[1] ?? -1)).state.findings.compiler).toHaveLength(1)
   })
@@ -269,7 +270,10 @@ describe("the compiler", () => {
       document: {...document, findings: [doubt("hole"), doubt("not-in-scope")]},
     }
     const answers = (problems: readonly Problem[]) =>
-      play(doubted, hear({op: "checked", id: doubted.checks, problems, declarations: []})).state
+      play(
+        doubted,
+        hear({op: "checked", id: doubted.checks, problems, declarations: [], types: {names: [], at: []}}),
+      ).state
     expect(believed(doubted)).toHaveLength(2)
     expect(believed(answers([])).map(f => f.kind)).toEqual(["hole"])
     expect(believed(answers([problem]))).toHaveLength(2)
