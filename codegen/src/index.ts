@@ -43,5 +43,5 @@ export {
   parseProject,
   saveProject,
 } from "./workspace/project.ts"
-export {namesInScope, rename} from "./workspace/scope.ts"
+export {namesInScope, rename, renameNamed} from "./workspace/scope.ts"
 export {libraryItems, toolbox, typedItems} from "./workspace/toolbox.ts"

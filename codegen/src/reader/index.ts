@@ -34,6 +34,8 @@ export async function openReader(wasm: ReaderWasm): Promise<Reader> {
 }
 
 export type {BlockSpan} from "./blocks.ts"
+export type {Formatted} from "./format.ts"
+export {formatted} from "./format.ts"
 export type {Range} from "./lexer.ts"
 export type {Module, Piece} from "./module.ts"
 export {expressionsIn, Reader} from "./module.ts"

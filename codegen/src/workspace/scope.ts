@@ -142,6 +142,41 @@ function unlessWrong(
   return {ok: true, changes: [...changes].map(([block, extra]) => ({block, extra}))}
 }
 
+/// Renames what a block names or defines, wherever it says so: what F2 does in the text. Answers like `rename`.
+export function renameNamed(workspace: SavedWorkspace, block: BlockId, old: string, name: string): Renaming {
+  const use = usesIn(workspace).find(u => u.node.from?.block === block && u.name === old)
+  const binder = use === undefined ? block : binderBlock(use)
+  if (binder === undefined)
+    return {ok: false, why: `\`${old}\` is not of this program, so it keeps its name.`}
+  const found = find(workspace, binder)
+  const key = keyOf(found?.extraState ?? {}, old)
+  if (found?.type === "data" && key === "name")
+    return {ok: false, why: "A type is renamed in its block and wherever it is named."}
+  if (key === undefined) {
+    const made = [...everyBlock(workspace)].find(
+      b => b.type === "data" && b.id !== undefined && keyOf(b.extraState ?? {}, old) !== undefined,
+    )
+    const part = made === undefined ? undefined : keyOf(made.extraState ?? {}, old)
+    if (made?.id === undefined || part === undefined || part === "name")
+      return {ok: false, why: `\`${old}\` cannot be renamed from here.`}
+    return rename(workspace, made.id, part, name)
+  }
+  return rename(workspace, binder, key, name)
+}
+
+/// The path in `extraState` at which a name stands that the block brings into scope.
+function keyOf(extra: Extra, name: string, path = ""): string | undefined {
+  for (const [key, value] of Object.entries(extra)) {
+    const here = `${path}${key}`
+    if (value === name && (key === "name" || /^(?:\d+|as)$/.test(key))) return here
+    if (typeof value === "object" && value !== null) {
+      const inner = keyOf(value as Extra, name, `${here}.`)
+      if (inner !== undefined) return inner
+    }
+  }
+  return undefined
+}
+
 function textAt(extra: Extra, key: string): Json | undefined {
   let at: Json | undefined = extra
   for (const step of key.split(".")) at = (at as Extra | undefined)?.[step]

@@ -3,7 +3,7 @@
 
 import type {SavedWorkspace} from "@rosy/codegen"
 import * as codegen from "@rosy/codegen"
-import type {Reader} from "@rosy/codegen/reader"
+import {formatted, type Reader} from "@rosy/codegen/reader"
 import {type BlocksView, openBlocks} from "../blocks/index.ts"
 import type {Desk} from "../page/desk.ts"
 import {words} from "../page/words.ts"
@@ -46,6 +46,7 @@ import {
   writeHaskell,
   writeProject,
 } from "./programs.ts"
+import {renamed} from "./rename.ts"
 import {snippets} from "./snippets.ts"
 
 /// Milliseconds between the last change and the question to the compiler.
@@ -212,6 +213,13 @@ export function openDesk(address: string): Desk {
     source?.setProgram(store.now.document.program)
     source?.choose(whereToGoOn(still))
   }
+  const format = () => {
+    flush()
+    if (reader === null) return
+    const {text, left} = formatted(reader, store.now.document.program.text)
+    rewrite(text)
+    if (left > 0) store.dispatch({kind: "notice", notice: {kind: "not-formatted", left}})
+  }
   const undo = () => {
     if (store.now.worldEditor !== null) return store.dispatch({kind: "world-edited", edit: {kind: "undo"}})
     flush()
@@ -315,6 +323,19 @@ export function openDesk(address: string): Desk {
           snippets,
           fromToolbox: words.fromToolbox,
         },
+        renamer: {
+          rename(offset, old, name) {
+            flush()
+            const answer = renamed(store.now.document, offset, old, name)
+            if (!answer.ok) return answer.why
+            rewrite(answer.text)
+            source?.setProgram(store.now.document.program)
+            return null
+          },
+          words: {label: words.newName, rename: words.rename},
+        },
+        phrases: words.editor,
+        format,
         explainer: {about: explanations.about, more: words.readMore},
         cursorMoved,
         mend,
@@ -352,12 +373,12 @@ export function openDesk(address: string): Desk {
       })
     },
     run,
-    openRooms() {
+    openRooms() 
       store.dispatch({kind: "dialog", dialog: "rooms"})
       if (store.now.rooms === null)
-        void fetchRooms(store.now.worlds).then(rooms => store.dispatch({kind: "rooms-read", rooms}))
-    },
-    openGallery() {
+        void fetchRooms(store.now.worlds).then(rooms => store.dispatch({kind: "rooms-read", rooms})),
+    format,
+    openGallery() 
       store.dispatch({kind: "dialog", dialog: "gallery"})
       if (store.now.gallery.kind === "there") return
       store.dispatch({kind: "gallery", gallery: {kind: "asked"}})
@@ -366,8 +387,7 @@ export function openDesk(address: string): Desk {
           kind: "gallery",
           gallery: answer.kind === "there" ? {kind: "there", examples: answer.value} : {kind: "failed"},
         }),
-      )
-    },
+      ),
     openExample: name => void openExample(name, false),
     openKept(id) {
       const text = shelf.read(id)
@@ -382,13 +402,12 @@ export function openDesk(address: string): Desk {
     saveTable: () => download(fileName(store.now.name, "csv"), toCsv(store.now.room.recording), "text/csv"),
     zoomRoom: factor => room?.zoom(factor),
     wholeRoom: () => room?.whole(),
-    savePicture() {
+    savePicture() 
       if (roomCanvas === null) return
       void takePicture(roomCanvas).then(
         picture => picture !== null && downloadBlob(fileName(store.now.name, "png"), picture),
-      )
-    },
-    film(going) {
+      ),
+    film(going) 
       if (!going) return film?.stop()
       if (roomCanvas === null || film !== null) return
       film = startFilm(roomCanvas, made => {
@@ -397,8 +416,7 @@ export function openDesk(address: string): Desk {
         if (made === null) store.dispatch({kind: "notice", notice: {kind: "no-film"}})
         else downloadBlob(fileName(store.now.name, "webm"), made)
       })
-      store.dispatch({kind: "films", films: film !== null})
-    },
+      store.dispatch({kind: "films", films: film !== null}),
     undo,
     redo,
     mend,

@@ -37,6 +37,8 @@ export interface Desk {
   redo(): void
   /// Mends the program, in one step.
   mend(fix: Fix): void
+  /// Lays the text out anew, without losing anything.
+  format(): void
   /// Brings the block and the text of a problem into sight.
   show(finding: Finding): void
 }

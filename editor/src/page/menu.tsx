@@ -90,6 +90,7 @@ function MenuItems({close}: {close: () => void}): VNode {
           {words.driveByHand}
         </a>
       )}
+      {item(words.format, desk.format)}
       <hr />
       <p class="label">{words.theme}</p>
       <Segments

@@ -83,6 +83,31 @@ export const words = {
   noProblems: "No problems.",
   times: (n: number) => `×${n}`,
   plays: "plays",
+  newName: (old: string) => `New name for ${old}`,
+  rename: "Rename",
+  format: "Lay out the Haskell",
+  /// CodeMirror's words, by its own English ones.
+  editor: {
+    Find: "Find",
+    Replace: "Put instead",
+    next: "Next",
+    previous: "Back",
+    all: "Select all",
+    "match case": "Aa counts",
+    "by word": "Whole words",
+    regexp: "Pattern",
+    replace: "Put instead",
+    "replace all": "All",
+    close: "Close",
+    "current match": "found here",
+    "replaced $ matches": "changed $ places",
+    "replaced match on line $": "changed a place in line $",
+    "on line": "in line",
+    Diagnostics: "Problems",
+    "No diagnostics": "No problems",
+    Completions: "What fits here",
+    "Control character": "Invisible character",
+  },
   showIt: "Show it",
   readMore: "Read more",
   fromToolbox: "From the toolbox",
@@ -234,6 +259,14 @@ export function noticeWords(notice: Notice): {readonly message: string; readonly
       return {message: "The film is empty.", hint: "Start it while the robot drives, and end it later."}
     case "no-reader":
       return {message: "A part of the page is missing.", hint: "Reload the page; nothing of yours is lost."}
+    case "not-formatted":
+      return {
+        message:
+          notice.left === 1
+            ? "One definition was left as it is."
+            : `${notice.left} definitions were left as they are.`,
+        hint: "They are not finished, or laying them out would have lost something.",
+      }
     case "not-saved":
       return {
         message: "This browser has no room to keep your program.",

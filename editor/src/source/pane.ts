@@ -17,6 +17,7 @@ import {knowledge, setTold, type Told} from "./known.ts"
 import {layout} from "./layout.ts"
 import {marks, type Range, setGlowing, setLinked} from "./marks.ts"
 import {type Completer, names} from "./names.ts"
+import {type Renamer, renameKey, renaming} from "./rename.ts"
 
 export interface SourcePane {
   setProgram(program: Program): void
@@ -41,6 +42,11 @@ export interface SourceOptions {
   readonly label: string
   readonly completer: Completer
   readonly explainer: Explainer
+  readonly renamer: Renamer
+  /// CodeMirror's own words, for its search and its lists.
+  readonly phrases: {readonly [phrase: string]: string}
+  /// The learner wants the text laid out anew.
+  format(): void
   /// The learner moved the cursor, to this offset.
   cursorMoved(offset: number): void
   /// The learner changed the text.
@@ -92,8 +98,12 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
         knowledge,
         names(options.completer),
         explain(options.explainer),
+        renaming(options.renamer),
+        EditorState.phrases.of(options.phrases),
         keymap.of([
           {key: "Mod-.", run: mendHere},
+          renameKey,
+          {key: "Shift-Alt-f", run: () => (options.format(), true)},
           ...closeBracketsKeymap,
           ...completionKeymap,
           ...searchKeymap,

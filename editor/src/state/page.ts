@@ -49,6 +49,8 @@ export type Notice =
   | {readonly kind: "no-film"}
   | {readonly kind: "no-reader"}
   | {readonly kind: "not-saved"}
+  /// So many definitions were left as they are when the text was laid out.
+  | {readonly kind: "not-formatted"; readonly left: number}
   | {readonly kind: "opened-elsewhere"}
   | {readonly kind: "robot-gone"; readonly name: string; readonly why: string}
   | {readonly kind: "out-of-sight"; readonly name: string}
