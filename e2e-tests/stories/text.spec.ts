@@ -187,6 +187,6 @@ test("while somebody writes, the text says what fits and whose input comes next"
   await page.keyboard.press("Enter")
   await expect(learner.haskell()).toContainText("blink _ = Led1 Orange")
   await learner.haskell().getByText("ErrorSound").hover()
-  await expect(page.locator(".hs-explained")).toContainText("ErrorSound :: Sound")
+  await expect(page.locator(".hs-explained").last()).toContainText("ErrorSound :: Sound")
   await expect(page.getByRole("link", {name: "Read more"})).toHaveAttribute("href", /api-docs/)
 })

@@ -126,6 +126,7 @@ export function openDesk(address: string): Desk {
   store.onFrame(
     drawParts(
       () => ({blocks, source, room}),
+      () => typed !== null,
       () => store.redraw(),
       paint,
       liking => shelf.setLiking(liking),
@@ -442,6 +443,7 @@ const newSeed = () => Math.floor(Math.random() * 2 ** 31)
 /// Draws what is not Preact's: each part is told only of what changed for it.
 function drawParts(
   parts: () => {blocks: BlocksView | null; source: SourcePane | null; room: RoomView | null},
+  typing: () => boolean,
   again: () => void,
   paint: () => void,
   remember: (liking: Liking) => void,
@@ -453,7 +455,8 @@ function drawParts(
     const changed = (key: keyof PageState) => before === null || before[key] !== state[key]
     const {program} = state.document
     if (changed("document")) {
-      source?.setProgram(program)
+      // What was typed since is newer than the program: it would be lost.
+      if (!typing()) source?.setProgram(program)
       blocks?.dim(state.document.dimmed)
     }
     if (changed("findings") || changed("document") || changed("accepted") || changed("run")) {
