@@ -374,12 +374,13 @@ export function openDesk(address: string): Desk {
       })
     },
     run,
-    openRooms() 
+    openRooms() {
       store.dispatch({kind: "dialog", dialog: "rooms"})
       if (store.now.rooms === null)
-        void fetchRooms(store.now.worlds).then(rooms => store.dispatch({kind: "rooms-read", rooms})),
+        void fetchRooms(store.now.worlds).then(rooms => store.dispatch({kind: "rooms-read", rooms}))
+    },
     format,
-    openGallery() 
+    openGallery() {
       store.dispatch({kind: "dialog", dialog: "gallery"})
       if (store.now.gallery.kind === "there") return
       store.dispatch({kind: "gallery", gallery: {kind: "asked"}})
@@ -388,7 +389,8 @@ export function openDesk(address: string): Desk {
           kind: "gallery",
           gallery: answer.kind === "there" ? {kind: "there", examples: answer.value} : {kind: "failed"},
         }),
-      ),
+      )
+    },
     openExample: name => void openExample(name, false),
     openKept(id) {
       const text = shelf.read(id)
@@ -403,12 +405,13 @@ export function openDesk(address: string): Desk {
     saveTable: () => download(fileName(store.now.name, "csv"), toCsv(store.now.room.recording), "text/csv"),
     zoomRoom: factor => room?.zoom(factor),
     wholeRoom: () => room?.whole(),
-    savePicture() 
+    savePicture() {
       if (roomCanvas === null) return
       void takePicture(roomCanvas).then(
         picture => picture !== null && downloadBlob(fileName(store.now.name, "png"), picture),
-      ),
-    film(going) 
+      )
+    },
+    film(going) {
       if (!going) return film?.stop()
       if (roomCanvas === null || film !== null) return
       film = startFilm(roomCanvas, made => {
@@ -417,7 +420,8 @@ export function openDesk(address: string): Desk {
         if (made === null) store.dispatch({kind: "notice", notice: {kind: "no-film"}})
         else downloadBlob(fileName(store.now.name, "webm"), made)
       })
-      store.dispatch({kind: "films", films: film !== null}),
+      store.dispatch({kind: "films", films: film !== null})
+    },
     undo,
     redo,
     mend,
