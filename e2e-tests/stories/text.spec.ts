@@ -7,6 +7,8 @@ import {Learner, until} from "./learner.ts"
 const drawSquare = readFileSync(new URL("../../examples/drawSquare/Main.hs", import.meta.url), "utf8")
 
 test("drawSquare, typed key by key, becomes blocks and drives", async ({page}) => {
+  // A thousand keys.
+  test.slow()
   const learner = new Learner(page)
   await learner.opens("move")
   await learner.emptiesHaskell()
