@@ -95,6 +95,7 @@ ambiguous said = do
 
 explainAmbiguous :: Outline -> Say -> Text -> Text -> Text -> Problem
 explainAmbiguous outline problem v c user
+  | letter == "feed" = feedbackOfWhat problem
   | Text.length letter > 2 = blamedFor letter (problem "lower-case-type" (quoted letter <> " stands for any type, because it begins with a small letter.") ("Write the type with a capital letter: " <> capital letter <> "."))
   | c `elem` ["Sensor", "Command", "Controller", "Runnable", "Ends"] = unclear outline problem
   | user `elem` ["read", "fromIntegral", "realToFrac"] = problem "ambiguous-type" ("It is not clear which type " <> quoted user <> " gives here.") "Say it, for example: (read \"1\" :: Double)."
@@ -105,6 +106,10 @@ explainAmbiguous outline problem v c user
     blamedFor t p = case [(called f, s) | f <- connectedTo outline, Just s <- [typePlace outline (called f) t]] of
       (f, s) : _ -> p {function = Just f, place = Just s}
       [] -> p
+
+-- | What is done with feedback leaves open of which type it is.
+feedbackOfWhat :: Say -> Problem
+feedbackOfWhat problem = problem "ambiguous-type" "It is not clear of which type this feedback is." "Say it where it is taken, for example: \\x -> Say (show (x :: Double))."
 
 -- | A function whose type leaves open what it senses or gives.
 unclear :: Outline -> Say -> Problem
@@ -120,6 +125,7 @@ unclear outline problem = case find (any isOpen . (\f -> inputs f ++ outputs f))
 
 explainInstance :: Outline -> Raw -> Say -> Text -> Type -> Text -> Problem
 explainInstance outline raw problem c t user
+  | c == "Typeable", t == "feed" = feedbackOfWhat problem
   | c == "Typeable", isOpenType t = problem "ambiguous-type" "This task has no end: none of its functions gives Done." "Give Done () when it is over; if it goes on for ever, say so: (task start go :: Task ())."
   | c == "Sensor" = blaming inputs (problem "not-a-sensor" (who "takes" <> a t <> ", which the robot cannot sense.") sensorHint)
   | c == "Command", "Task" `Text.isPrefixOf` t = blaming outputs (problem "controller-needed" (owner <> " is a task, but here a function for the robot is needed.") "Simulate the task alone, or put it into another task with do.")
