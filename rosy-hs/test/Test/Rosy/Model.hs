@@ -235,7 +235,7 @@ anInput depth =
       (2, pure State),
       (2, Memory <$> elements ["M0", "M1"]),
       (1, Param <$> elements ["M0", "M1"]),
-      (1, elements [Time, Chance])
+      (2, elements [Time, Chance, All [Chance, Chance]])
     ]
       ++ [ (3, choose (0, 3) >>= fmap All . flip vectorOf (anInput (depth - 1))) | depth > 0
          ]
