@@ -24,10 +24,12 @@ pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason
 
 PUPILS = Path(__file__).parent / "pupils"
 
-TOUCH = [(0.5, Teleport(Pose(20 - RADIUS - 0.05, 10, 0))), (1.5, Teleport(Pose(10, 10, pi)))]
+TOUCH: list[tuple[float, Hand]] = [(0.5, Teleport(Pose(20 - RADIUS - 0.05, 10, 0))), (1.5, Teleport(Pose(10, 10, pi)))]
 """A robot that drives presses its front bumper at the wall of the empty world, and lets it go."""
 
-PUSH = [(0.1 + 0.4 * k + 0.2 * up, Press(k, not up)) for k in range(3) for up in (False, True)]
+PUSH: list[tuple[float, Hand]] = [
+    (0.1 + 0.4 * k + 0.2 * up, Press(k, not up)) for k in range(3) for up in (False, True)
+]
 """The three buttons one after the other, each pressed and let go."""
 
 SAID: dict[str, tuple[list[tuple[float, Hand]], list[str]]] = {
