@@ -4,6 +4,7 @@ import {readFileSync} from "node:fs"
 import {describe, expect, test} from "vitest"
 import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {
+  blockTypes,
   blockView,
   fits,
   infer,
@@ -16,6 +17,7 @@ import {
   toHaskell,
   toolbox,
 } from "../src/index.ts"
+import {everyBlockIn} from "../src/workspace/infer.ts"
 
 function example(name: string): SavedWorkspace {
   const outcome = parseProject(
@@ -171,6 +173,28 @@ function numbered(block: SavedBlock): SavedBlock {
         }),
   }
 }
+
+test("every kind of block is in the toolbox of the whole language", () => {
+  const offered = new Set(
+    toolbox("haskell").flatMap(c => c.items.flatMap(i => [...everyBlockIn(i.block)].map(b => b.type))),
+  )
+  expect(blockTypes.map(b => b.type).filter(type => !offered.has(type))).toEqual([])
+})
+
+test("a type with named parts offers its values by their parts", () => {
+  const goal: SavedBlock = {
+    type: "data",
+    id: "goal",
+    extraState: {name: "Goal", constructors: [{name: "Goal", fields: [{name: "far", type: "Double"}]}]},
+  }
+  const f: SavedBlock = {
+    type: "define",
+    id: "f",
+    extraState: {name: "f", arity: 0, equations: [{}], signature: "Goal"},
+  }
+  const names = namesInScope({blocks: {languageVersion: 0, blocks: [goal, f]}}, {block: "f", input: "E0_0"})
+  expect(names.filter(n => n.fits).map(n => n.name)).toEqual(["f", "Goal", "Goal {far}", "{far = …}"])
+})
 
 test("buttons add and take away sockets at the end", () => {
   const define = blockView("define")

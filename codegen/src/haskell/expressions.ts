@@ -193,7 +193,8 @@ export function printCondition(s: Statement, sign: string, context: Context): Do
 function readsOn(e: Expr, sign: string): boolean {
   const inner = transparent(e)
   if (inner.kind === "typed") return sign === "->"
-  if (inner.kind === "infix") return readsOn(inner.right, sign)
+  // The right side of any other operator gets brackets of its own.
+  if (inner.kind === "infix") return inner.op === "$" && readsOn(inner.right, sign)
   if (inner.kind === "if") return readsOn(inner.no, sign)
   return isOpen(inner)
 }

@@ -4,7 +4,7 @@ import type {Checker, InScope, Renaming} from "../api.ts"
 import {readWorkspace} from "../blocks/read.ts"
 import {isConstructorName, isOperator, isVariableName, reservedWords} from "../haskell/lexemes.ts"
 import {nameOf} from "../model/names.ts"
-import type {Declaration, Program} from "../model/tree.ts"
+import type {Constructor, Declaration, Program} from "../model/tree.ts"
 import type {Use} from "../model/uses.ts"
 import {bindersInDeclaration, usesInExpr, usesInProgram} from "../model/uses.ts"
 import type {BlockId, Extra, Json, Place, SavedBlock, SavedWorkspace} from "../saved.ts"
@@ -73,12 +73,36 @@ function constructorsAt(
   return program.declarations.flatMap(d =>
     d.kind !== "data"
       ? []
-      : d.constructors.map((c): InScope => {
-          const block: SavedBlock = {type, extraState: {con: c.name, args: c.fields.length}}
+      : d.constructors.flatMap(c => {
           const of = [d.name, ...d.parameters].join(" ")
-          return {name: c.name, type: of, family: "own", block, fits: check.fits(place, block).fits}
+          const blocks: readonly (readonly [string, SavedBlock])[] = [
+            [c.name, {type, extraState: {con: c.name, args: c.fields.length}}],
+            ...byParts(c, type),
+          ]
+          return blocks.map(
+            ([name, block]): InScope => ({
+              name,
+              type: of,
+              family: "own",
+              block,
+              fits: check.fits(place, block).fits,
+            }),
+          )
         }),
   )
+}
+
+/// A constructor with named parts can also be made, changed or looked at by their names.
+function byParts(c: Constructor, type: "construct" | "pattern_construct"): (readonly [string, SavedBlock])[] {
+  const fields = c.fields.flatMap(f => f.name ?? [])
+  if (fields.length === 0 || fields.length < c.fields.length) return []
+  const whole = `${c.name} {${fields.join(", ")}}`
+  if (type === "pattern_construct")
+    return [[whole, {type: "pattern_record", extraState: {con: c.name, fields}}]]
+  return [
+    [whole, {type: "record", extraState: {con: c.name, fields}}],
+    ...fields.map(f => [`{${f} = …}`, {type: "update", extraState: {fields: [f]}}] as const),
+  ]
 }
 
 function template(name: string, args: number): SavedBlock {

@@ -112,6 +112,18 @@ const senses: readonly ToolboxItem[] = [
     reaction("onBump", "event", [pat("Bumper", anything("side"), match("ButtonStatus", "Pressed"))]),
   ),
   item(
+    "when the left bumper is pressed",
+    reaction("onLeftBump", "event", [pat("BumperLeft", match("ButtonStatus", "Pressed"))]),
+  ),
+  item(
+    "at any bumper event",
+    make(
+      "define",
+      {name: "onAnyBump", as: "event", arity: 1, equations: [{}], signature: "Bumper -> Maybe Sound"},
+      {P0_0: anything("bumper event"), E0_0: con("Just", pick("Sound", "ButtonSound"))},
+    ),
+  ),
+  item(
     "when there is a hole",
     reaction("onCliff", "event", [pat("Cliff", anything("side"), match("CliffStatus", "Hole"))]),
   ),
@@ -279,6 +291,19 @@ const types: readonly ToolboxItem[] = [
     }),
   ),
   item("value of a type", make("typed", {type: "Double"})),
+  item(
+    "a task with a start and a stop, record",
+    make(
+      "record",
+      {con: "TaskOptions", fields: ["starting", "stopped"]},
+      {F0: make("tuple", {items: 0}), F1: make("tuple", {items: 0})},
+    ),
+  ),
+  item("changed copy of a record, update", make("update", {fields: ["stopped"]}, {R: ref("taskOptions")})),
+  item(
+    "look at a record by its parts, pattern",
+    make("pattern_record", {con: "TaskOptions", fields: ["stopped"]}),
+  ),
   item("Haskell definition", make("raw_definition", {text: "helper :: Int -> Int\nhelper n = n + 1"})),
 ]
 
@@ -299,10 +324,12 @@ const functionItems: readonly ToolboxItem[] = [
     make("define_pattern", {}, {P: make("pattern_tuple", {items: 2}, {I0: named("a"), I1: named("b")})}),
   ),
   item("Haskell expression", make("raw_expression", {text: ""})),
+  item("Haskell pattern", make("raw_pattern", {text: ""})),
 ]
 
 const lists: readonly ToolboxItem[] = [
   item("text", text("hello")),
+  item("one character", make("character", {value: "a"})),
   item("list", make("list", {items: 2})),
   item("empty list", make("list", {items: 0})),
   item("from one to another, range", make("range", {}, {A: num("1"), B: num("4")})),

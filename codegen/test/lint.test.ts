@@ -1,0 +1,20 @@
+/// Generated programs are written as hlint and `-Wall` would have them. A longer run: `npm run lint:programs -w codegen -- 2000`.
+
+import {spawnSync} from "node:child_process"
+import {expect, test} from "vitest"
+import {packageDatabase} from "../scripts/ghc.ts"
+import {lint} from "./lint.ts"
+
+const database = packageDatabase()
+const hlint = spawnSync("hlint", ["--version"]).status === 0
+
+test.skipIf(database === undefined || !hlint)(
+  "no hint and no warning about how a program is written",
+  {timeout: 120_000},
+  () => {
+    const {programs, hints, warnings} = lint(database ?? "", 5000, 40)
+    expect(hints).toEqual([])
+    expect(warnings).toEqual([])
+    expect(programs).toBeGreaterThan(30)
+  },
+)

@@ -1,0 +1,92 @@
+/// What hlint and `-Wall` say about the Haskell of generated programs, apart from what they say about what a program does.
+///
+/// The printer writes what the blocks say, step by step, so that text and blocks stay the same program. A random program says much
+/// that nobody would: it asks whether `True`, names what it never uses, and forgets cases. That is its author's to change.
+
+import {spawnSync} from "node:child_process"
+import {mkdtempSync, rmSync, writeFileSync} from "node:fs"
+import {tmpdir} from "node:os"
+import {join} from "node:path"
+import {solve} from "../src/workspace/infer.ts"
+import {generateProgram, sizeOf} from "./generate/program.ts"
+import type {Candidate} from "./ghc.ts"
+import {compileAll} from "./ghc.ts"
+import {candidate} from "./soundness.ts"
+
+/// Hints to write the same words better. All others ask to say something else, or in other words.
+const aboutWriting =
+  /bracket|\bdo\b|camelCase|underscore|string literal|irrefutable|pragma|import|\bwhere\b|hierarchical|layout|tabs|error/i
+
+/// Warnings about what a program leaves out or never uses, and about numbers that nothing decides.
+const contentWarnings =
+  `unused-matches unused-local-binds unused-top-binds unused-pattern-binds overlapping-patterns incomplete-patterns incomplete-uni-patterns
+  incomplete-record-updates type-defaults unused-do-bind missing-fields`.split(/\s+/)
+
+export interface Lint {
+  readonly programs: number
+  readonly hints: readonly string[]
+  readonly warnings: readonly string[]
+  /// How often each hint about a program's content came up.
+  readonly content: ReadonlyMap<string, number>
+}
+
+export function lint(database: string, from: number, count: number): Lint {
+  const hints: string[] = []
+  const warnings: string[] = []
+  const content = new Map<string, number>()
+  let programs = 0
+  for (let start = from; start < from + count; start += 250) {
+    const candidates: Candidate[] = []
+    // A recursion whose type must not be written out has no signature, so that GHC takes it.
+    const unsigned = new Set<string>()
+    for (let seed = start; seed < Math.min(start + 250, from + count); seed++) {
+      const {workspace, whole} = generateProgram(seed, sizeOf(seed))
+      if (!whole) continue
+      candidates.push(candidate(`P${seed}`, workspace))
+      if (solve(workspace).inferrer.unsignable.size > 0) unsigned.add(`P${seed}`)
+    }
+    programs += candidates.length
+    hints.push(...hintsOn(candidates, content))
+    const options = [
+      "-Wall",
+      "-Werror",
+      ..."orphans simplifiable-class-constraints dodgy-imports unused-imports"
+        .split(" ")
+        .map(w => `-Wno-${w}`),
+      ...contentWarnings.map(w => `-Wno-${w}`),
+    ]
+    for (const [name, said] of compileAll(database, candidates, options)) {
+      const others = [...said.matchAll(/\[-W([\w-]+)/g)].some(([, w]) => w !== "missing-signatures")
+      if (others || !unsigned.has(name)) warnings.push(`${name}\n${said}`)
+    }
+  }
+  return {programs, hints, warnings, content}
+}
+
+interface Hint {
+  readonly hint: string
+  readonly file: string
+  readonly from: string
+  readonly to: string | null
+}
+
+function hintsOn(candidates: readonly Candidate[], content: Map<string, number>): string[] {
+  const folder = mkdtempSync(join(tmpdir(), "rosy-lint-"))
+  try {
+    for (const c of candidates) writeFileSync(join(folder, `${c.name}.hs`), c.text)
+    const {stdout} = spawnSync("hlint", ["--json", folder], {encoding: "utf8", maxBuffer: 1 << 28})
+    return (JSON.parse(stdout) as Hint[]).flatMap(h => {
+      if (aboutWriting.test(h.hint) && !keptBrackets(h))
+        return [`${h.file}: ${h.hint}: ${h.from} ==> ${h.to}`]
+      content.set(h.hint, (content.get(h.hint) ?? 0) + 1)
+      return []
+    })
+  } finally {
+    rmSync(folder, {recursive: true, force: true})
+  }
+}
+
+/// Brackets that say where a condition ends when a block of lines is in it, and those of `(C) {x = 1}`, which means something else without.
+function keptBrackets({hint, from}: Hint): boolean {
+  return /bracket/i.test(hint) && (/\b(?:case|let|do)\b/.test(from) || /^\([\p{Lu}]\w*\)$/u.test(from))
+}
