@@ -11,7 +11,7 @@ if (database === undefined) {
   process.stderr.write("Build the library first: cabal build lib:rosy\n")
   process.exitCode = 1
 } else {
-  const {programs, hints, warnings, content} = lint(database, Number(from), Number(count))
+  const {programs, hints, warnings, content} = await lint(database, Number(from), Number(count))
   for (const said of [...hints, ...warnings]) say(said)
   const known = [...content].sort((a, b) => b[1] - a[1]).map(([hint, n]) => `${hint} ${n}`)
   say(`about what the programs do: ${known.join(", ")}`)

@@ -13,7 +13,11 @@ if (database === undefined) {
   process.stderr.write("Build the library first: cabal build lib:rosy\n")
   process.exitCode = 1
 } else {
-  const {programs, whole, blocks, sizes, kinds, refused} = soundness(database, Number(from), Number(count))
+  const {programs, whole, blocks, sizes, kinds, refused} = await soundness(
+    database,
+    Number(from),
+    Number(count),
+  )
   for (const r of refused) say(`seed ${r.seed}, shrunk:\n${shrink(database, r.workspace)}\n${r.complaint}`)
   say(
     `blocks a program: ${sizes.map((n, i) => `${i === 0 ? 5 : i * 10 + 1}-${i * 10 + 10}: ${n}`).join(", ")}`,
@@ -26,7 +30,7 @@ if (database === undefined) {
   )
   say(`${programs} programs, ${whole} finished ones with ${blocks} blocks, ${refused.length} refused by GHC`)
   say(`soundness: ${percent(whole - refused.length, whole)} of finished programs compile`)
-  const {moves, allowed, unusable, needless} = completeness(
+  const {moves, allowed, unusable, needless} = await completeness(
     database,
     Number(from),
     Math.ceil(Number(count) / 10),

@@ -10,9 +10,9 @@ const hlint = spawnSync("hlint", ["--version"]).status === 0
 
 test.skipIf(database === undefined || !hlint)(
   "no hint and no warning about how a program is written",
-  {timeout: 120_000},
-  () => {
-    const {programs, hints, warnings} = lint(database ?? "", 5000, 40)
+  {timeout: 300_000},
+  async () => {
+    const {programs, hints, warnings} = await lint(database ?? "", 5000, 40)
     expect(hints).toEqual([])
     expect(warnings).toEqual([])
     expect(programs).toBeGreaterThan(30)

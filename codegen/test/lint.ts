@@ -7,11 +7,12 @@ import {spawnSync} from "node:child_process"
 import {mkdtempSync, rmSync, writeFileSync} from "node:fs"
 import {tmpdir} from "node:os"
 import {join} from "node:path"
+import {setImmediate} from "node:timers/promises"
 import {solve} from "../src/workspace/infer.ts"
 import {generateProgram, sizeOf} from "./generate/program.ts"
 import type {Candidate} from "./ghc.ts"
 import {compileAll} from "./ghc.ts"
-import {candidate} from "./soundness.ts"
+import {batch, candidate} from "./soundness.ts"
 
 /// Hints to write the same words better. All others ask to say something else, or in other words.
 const aboutWriting =
@@ -30,16 +31,17 @@ export interface Lint {
   readonly content: ReadonlyMap<string, number>
 }
 
-export function lint(database: string, from: number, count: number): Lint {
+export async function lint(database: string, from: number, count: number): Promise<Lint> {
   const hints: string[] = []
   const warnings: string[] = []
   const content = new Map<string, number>()
   let programs = 0
-  for (let start = from; start < from + count; start += 250) {
+  for (let start = from; start < from + count; start += batch) {
     const candidates: Candidate[] = []
     // A recursion whose type must not be written out has no signature, so that GHC takes it.
     const unsigned = new Set<string>()
-    for (let seed = start; seed < Math.min(start + 250, from + count); seed++) {
+    for (let seed = start; seed < Math.min(start + batch, from + count); seed++) {
+      if (seed % 20 === 0) await setImmediate()
       const {workspace, whole} = generateProgram(seed, sizeOf(seed))
       if (!whole) continue
       candidates.push(candidate(`P${seed}`, workspace))

@@ -14,8 +14,8 @@ import {candidate, completeness, soundness} from "./soundness.ts"
 
 const database = packageDatabase()
 
-test.skipIf(database === undefined)("what fits compiles", {timeout: 300_000}, () => {
-  const {programs, whole, refused, kinds} = soundness(database ?? "", 0, 500)
+test.skipIf(database === undefined)("what fits compiles", {timeout: 300_000}, async () => {
+  const {programs, whole, refused, kinds} = await soundness(database ?? "", 0, 500)
   expect(refused.map(r => `seed ${r.seed}\n${candidate("", r.workspace).text}\n${r.complaint}`)).toEqual([])
   expect(programs).toBe(500)
   // Nearly all programs must be finished ones, and of all sorts, or the test would show little.
@@ -23,8 +23,8 @@ test.skipIf(database === undefined)("what fits compiles", {timeout: 300_000}, ()
   expect(kinds.size).toBeGreaterThan(40)
 })
 
-test.skipIf(database === undefined)("what does not fit does not compile", {timeout: 300_000}, () => {
-  const {moves, allowed, needless} = completeness(database ?? "", 300, 100)
+test.skipIf(database === undefined)("what does not fit does not compile", {timeout: 300_000}, async () => {
+  const {moves, allowed, needless} = await completeness(database ?? "", 300, 100)
   expect(needless).toEqual([])
   expect(moves - allowed).toBeGreaterThan(100)
   expect(allowed).toBeGreaterThan(50)

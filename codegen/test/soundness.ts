@@ -1,5 +1,6 @@
 /// Generates programs and asks GHC about those that are finished.
 
+import {setImmediate} from "node:timers/promises"
 import {blockView} from "../src/blocks/language.ts"
 import {printProgram} from "../src/haskell/print.ts"
 import type {SavedWorkspace} from "../src/index.ts"
@@ -33,15 +34,15 @@ export interface Refused {
   readonly complaint: string
 }
 
-/// Programs handed to GHC at once.
-const batch = 250
+/// Programs handed to GHC at once. Between them the test runner hears that the test is alive.
+export const batch = 125
 
 /// A workspace as GHC gets it.
 export function candidate(name: string, workspace: SavedWorkspace): Candidate {
   return {name, text: toHaskell(workspace).text, program: solve(workspace).read.program}
 }
 
-export function soundness(database: string, from: number, count: number): Soundness {
+export async function soundness(database: string, from: number, count: number): Promise<Soundness> {
   let whole = 0
   let blocks = 0
   const sizes: number[] = Array.from({length: 15}, () => 0)
@@ -50,6 +51,7 @@ export function soundness(database: string, from: number, count: number): Soundn
   for (let start = from; start < from + count; start += batch) {
     const made = new Map<string, {seed: number; workspace: SavedWorkspace}>()
     for (let seed = start; seed < Math.min(start + batch, from + count); seed++) {
+      if (seed % 20 === 0) await setImmediate()
       const generated = generateProgram(seed, sizeOf(seed))
       if (!generated.whole) continue
       blocks += generated.blocks
@@ -84,7 +86,7 @@ export interface Completeness {
 }
 
 /// Tries random blocks in random sockets of finished programs, also blocks of the program itself, and asks GHC about the refused ones.
-export function completeness(database: string, from: number, count: number): Completeness {
+export async function completeness(database: string, from: number, count: number): Promise<Completeness> {
   const needless: string[] = []
   let moves = 0
   let allowed = 0
@@ -93,6 +95,7 @@ export function completeness(database: string, from: number, count: number): Com
     const candidates: Candidate[] = []
     const whys = new Map<string, string>()
     for (let seed = start; seed < Math.min(start + batch, from + count); seed++) {
+      if (seed % 20 === 0) await setImmediate()
       const {workspace, whole} = generateProgram(seed, sizeOf(seed))
       if (!whole) continue
       for (const [i, {move, fits, why}] of randomMoves(seed, workspace).entries()) {
