@@ -181,8 +181,8 @@ HEADING = """# Programs that mean harm
 Each was run from a page, with every layer of protection on and with each one off. *refused*: it does not compile.
 *denied*: the system refused what it asked for. *exception*: Haskell's own error ended it, as a refused system call
 does. *memory*, *time*: a limit ended it. *stuck*: the service ended it, because it did not answer. *died*: it ended
-itself, or was killed for what it called. *broken-link*: it sent what no program may send. *endless*: nothing ended it
-but the page's leaving. *ran*: it did what it wanted to, which was harmless.
+itself, or was killed for what it called. *broken-link*, *too-much*: it sent what no program may send. *endless*:
+nothing ended it but the page's leaving. *ran*: it did what it wanted to, which was harmless.
 """
 
 

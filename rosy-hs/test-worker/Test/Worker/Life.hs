@@ -101,6 +101,11 @@ tests borrow =
           forM_ ["{-# LANGUAGE TemplateHaskell #-}\nmain = $(undefined)", "{-# LANGUAGE Trustworthy #-}\nimport System.IO.Unsafe\nmain = pure ()"] $ \source -> do
             answer <- ask worker (check (Number 1) source)
             assertBool (show (source, answer)) (not (null (kinds answer))),
+      testCase "what is on the list can be imported" $ do
+        worker <- borrow
+        forM_ ["Rosy", "Prelude", "Data.Coerce", "Data.Map", "System.Random", "GHC.Generics", "Text.Printf"] $ \m -> do
+          answer <- ask worker (check (Number 1) ("import " <> m <> "\nmain = simulate (Velocity 0 0)\n"))
+          (m, kinds answer) @?= (m, []),
       testCase "the same source again gets the same answer" $ do
         worker <- borrow
         first <- ask worker (check (Number 1) stuck)

@@ -102,7 +102,7 @@ say columns s k m h = maybe (problemNowhere k m h) (\p -> problemAt p k m h) (pl
 refusalsIn :: Columns -> Text -> HsModule -> [Problem]
 refusalsIn columns source parsed = importRefusals columns parsed ++ declarationRefusals columns parsed ++ nameRefusals columns (linesWith refusedNames source) parsed
 
--- | Imports that Safe Haskell does not trust.
+-- | Imports that neither our list nor Safe Haskell trusts. The list has modules that Safe Haskell cannot judge, Rosy among them.
 unsafeImports :: HscEnv -> Columns -> HsModule -> IO [Problem]
 unsafeImports env columns parsed = concat <$> mapM judged (hsmodImports parsed)
   where
@@ -112,8 +112,9 @@ unsafeImports env columns parsed = concat <$> mapM judged (hsmodImports parsed)
         Found _ m -> hscCheckSafe env m s
         -- The type checker says that there is no such module.
         _ -> pure True
-      let (m, h) = refuseModule (Text.pack (moduleNameString (unLoc (ideclName i))))
-      pure [say columns s "import" m h | not safe]
+      let name = Text.pack (moduleNameString (unLoc (ideclName i)))
+          (m, h) = refuseModule name
+      pure [say columns s "import" m h | not safe, not (isAllowedModule name)]
 
 importRefusals :: Columns -> HsModule -> [Problem]
 importRefusals columns parsed =
