@@ -52,7 +52,7 @@ test("the gallery shows what each example teaches and opens it", async ({page}) 
   const dialog = page.getByRole("dialog")
   await expect(dialog).toBeVisible()
   await learner.keeps("gallery")
-  await dialog.getByRole("button", {name: /forwardBackward/}).click()
+  await dialog.getByRole("button", {name: /^forwardBackward/}).click()
   await expect(learner.haskell()).toContainText("forwardBackward")
 })
 
