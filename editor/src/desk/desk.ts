@@ -319,6 +319,7 @@ export function openDesk(address: string): Desk {
     mountSource(host) {
       source = openSource(host, {
         label: words.haskellPane,
+        description: words.haskellKeys,
         completer: {
           fitting: answers.fitting,
           snippets,

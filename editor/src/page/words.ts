@@ -132,6 +132,7 @@ export const words = {
   yourPrograms: "Your programs",
   invite: ["Change", "0.5", ", and run again."] as const,
   haskellPane: "The program in Haskell",
+  haskellKeys: "Escape, then Tab leaves the text. F8 goes to the next problem.",
   blocksPane: "The program in blocks",
   emptyHaskell: "The Haskell of your blocks appears here.",
   link: {

@@ -40,6 +40,8 @@ export interface SourcePane {
 
 export interface SourceOptions {
   readonly label: string
+  /// What a screen reader adds: how to leave.
+  readonly description: string
   readonly completer: Completer
   readonly explainer: Explainer
   readonly renamer: Renamer
@@ -85,6 +87,7 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
         editable.of(EditorState.readOnly.of(true)),
         EditorView.contentAttributes.of({
           "aria-label": options.label,
+          "aria-description": options.description,
           "data-testid": "haskell",
           spellcheck: "false",
         }),
