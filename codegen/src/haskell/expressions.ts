@@ -155,7 +155,13 @@ function exprBody(e: Expr, context: Context): Doc {
       ])
     case "typed":
       // A type that breaks is indented, or its second line would be a new step of a `do`.
-      return group([tighter(e.expr, 0, context), " :: ", nest(printType(e.type))])
+      return group([
+        endsOpen(e.expr)
+          ? mark(e.expr, ["(", bracketBody(e.expr, context), ")"])
+          : tighter(e.expr, 0, context),
+        " :: ",
+        nest(printType(e.type)),
+      ])
     case "record":
       return fieldsDoc(constructorWord(e.name), e.fields, context)
     case "update":
@@ -175,6 +181,12 @@ function exprBody(e: Expr, context: Context): Doc {
     default:
       return unreachable(e)
   }
+}
+
+/// `f $ do …`: what comes after it would become part of its last line.
+function endsOpen(e: Expr): boolean {
+  const inner = transparent(e)
+  return inner.kind === "infix" && inner.op === "$" && (isOpen(inner.right) || endsOpen(inner.right))
 }
 
 export function printStatement(s: Statement, context: Context): Doc {

@@ -201,6 +201,11 @@ export abstract class Bindings extends Patterns {
       this.env,
     )
     for (const [m, name] of names) m.is = {kind: "var", name}
+    // Definitions that use each other have the same constraints, so the type of each must say what they are about.
+    if (types.size > 1)
+      for (const c of quantified)
+        if (c.name !== "Ends" && [...types.values()].some(type => !within(c.type, type)))
+          this.problems.push({kind: "ambiguous", node: c.node, constraint: c})
     for (const d of members) {
       const type = types.get(d)
       if (type === undefined) continue
@@ -313,6 +318,12 @@ export abstract class Bindings extends Patterns {
     }
     return inner
   }
+}
+
+/// Whether a type has all the variables of a constraint.
+function within(constraint: Type, type: Type): boolean {
+  const has = variablesIn(type)
+  return [...variablesIn(constraint)].every(v => has.has(v))
 }
 
 function letterFor(index: number, taken: Set<string>): string {
