@@ -250,6 +250,7 @@ def test_after_an_emergency_stop_nothing_drives_until_the_robot_is_freed(config:
         await rig.page.send("estop")
         await rig.page.op("robot", stopped=True)
         assert (await rig.page.ended(1))["ended"] == "stopped"
+        await rig.robot.moves(0.0)
         await rig.page.send("run", run=2, source="drive:0.2", speed=1)
         assert (await rig.page.ended(2))["ended"] == "stopped"
         await rig.page.send("free")
