@@ -9,6 +9,7 @@ hidden class Typeable a
 hidden class Ends a
 hidden data Ratio a
 hidden data IOException
+hidden data NotInATask
 `
 
 export const library = readEnvironment(`${generated}\n${builtIn}`, preludeNames(generated))
