@@ -41,7 +41,9 @@ import System.Posix.IO (FdOption (..), setFdOption)
 import System.Posix.Signals (Handler (..), installHandler, sigUSR1)
 
 main :: IO ()
-main =
+main = do
+  -- A line at a time, whoever else is talking.
+  mapM_ (`hSetBuffering` LineBuffering) [stdout, stderr]
   getArgs >>= \case
     ["hold", address, fd] -> holdFor address fd
     ["check", address] -> void (targetAt address)
@@ -62,7 +64,6 @@ socketAt text = case reads text of
 
 driveOnce :: String -> String -> [String] -> IO ()
 driveOnce address fd limit = do
-  hSetBuffering stdout LineBuffering
   target <- targetAt address
   socket <- socketAt fd
   began <- getMonotonicTime

@@ -330,7 +330,7 @@ const record: BlockSpec = {
       family: lookOf(con).asPattern,
       connects: {as: "pattern"},
       rows: [items],
-      tooltip: `A ${con}, looked at by the names of its parts.`,
+      tooltip: `A ${con}, looked at by the names of its parts. Example: ${con} with ${wordsIn(extra, "fields")[0] ?? "a part"} = x names that part x.`,
       aria: `${con} by named parts`,
       help: `v:${con}`,
     }

@@ -382,7 +382,7 @@ const record: BlockSpec = {
       family: lookOf(name).family,
       connects: {as: "expression"},
       rows: [items],
-      tooltip: `Makes a ${name} from named parts.`,
+      tooltip: `Makes a ${name} from named parts. Example: ${name} with ${wordsIn(extra, "fields")[0] ?? "a part"} = x.`,
       aria: `${name} with named parts`,
       help: `v:${name}`,
     }
@@ -423,7 +423,8 @@ const update: BlockSpec = {
       family: "own",
       connects: {as: "expression"},
       rows: [items],
-      tooltip: "A copy of a record in which some parts are different.",
+      tooltip:
+        "A copy of a record in which some parts are different. Example: robot but with speed = 0.5 is as robot, only slower or faster.",
       aria: "changed copy of a record",
     }
   },

@@ -41,26 +41,32 @@ const memory = (parts: readonly string[], tooltip: string, word?: string): Const
 
 const looks: {readonly [name: string]: ConstructorLook} = {
   Bumper: event(["side", "status"], "A bumper was pressed or released. Example: Bumper LeftBumper Pressed."),
-  BumperLeft: event(["status"], "The left bumper was pressed or released."),
-  BumperCenter: event(["status"], "The front bumper was pressed or released."),
-  BumperRight: event(["status"], "The right bumper was pressed or released."),
+  BumperLeft: event(["status"], "The left bumper was pressed or released. Example: BumperLeft Pressed."),
+  BumperCenter: event(["status"], "The front bumper was pressed or released. Example: BumperCenter Pressed."),
+  BumperRight: event(["status"], "The right bumper was pressed or released. Example: BumperRight Pressed."),
   Cliff: event(
     ["side", "status"],
     "The robot came to a hole or back to the floor. Example: Cliff LeftCliff Hole.",
   ),
-  CliffLeft: event(["status"], "The left cliff sensor saw a hole or the floor."),
-  CliffCenter: event(["status"], "The front cliff sensor saw a hole or the floor."),
-  CliffRight: event(["status"], "The right cliff sensor saw a hole or the floor."),
+  CliffLeft: event(["status"], "The left cliff sensor saw a hole or the floor. Example: CliffLeft Hole."),
+  CliffCenter: event(
+    ["status"],
+    "The front cliff sensor saw a hole or the floor. Example: CliffCenter Hole.",
+  ),
+  CliffRight: event(["status"], "The right cliff sensor saw a hole or the floor. Example: CliffRight Hole."),
   Wheel: event(
     ["side", "status"],
     "A wheel left the ground or touched it again. Example: Wheel LeftWheel Air.",
   ),
-  WheelLeft: event(["status"], "The left wheel left the ground or touched it again."),
-  WheelRight: event(["status"], "The right wheel left the ground or touched it again."),
+  WheelLeft: event(["status"], "The left wheel left the ground or touched it again. Example: WheelLeft Air."),
+  WheelRight: event(
+    ["status"],
+    "The right wheel left the ground or touched it again. Example: WheelRight Air.",
+  ),
   Button: event(["button", "status"], "A button was pressed or released. Example: Button Button0 Pressed."),
-  ButtonZero: event(["status"], "Button 0 was pressed or released."),
-  ButtonOne: event(["status"], "Button 1 was pressed or released."),
-  ButtonTwo: event(["status"], "Button 2 was pressed or released."),
+  ButtonZero: event(["status"], "Button 0 was pressed or released. Example: ButtonZero Pressed."),
+  ButtonOne: event(["status"], "Button 1 was pressed or released. Example: ButtonOne Pressed."),
+  ButtonTwo: event(["status"], "Button 2 was pressed or released. Example: ButtonTwo Pressed."),
   Velocity: state(
     "command",
     ["speed, metres a second", "turning, radians a second"],

@@ -50,7 +50,7 @@ withBase target use = case targetWay target of
 -- | Drives a robot with a program's @main@.
 drive :: Target -> IO () -> IO ExitCode
 drive target program = announced (targetAddress target) $ do
-  hSetBuffering stdout LineBuffering
+  mapM_ (`hSetBuffering` LineBuffering) [stdout, stderr]
   ended <- newIORef EndedDone
   r <- newReins (newGuard (targetLimits target) (targetSafety target))
   main' <- myThreadId

@@ -97,7 +97,7 @@ import Ros.Node.Subscribe
 import qualified Ros.Rosgraph_msgs.Clock as Clock
 import Ros.Topic (Topic)
 import qualified Ros.Topic as Topic
-import System.IO (BufferMode (..), hSetBuffering, stdout)
+import System.IO (BufferMode (..), hSetBuffering, stderr, stdout)
 import System.Posix.Signals (Handler (..), installHandler, sigINT, sigTERM)
 
 -- | What a program does as a node.
@@ -114,7 +114,8 @@ type ParamName = Name
 -- a handler or a topic fails, the node ends and the exception is thrown here.
 runNode :: String -> Node a -> IO ()
 runNode name node = do
-  hSetBuffering stdout LineBuffering -- what is printed is wanted now, also when it goes to a file
+  -- What is printed is wanted now, also when it goes to a file, and a line at a time, whoever else is talking.
+  mapM_ (`hSetBuffering` LineBuffering) [stdout, stderr]
   settings <- settingsFromSystem
   why <- withNodeIn settings name (interruptible' (node >> awaitEnd))
   case why of
