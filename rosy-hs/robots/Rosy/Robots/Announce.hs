@@ -26,7 +26,7 @@ import System.Posix.User (getEffectiveUserID)
 -- | Where this user's robots are announced.
 folder :: IO FilePath
 folder =
-  lookupEnv "XDG_RUNTIME_DIR" >>= \runtime -> case runtime of
+  lookupEnv "XDG_RUNTIME_DIR" >>= \case
     Just d | not (null d) -> pure (d ++ "/rosy")
     _ -> (\user -> "/tmp/rosy-" ++ show user) <$> getEffectiveUserID
 
