@@ -101,24 +101,23 @@ function told(times: readonly number[]): string {
   return `median ${at(0.5).toFixed(1).padStart(5)} ms   p95 ${at(0.95).toFixed(1).padStart(5)} ms`
 }
 
-/// Milliseconds that the page's main thread has worked so far: script, style, layout and painting.
-async function busy(page: Page): Promise<number> {
+async function measure(page: Page, name: string): Promise<void> {
   const devtools = await page.context().newCDPSession(page)
   await devtools.send("Performance.enable")
-  const {metrics} = await devtools.send("Performance.getMetrics")
-  await devtools.detach()
-  return 1000 * (metrics.find(m => m.name === "TaskDuration")?.value ?? Number.NaN)
-}
-
-async function measure(page: Page, name: string): Promise<void> {
-  const before = await busy(page)
+  /// Milliseconds that the page's main thread has worked since: script, style, layout and painting.
+  const busy = async (): Promise<number> => {
+    const {metrics} = await devtools.send("Performance.getMetrics")
+    return 1000 * (metrics.find(m => m.name === "TaskDuration")?.value ?? Number.NaN)
+  }
+  const before = await busy()
   const seen = await page.evaluate(async ms => {
     const {seen} = window as unknown as {seen: Seen}
     Object.assign(seen, {bytes: 0, frames: 0, gaps: []})
     await new Promise(resolve => setTimeout(resolve, ms))
     return {...seen, gaps: [...seen.gaps]}
   }, SECONDS * 1000)
-  const work = ((await busy(page)) - before) / seen.gaps.length
+  const work = ((await busy()) - before) / seen.gaps.length
+  await devtools.detach()
   console.log(
     `  ${name.padEnd(40)} between two pictures ${told(seen.gaps)}   work for one ${work.toFixed(1)} ms`,
   )
