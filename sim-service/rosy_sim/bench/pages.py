@@ -68,6 +68,8 @@ async def _measure(config: Config, count: int, seconds: float, profiler: cProfil
         log_level="error",
         ws="websockets-sansio",
         ws_per_message_deflate=False,
+        # The pages here are bare sockets; they would be let go for not answering.
+        ws_ping_interval=None,
         timeout_graceful_shutdown=1,
     )
     server = uvicorn.Server(settings)
