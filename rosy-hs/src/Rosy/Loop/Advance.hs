@@ -1,0 +1,225 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- |
+-- Module      : Rosy.Loop.Advance
+-- Description : Tasks (rule 10): beginning, ending, calling and stopping them.
+module Rosy.Loop.Advance
+  ( -- * Getting on
+    stepLimit,
+    advance,
+    afterStart,
+    afterOnce,
+    beside,
+    against,
+    finish,
+
+    -- * Calls
+    startCalls,
+    reports,
+
+    -- * Stopping
+    stopRunning,
+  )
+where
+
+import Data.Dynamic (Dynamic, dynTypeRep, fromDynamic, toDyn)
+import qualified Data.IntMap.Strict as IntMap
+import Rosy.Core
+import Rosy.Loop.Fire
+import Rosy.Loop.State
+
+-- | The most steps that one task takes in one instant: tasks begun, commands given with @once@.
+-- A choice of ours, equal to 'roundLimit' and for the same reason: every instant ends.
+stepLimit :: Int
+stepLimit = 64
+
+-- | Go on until something has to be waited for, or the steps of this instant are used up.
+advance :: Int -> Program r -> Step (Running r)
+advance !left program = case program of
+  Return x -> pure (Returned x)
+  _ | left <= 0 -> pure (Paused program)
+  RunTask spec k -> startTask left spec k
+  Once function rest -> do
+    scope <- freshScope
+    begunNow <- tryNow scope (marked function)
+    if begunNow
+      then afterOnce left scope function rest
+      else do
+        born <- world emitted
+        pure (Giving scope (liven born (marked function)) rest)
+  WaitFor seconds rest -> do
+    now <- world (envTime . env)
+    if seconds <= 0 then advance (left - 1) rest else pure (Waiting (now + seconds) rest)
+  Both a b k -> do
+    x <- advance (left - 1) a
+    y <- advance (left - 1) b
+    beside (left - 1) x y k
+  First a b k -> do
+    x <- advance (left - 1) a
+    case x of
+      Returned v -> advance (left - 1) (k (Left v))
+      _ -> do
+        y <- advance (left - 1) b
+        against (left - 1) x y k
+
+-- | Two tasks beside each other, as far as they are.
+beside :: Int -> Running a -> Running b -> ((a, b) -> Program r) -> Step (Running r)
+beside left (Returned x) (Returned y) k = advance left (k (x, y))
+beside _ x y k = pure (Beside x y k)
+
+-- | A race whose left side has not ended.
+against :: Int -> Running a -> Running b -> (Either a b -> Program r) -> Step (Running r)
+against left x y k = case y of
+  Returned v -> do
+    stopRunning x
+    advance left (k (Right v))
+  _ -> pure (Against x y k)
+
+-- | A scope of its own: a new, empty memory.
+freshScope :: Step ScopeId
+freshScope = Step (\w k -> k (nextScope w) w {nextScope = nextScope w + 1})
+
+-- | Says that a function with this mark has fired.
+data Fired = Fired
+
+-- | The function, marked so that the ending tells whether it fired.
+marked :: Function -> Function
+marked (Function name inputs give) = Function name inputs (append . give)
+  where
+    append Nothing' = Then (End (toDyn Fired)) Nothing'
+    append (Then effect rest) = Then effect (append rest)
+
+-- | The value of a 'Done' in an ending that may only be the mark.
+ofDone :: Dynamic -> Maybe Dynamic
+ofDone value = case fromDynamic value of
+  Just Fired -> Nothing
+  Nothing -> Just value
+
+-- | Fire if all inputs can be read now; says whether it did.
+tryNow :: ScopeId -> Function -> Step Bool
+tryNow scope (Function name (Sense tell shape) give) = case shape of
+  Triggered _ -> pure False
+  Level reading -> do
+    there <- world (arrived . env)
+    if needsOdometry reading && not there then pure False else True <$ fire scope name tell give reading
+
+startTask :: Int -> Spec end -> (end -> Program r) -> Step (Running r)
+startTask left spec k = do
+  scope <- freshScope
+  born <- world emitted
+  case specStart spec of
+    Nothing -> install left scope born spec k
+    Just function -> do
+      begunNow <- tryNow scope (marked function)
+      if begunNow
+        then afterStart left scope born function spec k
+        else pure (Starting scope (liven born (marked function)) function spec k)
+
+-- | The start has fired: install the controller, unless the start has ended the task.
+afterStart :: Int -> ScopeId -> Int -> Function -> Spec end -> (end -> Program r) -> Step (Running r)
+afterStart left scope born (Function name _ _) spec k = do
+  over <- takeEnding
+  case over >>= ofDone of
+    Just value -> finish left scope name value [] spec k
+    Nothing -> install left scope born spec k
+
+install :: Int -> ScopeId -> Int -> Spec end -> (end -> Program r) -> Step (Running r)
+install left scope born spec k = do
+  case specStopped spec of
+    Nothing -> pure ()
+    Just function -> change (\w -> w {cleanups = IntMap.insert scope function (cleanups w)})
+  called <- startCalls (left - 1) scope
+  pure (Working scope (map (liven born) (specFunctions spec)) called spec k)
+
+-- | A command given once is no task: nothing may end there.
+afterOnce :: Int -> ScopeId -> Function -> Program r -> Step (Running r)
+afterOnce left scope (Function name _ _) rest = do
+  over <- takeEnding
+  forget scope
+  case over >>= ofDone of
+    Just value -> wrongEnd name value "nothing: it is not in a task"
+    Nothing -> advance (left - 1) rest
+
+-- | The task has ended: its functions are gone, its calls are stopped, the value is handed on (rule 10).
+finish :: Int -> ScopeId -> FunctionName -> Dynamic -> [Called] -> Spec end -> (end -> Program r) -> Step (Running r)
+finish left scope name value called spec k = case specEnd spec value of
+  Nothing -> wrongEnd name value (specType spec)
+  Just x -> do
+    mapM_ stopCalled called
+    change (\w -> w {cleanups = IntMap.delete scope (cleanups w), begun = []})
+    forget scope
+    advance (left - 1) (k x)
+
+wrongEnd :: FunctionName -> Dynamic -> String -> Step a
+wrongEnd name value wanted =
+  Step (\w _ -> abandon (EndedWrongly (nameText name) (show (dynTypeRep value)) wanted) w)
+
+forget :: ScopeId -> Step ()
+forget scope = change $ \w ->
+  if IntMap.member scope (envMemories (env w))
+    then w {env = (env w) {envMemories = IntMap.delete scope (envMemories (env w))}}
+    else w
+
+-- | Stop all that is live in there, children first, each clean-up once.
+stopRunning :: Running r -> Step ()
+stopRunning running = case running of
+  Returned _ -> pure ()
+  Starting scope _ _ _ _ -> forget scope
+  Giving scope _ _ -> forget scope
+  Working scope _ called _ _ -> do
+    mapM_ stopCalled called
+    w <- world id
+    case IntMap.lookup scope (cleanups w) of
+      Nothing -> pure ()
+      Just (Function name inputs give) -> do
+        change (\v -> v {cleanups = IntMap.delete scope (cleanups v)})
+        atOnce scope name inputs give
+        -- A task that is being stopped can neither end nor call.
+        change (\v -> v {ending = ending w, begun = begun w})
+    forget scope
+  Waiting _ _ -> pure ()
+  Paused _ -> pure ()
+  Beside a b _ -> stopRunning a >> stopRunning b
+  Against a b _ -> stopRunning a >> stopRunning b
+
+stopCalled :: Called -> Step ()
+stopCalled (Called running _ _ _) = stopRunning running
+
+-- | Start the tasks that were called since the last look.
+startCalls :: Int -> ScopeId -> Step [Called]
+startCalls left scope = do
+  calls <-
+    Step
+      ( \w k -> case begun w of
+          [] -> k [] w
+          found -> k (reverse found) w {begun = []}
+      )
+  case calls of
+    [] -> pure []
+    _ -> concat <$> mapM start calls
+  where
+    -- What the caller's functions ended with is not for the called, and comes first.
+    start (Calling program canceller feedback response) = do
+      born <- world emitted
+      outer <- takeFed
+      ended <- takeEnding
+      running <- advance left program
+      called <- reports outer scope (Called running (fmap (liven born) canceller) feedback response)
+      case ended of
+        Nothing -> pure called
+        Just _ -> called <$ change (\w -> w {ending = ended})
+
+-- | Carry out what the caller does with feedback and with the end. Feedback that nobody here takes goes further out.
+reports :: [Dynamic] -> ScopeId -> Called -> Step [Called]
+reports outer scope called@(Called running _ feedback response) = do
+  own <- takeFed
+  change (\w -> w {fed = outer})
+  mapM_ tell (reverse own)
+  case running of
+    Returned x -> [] <$ carry (response x)
+    _ -> pure [called]
+  where
+    tell value = case feedback value of
+      Just function -> carry function
+      Nothing -> change (\w -> w {fed = value : fed w})
+    carry (Function name inputs give) = atOnce scope name inputs give

@@ -1,0 +1,204 @@
+{-# LANGUAGE BangPatterns #-}
+{-# LANGUAGE ExistentialQuantification #-}
+
+-- |
+-- Module      : Rosy.Loop.State
+-- Description : What the loop keeps while a program runs, and the monad in which it changes.
+module Rosy.Loop.State
+  ( -- * What comes out
+    Turn (..),
+    Firing (..),
+    Outcome (..),
+    Report (..),
+
+    -- * The state
+    Network (..),
+    World (..),
+    arrived,
+    Live (..),
+    Telling,
+    liveName,
+    listens,
+    Running (..),
+    Called (..),
+
+    -- * Steps
+    Step (..),
+    world,
+    change,
+    takeEnding,
+    takeFed,
+  )
+where
+
+import Data.Dynamic (Dynamic)
+import Data.IntMap.Strict (IntMap)
+import Rosy.Core
+
+-- ---------------------------------------------------------------------------------------------
+-- What comes out
+
+-- | One step, firing by firing.
+data Turn
+  = -- | A function is about to fire. Once its effects are computed, this is what follows.
+    Fires Firing Turn
+  | -- | The step is over; the program waits for the next.
+    Settled !Network
+  | -- | The program has ended.
+    Ended !Outcome !Report
+
+-- | A function at work.
+data Firing = Firing
+  { firingName :: !FunctionName,
+    -- | What it was given, as Haskell shows it. Computed only when something asks.
+    firingInputs :: [String],
+    -- | Evaluating this is the firing. It throws what the function throws.
+    firingEffects :: Effects,
+    -- | What follows when it threw: the clean-up of all live tasks, then 'Ended'.
+    firingFailed :: Turn
+  }
+
+-- | How a program ends by itself or is ended.
+data Outcome
+  = Finished
+  | Stopped
+  | Failed
+  | -- | A function gave a 'Rosy.Done' of another type than the task's: the function, the type, the task's type.
+    EndedWrongly String String String
+  deriving (Eq, Show)
+
+-- | What a step leaves for the outside, in order.
+data Report = Report
+  { reportActions :: [Action],
+    -- | Events sensed and emitted, as Haskell shows them.
+    reportEvents :: [String]
+  }
+
+-- ---------------------------------------------------------------------------------------------
+-- The state
+
+-- | All that is running.
+data Network = forall r. Network !(Running r) !World
+
+-- | The state that all parts share.
+data World = World
+  { env :: !Env,
+    -- | Emitted and not yet delivered, newest first.
+    queue :: ![Event],
+    emitted :: !Int,
+    -- | Newest first; so are the events heard.
+    actions :: ![Action],
+    heard :: ![String],
+    -- | The value of the first @Done@ of the functions that are firing.
+    ending :: !(Maybe Dynamic),
+    -- | Feedback on its way out, newest first.
+    fed :: ![Dynamic],
+    -- | Calls to start, newest first.
+    begun :: ![Calling],
+    nextScope :: !ScopeId,
+    -- | What the live tasks do when they are stopped.
+    cleanups :: !(IntMap Function)
+  }
+
+-- | A function with the state of its inputs. Each has a name, what it listens to, how its inputs are told, and what it does.
+-- Those that follow events have a birth: user events with a smaller serial were emitted before and are not for it.
+-- Firings may wait for the first odometry message, oldest first.
+data Live
+  = -- | Nothing to keep: reads states and samples.
+    forall n. Steady !FunctionName !Interest (Telling n) !(Reading n) !(n -> Effects)
+  | -- | Takes every value as it comes.
+    forall n. Passing !FunctionName !Interest !Int (Telling n) !(Occurrence -> Arrivals n) ![Reading n] !(n -> Effects)
+  | -- | Keeps values until their partners come.
+    forall n s. Keeping !FunctionName !Interest !Int (Telling n) !(Trigger s n) !s ![Reading n] !(n -> Effects)
+
+-- | How inputs are told in an error message.
+type Telling n = n -> [String] -> [String]
+
+-- | What it is called.
+liveName :: Live -> FunctionName
+liveName live = case live of
+  Steady name _ _ _ _ -> name
+  Passing name _ _ _ _ _ _ -> name
+  Keeping name _ _ _ _ _ _ _ -> name
+
+-- | Whether an occurrence of this kind may concern the function.
+listens :: Interest -> Occurrence -> Live -> Bool
+listens kind occurrence live = case live of
+  Steady _ kinds _ _ _ -> interestedIn kinds kind
+  Passing _ kinds born _ _ _ _ -> interestedIn kinds kind && notBefore born
+  Keeping _ kinds born _ _ _ _ _ -> interestedIn kinds kind && notBefore born
+  where
+    notBefore born = case occurrence of
+      Emitted e -> eventSerial e >= born
+      _ -> True
+
+-- | Whether odometry is there.
+arrived :: Env -> Bool
+arrived e = case envOdometry e of
+  Nothing -> False
+  Just _ -> True
+
+-- | What runs until it gives an @r@.
+data Running r
+  = Returned r
+  | -- | A task whose @init@ waits for its inputs.
+    forall end. Starting !ScopeId !Live !Function !(Spec end) (end -> Program r)
+  | -- | A command given once, that waits for its inputs.
+    Giving !ScopeId !Live (Program r)
+  | -- | A task at work: its functions, and the tasks they called.
+    forall end. Working !ScopeId ![Live] ![Called] !(Spec end) (end -> Program r)
+  | -- | The moment to go on.
+    Waiting !Double (Program r)
+  | -- | Goes on in the next instant.
+    Paused (Program r)
+  | forall a b. Beside !(Running a) !(Running b) ((a, b) -> Program r)
+  | forall a b. Against !(Running a) !(Running b) (Either a b -> Program r)
+
+-- | A task that was called: how far it is, what may cancel it, what the caller does with feedback and with the end.
+data Called = forall end. Called !(Running end) !(Maybe Live) (Dynamic -> Maybe Function) (end -> Function)
+
+-- ---------------------------------------------------------------------------------------------
+-- The monad: state, firings, and ending at once
+
+-- | A change of the state with firings in it; it may end the program at once.
+newtype Step a = Step {runStep :: World -> (a -> World -> Turn) -> Turn}
+
+instance Functor Step where
+  fmap f (Step m) = Step (\w k -> m w (k . f))
+  {-# INLINE fmap #-}
+
+instance Applicative Step where
+  pure x = Step (\w k -> k x w)
+  {-# INLINE pure #-}
+  Step f <*> Step m = Step (\w k -> f w (\g w' -> m w' (k . g)))
+  {-# INLINE (<*>) #-}
+
+instance Monad Step where
+  Step m >>= f = Step (\w k -> m w (\x w' -> runStep (f x) w' k))
+  {-# INLINE (>>=) #-}
+
+-- | Look at the state.
+world :: (World -> a) -> Step a
+world f = Step (\w k -> k (f w) w)
+{-# INLINE world #-}
+
+-- | Change the state.
+change :: (World -> World) -> Step ()
+change f = Step (\w k -> let !w' = f w in k () w')
+{-# INLINE change #-}
+
+-- | Read and reset the ending of the functions that fired.
+takeEnding :: Step (Maybe Dynamic)
+takeEnding = Step $ \w k -> case ending w of
+  Nothing -> k Nothing w
+  found -> k found w {ending = Nothing}
+{-# INLINE takeEnding #-}
+
+-- | Read and reset the feedback that is on its way out.
+takeFed :: Step [Dynamic]
+takeFed =
+  Step
+    ( \w k -> case fed w of
+        [] -> k [] w
+        found -> k found w {fed = []}
+    )
