@@ -8,6 +8,7 @@ import type {
   Declaration,
   Expr,
   FunctionDeclaration,
+  Pattern,
   PatternBinding,
   RightSide,
   Statement,
@@ -265,19 +266,25 @@ export abstract class Bindings extends Patterns {
   }
 
   protected clause(c: Clause, type: Type, scope: Scope): void {
-    this.distinct(c.patterns)
     const inner = scope.inner()
+    const result = this.parameters(c.patterns, type, inner)
+    this.rightSide(c.right, result, inner)
+  }
+
+  /// Patterns that take the parameters of a function; answers the type of what it makes.
+  protected parameters(patterns: readonly Pattern[], type: Type, scope: Scope): Type {
+    this.distinct(patterns)
     let result = type
-    for (const p of c.patterns) {
+    for (const p of patterns) {
       let f = asFunction(result)
       if (f === undefined) {
         f = {from: this.fresh(), to: this.fresh()}
         this.same(result, fun(f.from, f.to), p)
       }
-      this.pattern(p, f.from, inner)
+      this.pattern(p, f.from, scope)
       result = f.to
     }
-    this.rightSide(c.right, result, inner)
+    return result
   }
 
   protected rightSide(right: RightSide, type: Type, scope: Scope): void {

@@ -67,18 +67,8 @@ export class Expressions extends Bindings {
         return
       }
       case "lambda": {
-        this.distinct(e.parameters)
         const inner = scope.inner()
-        let result = type
-        for (const p of e.parameters) {
-          let f = asFunction(result)
-          if (f === undefined) {
-            f = {from: this.fresh(), to: this.fresh()}
-            this.same(result, fun(f.from, f.to), e)
-          }
-          this.pattern(p, f.from, inner)
-          result = f.to
-        }
+        const result = this.parameters(e.parameters, type, inner)
         this.check(e.body, result, inner)
         return
       }
