@@ -3,6 +3,7 @@
 /// Blockly keeps both per document, so they ask for the view in use.
 
 import * as Blockly from "blockly/core"
+import {words} from "../words/index.ts"
 import {nextEmpty} from "./scope.ts"
 
 export interface MenuActions {
@@ -35,7 +36,7 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
   const item = (
     id: string,
     weight: number,
-    text: string,
+    text: () => string,
     key: string | undefined,
     can: (view: MenuActions) => boolean,
     act: (view: MenuActions) => void,
@@ -58,7 +59,7 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
   item(
     "rosyUndo",
     1,
-    "Undo",
+    () => words.blocks.undo,
     "undo",
     view => view.canUndo(),
     view => view.undo(),
@@ -66,7 +67,7 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
   item(
     "rosyRedo",
     2,
-    "Redo",
+    () => words.blocks.redo,
     "redo",
     view => view.canRedo(),
     view => view.redo(),
@@ -74,7 +75,7 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
   item(
     "rosyFit",
     3,
-    "Show all blocks",
+    () => words.blocks.showAll,
     undefined,
     () => true,
     view => view.zoomToFit(),
@@ -82,7 +83,7 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
   item(
     "rosyStrays",
     4,
-    "Bring stray blocks home",
+    () => words.blocks.strays,
     undefined,
     view => view.hasStrays(),
     view => view.bringStraysHome(),
@@ -103,7 +104,7 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
   keys.register({
     name: Blockly.ShortcutItems.names.FOCUS_TOOLBOX,
     keyCodes: [KeyCodes.T, KeyCodes.SLASH],
-    displayText: "Search blocks",
+    displayText: () => words.blocks.search,
     preconditionFn: workspace => !workspace.isDragging(),
     callback: (_, event) => {
       const view = actions()
@@ -117,7 +118,7 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
   keys.register({
     name: "rosyNextEmpty",
     keyCodes: [KeyCodes.E],
-    displayText: "Next empty place",
+    displayText: () => words.blocks.nextEmpty,
     preconditionFn: workspace => !workspace.isDragging(),
     callback: workspace => {
       const next = nextEmpty(workspace)

@@ -10,6 +10,7 @@ import {
   type ToolboxItem,
 } from "@rosy/codegen"
 import * as Blockly from "blockly/core"
+import {words} from "../words/index.ts"
 import {placeOf} from "./checker.ts"
 import type {Language} from "./language.ts"
 import {flyoutBlock} from "./toolbox.ts"
@@ -100,13 +101,13 @@ function isAtOrAfter(place: Blockly.RenderedConnection, block: Blockly.BlockSvg)
 export function scopeItems(names: readonly InScope[] | undefined): Blockly.utils.toolbox.FlyoutItemInfoArray {
   const label = (text: string) => ({kind: "label", text})
   const items: object[] = []
-  if (names === undefined) items.push(label("Choose a block or an empty place first"))
-  else if (names.length === 0) items.push(label("No names can be used here yet"))
+  if (names === undefined) items.push(label(words.blocks.chooseFirst))
+  else if (names.length === 0) items.push(label(words.blocks.noNames))
   else {
     const fitting = names.filter(name => name.fits)
     const others = names.filter(name => !name.fits)
     items.push(...fitting.map(flyoutBlock))
-    if (others.length > 0) items.push(label("Other names here"), ...others.map(flyoutBlock))
+    if (others.length > 0) items.push(label(words.blocks.otherNames), ...others.map(flyoutBlock))
   }
   return items as unknown as Blockly.utils.toolbox.FlyoutItemInfoArray
 }

@@ -3,6 +3,7 @@
 
 import type {BlockView, Family, Level, SavedBlock, ToolboxItem} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
+import {words} from "../words/index.ts"
 import type {Language} from "./language.ts"
 import {outlineOf, pen, sides} from "./outlines.ts"
 
@@ -70,7 +71,7 @@ function bareKey({type, extraState}: SavedBlock): string {
 export function toolboxInfo(language: Language, level: Level): Blockly.utils.toolbox.ToolboxInfo {
   const categories = language.toolbox(level)
   const items = findable(searchable(language, level), language.blockTypes)
-  const search: CategoryInfo = {kind: searchKind, name: "Search blocks", items, contents: []}
+  const search: CategoryInfo = {kind: searchKind, name: words.blocks.search, items, contents: []}
   const shown = categories.map(
     (category): CategoryInfo => ({
       kind: categoryKind,
@@ -79,7 +80,12 @@ export function toolboxInfo(language: Language, level: Level): Blockly.utils.too
       contents: category.items.map(flyoutBlock),
     }),
   )
-  const scope: CategoryInfo = {kind: categoryKind, name: "Names in scope", family: "own", custom: scopeKey}
+  const scope: CategoryInfo = {
+    kind: categoryKind,
+    name: words.blocks.namesInScope,
+    family: "own",
+    custom: scopeKey,
+  }
   return {
     kind: "categoryToolbox",
     contents: [search, ...shown, scope] as unknown as ItemInfo[],
@@ -209,12 +215,6 @@ class Category extends Blockly.ToolboxCategory {
   protected override addColourBorder_(): void {}
 }
 
-const levelWords: readonly (readonly [Level, string])[] = [
-  ["tasks", "Tasks"],
-  ["reactions", "Reactions"],
-  ["haskell", "All of Haskell"],
-]
-
 /// What the toolbox asks of the view it belongs to.
 export interface Nearby {
   level(): Level
@@ -245,8 +245,8 @@ class Search extends Blockly.ToolboxCategory {
     dom.removeAttribute("id")
     field.type = "search"
     field.className = "rosySearch"
-    field.placeholder = "Search blocks  /"
-    field.setAttribute("aria-label", "Search blocks")
+    field.placeholder = words.blocks.searchHint
+    field.setAttribute("aria-label", words.blocks.search)
     field.autocomplete = "off"
     field.addEventListener("input", () => this.match())
     field.addEventListener("keydown", event => this.key(event))
@@ -277,7 +277,7 @@ class Search extends Blockly.ToolboxCategory {
     const label = document.createElement("label")
     label.className = "rosyLevel"
     const select = document.createElement("select")
-    for (const [level, words] of levelWords) select.add(new Option(words, level))
+    for (const level of levels) select.add(new Option(words.blocks.levels[level], level))
     // The view is asked one turn later: the toolbox is made before the view is.
     queueMicrotask(() => {
       select.value = nearby.get(this.workspace_)?.level() ?? "reactions"
@@ -287,7 +287,7 @@ class Search extends Blockly.ToolboxCategory {
     for (const heard of ["keydown", "pointerdown", "click"]) {
       select.addEventListener(heard, event => event.stopPropagation())
     }
-    label.append("Level:", select)
+    label.append(words.blocks.level, select)
     return label
   }
 
@@ -328,14 +328,14 @@ class Search extends Blockly.ToolboxCategory {
     const heading =
       suggested !== undefined
         ? suggested.length > 0
-          ? "Fits here"
-          : "Nothing in the toolbox fits here"
+          ? words.blocks.fitsHere
+          : words.blocks.nothingFits
         : query === ""
-          ? "Type to find a block"
+          ? words.blocks.typeToFind
           : found.length === 0
-            ? "No block has these words"
+            ? words.blocks.notFound
             : undefined
-    const counted = found.length === 1 ? "1 block found" : `${found.length} blocks found`
+    const counted = words.blocks.found(found.length)
     if (query !== "" || suggested !== undefined) Blockly.utils.aria.announceDynamicAriaState(counted)
     this.flyoutItems_ = [
       ...(heading === undefined ? [] : [label(heading)]),

@@ -14,6 +14,7 @@ import type {
 } from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import * as English from "blockly/msg/en"
+import {words} from "../words/index.ts"
 import {hideFarBlocks} from "./away.ts"
 import {type BuildActions, change, registerBlocks} from "./build.ts"
 import {checkerName, registerChecker} from "./checker.ts"
@@ -454,7 +455,7 @@ function zoomButtons(host: HTMLElement, workspace: Blockly.WorkspaceSvg): HTMLEl
   const bar = document.createElement("div")
   bar.className = "rosyZoom"
   bar.setAttribute("role", "group")
-  bar.setAttribute("aria-label", "Zoom")
+  bar.setAttribute("aria-label", words.blocks.zoom)
   const button = (text: string, label: string, act: () => void) => {
     const made = document.createElement("button")
     made.type = "button"
@@ -464,9 +465,9 @@ function zoomButtons(host: HTMLElement, workspace: Blockly.WorkspaceSvg): HTMLEl
     made.addEventListener("click", act)
     bar.append(made)
   }
-  button("−", "Zoom out", () => workspace.zoomCenter(-1))
-  button("+", "Zoom in", () => workspace.zoomCenter(1))
-  button("⤢", "Show all blocks", () => workspace.zoomToFit())
+  button("−", words.blocks.zoomOut, () => workspace.zoomCenter(-1))
+  button("+", words.blocks.zoomIn, () => workspace.zoomCenter(1))
+  button("⤢", words.blocks.showAll, () => workspace.zoomToFit())
   host.append(bar)
   return bar
 }

@@ -4,6 +4,7 @@ import {renameNamed} from "@rosy/codegen"
 import {tokens} from "../source/lexer.ts"
 import type {Document} from "../state/history.ts"
 import {innermostBlock} from "../state/program.ts"
+import {words} from "../words/index.ts"
 
 export type Renamed = {readonly ok: true; readonly text: string} | {readonly ok: false; readonly why: string}
 
@@ -11,11 +12,11 @@ export type Renamed = {readonly ok: true; readonly text: string} | {readonly ok:
 export function renamed(document: Document, offset: number, old: string, name: string): Renamed {
   const {text, spans} = document.program
   const block = innermostBlock(spans, {start: offset, end: offset + old.length})
-  if (block === null) return {ok: false, why: "Mend this definition first. Then its names can be changed."}
+  if (block === null) return {ok: false, why: words.blocks.broken}
   if (document.dimmed.length > 0)
     return {
       ok: false,
-      why: "Something in the program is not finished. Mend it first, so that no place is forgotten.",
+      why: words.blocks.unfinished,
     }
   const answer = renameNamed(document.workspace, block, old, name)
   if (!answer.ok) return answer

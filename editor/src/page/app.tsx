@@ -3,6 +3,7 @@
 import type {VNode} from "preact"
 import {useLayoutEffect, useRef} from "preact/hooks"
 import type {PageState, Region} from "../state/page.ts"
+import {words} from "../words/index.ts"
 import {Border} from "./border.tsx"
 import {BottomBar} from "./bottombar.tsx"
 import {GalleryDialog} from "./gallery.tsx"
@@ -12,7 +13,6 @@ import {RobotBar} from "./robotbar.tsx"
 import {RobotsDialog} from "./robots.tsx"
 import {RoomRegion} from "./roomregion.tsx"
 import {TopBar} from "./topbar.tsx"
-import {words} from "./words.ts"
 import {WorldEditorDialog} from "./worldeditor.tsx"
 
 /// Which regions are to be seen. On a wide page the view decides, on a tablet one of the first two stands

@@ -2,8 +2,8 @@
 
 import type {JSX, VNode} from "preact"
 import type {Layout} from "../state/page.ts"
+import {words} from "../words/index.ts"
 import {useDesk, usePage} from "./pick.ts"
-import {words} from "./words.ts"
 
 /// Pixels for the widths, a share for the height of the room's canvas.
 const limits: Record<keyof Layout, {least: number; most: number; step: number}> = {

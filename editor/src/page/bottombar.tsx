@@ -2,10 +2,10 @@
 
 import type {VNode} from "preact"
 import type {Region} from "../state/page.ts"
+import {words} from "../words/index.ts"
 import {BlocksIcon, RoomIcon, TextIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {RunButton} from "./runbutton.tsx"
-import {words} from "./words.ts"
 
 const regions: readonly (readonly [Region, () => VNode])[] = [
   ["blocks", BlocksIcon],

@@ -5,10 +5,11 @@ import {useMemo, useState} from "preact/hooks"
 import {openCurves, windowOf} from "../room/chart.ts"
 import type {ChartSpan} from "../state/page.ts"
 import {quantitiesOf} from "../state/values.ts"
+import {words} from "../words/index.ts"
 import {useDesk, usePage} from "./pick.ts"
 import {Segments} from "./segments.tsx"
+import {quantityName} from "./sentences.ts"
 import {Strip} from "./strip.tsx"
-import {words} from "./words.ts"
 
 const spans: readonly ChartSpan[] = [20, 60, "all"]
 
@@ -71,7 +72,7 @@ function Charts(): VNode {
             style={{"--curve": `var(--${q.family})`}}
             onClick={() => toggle(q.key)}
           >
-            {q.name ?? words.quantities[q.key]}
+            {q.name ?? quantityName(q.key)}
           </button>
         ))}
       </fieldset>

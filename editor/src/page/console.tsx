@@ -3,8 +3,8 @@
 import type {VNode} from "preact"
 import {useLayoutEffect, useRef} from "preact/hooks"
 import type {ConsoleLine} from "../state/room.ts"
+import {words} from "../words/index.ts"
 import {usePage} from "./pick.ts"
-import {words} from "./words.ts"
 
 export function ConsolePanel(): VNode {
   const lines = usePage(s => s.lines)

@@ -3,10 +3,10 @@
 import type {VNode} from "preact"
 import {useEffect, useRef, useState} from "preact/hooks"
 import type {Example} from "../state/page.ts"
+import {words} from "../words/index.ts"
 import {CloseIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {Said} from "./said.tsx"
-import {words} from "./words.ts"
 
 export function GalleryDialog(): VNode | null {
   const desk = useDesk()

@@ -1,9 +1,9 @@
 /// Undo and redo.
 
 import type {VNode} from "preact"
+import {words} from "../words/index.ts"
 import {RedoIcon, UndoIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
-import {words} from "./words.ts"
 
 export function History(): VNode {
   const desk = useDesk()

@@ -3,11 +3,11 @@
 import type {VNode} from "preact"
 import {useEffect, useRef} from "preact/hooks"
 import type {Theme} from "../state/page.ts"
+import {words} from "../words/index.ts"
 import {History} from "./history.tsx"
 import {MoreIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {Segments} from "./segments.tsx"
-import {words} from "./words.ts"
 
 const themes: readonly Theme[] = ["auto", "light", "dark"]
 

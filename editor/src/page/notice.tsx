@@ -2,9 +2,10 @@
 /// a file that could not be read.
 
 import type {VNode} from "preact"
+import {words} from "../words/index.ts"
 import {CloseIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
-import {noticeWords, words} from "./words.ts"
+import {noticeWords} from "./sentences.ts"
 
 export function NoticeBar(): VNode {
   const {store} = useDesk()

@@ -4,9 +4,9 @@ import type {VNode} from "preact"
 import type {PageState} from "../state/page.ts"
 import {believed} from "../state/page.ts"
 import type {Finding} from "../state/program.ts"
+import {words} from "../words/index.ts"
 import {useDesk, usePage} from "./pick.ts"
 import {Said} from "./said.tsx"
-import {words} from "./words.ts"
 
 /// All problems, errors first, each told once. An empty socket is the blocks' to tell; about everything else that
 /// both have found the compiler knows better.

@@ -2,8 +2,8 @@
 /// emergency stop.
 
 import type {VNode} from "preact"
+import {words} from "../words/index.ts"
 import {useDesk, usePage} from "./pick.ts"
-import {words} from "./words.ts"
 
 export function RobotBar(): VNode | null {
   const {store} = useDesk()

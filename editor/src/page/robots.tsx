@@ -3,9 +3,9 @@
 import type {VNode} from "preact"
 import {useEffect, useRef, useState} from "preact/hooks"
 import type {RobotName} from "../state/robots.ts"
+import {words} from "../words/index.ts"
 import {CloseIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
-import {words} from "./words.ts"
 
 export function RobotsDialog(): VNode {
   const {store} = useDesk()

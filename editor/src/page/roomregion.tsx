@@ -7,18 +7,19 @@ import type {Hand} from "../state/messages.ts"
 import {readout} from "../state/next.ts"
 import {goalsOf} from "../state/room.ts"
 import {isActive} from "../state/run.ts"
+import {words} from "../words/index.ts"
 import {Border} from "./border.tsx"
 import {ChartsPanel} from "./charts.tsx"
 import {ConsolePanel} from "./console.tsx"
+import {goalTitle} from "./describe.ts"
 import {ChevronIcon, EditIcon, SoundIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {ProblemsPanel, problemCount} from "./problems.tsx"
 import {nameOfRoom, RoomsDialog} from "./rooms.tsx"
 import {SensorsPanel} from "./sensors.tsx"
+import {runWords} from "./sentences.ts"
 import {Sight} from "./sight.tsx"
 import {TimeBar} from "./timebar.tsx"
-import {runWords, words} from "./words.ts"
-import {goalTitle, worldWords} from "./worldwords.ts"
 
 export function RoomRegion({shown}: {shown: boolean}): VNode {
   const desk = useDesk()
@@ -77,8 +78,8 @@ function RoomBar(): VNode {
         <button
           type="button"
           class="plain room-choice"
-          aria-label={worldWords.choose(name)}
-          title={worldWords.choose(name)}
+          aria-label={words.world.choose(name)}
+          title={words.world.choose(name)}
           onClick={() => desk.openRooms()}
         >
           <span>{name}</span>
@@ -88,8 +89,8 @@ function RoomBar(): VNode {
       <button
         type="button"
         class="plain icon"
-        aria-label={worldWords.change}
-        title={worldWords.change}
+        aria-label={words.world.change}
+        title={words.world.change}
         hidden={held !== null}
         disabled={!there}
         onClick={() => store.dispatch({kind: "world-editor-opened"})}

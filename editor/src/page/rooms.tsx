@@ -3,11 +3,10 @@
 import type {VNode} from "preact"
 import {useEffect, useLayoutEffect, useRef} from "preact/hooks"
 import {drawPicture} from "../room/picture.ts"
+import {words} from "../words/index.ts"
 import type {World} from "../worlds/world.ts"
 import {CloseIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
-import {words} from "./words.ts"
-import {worldWords} from "./worldwords.ts"
 
 export function RoomsDialog(): VNode {
   const {store} = useDesk()
@@ -45,18 +44,18 @@ export function RoomsDialog(): VNode {
         <div class="gallery-body">
           <header>
             <div>
-              <h2 id="rooms-title">{worldWords.rooms}</h2>
-              <p class="quiet">{worldWords.roomsLead}</p>
+              <h2 id="rooms-title">{words.world.rooms}</h2>
+              <p class="quiet">{words.world.roomsLead}</p>
             </div>
             <button type="button" class="plain icon" aria-label={words.close} onClick={close}>
               <CloseIcon />
             </button>
           </header>
-          {rooms === null ? <p class="quiet late">{worldWords.roomsLoading}</p> : <Cards rooms={rooms} />}
+          {rooms === null ? <p class="quiet late">{words.world.roomsLoading}</p> : <Cards rooms={rooms} />}
           <p class="pair">
-            {ask(worldWords.change, () => store.dispatch({kind: "world-editor-opened"}))}
-            {ask(worldWords.openFile, () => store.dispatch({kind: "world-file-wanted"}))}
-            {ask(worldWords.saveFile, () => store.dispatch({kind: "world-file-made"}))}
+            {ask(words.world.change, () => store.dispatch({kind: "world-editor-opened"}))}
+            {ask(words.world.openFile, () => store.dispatch({kind: "world-file-wanted"}))}
+            {ask(words.world.saveFile, () => store.dispatch({kind: "world-file-made"}))}
           </p>
         </div>
       )}

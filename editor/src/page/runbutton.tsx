@@ -2,9 +2,9 @@
 
 import type {VNode} from "preact"
 import {isActive} from "../state/run.ts"
+import {words} from "../words/index.ts"
 import {PlayIcon, StopIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
-import {words} from "./words.ts"
 
 export function RunButton(): VNode {
   const desk = useDesk()

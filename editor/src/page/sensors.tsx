@@ -4,8 +4,9 @@ import type {VNode} from "preact"
 import type {Frame} from "../state/messages.ts"
 import {ledNames, shownFrame} from "../state/room.ts"
 import {quantities, remembered} from "../state/values.ts"
+import {words} from "../words/index.ts"
 import {usePage} from "./pick.ts"
-import {words} from "./words.ts"
+import {quantityName} from "./sentences.ts"
 
 export function SensorsPanel(): VNode {
   const frame = usePage(s => shownFrame(s.room))
@@ -48,10 +49,10 @@ function rows(frame: Frame): readonly (readonly [string, string, boolean])[] {
   const time = [words.time, `${frame.time.toFixed(2)} s`, false] as const
   const sensed = quantities.map(q => {
     const value = q.of(frame) ?? 0
-    const kind = Object.keys(words.senses).find(k => q.key.startsWith(k))
-    const [yes, no] = words.senses[kind ?? ""] ?? ["", ""]
-    const text = kind === undefined ? `${value.toFixed(3)} ${q.unit}` : value === 1 ? yes : no
-    return [words.quantities[q.key] ?? q.key, text, kind !== undefined && value === 1] as const
+    const found = Object.entries(words.senses).find(([kind]) => q.key.startsWith(kind))
+    const [yes, no] = found?.[1] ?? ["", ""]
+    const text = found === undefined ? `${value.toFixed(3)} ${q.unit}` : value === 1 ? yes : no
+    return [quantityName(q.key), text, found !== undefined && value === 1] as const
   })
   const led = (n: number, value: number) => [words.led(n), ledNames[value] ?? "Black", value > 0] as const
   return [time, ...sensed, led(1, frame.led1), led(2, frame.led2)]

@@ -4,10 +4,10 @@ import type {VNode} from "preact"
 import {useEffect, useRef} from "preact/hooks"
 import {canFilm} from "../run/film.ts"
 import type {TrailStyle} from "../state/room.ts"
+import {words} from "../words/index.ts"
 import {CloserIcon, EyeIcon, FollowIcon, FurtherIcon, StopIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {Segments} from "./segments.tsx"
-import {words} from "./words.ts"
 
 const trails: readonly TrailStyle[] = ["plain", "speed", "time"]
 

@@ -5,7 +5,7 @@ import {useLayoutEffect, useRef} from "preact/hooks"
 import type {Curve} from "../room/chart.ts"
 import type {Quantity} from "../state/values.ts"
 import {usePage} from "./pick.ts"
-import {words} from "./words.ts"
+import {quantityName} from "./sentences.ts"
 
 export function Strip(props: {
   readonly quantity: Quantity
@@ -28,7 +28,7 @@ export function Strip(props: {
     const box = event.currentTarget.getBoundingClientRect()
     return curve.from + ((event.clientX - box.left) / box.width) * (curve.to - curve.from)
   }
-  const name = quantity.name ?? words.quantities[quantity.key] ?? quantity.key
+  const name = quantity.name ?? quantityName(quantity.key)
   const text = value === null ? "" : `${told(value, quantity.unit === "" ? 0 : 3)} ${quantity.unit}`
   return (
     <figure class="strip" style={{"--curve": `var(--${quantity.family})`}}>

@@ -5,9 +5,9 @@ import type {Speed} from "../state/messages.ts"
 import {spanOfTime} from "../state/recording.ts"
 import {isUntouched} from "../state/room.ts"
 import {isActive} from "../state/run.ts"
+import {words} from "../words/index.ts"
 import {AgainIcon, GoIcon, PauseIcon, ResetIcon, StepIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
-import {words} from "./words.ts"
 
 const speeds: readonly Speed[] = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16, "max"]
 

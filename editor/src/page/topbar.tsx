@@ -2,13 +2,13 @@
 
 import type {VNode} from "preact"
 import type {View} from "../state/page.ts"
+import {words} from "../words/index.ts"
 import {History} from "./history.tsx"
 import {LogoIcon} from "./icons.tsx"
 import {Menu} from "./menu.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {RunButton} from "./runbutton.tsx"
 import {Segments} from "./segments.tsx"
-import {words} from "./words.ts"
 
 export function TopBar(): VNode {
   const desk = useDesk()

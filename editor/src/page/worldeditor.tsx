@@ -2,16 +2,16 @@
 
 import type {VNode} from "preact"
 import {useEffect, useLayoutEffect, useRef} from "preact/hooks"
+import {words} from "../words/index.ts"
 import type {WorldEdit} from "../worlds/editor.ts"
 import {tools} from "../worlds/editor.ts"
 import {startFault} from "../worlds/parts.ts"
+import {describePart} from "./describe.ts"
 import {RedoIcon, UndoIcon} from "./icons.tsx"
 import {NoticeBar} from "./notice.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {ToolIcon} from "./toolicons.tsx"
-import {words} from "./words.ts"
 import {PartPanel} from "./worldparts.tsx"
-import {describePart, worldWords} from "./worldwords.ts"
 
 export function WorldEditorDialog(): VNode {
   const {store} = useDesk()
@@ -25,7 +25,7 @@ export function WorldEditorDialog(): VNode {
     <dialog
       class="world-editor"
       ref={dialog}
-      aria-label={worldWords.title}
+      aria-label={words.world.title}
       // Escape lets go of what is chosen; it must not throw the drawing away.
       onCancel={event => {
         event.preventDefault()
@@ -44,7 +44,7 @@ function Workshop(): VNode {
   return (
     <div class="workshop">
       <header class="workshop-bar">
-        <h2>{worldWords.title}</h2>
+        <h2>{words.world.title}</h2>
         <UndoPair edit={edit} />
         <span class="space" />
         <button
@@ -52,7 +52,7 @@ function Workshop(): VNode {
           class="plain"
           onClick={() => store.dispatch({kind: "world-editor-closed", keep: false})}
         >
-          {worldWords.leave}
+          {words.world.leave}
         </button>
         <button
           type="button"
@@ -60,7 +60,7 @@ function Workshop(): VNode {
           disabled={why !== null}
           onClick={() => store.dispatch({kind: "world-editor-closed", keep: true})}
         >
-          {worldWords.done}
+          {words.world.done}
         </button>
       </header>
       <NoticeBar />
@@ -68,7 +68,7 @@ function Workshop(): VNode {
       <Sheet />
       <PartPanel edit={edit} />
       <p class="workshop-fault" role="alert">
-        {why !== null && worldWords.startFault(why)}
+        {why !== null && words.world.startFault(why)}
       </p>
     </div>
   )
@@ -100,18 +100,18 @@ function UndoPair({edit}: {edit: (event: WorldEdit) => void}): VNode {
 function ToolBar({edit}: {edit: (event: WorldEdit) => void}): VNode {
   const chosen = usePage(s => s.worldEditor?.tool ?? "choose")
   return (
-    <div class="tools" role="toolbar" aria-label={worldWords.tools} aria-orientation="vertical">
+    <div class="tools" role="toolbar" aria-label={words.world.tools} aria-orientation="vertical">
       {tools.map(tool => (
         <button
           type="button"
           key={tool}
           class={`tool ${tool}`}
           aria-pressed={tool === chosen}
-          title={worldWords.toolHints[tool]}
+          title={words.world.toolHints[tool]}
           onClick={() => edit({kind: "tool", tool})}
         >
           <ToolIcon tool={tool} />
-          <span>{worldWords.toolNames[tool]}</span>
+          <span>{words.world.toolNames[tool]}</span>
         </button>
       ))}
     </div>
@@ -126,7 +126,7 @@ function Sheet(): VNode {
     const editor = s.worldEditor
     if (editor === null) return ""
     if (editor.chosen !== null) return describePart(editor.world, editor.chosen)
-    return editor.aim === null ? "" : worldWords.aimAt(editor.aim)
+    return editor.aim === null ? "" : words.world.aimAt(editor.aim)
   })
   useLayoutEffect(() => (canvas.current === null ? undefined : desk.mountWorldEditor(canvas.current)), [desk])
   return (
@@ -138,7 +138,7 @@ function Sheet(): VNode {
         class={tool === "choose" ? "" : "drawing"}
         role="application"
         tabIndex={0}
-        aria-label={worldWords.sheetLabel}
+        aria-label={words.world.sheetLabel}
         aria-describedby="sheet-told"
         data-testid="sheet"
       />
@@ -147,7 +147,7 @@ function Sheet(): VNode {
       <p id="sheet-told" class="hidden-text" aria-live="polite" data-testid="sheet-told">
         {told}
       </p>
-      <p class="sheet-hint">{worldWords.toolHints[tool]}</p>
+      <p class="sheet-hint">{words.world.toolHints[tool]}</p>
     </div>
   )
 }

@@ -2,11 +2,12 @@
 
 import type {VNode} from "preact"
 import {useEffect, useRef} from "preact/hooks"
+import {words} from "../words/index.ts"
 import type {WorldEdit} from "../worlds/editor.ts"
 import {clamp, hasRoomFor, type Part, partsOf, put, samePart, tidy, wrapped} from "../worlds/parts.ts"
 import {limits, type World, type WorldGoal} from "../worlds/world.ts"
+import {describePart, nameOfPart} from "./describe.ts"
 import {useDesk, usePage} from "./pick.ts"
-import {describePart, nameOfPart, worldWords} from "./worldwords.ts"
 
 type Edit = (event: WorldEdit) => void
 
@@ -25,7 +26,7 @@ export function PartPanel({edit}: {edit: Edit}): VNode | null {
     <aside
       ref={panel}
       class="part-panel"
-      aria-label={chosen === null ? worldWords.room : nameOfPart(world, chosen)}
+      aria-label={chosen === null ? words.world.room : nameOfPart(world, chosen)}
     >
       {chosen === null ? (
         <RoomFields world={world} change={change} edit={edit} snap={editor.snap} />
@@ -43,10 +44,10 @@ export function PartPanel({edit}: {edit: Edit}): VNode | null {
                 disabled={!hasRoomFor(world, chosen.kind)}
                 onClick={() => edit({kind: "duplicate"})}
               >
-                {worldWords.duplicate}
+                {words.world.duplicate}
               </button>
               <button type="button" class="plain" onClick={() => edit({kind: "delete"})}>
-                {worldWords.delete}
+                {words.world.delete}
               </button>
             </span>
           )}
@@ -60,8 +61,8 @@ export function PartPanel({edit}: {edit: Edit}): VNode | null {
 /// Every part by name: the way to choose without a pointer.
 function Things({world, chosen, edit}: {world: World; chosen: Part | null; edit: Edit}): VNode {
   return (
-    <nav class="things" aria-label={worldWords.things}>
-      <h3>{worldWords.things}</h3>
+    <nav class="things" aria-label={words.world.things}>
+      <h3>{words.world.things}</h3>
       <ul>
         {partsOf(world).map(part => (
           <li key={JSON.stringify(part)}>
@@ -131,7 +132,7 @@ function Angle({value, set}: {value: number; set: (value: number) => void}): VNo
   const turn = (typed: number) => set(tidy(wrapped((typed * Math.PI) / 180)))
   return (
     <NumberField
-      label={worldWords.angle}
+      label={words.world.angle}
       unit="°"
       value={+degrees.toFixed(1)}
       step={15}
@@ -161,8 +162,8 @@ function PlaceFields(props: {
   const {world, x, y, set} = props
   return (
     <>
-      <Metres label={worldWords.x} value={x} least={0} most={world.size[0]} set={to => set({x: to})} />
-      <Metres label={worldWords.y} value={y} least={0} most={world.size[1]} set={to => set({y: to})} />
+      <Metres label={words.world.x} value={x} least={0} most={world.size[0]} set={to => set({x: to})} />
+      <Metres label={words.world.y} value={y} least={0} most={world.size[1]} set={to => set({y: to})} />
     </>
   )
 }
@@ -176,10 +177,10 @@ function WeightFields(props: {
   const [least, most] = limits.mass
   return (
     <>
-      <Check label={worldWords.movable} value={movable} set={on => set({movable: on})} />
+      <Check label={words.world.movable} value={movable} set={on => set({movable: on})} />
       {movable && (
         <NumberField
-          label={worldWords.mass}
+          label={words.world.mass}
           unit="kg"
           value={mass}
           {...{step: 0.5, least, most}}
@@ -241,8 +242,8 @@ function PartFields({
       return (
         <>
           <PlaceFields world={world} x={box.x} y={box.y} set={set} />
-          <Metres label={worldWords.width} value={box.w} set={w => set({w})} />
-          <Metres label={worldWords.height} value={box.h} set={h => set({h})} />
+          <Metres label={words.world.width} value={box.w} set={w => set({w})} />
+          <Metres label={words.world.height} value={box.h} set={h => set({h})} />
           <Angle value={box.theta} set={theta => set({theta})} />
           <WeightFields movable={box.movable} mass={box.mass} set={set} />
         </>
@@ -256,7 +257,7 @@ function PartFields({
       return (
         <>
           <PlaceFields world={world} x={round.x} y={round.y} set={set} />
-          <Metres label={worldWords.radius} value={round.r} set={r => set({r})} />
+          <Metres label={words.world.radius} value={round.r} set={r => set({r})} />
           <WeightFields movable={round.movable} mass={round.mass} set={set} />
         </>
       )
@@ -289,7 +290,7 @@ function GoalFields({
   return (
     <>
       <label class="part-field wide">
-        <span>{worldWords.goalTitle}</span>
+        <span>{words.world.goalTitle}</span>
         <input
           type="text"
           value={goal.title}
@@ -300,22 +301,22 @@ function GoalFields({
       {"x" in goal && (
         <>
           <PlaceFields world={world} x={goal.x} y={goal.y} set={to => set({...goal, ...to})} />
-          <Metres label={worldWords.radius} value={goal.r} set={r => set({...goal, r})} />
+          <Metres label={words.world.radius} value={goal.r} set={r => set({...goal, r})} />
         </>
       )}
       {goal.kind === "visit" && (
-        <Metres label={worldWords.radius} value={goal.r} set={r => set({...goal, r})} />
+        <Metres label={words.world.radius} value={goal.r} set={r => set({...goal, r})} />
       )}
       {goal.kind === "draw" && (
         <Metres
-          label={worldWords.tolerance}
+          label={words.world.tolerance}
           value={goal.tolerance}
           set={tolerance => set({...goal, tolerance})}
         />
       )}
       {goal.kind === "lap" && (
         <NumberField
-          label={worldWords.laps}
+          label={words.world.laps}
           unit=""
           value={goal.laps}
           step={1}
@@ -326,14 +327,14 @@ function GoalFields({
       )}
       {timed && (
         <Check
-          label={worldWords.timed}
+          label={words.world.timed}
           value={goal.within !== null}
           set={on => set({...goal, within: on ? usualLimit : null})}
         />
       )}
       {timed && goal.within !== null && (
         <NumberField
-          label={worldWords.within}
+          label={words.world.within}
           unit="s"
           value={goal.within}
           step={5}
@@ -366,7 +367,7 @@ function RoomFields({
     world.goals.findIndex(g => g.kind === "avoid" && g.what === what)
   const avoid = (what: "bumps" | "holes") => (
     <Check
-      label={worldWords.avoids[what]}
+      label={words.world.avoids[what]}
       value={avoids(what) >= 0}
       set={on => {
         const goals = world.goals.filter((_, i) => i !== avoids(what))
@@ -377,10 +378,10 @@ function RoomFields({
   )
   return (
     <>
-      <h3>{worldWords.room}</h3>
+      <h3>{words.world.room}</h3>
       <div class="part-fields">
         <label class="part-field wide">
-          <span>{worldWords.name}</span>
+          <span>{words.world.name}</span>
           <input
             type="text"
             value={world.name}
@@ -389,32 +390,32 @@ function RoomFields({
           />
         </label>
         <Metres
-          label={worldWords.width}
+          label={words.world.width}
           value={width}
           least={0.5}
           set={to => edit({kind: "resize", width: to, height})}
         />
         <Metres
-          label={worldWords.height}
+          label={words.world.height}
           value={height}
           least={0.5}
           set={to => edit({kind: "resize", width, height: to})}
         />
-        <Check label={worldWords.snap} value={snap} set={on => edit({kind: "snap", snap: on})} />
+        <Check label={words.world.snap} value={snap} set={on => edit({kind: "snap", snap: on})} />
         {avoid("bumps")}
         {avoid("holes")}
         <Check
-          label={worldWords.realistic}
+          label={words.world.realistic}
           value={world.realism !== null}
           set={on => change({...world, realism: on ? likeReal : null})}
         />
       </div>
       <span class="pair">
         <button type="button" class="plain" onClick={() => store.dispatch({kind: "world-file-wanted"})}>
-          {worldWords.openFile}
+          {words.world.openFile}
         </button>
         <button type="button" class="plain" onClick={() => store.dispatch({kind: "world-file-made"})}>
-          {worldWords.saveFile}
+          {words.world.saveFile}
         </button>
       </span>
     </>

@@ -1,8 +1,8 @@
 /// A run that waits for a place: what the page knows and says while the room is full.
 
 import {describe, expect, test} from "vitest"
-import {words} from "../../src/page/words.ts"
 import {isActive, nextRun, type RunState} from "../../src/state/run.ts"
+import {words} from "../../src/words/index.ts"
 
 const heard = (state: RunState, message: object): RunState =>
   nextRun(state, {kind: "heard", message: {op: "state", run: 3, ...message} as never})

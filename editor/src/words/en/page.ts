@@ -1,10 +1,10 @@
-/// Every sentence and label of the page, in one place, so that it can be translated. What the program, the
-/// compiler and the blocks say comes from them.
+/// The sentences and labels of the page in English.
 
-import type {Notice, PageState} from "../state/page.ts"
-import {isActive} from "../state/run.ts"
+import {measuresOf} from "../measures.ts"
 
-export const words = {
+const {fixed, count} = measuresOf("en")
+
+export const page = {
   rosy: "Rosy",
   run: "Run",
   stop: "Stop",
@@ -17,9 +17,7 @@ export const words = {
   pause: "Pause",
   resume: "Go on",
   forward: "One step (0.02 s)",
-  standing: "Paused",
   lookBack: "Look back in the run",
-  lookingBack: "Looking back",
   saveTable: "Save as a table (CSV)",
   noRun: "Run the program to see its values.",
   chartedValues: "Values to draw",
@@ -48,14 +46,14 @@ export const words = {
     believedX: "Believed x",
     believedY: "Believed y",
     believedHeading: "Believed heading",
-  } as Readonly<Record<string, string>>,
+  },
   /// What 1 and 0 mean, per kind of sensor.
   senses: {
     bumper: ["pressed", "released"],
     cliff: ["hole", "floor"],
     wheel: ["in the air", "on the ground"],
     button: ["pressed", "released"],
-  } as Readonly<Record<string, readonly [string, string]>>,
+  },
   led: (n: number) => `LED ${n}`,
   speed: "Speed",
   fastest: "fastest",
@@ -114,7 +112,7 @@ export const words = {
   writeType: (signature: string) => `Write its type: ${signature}`,
   compilerSays: "What the compiler said",
   givenInputs: "It was given",
-  atTime: (seconds: number) => `at ${seconds.toFixed(2)} s`,
+  atTime: (seconds: number) => `at ${fixed(seconds, 2)} s`,
   close: "Close",
   newProgram: "New program",
   openFile: "Open a file…",
@@ -188,7 +186,7 @@ export const words = {
     safetyOff: "Does not back off",
     safetyOffHint: "Whoever started Rosy has switched that off for this robot: watch its way.",
     backing: "Backing off…",
-    limits: (speed: number) => `at most ${speed.toFixed(1)} m/s`,
+    limits: (speed: number) => `at most ${fixed(speed, 1)} m/s`,
     estop: "Emergency stop",
     estopHint: "Stop the robot at once (Space)",
     stopped: "Emergency stop: it stands.",
@@ -204,89 +202,67 @@ export const words = {
     `${kind === "box" ? "Box" : "Drum"} ${n}: the arrow keys push it. Escape takes the robot again.`,
   lift: "Lift",
   liftHint: "Lift the robot off the floor, and put it down again",
+  /// What the run is doing, in one or two words.
+  doing: {
+    lookingBack: "Looking back",
+    standing: "Paused",
+    ready: "Ready",
+    waiting: "Waiting",
+    queued: "Waiting",
+    compiling: "Starting",
+    running: "Running",
+  },
+  ended: {
+    done: "Finished",
+    error: "Ended by a problem",
+    stuck: "Ended by a problem",
+    stopped: "Stopped",
+    time: "Time is up",
+    refused: "Not started",
+    lost: "Connection lost",
+  },
+  /// What the page itself has to say: first what, then what to do.
+  notices: {
+    notText: {
+      message: (name: string) => `${name} does not hold text.`,
+      hint: "Rosy opens programs: files that end in .rosy or .hs.",
+    },
+    notWorld: (name: string) => `${name} is not a room Rosy can use.`,
+    exampleMissing: {
+      message: (name: string) => `There is no example ${name}.`,
+      hint: "Examples, above, shows those there are.",
+    },
+    noFilm: {
+      message: "The film is empty.",
+      hint: "Start it while the robot drives, and end it later.",
+    },
+    noReader: {
+      message: "A part of the page is missing.",
+      hint: "Reload the page; nothing of yours is lost.",
+    },
+    notFormatted: {
+      message: (left: number) =>
+        count(left, {
+          one: "One definition was left as it is.",
+          other: n => `${n} definitions were left as they are.`,
+        }),
+      hint: "They are not finished, or laying them out would have lost something.",
+    },
+    notSaved: {
+      message: "This browser has no room to keep your program.",
+      hint: "Save it as a file with the menu at the top right.",
+    },
+    robotGone: {
+      message: (name: string) => `You no longer have ${name}.`,
+      hint: "Take it again when you need it.",
+    },
+    outOfSight: {
+      message: (name: string) => `${name} was stopped because nobody saw this page.`,
+      hint: "Keep the page in view while a real robot drives.",
+    },
+    openedElsewhere: {
+      message: "This program is open in another tab too.",
+      hint: "Changes here are kept as a copy.",
+    },
+  },
 } as const
-
-/// What the run is doing, in one or two words.
-export function runWords(state: PageState): string {
-  const {run} = state
-  if (state.room.lookedAt !== null) return words.lookingBack
-  if (state.clock === "standing" && isActive(run)) return words.standing
-  switch (run.kind) {
-    case "ready":
-      return "Ready"
-    case "waiting":
-      return "Waiting"
-    case "queued":
-      return "Waiting"
-    case "compiling":
-      return "Starting"
-    case "running":
-      return "Running"
-    case "ended":
-      return {
-        done: "Finished",
-        error: "Ended by a problem",
-        stuck: "Ended by a problem",
-        stopped: "Stopped",
-        time: "Time is up",
-        refused: "Not started",
-        lost: "Connection lost",
-      }[run.how]
-  }
-}
-
-const sentence = (text: string) => text.charAt(0).toUpperCase() + text.slice(1)
-
-/// What the page itself has to say: first what, then what to do.
-export function noticeWords(notice: Notice): {readonly message: string; readonly hint: string} {
-  switch (notice.kind) {
-    case "unreadable-file":
-      return {message: `${notice.name}: ${notice.message}`, hint: notice.hint}
-    case "not-text":
-      return {
-        message: `${notice.name} does not hold text.`,
-        hint: "Rosy opens programs: files that end in .rosy or .hs.",
-      }
-    case "unreadable-world":
-      return {
-        message: `${notice.name} is not a room Rosy can use.`,
-        hint: notice.path === "" ? sentence(notice.why) : `${notice.path}: ${notice.why}`,
-      }
-    case "example-missing":
-      return {message: `There is no example ${notice.name}.`, hint: "Examples, above, shows those there are."}
-    case "refusal":
-      return {message: notice.message, hint: notice.hint}
-    case "no-film":
-      return {message: "The film is empty.", hint: "Start it while the robot drives, and end it later."}
-    case "no-reader":
-      return {message: "A part of the page is missing.", hint: "Reload the page; nothing of yours is lost."}
-    case "not-formatted":
-      return {
-        message:
-          notice.left === 1
-            ? "One definition was left as it is."
-            : `${notice.left} definitions were left as they are.`,
-        hint: "They are not finished, or laying them out would have lost something.",
-      }
-    case "not-saved":
-      return {
-        message: "This browser has no room to keep your program.",
-        hint: "Save it as a file with the menu at the top right.",
-      }
-    case "robot-gone":
-      return {
-        message: `You no longer have ${notice.name}.`,
-        hint: notice.why === "" ? "Take it again when you need it." : notice.why,
-      }
-    case "out-of-sight":
-      return {
-        message: `${notice.name} was stopped because nobody saw this page.`,
-        hint: "Keep the page in view while a real robot drives.",
-      }
-    case "opened-elsewhere":
-      return {
-        message: "This program is open in another tab too.",
-        hint: "Changes here are kept as a copy.",
-      }
-  }
-}

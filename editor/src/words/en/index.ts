@@ -1,0 +1,7 @@
+/// Every sentence and label of the page in English: what the other languages translate.
+
+import {blocks} from "./blocks.ts"
+import {page} from "./page.ts"
+import {world} from "./rooms.ts"
+
+export const en = {...page, blocks, world} as const

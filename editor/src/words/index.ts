@@ -1,0 +1,15 @@
+/// The words of the page in the language that was chosen at its start.
+
+import type {Translated} from "@rosy/codegen/words"
+import {en} from "./en/index.ts"
+
+/// What a language says: all that English says, under the same names. One that is missing does not compile.
+export type Words = Translated<typeof en>
+
+/// In the chosen language. Read it when something is shown, not when a module is loaded.
+export let words: Words = en
+
+/// Chooses the language, once, before anything is shown.
+export function speak(table: Words): void {
+  words = table
+}
