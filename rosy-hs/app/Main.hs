@@ -23,6 +23,7 @@ import qualified Data.ByteString.Char8 as C
 import qualified Data.ByteString.Lazy as L
 import qualified Data.Text as T
 import qualified Data.Text.IO as T
+import Foreign.C.Types (CInt)
 import GHC.Clock (getMonotonicTime)
 import Network.Socket (Socket, mkSocket, recvFd)
 import Rosy.Robot (Orientation (..), Position (..))
@@ -39,6 +40,7 @@ import System.IO hiding (withFile)
 import System.IO.Error (catchIOError)
 import System.Posix.IO (FdOption (..), setFdOption)
 import System.Posix.Signals (Handler (..), installHandler, sigUSR1)
+import System.Posix.Types (Fd (..))
 
 main :: IO ()
 main = do
@@ -57,10 +59,11 @@ targetAt address = do
 
 socketAt :: String -> IO Socket
 socketAt text = case reads text of
-  [(fd, "")] -> opened (fromIntegral (fd :: Int))
+  [(fd, "")] -> socketFrom fd
   _ -> refuse "the second argument is the number of a descriptor."
-  where
-    opened fd = setFdOption fd NonBlockingRead True >> mkSocket (fromIntegral fd)
+
+socketFrom :: CInt -> IO Socket
+socketFrom fd = setFdOption (Fd fd) NonBlockingRead True >> mkSocket fd
 
 driveOnce :: String -> String -> [String] -> IO ()
 driveOnce address fd limit = do
@@ -89,7 +92,7 @@ holdFor address fd = do
   _ <- forkIO ((reading requests `catchIOError` const (pure ())) `finally` request requests Leave)
   _ <- installHandler sigUSR1 (Catch (request requests EmergencyStop)) Nothing
   announced address . withBase target $ \base ->
-    onSignals (filter (/= sigUSR1) endings) (request requests Leave) (hold target base requests (recvFd socket >>= socketAt . show) (\l -> L.hPut stdout l >> hFlush stdout))
+    onSignals (filter (/= sigUSR1) endings) (request requests Leave) (hold target base requests (recvFd socket >>= socketFrom) (\l -> L.hPut stdout l >> hFlush stdout))
   where
     reading requests = do
       over <- isEOF

@@ -13,10 +13,14 @@ import os
 import signal
 from dataclasses import dataclass
 from pathlib import Path
+from urllib.parse import urlsplit
 
 from .errors import BadInput
 
-__all__ = ["Driver", "drivers", "emergency_stop"]
+__all__ = ["PORTS", "Driver", "drivers", "emergency_stop", "way"]
+
+PORTS = {"ws": 9090, "ros": 11311}
+"""Where rosbridge servers and ROS masters listen when an address does not say (rosbridge_server, ROS_MASTER_URI)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +62,7 @@ def emergency_stop(address: str | None) -> list[Driver]:
     Raises:
         BadInput: nobody here drives it.
     """
-    found = [d for d in drivers() if address is None or _way(d.address) == _way(address)]
+    found = [d for d in drivers() if address is None or way(d.address) == way(address)]
     for driver in found:
         with contextlib.suppress(ProcessLookupError):
             os.kill(driver.process, signal.SIGUSR1)
@@ -70,6 +74,18 @@ def emergency_stop(address: str | None) -> list[Driver]:
     return found
 
 
-def _way(address: str) -> str:
-    """Without options: the same robot."""
-    return address.partition("?")[0].rstrip("/")
+def way(address: str) -> str:
+    """
+    How a robot is reached, without options: two addresses of one way are one robot. Ports that are not said are said, a
+    device is called by its own name, whatever links to it, and capitals of a computer's name do not matter.
+    """
+    bare = address.partition("?")[0]
+    if bare.startswith("serial:"):
+        return "serial:" + os.path.realpath(bare.removeprefix("serial:"))
+    try:
+        parts = urlsplit(bare)
+        port = parts.port or PORTS.get(parts.scheme)
+    except ValueError:
+        # No address, so no other one's either.
+        return bare
+    return f"{parts.scheme}://{parts.hostname}:{port}{parts.path.rstrip('/')}"

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from .budget import Budget
-from .drivers import drivers
+from .drivers import drivers, way
 from .errors import BadInput
 from .wire import page
 
@@ -79,7 +79,7 @@ class Fleet:
             who = "This page" if held.session == session else held.who
             raise BadInput(f"{who} has {name} at the moment; it is free again when they leave it.")
         address = self._robots[name]
-        if any(d.address == address for d in drivers()):
+        if any(way(d.address) == way(address) for d in drivers()):
             raise BadInput(f"{name} is being driven from a terminal at the moment.")
         self._holds[name] = Hold(session, who.strip()[:_MAX_WHO] or "Somebody")
         self._changed()

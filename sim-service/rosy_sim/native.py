@@ -14,7 +14,7 @@ import subprocess
 from pathlib import Path
 from urllib.parse import urlsplit
 
-from .drivers import drivers
+from .drivers import PORTS, drivers, way
 from .errors import BadInput
 from .roster import usable
 from .wire.problem import Problem
@@ -25,9 +25,6 @@ __all__ = ["run_natively"]
 
 _PATIENCE = 5.0
 """For a robot's computer to answer, s."""
-
-_PORTS = {"ws": 9090, "ros": 11311}
-"""Where rosbridge servers and ROS masters listen."""
 
 
 def run_natively(
@@ -41,7 +38,7 @@ def run_natively(
     """
     speaker = usable(speaker, address)
     for driver in drivers():
-        if driver.address == address:
+        if way(driver.address) == way(address):
             raise BadInput(f"Somebody on this machine drives the robot at {address} already; ./rosy estop stops it.")
     _answers(address)
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
@@ -71,9 +68,9 @@ def _status(process: subprocess.Popen[bytes]) -> int:
 def _answers(address: str) -> None:
     """Look whether anybody is there, before a program is compiled for nobody."""
     parts = urlsplit(address)
-    if parts.scheme in _PORTS and parts.hostname:
+    if parts.scheme in PORTS and parts.hostname:
         try:
-            port = parts.port or _PORTS[parts.scheme]
+            port = parts.port or PORTS[parts.scheme]
             socket.create_connection((parts.hostname, port), _PATIENCE).close()
         except (OSError, ValueError) as error:
             raise BadInput(f"No robot answers at {address}; is it on, and does its server run?") from error

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import msgspec
 
+from .drivers import way
 from .errors import BadInput
 
 __all__ = ["configured", "usable"]
@@ -35,7 +36,7 @@ def configured(speaker: Path | None, given: list[str], file: Path | None) -> dic
     for name, address in pairs:
         if not name or len(name) > _MAX_NAME:
             raise BadInput(f"A robot's name has 1 to {_MAX_NAME} characters; {name!r} does not.")
-        if name in robots or address in robots.values():
+        if name in robots or way(address) in map(way, robots.values()):
             raise BadInput(f"The robot {name} is there twice; give each robot one name.")
         usable(speaker, address)
         robots[name] = address

@@ -4,18 +4,16 @@ One run in the simulator that a page watches, from the press of Run to its end: 
 
 from __future__ import annotations
 
-import asyncio
 import socket
 from collections.abc import Callable
-from typing import Literal
 
 from .config import Limits
-from .execution import Execution
 from .live import Ending, Lateness, LiveRun
 from .lockstep import Lockstep
 from .places import Places
 from .sentences import broken_link, died, too_much
 from .showing import Showing
+from .watched import WatchedRun
 from .wire import page
 from .wire.problem import Problem
 from .worker.client import Worker
@@ -25,14 +23,12 @@ from .world.world import World
 __all__ = ["Running"]
 
 
-class Running:
+class Running(WatchedRun):
     """
     Ends by itself, by stop(), or at once by end_now().
 
     Args:
         sensed: told what the robot senses in each step.
-        over: called once, when the robot is free for the next run. The page may still be told why this one ended: that
-            takes until ``done`` is done.
     """
 
     def __init__(
@@ -46,25 +42,18 @@ class Running:
         late: Lateness,
         showing: Showing,
         sensed: Callable[[list[Event]], None],
-        over: Callable[[Running], None],
+        over: Callable[[WatchedRun], None],
     ) -> None:
-        self._run = request.run
         self._seed = seed
         self._world = world
-        self._limits = limits
         self._late = late
-        self._showing = showing
         self._sensed = sensed
-        self._over = over
         self._speed: page.Speed = request.speed
         self._paused = False
         # Set once the program has started; None again when the run is over.
         self._live: LiveRun | None = None
-        # Asks the worker why the program went silent.
-        self._asking: asyncio.Task[None] | None = None
-        showing.state("compiling")
+        super().__init__(request, worker, places, limits, showing, over)
         showing.frame(force=True)
-        self._execution = Execution(worker, places, limits, request.source, self)
 
     # What the page may ask
 
@@ -109,25 +98,7 @@ class Running:
         if self._live is not None:
             self._live.forward()
 
-    def forget(self) -> None:
-        """Nobody wants to know why it ended any more."""
-        if self._asking is not None:
-            self._asking.cancel()
-
-    @property
-    def explained(self) -> bool:
-        """Whether the page has been told how it ended."""
-        return self._asking is None or self._asking.done()
-
     # What the compilation tells (execution.Listener)
-
-    def on_queued(self, place: int) -> None:
-        """The room is full."""
-        self._showing.queued(place)
-
-    def on_turn(self) -> None:
-        """There is a place."""
-        self._showing.state("compiling")
 
     def on_started(self, link: socket.socket, problems: list[Problem]) -> None:
         """The program runs."""
@@ -136,10 +107,6 @@ class Running:
         self._live = LiveRun(link, lockstep, self._speed, self._limits, self, self._late)
         if self._paused:
             self._live.pause()
-
-    def on_failed(self, ended: Literal["refused", "error"], problems: list[Problem]) -> None:
-        """There is nothing to run."""
-        self._end(ended, problems)
 
     # What the run tells (live.Watcher)
 
@@ -168,8 +135,7 @@ class Running:
             lockstep.goals.finish(time)
             self._showing.goals(lockstep.goals.states)
         if ending == "stuck" or ending == "died":
-            self._asking = asyncio.get_running_loop().create_task(self._explain(ending, time))
-            self._over(self)
+            self._find_out(ending, time)
             return
         self._execution.kill()
         if ending == "error":
@@ -182,11 +148,3 @@ class Running:
             self._end("error", [too_much(detail, time)])
         else:
             self._end(ending, [])
-
-    async def _explain(self, ending: Literal["stuck", "died"], time: float) -> None:
-        problem = await self._execution.why(ending == "stuck", time)
-        self._showing.over(self._run, "stuck" if ending == "stuck" else "error", [problem])
-
-    def _end(self, ended: Literal["done", "error", "stopped", "refused"], problems: list[Problem]) -> None:
-        self._showing.over(self._run, ended, problems)
-        self._over(self)

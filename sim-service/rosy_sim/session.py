@@ -13,6 +13,8 @@ import random
 from pathlib import Path
 from typing import Any
 
+import msgspec
+
 from .bridge import Bridge, Client
 from .config import Limits
 from .driving import Driving
@@ -26,6 +28,7 @@ from .outbox import Outbox
 from .places import Places
 from .running import Running
 from .showing import Showing
+from .watched import WatchedRun
 from .wire import page
 from .wire.hands import hands_of
 from .worker.client import Worker
@@ -69,8 +72,8 @@ class Session:
         self._clock = 0
         self._idle = IdleClock(self.bridge, self._showing, self._tell_bridge)
         # The run under way, and those that are over but not explained yet.
-        self._running: Running | Driving | None = None
-        self._unexplained: list[Running | Driving] = []
+        self._running: WatchedRun | None = None
+        self._unexplained: list[WatchedRun] = []
         self._checking: asyncio.Task[None] | None = None
         self._completing: asyncio.Task[None] | None = None
         # Set by close(): no clock may start any more.
@@ -186,7 +189,8 @@ class Session:
         except (RosyError, TimeoutError) as error:
             self.refuse("This program could not be checked.", str(error))
             return
-        self.outbox.put(page.Checked(request.id, checked.problems, checked.declarations, checked.graph, checked.types))
+        # The worker and the page number their questions each for themselves.
+        self.outbox.put(msgspec.structs.replace(checked, id=request.id))
 
     def _complete(self, request: page.Complete) -> None:
         if self._completing is not None:
@@ -197,7 +201,7 @@ class Session:
         # Nobody is told when there is nothing to offer: whoever types goes on.
         with contextlib.suppress(RosyError, TimeoutError):
             completed = await self._worker.complete(request.source, request.line, request.column)
-            self.outbox.put(page.Completed(request.id, completed.names, completed.expected))
+            self.outbox.put(msgspec.structs.replace(completed, id=request.id))
 
     def _too_long(self) -> None:
         self.refuse("This program is too long.", f"A program can have at most {self._limits.source} characters.")
@@ -239,7 +243,7 @@ class Session:
         self.world.command(Velocity(0.0, 0.0))
         self._wake()
 
-    def _run_over(self, running: Running | Driving) -> None:
+    def _run_over(self, running: WatchedRun) -> None:
         self._running = None
         self._unexplained = [r for r in [*self._unexplained, running] if not r.explained]
         self._wake()

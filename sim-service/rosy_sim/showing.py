@@ -108,11 +108,11 @@ class Showing:
 
     def said(self, time: float, text: str) -> None:
         """A line for the console."""
-        self._outbox.put(page.Said(self.run, time, text))
+        self._outbox.put(page.Said(time, text, run=self.run))
 
     def sound(self, time: float, sound: int) -> None:
         """A sound to play."""
-        self._outbox.put(page.SoundPlayed(self.run, time, sound))
+        self._outbox.put(page.SoundPlayed(time, sound, run=self.run))
 
     def goals(self, states: list[GoalState]) -> None:
         """How the goals stand; the page is told when something has changed visibly."""
@@ -133,8 +133,6 @@ class Showing:
         memory, self._memory = self._memory, None
         self._outbox.put(
             page.Frame(
-                self.run,
-                self.step,
                 self.step / 50,
                 round(world.x, _DIGITS),
                 round(world.y, _DIGITS),
@@ -148,9 +146,11 @@ class Showing:
                 world.leds[0],
                 world.leds[1],
                 fired,
-                self._moved_boxes(),
-                _drawn(world.ghost()),
-                memory,
+                run=self.run,
+                step=self.step,
+                boxes=self._moved_boxes(),
+                ghost=_drawn(world.ghost()),
+                memory=memory,
             )
         )
 
@@ -163,8 +163,6 @@ class Showing:
         fired, self._fired = self._fired + line.fired, []
         self._outbox.put(
             page.Frame(
-                self.run,
-                self.step,
                 line.time,
                 line.x,
                 line.y,
@@ -178,6 +176,8 @@ class Showing:
                 line.led1,
                 line.led2,
                 fired[-_MAX_FIRED:],
+                run=self.run,
+                step=self.step,
             )
         )
 

@@ -441,7 +441,7 @@ def test_every_single_step_shows_what_the_program_remembers(config: Config) -> N
 
 def test_memory_is_not_lost_with_a_frame_that_a_slow_page_never_gets() -> None:
     def frame(step: int, memory: list[Kept] | None) -> Frame:
-        return Frame(1, step, step / 50, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, [], memory=memory)
+        return Frame(step / 50, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, [], run=1, step=step, memory=memory)
 
     async def tell() -> None:
         outbox = Outbox(10)

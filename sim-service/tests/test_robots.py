@@ -7,6 +7,7 @@ import contextlib
 import os
 import signal
 import sys
+import time
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from dataclasses import replace
@@ -16,8 +17,9 @@ import pytest
 
 from rosy_sim.app import Service
 from rosy_sim.config import Config, discover
-from rosy_sim.drivers import drivers, emergency_stop
+from rosy_sim.drivers import drivers, emergency_stop, way
 from rosy_sim.errors import BadInput
+from rosy_sim.fleet import Fleet
 from rosy_sim.roster import configured
 
 from .robot_rig import Kobuki, kobuki
@@ -350,6 +352,7 @@ def test_the_operator_names_robots(tmp_path: Path) -> None:
         (["=ws://lab"], "1 to 40"),
         (["a=ws://lab", "a=ws://pi"], "twice"),
         (["a=ws://lab", "b=ws://lab"], "twice"),
+        (["a=ws://lab", "b=ws://lab:9090/?safety=off"], "twice"),
         (["a=http://lab"], "is no robot"),
         (["a=ws://lab?speed=9"], "no option"),
     ],
@@ -363,3 +366,62 @@ def test_the_files_of_the_dead_are_cleared_away(tmp_path: Path) -> None:
     (tmp_path / "12345").write_text("ws://pi:9090")
     assert drivers(tmp_path) == []
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("one", "same"),
+    [
+        ("ros://pi", "ros://pi:11311"),
+        ("ws://pi", "ws://pi:9090/"),
+        ("ws://Pi:9090/robot/?ros=2", "ws://pi/robot"),
+        ("serial:/dev/ttyUSB0?safety=off", "serial:/dev/ttyUSB0"),
+        ("ws://pi:port", "ws://pi:port?max_speed=0.1"),
+    ],
+)
+def test_two_addresses_of_one_way_are_one_robot(one: str, same: str) -> None:
+    assert way(one) == way(same)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [("ros://pi", "ws://pi:11311"), ("ws://pi", "ws://pi:9091"), ("ws://pi/a", "ws://pi/b"), ("ros://pi", "ros://lab")],
+)
+def test_robots_elsewhere_are_others(one: str, other: str) -> None:
+    assert way(one) != way(other)
+
+
+def test_a_device_is_the_same_by_whatever_name(tmp_path: Path) -> None:
+    (tmp_path / "ttyUSB0").touch()
+    (tmp_path / "kobuki").symlink_to("ttyUSB0")
+    assert way(f"serial:{tmp_path}/kobuki?max_speed=0.1") == way(f"serial:{tmp_path}/ttyUSB0")
+
+
+def test_a_robot_that_a_terminal_drives_cannot_be_taken_by_any_of_its_names(config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        robots = Fleet({"Again": f"{way(rig.robot.address)}?safety=off"}, time.monotonic, lambda: None)
+        with pytest.raises(BadInput, match="driven from a terminal"):
+            robots.take("Again", "another page", "Ben")
+
+    story(tell, config, tmp_path)
+
+
+def descriptors(process: int) -> list[str]:
+    """What a process has open, apart from what the system keeps for it."""
+    return sorted(os.readlink(entry) for entry in Path(f"/proc/{process}/fd").iterdir() if entry.is_symlink())
+
+
+def test_fifty_runs_leave_no_descriptor_open(config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        rig.looks()
+        counts: set[tuple[int, int]] = set()
+        for run in range(1, 51):
+            await rig.page.send("run", run=run, source="drive:0.1 done@1", speed=1)
+            assert (await rig.page.ended(run))["ended"] == "done"
+            counts.add((len(descriptors(os.getpid())), len(descriptors(rig.driver))))
+        ours, theirs = zip(*counts, strict=True)
+        assert max(theirs) - min(theirs) <= 2, counts
+        assert max(ours) - min(ours) <= 4, counts
+
+    story(tell, config, tmp_path)

@@ -9,6 +9,7 @@ from typing import Literal
 import msgspec
 
 from .problem import Problem
+from .shown import Sight, Tone, Words
 
 __all__ = [
     "EndedLine",
@@ -39,37 +40,18 @@ class LinkLine(msgspec.Struct, tag="link", tag_field="op"):
     why: str
 
 
-class FrameLine(msgspec.Struct, tag="frame", tag_field="op"):
-    """The robot's odometry and what it senses and shows; bits as the page's frame has them."""
+class FrameLine(Sight, tag="frame", tag_field="op"):
+    """The robot by its odometry, from where the run began."""
 
-    time: float
-    x: float
-    y: float
-    theta: float
-    v: float
-    w: float
-    bumpers: int
-    cliffs: int
-    wheels: int
-    buttons: int
-    led1: int
-    led2: int
-    fired: list[str]
     backing: bool
 
 
-class SaidLine(msgspec.Struct, tag="said", tag_field="op"):
-    """The program speaks."""
-
-    time: float
-    text: str
+class SaidLine(Words, tag="said", tag_field="op"):
+    """A line for the console."""
 
 
-class SoundLine(msgspec.Struct, tag="sound", tag_field="op"):
-    """The program plays."""
-
-    time: float
-    sound: int
+class SoundLine(Tone, tag="sound", tag_field="op"):
+    """A sound to play."""
 
 
 class EndedLine(msgspec.Struct, tag="ended", tag_field="op"):

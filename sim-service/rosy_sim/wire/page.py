@@ -1,7 +1,8 @@
 """
 The page's messages, both ways. ``protocol/README.md``, section 4.
 
-Requests are read into values here; answers are values whose encoding is the frame.
+Requests are read into values here; answers are values whose encoding is the frame. What the worker found is passed on
+as the worker's own values.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ import msgspec
 from .hands import HandMessage
 from .link import Kept
 from .problem import Problem
+from .shown import Sight, Tone, Words
+from .worker import Checked, Completed
 
 __all__ = [
     "Alive",
@@ -218,24 +221,6 @@ class WorldShown(msgspec.Struct, tag="world", tag_field="op"):
     world: Any
 
 
-class Checked(msgspec.Struct, tag="checked", tag_field="op"):
-    """As the worker's."""
-
-    id: int
-    problems: list[Problem]
-    declarations: msgspec.Raw
-    graph: msgspec.Raw
-    types: msgspec.Raw
-
-
-class Completed(msgspec.Struct, tag="completed", tag_field="op", omit_defaults=True):
-    """As the worker's."""
-
-    id: int
-    names: msgspec.Raw
-    expected: str | None = None
-
-
 class RunState(msgspec.Struct, tag="state", tag_field="op", omit_defaults=True):
     """Where a run is. ``problems`` is always sent."""
 
@@ -247,44 +232,27 @@ class RunState(msgspec.Struct, tag="state", tag_field="op", omit_defaults=True):
     place: int | None = None
 
 
-class Frame(msgspec.Struct, tag="frame", tag_field="op", omit_defaults=True):
+class Frame(Sight, tag="frame", tag_field="op", omit_defaults=True, kw_only=True):
     """Ground truth for drawing. ``boxes`` only when movable things have moved since the last
     frame with them; ``ghost`` only when odometry is not the truth; ``memory`` only when it has changed."""
 
     run: int
     step: int
-    time: float
-    x: float
-    y: float
-    theta: float
-    v: float
-    w: float
-    bumpers: int
-    cliffs: int
-    wheels: int
-    buttons: int
-    led1: int
-    led2: int
-    fired: list[str]
     boxes: list[tuple[float, float, float]] | None = None
     ghost: tuple[float, float, float] | None = None
     memory: list[Kept] | None = None
 
 
-class Said(msgspec.Struct, tag="said", tag_field="op"):
+class Said(Words, tag="said", tag_field="op", kw_only=True):
     """A line for the console."""
 
     run: int
-    time: float
-    text: str
 
 
-class SoundPlayed(msgspec.Struct, tag="sound", tag_field="op"):
+class SoundPlayed(Tone, tag="sound", tag_field="op", kw_only=True):
     """A sound to play."""
 
     run: int
-    time: float
-    sound: int
 
 
 class Goal(msgspec.Struct):

@@ -49,11 +49,11 @@ class Checked(msgspec.Struct, tag="checked", tag_field="op"):
     types: msgspec.Raw = msgspec.Raw(b'{"names":[],"at":[]}')
 
 
-class Completed(msgspec.Struct, tag="completed", tag_field="op"):
+class Completed(msgspec.Struct, tag="completed", tag_field="op", omit_defaults=True):
     """What can stand at a place."""
 
     id: int
-    names: msgspec.Raw = msgspec.Raw(b"[]")
+    names: msgspec.Raw
     expected: str | None = None
 
 

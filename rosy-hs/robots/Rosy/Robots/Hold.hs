@@ -20,7 +20,7 @@ where
 import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (race_)
 import Control.Concurrent.STM
-import Control.Exception (finally)
+import Control.Exception (bracket, finally)
 import Control.Monad (forM_, forever, unless, when)
 import Data.Aeson (Value (..), (.:))
 import qualified Data.Aeson as Aeson
@@ -30,7 +30,7 @@ import qualified Data.ByteString.Lazy as L
 import Data.Maybe (isNothing)
 import Data.Text (Text)
 import GHC.Clock (getMonotonicTime)
-import Network.Socket (Socket)
+import Network.Socket (Socket, close)
 import Rosy.Core (Action (..))
 import Rosy.Robots.Base
 import Rosy.Robots.Guard
@@ -95,7 +95,8 @@ unwatched = 0.5
 deserted :: Double
 deserted = 3
 
--- | Until somebody leaves. The next program's socket, and a writer of lines, are the caller's.
+-- | Until somebody leaves. How to get the next program's socket, which is closed when its run is over, and a writer of lines are
+-- the caller's.
 hold :: Target -> Base -> Requests -> IO Socket -> (L.ByteString -> IO ()) -> IO ()
 hold target base (Requests asked) nextProgram write = do
   t0 <- getMonotonicTime
@@ -125,7 +126,7 @@ hold target base (Requests asked) nextProgram write = do
         next <- atomically ((Nothing <$ readTQueue runs) `orElse` (Just <$> hear base))
         case next of
           Just hs -> mapM_ (passing h) hs
-          Nothing -> nextProgram >>= runProgram target base h
+          Nothing -> bracket nextProgram close (runProgram target base h)
         programs
       writer = forever (atomically (readTBQueue (lines' h)) >>= write)
   (requests `race_` programs `race_` writer `race_` painting h `race_` watchingOver h base) `finally` standing h base
