@@ -3,6 +3,7 @@
 import type {Alternative, Declaration, Expr, Pattern, Statement} from "../model/tree.ts"
 import type {Extra} from "../saved.ts"
 import type {Family, Row} from "../shape.ts"
+import {perLanguage, words} from "../words/index.ts"
 import {partMenu, partOf, pressPart, readRight, rightRows, savedPart, writeRight} from "./rightside.ts"
 import type {BlockSpec} from "./spec.ts"
 import {noButtons, objectsIn, textIn} from "./spec.ts"
@@ -14,16 +15,22 @@ const ifBlock: BlockSpec = {
     connects: {as: "expression"},
     rows: [
       [
-        {kind: "label", text: "if"},
-        {kind: "socket", name: "C", sort: "expression", aria: "condition", hint: "condition"},
-        {kind: "label", text: "then"},
-        {kind: "socket", name: "T", sort: "expression", aria: "if so"},
-        {kind: "label", text: "else"},
-        {kind: "socket", name: "F", sort: "expression", aria: "if not"},
+        {kind: "label", text: words.choices.if},
+        {
+          kind: "socket",
+          name: "C",
+          sort: "expression",
+          aria: words.choices.condition,
+          hint: words.choices.condition,
+        },
+        {kind: "label", text: words.choices.thenWord},
+        {kind: "socket", name: "T", sort: "expression", aria: words.choices.ifSo},
+        {kind: "label", text: words.choices.else},
+        {kind: "socket", name: "F", sort: "expression", aria: words.choices.ifNot},
       ],
     ],
-    tooltip: "One of two values. Example: if hit then Velocity 0 0 else Velocity 0.5 0.",
-    aria: "if then else",
+    tooltip: words.choices.oneOfTwoValues,
+    aria: words.choices.ifThenElse,
   }),
   press: noButtons,
   meaning: {
@@ -39,32 +46,33 @@ const caseBlock: BlockSpec = {
     const alternatives = alternativesOf(extra)
     const rows: Row[] = [
       [
-        {kind: "label", text: "look at"},
-        {kind: "socket", name: "X", sort: "expression", aria: "what to look at"},
+        {kind: "label", text: words.choices.lookAt},
+        {kind: "socket", name: "X", sort: "expression", aria: words.choices.whatToLookAt},
       ],
     ]
     for (const [i, a] of alternatives.entries()) {
       rows.push([
-        {kind: "label", text: "when"},
-        {kind: "socket", name: `P${i}`, sort: "pattern", aria: `case ${i + 1}`},
+        {kind: "label", text: words.choices.when},
+        {kind: "socket", name: `P${i}`, sort: "pattern", aria: words.choices.case(i + 1)},
       ])
-      rows.push(...rightRows(i, partOf(a), "then", "result"))
+      rows.push(...rightRows(i, partOf(a), words.choices.thenWord, words.choices.result))
     }
     rows.push([
-      {kind: "button", action: "more-cases", text: "+", aria: "one more case"},
+      {kind: "button", action: "more-cases", text: "+", aria: words.choices.oneMoreCase},
       ...(alternatives.length > 1
-        ? ([{kind: "button", action: "fewer-cases", text: "−", aria: "remove the last case"}] as const)
+        ? ([
+            {kind: "button", action: "fewer-cases", text: "−", aria: words.choices.removeTheLastCase},
+          ] as const)
         : []),
     ])
     return {
       family: "choice",
       connects: {as: "expression"},
       rows,
-      tooltip:
-        "Looks at a value and takes the first case that matches. Example: look at mode, when Go then Velocity 0.5 0.",
-      aria: "look at a value and choose",
+      tooltip: words.choices.looksAtAValueAndTakes,
+      aria: words.choices.lookAtAValueAndChoose,
       menu: alternatives.flatMap((a, i) =>
-        partMenu(i, partOf(a), alternatives.length > 1 ? `, case ${i + 1}` : ""),
+        partMenu(i, partOf(a), alternatives.length > 1 ? words.choices.case2(i + 1) : ""),
       ),
     }
   },
@@ -120,66 +128,60 @@ function alternativesOf(extra: Extra): readonly Extra[] {
 }
 
 /// Operators that can stand for each other in the block's menu.
-const menus: readonly {readonly family: Family; readonly ops: readonly string[]; readonly tooltip: string}[] =
-  [
-    {family: "number", ops: ["+", "-", "*", "/"], tooltip: "Computes with two numbers. Example: vl + 0.5."},
-    {
-      family: "number",
-      ops: ["div", "mod", "quot", "rem"],
-      tooltip: "Divides whole numbers. Example: 7 mod 2 is 1.",
-    },
-    {family: "number", ops: ["^", "**"], tooltip: "A power. Example: 2 ^ 3 is 8."},
-    {
-      family: "choice",
-      ops: ["==", "/=", "<", "<=", ">", ">="],
-      tooltip: "Compares two values. Example: vl > 0.",
-    },
-    {family: "choice", ops: ["&&", "||"], tooltip: "Combines two conditions. Example: hit && fast."},
-    {
-      family: "own",
-      ops: ["++", "<>"],
-      tooltip: "Puts two lists or texts together. Example: “at ” ++ show 3 is “at 3”.",
-    },
-    {
-      family: "number",
-      ops: ["addVec", "subVec"],
-      tooltip:
-        "Puts two arrows together, or takes one from the other. Example: goal subVec here points from here to the goal.",
-    },
-    {
-      family: "own",
-      ops: [":"],
-      tooltip: "A list with one more item in front. Example: 1 : list 2 3 is list 1 2 3.",
-    },
-    {
-      family: "own",
-      ops: ["$", "."],
-      tooltip: "Gives a value to a function, or chains two functions. Example: (abs . negate) 2 is 2.",
-    },
-  ]
-
-/// What a screen reader says for a symbol.
-const spoken: {readonly [op: string]: string} = {
-  "+": "plus",
-  "-": "minus",
-  "*": "times",
-  "/": "divided by",
-  "==": "equals",
-  "/=": "differs from",
-  "<": "is less than",
-  "<=": "is at most",
-  ">": "is greater than",
-  ">=": "is at least",
-  "&&": "and",
-  "||": "or",
+interface OperatorMenu {
+  readonly family: Family
+  readonly ops: readonly string[]
+  readonly tooltip: string
 }
 
-export function operatorMenu(op: string): (typeof menus)[number] {
+const menus = perLanguage((): readonly OperatorMenu[] => [
+  {family: "number", ops: ["+", "-", "*", "/"], tooltip: words.choices.computesWithTwoNumbers},
+  {
+    family: "number",
+    ops: ["div", "mod", "quot", "rem"],
+    tooltip: words.choices.dividesWholeNumbers,
+  },
+  {family: "number", ops: ["^", "**"], tooltip: words.choices.aPower},
+  {
+    family: "choice",
+    ops: ["==", "/=", "<", "<=", ">", ">="],
+    tooltip: words.choices.comparesTwoValues,
+  },
+  {family: "choice", ops: ["&&", "||"], tooltip: words.choices.combinesTwoConditions},
+  {
+    family: "own",
+    ops: ["++", "<>"],
+    tooltip: words.choices.putsTwoListsOrTextsTogether,
+  },
+  {
+    family: "number",
+    ops: ["addVec", "subVec"],
+    tooltip: words.choices.putsTwoArrowsTogetherOrTakesOne,
+  },
+  {
+    family: "own",
+    ops: [":"],
+    tooltip: words.choices.aListWithOneMoreItem,
+  },
+  {
+    family: "own",
+    ops: ["$", "."],
+    tooltip: words.choices.givesAValueToAFunction,
+  },
+])
+
+/// What a screen reader says for a symbol.
+function spoken(op: string): string {
+  const said: {readonly [op: string]: string} = words.operators
+  return said[op] ?? op
+}
+
+export function operatorMenu(op: string): OperatorMenu {
   return (
-    menus.find(m => m.ops.includes(op)) ?? {
+    menus().find(m => m.ops.includes(op)) ?? {
       family: "own",
       ops: [op],
-      tooltip: `The operator ${op}. Example: a ${op} b.`,
+      tooltip: words.choices.theOperator(op),
     }
   )
 }
@@ -198,13 +200,13 @@ const infix: BlockSpec = {
       connects: {as: "expression"},
       rows: [
         [
-          {kind: "socket", name: "L", sort: "expression", aria: "left side"},
-          {kind: "menu", key: "op", value: op, options: operatorOptions(op), aria: "operator"},
-          {kind: "socket", name: "R", sort: "expression", aria: "right side"},
+          {kind: "socket", name: "L", sort: "expression", aria: words.choices.leftSide},
+          {kind: "menu", key: "op", value: op, options: operatorOptions(op), aria: words.choices.operator},
+          {kind: "socket", name: "R", sort: "expression", aria: words.choices.rightSide},
         ],
       ],
       tooltip: menu.tooltip,
-      aria: spoken[op] ?? op,
+      aria: spoken(op),
       help: `v:${op}`,
     }
   },
@@ -230,11 +232,11 @@ const negate: BlockSpec = {
     rows: [
       [
         {kind: "label", text: "−"},
-        {kind: "socket", name: "X", sort: "expression", aria: "number"},
+        {kind: "socket", name: "X", sort: "expression", aria: words.choices.number},
       ],
     ],
-    tooltip: "The same number on the other side of zero. Example: − 2 is -2.",
-    aria: "minus",
+    tooltip: words.choices.theSameNumberOnTheOtherSide,
+    aria: words.choices.minus,
   }),
   press: noButtons,
   meaning: {

@@ -4,37 +4,80 @@ import {isOperator, isVariableName} from "../haskell/lexemes.ts"
 import type {Clause, Declaration, Expr, Pattern, Statement} from "../model/tree.ts"
 import type {Extra} from "../saved.ts"
 import type {Family, Item, Row} from "../shape.ts"
+import {perLanguage, words} from "../words/index.ts"
 import {partMenu, partOf, pressPart, readRight, rightRows, savedPart, writeRight} from "./rightside.ts"
 import type {BlockSpec, Reader} from "./spec.ts"
 import {countIn, counting, objectsIn, textIn} from "./spec.ts"
 
 /// How a definition reads aloud; says nothing about its meaning.
-const readings: {readonly [as: string]: {family: Family; input: string; answer: string; what: string}} = {
-  event: {family: "event", input: "when", answer: "send", what: "what to send"},
-  state: {family: "state", input: "when it has", answer: "send", what: "what to send"},
-  command: {family: "command", input: "with", answer: "send", what: "what to send"},
-  memory: {family: "memory", input: "when it remembers", answer: "send", what: "what to send"},
-  task: {family: "task", input: "with", answer: "do", what: "what to do"},
-  plain: {family: "own", input: "with", answer: "is", what: "what it is"},
+interface ReadAloud {
+  readonly family: Family
+  readonly input: string
+  readonly answer: string
+  readonly what: string
 }
+
+const readings = perLanguage((): {readonly [as: string]: ReadAloud} => ({
+  event: {
+    family: "event",
+    input: words.definitions.when,
+    answer: words.definitions.send,
+    what: words.definitions.whatToSend,
+  },
+  state: {
+    family: "state",
+    input: words.definitions.whenItHas,
+    answer: words.definitions.send,
+    what: words.definitions.whatToSend,
+  },
+  command: {
+    family: "command",
+    input: words.definitions.with,
+    answer: words.definitions.send,
+    what: words.definitions.whatToSend,
+  },
+  memory: {
+    family: "memory",
+    input: words.definitions.whenItRemembers,
+    answer: words.definitions.send,
+    what: words.definitions.whatToSend,
+  },
+  task: {
+    family: "task",
+    input: words.definitions.with,
+    answer: words.definitions.do,
+    what: words.definitions.whatToDo,
+  },
+  plain: {
+    family: "own",
+    input: words.definitions.with,
+    answer: words.definitions.is,
+    what: words.definitions.whatIt,
+  },
+}))
 
 const define: BlockSpec = {
   type: "define",
   shape(extra) {
     const name = textIn(extra, "name", "f")
-    const reading = readings[textIn(extra, "as", "plain")] ?? readings.plain!
+    const reading = readings()[textIn(extra, "as", "plain")] ?? readings().plain!
     const arity = countIn(extra, "arity", 0)
     const equations = equationsOf(extra)
     const rows: Row[] = [
       [
-        {kind: "binder", key: "name", value: name, aria: "name of the definition"},
-        {kind: "signature", key: "signature", value: textIn(extra, "signature"), aria: `type of ${name}`},
+        {kind: "binder", key: "name", value: name, aria: words.definitions.nameOfTheDefinition},
+        {
+          kind: "signature",
+          key: "signature",
+          value: textIn(extra, "signature"),
+          aria: words.definitions.typeOf(name),
+        },
       ],
     ]
     for (const [i, equation] of equations.entries()) {
       const inputs: Item[] = []
       for (let j = 0; j < arity; j++) {
-        inputs.push({kind: "label", text: j === 0 ? reading.input : "and"})
+        inputs.push({kind: "label", text: j === 0 ? reading.input : words.definitions.and})
         inputs.push({
           kind: "socket",
           name: `P${i}_${j}`,
@@ -43,28 +86,39 @@ const define: BlockSpec = {
         })
       }
       if (i === 0) {
-        inputs.push({kind: "button", action: "more-inputs", text: "+", aria: "one more input"})
+        inputs.push({kind: "button", action: "more-inputs", text: "+", aria: words.definitions.oneMoreInput})
         if (arity > 0)
-          inputs.push({kind: "button", action: "fewer-inputs", text: "−", aria: "one input less"})
+          inputs.push({
+            kind: "button",
+            action: "fewer-inputs",
+            text: "−",
+            aria: words.definitions.oneInputLess,
+          })
       }
       if (inputs.length > 0) rows.push(inputs)
       rows.push(...rightRows(i, partOf(equation), reading.answer, reading.what))
     }
     if (arity > 0) {
-      const last: Item[] = [{kind: "button", action: "more-cases", text: "+", aria: "one more case"}]
+      const last: Item[] = [
+        {kind: "button", action: "more-cases", text: "+", aria: words.definitions.oneMoreCase},
+      ]
       if (equations.length > 1)
-        last.push({kind: "button", action: "fewer-cases", text: "−", aria: "remove the last case"})
+        last.push({
+          kind: "button",
+          action: "fewer-cases",
+          text: "−",
+          aria: words.definitions.removeTheLastCase,
+        })
       rows.push(last)
     }
     return {
       family: reading.family,
       connects: {as: "definition"},
       rows,
-      tooltip:
-        "Gives a name to what the robot does. Example: accelerate, when it has Velocity vl va, send Velocity (vl + 0.5) va.",
-      aria: `definition of ${name}`,
+      tooltip: words.definitions.givesANameToWhatTheRobot,
+      aria: words.definitions.definitionOf(name),
       menu: equations.flatMap((e, i) =>
-        partMenu(i, partOf(e), equations.length > 1 ? `, case ${i + 1}` : ""),
+        partMenu(i, partOf(e), equations.length > 1 ? words.definitions.case(i + 1) : ""),
       ),
     }
   },
@@ -143,7 +197,7 @@ const define: BlockSpec = {
 }
 
 function inputLabel(i: number, j: number, equations: number): string {
-  return equations > 1 ? `input ${j + 1} of case ${i + 1}` : `input ${j + 1}`
+  return equations > 1 ? words.definitions.inputOfCase(j + 1, i + 1) : words.definitions.input(j + 1)
 }
 
 function equationsOf(extra: Extra): readonly Extra[] {
@@ -180,8 +234,8 @@ export function checkedName(r: Reader, key: string, otherwise: string): string {
   if (!isVariableName(name) && !isOperator(name))
     r.problem(
       "name",
-      name.trim() === "" ? "This has no name yet." : `“${name}” cannot be a name here.`,
-      "A name is one word that starts with a small letter, and is not one of Haskell's own words.",
+      name.trim() === "" ? words.definitions.thisHasNoNameYet : words.definitions.cannotBeAName(name),
+      words.definitions.aNameIsOneWordThatStarts,
     )
   return name
 }
@@ -190,26 +244,26 @@ const main: BlockSpec = {
   type: "main",
   shape(extra) {
     const controllers = countIn(extra, "controllers", 1, 1)
-    const items: Item[] = [{kind: "label", text: "simulate", strong: true}]
+    const items: Item[] = [{kind: "label", text: words.definitions.simulate, strong: true}]
     for (let i = 0; i < controllers; i++) {
-      if (i > 0) items.push({kind: "label", text: "and"})
+      if (i > 0) items.push({kind: "label", text: words.definitions.and})
       items.push({
         kind: "socket",
         name: `R${i}`,
         sort: "expression",
-        aria: controllers > 1 ? `what to run, ${i + 1}` : "what to run",
-        hint: "function",
+        aria: controllers > 1 ? words.definitions.whatToRun(i + 1) : words.definitions.whatToRun2,
+        hint: words.definitions.function,
       })
     }
-    items.push({kind: "button", action: "more", text: "+", aria: "run one more"})
-    if (controllers > 1) items.push({kind: "button", action: "fewer", text: "−", aria: "run one less"})
+    items.push({kind: "button", action: "more", text: "+", aria: words.definitions.runOneMore})
+    if (controllers > 1)
+      items.push({kind: "button", action: "fewer", text: "−", aria: words.definitions.runOneLess})
     return {
       family: "task",
       connects: {as: "top"},
       rows: [items],
-      tooltip:
-        "What the program runs: functions that react, all at the same time, or a task. Example: simulate accelerate and play.",
-      aria: "the program: simulate",
+      tooltip: words.definitions.whatTheProgramRunsFunctionsThatReact,
+      aria: words.definitions.theProgramSimulate,
       help: "v:simulate",
     }
   },
@@ -275,14 +329,14 @@ const definePattern: BlockSpec = {
       connects: {as: "definition"},
       rows: [
         [
-          {kind: "label", text: "let"},
-          {kind: "socket", name: "P", sort: "pattern", aria: "names"},
-          {kind: "label", text: "be"},
-          {kind: "socket", name: "E0_0", sort: "expression", aria: "what is taken apart"},
+          {kind: "label", text: words.definitions.let},
+          {kind: "socket", name: "P", sort: "pattern", aria: words.definitions.names},
+          {kind: "label", text: words.definitions.be},
+          {kind: "socket", name: "E0_0", sort: "expression", aria: words.definitions.whatIsTakenApart},
         ],
       ],
-      tooltip: "Takes a value apart and names the pieces. Example: let (angle, more) be randomR (0, pi) gen.",
-      aria: "definition of several names",
+      tooltip: words.definitions.takesAValueApartAndNames,
+      aria: words.definitions.definitionOfSeveralNames,
     }
   },
   press: extra => extra,

@@ -3,6 +3,7 @@
 import {isConstructorName} from "../haskell/lexemes.ts"
 import type {Expr, Pattern} from "../model/tree.ts"
 import type {Family, Item} from "../shape.ts"
+import {words} from "../words/index.ts"
 import {operatorMenu, operatorOptions} from "./choices.ts"
 import {exampleOf} from "./samples.ts"
 import type {BlockSpec} from "./spec.ts"
@@ -23,18 +24,27 @@ const name: BlockSpec = {
   shape(extra) {
     const word = textIn(extra, "name", "x")
     const args = countIn(extra, "args", 0)
-    const items: Item[] = [{kind: "reference", key: "name", value: word, aria: "name"}]
+    const items: Item[] = [{kind: "reference", key: "name", value: word, aria: words.functions.name}]
     for (let i = 0; i < args; i++)
-      items.push({kind: "socket", name: `A${i}`, sort: "expression", aria: `${word}: input ${i + 1}`})
+      items.push({
+        kind: "socket",
+        name: `A${i}`,
+        sort: "expression",
+        aria: words.functions.input(word, i + 1),
+      })
     if (args > 0 || extra.fn === true) {
-      items.push({kind: "button", action: "more", text: "+", aria: "give one more input"})
-      if (args > 0) items.push({kind: "button", action: "fewer", text: "−", aria: "give one input less"})
+      items.push({kind: "button", action: "more", text: "+", aria: words.functions.giveOneMoreInput})
+      if (args > 0)
+        items.push({kind: "button", action: "fewer", text: "−", aria: words.functions.giveOneInputLess})
     }
     return {
       family: familyOfName(word),
       connects: {as: "expression"},
       rows: [items],
-      tooltip: `${args === 0 ? `What ${word} stands for.` : `What ${word} makes of its inputs.`} Example: ${exampleOf(word, args)}.`,
+      tooltip:
+        args === 0
+          ? words.functions.whatStands(word, exampleOf(word, args))
+          : words.functions.whatMakesOfItsInputs(word, exampleOf(word, args)),
       aria: word,
       help: `v:${word}`,
     }
@@ -52,7 +62,7 @@ const name: BlockSpec = {
         from: r.from,
       }
       if (word.trim() === "")
-        r.problem("name", "This name is empty.", "Put a name here that is known in this place.")
+        r.problem("name", words.functions.thisNameIsEmpty, words.functions.putANameHereThatIsKnown)
       if (count === 0) return fn
       const args: Expr[] = []
       for (let i = 0; i < count; i++) args.push(r.expr(`A${i}`))
@@ -74,19 +84,26 @@ const apply: BlockSpec = {
   shape(extra) {
     const args = countIn(extra, "args", 1, 1)
     const items: Item[] = [
-      {kind: "label", text: "give to"},
-      {kind: "socket", name: "F", sort: "expression", aria: "function", hint: "function"},
+      {kind: "label", text: words.functions.giveTo},
+      {
+        kind: "socket",
+        name: "F",
+        sort: "expression",
+        aria: words.functions.function,
+        hint: words.functions.function,
+      },
     ]
     for (let i = 0; i < args; i++)
-      items.push({kind: "socket", name: `A${i}`, sort: "expression", aria: `input ${i + 1}`})
-    items.push({kind: "button", action: "more", text: "+", aria: "give one more input"})
-    if (args > 1) items.push({kind: "button", action: "fewer", text: "−", aria: "give one input less"})
+      items.push({kind: "socket", name: `A${i}`, sort: "expression", aria: words.functions.input2(i + 1)})
+    items.push({kind: "button", action: "more", text: "+", aria: words.functions.giveOneMoreInput})
+    if (args > 1)
+      items.push({kind: "button", action: "fewer", text: "−", aria: words.functions.giveOneInputLess})
     return {
       family: "own",
       connects: {as: "expression"},
       rows: [items],
-      tooltip: "Gives inputs to any function. Example: give to (… * 2) the number 3: it makes 6.",
-      aria: "give inputs to a function",
+      tooltip: words.functions.givesInputsToAnyFunction,
+      aria: words.functions.giveInputsToAFunction,
     }
   },
   press: counting("args", 1, 1),
@@ -114,21 +131,22 @@ const lambda: BlockSpec = {
     const count = countIn(extra, "inputs", 1, 1)
     const items: Item[] = []
     for (let i = 0; i < count; i++) {
-      items.push({kind: "label", text: i === 0 ? "function of" : "and"})
-      items.push({kind: "socket", name: `P${i}`, sort: "pattern", aria: `input ${i + 1}`})
+      items.push({kind: "label", text: i === 0 ? words.functions.functionOf : words.functions.and})
+      items.push({kind: "socket", name: `P${i}`, sort: "pattern", aria: words.functions.input2(i + 1)})
     }
-    items.push({kind: "button", action: "more", text: "+", aria: "one more input"})
-    if (count > 1) items.push({kind: "button", action: "fewer", text: "−", aria: "one input less"})
+    items.push({kind: "button", action: "more", text: "+", aria: words.functions.oneMoreInput})
+    if (count > 1)
+      items.push({kind: "button", action: "fewer", text: "−", aria: words.functions.oneInputLess})
     items.push(
-      {kind: "label", text: "gives"},
-      {kind: "socket", name: "B", sort: "expression", aria: "what it gives"},
+      {kind: "label", text: words.functions.gives},
+      {kind: "socket", name: "B", sort: "expression", aria: words.functions.whatItGives},
     )
     return {
       family: "own",
       connects: {as: "expression"},
       rows: [items],
-      tooltip: "A function without a name. Example: function of x gives x + 1.",
-      aria: "function without a name",
+      tooltip: words.functions.aFunctionWithoutAName,
+      aria: words.functions.functionWithoutAName,
     }
   },
   press: counting("inputs", 1, 1),
@@ -153,8 +171,14 @@ const section: BlockSpec = {
   type: "section",
   shape(extra) {
     const op = textIn(extra, "op", "+")
-    const menu: Item = {kind: "menu", key: "op", value: op, options: operatorOptions(op), aria: "operator"}
-    const operand: Item = {kind: "socket", name: "X", sort: "expression", aria: "the known side"}
+    const menu: Item = {
+      kind: "menu",
+      key: "op",
+      value: op,
+      options: operatorOptions(op),
+      aria: words.functions.operator,
+    }
+    const operand: Item = {kind: "socket", name: "X", sort: "expression", aria: words.functions.theKnownSide}
     const missing: Item = {kind: "label", text: "…"}
     return {
       family: operatorMenu(op).family,
@@ -168,8 +192,8 @@ const section: BlockSpec = {
           {kind: "label", text: ")"},
         ],
       ],
-      tooltip: "An operator with one side still open: a function. Example: (… * 2) doubles.",
-      aria: `operator ${op} with one side open`,
+      tooltip: words.functions.anOperatorWithOneSideStillOpen,
+      aria: words.functions.operatorWithOneSideOpen(op),
     }
   },
   press: noButtons,
@@ -194,16 +218,16 @@ const letBlock: BlockSpec = {
     connects: {as: "expression"},
     rows: [
       [
-        {kind: "label", text: "let"},
-        {kind: "stack", name: "D", sort: "definition", aria: "definitions"},
+        {kind: "label", text: words.functions.let},
+        {kind: "stack", name: "D", sort: "definition", aria: words.functions.definitions},
       ],
       [
-        {kind: "label", text: "in"},
-        {kind: "socket", name: "B", sort: "expression", aria: "what they are used for"},
+        {kind: "label", text: words.functions.in},
+        {kind: "socket", name: "B", sort: "expression", aria: words.functions.whatTheyAreUsed},
       ],
     ],
-    tooltip: "Defines names for one expression. Example: let half be 0.25 in Velocity half 0.",
-    aria: "let in",
+    tooltip: words.functions.definesNamesForOneExpression,
+    aria: words.functions.letIn,
   }),
   press: noButtons,
   meaning: {
@@ -223,13 +247,13 @@ const typed: BlockSpec = {
     connects: {as: "expression"},
     rows: [
       [
-        {kind: "socket", name: "X", sort: "expression", aria: "value"},
-        {kind: "label", text: "of type"},
-        {kind: "type", key: "type", value: textIn(extra, "type", "Double"), aria: "type"},
+        {kind: "socket", name: "X", sort: "expression", aria: words.functions.value},
+        {kind: "label", text: words.functions.ofType},
+        {kind: "type", key: "type", value: textIn(extra, "type", "Double"), aria: words.functions.type},
       ],
     ],
-    tooltip: "Says which type a value has. Example: 3 of type Double.",
-    aria: `value of type ${textIn(extra, "type", "Double")}`,
+    tooltip: words.functions.saysWhichTypeAValueHas,
+    aria: words.functions.valueOfType(textIn(extra, "type", "Double")),
   }),
   press: noButtons,
   meaning: {

@@ -4,6 +4,7 @@ import {constructorName, isConstructorName} from "../haskell/lexemes.ts"
 import type {Constructor} from "../model/tree.ts"
 import type {Extra, Json} from "../saved.ts"
 import type {Item, MenuEntry, Row} from "../shape.ts"
+import {words} from "../words/index.ts"
 import type {BlockSpec, Reader} from "./spec.ts"
 import {objectsIn, textIn, wordsIn} from "./spec.ts"
 
@@ -26,8 +27,8 @@ function typeName(r: Reader, name: string): void {
   if (!isConstructorName(name))
     r.problem(
       "name",
-      `“${name}” cannot be the name of a type.`,
-      `It is one word that starts with a capital, like ${constructorName(name)}.`,
+      words.ownTypes.cannotBeTheNameOfAType(name),
+      words.ownTypes.itIsOneWordThatStarts(constructorName(name)),
     )
 }
 
@@ -39,18 +40,32 @@ const data: BlockSpec = {
     const constructors = constructorsOf(extra)
     const rows: Row[] = [
       [
-        {kind: "label", text: extra.newtype === true ? "new type" : "type", strong: true},
-        {kind: "text", key: "name", value: name, aria: "name of the type"},
+        {
+          kind: "label",
+          text: extra.newtype === true ? words.ownTypes.newType : words.ownTypes.type,
+          strong: true,
+        },
+        {kind: "text", key: "name", value: name, aria: words.ownTypes.nameOfTheType},
         ...parameters.map(
-          (p, i): Item => ({kind: "text", key: `parameters.${i}`, value: p, aria: `parameter ${i + 1}`}),
+          (p, i): Item => ({
+            kind: "text",
+            key: `parameters.${i}`,
+            value: p,
+            aria: words.ownTypes.parameter(i + 1),
+          }),
         ),
-        {kind: "label", text: "is"},
+        {kind: "label", text: words.ownTypes.is},
       ],
     ]
     constructors.forEach((c, i) => {
       const items: Item[] = [
-        {kind: "label", text: i === 0 ? "either" : "or"},
-        {kind: "binder", key: `constructors.${i}.name`, value: c.name, aria: `name of case ${i + 1}`},
+        {kind: "label", text: i === 0 ? words.ownTypes.either : words.ownTypes.or},
+        {
+          kind: "binder",
+          key: `constructors.${i}.name`,
+          value: c.name,
+          aria: words.ownTypes.nameOfCase(i + 1),
+        },
       ]
       c.fields.forEach((f, j) => {
         if (f.name !== undefined)
@@ -58,39 +73,43 @@ const data: BlockSpec = {
             kind: "binder",
             key: `constructors.${i}.fields.${j}.name`,
             value: f.name,
-            aria: `name of part ${j + 1} of ${c.name}`,
+            aria: words.ownTypes.nameOfPart(j + 1, c.name),
           })
         items.push({
           kind: "type",
           key: `constructors.${i}.fields.${j}.type`,
           value: f.type,
-          aria: `type of part ${j + 1} of ${c.name}`,
+          aria: words.ownTypes.typeOfPart(j + 1, c.name),
         })
       })
-      items.push({kind: "button", action: `more-fields.${i}`, text: "+", aria: `one more part of ${c.name}`})
+      items.push({
+        kind: "button",
+        action: `more-fields.${i}`,
+        text: "+",
+        aria: words.ownTypes.oneMorePart(c.name),
+      })
       if (c.fields.length > 0)
         items.push({
           kind: "button",
           action: `fewer-fields.${i}`,
           text: "−",
-          aria: `one part of ${c.name} less`,
+          aria: words.ownTypes.onePartOfLess(c.name),
         })
       rows.push(items)
     })
     if (extra.newtype !== true)
       rows.push([
-        {kind: "button", action: "more", text: "+", aria: "one more case"},
+        {kind: "button", action: "more", text: "+", aria: words.ownTypes.oneMoreCase},
         ...(constructors.length > 1
-          ? [{kind: "button", action: "fewer", text: "−", aria: "remove the last case"} as const]
+          ? [{kind: "button", action: "fewer", text: "−", aria: words.ownTypes.removeTheLastCase} as const]
           : []),
       ])
     return {
       family: "own",
       connects: {as: "top"},
       rows,
-      tooltip:
-        "A type of your own. Its values can be sent and received like events. Example: type Mode is either Go or Stop.",
-      aria: `type ${name}`,
+      tooltip: words.ownTypes.aTypeOfYourOwnItsValues,
+      aria: words.ownTypes.type2(name),
       menu: dataMenu(extra, parameters, constructors),
     }
   },
@@ -178,18 +197,30 @@ function dataMenu(
   return [
     ...parameterMenu(parameters),
     ...(single || extra.newtype === true
-      ? [{action: "newtype", text: extra.newtype === true ? "Make it plain data" : "Make it a newtype"}]
+      ? [
+          {
+            action: "newtype",
+            text: extra.newtype === true ? words.ownTypes.makeItPlainData : words.ownTypes.makeItANewtype,
+          },
+        ]
       : []),
     ...(fields.length > 0
-      ? [{action: "names", text: named ? "Take the parts' names away" : "Give the parts names"}]
+      ? [
+          {
+            action: "names",
+            text: named ? words.ownTypes.takeThePartsNamesAway : words.ownTypes.giveThePartsNames,
+          },
+        ]
       : []),
   ]
 }
 
 function parameterMenu(parameters: readonly string[]): MenuEntry[] {
   return [
-    {action: "more-parameter", text: "Add a parameter"},
-    ...(parameters.length > 0 ? [{action: "fewer-parameter", text: "Remove the last parameter"}] : []),
+    {action: "more-parameter", text: words.ownTypes.addAParameter},
+    ...(parameters.length > 0
+      ? [{action: "fewer-parameter", text: words.ownTypes.removeTheLastParameter}]
+      : []),
   ]
 }
 
@@ -221,17 +252,22 @@ const synonym: BlockSpec = {
       connects: {as: "top"},
       rows: [
         [
-          {kind: "label", text: "type", strong: true},
-          {kind: "text", key: "name", value: name, aria: "new name"},
+          {kind: "label", text: words.ownTypes.type, strong: true},
+          {kind: "text", key: "name", value: name, aria: words.ownTypes.newName},
           ...wordsIn(extra, "parameters").map(
-            (p, i): Item => ({kind: "text", key: `parameters.${i}`, value: p, aria: `parameter ${i + 1}`}),
+            (p, i): Item => ({
+              kind: "text",
+              key: `parameters.${i}`,
+              value: p,
+              aria: words.ownTypes.parameter(i + 1),
+            }),
           ),
-          {kind: "label", text: "is another name for"},
-          {kind: "type", key: "type", value: textIn(extra, "type", "Bool"), aria: "type"},
+          {kind: "label", text: words.ownTypes.isAnotherName},
+          {kind: "type", key: "type", value: textIn(extra, "type", "Bool"), aria: words.ownTypes.type},
         ],
       ],
-      tooltip: "Another name for a type, to say what it is for. Example: type Hit is another name for Bool.",
-      aria: `type ${name}`,
+      tooltip: words.ownTypes.anotherNameForATypeToSay,
+      aria: words.ownTypes.type2(name),
       menu: parameterMenu(wordsIn(extra, "parameters")),
     }
   },

@@ -2,20 +2,21 @@
 
 import type {Pattern} from "../model/tree.ts"
 import type {Item} from "../shape.ts"
+import {words} from "../words/index.ts"
 import {checkedName} from "./definitions.ts"
 import type {BlockSpec} from "./spec.ts"
 import {countIn, counting, noButtons, textIn, wordsIn} from "./spec.ts"
 import {checkNumber, choiceItems, choiceValue} from "./values.ts"
-import {choiceOf, choices, lookOf} from "./vocabulary.ts"
+import {choiceOf, choices, lookOf, whatOf} from "./vocabulary.ts"
 
 const name: BlockSpec = {
   type: "pattern_name",
   shape: extra => ({
     family: "own",
     connects: {as: "pattern"},
-    rows: [[{kind: "binder", key: "name", value: textIn(extra, "name", "x"), aria: "name"}]],
-    tooltip: "Gives a name to what is here. Drag the name out to use it. Example: speed.",
-    aria: `name ${textIn(extra, "name", "x")}`,
+    rows: [[{kind: "binder", key: "name", value: textIn(extra, "name", "x"), aria: words.patterns.name}]],
+    tooltip: words.patterns.givesANameToWhat,
+    aria: words.patterns.name2(textIn(extra, "name", "x")),
   }),
   press: noButtons,
   meaning: {
@@ -25,6 +26,12 @@ const name: BlockSpec = {
   },
 }
 
+/// What a wildcard stands for is kept in English, as the toolbox made it.
+function anyOf(what: string): string {
+  const known: {readonly [what: string]: string} = words.anyOf
+  return known[what] ?? words.patterns.any(what)
+}
+
 const any: BlockSpec = {
   type: "pattern_any",
   shape(extra) {
@@ -32,9 +39,9 @@ const any: BlockSpec = {
     return {
       family: "own",
       connects: {as: "pattern"},
-      rows: [[{kind: "label", text: `any ${what}`}]],
-      tooltip: "Whatever is here, it does not matter. Example: Bumper any side Pressed.",
-      aria: `any ${what}`,
+      rows: [[{kind: "label", text: anyOf(what)}]],
+      tooltip: words.patterns.whateverIsHereItDoesNotMatter,
+      aria: anyOf(what),
     }
   },
   press: noButtons,
@@ -52,7 +59,7 @@ const construct: BlockSpec = {
     const look = lookOf(con)
     const items: Item[] = [{kind: "label", text: look.word ?? con}]
     for (let i = 0; i < countIn(extra, "args", 0); i++) {
-      const part = look.parts[i] ?? `part ${i + 1}`
+      const part = look.parts[i] ?? words.patterns.part(i + 1)
       items.push({
         kind: "socket",
         name: `A${i}`,
@@ -98,8 +105,8 @@ const choice: BlockSpec = {
       family: choices[type]?.family ?? "own",
       connects: {as: "pattern"},
       rows: [choiceItems(type, value)],
-      tooltip: `Only when it is ${value}. Example: ${value}.`,
-      aria: `${choices[type]?.what ?? type} ${value}`,
+      tooltip: words.patterns.onlyWhen(value),
+      aria: `${whatOf(type)} ${value}`,
       help: `t:${type}`,
     }
   },
@@ -126,9 +133,18 @@ const number: BlockSpec = {
   shape: extra => ({
     family: "number",
     connects: {as: "pattern"},
-    rows: [[{kind: "number", key: "value", value: textIn(extra, "value", "0"), aria: "exactly this number"}]],
-    tooltip: "Only when it is exactly this number. Example: 0.",
-    aria: `exactly ${textIn(extra, "value", "0")}`,
+    rows: [
+      [
+        {
+          kind: "number",
+          key: "value",
+          value: textIn(extra, "value", "0"),
+          aria: words.patterns.exactlyThisNumber,
+        },
+      ],
+    ],
+    tooltip: words.patterns.onlyWhenItIsExactlyThisNumber,
+    aria: words.patterns.exactly(textIn(extra, "value", "0")),
   }),
   press: noButtons,
   meaning: {
@@ -150,12 +166,12 @@ const string: BlockSpec = {
     rows: [
       [
         {kind: "label", text: "“"},
-        {kind: "text", key: "value", value: textIn(extra, "value"), aria: "exactly this text"},
+        {kind: "text", key: "value", value: textIn(extra, "value"), aria: words.patterns.exactlyThisText},
         {kind: "label", text: "”"},
       ],
     ],
-    tooltip: "Only when it is exactly this text. Example: “stop”.",
-    aria: `exactly the text ${textIn(extra, "value")}`,
+    tooltip: words.patterns.onlyWhenItIsExactlyThisText,
+    aria: words.patterns.exactlyTheText(textIn(extra, "value")),
   }),
   press: noButtons,
   meaning: {
@@ -172,17 +188,17 @@ const tuple: BlockSpec = {
     const items: Item[] = count === 0 ? [{kind: "label", text: "()"}] : []
     for (let i = 0; i < count; i++) {
       items.push({kind: "label", text: i === 0 ? "(" : ","})
-      items.push({kind: "socket", name: `I${i}`, sort: "pattern", aria: `part ${i + 1}`})
+      items.push({kind: "socket", name: `I${i}`, sort: "pattern", aria: words.patterns.part(i + 1)})
     }
     if (count > 0) items.push({kind: "label", text: ")"})
-    items.push({kind: "button", action: "more", text: "+", aria: "one more part"})
-    if (count > 2) items.push({kind: "button", action: "fewer", text: "−", aria: "one part less"})
+    items.push({kind: "button", action: "more", text: "+", aria: words.patterns.oneMorePart})
+    if (count > 2) items.push({kind: "button", action: "fewer", text: "−", aria: words.patterns.onePartLess})
     return {
       family: "own",
       connects: {as: "pattern"},
       rows: [items],
-      tooltip: "Several things that come together. Example: (angle, side).",
-      aria: `${count} things together`,
+      tooltip: words.patterns.severalThingsThatComeTogether,
+      aria: words.patterns.thingsTogether(count),
     }
   },
   press(extra, action) {
@@ -214,17 +230,19 @@ const list: BlockSpec = {
   type: "pattern_list",
   shape(extra) {
     const count = countIn(extra, "items", 0)
-    const items: Item[] = [{kind: "label", text: count === 0 ? "empty list" : "list"}]
+    const items: Item[] = [
+      {kind: "label", text: count === 0 ? words.patterns.emptyList : words.patterns.list},
+    ]
     for (let i = 0; i < count; i++)
-      items.push({kind: "socket", name: `I${i}`, sort: "pattern", aria: `item ${i + 1}`})
-    items.push({kind: "button", action: "more", text: "+", aria: "one more item"})
-    if (count > 0) items.push({kind: "button", action: "fewer", text: "−", aria: "one item less"})
+      items.push({kind: "socket", name: `I${i}`, sort: "pattern", aria: words.patterns.item(i + 1)})
+    items.push({kind: "button", action: "more", text: "+", aria: words.patterns.oneMoreItem})
+    if (count > 0) items.push({kind: "button", action: "fewer", text: "−", aria: words.patterns.oneItemLess})
     return {
       family: "own",
       connects: {as: "pattern"},
       rows: [items],
-      tooltip: "Only when it is a list of exactly these. Example: list a b has two items.",
-      aria: count === 0 ? "empty list" : `list of ${count}`,
+      tooltip: words.patterns.onlyWhenItIsAList,
+      aria: count === 0 ? words.patterns.emptyList : words.patterns.listOf(count),
     }
   },
   press: counting("items", 0, 0),
@@ -255,21 +273,21 @@ const infix: BlockSpec = {
             kind: "socket",
             name: "L",
             sort: "pattern",
-            aria: op === ":" ? "first item" : "left",
-            hint: "first",
+            aria: op === ":" ? words.patterns.firstItem : words.patterns.left,
+            hint: words.patterns.first,
           },
           {kind: "label", text: op},
           {
             kind: "socket",
             name: "R",
             sort: "pattern",
-            aria: op === ":" ? "other items" : "right",
-            hint: "rest",
+            aria: op === ":" ? words.patterns.otherItems : words.patterns.right,
+            hint: words.patterns.rest,
           },
         ],
       ],
-      tooltip: "A list's first item and the rest. Example: x : xs.",
-      aria: op === ":" ? "first item and the rest" : `pattern ${op}`,
+      tooltip: words.patterns.aListsFirstItemAndTheRest,
+      aria: op === ":" ? words.patterns.firstItemAndTheRest : words.patterns.pattern(op),
     }
   },
   press: noButtons,
@@ -294,13 +312,13 @@ const as: BlockSpec = {
     connects: {as: "pattern"},
     rows: [
       [
-        {kind: "binder", key: "name", value: textIn(extra, "name", "x"), aria: "name of the whole"},
-        {kind: "label", text: "which is"},
-        {kind: "socket", name: "P", sort: "pattern", aria: "what it is"},
+        {kind: "binder", key: "name", value: textIn(extra, "name", "x"), aria: words.patterns.nameOfTheWhole},
+        {kind: "label", text: words.patterns.whichIs},
+        {kind: "socket", name: "P", sort: "pattern", aria: words.patterns.whatIt},
       ],
     ],
-    tooltip: "Names the whole and looks inside at the same time. Example: whole is just x.",
-    aria: `name ${textIn(extra, "name", "x")} for the whole`,
+    tooltip: words.patterns.namesTheWholeAndLooksInsideAt,
+    aria: words.patterns.nameForTheWhole(textIn(extra, "name", "x")),
   }),
   press: noButtons,
   meaning: {
@@ -330,8 +348,8 @@ const record: BlockSpec = {
       family: lookOf(con).asPattern,
       connects: {as: "pattern"},
       rows: [items],
-      tooltip: `A ${con}, looked at by the names of its parts. Example: ${con} with ${wordsIn(extra, "fields")[0] ?? "a part"} = x names that part x.`,
-      aria: `${con} by named parts`,
+      tooltip: words.patterns.aLookedAtByTheNames(con, wordsIn(extra, "fields")[0] ?? "x"),
+      aria: words.patterns.byNamedParts(con),
       help: `v:${con}`,
     }
   },

@@ -1,18 +1,27 @@
 /// Haskell that no other block can say, kept to the letter and editable.
 
+import {causeOf} from "../reader/reasons.ts"
 import type {Extra} from "../saved.ts"
 import type {Connects, Shape} from "../shape.ts"
+import {words} from "../words/index.ts"
 import type {BlockSpec} from "./spec.ts"
 import {noButtons, textIn} from "./spec.ts"
 
-function shape(connects: Connects, what: string): (extra: Extra) => Shape {
+function shape(connects: Connects, what: () => string): (extra: Extra) => Shape {
   return extra => ({
     family: "own",
     connects,
-    rows: [[{kind: "text", key: "text", value: textIn(extra, "text"), aria: what, lines: true}]],
-    tooltip: textIn(extra, "reason", "A piece of Haskell, as it stands. Example: foldr (+) 0 [1, 2]."),
-    aria: what,
+    rows: [[{kind: "text", key: "text", value: textIn(extra, "text"), aria: what(), lines: true}]],
+    tooltip:
+      extra.reason === undefined ? words.raw.aPieceOfHaskellAsItStands : reasonWords(textIn(extra, "reason")),
+    aria: what(),
   })
+}
+
+/// A reason is kept in English (`reader/reasons.ts`), and said in the learner's language.
+function reasonWords(reason: string): string {
+  const cause = causeOf(reason)
+  return cause === undefined ? reason : words.reasons[cause]
 }
 
 const reason = (extra: Extra) => (typeof extra.reason === "string" ? {reason: extra.reason} : {})
@@ -24,7 +33,7 @@ const saved = (node: {text: string; reason?: string | undefined}): Extra => ({
 export const raw: readonly BlockSpec[] = [
   {
     type: "raw_expression",
-    shape: shape({as: "expression"}, "Haskell expression"),
+    shape: shape({as: "expression"}, () => words.raw.haskellExpression),
     press: noButtons,
     meaning: {
       as: "expression",
@@ -34,7 +43,7 @@ export const raw: readonly BlockSpec[] = [
   },
   {
     type: "raw_pattern",
-    shape: shape({as: "pattern"}, "Haskell pattern"),
+    shape: shape({as: "pattern"}, () => words.raw.haskellPattern),
     press: noButtons,
     meaning: {
       as: "pattern",
@@ -44,7 +53,7 @@ export const raw: readonly BlockSpec[] = [
   },
   {
     type: "raw_definition",
-    shape: shape({as: "definition"}, "Haskell definition"),
+    shape: shape({as: "definition"}, () => words.raw.haskellDefinition),
     press: noButtons,
     meaning: {
       as: "definition",

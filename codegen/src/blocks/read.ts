@@ -6,6 +6,7 @@
 import type {BlockProblem} from "../api.ts"
 import type {Declaration, Expr, Pattern, Program, Statement} from "../model/tree.ts"
 import type {BlockId, SavedBlock, SavedWorkspace} from "../saved.ts"
+import {words} from "../words/index.ts"
 import {blockView} from "./language.ts"
 import type {BlockSpec, Reader} from "./spec.ts"
 
@@ -76,11 +77,11 @@ export function readTree(block: SavedBlock): ReadTree {
       kind: "loose",
       block: id,
       message:
-        loose === undefined
-          ? "This block is of a kind that Rosy does not know."
-          : "This block belongs to no function, so it does nothing.",
+        loose === undefined ? words.program.thisBlockIsOfAKind : words.program.thisBlockBelongsToNoFunctionSo,
       hint:
-        loose === undefined ? "It may come from a newer version." : "Put it into a socket, or throw it away.",
+        loose === undefined
+          ? words.program.itMayComeFromANewerVersion
+          : words.program.putItIntoASocketOrThrow,
     },
   ]
   return {declarations: [], loose, problems}
@@ -200,8 +201,8 @@ class Reading {
       kind: "hole",
       block: block.id ?? "",
       input,
-      message: "Something is missing here.",
-      hint: `Fill the empty socket: ${socketWords(blockView(block.type), block, input)}.`,
+      message: words.program.somethingIsMissing,
+      hint: words.program.fillTheEmptySocket(socketWords(blockView(block.type), block, input)),
     })
     return this.hole(block.id ?? "", input)
   }
@@ -215,8 +216,8 @@ class Reading {
       severity: "error",
       kind: "unknown-block",
       block: block.id ?? "",
-      message: "This block does not belong here.",
-      hint: "Take it out, and put another in its place.",
+      message: words.program.thisBlockDoesNotBelong,
+      hint: words.program.takeItOutAndPutAnother,
     })
   }
 
@@ -247,5 +248,5 @@ export function chain(first: SavedBlock): SavedBlock[] {
 function socketWords(spec: BlockSpec | undefined, block: SavedBlock, input: string): string {
   for (const row of spec?.shape(block.extraState ?? {}).rows ?? [])
     for (const item of row) if (item.kind === "socket" && item.name === input) return item.aria
-  return "a block"
+  return words.program.aBlock
 }

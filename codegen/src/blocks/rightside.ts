@@ -7,6 +7,7 @@
 import type {Expr, Guarded, Pattern, RightSide, Statement} from "../model/tree.ts"
 import type {Extra, Json} from "../saved.ts"
 import type {MenuEntry, Row} from "../shape.ts"
+import {words} from "../words/index.ts"
 import type {Reader} from "./spec.ts"
 import {countIn, listIn} from "./spec.ts"
 
@@ -38,7 +39,12 @@ export function savedPart(part: Part): {readonly [key: string]: Json} {
 /// `answer` is the word before an answer: "send", "is", "then".
 export function rightRows(i: number, part: Part, answer: string, what: string): Row[] {
   const rows: Row[] = []
-  const more = {kind: "button", action: `more-guards.${i}`, text: "+", aria: "add a condition"} as const
+  const more = {
+    kind: "button",
+    action: `more-guards.${i}`,
+    text: "+",
+    aria: words.answers.addACondition,
+  } as const
   if (part.guards === 0)
     rows.push([
       {kind: "label", text: answer},
@@ -49,7 +55,12 @@ export function rightRows(i: number, part: Part, answer: string, what: string): 
     for (let g = 0; g < part.guards; g++) {
       const then: Row = [
         {kind: "label", text: answer},
-        {kind: "socket", name: `E${i}_${g}`, sort: "expression", aria: `${what} if condition ${g + 1} holds`},
+        {
+          kind: "socket",
+          name: `E${i}_${g}`,
+          sort: "expression",
+          aria: words.answers.ifConditionHolds(what, g + 1),
+        },
       ]
       const asked = condition(i, g, part)
       // A stack ends its row.
@@ -57,14 +68,14 @@ export function rightRows(i: number, part: Part, answer: string, what: string): 
     }
     const last: Row = [
       more,
-      {kind: "button", action: `fewer-guards.${i}`, text: "−", aria: "remove the last condition"},
+      {kind: "button", action: `fewer-guards.${i}`, text: "−", aria: words.answers.removeTheLastCondition},
     ]
     rows.push(
       part.otherwise
         ? [
-            {kind: "label", text: "otherwise"},
+            {kind: "label", text: words.answers.otherwise},
             {kind: "label", text: answer},
-            {kind: "socket", name: `O${i}`, sort: "expression", aria: `${what} otherwise`},
+            {kind: "socket", name: `O${i}`, sort: "expression", aria: words.answers.otherwise2(what)},
             ...last,
           ]
         : last,
@@ -72,22 +83,22 @@ export function rightRows(i: number, part: Part, answer: string, what: string): 
   }
   if (part.where)
     rows.push([
-      {kind: "label", text: "where"},
-      {kind: "stack", name: `W${i}`, sort: "definition", aria: "definitions used here"},
+      {kind: "label", text: words.answers.where},
+      {kind: "stack", name: `W${i}`, sort: "definition", aria: words.answers.definitionsUsed},
     ])
   return rows
 }
 
 function condition(i: number, g: number, part: Part): Row {
-  const words = `condition ${g + 1}`
+  const aria = words.answers.condition(g + 1)
   if (part.stacked.includes(g))
     return [
-      {kind: "label", text: "if all of"},
-      {kind: "stack", name: `G${i}_${g}`, sort: "step", aria: words},
+      {kind: "label", text: words.answers.ifAll},
+      {kind: "stack", name: `G${i}_${g}`, sort: "step", aria},
     ]
   return [
-    {kind: "label", text: "if"},
-    {kind: "socket", name: `C${i}_${g}`, sort: "expression", aria: words, hint: "condition"},
+    {kind: "label", text: words.answers.if},
+    {kind: "socket", name: `C${i}_${g}`, sort: "expression", aria, hint: words.answers.condition2},
   ]
 }
 
@@ -108,17 +119,24 @@ export function partMenu(i: number, part: Part, which: string): MenuEntry[] {
   const entries: MenuEntry[] = [
     {
       action: `where.${i}`,
-      text: `${part.where ? "Remove" : "Add"} own definitions (where)${which}`,
+      text: part.where
+        ? words.answers.removeOwnDefinitionsWhere(which)
+        : words.answers.addOwnDefinitionsWhere(which),
     },
   ]
   if (part.guards === 0) return entries
   const stacked = part.stacked.includes(part.guards - 1)
   return [
     ...entries,
-    {action: `otherwise.${i}`, text: `${part.otherwise ? "Remove" : "Add"} “otherwise”${which}`},
+    {
+      action: `otherwise.${i}`,
+      text: part.otherwise ? words.answers.removeOtherwise(which) : words.answers.addOtherwise(which),
+    },
     {
       action: `stacked.${i}`,
-      text: `${stacked ? "Ask the last condition as one" : "Ask the last condition in steps"}${which}`,
+      text: stacked
+        ? words.answers.askTheLastConditionAsOne(which)
+        : words.answers.askTheLastConditionInSteps(which),
     },
   ]
 }
@@ -133,7 +151,10 @@ export function readRight(r: Reader, i: number, part: Part): RightSide {
       : [{kind: "statement", expr: r.expr(`C${i}_${g}`)}]
     // Without a question the answer holds always.
     if (guards.length === 0)
-      guards.push({kind: "statement", expr: {kind: "hole", from: {block: r.from.block, input: `G${i}_${g}`}}})
+      guards.push({
+        kind: "statement",
+        expr: {kind: "hole", from: {block: r.from.block, input: words.answers.g(i, g)}},
+      })
     branches.push({kind: "guarded", guards, body: r.expr(`E${i}_${g}`)})
   }
   if (part.otherwise) {

@@ -2,6 +2,7 @@
 
 import type {Expr, Statement} from "../model/tree.ts"
 import type {Row} from "../shape.ts"
+import {perLanguage, words} from "../words/index.ts"
 import type {BlockSpec, Reader, Written} from "./spec.ts"
 import {noButtons} from "./spec.ts"
 
@@ -10,7 +11,7 @@ function body(r: Reader, stack: string): Expr {
   const steps = r.steps(stack)
   const [only] = steps
   if (only === undefined) {
-    r.problem("hole", "There is no step here yet.", "Put at least one step into the stack.", stack)
+    r.problem("hole", words.tasks.thereIsNoStepHereYet, words.tasks.putAtLeastOneStepInto, stack)
     return {kind: "hole", from: {block: r.from.block, input: stack}}
   }
   if (steps.length === 1 && only.kind === "statement" && only.comment === undefined) return only.expr
@@ -18,8 +19,8 @@ function body(r: Reader, stack: string): Expr {
   if (last !== undefined && last.kind !== "statement") {
     r.problem(
       "last-step",
-      "The last step must do something.",
-      "After naming a value, add a step that uses it.",
+      words.tasks.theLastStepMustDoSomething,
+      words.tasks.afterNamingAValueAddAStep,
       stack,
     )
     return {
@@ -49,11 +50,11 @@ const doBlock: BlockSpec = {
     family: "task",
     connects: {as: "expression"},
     rows: [
-      [{kind: "label", text: "do these steps"}],
-      [{kind: "stack", name: "S", sort: "step", aria: "steps, one after the other"}],
+      [{kind: "label", text: words.tasks.doTheseSteps}],
+      [{kind: "stack", name: "S", sort: "step", aria: words.tasks.stepsOneAfterTheOther}],
     ],
-    tooltip: "Does its steps one after the other. Example: wait 1, then say “done”.",
-    aria: "steps one after the other",
+    tooltip: words.tasks.doesItsStepsOneAfterTheOther,
+    aria: words.tasks.stepsOneAfterTheOther2,
   }),
   press: noButtons,
   meaning: {
@@ -71,15 +72,14 @@ const bind: BlockSpec = {
     connects: {as: "step"},
     rows: [
       [
-        {kind: "label", text: "do"},
-        {kind: "socket", name: "X", sort: "expression", aria: "what to do"},
-        {kind: "label", text: "and call its result"},
-        {kind: "socket", name: "P", sort: "pattern", aria: "name of the result"},
+        {kind: "label", text: words.tasks.do},
+        {kind: "socket", name: "X", sort: "expression", aria: words.tasks.whatToDo},
+        {kind: "label", text: words.tasks.andCallItsResult},
+        {kind: "socket", name: "P", sort: "pattern", aria: words.tasks.nameOfTheResult},
       ],
     ],
-    tooltip:
-      "Does something and names what comes out, for the steps below. Example: do measure and call its result d.",
-    aria: "do and name the result",
+    tooltip: words.tasks.doesSomethingAndNamesWhatComesOut,
+    aria: words.tasks.doAndNameTheResult,
   }),
   press: noButtons,
   meaning: {
@@ -96,12 +96,12 @@ const letStep: BlockSpec = {
     connects: {as: "step"},
     rows: [
       [
-        {kind: "label", text: "let"},
-        {kind: "stack", name: "D", sort: "definition", aria: "definitions for the steps below"},
+        {kind: "label", text: words.tasks.let},
+        {kind: "stack", name: "D", sort: "definition", aria: words.tasks.definitionsForTheStepsBelow},
       ],
     ],
-    tooltip: "Defines names for the steps below. Example: let speed be 0.5.",
-    aria: "let, for the steps below",
+    tooltip: words.tasks.definesNamesForTheStepsBelow,
+    aria: words.tasks.letForTheStepsBelow,
   }),
   press: noButtons,
   meaning: {
@@ -114,49 +114,58 @@ const letStep: BlockSpec = {
   },
 }
 
-/// A step that is a call of one function: sockets first, then a stack or nothing.
-function call(
-  type: string,
-  fn: string,
-  sockets: readonly {
+interface CallParts {
+  readonly sockets: readonly {
     readonly name: string
     readonly words: string
     readonly aria: string
     readonly hint?: string
-  }[],
-  stack: {readonly name: string; readonly words: string; readonly aria: string} | undefined,
-  tooltip: string,
-): BlockSpec {
-  const row: Row = sockets.flatMap(s => [
-    ...(s.words === "" ? [] : [{kind: "label", text: s.words} as const]),
-    {
-      kind: "socket",
-      name: s.name,
-      sort: "expression",
-      aria: s.aria,
-      ...(s.hint === undefined ? {} : {hint: s.hint}),
-    } as const,
-  ])
-  const words = stack === undefined || stack.words === "" ? [] : [{kind: "label", text: stack.words} as const]
+  }[]
+  readonly stack?: {readonly name: string; readonly words: string; readonly aria: string}
+  readonly tooltip: string
+}
+
+/// A step that is a call of one function: sockets first, then a stack or nothing.
+function call(type: string, fn: string, parts: () => CallParts): BlockSpec {
+  const said = perLanguage(parts)
+  const row = ({sockets, stack}: CallParts): Row => [
+    ...sockets.flatMap(
+      (s): Row => [
+        ...(s.words === "" ? [] : [{kind: "label", text: s.words} as const]),
+        {
+          kind: "socket",
+          name: s.name,
+          sort: "expression",
+          aria: s.aria,
+          ...(s.hint === undefined ? {} : {hint: s.hint}),
+        } as const,
+      ],
+    ),
+    ...(stack === undefined || stack.words === "" ? [] : [{kind: "label", text: stack.words} as const]),
+  ]
   return {
     type,
-    shape: () => ({
-      family: "task",
-      connects: {as: "step"},
-      rows: [
-        [...row, ...words],
-        ...(stack === undefined
-          ? []
-          : [[{kind: "stack", name: stack.name, sort: "step", aria: stack.aria} as const]]),
-      ],
-      tooltip,
-      aria: sockets[0]?.words ?? stack?.words ?? fn,
-      help: `v:${fn}`,
-    }),
+    shape() {
+      const {sockets, stack, tooltip} = said()
+      return {
+        family: "task",
+        connects: {as: "step"},
+        rows: [
+          row(said()),
+          ...(stack === undefined
+            ? []
+            : [[{kind: "stack", name: stack.name, sort: "step", aria: stack.aria} as const]]),
+        ],
+        tooltip,
+        aria: sockets[0]?.words ?? stack?.words ?? fn,
+        help: `v:${fn}`,
+      }
+    },
     press: noButtons,
     meaning: {
       as: "step",
       read(r) {
+        const {sockets, stack} = said()
         const head: Expr = {kind: "variable", name: fn, from: r.from}
         const args = sockets.map(s => r.expr(s.name))
         if (stack === undefined)
@@ -176,6 +185,7 @@ function call(
         return {kind: "statement", expr, from: r.from}
       },
       write(s): Written | undefined {
+        const {sockets, stack} = said()
         if (s.kind !== "statement") return undefined
         const all = callParts(s.expr, fn)
         if (all === undefined || all.length !== sockets.length + (stack === undefined ? 0 : 1))
@@ -204,8 +214,6 @@ function callParts(e: Expr, fn: string): Expr[] | undefined {
   return undefined
 }
 
-const stack = {name: "S", words: "times", aria: "steps to repeat"}
-
 const ifStep: BlockSpec = {
   type: "step_if",
   shape: () => ({
@@ -213,16 +221,22 @@ const ifStep: BlockSpec = {
     connects: {as: "step"},
     rows: [
       [
-        {kind: "label", text: "if"},
-        {kind: "socket", name: "C", sort: "expression", aria: "condition", hint: "condition"},
-        {kind: "label", text: "do"},
+        {kind: "label", text: words.tasks.if},
+        {
+          kind: "socket",
+          name: "C",
+          sort: "expression",
+          aria: words.tasks.condition,
+          hint: words.tasks.condition,
+        },
+        {kind: "label", text: words.tasks.do},
       ],
-      [{kind: "stack", name: "T", sort: "step", aria: "steps if so"}],
-      [{kind: "label", text: "else"}],
-      [{kind: "stack", name: "F", sort: "step", aria: "steps if not"}],
+      [{kind: "stack", name: "T", sort: "step", aria: words.tasks.stepsIfSo}],
+      [{kind: "label", text: words.tasks.else}],
+      [{kind: "stack", name: "F", sort: "step", aria: words.tasks.stepsIfNot}],
     ],
-    tooltip: "Does one or the other. Example: if d > 1 do say “far” else say “near”.",
-    aria: "if, do, else",
+    tooltip: words.tasks.doesOneOrTheOther,
+    aria: words.tasks.ifDoElse,
   }),
   press: noButtons,
   meaning: {
@@ -251,12 +265,12 @@ const run: BlockSpec = {
     connects: {as: "step"},
     rows: [
       [
-        {kind: "label", text: "do"},
-        {kind: "socket", name: "X", sort: "expression", aria: "what to do", hint: "task"},
+        {kind: "label", text: words.tasks.do},
+        {kind: "socket", name: "X", sort: "expression", aria: words.tasks.whatToDo, hint: words.tasks.task},
       ],
     ],
-    tooltip: "Does something, then goes on below. Example: do move (Forward 50).",
-    aria: "do",
+    tooltip: words.tasks.doesSomethingThenGoesOnBelow,
+    aria: words.tasks.do,
   }),
   press: noButtons,
   meaning: {
@@ -270,48 +284,42 @@ export const tasks: readonly BlockSpec[] = [
   doBlock,
   bind,
   letStep,
-  call(
-    "step_repeat",
-    "replicateM_",
-    [{name: "N", words: "repeat", aria: "how many times", hint: "number"}],
-    stack,
-    "Does its steps a number of times. Example: repeat 4 times.",
-  ),
-  call(
-    "step_forever",
-    "forever",
-    [],
-    {name: "S", words: "forever", aria: "steps to repeat for ever"},
-    "Does its steps again and again. Example: forever, say “tick” and wait 1.",
-  ),
-  call(
-    "step_when",
-    "when",
-    [{name: "C", words: "only if", aria: "condition", hint: "condition"}],
-    {name: "S", words: "do", aria: "steps if the condition holds"},
-    "Does its steps if the condition holds, and otherwise nothing. Example: only if d > 1, say “far”.",
-  ),
-  call(
-    "step_unless",
-    "unless",
-    [{name: "C", words: "unless", aria: "condition", hint: "condition"}],
-    {name: "S", words: "do", aria: "steps if the condition does not hold"},
-    "Does its steps if the condition does not hold. Example: unless d > 1, say “near”.",
-  ),
-  call(
-    "step_say",
-    "say",
-    [{name: "X", words: "say", aria: "text", hint: "text"}],
-    undefined,
-    "The robot says something. Example: say “done”.",
-  ),
-  call(
-    "step_wait",
-    "wait",
-    [{name: "X", words: "wait seconds", aria: "seconds", hint: "seconds"}],
-    undefined,
-    "Waits. Example: wait 2 seconds.",
-  ),
+  call("step_repeat", "replicateM_", () => ({
+    sockets: [
+      {name: "N", words: words.tasks.repeat, aria: words.tasks.howManyTimes, hint: words.tasks.number},
+    ],
+    stack: {name: "S", words: words.tasks.times, aria: words.tasks.stepsToRepeat},
+    tooltip: words.tasks.doesItsStepsANumberOfTimes,
+  })),
+  call("step_forever", "forever", () => ({
+    sockets: [],
+    stack: {name: "S", words: words.tasks.forever, aria: words.tasks.stepsToRepeatForEver},
+    tooltip: words.tasks.doesItsStepsAgainAndAgain,
+  })),
+  call("step_when", "when", () => ({
+    sockets: [
+      {name: "C", words: words.tasks.onlyIf, aria: words.tasks.condition, hint: words.tasks.condition},
+    ],
+    stack: {name: "S", words: words.tasks.do, aria: words.tasks.stepsIfTheConditionHolds},
+    tooltip: words.tasks.doesItsStepsIfTheConditionHolds,
+  })),
+  call("step_unless", "unless", () => ({
+    sockets: [
+      {name: "C", words: words.tasks.unless, aria: words.tasks.condition, hint: words.tasks.condition},
+    ],
+    stack: {name: "S", words: words.tasks.do, aria: words.tasks.stepsIfTheConditionDoesNotHold},
+    tooltip: words.tasks.doesItsStepsIfTheConditionDoes,
+  })),
+  call("step_say", "say", () => ({
+    sockets: [{name: "X", words: words.tasks.say, aria: words.tasks.text, hint: words.tasks.text}],
+    tooltip: words.tasks.theRobotSaysSomething,
+  })),
+  call("step_wait", "wait", () => ({
+    sockets: [
+      {name: "X", words: words.tasks.waitSeconds, aria: words.tasks.seconds, hint: words.tasks.seconds},
+    ],
+    tooltip: words.tasks.waits,
+  })),
   ifStep,
   run,
 ]

@@ -3,18 +3,19 @@
 import {isNumberLiteral} from "../haskell/lexemes.ts"
 import type {Expr} from "../model/tree.ts"
 import type {Item} from "../shape.ts"
+import {words} from "../words/index.ts"
 import type {BlockSpec, Reader} from "./spec.ts"
 import {countIn, counting, noButtons, textIn, wordsIn} from "./spec.ts"
-import {choiceOf, choices, lookOf} from "./vocabulary.ts"
+import {choiceOf, choices, lookOf, whatOf} from "./vocabulary.ts"
 
 const number: BlockSpec = {
   type: "number",
   shape: extra => ({
     family: "number",
     connects: {as: "expression"},
-    rows: [[{kind: "number", key: "value", value: textIn(extra, "value", "0"), aria: "number"}]],
-    tooltip: "A number. Example: 0.5.",
-    aria: `number ${textIn(extra, "value", "0")}`,
+    rows: [[{kind: "number", key: "value", value: textIn(extra, "value", "0"), aria: words.values.number}]],
+    tooltip: words.values.aNumber,
+    aria: words.values.number2(textIn(extra, "value", "0")),
   }),
   press: noButtons,
   meaning: {
@@ -35,7 +36,7 @@ const number: BlockSpec = {
 
 export function checkNumber(r: Reader, text: string): void {
   if (!isNumberLiteral(text.replace(/^-/, "")))
-    r.problem("number", `“${text}” is not a number.`, "Write it with digits, like 2 or 0.5.")
+    r.problem("number", words.values.isNotANumber(text), words.values.writeItWithDigitsLike2)
 }
 
 const string: BlockSpec = {
@@ -46,12 +47,12 @@ const string: BlockSpec = {
     rows: [
       [
         {kind: "label", text: "“"},
-        {kind: "text", key: "value", value: textIn(extra, "value"), aria: "text"},
+        {kind: "text", key: "value", value: textIn(extra, "value"), aria: words.values.text},
         {kind: "label", text: "”"},
       ],
     ],
-    tooltip: "A piece of text. Example: “hello”.",
-    aria: `text ${textIn(extra, "value")}`,
+    tooltip: words.values.aPieceOfText,
+    aria: words.values.text2(textIn(extra, "value")),
   }),
   press: noButtons,
   meaning: {
@@ -69,12 +70,12 @@ const character: BlockSpec = {
     rows: [
       [
         {kind: "label", text: "‘"},
-        {kind: "text", key: "value", value: textIn(extra, "value", "a"), aria: "one character"},
+        {kind: "text", key: "value", value: textIn(extra, "value", "a"), aria: words.values.oneCharacter},
         {kind: "label", text: "’"},
       ],
     ],
-    tooltip: "One character. Example: ‘a’.",
-    aria: `character ${textIn(extra, "value", "a")}`,
+    tooltip: words.values.oneCharacter2,
+    aria: words.values.character(textIn(extra, "value", "a")),
   }),
   press: noButtons,
   meaning: {
@@ -92,7 +93,7 @@ const construct: BlockSpec = {
     const args = countIn(extra, "args", 0)
     const items: Item[] = [{kind: "label", text: look.word ?? name}]
     for (let i = 0; i < args; i++) {
-      const part = look.parts[i] ?? `part ${i + 1}`
+      const part = look.parts[i] ?? words.values.part(i + 1)
       items.push({
         kind: "socket",
         name: `A${i}`,
@@ -109,11 +110,11 @@ const construct: BlockSpec = {
       aria: look.word ?? name,
       help: `v:${name}`,
       menu: [
-        {action: "more", text: "Give it one value more"},
+        {action: "more", text: words.values.giveItOneValueMore},
         ...(args > 0
           ? [
-              {action: "fewer", text: "Give it one value less"},
-              {action: "bare", text: "Use it as a function"},
+              {action: "fewer", text: words.values.giveItOneValueLess},
+              {action: "bare", text: words.values.useItAsAFunction},
             ]
           : []),
       ],
@@ -151,7 +152,7 @@ export function choiceItems(type: string, value: string): Item[] {
     key: "value",
     value,
     options: all.map(o => [o, o] as const),
-    aria: look?.what ?? type,
+    aria: whatOf(type),
   }
   return look?.word === undefined ? [menu] : [{kind: "label", text: look.word}, menu]
 }
@@ -169,8 +170,8 @@ const choice: BlockSpec = {
       family: choices[type]?.family ?? "own",
       connects: {as: "expression"},
       rows: [choiceItems(type, value)],
-      tooltip: `One of ${(choices[type]?.options ?? [value]).join(", ")}. Example: ${value}.`,
-      aria: `${choices[type]?.what ?? type} ${value}`,
+      tooltip: words.values.oneOf((choices[type]?.options ?? [value]).join(", "), value),
+      aria: `${whatOf(type)} ${value}`,
       help: `t:${type}`,
     }
   },
@@ -202,27 +203,26 @@ const tuple: BlockSpec = {
         rows: [
           [
             {kind: "label", text: "()"},
-            {kind: "button", action: "more", text: "+", aria: "one more part"},
+            {kind: "button", action: "more", text: "+", aria: words.values.oneMorePart},
           ],
         ],
-        tooltip: "The value that says nothing. Example: Done ().",
-        aria: "nothing in particular",
+        tooltip: words.values.theValueThatSaysNothing,
+        aria: words.values.nothingInParticular,
       }
     const items: Item[] = []
     for (let i = 0; i < count; i++) {
       items.push({kind: "label", text: i === 0 ? "(" : ","})
-      items.push({kind: "socket", name: `I${i}`, sort: "expression", aria: `part ${i + 1}`})
+      items.push({kind: "socket", name: `I${i}`, sort: "expression", aria: words.values.part(i + 1)})
     }
     items.push({kind: "label", text: ")"})
-    items.push({kind: "button", action: "more", text: "+", aria: "one more part"})
-    if (count > 2) items.push({kind: "button", action: "fewer", text: "−", aria: "one part less"})
+    items.push({kind: "button", action: "more", text: "+", aria: words.values.oneMorePart})
+    if (count > 2) items.push({kind: "button", action: "fewer", text: "−", aria: words.values.onePartLess})
     return {
       family: "own",
       connects: {as: "expression"},
       rows: [items],
-      tooltip:
-        "Several values together. Sent to the robot, all of them go out. Example: (Led1 Red, Led2 Red).",
-      aria: `${count} values together`,
+      tooltip: words.values.severalValuesTogetherSentToTheRobot,
+      aria: words.values.valuesTogether(count),
     }
   },
   press(extra, action) {
@@ -254,17 +254,17 @@ const list: BlockSpec = {
   type: "list",
   shape(extra) {
     const count = countIn(extra, "items", 2)
-    const items: Item[] = [{kind: "label", text: count === 0 ? "empty list" : "list"}]
+    const items: Item[] = [{kind: "label", text: count === 0 ? words.values.emptyList : words.values.list}]
     for (let i = 0; i < count; i++)
-      items.push({kind: "socket", name: `I${i}`, sort: "expression", aria: `item ${i + 1}`})
-    items.push({kind: "button", action: "more", text: "+", aria: "one more item"})
-    if (count > 0) items.push({kind: "button", action: "fewer", text: "−", aria: "one item less"})
+      items.push({kind: "socket", name: `I${i}`, sort: "expression", aria: words.values.item(i + 1)})
+    items.push({kind: "button", action: "more", text: "+", aria: words.values.oneMoreItem})
+    if (count > 0) items.push({kind: "button", action: "fewer", text: "−", aria: words.values.oneItemLess})
     return {
       family: "own",
       connects: {as: "expression"},
       rows: [items],
-      tooltip: "Any number of values of one type, in order. Example: list 1 2 3.",
-      aria: count === 0 ? "empty list" : `list of ${count}`,
+      tooltip: words.values.anyNumberOfValuesOfOneType,
+      aria: count === 0 ? words.values.emptyList : words.values.listOf(count),
     }
   },
   press: counting("items", 2, 0),
@@ -288,28 +288,31 @@ const range: BlockSpec = {
   type: "range",
   shape(extra) {
     const items: Item[] = [
-      {kind: "label", text: "from"},
-      {kind: "socket", name: "A", sort: "expression", aria: "first"},
+      {kind: "label", text: words.values.from},
+      {kind: "socket", name: "A", sort: "expression", aria: words.values.first},
     ]
     if (extra.step === true)
       items.push(
-        {kind: "label", text: "then"},
-        {kind: "socket", name: "S", sort: "expression", aria: "second"},
+        {kind: "label", text: words.values.thenWord},
+        {kind: "socket", name: "S", sort: "expression", aria: words.values.second},
       )
     if (extra.end !== false)
-      items.push({kind: "label", text: "to"}, {kind: "socket", name: "B", sort: "expression", aria: "last"})
+      items.push(
+        {kind: "label", text: words.values.to},
+        {kind: "socket", name: "B", sort: "expression", aria: words.values.last},
+      )
     items.push({
       kind: "button",
       action: "step",
       text: extra.step === true ? "−" : "+",
-      aria: extra.step === true ? "remove the second value" : "set the second value",
+      aria: extra.step === true ? words.values.removeTheSecondValue : words.values.setTheSecondValue,
     })
     return {
       family: "own",
       connects: {as: "expression"},
       rows: [items],
-      tooltip: "The list of all values from one to another. Example: from 1 to 4.",
-      aria: "list from one value to another",
+      tooltip: words.values.theListOfAllValuesFromOne,
+      aria: words.values.listFromOneValueToAnother,
     }
   },
   press: (extra, action) => (action === "step" ? {...extra, step: extra.step !== true} : extra),
@@ -345,16 +348,16 @@ const comprehension: BlockSpec = {
     connects: {as: "expression"},
     rows: [
       [
-        {kind: "label", text: "list of"},
-        {kind: "socket", name: "B", sort: "expression", aria: "what is in the list"},
+        {kind: "label", text: words.values.listOf2},
+        {kind: "socket", name: "B", sort: "expression", aria: words.values.whatIsInTheList},
       ],
       [
-        {kind: "label", text: "for all"},
-        {kind: "stack", name: "S", sort: "step", aria: "where the values come from, and which of them count"},
+        {kind: "label", text: words.values.forAll},
+        {kind: "stack", name: "S", sort: "step", aria: words.values.whereTheValuesComeFromAndWhich},
       ],
     ],
-    tooltip: "A list made from other lists. Example: list of x * x, for all x from list 1 2 3.",
-    aria: "list made from other lists",
+    tooltip: words.values.aListMadeFromOtherLists,
+    aria: words.values.listMadeFromOtherLists,
   }),
   press: noButtons,
   meaning: {
@@ -382,8 +385,8 @@ const record: BlockSpec = {
       family: lookOf(name).family,
       connects: {as: "expression"},
       rows: [items],
-      tooltip: `Makes a ${name} from named parts. Example: ${name} with ${wordsIn(extra, "fields")[0] ?? "a part"} = x.`,
-      aria: `${name} with named parts`,
+      tooltip: words.values.makesAFromNamedParts(name, wordsIn(extra, "fields")[0] ?? "x"),
+      aria: words.values.withNamedParts(name),
       help: `v:${name}`,
     }
   },
@@ -410,22 +413,21 @@ const update: BlockSpec = {
   type: "update",
   shape(extra) {
     const items: Item[] = [
-      {kind: "socket", name: "R", sort: "expression", aria: "what to change a copy of"},
-      {kind: "label", text: "but with"},
+      {kind: "socket", name: "R", sort: "expression", aria: words.values.whatToChangeACopy},
+      {kind: "label", text: words.values.butWith},
     ]
     wordsIn(extra, "fields").forEach((field, i) => {
       items.push(
         {kind: "label", text: `${field} =`},
-        {kind: "socket", name: `F${i}`, sort: "expression", aria: `new ${field}`, hint: field},
+        {kind: "socket", name: `F${i}`, sort: "expression", aria: words.values.new(field), hint: field},
       )
     })
     return {
       family: "own",
       connects: {as: "expression"},
       rows: [items],
-      tooltip:
-        "A copy of a record in which some parts are different. Example: robot but with speed = 0.5 is as robot, only slower or faster.",
-      aria: "changed copy of a record",
+      tooltip: words.values.aCopyOfARecordInWhich,
+      aria: words.values.changedCopyOfARecord,
     }
   },
   press: noButtons,

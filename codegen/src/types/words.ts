@@ -2,82 +2,35 @@
 
 import {familyOfHead} from "../blocks/vocabulary.ts"
 import type {Family} from "../shape.ts"
+import {words} from "../words/index.ts"
 import type {TypeProblem} from "./problems.ts"
 import type {Constraint, Type} from "./type.ts"
 import {asFunction, prune, showType, spine} from "./type.ts"
 
-const nouns: {readonly [type: string]: string} = {
-  Double: "a number",
-  Float: "a number",
-  Int: "a whole number",
-  Integer: "a whole number",
-  Word: "a whole number",
-  Bool: "a yes or no",
-  Char: "a character",
-  Led1: "a light",
-  Led2: "a light",
-  LedColor: "a colour",
-  Sound: "a sound",
-  Say: "something to say",
-  Bumper: "a bumper event",
-  Cliff: "a cliff event",
-  Wheel: "a wheel event",
-  Button: "a button event",
-  BumperSide: "a side of the bumper",
-  ButtonStatus: "Pressed or Released",
-  CliffStatus: "Hole or Floor",
-  WheelStatus: "Air or Ground",
-  Seconds: "a time in seconds",
-  IO: "a whole program",
-  Task: "a task",
-}
-
 /// "a Velocity", "a light", "a list of numbers", "a function".
 export function describe(type: Type): string {
   const {head, args} = spine(type)
-  if (head.kind === "meta") return "something"
-  if (head.kind === "var") return "something of any type"
-  if (head.kind !== "con") return "something"
+  if (head.kind === "meta") return words.types.something
+  if (head.kind === "var") return words.types.somethingOfAnyType
+  if (head.kind !== "con") return words.types.something
   const [first] = args
-  if (asFunction(type) !== undefined) return "a function"
+  if (asFunction(type) !== undefined) return words.types.aFunction
   if (head.name === "[]" && first !== undefined) {
     const item = spine(first)
-    if (item.head.kind === "con" && item.head.name === "Char") return "text"
-    return `a list (${showType(type)})`
+    if (item.head.kind === "con" && item.head.name === "Char") return words.types.text
+    return words.types.aList(showType(type))
   }
-  if (head.name === "()") return "nothing, ()"
-  if (/^\(,+\)$/.test(head.name)) return `${args.length} things together, ${showType(type)}`
+  if (head.name === "()") return words.types.nothing
+  if (/^\(,+\)$/.test(head.name)) return words.types.thingsTogether(args.length, showType(type))
+  const nouns: {readonly [type: string]: string} = words.nouns
   const noun = nouns[head.name]
   if (noun !== undefined && args.length === 0) return noun
-  const shown = showType(type)
-  return `${/^[AEIOU]/.test(shown) ? "an" : "a"} ${shown}`
-}
-
-const abilities: {readonly [name: string]: string} = {
-  Num: "be a number",
-  Fractional: "be a number with a decimal point",
-  Floating: "be a number with a decimal point",
-  RealFrac: "be a number with a decimal point",
-  Real: "be a number",
-  Integral: "be a whole number",
-  Eq: "be compared",
-  Ord: "be put in order",
-  Show: "be shown as text",
-  Enum: "be counted through",
-  Random: "be drawn at random",
-  Sensor: "be sensed",
-  Command: "be sent to the robot",
-  Controller: "run on the robot",
-  Runnable: "be run on the robot",
-  Monad: "be done step by step",
-  Applicative: "be done step by step",
-  Functor: "hold values to change",
-  Foldable: "be gone through item by item",
-  Default: "have a first value to remember",
+  return words.types.a(showType(type))
 }
 
 export function ability(constraint: Constraint): string {
-  return abilities[constraint.name] ?? `do what ${constraint.name} asks`
+  const abilities: {readonly [name: string]: string} = words.abilities
+  return abilities[constraint.name] ?? words.types.doWhatAsks(constraint.name)
 }
 
 /// What is wrong, and why or what to do: two short sentences. `what` names the block it is about.
@@ -93,83 +46,83 @@ export function problemWords(
       return {
         kind: "type-mismatch",
         message: same
-          ? `Here goes ${showType(problem.wanted)}, and ${what} is ${showType(problem.found)}.`
-          : `Here goes ${wanted}, and ${what} is ${found}.`,
-        hint: "Put something else here, or change what is around it.",
+          ? words.types.hereGoes(showType(problem.wanted), what, showType(problem.found))
+          : words.types.hereGoes(wanted, what, found),
+        hint: words.types.putSomethingElseHereOrChangeWhat,
       }
     }
     case "no-instance":
       if (problem.constraint.name === "Ends") return endWords(problem.constraint)
       return {
         kind: "type-mismatch",
-        message: `${capital(describe(problem.constraint.type))} cannot ${ability(problem.constraint)}.`,
-        hint: "Use another block here.",
+        message: words.types.cannot(capital(describe(problem.constraint.type)), ability(problem.constraint)),
+        hint: words.types.useAnotherBlock,
       }
     case "unknown-name":
       return {
         kind: "not-in-scope",
-        message: `${what} has no meaning here.`,
-        hint: "A name is known only inside the function that names it; check its spelling or define it.",
+        message: words.types.hasNoMeaning(what),
+        hint: words.types.aNameIsKnownOnlyInside,
       }
     case "taken":
       return {
         kind: "duplicate",
-        message: `Haskell itself has a \`${problem.name}\` already.`,
-        hint: "Give this one another name.",
+        message: words.types.haskellItselfHasAAlready(problem.name),
+        hint: words.types.giveThisOneAnotherName,
       }
     case "twice":
       return {
         kind: "duplicate",
-        message: `\`${problem.name}\` is given to two things here.`,
-        hint: "Give one of them another name.",
+        message: words.types.isGivenToTwoThings(problem.name),
+        hint: words.types.giveOneOfThemAnotherName,
       }
     case "too-many-arguments":
       return {
         kind: "type-mismatch",
-        message: `${what} gets more inputs than it takes.`,
-        hint: "Take the last ones away.",
+        message: words.types.getsMoreInputsThanItTakes(what),
+        hint: words.types.takeTheLastOnesAway,
       }
     case "wrong-field-count":
       return {
         kind: "type-mismatch",
-        message: `${problem.name} has ${problem.wanted} parts, and here are ${problem.found}.`,
-        hint: "Take a fresh block from the toolbox.",
+        message: words.types.hasPartsAndHereAre(problem.name, problem.wanted, problem.found),
+        hint: words.types.takeAFreshBlockFromTheToolbox,
       }
     case "ambiguous":
       if (problem.constraint.name === "Sensor")
         return {
           kind: "ambiguous",
-          message: "Nothing says what one of the inputs of a function here is.",
-          hint: "Put a pattern like Bumper into it, or write the function's type.",
+          message: words.types.nothingSaysWhatOneOfTheInputs,
+          hint: words.types.putAPatternLikeBumperInto,
         }
       if (["Command", "Controller", "Runnable"].includes(problem.constraint.name))
         return {
           kind: "ambiguous",
-          message: "Nothing says what a function here sends.",
-          hint: "Let it send something definite, or write the function's type.",
+          message: words.types.nothingSaysWhatAFunctionHereSends,
+          hint: words.types.letItSendSomethingDefiniteOrWrite,
         }
       return {
         kind: "ambiguous",
-        message: `Nothing says what type ${what} has.`,
-        hint: "Use a value of a definite type, or write the type on the definition.",
+        message: words.types.nothingSaysWhatTypeHas(what),
+        hint: words.types.useAValueOfADefiniteType,
       }
     case "too-general":
       return {
         kind: "type-mismatch",
-        message: `The type of this definition promises too much: not everything can ${ability(problem.constraint)}.`,
-        hint: `Add ${problem.constraint.name} ${showType(problem.constraint.type)} to its type.`,
+        message: words.types.theTypeOfThisDefinitionPromisesToo(ability(problem.constraint)),
+        hint: words.types.addToItsType(problem.constraint.name, showType(problem.constraint.type)),
       }
     case "bad-signature":
       return {
         kind: "syntax",
-        message: `“${problem.text}” is not a type.`,
-        hint: "Write it like Velocity -> Maybe Sound.",
+        message: words.types.isNotAType(problem.text),
+        hint: words.types.writeItLikeVelocityMaybeSound,
       }
     case "unknown-type":
       return {
         kind: "not-in-scope",
-        message: `There is no type ${problem.name}.`,
-        hint: "Check its spelling, or define it.",
+        message: words.types.thereIsNoType(problem.name),
+        hint: words.types.checkItsSpellingOrDefine,
       }
   }
 }
@@ -180,12 +133,8 @@ function endWords(constraint: Constraint): {kind: string; message: string; hint:
   const outside = end !== undefined && showType(end) === "NotInATask"
   return {
     kind: "type-mismatch",
-    message: outside
-      ? "A Done ends a task, and this is no task."
-      : "This Done does not carry what its task ends with.",
-    hint: outside
-      ? "Put it into the functions of a task."
-      : "Give Done the same kind of value everywhere in the task.",
+    message: outside ? words.types.aDoneEndsATask : words.types.thisDoneDoesNotCarryWhat,
+    hint: outside ? words.types.putItIntoTheFunctions : words.types.giveDoneTheSameKindOfValue,
   }
 }
 

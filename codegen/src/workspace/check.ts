@@ -8,6 +8,7 @@ import type {TypeProblem} from "../types/problems.ts"
 import type {Type} from "../types/type.ts"
 import {prune, showType} from "../types/type.ts"
 import {ability, capital, describe} from "../types/words.ts"
+import {words} from "../words/index.ts"
 import type {Solved} from "./infer.ts"
 import {whatIs} from "./infer.ts"
 import {find, plug, without} from "./plug.ts"
@@ -59,11 +60,11 @@ export function checker(workspace: SavedWorkspace, session = new Session()): Che
   return {
     fits(place, block) {
       const all = lift(block)
-      if (all === undefined) return {fits: false, why: "This block is gone."}
+      if (all === undefined) return {fits: false, why: words.fits.thisBlockIsGone}
       const at = "below" in place ? place.below : place.block
       const target = find(all.rest, at)
       // The place is on the dragged block itself, or nowhere.
-      if (target === undefined) return {fits: false, why: "A block cannot go inside itself."}
+      if (target === undefined) return {fits: false, why: words.fits.aBlockCannotGoInsideItself}
       const sort = rightSort(place, target, all.block)
       if (sort !== undefined) return {fits: false, why: sort}
       const after = solve(plug(all.rest, place, all.block))
@@ -98,21 +99,19 @@ function connectsOf(block: SavedBlock): Connects | undefined {
 function rightSort(place: Place, target: SavedBlock, block: SavedBlock): string | undefined {
   const is = connectsOf(block)?.as
   const wanted = "below" in place ? connectsOf(target)?.as : itemAt(target, place.input)?.sort
-  if (is === undefined) return "Rosy does not know this kind of block."
+  if (is === undefined) return words.fits.rosyDoesNotKnowThisKind
   if (wanted === is) return undefined
   switch (wanted) {
     case "pattern":
-      return "Here goes a name or a pattern, and this block makes a value."
+      return words.fits.hereGoesANameOrAPattern
     case "expression":
-      return is === "pattern"
-        ? "Here goes a value, and this block is a pattern for inputs."
-        : "Here goes a value, and this block is a step or a definition of its own."
+      return is === "pattern" ? words.fits.hereGoesAValueAndThisBlock : words.fits.hereGoesAValueAndThisBlock2
     case "step":
-      return "Here goes a step of a task."
+      return words.fits.hereGoesAStepOfATask
     case "definition":
-      return "Here goes a definition."
+      return words.fits.hereGoesADefinition
     default:
-      return "Nothing can be joined here."
+      return words.fits.nothingCanBeJoined
   }
 }
 
@@ -130,32 +129,31 @@ function why(base: Solved, after: Solved, place: Place, block: SavedBlock): stri
   const news = after.inferrer.problems.filter(refusing)
   const first = news.find(p => !known.has(key(p))) ?? news[0]
   const name = blockWord(block)
-  if (first === undefined) return `${name} does not go here.`
-  if (first.kind === "unknown-name")
-    return `\`${first.name}\` is known only inside the function that names it, so it cannot go here.`
+  if (first === undefined) return words.fits.doesNotGo(name)
+  if (first.kind === "unknown-name") return words.fits.isKnownOnlyInsideTheFunction(first.name)
   const wanted = typeAt(base, place)
   const found = typeOf(base, block)
   if (wanted !== undefined && found !== undefined && isKnown(wanted) && isKnown(found)) {
     const [w, f] = [describe(wanted), describe(found)]
-    if (w !== f) return `This socket wants ${w}, and ${name} is ${f}.`
+    if (w !== f) return words.fits.thisSocketWants(w, name, f)
     if (showType(wanted) !== showType(found))
-      return `This socket wants ${showType(wanted)}, and ${name} is ${showType(found)}.`
+      return words.fits.thisSocketWants2(showType(wanted), name, showType(found))
   }
   switch (first.kind) {
     case "mismatch":
-      return `Then there would be ${describe(first.found)} where ${describe(first.wanted)} must be.`
+      return words.fits.thenThereWouldBeWhereMustBe(describe(first.found), describe(first.wanted))
     case "no-instance":
       return found !== undefined && isKnown(found) && prune(first.constraint.type) === prune(found)
-        ? `What goes here must ${ability(first.constraint)}, and ${name} is ${describe(found)}.`
-        : `${capital(describe(first.constraint.type))} cannot ${ability(first.constraint)}.`
+        ? words.fits.whatGoesHereMust(ability(first.constraint), name, describe(found))
+        : words.fits.cannot(capital(describe(first.constraint.type)), ability(first.constraint))
     case "too-many-arguments":
-      return "Then something would get more inputs than it takes."
+      return words.fits.thenSomethingWouldGetMoreInputsThan
     case "wrong-field-count":
-      return `${first.name} has ${first.wanted} parts, not ${first.found}.`
+      return words.fits.hasPartsNot(first.name, first.wanted, first.found)
     case "too-general":
-      return "The type of this definition promises more than this block can keep."
+      return words.fits.theTypeOfThisDefinitionPromisesMore
     default:
-      return `${name} does not go here.`
+      return words.fits.doesNotGo(name)
   }
 }
 
@@ -183,5 +181,5 @@ function typeOf(solved: Solved, block: SavedBlock): Type | undefined {
 function blockWord(block: SavedBlock): string {
   const extra = block.extraState ?? {}
   const word = extra.con ?? extra.name ?? extra.value ?? extra.op
-  return typeof word === "string" && word !== "" ? `\`${word}\`` : "this block"
+  return typeof word === "string" && word !== "" ? `\`${word}\`` : words.fits.thisBlock
 }

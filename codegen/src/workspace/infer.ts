@@ -19,6 +19,7 @@ import {readTexts} from "../types/texts.ts"
 import type {Meta} from "../types/type.ts"
 import {showScheme, showType} from "../types/type.ts"
 import {familyOfType, problemWords} from "../types/words.ts"
+import {words} from "../words/index.ts"
 
 export interface Solved {
   readonly read: ReadWorkspace
@@ -134,8 +135,8 @@ export function problemsOf({read, inferrer}: Solved): BlockProblem[] {
 
 function problemOf(problem: TypeProblem): BlockProblem {
   const from = originOf(problem.node)
-  const words = problemWords(problem, whatIs(problem.node))
-  return {severity: "error", ...words, block: from?.block, input: from?.input}
+  const said = problemWords(problem, whatIs(problem.node))
+  return {severity: "error", ...said, block: from?.block, input: from?.input}
 }
 
 /// A node's own word, for messages.
@@ -150,14 +151,14 @@ export function whatIs(node: Node): string {
     case "number-pattern":
       return `\`${node.text}\``
     case "string":
-      return "this text"
+      return words.program.thisText
     case "apply":
       return whatIs(node.fn)
     case "infix":
     case "section":
       return `\`${node.op}\``
     default:
-      return "this"
+      return words.program.this
   }
 }
 
@@ -185,8 +186,8 @@ function duplicates(declarations: readonly Declaration[]): BlockProblem[] {
       severity: "error",
       kind: "duplicate",
       block: d.from?.block,
-      message: `There are two definitions of \`${n.replace("type ", "")}\`.`,
-      hint: "Give one of them another name.",
+      message: words.program.thereAreTwoDefinitions(n.replace("type ", "")),
+      hint: words.program.giveOneOfThemAnotherName,
     }))
   })
 }
@@ -204,8 +205,8 @@ function entry(read: ReadWorkspace): BlockProblem[] {
           severity: "error",
           kind: "no-main",
           block: undefined,
-          message: "The program does not say what to run.",
-          hint: "Add a simulate block.",
+          message: words.program.theProgramDoesNotSayWhat,
+          hint: words.program.addASimulateBlock,
         },
       ]
 }

@@ -6,6 +6,7 @@ import {chain, inOrder, readTree} from "../blocks/read.ts"
 import {hashOf, splitDeclarations} from "../haskell/split.ts"
 import {nameOf} from "../model/names.ts"
 import type {SavedBlock, SavedWorkspace} from "../saved.ts"
+import {words} from "../words/index.ts"
 import {toHaskell} from "./haskell.ts"
 
 /// The version of the format that this program writes, and the newest it reads.
@@ -17,19 +18,19 @@ export function parseProject(text: string): ProjectOutcome {
   try {
     json = JSON.parse(text)
   } catch {
-    return bad(
-      "This file is not a whole Rosy project.",
-      "It may have been cut off; open a copy that was saved completely.",
-    )
+    return bad(words.projects.thisFileIsNotAWholeRosy, words.projects.itMayHaveBeenCutOffOpen)
   }
   if (!isObject(json) || !("rosy" in json))
-    return bad("This file is not a Rosy project.", "A project is a file that Rosy saved, ending in .rosy.")
+    return bad(words.projects.thisFileIsNotARosyProject, words.projects.aProjectIsAFileThatRosy)
   if (typeof json.rosy !== "number" || !Number.isInteger(json.rosy) || json.rosy < 1)
-    return bad("This file is not a Rosy project.", `at rosy: expected ${version}, found ${show(json.rosy)}.`)
+    return bad(
+      words.projects.thisFileIsNotARosyProject,
+      words.projects.atRosyExpectedFound(version, show(json.rosy)),
+    )
   if (json.rosy > version)
     return bad(
-      "This project was saved by a newer Rosy.",
-      `Its version is ${json.rosy}, and this Rosy reads up to ${version}; update Rosy to open it.`,
+      words.projects.thisProjectWasSavedByANewer,
+      words.projects.itsVersionIsAndThisRosyReads(json.rosy, version),
     )
   const problems: string[] = []
   const name = expectString(json.name, "name", problems, "program")
@@ -41,7 +42,7 @@ export function parseProject(text: string): ProjectOutcome {
   const settings = json.settings === undefined ? {} : json.settings
   if (!isObject(settings)) problems.push(`at settings: expected an object, found ${show(settings)}`)
   const [first] = problems
-  if (first !== undefined) return bad("This project file is damaged.", `${first}.`)
+  if (first !== undefined) return bad(words.projects.thisProjectFileIsDamaged, `${first}.`)
   return {
     ok: true,
     project: {

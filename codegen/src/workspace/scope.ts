@@ -12,6 +12,7 @@ import {setIn} from "../shape.ts"
 import type {Scheme} from "../types/type.ts"
 import {asFunction, showScheme} from "../types/type.ts"
 import {familyOfType} from "../types/words.ts"
+import {words} from "../words/index.ts"
 import {checker, itemAt} from "./check.ts"
 import {everyBlock, solve} from "./infer.ts"
 import {find, without} from "./plug.ts"
@@ -118,11 +119,11 @@ function arityOf(scheme: Scheme): number {
 /// Renames what a block defines or names, at `key` of its `extraState`, and every block that refers to it.
 export function rename(workspace: SavedWorkspace, block: BlockId, key: string, name: string): Renaming {
   const binder = find(workspace, block)
-  if (binder === undefined) return {ok: false, why: "This block is gone."}
+  if (binder === undefined) return {ok: false, why: words.renaming.thisBlockIsGone}
   if (binder.type === "data") return renamePart(workspace, binder, key, name)
-  if (reservedWords.has(name)) return {ok: false, why: `“${name}” is one of Haskell's own words.`}
+  if (reservedWords.has(name)) return {ok: false, why: words.renaming.isOneOfHaskellsOwnWords(name)}
   if (!isVariableName(name) && !isOperator(name))
-    return {ok: false, why: "A name is one word that starts with a small letter."}
+    return {ok: false, why: words.renaming.aNameIsOneWordThatStarts}
   const old = textAt(binder.extraState ?? {}, key)
   const changes = new Map<BlockId, Extra>([[block, setIn(binder.extraState ?? {}, key, name)]])
   const before = usesIn(workspace)
@@ -135,8 +136,9 @@ export function rename(workspace: SavedWorkspace, block: BlockId, key: string, n
   }
   const renamed = mapExtras(workspace, changes)
   if (moved(before, usesIn(renamed)))
-    return {ok: false, why: `\`${name}\` already means something else where this name is used.`}
-  if (definedTwice(renamed, name)) return {ok: false, why: `There is another definition called \`${name}\`.`}
+    return {ok: false, why: words.renaming.alreadyMeansSomethingElseWhereThisName(name)}
+  if (definedTwice(renamed, name))
+    return {ok: false, why: words.renaming.thereIsAnotherDefinitionCalled(name)}
   return unlessWrong(workspace, renamed, changes, name)
 }
 
@@ -160,8 +162,8 @@ function unlessWrong(
   const problems = solve(after).inferrer.problems
   if (problems.length > solve(before).inferrer.problems.length) {
     if (problems.some(p => p.kind === "taken" && p.name === name))
-      return {ok: false, why: `Haskell itself has a \`${name}\` already.`}
-    return {ok: false, why: `There is another \`${name}\` already.`}
+      return {ok: false, why: words.renaming.haskellItselfHasAAlready(name)}
+    return {ok: false, why: words.renaming.thereIsAnotherAlready(name)}
   }
   return {ok: true, changes: [...changes].map(([block, extra]) => ({block, extra}))}
 }
@@ -170,19 +172,18 @@ function unlessWrong(
 export function renameNamed(workspace: SavedWorkspace, block: BlockId, old: string, name: string): Renaming {
   const use = usesIn(workspace).find(u => u.node.from?.block === block && u.name === old)
   const binder = use === undefined ? block : binderBlock(use)
-  if (binder === undefined)
-    return {ok: false, why: `\`${old}\` is not of this program, so it keeps its name.`}
+  if (binder === undefined) return {ok: false, why: words.renaming.isNotOfThisProgramSo(old)}
   const found = find(workspace, binder)
   const key = keyOf(found?.extraState ?? {}, old)
   if (found?.type === "data" && key === "name")
-    return {ok: false, why: "A type is renamed in its block and wherever it is named."}
+    return {ok: false, why: words.renaming.aTypeIsRenamedInItsBlock}
   if (key === undefined) {
     const made = [...everyBlock(workspace)].find(
       b => b.type === "data" && b.id !== undefined && keyOf(b.extraState ?? {}, old) !== undefined,
     )
     const part = made === undefined ? undefined : keyOf(made.extraState ?? {}, old)
     if (made?.id === undefined || part === undefined || part === "name")
-      return {ok: false, why: `\`${old}\` cannot be renamed from here.`}
+      return {ok: false, why: words.renaming.cannotBeRenamedFrom(old)}
     return rename(workspace, made.id, part, name)
   }
   return rename(workspace, binder, key, name)
@@ -221,16 +222,16 @@ function renamePart(workspace: SavedWorkspace, data: SavedBlock, key: string, na
   const old = textAt(data.extraState ?? {}, key)
   const isConstructor = /^constructors\.\d+\.name$/.test(key)
   if (isConstructor && !isConstructorName(name))
-    return {ok: false, why: "This name is one word that starts with a capital letter."}
+    return {ok: false, why: words.renaming.thisNameIsOneWordThatStarts}
   if (!isConstructor && !isVariableName(name))
-    return {ok: false, why: "A name is one word that starts with a small letter."}
+    return {ok: false, why: words.renaming.aNameIsOneWordThatStarts}
   const {program} = readWorkspace(workspace)
   const taken = program.declarations.some(
     d =>
       (d.kind === "function" && d.name === name) ||
       (d.kind === "data" && d.constructors.some(c => c.name === name || c.fields.some(f => f.name === name))),
   )
-  if (taken && name !== old) return {ok: false, why: `There is another \`${name}\` already.`}
+  if (taken && name !== old) return {ok: false, why: words.renaming.thereIsAnotherAlready(name)}
   const changes = new Map<BlockId, Extra>()
   const before = usesIn(workspace)
   // Blocks whose name is bound nearer by, and only reads like the field's.
@@ -250,7 +251,7 @@ function renamePart(workspace: SavedWorkspace, data: SavedBlock, key: string, na
   }
   const renamed = mapExtras(workspace, changes)
   return moved(before, usesIn(renamed))
-    ? {ok: false, why: `\`${name}\` already means something else where this name is used.`}
+    ? {ok: false, why: words.renaming.alreadyMeansSomethingElseWhereThisName(name)}
     : unlessWrong(workspace, renamed, changes, name)
 }
 

@@ -3,11 +3,12 @@
 /// Three levels filter and order; none locks anything: text and saved programs may hold every block at every level.
 
 import type {Level, ToolboxCategory, ToolboxItem} from "../api.ts"
-import {choiceOf, choices, lookOf} from "../blocks/vocabulary.ts"
+import {choiceOf, choices, lookOf, whatOf} from "../blocks/vocabulary.ts"
 import {isNumberLiteral, isOperator, isVariableName, reservedWords} from "../haskell/lexemes.ts"
 import type {Extra, SavedBlock} from "../saved.ts"
 import {library} from "../types/library.ts"
 import {asFunction, type Type} from "../types/type.ts"
+import {perLanguage, words} from "../words/index.ts"
 
 function make(
   type: string,
@@ -53,7 +54,7 @@ export function libraryItems(): ToolboxItem[] {
     if (!isOperator(name) && count === 0) return [item(name, ref(name))]
     if (!isOperator(name)) {
       const itself = make("name", {name, args: 0, fn: true})
-      return [item(name, call(name, count)), item(`${name} as a function`, itself)]
+      return [item(name, call(name, count)), item(words.toolbox.asAFunction(name), itself)]
     }
     return count === 2 ? [item(name, infix(name))] : []
   })
@@ -62,10 +63,10 @@ export function libraryItems(): ToolboxItem[] {
     const extra = {con: info.name, args: info.fields.length}
     return [
       item(info.name, make("construct", extra)),
-      item(`${info.name} pattern`, make("pattern_construct", extra)),
+      item(words.toolbox.pattern(info.name), make("pattern_construct", extra)),
       ...(info.fields.length === 0
         ? []
-        : [item(`${info.name} as a function`, make("construct", {con: info.name, args: 0}))]),
+        : [item(words.toolbox.asAFunction(info.name), make("construct", {con: info.name, args: 0}))]),
     ]
   })
   return [...values, ...constructors]
@@ -106,17 +107,17 @@ function reaction(
 }
 
 const drive = con("Velocity", num("0.5"), num("0"))
-const senses: readonly ToolboxItem[] = [
+const senses = perLanguage((): readonly ToolboxItem[] => [
   item(
-    "when the bumper is pressed",
+    words.toolbox.whenTheBumperIsPressed,
     reaction("onBump", "event", [pat("Bumper", anything("side"), match("ButtonStatus", "Pressed"))]),
   ),
   item(
-    "when the left bumper is pressed",
+    words.toolbox.whenTheLeftBumperIsPressed,
     reaction("onLeftBump", "event", [pat("BumperLeft", match("ButtonStatus", "Pressed"))]),
   ),
   item(
-    "at any bumper event",
+    words.toolbox.atAnyBumperEvent,
     make(
       "define",
       {name: "onAnyBump", as: "event", arity: 1, equations: [{}], signature: "Bumper -> Maybe Sound"},
@@ -124,23 +125,26 @@ const senses: readonly ToolboxItem[] = [
     ),
   ),
   item(
-    "when there is a hole",
+    words.toolbox.whenThereIsAHole,
     reaction("onCliff", "event", [pat("Cliff", anything("side"), match("CliffStatus", "Hole"))]),
   ),
   item(
-    "when a wheel leaves the ground",
+    words.toolbox.whenAWheelLeavesTheGround,
     reaction("onLift", "event", [pat("Wheel", anything("side"), match("WheelStatus", "Air"))]),
   ),
   item(
-    "when a button is pressed",
+    words.toolbox.whenAButtonIsPressed,
     reaction("onButton", "event", [
       pat("Button", match("ButtonNumber", "Button0"), match("ButtonStatus", "Pressed")),
     ]),
   ),
-  item("Bumper event", pat("Bumper", anything("side"), match("ButtonStatus", "Pressed"))),
-  item("Cliff event", pat("Cliff", anything("side"), match("CliffStatus", "Hole"))),
-  item("Wheel event", pat("Wheel", anything("side"), match("WheelStatus", "Air"))),
-  item("Button event", pat("Button", match("ButtonNumber", "Button0"), match("ButtonStatus", "Pressed"))),
+  item(words.toolbox.bumperEvent, pat("Bumper", anything("side"), match("ButtonStatus", "Pressed"))),
+  item(words.toolbox.cliffEvent, pat("Cliff", anything("side"), match("CliffStatus", "Hole"))),
+  item(words.toolbox.wheelEvent, pat("Wheel", anything("side"), match("WheelStatus", "Air"))),
+  item(
+    words.toolbox.buttonEvent,
+    pat("Button", match("ButtonNumber", "Button0"), match("ButtonStatus", "Pressed")),
+  ),
   ...[
     "BumperSide",
     "ButtonStatus",
@@ -152,120 +156,126 @@ const senses: readonly ToolboxItem[] = [
     "RobotStatus",
   ].map(type =>
     item(
-      `pattern ${choices[type]?.what} ${type} ${choices[type]?.options.join(" ")}`,
+      words.toolbox.pattern2(whatOf(type), type, choices[type]?.options.join(" ") ?? ""),
       match(type, choices[type]?.options[0] ?? ""),
     ),
   ),
-  item("any, whatever it is", anything("thing")),
-]
+  item(words.toolbox.anyWhatever, anything("thing")),
+])
 
-const states: readonly ToolboxItem[] = [
+const states = perLanguage((): readonly ToolboxItem[] => [
   item(
-    "when it has a velocity",
+    words.toolbox.whenItHasAVelocity,
     reaction("accelerate", "state", [pat("Velocity", named("vl"), named("va"))]),
   ),
-  item("when it has a position", reaction("here", "state", [pat("Position", named("x"), named("y"))])),
-  item("when it has an orientation", reaction("facing", "state", [pat("Orientation", named("angle"))])),
-  item("Velocity state", pat("Velocity", named("vl"), named("va"))),
-  item("Position state", pat("Position", named("x"), named("y"))),
-  item("Orientation state", pat("Orientation", named("angle"))),
-  item("Pose state", pat("Pose", named("position"), named("angle"))),
-  item("Clock time of day", pat("Clock", named("h"), named("m"), named("s"), named("ms"))),
-  item("a name for what is here", named("x")),
-]
-
-const commands: readonly ToolboxItem[] = [
-  item("send always: drive on", reaction("move", "command", [], drive)),
-  item("Velocity: drive and turn", drive),
-  item("Led1: first light", con("Led1", pick("LedColor", "Orange"))),
-  item("Led2: second light", con("Led2", pick("LedColor", "Orange"))),
-  item("Sound: play a sound", pick("Sound", "ErrorSound")),
-  item("Say: speech bubble", con("Say", text("hello"))),
-  item("colour of a light", pick("LedColor", "Red")),
-  item("several at once, tuple", make("tuple", {items: 2})),
-  item("three at once, tuple", make("tuple", {items: 3})),
-  item("nothing to send, ()", make("tuple", {items: 0})),
-]
-
-const memory: readonly ToolboxItem[] = [
-  item("just: there is a value, Maybe", con("Just")),
-  item("nothing: no value, Maybe", con("Nothing")),
-  item("Memory: remember", con("Memory")),
-  item("what is remembered, Memory", pat("Memory", named("m"))),
-  item("when it remembers", reaction("remember", "memory", [pat("Memory", named("m"))])),
-  item("Left: the first of two", con("Left")),
-  item("Right: the second of two", con("Right")),
-  item("just pattern, Maybe", pat("Just", named("x"))),
-  item("nothing pattern, Maybe", pat("Nothing")),
-  item("left pattern, Either", pat("Left", named("x"))),
-  item("right pattern, Either", pat("Right", named("x"))),
-  item("Param: remember in all tasks", con("Param")),
-]
-
-const taskItems: readonly ToolboxItem[] = [
   item(
-    "a task of several steps",
+    words.toolbox.whenItHasAPosition,
+    reaction("here", "state", [pat("Position", named("x"), named("y"))]),
+  ),
+  item(
+    words.toolbox.whenItHasAnOrientation,
+    reaction("facing", "state", [pat("Orientation", named("angle"))]),
+  ),
+  item(words.toolbox.velocityState, pat("Velocity", named("vl"), named("va"))),
+  item(words.toolbox.positionState, pat("Position", named("x"), named("y"))),
+  item(words.toolbox.orientationState, pat("Orientation", named("angle"))),
+  item(words.toolbox.poseState, pat("Pose", named("position"), named("angle"))),
+  item(words.toolbox.clockTimeOfDay, pat("Clock", named("h"), named("m"), named("s"), named("ms"))),
+  item(words.toolbox.aNameForWhat, named("x")),
+])
+
+const commands = perLanguage((): readonly ToolboxItem[] => [
+  item(words.toolbox.sendAlwaysDriveOn, reaction("move", "command", [], drive)),
+  item(words.toolbox.velocityDriveAndTurn, drive),
+  item(words.toolbox.led1FirstLight, con("Led1", pick("LedColor", "Orange"))),
+  item(words.toolbox.led2SecondLight, con("Led2", pick("LedColor", "Orange"))),
+  item(words.toolbox.soundPlayASound, pick("Sound", "ErrorSound")),
+  item(words.toolbox.saySpeechBubble, con("Say", text("hello"))),
+  item(words.toolbox.colourOfALight, pick("LedColor", "Red")),
+  item(words.toolbox.severalAtOnceTuple, make("tuple", {items: 2})),
+  item(words.toolbox.threeAtOnceTuple, make("tuple", {items: 3})),
+  item(words.toolbox.nothingToSend, make("tuple", {items: 0})),
+])
+
+const memory = perLanguage((): readonly ToolboxItem[] => [
+  item(words.toolbox.justThereIsAValueMaybe, con("Just")),
+  item(words.toolbox.nothingNoValueMaybe, con("Nothing")),
+  item(words.toolbox.memoryRemember, con("Memory")),
+  item(words.toolbox.whatIsRememberedMemory, pat("Memory", named("m"))),
+  item(words.toolbox.whenItRemembers, reaction("remember", "memory", [pat("Memory", named("m"))])),
+  item(words.toolbox.leftTheFirstOfTwo, con("Left")),
+  item(words.toolbox.rightTheSecondOfTwo, con("Right")),
+  item(words.toolbox.justPatternMaybe, pat("Just", named("x"))),
+  item(words.toolbox.nothingPatternMaybe, pat("Nothing")),
+  item(words.toolbox.leftPatternEither, pat("Left", named("x"))),
+  item(words.toolbox.rightPatternEither, pat("Right", named("x"))),
+  item(words.toolbox.paramRememberInAllTasks, con("Param")),
+])
+
+const taskItems = perLanguage((): readonly ToolboxItem[] => [
+  item(
+    words.toolbox.aTaskOfSeveralSteps,
     reaction("drawSquare", "task", [], make("do", {}, {S: make("step_say", {}, {X: text("go")})})),
   ),
-  item("do these steps", make("do")),
-  item("do one thing", make("step_do")),
-  item("do and name the result", make("step_bind", {}, {P: named("x")})),
-  item("repeat a number of times", make("step_repeat", {}, {N: num("4")})),
-  item("forever", make("step_forever")),
-  item("say", make("step_say", {}, {X: text("done")})),
-  item("wait some seconds", make("step_wait", {}, {X: num("1")})),
-  item("only if", make("step_when")),
-  item("unless", make("step_unless")),
-  item("if, do, else", make("step_if")),
-  item("let, for the steps below", make("step_let")),
-  item("task: start something, then react until done", call("task", 2)),
-  item("Done: end the task", con("Done", make("tuple", {items: 0}))),
-  item("once: send something one time", call("once", 1)),
-  item("parallel: both at the same time", call("parallel", 2)),
-  item("race: the first to end wins", call("race", 2)),
-]
+  item(words.toolbox.doTheseSteps, make("do")),
+  item(words.toolbox.doOneThing, make("step_do")),
+  item(words.toolbox.doAndNameTheResult, make("step_bind", {}, {P: named("x")})),
+  item(words.toolbox.repeatANumberOfTimes, make("step_repeat", {}, {N: num("4")})),
+  item(words.toolbox.forever, make("step_forever")),
+  item(words.toolbox.say, make("step_say", {}, {X: text("done")})),
+  item(words.toolbox.waitSomeSeconds, make("step_wait", {}, {X: num("1")})),
+  item(words.toolbox.onlyIf, make("step_when")),
+  item(words.toolbox.unless, make("step_unless")),
+  item(words.toolbox.ifDoElse, make("step_if")),
+  item(words.toolbox.letForTheStepsBelow, make("step_let")),
+  item(words.toolbox.taskStartSomethingThenReactUntilDone, call("task", 2)),
+  item(words.toolbox.doneEndTheTask, con("Done", make("tuple", {items: 0}))),
+  item(words.toolbox.onceSendSomethingOneTime, call("once", 1)),
+  item(words.toolbox.parallelBothAtTheSameTime, call("parallel", 2)),
+  item(words.toolbox.raceTheFirstToEndWins, call("race", 2)),
+])
 
-const numbers: readonly ToolboxItem[] = [
-  item("number", num("0.5")),
-  item("plus +", infix("+")),
-  item("minus -", infix("-")),
-  item("times *", infix("*")),
-  item("divided by /", infix("/")),
-  item("the other side of zero, negate", make("negate")),
-  item("pi", ref("pi")),
-  item("power ^", infix("^")),
-  item("whole division div mod", infix("div")),
-  item("degrees as an orientation", call("degreesToOrientation", 1, num("90"))),
-  item("orientation in degrees", call("orientationToDegrees", 1)),
-  item("position as an arrow, positionToVec", call("positionToVec", 1)),
-  item("arrow as a position, vecToPosition", call("vecToPosition", 1)),
-  item("length of an arrow, magnitudeVec", call("magnitudeVec", 1)),
-  item("add or subtract arrows, addVec subVec", infix("addVec")),
-  item("number as seconds, doubleToSeconds", call("doubleToSeconds", 1)),
-  item("shortest turn, normOrientation", call("normOrientation", 1)),
-  item("centimetres as metres", call("centimetersToMeters", 1, num("50"))),
-  item("abs: without sign", call("abs", 1)),
-  item("min: the smaller", call("min", 2)),
-  item("max: the larger", call("max", 2)),
-  item("number as a decimal, fromIntegral", call("fromIntegral", 1)),
-  item("exactly this number, pattern", make("pattern_number", {value: "0"})),
-]
+const numbers = perLanguage((): readonly ToolboxItem[] => [
+  item(words.toolbox.number, num("0.5")),
+  item(words.toolbox.plus, infix("+")),
+  item(words.toolbox.minus, infix("-")),
+  item(words.toolbox.times, infix("*")),
+  item(words.toolbox.dividedBy, infix("/")),
+  item(words.toolbox.theOtherSideOfZeroNegate, make("negate")),
+  item(words.toolbox.pi, ref("pi")),
+  item(words.toolbox.power, infix("^")),
+  item(words.toolbox.wholeDivisionDivMod, infix("div")),
+  item(words.toolbox.degreesAsAnOrientation, call("degreesToOrientation", 1, num("90"))),
+  item(words.toolbox.orientationInDegrees, call("orientationToDegrees", 1)),
+  item(words.toolbox.positionAsAnArrowPositionToVec, call("positionToVec", 1)),
+  item(words.toolbox.arrowAsAPositionVecToPosition, call("vecToPosition", 1)),
+  item(words.toolbox.lengthOfAnArrowMagnitudeVec, call("magnitudeVec", 1)),
+  item(words.toolbox.addOrSubtractArrowsAddVecSubVec, infix("addVec")),
+  item(words.toolbox.numberAsSecondsDoubleToSeconds, call("doubleToSeconds", 1)),
+  item(words.toolbox.shortestTurnNormOrientation, call("normOrientation", 1)),
+  item(words.toolbox.centimetresAsMetres, call("centimetersToMeters", 1, num("50"))),
+  item(words.toolbox.absWithoutSign, call("abs", 1)),
+  item(words.toolbox.minTheSmaller, call("min", 2)),
+  item(words.toolbox.maxTheLarger, call("max", 2)),
+  item(words.toolbox.numberAsADecimalFromIntegral, call("fromIntegral", 1)),
+  item(words.toolbox.exactlyThisNumberPattern, make("pattern_number", {value: "0"})),
+])
 
-const decide: readonly ToolboxItem[] = [
-  item("if then else", make("if")),
-  item("look at a value and choose, case", make("case", {alternatives: [{}, {}]})),
-  item("compare > < == ", infix(">")),
-  item("equal ==", infix("==")),
-  item("and &&", infix("&&")),
-  item("or ||", infix("||")),
-  item("not", call("not", 1)),
-  item("true false", pick("Bool", "True")),
-  item("true false pattern", match("Bool", "True")),
-]
+const decide = perLanguage((): readonly ToolboxItem[] => [
+  item(words.toolbox.ifThenElse, make("if")),
+  item(words.toolbox.lookAtAValueAndChooseCase, make("case", {alternatives: [{}, {}]})),
+  item(words.toolbox.compare, infix(">")),
+  item(words.toolbox.equal, infix("==")),
+  item(words.toolbox.and, infix("&&")),
+  item(words.toolbox.or, infix("||")),
+  item(words.toolbox.not, call("not", 1)),
+  item(words.toolbox.trueFalse, pick("Bool", "True")),
+  item(words.toolbox.trueFalsePattern, match("Bool", "True")),
+])
 
-const types: readonly ToolboxItem[] = [
+const types = perLanguage((): readonly ToolboxItem[] => [
   item(
-    "own type with cases, data",
+    words.toolbox.ownTypeWithCasesData,
     make("data", {
       name: "Mode",
       constructors: [
@@ -274,9 +284,9 @@ const types: readonly ToolboxItem[] = [
       ],
     }),
   ),
-  item("another name for a type", make("synonym", {name: "Hit", type: "Bool"})),
+  item(words.toolbox.anotherNameForAType, make("synonym", {name: "Hit", type: "Bool"})),
   item(
-    "own type with named parts, record",
+    words.toolbox.ownTypeWithNamedPartsRecord,
     make("data", {
       name: "Goal",
       constructors: [
@@ -290,75 +300,84 @@ const types: readonly ToolboxItem[] = [
       ],
     }),
   ),
-  item("value of a type", make("typed", {type: "Double"})),
+  item(words.toolbox.valueOfAType, make("typed", {type: "Double"})),
   item(
-    "a task with a start and a stop, record",
+    words.toolbox.aTaskWithAStart,
     make(
       "record",
       {con: "TaskOptions", fields: ["starting", "stopped"]},
       {F0: make("tuple", {items: 0}), F1: make("tuple", {items: 0})},
     ),
   ),
-  item("changed copy of a record, update", make("update", {fields: ["stopped"]}, {R: ref("taskOptions")})),
   item(
-    "look at a record by its parts, pattern",
+    words.toolbox.changedCopyOfARecordUpdate,
+    make("update", {fields: ["stopped"]}, {R: ref("taskOptions")}),
+  ),
+  item(
+    words.toolbox.lookAtARecordByItsParts,
     make("pattern_record", {con: "TaskOptions", fields: ["stopped"]}),
   ),
-  item("Haskell definition", make("raw_definition", {text: "helper :: Int -> Int\nhelper n = n + 1"})),
-]
-
-const functionItems: readonly ToolboxItem[] = [
-  item("simulate: what to run", make("main", {controllers: 1})),
-  item("function with an input", reaction("f", "plain", [named("x")])),
-  item("constant", reaction("speed", "plain", [], num("0.5"))),
   item(
-    "function with own definitions, where",
+    words.toolbox.haskellDefinition,
+    make("raw_definition", {text: "helper :: Int -> Int\nhelper n = n + 1"}),
+  ),
+])
+
+const functionItems = perLanguage((): readonly ToolboxItem[] => [
+  item(words.toolbox.simulateWhatToRun, make("main", {controllers: 1})),
+  item(words.toolbox.functionWithAnInput, reaction("f", "plain", [named("x")])),
+  item(words.toolbox.constant, reaction("speed", "plain", [], num("0.5"))),
+  item(
+    words.toolbox.functionWithOwnDefinitionsWhere,
     make("define", {name: "f", as: "plain", arity: 1, equations: [{where: true}]}, {P0_0: named("x")}),
   ),
-  item("give inputs to a function", make("apply", {args: 1})),
-  item("function without a name, lambda", make("lambda", {inputs: 1}, {P0: named("x")})),
-  item("operator with one side open, section", make("section", {op: "+", side: "right"}, {X: num("1")})),
-  item("let: names for one expression", make("let")),
+  item(words.toolbox.giveInputsToAFunction, make("apply", {args: 1})),
+  item(words.toolbox.functionWithoutANameLambda, make("lambda", {inputs: 1}, {P0: named("x")})),
   item(
-    "take a value apart",
+    words.toolbox.operatorWithOneSideOpenSection,
+    make("section", {op: "+", side: "right"}, {X: num("1")}),
+  ),
+  item(words.toolbox.letNamesForOneExpression, make("let")),
+  item(
+    words.toolbox.takeAValueApart,
     make("define_pattern", {}, {P: make("pattern_tuple", {items: 2}, {I0: named("a"), I1: named("b")})}),
   ),
-  item("Haskell expression", make("raw_expression", {text: ""})),
-  item("Haskell pattern", make("raw_pattern", {text: ""})),
-]
+  item(words.toolbox.haskellExpression, make("raw_expression", {text: ""})),
+  item(words.toolbox.haskellPattern, make("raw_pattern", {text: ""})),
+])
 
-const lists: readonly ToolboxItem[] = [
-  item("text", text("hello")),
-  item("one character", make("character", {value: "a"})),
-  item("list", make("list", {items: 2})),
-  item("empty list", make("list", {items: 0})),
-  item("from one to another, range", make("range", {}, {A: num("1"), B: num("4")})),
+const lists = perLanguage((): readonly ToolboxItem[] => [
+  item(words.toolbox.text, text("hello")),
+  item(words.toolbox.oneCharacter, make("character", {value: "a"})),
+  item(words.toolbox.list, make("list", {items: 2})),
+  item(words.toolbox.emptyList, make("list", {items: 0})),
+  item(words.toolbox.fromOneToAnotherRange, make("range", {}, {A: num("1"), B: num("4")})),
   item(
-    "list made from other lists",
+    words.toolbox.listMadeFromOtherLists,
     make("comprehension", {}, {B: ref("x"), S: make("step_bind", {}, {P: named("x")})}),
   ),
-  item("put together ++", infix("++")),
-  item("one more in front :", infix(":")),
-  item("show: as text", call("show", 1)),
-  item("map: change every item", call("map", 2)),
-  item("filter: keep some items", call("filter", 2)),
-  item("length: how many", call("length", 1)),
-  item("sum of all", call("sum", 1)),
-  item("together, tuple", make("tuple", {items: 2})),
-  item("together, pattern", make("pattern_tuple", {items: 2}, {I0: named("a"), I1: named("b")})),
-  item("first and rest, pattern", make("pattern_infix", {op: ":"}, {L: named("x"), R: named("xs")})),
-  item("list pattern", make("pattern_list", {items: 0})),
-  item("whole and parts, pattern", make("pattern_as", {name: "whole"})),
-  item("exactly this text, pattern", make("pattern_text", {value: ""})),
-]
+  item(words.toolbox.putTogether, infix("++")),
+  item(words.toolbox.oneMoreInFront, infix(":")),
+  item(words.toolbox.showAsText, call("show", 1)),
+  item(words.toolbox.mapChangeEveryItem, call("map", 2)),
+  item(words.toolbox.filterKeepSomeItems, call("filter", 2)),
+  item(words.toolbox.lengthHowMany, call("length", 1)),
+  item(words.toolbox.sumOfAll, call("sum", 1)),
+  item(words.toolbox.togetherTuple, make("tuple", {items: 2})),
+  item(words.toolbox.togetherPattern, make("pattern_tuple", {items: 2}, {I0: named("a"), I1: named("b")})),
+  item(words.toolbox.firstAndRestPattern, make("pattern_infix", {op: ":"}, {L: named("x"), R: named("xs")})),
+  item(words.toolbox.listPattern, make("pattern_list", {items: 0})),
+  item(words.toolbox.wholeAndPartsPattern, make("pattern_as", {name: "whole"})),
+  item(words.toolbox.exactlyThisTextPattern, make("pattern_text", {value: ""})),
+])
 
-const random: readonly ToolboxItem[] = [
+const random = perLanguage((): readonly ToolboxItem[] => [
   item(
-    "a random number in a range",
+    words.toolbox.aRandomNumberInARange,
     call("randomR", 2, make("tuple", {items: 2}, {I0: num("0"), I1: ref("pi")})),
   ),
-  item("a random value", call("random", 1)),
-]
+  item(words.toolbox.aRandomValue, call("random", 1)),
+])
 
 const category = (
   name: string,
@@ -370,20 +389,21 @@ const category = (
   items,
 })
 
-const all = {
-  senses: category("When it senses", "event", senses),
-  states: category("How it is", "state", states),
-  commands: category("Tell the robot", "command", commands),
-  memory: category("Memory", "memory", memory),
-  tasks: category("Tasks", "task", taskItems),
-  numbers: category("Numbers", "number", [...numbers, ...random]),
-  choices: category("Choices", "choice", decide),
-  types: category("Own types", "own", types),
-  functions: category("Functions", "own", functionItems),
-  lists: category("Text and lists", "own", lists),
-}
+const categories = perLanguage(() => ({
+  senses: category(words.toolbox.whenItSenses, "event", senses()),
+  states: category(words.toolbox.howIt, "state", states()),
+  commands: category(words.toolbox.tellTheRobot, "command", commands()),
+  memory: category(words.toolbox.memory, "memory", memory()),
+  tasks: category(words.toolbox.tasks, "task", taskItems()),
+  numbers: category(words.toolbox.numbers, "number", [...numbers(), ...random()]),
+  choices: category(words.toolbox.choices, "choice", decide()),
+  types: category(words.toolbox.ownTypes, "own", types()),
+  functions: category(words.toolbox.functions, "own", functionItems()),
+  lists: category(words.toolbox.textAndLists, "own", lists()),
+}))
 
 export function toolbox(level: Level): ToolboxCategory[] {
+  const all = categories()
   switch (level) {
     case "tasks":
       return [
@@ -392,7 +412,7 @@ export function toolbox(level: Level): ToolboxCategory[] {
         all.senses,
         all.numbers,
         all.choices,
-        {...all.functions, items: functionItems.slice(0, 3)},
+        {...all.functions, items: functionItems().slice(0, 3)},
       ]
     case "reactions":
       return [
