@@ -4,12 +4,10 @@
 /// Prints the time between two pictures, median and 95th percentile, and the page's own work for one. The ten minutes
 /// are played to the page beforehand, frame by frame as the service writes them. Nothing is asserted: machines differ.
 
-import {spawn} from "node:child_process"
-import {chromium, type Page} from "@playwright/test"
+import type {Page} from "@playwright/test"
+import {openFile, percentile, setting, withPage} from "./service.ts"
 
-const SECONDS = Number(process.env["ROSY_BENCH_SECONDS"] ?? 10)
-const root = new URL("../..", import.meta.url).pathname
-const port = 20_000 + Math.floor(Math.random() * 10_000)
+const SECONDS = setting("ROSY_BENCH_SECONDS", 10)
 
 const world = {
   name: "thirty obstacles",
@@ -96,9 +94,8 @@ function watch(): void {
 type Seen = {bytes: number; frames: number; played: boolean; gaps: number[]}
 
 function told(times: readonly number[]): string {
-  const sorted = [...times].sort((a, b) => a - b)
-  const at = (q: number) => sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? Number.NaN
-  return `median ${at(0.5).toFixed(1).padStart(5)} ms   p95 ${at(0.95).toFixed(1).padStart(5)} ms`
+  const at = (share: number) => percentile(times, share).toFixed(1).padStart(5)
+  return `median ${at(0.5)} ms   p95 ${at(0.95)} ms`
 }
 
 async function measure(page: Page, name: string): Promise<void> {
@@ -127,41 +124,15 @@ async function measure(page: Page, name: string): Promise<void> {
   )
 }
 
-async function answers(url: string): Promise<void> {
-  for (let i = 0; i < 600; i++) {
-    try {
-      const health = (await (await fetch(url)).json()) as {worker: string}
-      if (health.worker === "ready") return
-    } catch {
-      // Not listening yet.
-    }
-    await new Promise(resolve => setTimeout(resolve, 100))
-  }
-  throw new Error("the service did not start")
-}
-
-const service = spawn(`${root}rosy`, ["start", "--no-browser", "--port", String(port)], {
-  stdio: ["ignore", "ignore", "inherit"],
-})
-try {
-  await answers(`http://127.0.0.1:${port}/api/health`)
-  const browser = await chromium.launch({
-    executablePath: process.env["ROSY_CHROMIUM"] ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--disable-gpu"],
-  })
+await withPage(async (browser, address) => {
   const page = await browser.newPage({viewport: {width: 1440, height: 900}})
   await page.addInitScript(watch)
-  await page.goto(`http://127.0.0.1:${port}/?example=move`)
+  await page.goto(`${address}?example=move`)
   await page.getByTestId("run").filter({hasText: "Run"}).waitFor()
-  const chooser = page.waitForEvent("filechooser")
-  await page.getByRole("button", {name: "More", exact: true}).click()
-  await page.getByText("Open a file").click()
-  await (await chooser).setFiles({
-    name: "bench.rosy",
-    mimeType: "application/json",
-    buffer: Buffer.from(JSON.stringify(project)),
+  await openFile(page, "bench.rosy", JSON.stringify(project), {
+    selector: ".cm-content",
+    words: "drive (Velocity",
   })
-  await page.getByText("drive (Velocity").waitFor()
   await page.getByTestId("run").click()
   await page.getByRole("tab", {name: "Charts"}).click()
   await page.getByRole("button", {name: "x", exact: true}).click()
@@ -175,7 +146,4 @@ try {
   await page.getByRole("button", {name: "Follow the robot"}).click()
   await measure(page, "following, trail by speed")
   if (process.env["ROSY_BENCH_PICTURE"]) await page.screenshot({path: process.env["ROSY_BENCH_PICTURE"]})
-  await browser.close()
-} finally {
-  service.kill("SIGTERM")
-}
+})

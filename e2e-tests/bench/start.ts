@@ -1,48 +1,56 @@
-/// How long from pressing Run to a robot that has moved, in a real browser on the real service; and beside it, in the same run, how long `runghc` and
-/// `ghc -O0` need for the same program before it does anything.
+/// How long until the page can be used, and how long from pressing Run to a robot that has moved, in a real browser on the real service; and beside
+/// the latter, in the same run, how long `runghc` and `ghc -O0` need for the same program before it does anything.
 ///
-/// Prints median and 95th percentile over RUNS runs. A frame counts when the page has been told of a pose other than the start's. Nothing is asserted: machines differ.
+/// A frame counts when the page has been told of a pose other than the start's. Nothing is asserted: machines differ.
 
-import {execFileSync, spawn} from "node:child_process"
+import {execFileSync} from "node:child_process"
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs"
 import {tmpdir} from "node:os"
 import {join} from "node:path"
-import {chromium} from "@playwright/test"
+import type {Browser} from "@playwright/test"
+import {root, row, setting, withPage} from "./service.ts"
 
-const RUNS = Number(process.env["ROSY_BENCH_RUNS"] ?? 50)
-const root = new URL("../..", import.meta.url).pathname
-const port = 20_000 + Math.floor(Math.random() * 10_000)
+const RUNS = setting("ROSY_BENCH_RUNS", 50)
+const OPENINGS = setting("ROSY_BENCH_OPENINGS", 10)
 
-function row(name: string, times: readonly number[]): void {
-  const sorted = [...times].sort((a, b) => a - b)
-  const at = (q: number) => sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? Number.NaN
-  console.log(
-    `  ${name.padEnd(58)} median ${at(0.5).toFixed(1).padStart(8)} ms   p95 ${at(0.95).toFixed(1).padStart(8)} ms   (${times.length} runs)`,
-  )
-}
-
-async function answers(url: string): Promise<void> {
-  for (let i = 0; i < 600; i++) {
-    try {
-      const health = (await (await fetch(url)).json()) as {worker: string}
-      if (health.worker === "ready") return
-    } catch {
-      // Not listening yet.
+/// From the address to a page on which a program can be run, read and edited; with nothing of it in the browser, and again with what it keeps.
+async function openings(browser: Browser, address: string): Promise<void> {
+  const cold: number[] = []
+  const warm: number[] = []
+  const kilobytes = new Set<string>()
+  for (let i = 0; i < OPENINGS; i++) {
+    const context = await browser.newContext({viewport: {width: 1440, height: 900}})
+    const page = await context.newPage()
+    for (const times of [cold, warm]) {
+      await page.goto(`${address}?example=accelerate`, {waitUntil: "commit"})
+      const {took, bytes} = await page.evaluate(
+        () =>
+          new Promise<{took: number; bytes: number}>(done => {
+            const look = () => {
+              const blocks = document.querySelectorAll(".blocklyBlockCanvas > .blocklyDraggable")
+              const text = document.querySelector(".cm-content")?.textContent ?? ""
+              const run = document.querySelector("[data-testid=run]")?.textContent ?? ""
+              if (blocks.length === 0 || !text.includes("simulate") || !run.includes("Run"))
+                return void requestAnimationFrame(look)
+              setTimeout(() => {
+                const got = performance.getEntriesByType("resource") as PerformanceResourceTiming[]
+                done({took: performance.now(), bytes: got.reduce((sum, r) => sum + r.transferSize, 0)})
+              })
+            }
+            look()
+          }),
+      )
+      times.push(took)
+      kilobytes.add(`${times === cold ? "first" : "again"} ${Math.round(bytes / 1000)} kB`)
     }
-    await new Promise(resolve => setTimeout(resolve, 100))
+    await context.close()
   }
-  throw new Error("the service did not start")
+  row("the address to a program that can be run, the first time", cold)
+  row("the same again", warm, [...kilobytes].join(", "))
 }
 
-const service = spawn(`${root}rosy`, ["start", "--no-browser", "--port", String(port)], {
-  stdio: ["ignore", "ignore", "inherit"],
-})
-try {
-  await answers(`http://127.0.0.1:${port}/api/health`)
-  const browser = await chromium.launch({
-    executablePath: process.env["ROSY_CHROMIUM"] ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--disable-gpu"],
-  })
+await withPage(async (browser, address) => {
+  await openings(browser, address)
   const page = await browser.newPage({viewport: {width: 1440, height: 900}})
   // Listens to the page's own socket from the moment it opens.
   await page.addInitScript(() => {
@@ -61,12 +69,13 @@ try {
       }
     }
   })
-  await page.goto(`http://127.0.0.1:${port}/?example=accelerate`)
+  await page.goto(`${address}?example=accelerate`)
   const run = page.getByTestId("run")
   await run.filter({hasText: "Run"}).waitFor()
   const running: number[] = []
   const moved: number[] = []
-  for (let i = 0; i < RUNS; i++) {
+  // The first run waits until the worker has warmed up; it is not counted.
+  for (let i = -1; i < RUNS; i++) {
     const times = await page.evaluate(async () => {
       const seen = (window as unknown as {seen: {running: number; moved: number}}).seen
       seen.running = 0
@@ -76,18 +85,17 @@ try {
       while (seen.moved === 0) await new Promise(requestAnimationFrame)
       return {running: seen.running - began, moved: seen.moved - began}
     })
-    running.push(times.running)
-    moved.push(times.moved)
+    if (i >= 0) {
+      running.push(times.running)
+      moved.push(times.moved)
+    }
     await run.filter({hasText: "Stop"}).click()
     await page.getByRole("button", {name: "Reset"}).click()
     await run.filter({hasText: "Run"}).waitFor()
   }
-  await browser.close()
   row("click Run to running (worker: source to main)", running)
   row("click Run to first frame in which the robot has moved", moved)
-} finally {
-  service.kill("SIGTERM")
-}
+})
 
 // The peers do the same work for the same text: parse, type-check, link the library, and begin `main`, which has no robot and ends at once.
 const scratch = mkdtempSync(join(tmpdir(), "rosy-bench-"))
