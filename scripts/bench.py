@@ -14,13 +14,16 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 
 BENCHES: dict[str, tuple[str, list[list[str]]]] = {
-    "start": ("the address to a usable page, and click Run to the first frame in which the robot has moved", [["npx", "vite-node", "e2e-tests/bench/start.ts"]]),
+    "start": (
+        "the address to a usable page, and click Run to the first frame in which the robot has moved",
+        [["npx", "vite-node", "e2e-tests/bench/start.ts"]],
+    ),
     "editor": (
         "a block dragged, edited and picked up among 500 and 2,000, beside Blockly's own checks, and codegen's part in it",
         [["npx", "vite-node", "editor/bench/blocks.ts"], ["npx", "vite-node", "codegen/bench/editor.ts"]],
     ),
     "text": (
-        "1,000 lines of Haskell into blocks and a keystroke in them, beside the parser alone; and typing in 1,000 and 2,000 lines in a real browser",
+        "1,000 lines of Haskell into blocks, beside the parser alone; and typing in 1,000 and 2,000 lines in a real browser",
         [["npx", "vite-node", "codegen/bench/text.ts"], ["npx", "vite-node", "e2e-tests/bench/text.ts"]],
     ),
     "language": (
