@@ -427,9 +427,10 @@ export function openDesk(address: string): Desk {
     redo,
     mend,
     show(finding: Finding) {
-      const {size, view, region} = store.now
+      const {size, arrangement, region} = store.now
       if (size === "phone" && region === "room") store.dispatch({kind: "region", region: "blocks"})
-      const blocksShown = size === "phone" ? store.now.region === "blocks" : view !== "haskell"
+      const blocksShown =
+        size === "phone" ? store.now.region === "blocks" : !arrangement.hidden.includes("blocks")
       if (finding.range !== null) source?.reveal(finding.range)
       if (finding.block !== null) {
         store.dispatch({kind: "selected", block: finding.block, in: "blocks"})
@@ -440,7 +441,7 @@ export function openDesk(address: string): Desk {
 }
 
 /// What the browser remembers of how the learner likes the page.
-const liked = ["theme", "muted", "view", "layout", "trail", "charts", "chartSpan"] as const
+const liked = ["theme", "muted", "arrangement", "layout", "trail", "charts", "chartSpan"] as const
 
 /// Luck for a run: any number that the service's dice take (protocol §4).
 const newSeed = () => Math.floor(Math.random() * 2 ** 31)

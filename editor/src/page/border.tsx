@@ -1,64 +1,124 @@
-/// A border between two regions: dragged, or moved with the arrow keys; where it is is remembered.
+/// Borders that are dragged, or moved with the arrow keys; where they are is remembered.
 
-import type {JSX, VNode} from "preact"
-import type {Layout} from "../state/page.ts"
+import type {CSSProperties, JSX, VNode} from "preact"
+import {type Divider, leastShare, mostShare, resized, stepOfShare} from "../state/arrangement.ts"
 import {words} from "../words/index.ts"
 import {useDesk, usePage} from "./pick.ts"
 
-/// Pixels for the widths, a share for the height of the room's canvas.
-const limits: Record<keyof Layout, {least: number; most: number; step: number}> = {
-  haskell: {least: 180, most: 900, step: 16},
-  room: {least: 300, most: 1000, step: 16},
-  canvas: {least: 0.25, most: 0.85, step: 0.04},
+interface Shared {
+  /// The share of what stands before the border, from 0 to 1.
+  readonly share: number
+  readonly least: number
+  readonly most: number
+  readonly step: number
+  readonly split: "beside" | "below"
+  readonly label: string
+  readonly style?: CSSProperties
+  move(share: number): void
+  /// What the border divides, on the screen.
+  whole(bar: HTMLElement): {readonly start: number; readonly length: number}
 }
 
-export function Border({of}: {of: keyof Layout}): VNode {
-  const {store} = useDesk()
-  const value = usePage(s => s.layout[of])
-  const {least, most, step} = limits[of]
-  const move = (to: number) =>
-    store.dispatch({
-      kind: "layout",
-      layout: {...store.now.layout, [of]: Math.min(most, Math.max(least, to))},
-    })
-
+function Border({share, least, most, step, split, label, style, move, whole}: Shared): VNode {
+  const to = (next: number) => move(Math.min(most, Math.max(least, next)))
   const onPointerDown = (down: JSX.TargetedPointerEvent<HTMLDivElement>) => {
     const bar = down.currentTarget
-    const from = store.now.layout[of]
-    const height = bar.parentElement?.getBoundingClientRect().height ?? 1
-    bar.setPointerCapture(down.pointerId)
-    bar.onpointermove = event => {
-      // Widths belong to the region right of their border, so they grow to the left.
-      if (of === "canvas") move(from + (event.clientY - down.clientY) / height)
-      else move(from - (event.clientX - down.clientX))
+    const {start, length} = whole(bar)
+    const mirrored = split === "beside" && isMirrored(bar)
+    const at = (event: PointerEvent) => {
+      const part = ((split === "beside" ? event.clientX : event.clientY) - start) / length
+      return mirrored ? 1 - part : part
     }
-    bar.onpointerup = () => {
+    // Where it was taken hold of, it stays in the hand.
+    const off = share - at(down)
+    bar.setPointerCapture(down.pointerId)
+    bar.onpointermove = event => to(at(event) + off)
+    bar.onlostpointercapture = () => {
       bar.onpointermove = null
     }
   }
   const onKeyDown = (event: JSX.TargetedKeyboardEvent<HTMLDivElement>) => {
-    const grows = of === "canvas" ? "ArrowDown" : "ArrowLeft"
-    const shrinks = of === "canvas" ? "ArrowUp" : "ArrowRight"
-    if (event.key === grows) move(value + step)
-    else if (event.key === shrinks) move(value - step)
-    else if (event.key === "Home") move(least)
-    else if (event.key === "End") move(most)
+    const [shrinks, grows] =
+      split === "below"
+        ? ["ArrowUp", "ArrowDown"]
+        : isMirrored(event.currentTarget)
+          ? ["ArrowRight", "ArrowLeft"]
+          : ["ArrowLeft", "ArrowRight"]
+    if (event.key === grows) to(share + step)
+    else if (event.key === shrinks) to(share - step)
+    else if (event.key === "Home") to(least)
+    else if (event.key === "End") to(most)
     else return
     event.preventDefault()
   }
   return (
     // biome-ignore lint/a11y/useSemanticElements: a separator that moves is a widget (ARIA 1.2); an hr is not
     <div
-      class={`border ${of}`}
+      class={`border ${split}`}
+      style={style}
       role="separator"
       tabIndex={0}
-      aria-label={words.borders[of]}
-      aria-orientation={of === "canvas" ? "horizontal" : "vertical"}
-      aria-valuenow={of === "canvas" ? Math.round(value * 100) : value}
-      aria-valuemin={of === "canvas" ? Math.round(least * 100) : least}
-      aria-valuemax={of === "canvas" ? Math.round(most * 100) : most}
+      aria-label={label}
+      aria-orientation={split === "below" ? "horizontal" : "vertical"}
+      aria-valuenow={Math.round(share * 100)}
+      aria-valuemin={Math.round(least * 100)}
+      aria-valuemax={Math.round(most * 100)}
       onPointerDown={onPointerDown}
       onKeyDown={onKeyDown}
+    />
+  )
+}
+
+/// Whether the page is read from right to left.
+export function isMirrored(element: Element): boolean {
+  return getComputedStyle(element).direction === "rtl"
+}
+
+/// The border between two parts of the page.
+export function RegionBorder({divider, style}: {divider: Divider; style: CSSProperties}): VNode {
+  const {store} = useDesk()
+  const {between, box, split, share} = divider
+  const named = (all: Divider["between"][0]) => all.map(region => words.regions[region]).join(", ")
+  return (
+    <Border
+      share={share}
+      least={leastShare}
+      most={mostShare}
+      step={stepOfShare}
+      split={split}
+      label={words.arrange.border(named(between[0]), named(between[1]))}
+      style={style}
+      move={next =>
+        store.dispatch({kind: "arranged", arrangement: resized(store.now.arrangement, divider, next)})
+      }
+      whole={bar => {
+        const page = bar.parentElement?.getBoundingClientRect() ?? new DOMRect(0, 0, 1, 1)
+        const start = isMirrored(bar) ? 1 - box.x - box.w : box.x
+        return split === "beside"
+          ? {start: page.left + start * page.width, length: box.w * page.width}
+          : {start: page.top + box.y * page.height, length: box.h * page.height}
+      }}
+    />
+  )
+}
+
+/// The border below the picture of the room.
+export function CanvasBorder(): VNode {
+  const {store} = useDesk()
+  const share = usePage(s => s.layout.canvas)
+  return (
+    <Border
+      share={share}
+      least={0.25}
+      most={0.85}
+      step={0.04}
+      split="below"
+      label={words.canvasHeight}
+      move={canvas => store.dispatch({kind: "layout", layout: {...store.now.layout, canvas}})}
+      whole={bar => {
+        const {top, height} = bar.parentElement?.getBoundingClientRect() ?? new DOMRect(0, 0, 1, 1)
+        return {start: top, length: height}
+      }}
     />
   )
 }

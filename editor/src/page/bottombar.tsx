@@ -1,7 +1,7 @@
 /// On a phone: which region is seen, and Run within reach of the thumb.
 
 import type {VNode} from "preact"
-import type {Region} from "../state/page.ts"
+import type {Region} from "../state/arrangement.ts"
 import {words} from "../words/index.ts"
 import {BlocksIcon, RoomIcon, TextIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"

@@ -1,6 +1,7 @@
 /// The page's few pictures, drawn in the colour of the text around them.
 
 import type {ComponentChildren} from "preact"
+import type {Region} from "../state/arrangement.ts"
 
 const line = {
   fill: "none",
@@ -105,6 +106,34 @@ export const CloseIcon = () => (
   <Picture>
     <path d="M4 4l8 8M12 4l-8 8" {...line} />
   </Picture>
+)
+export const GripIcon = () => (
+  <Picture>
+    {[5.5, 10.5].flatMap(x =>
+      [3.5, 8, 12.5].map(y => <circle key={`${x} ${y}`} cx={x} cy={y} r="1.25" fill="currentColor" />),
+    )}
+  </Picture>
+)
+export const ArrangeIcon = () => (
+  <Picture>
+    <rect x="1.8" y="2.5" width="12.4" height="11" rx="1.6" {...line} />
+    <path d="M8.8 2.5v11M8.8 8.4h5.4" {...line} />
+  </Picture>
+)
+/// A region in a picture of an arrangement, around a place.
+export const PartIcon = ({region, x, y}: {region: Region; x: number; y: number}) => (
+  <path
+    d={
+      {
+        blocks: "M-4-3h6v2.4h-6zM-4 1h8v2.4h-8z",
+        haskell: "M-4-3l2 3-2 3M-1-3l4 6M.7.6-1 3",
+        room: "M0-3.4a3.4 3.4 0 1 0 .01 0M0 0h3",
+      }[region]
+    }
+    transform={`translate(${x} ${y})`}
+    {...line}
+    stroke-width={1.2}
+  />
 )
 export const BlocksIcon = () => (
   <Picture size={20}>

@@ -1,41 +1,18 @@
 /// The small menu: files, sound and colours.
 
 import type {VNode} from "preact"
-import {useEffect, useRef} from "preact/hooks"
 import type {Theme} from "../state/page.ts"
 import {words} from "../words/index.ts"
 import {History} from "./history.tsx"
 import {MoreIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
+import {usePopup} from "./popup.ts"
 import {Segments} from "./segments.tsx"
 
 const themes: readonly Theme[] = ["auto", "light", "dark"]
 
 export function Menu(): VNode {
-  const {store} = useDesk()
-  const open = usePage(s => s.dialog === "menu")
-  const box = useRef<HTMLDivElement>(null)
-  const button = useRef<HTMLButtonElement>(null)
-  const toggle = (to: boolean) => store.dispatch({kind: "dialog", dialog: to ? "menu" : null})
-
-  useEffect(() => {
-    if (!open) return
-    const onPointer = (event: PointerEvent) => {
-      if (!box.current?.contains(event.target as Node)) store.dispatch({kind: "dialog", dialog: null})
-    }
-    const onKey = (event: KeyboardEvent) => {
-      if (event.key !== "Escape") return
-      store.dispatch({kind: "dialog", dialog: null})
-      button.current?.focus()
-    }
-    document.addEventListener("pointerdown", onPointer, true)
-    document.addEventListener("keydown", onKey)
-    return () => {
-      document.removeEventListener("pointerdown", onPointer, true)
-      document.removeEventListener("keydown", onKey)
-    }
-  }, [open, store])
-
+  const {open, box, button, toggle} = usePopup("menu")
   return (
     <div class="menu" ref={box}>
       <button

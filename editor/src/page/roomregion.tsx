@@ -1,6 +1,6 @@
 /// The room with its time bar, and the tabs below: console and problems.
 
-import type {VNode} from "preact"
+import type {CSSProperties, VNode} from "preact"
 import {useLayoutEffect, useRef} from "preact/hooks"
 import {thingsOf} from "../room/things.ts"
 import type {Hand} from "../state/messages.ts"
@@ -8,10 +8,11 @@ import {readout} from "../state/next.ts"
 import {goalsOf} from "../state/room.ts"
 import {isActive} from "../state/run.ts"
 import {words} from "../words/index.ts"
-import {Border} from "./border.tsx"
+import {CanvasBorder} from "./border.tsx"
 import {ChartsPanel} from "./charts.tsx"
 import {ConsolePanel} from "./console.tsx"
 import {goalTitle} from "./describe.ts"
+import {Grip, HideButton} from "./grip.tsx"
 import {ChevronIcon, EditIcon, SoundIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {ProblemsPanel, problemCount} from "./problems.tsx"
@@ -21,7 +22,7 @@ import {runWords} from "./sentences.ts"
 import {Sight} from "./sight.tsx"
 import {TimeBar} from "./timebar.tsx"
 
-export function RoomRegion({shown}: {shown: boolean}): VNode {
+export function RoomRegion({shown, style}: {shown: boolean; style: CSSProperties}): VNode {
   const desk = useDesk()
   const canvas = useRef<HTMLCanvasElement>(null)
   const world = usePage(s => s.room.world?.name ?? "")
@@ -30,30 +31,32 @@ export function RoomRegion({shown}: {shown: boolean}): VNode {
     if (canvas.current !== null) desk.mountRoom(canvas.current)
   }, [desk])
   return (
-    <section class="region room" aria-label={words.room} hidden={!shown}>
-      <RoomBar />
-      <div class="canvas-host">
-        {/* biome-ignore-start lint/a11y/noNoninteractiveTabindex: the robot is moved and the view zoomed by keys */}
-        {/* biome-ignore-start lint/a11y/noInteractiveElementToNoninteractiveRole: an application takes keys */}
-        <canvas
-          ref={canvas}
-          role="application"
-          tabIndex={0}
-          aria-label={held === null ? words.roomLabel(world) : words.robots.floor(held)}
-          aria-describedby="robot-readout"
-        />
-        {/* biome-ignore-end lint/a11y/noNoninteractiveTabindex: see above */}
-        {/* biome-ignore-end lint/a11y/noInteractiveElementToNoninteractiveRole: see above */}
-        <Hands />
-        <Held />
-        <Readout />
-        <Invitation />
-        <Goals />
-        <Sight />
+    <section class="region room" aria-label={words.room} hidden={!shown} style={style}>
+      <div class="room-parts">
+        <RoomBar />
+        <div class="canvas-host">
+          {/* biome-ignore-start lint/a11y/noNoninteractiveTabindex: the robot is moved and the view zoomed by keys */}
+          {/* biome-ignore-start lint/a11y/noInteractiveElementToNoninteractiveRole: an application takes keys */}
+          <canvas
+            ref={canvas}
+            role="application"
+            tabIndex={0}
+            aria-label={held === null ? words.roomLabel(world) : words.robots.floor(held)}
+            aria-describedby="robot-readout"
+          />
+          {/* biome-ignore-end lint/a11y/noNoninteractiveTabindex: see above */}
+          {/* biome-ignore-end lint/a11y/noInteractiveElementToNoninteractiveRole: see above */}
+          <Hands />
+          <Held />
+          <Readout />
+          <Invitation />
+          <Goals />
+          <Sight />
+        </div>
+        <TimeBar />
+        <CanvasBorder />
+        <Tabs />
       </div>
-      <TimeBar />
-      <Border of="canvas" />
-      <Tabs />
       <RoomsDialog />
     </section>
   )
@@ -72,6 +75,7 @@ function RoomBar(): VNode {
   )
   return (
     <div class="roombar">
+      <Grip region="room" />
       <h2>{words.room}</h2>
       <RobotChoice />
       {held === null && (
@@ -111,6 +115,7 @@ function RoomBar(): VNode {
       >
         <SoundIcon muted={muted} />
       </button>
+      <HideButton region="room" />
     </div>
   )
 }

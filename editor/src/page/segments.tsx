@@ -5,7 +5,8 @@ import type {VNode} from "preact"
 export function Segments<T extends string>(props: {
   readonly label: string
   readonly options: readonly (readonly [T, string])[]
-  readonly value: T
+  /// `null` when none of them is chosen.
+  readonly value: T | null
   readonly choose: (value: T) => void
 }): VNode {
   return (

@@ -1,12 +1,12 @@
 /// How the room is seen: closer, from further away, with the robot; what the trail tells; pictures and films.
 
 import type {VNode} from "preact"
-import {useEffect, useRef} from "preact/hooks"
 import {canFilm} from "../run/film.ts"
 import type {TrailStyle} from "../state/room.ts"
 import {words} from "../words/index.ts"
 import {CloserIcon, EyeIcon, FollowIcon, FurtherIcon, StopIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
+import {usePopup} from "./popup.ts"
 import {Segments} from "./segments.tsx"
 
 const trails: readonly TrailStyle[] = ["plain", "speed", "time"]
@@ -63,37 +63,15 @@ export function Sight(): VNode {
 function SightMenu(): VNode {
   const desk = useDesk()
   const {store} = desk
-  const open = usePage(s => s.dialog === "sight")
+  const {open, box, button, toggle} = usePopup("sight")
   const trail = usePage(s => s.trail)
   const films = usePage(s => s.films)
-  const box = useRef<HTMLDivElement>(null)
-  const button = useRef<HTMLButtonElement>(null)
-
-  useEffect(() => {
-    if (!open) return
-    const close = () => store.dispatch({kind: "dialog", dialog: null})
-    const onPointer = (event: PointerEvent) => {
-      if (!box.current?.contains(event.target as Node)) close()
-    }
-    const onKey = (event: KeyboardEvent) => {
-      if (event.key !== "Escape") return
-      close()
-      button.current?.focus()
-    }
-    document.addEventListener("pointerdown", onPointer, true)
-    document.addEventListener("keydown", onKey)
-    return () => {
-      document.removeEventListener("pointerdown", onPointer, true)
-      document.removeEventListener("keydown", onKey)
-    }
-  }, [open, store])
-
   const item = (text: string, act: () => void) => (
     <button
       type="button"
       class="item"
       onClick={() => {
-        store.dispatch({kind: "dialog", dialog: null})
+        toggle(false)
         act()
       }}
     >
@@ -109,7 +87,7 @@ function SightMenu(): VNode {
         aria-label={words.sightMenu}
         title={words.sightMenu}
         aria-expanded={open}
-        onClick={() => store.dispatch({kind: "dialog", dialog: open ? null : "sight"})}
+        onClick={() => toggle(!open)}
       >
         <EyeIcon />
       </button>

@@ -1,8 +1,9 @@
 /// The top bar: what is open, how it is seen, and Run.
 
 import type {VNode} from "preact"
-import type {View} from "../state/page.ts"
+import {type View, viewOf} from "../state/arrangement.ts"
 import {words} from "../words/index.ts"
+import {ArrangeMenu} from "./arrange.tsx"
 import {History} from "./history.tsx"
 import {LogoIcon} from "./icons.tsx"
 import {Menu} from "./menu.tsx"
@@ -27,6 +28,7 @@ export function TopBar(): VNode {
       )}
       <span class="space" />
       {size !== "phone" && <ViewSwitch />}
+      {size !== "phone" && <ArrangeMenu />}
       <span class="space" />
       {size !== "phone" && <History />}
       {size !== "phone" && <RunButton />}
@@ -64,13 +66,13 @@ function ProgramName(): VNode {
 function ViewSwitch(): VNode {
   const {store} = useDesk()
   const size = usePage(s => s.size)
-  const view = usePage(s => s.view)
+  const view = usePage(s => viewOf(s.arrangement))
   const options: readonly View[] = size === "wide" ? ["blocks", "both", "haskell"] : ["blocks", "haskell"]
   return (
     <Segments
       label={words.view}
       options={options.map(v => [v, words.views[v]])}
-      value={size === "wide" || view === "haskell" ? view : "blocks"}
+      value={size === "wide" || view !== "both" ? view : "blocks"}
       choose={chosen => store.dispatch({kind: "view", view: chosen})}
     />
   )

@@ -2,7 +2,20 @@
 /// changed keeps a place of its own, so opening another never loses it.
 
 import type {Level} from "@rosy/codegen"
-import {boolean, decode, list, number, object, oneOf, optional, parseJson, string} from "../state/decode.ts"
+import {type Arrangement, leastShare, mostShare, regions, regionsIn, type Tree} from "../state/arrangement.ts"
+import {
+  boolean,
+  type Decoder,
+  decode,
+  list,
+  Mismatch,
+  number,
+  object,
+  oneOf,
+  optional,
+  parseJson,
+  string,
+} from "../state/decode.ts"
 import type {Layout, PageState} from "../state/page.ts"
 
 /// A program kept in this browser.
@@ -39,22 +52,46 @@ export interface Shelf {
 }
 
 export type Liking = Partial<
-  Pick<PageState, "theme" | "muted" | "view" | "layout" | "trail" | "charts" | "chartSpan">
+  Pick<PageState, "theme" | "muted" | "arrangement" | "layout" | "trail" | "charts" | "chartSpan">
 >
 
 const index = list(
   object<Kept>(get => ({id: get("id", string), name: get("name", string), at: get("at", number)})),
 )
 const layout = object<Layout>(get => ({
-  haskell: get("haskell", number),
-  room: get("room", number),
   canvas: get("canvas", number),
 }))
+const region = oneOf(...regions)
+const tree: Decoder<Tree> = (value, path) =>
+  typeof value === "string"
+    ? region(value, path)
+    : object<Tree>(get => ({
+        split: get("split", oneOf("beside", "below")),
+        first: get("first", tree),
+        second: get("second", tree),
+        share: get("share", share),
+      }))(value, path)
+const share: Decoder<number> = (value, path) => {
+  const found = number(value, path)
+  if (found < leastShare || found > mostShare) throw new Mismatch(path, "a share")
+  return found
+}
+const arrangement: Decoder<Arrangement> = (value, path) => {
+  const found = object<Arrangement>(get => ({tree: get("tree", tree), hidden: get("hidden", list(region))}))(
+    value,
+    path,
+  )
+  const there = regionsIn(found.tree)
+  if (there.length !== regions.length || !regions.every(one => there.includes(one)))
+    throw new Mismatch(path, "each region once")
+  if (regions.every(one => found.hidden.includes(one))) throw new Mismatch(path, "a region to be seen")
+  return found
+}
 const chartSpans = [20, 60, "all"] as const
 const liking = object<Liking>(get => {
   const theme = get("theme", optional(oneOf("auto", "light", "dark"), null))
   const muted = get("muted", optional(boolean, null))
-  const view = get("view", optional(oneOf("blocks", "both", "haskell"), null))
+  const arranged = get("arrangement", optional(arrangement, null))
   const borders = get("layout", optional(layout, null))
   const trail = get("trail", optional(oneOf("plain", "speed", "time"), null))
   const charts = get("charts", optional(list(string), null))
@@ -62,7 +99,7 @@ const liking = object<Liking>(get => {
   return {
     ...(theme === null ? {} : {theme}),
     ...(muted === null ? {} : {muted}),
-    ...(view === null ? {} : {view}),
+    ...(arranged === null ? {} : {arrangement: arranged}),
     ...(borders === null ? {} : {layout: borders}),
     ...(trail === null ? {} : {trail}),
     ...(charts === null ? {} : {charts}),

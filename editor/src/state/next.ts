@@ -5,6 +5,7 @@ import {startFault} from "../worlds/parts.ts"
 import {type Fault, readWorld} from "../worlds/read.ts"
 import type {World} from "../worlds/world.ts"
 import {worldText, writeWorld} from "../worlds/write.ts"
+import {withShown, withView} from "./arrangement.ts"
 import {parseJson} from "./decode.ts"
 import {movedFix} from "./fixes.ts"
 import {drives, letGo, robotEvent, robotHeard, robotRefused} from "./helm.ts"
@@ -192,7 +193,11 @@ export function next(state: PageState, event: PageEvent): Step {
     case "notice":
       return still({...state, notice: event.notice})
     case "view":
-      return still({...state, view: event.view})
+      return still({...state, arrangement: withView(state.arrangement, event.view)})
+    case "arranged":
+      return still({...state, arrangement: event.arrangement, arranging: null})
+    case "arranging":
+      return still({...state, arranging: event.arranging})
     case "region":
       return still({...state, region: event.region})
     case "size":
@@ -305,6 +310,8 @@ function start(state: PageState, seed: number | null): Step {
     tab: state.tab === "problems" ? "console" : state.tab,
     notice: null,
     region: state.size === "phone" ? "room" : state.region,
+    // Nobody runs a robot without looking at it.
+    arrangement: withShown(state.arrangement, "room", true),
   }
   return connected ? sending(started, runMessage(started, run)) : still(started)
 }

@@ -2,6 +2,7 @@
 
 import type {WorldEdit, WorldEditor} from "../worlds/editor.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
+import {type Arrangement, firstArrangement, type Region, type View} from "./arrangement.ts"
 import {type Changer, type Document, emptyDocument, emptyHistory, type History} from "./history.ts"
 import type {
   Declared,
@@ -17,8 +18,6 @@ import {noRobots, type RobotsState} from "./robots.ts"
 import {type ConsoleLine, emptyRoom, type RoomState, type TrailStyle} from "./room.ts"
 import type {RunState} from "./run.ts"
 
-export type View = "blocks" | "both" | "haskell"
-export type Region = "blocks" | "haskell" | "room"
 /// How much room the window has: all regions, two of them, or one at a time.
 export type Size = "wide" | "tablet" | "phone"
 export type Tab = "console" | "charts" | "sensors" | "problems"
@@ -102,11 +101,15 @@ export interface PageState {
   readonly selectedIn: "blocks" | "haskell"
   readonly welcome: "fresh" | "ran" | "over"
   readonly gallery: Gallery
-  readonly dialog: "gallery" | "rooms" | "menu" | "sight" | "robots" | null
+  readonly dialog: "gallery" | "rooms" | "menu" | "sight" | "robots" | "arrange" | null
   /// The rooms of the service, for their gallery; `null` until they have been read.
   readonly rooms: readonly World[] | null
   readonly notice: Notice | null
-  readonly view: View
+  /// Where the regions are, and which of them are hidden.
+  readonly arrangement: Arrangement
+  /// A region is being moved: what it would be like to let it fall where it is; `next` is `null` where nothing would change.
+  readonly arranging: {readonly region: Region; readonly next: Arrangement | null} | null
+  /// The one region that a phone shows.
   readonly region: Region
   readonly size: Size
   readonly tab: Tab
@@ -128,10 +131,8 @@ export interface PageState {
   readonly worldEditor: WorldEditor | null
 }
 
-/// Where the borders between regions are: pixels for widths, a share for the height of the room.
+/// Where borders inside regions are: the share of the room's picture in its height.
 export interface Layout {
-  readonly haskell: number
-  readonly room: number
   readonly canvas: number
 }
 
@@ -164,7 +165,8 @@ export const firstPage: PageState = {
   dialog: null,
   rooms: null,
   notice: null,
-  view: "both",
+  arrangement: firstArrangement,
+  arranging: null,
   region: "blocks",
   size: "wide",
   tab: "console",
@@ -176,7 +178,7 @@ export const firstPage: PageState = {
   follows: false,
   films: false,
   worlds: [],
-  layout: {haskell: 360, room: 410, canvas: 0.56},
+  layout: {canvas: 0.56},
   worldEditor: null,
 }
 
@@ -236,6 +238,8 @@ export type PageEvent =
   | {readonly kind: "dialog"; readonly dialog: PageState["dialog"]}
   | {readonly kind: "notice"; readonly notice: Notice | null}
   | {readonly kind: "view"; readonly view: View}
+  | {readonly kind: "arranged"; readonly arrangement: Arrangement}
+  | {readonly kind: "arranging"; readonly arranging: PageState["arranging"]}
   | {readonly kind: "region"; readonly region: Region}
   | {readonly kind: "size"; readonly size: Size}
   | {readonly kind: "tab"; readonly tab: Tab}

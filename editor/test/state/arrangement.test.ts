@@ -1,0 +1,259 @@
+/// Regions that move: whatever is done to them, they fill the page, and none is lost.
+
+import fc from "fast-check"
+import {describe, expect, it} from "vitest"
+import {openShelf} from "../../src/run/storage.ts"
+import {
+  type Arrangement,
+  type Box,
+  boxes,
+  choices,
+  dividers,
+  dropped,
+  firstArrangement,
+  gridOf,
+  leastShare,
+  mostShare,
+  moved,
+  type Region,
+  regions,
+  regionsIn,
+  resized,
+  type Side,
+  sameShape,
+  seen,
+  swapped,
+  type Tree,
+  viewOf,
+  withShown,
+  withView,
+} from "../../src/state/arrangement.ts"
+import {next} from "../../src/state/next.ts"
+import {firstPage} from "../../src/state/page.ts"
+
+const anyRegion = fc.constantFrom(...regions)
+const anySide = fc.constantFrom<Side>("left", "right", "top", "bottom")
+type Deed = (arrangement: Arrangement) => Arrangement
+
+/// What a learner can do to an arrangement.
+const deed: fc.Arbitrary<Deed> = fc.oneof(
+  fc.tuple(anyRegion, fc.constantFrom<Region | "all">("all", ...regions), anySide).map(
+    ([region, target, side]): Deed =>
+      a =>
+        moved(a, region, target, side),
+  ),
+  fc.tuple(anyRegion, anyRegion).map(
+    ([one, other]): Deed =>
+      a =>
+        swapped(a, one, other),
+  ),
+  fc.tuple(anyRegion, fc.boolean()).map(
+    ([region, shown]): Deed =>
+      a =>
+        withShown(a, region, shown),
+  ),
+  fc.constantFrom("blocks", "both", "haskell").map(
+    (view): Deed =>
+      a =>
+        withView(a, view as never),
+  ),
+  fc.tuple(anyRegion, fc.double({min: 0, max: 1, noNaN: true}), fc.double({min: 0, max: 1, noNaN: true})).map(
+    ([region, x, y]): Deed =>
+      a =>
+        dropped(a, region, x, y) ?? a,
+  ),
+  fc.tuple(fc.nat(), fc.double({min: -1, max: 2, noNaN: true})).map(
+    ([n, share]): Deed =>
+      a => {
+        const all = dividers(seen(a.tree, a.hidden) ?? "room")
+        const divider = all[n % Math.max(1, all.length)]
+        return divider === undefined ? a : resized(a, divider, share)
+      },
+  ),
+)
+const arrangements = fc
+  .array(deed, {maxLength: 12})
+  .map(deeds => deeds.reduce((a, act) => act(a), firstArrangement))
+
+const area = ({w, h}: Box) => w * h
+const overlap = (a: Box, b: Box) =>
+  Math.max(0, Math.min(a.x + a.w, b.x + b.w) - Math.max(a.x, b.x)) *
+  Math.max(0, Math.min(a.y + a.h, b.y + b.h) - Math.max(a.y, b.y))
+
+/// Every way of putting three regions beside and below each other, borders aside.
+function allShapes(): Tree[] {
+  const orders = [
+    [0, 1, 2],
+    [0, 2, 1],
+    [1, 0, 2],
+    [1, 2, 0],
+    [2, 0, 1],
+    [2, 1, 0],
+  ].map(order => order.map(i => regions[i] ?? "room"))
+  return orders.flatMap(([a = "room", b = "room", c = "room"]) =>
+    (["beside", "below"] as const).flatMap(outer =>
+      (["beside", "below"] as const).flatMap((inner): Tree[] => [
+        {split: outer, first: a, second: {split: inner, first: b, second: c, share: 0.5}, share: 0.5},
+        {split: outer, first: {split: inner, first: a, second: b, share: 0.5}, second: c, share: 0.5},
+      ]),
+    ),
+  )
+}
+
+/// What is seen of a tree: for each two regions, on which side of each other they are.
+function looks(tree: Tree): string {
+  const placed = boxes(tree)
+  const at = (region: Region) => placed.get(region) ?? {x: 0, y: 0, w: 0, h: 0}
+  return regions
+    .flatMap(one =>
+      regions.map(
+        other =>
+          `${Number(at(one).x + at(one).w <= at(other).x + 1e-9)}${Number(at(one).y + at(one).h <= at(other).y + 1e-9)}`,
+      ),
+    )
+    .join(" ")
+}
+
+describe("an arrangement", () => {
+  it("fills the page with every region that is shown, without overlap", () => {
+    fc.assert(
+      fc.property(arrangements, arrangement => {
+        expect([...regionsIn(arrangement.tree)].sort()).toEqual([...regions].sort())
+        const tree = seen(arrangement.tree, arrangement.hidden)
+        expect(tree).not.toBeNull()
+        const placed = [...boxes(tree ?? "room")]
+        expect(placed.map(([region]) => region).sort()).toEqual(
+          regions.filter(region => !arrangement.hidden.includes(region)).sort(),
+        )
+        expect(placed.reduce((sum, [, box]) => sum + area(box), 0)).toBeCloseTo(1, 9)
+        for (const [i, [, a]] of placed.entries())
+          for (const [, b] of placed.slice(i + 1)) expect(overlap(a, b)).toBeCloseTo(0, 9)
+      }),
+    )
+  })
+
+  it("is a grid whose cells are its boxes", () => {
+    fc.assert(
+      fc.property(arrangements, ({tree, hidden}) => {
+        const shown = seen(tree, hidden) ?? "room"
+        const grid = gridOf(shown)
+        const upTo = (tracks: readonly number[], line: number) =>
+          tracks.slice(0, line - 1).reduce((a, b) => a + b, 0)
+        for (const [region, box] of boxes(shown)) {
+          const cell = grid.cells.get(region)
+          expect(upTo(grid.columns, cell?.column[0] ?? 0)).toBeCloseTo(box.x, 5)
+          expect(upTo(grid.columns, cell?.column[1] ?? 0)).toBeCloseTo(box.x + box.w, 5)
+          expect(upTo(grid.rows, cell?.row[0] ?? 0)).toBeCloseTo(box.y, 5)
+          expect(upTo(grid.rows, cell?.row[1] ?? 0)).toBeCloseTo(box.y + box.h, 5)
+        }
+        expect(grid.dividers).toHaveLength(grid.cells.size - 1)
+      }),
+    )
+  })
+
+  it("keeps its borders where both sides are of use, and moves only the one that was moved", () => {
+    fc.assert(
+      fc.property(arrangements, fc.nat(), fc.double({min: -1, max: 2, noNaN: true}), (arrangement, n, to) => {
+        const all = dividers(seen(arrangement.tree, arrangement.hidden) ?? "room")
+        const divider = all[n % Math.max(1, all.length)]
+        if (divider === undefined) return
+        const after = resized(arrangement, divider, to)
+        expect(sameShape(after.tree, arrangement.tree)).toBe(true)
+        const now = dividers(seen(after.tree, after.hidden) ?? "room")
+        expect(now[all.indexOf(divider)]?.share).toBe(Math.min(mostShare, Math.max(leastShare, to)))
+        for (const [i, other] of all.entries()) if (other !== divider) expect(now[i]?.share).toBe(other.share)
+      }),
+    )
+  })
+
+  it("reaches every other one by moving regions to the sides, as the arrow keys do", () => {
+    const reached = new Map([[looks(firstArrangement.tree), firstArrangement]])
+    const todo = [firstArrangement]
+    for (let now = todo.pop(); now !== undefined; now = todo.pop())
+      for (const region of regions)
+        for (const side of ["left", "right", "top", "bottom"] as const) {
+          const after = moved(now, region, "all", side)
+          if (reached.has(looks(after.tree))) continue
+          reached.set(looks(after.tree), after)
+          todo.push(after)
+        }
+    for (const tree of [...allShapes(), ...choices]) expect([...reached.keys()]).toContain(looks(tree))
+  })
+
+  it("has a hidden region where it was when it is shown again", () => {
+    fc.assert(
+      fc.property(arrangements, anyRegion, (arrangement, region) => {
+        if (arrangement.hidden.includes(region)) return
+        const hidden = withShown(arrangement, region, false)
+        expect(withShown(hidden, region, true)).toEqual(arrangement)
+        expect(hidden.hidden.length).toBeLessThan(regions.length)
+      }),
+    )
+  })
+
+  it("swaps in the middle of a region, and stands beside it near its edge", () => {
+    const [, room] = [...boxes(firstArrangement.tree)].slice(1)
+    const x = (room?.[1].x ?? 0) + (room?.[1].w ?? 0) / 2
+    expect(dropped(firstArrangement, "blocks", x, 0.5)?.tree).toEqual(
+      swapped(firstArrangement, "blocks", "room").tree,
+    )
+    expect(dropped(firstArrangement, "haskell", x, 0.8)?.tree).toEqual(
+      moved(firstArrangement, "haskell", "room", "bottom").tree,
+    )
+    expect(dropped(firstArrangement, "haskell", 0.5, 0.99)?.tree).toEqual(
+      moved(firstArrangement, "haskell", "all", "bottom").tree,
+    )
+    // Over itself, and outside.
+    expect(dropped(firstArrangement, "room", x, 0.5)).toBeNull()
+    expect(dropped(firstArrangement, "room", 1.2, 0.5)).toBeNull()
+  })
+
+  it("says which views of the program there are, and shows the room when a program runs", () => {
+    const alone = withShown(withView(firstArrangement, "haskell"), "room", false)
+    expect(viewOf(alone)).toBe("haskell")
+    expect([...alone.hidden].sort()).toEqual(["blocks", "room"])
+    const {state} = next({...firstPage, arrangement: alone}, {kind: "run-pressed"})
+    expect(state.arrangement.hidden).toEqual(["blocks"])
+  })
+})
+
+/// A browser's storage, for as long as a test.
+function storage(): Storage {
+  const kept = new Map<string, string>()
+  return {
+    get length() {
+      return kept.size
+    },
+    clear: () => kept.clear(),
+    getItem: key => kept.get(key) ?? null,
+    key: n => [...kept.keys()][n] ?? null,
+    removeItem: key => void kept.delete(key),
+    setItem: (key, value) => void kept.set(key, value),
+  }
+}
+
+describe("what the browser remembers of it", () => {
+  it("comes back as it was", () => {
+    fc.assert(
+      fc.property(arrangements, arrangement => {
+        const shelf = openShelf(storage())
+        shelf.setLiking({arrangement})
+        expect(shelf.liking().arrangement).toEqual(arrangement)
+      }),
+    )
+  })
+
+  it("is left alone when it is no arrangement", () => {
+    const wrong = [
+      {tree: "blocks", hidden: []},
+      {tree: {...(firstArrangement.tree as object), share: 7}, hidden: []},
+      {tree: firstArrangement.tree, hidden: ["blocks", "haskell", "room"]},
+      {tree: {split: "beside", first: "blocks", second: "blocks", share: 0.5}, hidden: []},
+    ]
+    for (const arrangement of wrong) {
+      const there = storage()
+      there.setItem("rosy.liking", JSON.stringify({arrangement}))
+      expect(openShelf(there).liking()).toEqual({})
+    }
+  })
+})
