@@ -81,7 +81,9 @@ runRosy = go 0 (Tally 0 0 0) (begin (Start 0 (mkStdGen 1)) (program (Names []) n
          in case todo of
               [] -> pure (firings, tally')
               s : rest -> go firings tally' (instant 0 (what s) now') rest
-      Ended _ _ -> pure (firings, tally)
+      Enters _ after -> go firings tally after todo
+      Closes _ after -> go firings tally after todo
+      Ended _ -> pure (firings, tally)
     add t action = case action of
       SetVelocity v _ -> t {speeds = speeds t + 1, total = total t + v}
       PlaySound _ -> t {sounds = sounds t + 1}

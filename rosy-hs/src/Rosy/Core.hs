@@ -274,6 +274,8 @@ instance Monad Task where
 -- | What remains to be done before an @r@ is there. Lazy in what follows, for a task may go on for ever.
 data Program r
   = Return ~r
+  | -- | From here on the definition of this name says what comes next.
+    Within FunctionName ~(Program r)
   | forall end. RunTask (Spec end) (end -> Program r)
   | -- | Fire once and go on; no task of its own.
     Once Function ~(Program r)

@@ -110,12 +110,12 @@ rounds left running
 
 resting :: Running r -> World -> Turn
 resting running w = case running of
-  Returned _ -> Ended Finished (reportOf w)
+  Returned _ -> abandon Finished w
   _ -> Settled (Network running w)
 
--- | End the program from outside: the clean-up of all live tasks.
+-- | End the program from outside: the clean-up of all live tasks, then 'Ended'.
 stop :: Network -> Turn
-stop (Network _ w) = abandon Stopped w
+stop (Network _ w) = cleanUp w
 
 -- | Take what the steps since the last time have left for the outside.
 collect :: Network -> (Report, Network)

@@ -13,6 +13,8 @@
 -- * An __arrival__ is a value that an input gets from one happening ('arrivals'). A function fires at each arrival of its input.
 -- * A __turn__: an v'Either' has a turn for each of its sides, the left one first, so that a happening that
 --   concerns both sides arrives twice. All members of an 'All' take their turns together.
+--
+-- A third one ends everything: an __ending__ ('Ending') stops whatever is going on at once, and only clean-ups follow it (rule 11).
 module Rosy.Model
   ( -- * Programs
     Program (..),
@@ -27,6 +29,7 @@ module Rosy.Model
     -- * Time
     Happening (..),
     Said (..),
+    Ending (..),
 
     -- * Meaning
     meaning,
@@ -34,9 +37,12 @@ module Rosy.Model
   )
 where
 
-import Control.Monad (foldM)
-import Control.Monad.Trans.State.Strict (State, execState, get, gets, modify, state)
+import Control.Monad (foldM, unless, when)
+import Control.Monad.Trans.Class (lift)
+import Control.Monad.Trans.Except (ExceptT, runExceptT, throwE)
+import qualified Control.Monad.Trans.State.Strict as State
 import Data.Bifunctor (first)
+import Data.List (partition)
 import Data.Maybe (catMaybes, fromMaybe, isJust)
 
 -- ---------------------------------------------------------------------------------------------
@@ -61,6 +67,8 @@ data Input
     Param Type
   | -- | The time, in milliseconds.
     Time
+  | -- | The time as hours, minutes, seconds and milliseconds, round the clock.
+    Clock
   | -- | A random generator of its own: the first one of the program is 0, the next one 1.
     Chance
   | -- | All of these: curried arguments, tuples.
@@ -75,9 +83,12 @@ data Output
   | Write Type Value
   | Share Type Value
   | Emit Type Value
-  | Done Value
+  | -- | The type is that of the value.
+    Done Type Value
   | Feedback Value
   | Call Calling
+  | -- | Something that cannot be computed.
+    Fail
 
 -- | A function of the program.
 data Function = Function
@@ -95,9 +106,11 @@ data Program
   | Both Program Program (Value -> Program)
   | First Program Program (Value -> Program)
 
--- | A task. A controller outside tasks is one without a start, and without an end in its functions.
+-- | A task. A controller outside tasks is one without a start, and of a type that no 'Done' has.
 data Spec = Spec
-  { start :: Maybe Function,
+  { -- | The type of the value that it ends with.
+    ends :: Type,
+    start :: Maybe Function,
     functions :: [Function],
     stopped :: Maybe Function
   }
@@ -114,26 +127,55 @@ data Calling = Calling
 -- ---------------------------------------------------------------------------------------------
 -- Time
 
--- | What an instant is about. Rule 1 calls the first an event; odometry refreshes the state.
-data Happening = Happens Type Value | Odometry Int | Tick
+-- | What an instant is about. Rule 1 calls the first an event; odometry refreshes the state. The last two come from outside, between
+-- two instants: the program is told to stop, and the connection to the robot is lost.
+data Happening = Happens Type Value | Odometry Int | Tick | Stop | Loss
   deriving (Eq, Show)
 
--- | What is heard of a program.
-data Said = Fired String | Commanded Value | Over
+-- | What is heard of a program: 'Halt' is the command to stand still.
+data Said = Fired String | Commanded Value | Halt | Over Ending
   deriving (Eq, Show)
 
--- | What a program says, each at the time at which it says it. Time is counted in milliseconds.
+-- | How a program ends. Two ways name the function that is to blame.
+data Ending
+  = Finished
+  | Stopped
+  | -- | Nobody hears the program any more. What stands between it and the robot must tell the robot to stop.
+    Lost
+  | Failed String
+  | -- | It gave a 'Done' of another type than its task's.
+    EndedWrongly String
+  deriving (Eq, Show)
+
+-- | What a program says, each at the time at which it says it. Time is counted in milliseconds. A program begins with the first thing
+-- that happens.
 meaning :: Program -> [(Int, Happening)] -> [(Int, Said)]
-meaning program happenings = heard (execState run world0)
+meaning program happenings = reverse (said (State.execState (runExceptT run >>= either over pure) world0))
   where
-    world0 = World 0 Nothing [] [] 0 0 0 [] []
-    run = do
-      running <- advance limit program
-      case running of
-        Returned _ -> say Over
-        _ -> pure ()
-      foldM instant running happenings
-    heard = reverse . said
+    world0 = World 0 Nothing [] [] 0 0 0 [] [] []
+    run = case happenings of
+      (t, h) : _ | isInstant h -> passTime t >> advance limit program >>= go happenings
+      _ -> go happenings (Paused program)
+    go days r = case (r, days) of
+      (Returned _, _) -> throwE Finished
+      (_, []) -> pure ()
+      (_, (t, h) : rest) -> instant r t h >>= go rest
+
+-- | Rule 11: whatever ended it, all live tasks clean up, then the robot is told to stop, and why comes last.
+over :: Ending -> State.State World ()
+over Lost = State.modify (\w -> w {said = (time w, Over Lost) : said w})
+over ending = cleanUp >> State.modify (\w -> w {said = (time w, Over ending) : (time w, Halt) : said w})
+
+-- | The youngest task first, each once. One that fails is passed over.
+cleanUp :: State.State World ()
+cleanUp = do
+  left <- State.gets cleanups
+  unless (null left) $ do
+    let youngest = maximum (map fst left)
+        (now, later) = partition ((== youngest) . fst) left
+    State.modify (\w -> w {cleanups = later})
+    mapM_ (runExceptT . atOnce youngest . snd) now
+    cleanUp
 
 -- ---------------------------------------------------------------------------------------------
 -- The state of the world
@@ -151,8 +193,22 @@ data World = World
     chances :: Int,
     -- | Newest first.
     said :: [(Int, Said)],
-    fed :: [Value]
+    fed :: [Value],
+    -- | What the live tasks do when they are stopped, by scope.
+    cleanups :: [(Int, Function)]
   }
+
+-- | What changes the world, and may end the program.
+type Doing = ExceptT Ending (State.State World)
+
+get :: Doing World
+get = lift State.get
+
+gets :: (World -> a) -> Doing a
+gets = lift . State.gets
+
+modify :: (World -> World) -> Doing ()
+modify = lift . State.modify
 
 paramScope :: Int
 paramScope = -1
@@ -161,7 +217,10 @@ paramScope = -1
 limit :: Int
 limit = 64
 
-say :: Said -> State World ()
+passTime :: Int -> Doing ()
+passTime t = modify (\w -> w {time = t})
+
+say :: Said -> Doing ()
 say what = modify (\w -> w {said = (time w, what) : said w})
 
 -- ---------------------------------------------------------------------------------------------
@@ -171,7 +230,7 @@ say what = modify (\w -> w {said = (time w, what) : said w})
 data Occurrence = Outside Happening | Inside Int Type Value
 
 -- | The value of an arrival, read in the task's scope when the function fires. 'needsState' arrivals wait for odometry (rule 5).
-data Arrival = Arrival {needsState :: Bool, readIn :: Int -> State World Value}
+data Arrival = Arrival {needsState :: Bool, readIn :: Int -> Doing Value}
 
 -- | What each occurrence of a history brings to an input, turn by turn.
 arrivals :: Input -> [Occurrence] -> [[Maybe Arrival]]
@@ -239,11 +298,13 @@ level i = case i of
   Memory t -> Arrival False (\s -> recall (s, t)) -- rule 7
   Param t -> Arrival False (\_ -> recall (paramScope, t))
   Time -> Arrival False (\_ -> gets (Int . time))
-  Chance -> Arrival False (\_ -> state (\w -> (Int (chances w), w {chances = chances w + 1})))
+  Clock -> Arrival False (\_ -> gets (Tuple . map Int . onTheClock . time))
+  Chance -> Arrival False (\_ -> Int <$> gets chances <* modify (\w -> w {chances = chances w + 1}))
   All members -> Arrival (any (needsState . level) members) (\s -> Tuple <$> mapM ((`readIn` s) . level) (flatten members))
   _ -> Arrival False (\_ -> pure (Tuple []))
   where
     recall key = gets (fromMaybe (Int 0) . lookup key . memory)
+    onTheClock t = [t `div` 3600000 `mod` 24, t `div` 60000 `mod` 60, t `div` 1000 `mod` 60, t `mod` 1000]
 
 -- | Whether a level is refreshed by odometry.
 isState :: Input -> Bool
@@ -287,14 +348,16 @@ due o w l
       | Outside Tick <- o = [level i]
       | otherwise = []
 
--- | One transaction: read, compute, write, all at once (rule 6).
-fire :: Int -> Function -> Arrival -> State World [Output]
+-- | One transaction: read, compute, write, all at once (rule 6). A function that fails has done nothing, not even read (rule 11).
+fire :: Int -> Function -> Arrival -> Doing [Given]
 fire scope f a = do
+  before <- get
   v <- readIn a scope
-  say (Fired (name f))
   let outputs = body f v
+  when (or [True | Fail <- outputs]) (modify (const before) >> throwE (Failed (name f)))
+  say (Fired (name f))
   mapM_ carryOut outputs
-  pure outputs
+  pure (map (Given (name f)) outputs)
   where
     carryOut out = case out of
       Command v -> say (Commanded v) -- rule 9
@@ -302,12 +365,14 @@ fire scope f a = do
       Share t v -> remember (paramScope, t) v
       Emit t v -> modify (\w -> w {queue = queue w ++ [(emitted w, (t, v))], emitted = emitted w + 1})
       Feedback v -> modify (\w -> w {fed = fed w ++ [v]})
-      Done _ -> pure ()
-      Call _ -> pure ()
+      _ -> pure ()
     remember key v = modify (\w -> w {memory = (key, v) : filter ((/= key) . fst) (memory w)})
 
+-- | An output, and the function that gave it.
+data Given = Given String Output
+
 -- | Fire all that is due, up to the first 'Done'.
-notice :: Int -> Occurrence -> Live -> State World (Live, [Output])
+notice :: Int -> Occurrence -> Live -> Doing (Live, [Given])
 notice scope o l = do
   w <- get
   let (fires, l') = due o w l
@@ -317,13 +382,21 @@ notice scope o l = do
     untilDone [] = pure []
     untilDone (a : as) = do
       outputs <- fire scope (function l) a
-      if null (dones outputs) then (outputs ++) <$> untilDone as else pure outputs
+      if givesDone outputs then pure outputs else (outputs ++) <$> untilDone as
 
-dones :: [Output] -> [Value]
-dones outputs = [v | Done v <- outputs]
+-- | The values that end a task of this type, if the first 'Done' fits it.
+dones :: Type -> [Given] -> Doing [Value]
+dones t outputs = case [(who, t', v) | Given who (Done t' v) <- outputs] of
+  [] -> pure []
+  (who, t', v) : _
+    | t' == t -> pure [v]
+    | otherwise -> throwE (EndedWrongly who)
+
+givesDone :: [Given] -> Bool
+givesDone outputs = or [True | Given _ (Done _ _) <- outputs]
 
 -- | Fire if nothing has to be waited for.
-atOnce :: Int -> Function -> State World (Maybe [Output])
+atOnce :: Int -> Function -> Doing (Maybe [Given])
 atOnce scope f = do
   arrived <- gets (isJust . odometry)
   if isEvent (input f) || (isState (input f) && not arrived)
@@ -347,7 +420,7 @@ data Running
 data Called = Called Running (Maybe Live) Calling
 
 -- | Go on until something has to be waited for, or for so many steps.
-advance :: Int -> Program -> State World Running
+advance :: Int -> Program -> Doing Running
 advance left program = case program of
   Return v -> pure (Returned v)
   _ | left <= 0 -> pure (Paused program)
@@ -360,7 +433,7 @@ advance left program = case program of
   Once f rest -> do
     scope <- newScope
     b <- gets emitted
-    atOnce scope f >>= maybe (pure (Giving scope (live b f) rest)) (const (advance (left - 1) rest))
+    atOnce scope f >>= maybe (pure (Giving scope (live b f) rest)) (afterOnce left rest)
   Wait t rest -> do
     now <- gets time
     if t <= 0 then advance (left - 1) rest else pure (Waiting (now + t) rest)
@@ -374,31 +447,42 @@ advance left program = case program of
       Returned v -> advance (left - 1) (k (InLeft v))
       _ -> advance (left - 1) b >>= \y -> against (left - 1) x y k
 
-newScope :: State World Int
+-- | A command given once is no task: nothing may end there.
+afterOnce :: Int -> Program -> [Given] -> Doing Running
+afterOnce left rest outputs = dones noType outputs >> advance (left - 1) rest
+
+-- | A type that no value has.
+noType :: Type
+noType = ""
+
+newScope :: Doing Int
 newScope = do
   n <- gets scopes
   modify (\w -> w {scopes = n + 1})
   pure n
 
 -- | The start has been carried out; now the controller lives. A function hears what was emitted since the task began.
-install :: Int -> Int -> Int -> [Output] -> Spec -> (Value -> Program) -> State World Running
-install left scope b outputs spec k = case dones outputs of
-  v : _ -> advance (left - 1) (k v)
-  [] -> do
-    calls <- begin (left - 1) scope outputs
-    pure (Working scope (map (live b) (functions spec)) calls spec k)
+install :: Int -> Int -> Int -> [Given] -> Spec -> (Value -> Program) -> Doing Running
+install left scope b outputs spec k = do
+  done <- dones (ends spec) outputs
+  case done of
+    v : _ -> advance (left - 1) (k v)
+    [] -> do
+      mapM_ (\f -> modify (\w -> w {cleanups = (scope, f) : cleanups w})) (stopped spec)
+      calls <- begin (left - 1) scope outputs
+      pure (Working scope (map (live b) (functions spec)) calls spec k)
 
-beside :: Int -> Running -> Running -> (Value -> Program) -> State World Running
+beside :: Int -> Running -> Running -> (Value -> Program) -> Doing Running
 beside left (Returned x) (Returned y) k = advance left (k (Tuple [x, y]))
 beside _ x y k = pure (Beside x y k)
 
-against :: Int -> Running -> Running -> (Value -> Program) -> State World Running
+against :: Int -> Running -> Running -> (Value -> Program) -> Doing Running
 against left x (Returned v) k = stop x >> advance left (k (InRight v))
 against _ x y k = pure (Against x y k)
 
 -- | Start what was called.
-begin :: Int -> Int -> [Output] -> State World [Called]
-begin left scope outputs = concat <$> mapM one [c | Call c <- outputs]
+begin :: Int -> Int -> [Given] -> Doing [Called]
+begin left scope outputs = concat <$> mapM one [c | Given _ (Call c) <- outputs]
   where
     one c = do
       outer <- takeFed
@@ -406,14 +490,14 @@ begin left scope outputs = concat <$> mapM one [c | Call c <- outputs]
       r <- advance left (called c)
       fst <$> report scope outer (Called r (fmap (live b) (cancel c)) c)
 
-takeFed :: State World [Value]
+takeFed :: Doing [Value]
 takeFed = do
   vs <- gets fed
   modify (\w -> w {fed = []})
   pure vs
 
 -- | Tell the caller about feedback and the end.
-report :: Int -> [Value] -> Called -> State World ([Called], [Output])
+report :: Int -> [Value] -> Called -> Doing ([Called], [Given])
 report scope outer c@(Called r _ calling) = do
   own <- takeFed
   modify (\w -> w {fed = outer})
@@ -429,17 +513,24 @@ report scope outer c@(Called r _ calling) = do
       Just f -> fromMaybe [] <$> atOnce scope f
 
 -- | Stop all that is live in there, the called first, each clean-up once.
-stop :: Running -> State World ()
+stop :: Running -> Doing ()
 stop r = case r of
-  Working scope _ calls spec _ -> do
+  Working scope _ calls _ _ -> do
     mapM_ (\(Called inner _ _) -> stop inner) calls
-    mapM_ (atOnce scope) (stopped spec)
+    takeCleanUp scope >>= mapM_ (atOnce scope)
   Beside a b _ -> stop a >> stop b
   Against a b _ -> stop a >> stop b
   _ -> pure ()
 
+-- | What the task would do when it is stopped: now it does it, or never.
+takeCleanUp :: Int -> Doing [Function]
+takeCleanUp scope = do
+  (now, later) <- gets (partition ((== scope) . fst) . cleanups)
+  modify (\w -> w {cleanups = later})
+  pure (map snd now)
+
 -- | Let everything that runs notice, in the program's order.
-deliver :: Occurrence -> Running -> State World Running
+deliver :: Occurrence -> Running -> Doing Running
 deliver o r = case r of
   Returned _ -> pure r
   Starting scope l spec k -> do
@@ -451,7 +542,7 @@ deliver o r = case r of
   Giving scope l rest -> do
     w <- get
     case due o w l of
-      (a : _, _) -> fire scope (function l) a >> advance limit rest
+      (a : _, _) -> fire scope (function l) a >>= afterOnce limit rest
       ([], l') -> pure (Giving scope l' rest)
   Working scope lives calls spec k -> work scope o lives calls spec k
   Waiting t rest -> outside (gets time >>= \now -> if now >= t then advance limit rest else pure r)
@@ -471,14 +562,15 @@ deliver o r = case r of
       Inside {} -> pure r
 
 -- | One task: its functions in order, then what they had called. The first 'Done' ends it.
-work :: Int -> Occurrence -> [Live] -> [Called] -> Spec -> (Value -> Program) -> State World Running
+work :: Int -> Occurrence -> [Live] -> [Called] -> Spec -> (Value -> Program) -> Doing Running
 work scope o lives calls spec k = leaves lives [] []
   where
     leaves [] seen fresh = rest calls [] seen fresh
     leaves (l : ls) seen fresh = do
       (l', out) <- notice scope o l
       more <- begin limit scope out
-      case dones out of
+      done <- dones (ends spec) out
+      case done of
         v : _ -> finish v (calls ++ fresh ++ more)
         [] -> leaves ls (seen ++ [l']) (fresh ++ more)
     rest [] kept seen fresh = pure (Working scope seen (kept ++ fresh) spec k)
@@ -492,7 +584,8 @@ work scope o lives calls spec k = leaves lives [] []
           inner' <- deliver o inner
           (left, told) <- report scope outer (Called inner' canceller' calling)
           more <- begin limit scope told
-          case dones told of
+          done <- dones (ends spec) told
+          case done of
             v : _ -> finish v (kept ++ left ++ cs ++ fresh ++ more)
             [] -> rest cs (kept ++ left) seen (fresh ++ more)
         else do
@@ -501,27 +594,30 @@ work scope o lives calls spec k = leaves lives [] []
           rest cs kept seen fresh
     finish v others = do
       mapM_ (\(Called inner _ _) -> stop inner) others
+      _ <- takeCleanUp scope
       advance (limit - 1) (k v)
 
 -- ---------------------------------------------------------------------------------------------
 -- Instants
 
--- | One instant: what happens, then rounds of what was emitted (rule 8). Nothing happens after the end.
-instant :: Running -> (Int, Happening) -> State World Running
-instant r (t, h) = case r of
-  Returned _ -> pure r
+-- | Whether it is about something that a program can notice.
+isInstant :: Happening -> Bool
+isInstant h = h `notElem` [Stop, Loss]
+
+-- | One instant: what happens, then rounds of what was emitted (rule 8). Or the end, which takes no time of its own.
+instant :: Running -> Int -> Happening -> Doing Running
+instant r t h = case h of
+  Stop -> throwE Stopped
+  Loss -> throwE Lost
   _ -> do
-    modify (\w -> w {time = t, fed = []})
+    passTime t
+    modify (\w -> w {fed = []})
     case h of
       Odometry v -> modify (\w -> w {odometry = Just v})
       _ -> pure ()
-    r' <- deliver (Outside h) r >>= rounds limit
-    case r' of
-      Returned _ -> say Over
-      _ -> pure ()
-    pure r'
+    deliver (Outside h) r >>= rounds limit
 
-rounds :: Int -> Running -> State World Running
+rounds :: Int -> Running -> Doing Running
 rounds left r = case r of
   Returned _ -> pure r
   _ | left == 0 -> pure r

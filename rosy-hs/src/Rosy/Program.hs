@@ -34,6 +34,9 @@
 --   expression, one per element; the names of the body for parentheses and type signatures; @Names []@ for what has no name,
 --   a lambda for instance. A variable that the program defines as a tuple or list without arguments has the names of its right-hand side.
 --   Names are a service, not a duty: a tree of another shape than the controller falls back to @function 1@, @function 2@ …
+--
+-- [Whose task it is] Once the types are known, every expression of type @Task a@ in a definition @d@ becomes @within "d"@ of it, so that a
+--   loop of tasks that never lets time pass is blamed on the definition in which it stands.
 module Rosy.Program
   ( -- * Instances
     Generic,
@@ -50,6 +53,7 @@ module Rosy.Program
     taskWithNamed,
     onceNamed,
     callNamed,
+    within,
   )
 where
 
@@ -59,5 +63,5 @@ import Rosy.Command (Command (..))
 import Rosy.Controller (Names (..))
 import Rosy.Launch (simulateNamed)
 import Rosy.Sensor (Sensor (..))
-import Rosy.Task (callNamed, onceNamed, taskNamed, taskWithNamed)
+import Rosy.Task (callNamed, onceNamed, taskNamed, taskWithNamed, within)
 import Rosy.Value (Default (..), Value (..))

@@ -54,10 +54,12 @@ batches link seen batch = drive [] (occasions batch)
           case following of
             Nothing -> cleanUp link batch [] EndedStopped (stop network')
             Just batch' -> between link >> batches link memory batch' (Settled network')
-      Ended outcome report -> end link (answerOf batch fired report) (endingOf batch outcome)
+      Enters name after -> atWork link name >> drive fired todo after
+      Closes outcome after -> cleanUp link batch fired (endingOf batch outcome) after
+      Ended report -> end link (answerOf batch fired report) EndedStopped
 
--- | Between two firings the program's own expression is at work, from @main@: it says which task comes next. A loop of tasks that
--- never lets time pass is stuck there.
+-- | Between two firings the program's own expressions are at work: they say which task comes next. A loop of tasks that never lets
+-- time pass is stuck there. It begins in @main@, and 'Enters' tells of other definitions.
 between :: Link -> IO ()
 between link = atWork link (functionName "main")
 
@@ -85,14 +87,14 @@ cleanUp link batch fired ending turn = case turn of
     case result of
       Right _ -> between link >> cleanUp link batch (firingName firing : fired) ending after
       Left _ -> cleanUp link batch fired ending (firingFailed firing)
+  Enters name after -> atWork link name >> cleanUp link batch fired ending after
+  Closes _ after -> cleanUp link batch fired ending after
   Settled network -> cleanUp link batch fired ending (stop network)
-  Ended _ report -> atRest link >> end link (answerOf batch fired report) ending
+  Ended report -> atRest link >> end link (answerOf batch fired report) ending
 
 endingOf :: Batch -> Outcome -> Ending
 endingOf batch outcome = case outcome of
   Finished -> EndedDone
-  Stopped -> EndedStopped
-  Failed -> EndedStopped
   EndedWrongly who given wanted ->
     EndedError (problemFrom (Just who) [] (Just (batchTime batch)) (toException (WrongDone given wanted)))
 

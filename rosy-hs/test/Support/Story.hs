@@ -95,17 +95,21 @@ hearProgram p = go 0 [] (begin (Start 0 (mkStdGen 1)) p)
     go time fired turn todo = case turn of
       Fires firing after -> case attempt (firingEffects firing) of
         Nothing -> go time (nameText (firingName firing) : fired) after todo
-        Just failure -> failed time (("failed: " ++ failure) : nameText (firingName firing) : fired) (firingFailed firing)
+        Just failure -> closing time (("failed: " ++ failure) : nameText (firingName firing) : fired) "Failed" (firingFailed firing)
       Settled network ->
         let (report, network') = collect network
          in heard time fired report Nothing : case todo of
               [] -> []
               (t, what) : rest -> go t [] (instant t what network') rest
-      Ended outcome report -> [heard time fired report (Just (show outcome))]
-    failed time fired = \case
-      Fires firing after -> failed time (nameText (firingName firing) : fired) (maybe after (const (firingFailed firing)) (attempt (firingEffects firing)))
-      Ended outcome report -> [heard time fired report (Just (show outcome))]
-      Settled network -> failed time fired (stop network)
+      Enters _ after -> go time fired after todo
+      Closes outcome after -> closing time fired (show outcome) after
+      Ended report -> [heard time fired report Nothing]
+    closing time fired how = \case
+      Fires firing after -> closing time (nameText (firingName firing) : fired) how (maybe after (const (firingFailed firing)) (attempt (firingEffects firing)))
+      Enters _ after -> closing time fired how after
+      Closes _ after -> closing time fired how after
+      Settled network -> closing time fired how (stop network)
+      Ended report -> [heard time fired report (Just how)]
     heard time fired report =
       Heard time (reverse fired) (map tellAction (reportActions report)) (reportEvents report)
 

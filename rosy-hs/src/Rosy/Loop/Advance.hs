@@ -38,12 +38,13 @@ advance :: Int -> Program r -> Step (Running r)
 advance !left program = case program of
   Return x -> pure (Returned x)
   _ | left <= 0 -> pure (Paused program)
+  Within name rest -> Step (\w k -> Enters name (runStep (advance left rest) w k))
   RunTask spec k -> startTask left spec k
   Once function rest -> do
     scope <- freshScope
     begunNow <- tryNow scope (marked function)
     if begunNow
-      then afterOnce left scope function rest
+      then afterOnce left scope rest
       else do
         born <- world emitted
         pure (Giving scope (liven born (marked function)) rest)
@@ -89,11 +90,11 @@ marked (Function name inputs give) = Function name inputs (append . give)
     append Nothing' = Then (End (toDyn Fired)) Nothing'
     append (Then effect rest) = Then effect (append rest)
 
--- | The value of a 'Done' in an ending that may only be the mark.
-ofDone :: Dynamic -> Maybe Dynamic
-ofDone value = case fromDynamic value of
+-- | The ending, unless it is only the mark.
+ofDone :: Given -> Maybe Given
+ofDone given@(Given _ value) = case fromDynamic value of
   Just Fired -> Nothing
-  Nothing -> Just value
+  Nothing -> Just given
 
 -- | Fire if all inputs can be read now; says whether it did.
 tryNow :: ScopeId -> Function -> Step Bool
@@ -112,15 +113,15 @@ startTask left spec k = do
     Just function -> do
       begunNow <- tryNow scope (marked function)
       if begunNow
-        then afterStart left scope born function spec k
-        else pure (Starting scope (liven born (marked function)) function spec k)
+        then afterStart left scope born spec k
+        else pure (Starting scope (liven born (marked function)) spec k)
 
 -- | The start has fired: install the controller, unless the start has ended the task.
-afterStart :: Int -> ScopeId -> Int -> Function -> Spec end -> (end -> Program r) -> Step (Running r)
-afterStart left scope born (Function name _ _) spec k = do
+afterStart :: Int -> ScopeId -> Int -> Spec end -> (end -> Program r) -> Step (Running r)
+afterStart left scope born spec k = do
   over <- takeEnding
   case over >>= ofDone of
-    Just value -> finish left scope name value [] spec k
+    Just given -> finish left scope given [] spec k
     Nothing -> install left scope born spec k
 
 install :: Int -> ScopeId -> Int -> Spec end -> (end -> Program r) -> Step (Running r)
@@ -132,26 +133,26 @@ install left scope born spec k = do
   pure (Working scope (map (liven born) (specFunctions spec)) called spec k)
 
 -- | A command given once is no task: nothing may end there.
-afterOnce :: Int -> ScopeId -> Function -> Program r -> Step (Running r)
-afterOnce left scope (Function name _ _) rest = do
+afterOnce :: Int -> ScopeId -> Program r -> Step (Running r)
+afterOnce left scope rest = do
   over <- takeEnding
   forget scope
   case over >>= ofDone of
-    Just value -> wrongEnd name value "nothing: it is not in a task"
+    Just given -> wrongEnd given "nothing: it is not in a task"
     Nothing -> advance (left - 1) rest
 
 -- | The task has ended: its functions are gone, its calls are stopped, the value is handed on (rule 10).
-finish :: Int -> ScopeId -> FunctionName -> Dynamic -> [Called] -> Spec end -> (end -> Program r) -> Step (Running r)
-finish left scope name value called spec k = case specEnd spec value of
-  Nothing -> wrongEnd name value (specType spec)
+finish :: Int -> ScopeId -> Given -> [Called] -> Spec end -> (end -> Program r) -> Step (Running r)
+finish left scope given@(Given _ value) called spec k = case specEnd spec value of
+  Nothing -> wrongEnd given (specType spec)
   Just x -> do
     mapM_ stopCalled called
     change (\w -> w {cleanups = IntMap.delete scope (cleanups w), begun = []})
     forget scope
     advance (left - 1) (k x)
 
-wrongEnd :: FunctionName -> Dynamic -> String -> Step a
-wrongEnd name value wanted =
+wrongEnd :: Given -> String -> Step a
+wrongEnd (Given name value) wanted =
   Step (\w _ -> abandon (EndedWrongly (nameText name) (show (dynTypeRep value)) wanted) w)
 
 forget :: ScopeId -> Step ()
@@ -164,7 +165,7 @@ forget scope = change $ \w ->
 stopRunning :: Running r -> Step ()
 stopRunning running = case running of
   Returned _ -> pure ()
-  Starting scope _ _ _ _ -> forget scope
+  Starting scope _ _ _ -> forget scope
   Giving scope _ _ -> forget scope
   Working scope _ called _ _ -> do
     mapM_ stopCalled called

@@ -17,19 +17,19 @@ import Rosy.Loop.State
 deliver :: Occurrence -> Running r -> Step (Running r)
 deliver occurrence running = case running of
   Returned _ -> pure running
-  Starting scope live function spec k -> do
+  Starting scope live spec k -> do
     born <- world emitted
     live' <- offerIf scope occurrence live
     over <- world ending
     case over of
-      Nothing -> pure (Starting scope live' function spec k)
-      Just _ -> afterStart stepLimit scope born function spec k
+      Nothing -> pure (Starting scope live' spec k)
+      Just _ -> afterStart stepLimit scope born spec k
   Giving scope live rest -> do
     live' <- offerIf scope occurrence live
     over <- world ending
     case over of
       Nothing -> pure (Giving scope live' rest)
-      Just _ -> afterOnce stepLimit scope (Function (liveName live) (Sense (const id) (Level (Reading False 0 (const ())))) (const Nothing')) rest
+      Just _ -> afterOnce stepLimit scope rest
   Working scope live called spec k -> work scope occurrence live called spec k
   Waiting moment rest
     | Emitted _ <- occurrence -> pure running
@@ -54,9 +54,9 @@ deliver occurrence running = case running of
         against stepLimit x y k
 
 -- | Instants come at sums of steps of 20 ms, whose last digits are rounded: a moment is reached when it is this near, seconds.
--- Far below the shortest time between two messages, far above the rounding of a year in seconds.
+-- Far below the shortest time between two messages, far above the rounding of the seconds since 1970.
 rounding :: Double
-rounding = 1e-7
+rounding = 1e-6
 
 -- | One task at work: its functions in order, then the tasks they called before, oldest first. The first 'Done' ends it.
 work :: ScopeId -> Occurrence -> [Live] -> [Called] -> Spec end -> (end -> Program r) -> Step (Running r)
@@ -69,13 +69,13 @@ work scope occurrence live0 called0 spec k = leaves live0 [] []
     leaves (l : ls) seen fresh = do
       l' <- offerTo scope occurrence l
       quiet <- world uneventful
-      if quiet then leaves ls (l' : seen) fresh else leafDone l l' ls seen fresh
-    leafDone l l' ls seen fresh = do
+      if quiet then leaves ls (l' : seen) fresh else leafDone l' ls seen fresh
+    leafDone l' ls seen fresh = do
       more <- startCalls stepLimit scope
       over <- takeEnding
       case over of
         Nothing -> leaves ls (l' : seen) (if null more then fresh else fresh ++ more)
-        Just value -> finish stepLimit scope (liveName l) value (called0 ++ fresh ++ more) spec k
+        Just given -> finish stepLimit scope given (called0 ++ fresh ++ more) spec k
     calls [] kept live fresh = pure (Working scope live (if null kept then fresh else reverse kept ++ fresh) spec k)
     calls (c : cs) kept live fresh = do
       result <- deliverCalled scope occurrence c
@@ -83,7 +83,7 @@ work scope occurrence live0 called0 spec k = leaves live0 [] []
       over <- takeEnding
       case over of
         Nothing -> calls cs (result ++ kept) live (if null more then fresh else fresh ++ more)
-        Just value -> finish stepLimit scope (functionName "end of a call") value (reverse kept ++ result ++ cs ++ fresh ++ more) spec k
+        Just given -> finish stepLimit scope given (reverse kept ++ result ++ cs ++ fresh ++ more) spec k
 
 -- | Nobody ended or called anything: by far the most firings.
 uneventful :: World -> Bool

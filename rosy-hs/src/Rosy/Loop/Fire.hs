@@ -8,6 +8,7 @@ module Rosy.Loop.Fire
     fire,
     atOnce,
     abandon,
+    cleanUp,
     reportOf,
 
     -- * What makes a function fire
@@ -31,12 +32,12 @@ fire scope name tell give (Reading _ used' look) = Step $ \w k ->
       inputs = look here
       effects = give inputs
       w' = if used' == 0 then w else w {env = withoutGenerators used' before}
-   in Fires (Firing name (tell inputs []) effects (abandon Failed w)) (carryOut scope effects w' (k ()))
+   in Fires (Firing name (tell inputs []) effects (cleanUp w)) (carryOut scope name effects w' (k ()))
 
 -- | Do what a firing says, in order.
-carryOut :: ScopeId -> Effects -> World -> (World -> Turn) -> Turn
-carryOut _ Nothing' !w k = k w
-carryOut scope (Then effect rest) !w k = carryOut scope rest (w `after` effect) k
+carryOut :: ScopeId -> FunctionName -> Effects -> World -> (World -> Turn) -> Turn
+carryOut _ _ Nothing' !w k = k w
+carryOut scope name (Then effect rest) !w k = carryOut scope name rest (w `after` effect) k
   where
     after v (Act action) = v {actions = action : actions v}
     after v (Emit value text) =
@@ -45,18 +46,22 @@ carryOut scope (Then effect rest) !w k = carryOut scope rest (w `after` effect) 
       v {env = (env v) {envMemories = IntMap.insertWith (\_ old -> Map.insert key value old) scope (Map.singleton key value) (envMemories (env v))}}
     after v (Share key value) = v {env = (env v) {envParams = Map.insert key value (envParams (env v))}}
     after v (End value) = case ending v of
-      Nothing -> v {ending = Just value}
+      Nothing -> v {ending = Just (Given name value)}
       Just _ -> v
     after v (Feed value) = v {fed = value : fed v}
     after v (StartCall calling) = v {begun = calling : begun v}
 
--- | Give all live tasks their clean-up, youngest first, each once, and end.
+-- | End the program at once.
 abandon :: Outcome -> World -> Turn
-abandon outcome w = case IntMap.maxViewWithKey (cleanups w) of
-  Nothing -> Ended outcome (reportOf w)
+abandon outcome = Closes outcome . cleanUp
+
+-- | Give all live tasks their clean-up, youngest first, each once; one that throws is passed over.
+cleanUp :: World -> Turn
+cleanUp w = case IntMap.maxViewWithKey (cleanups w) of
+  Nothing -> Ended (reportOf w)
   Just ((scope, Function name inputs give), rest) ->
     let w' = w {cleanups = rest}
-     in runStep (atOnce scope name inputs give) w' (\_ w'' -> abandon outcome w'')
+     in runStep (atOnce scope name inputs give) w' (const cleanUp)
 
 -- | Fire if all inputs can be read now; functions that would have to wait are passed over.
 atOnce :: ScopeId -> FunctionName -> Sense n -> (n -> Effects) -> Step ()

@@ -15,9 +15,9 @@ module Rosy.Loop.State
     Network (..),
     World (..),
     arrived,
+    Given (..),
     Live (..),
     Telling,
-    liveName,
     listens,
     Running (..),
     Called (..),
@@ -42,10 +42,14 @@ import Rosy.Core
 data Turn
   = -- | A function is about to fire. Once its effects are computed, this is what follows.
     Fires Firing Turn
+  | -- | The definition of this name says what comes next; it is at work until a function fires.
+    Enters !FunctionName Turn
   | -- | The step is over; the program waits for the next.
     Settled !Network
-  | -- | The program has ended.
-    Ended !Outcome !Report
+  | -- | The program is over. What follows is the clean-up of all live tasks, then 'Ended'.
+    Closes !Outcome Turn
+  | -- | Nothing is left to do.
+    Ended !Report
 
 -- | A function at work.
 data Firing = Firing
@@ -54,15 +58,13 @@ data Firing = Firing
     firingInputs :: [String],
     -- | Evaluating this is the firing. It throws what the function throws.
     firingEffects :: Effects,
-    -- | What follows when it threw: the clean-up of all live tasks, then 'Ended'.
+    -- | What follows when it threw: the clean-up of the tasks that were live then, and 'Ended'.
     firingFailed :: Turn
   }
 
--- | How a program ends by itself or is ended.
+-- | How a program ends by itself.
 data Outcome
   = Finished
-  | Stopped
-  | Failed
   | -- | A function gave a 'Rosy.Done' of another type than the task's: the function, the type, the task's type.
     EndedWrongly String String String
   deriving (Eq, Show)
@@ -90,7 +92,7 @@ data World = World
     actions :: ![Action],
     heard :: ![String],
     -- | The value of the first @Done@ of the functions that are firing.
-    ending :: !(Maybe Dynamic),
+    ending :: !(Maybe Given),
     -- | Feedback on its way out, newest first.
     fed :: ![Dynamic],
     -- | Calls to start, newest first.
@@ -99,6 +101,9 @@ data World = World
     -- | What the live tasks do when they are stopped.
     cleanups :: !(IntMap Function)
   }
+
+-- | The value of a @Done@, and the function that gave it.
+data Given = Given !FunctionName !Dynamic
 
 -- | A function with the state of its inputs. Each has a name, what it listens to, how its inputs are told, and what it does.
 -- Those that follow events have a birth: user events with a smaller serial were emitted before and are not for it.
@@ -113,13 +118,6 @@ data Live
 
 -- | How inputs are told in an error message.
 type Telling n = n -> [String] -> [String]
-
--- | What it is called.
-liveName :: Live -> FunctionName
-liveName live = case live of
-  Steady name _ _ _ _ -> name
-  Passing name _ _ _ _ _ _ -> name
-  Keeping name _ _ _ _ _ _ _ -> name
 
 -- | Whether an occurrence of this kind may concern the function.
 listens :: Interest -> Occurrence -> Live -> Bool
@@ -142,7 +140,7 @@ arrived e = case envOdometry e of
 data Running r
   = Returned r
   | -- | A task whose @init@ waits for its inputs.
-    forall end. Starting !ScopeId !Live !Function !(Spec end) (end -> Program r)
+    forall end. Starting !ScopeId !Live !(Spec end) (end -> Program r)
   | -- | A command given once, that waits for its inputs.
     Giving !ScopeId !Live (Program r)
   | -- | A task at work: its functions, and the tasks they called.
@@ -188,7 +186,7 @@ change f = Step (\w k -> let !w' = f w in k () w')
 {-# INLINE change #-}
 
 -- | Read and reset the ending of the functions that fired.
-takeEnding :: Step (Maybe Dynamic)
+takeEnding :: Step (Maybe Given)
 takeEnding = Step $ \w k -> case ending w of
   Nothing -> k Nothing w
   found -> k found w {ending = Nothing}

@@ -12,7 +12,6 @@ import Control.Exception (TypeError (..), evaluate, try)
 import Data.List (isInfixOf)
 import Rosy
 import Rosy.Program
-import Rosy.Value (defaultValue)
 import Support.Story
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit

@@ -12,7 +12,7 @@ import Control.Exception (ErrorCall, evaluate, try)
 import Data.Either (isLeft)
 import qualified Data.Map as Map
 import Rosy.Program
-import Rosy.Value (defaultValue, initial, settle, settled, shown)
+import Rosy.Value (settled, shown)
 import Test.QuickCheck
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
