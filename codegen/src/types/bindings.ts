@@ -227,7 +227,7 @@ export abstract class Bindings extends Patterns {
           scope.set(name, {variables: general, constraints: [], type: part})
         }
     }
-    if (top && constraints.length > 0 && this.recursive(members)) this.checkSignable(members, scope)
+    if (top && this.recursive(members)) this.checkSignable(members, scope)
   }
 
   private recursive(members: readonly Declaration[]): boolean {

@@ -179,7 +179,7 @@ export class Expressions extends Bindings {
     }
   }
 
-  /// A changed copy may have another type: what only the changed parts are made of is open again. (Haskell 2010 report §3.15.3)
+  /// A changed copy may have another type: all that no kept part is made of is open again. (Haskell 2010 report §3.15.3)
   protected update(e: Expr & {kind: "update"}, type: Type, scope: Scope): void {
     const names = e.fields.map(f => f.name)
     const of = this.recordWith(names)
@@ -203,9 +203,7 @@ export class Expressions extends Bindings {
         else for (const v of variablesIn(field)) kept.add(v)
       })
     const before = new Map(parameters.map(p => [p, this.fresh() as Type]))
-    // A parameter that no part is made of stays, too.
-    const open = new Set([...changed.values()].flatMap(t => [...variablesIn(t)]))
-    const after = new Map([...before].map(([p, t]) => [p, kept.has(p) || !open.has(p) ? t : this.fresh()]))
+    const after = new Map([...before].map(([p, t]) => [p, kept.has(p) ? t : this.fresh()]))
     this.same(type, app(con(name), ...after.values()), e)
     this.check(e.record, app(con(name), ...before.values()), scope)
     for (const f of e.fields) {

@@ -47,6 +47,7 @@ export function withTypes(
     written,
   }
   for (const d of declarations) {
+    env.hidden.delete(d.name)
     if (d.kind === "synonym") {
       const synonym = parseType(d.type.text)
       env.types.set(d.name, {

@@ -10,6 +10,9 @@ import {unify} from "./solve.ts"
 import type {Meta, Scheme, Type} from "./type.ts"
 import {asFunction, con, funs, listOf, prune, substitute, tupleOf} from "./type.ts"
 
+/// Types and classes as they are written without a module's name before them.
+const unqualifiedNames = /(?<![\p{L}\p{N}_'.])\p{Lu}[\p{L}\p{N}_']*(?![\p{L}\p{N}_'.])/gu
+
 export class State {
   protected found = new Map<Node, Type>()
   schemes = new Map<Declaration, Scheme>()
@@ -52,6 +55,8 @@ export class State {
       return undefined
     }
     this.knownTypes(scheme.type, node)
+    for (const [name] of text.matchAll(unqualifiedNames))
+      if (this.env.hidden.has(name)) this.problems.push({kind: "unknown-type", node, name})
     return {
       ...scheme,
       constraints: scheme.constraints.map(c => ({name: c.name, type: expand(c.type, this.env)})),
