@@ -40,6 +40,7 @@ function make(node: Syntax, r: Reading): Expr | Cause {
     case "constructor":
     case "qualified": {
       // See `plainer` in module.ts.
+      if (/^\d/.test(text)) return literal(text, at)
       const negated = /^- */.exec(text)?.[0].length ?? 0
       if (negated === 0) return word(text, at)
       const inner = word(text.slice(negated), e =>

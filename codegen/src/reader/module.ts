@@ -186,6 +186,10 @@ function plainer(source: string): string {
         /(?<=[([,] *)- *(?:0[xXoObB][\da-fA-F]+|\d[\d.]*(?:[eE][-+]?\d+)?|[\p{Ll}_][\p{L}\p{N}_']*)(?= *(?:[)\],]|::))/gu,
         n => (/^- *\d/.test(n) ? "0" : "a").repeat(n.length),
       )
+      // `-1 :: Int` as a step or condition: the grammar expects a pattern. As a name, which `expressions.ts` reads as the number it is.
+      .replace(/(?<=- *)(?:0[xXoObB][\da-fA-F_]+|\d[\d._]*(?:[eE][-+]?\d+)?)(?=\s*::)/gu, n =>
+        "a".repeat(n.length),
+      )
       // The grammar's `'\n'` may go on to the next quote, as the one in `x'`.
       .replace(/(?<![\p{L}\p{N}_'])'\\(?:[abfnrtv\\"']|\^.|\d+|o[0-7]+|x[\da-fA-F]+|[A-Z]{2,3}\d?)'/gu, c =>
         "0".repeat(c.length),

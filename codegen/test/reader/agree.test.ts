@@ -91,3 +91,25 @@ test("`f$x` applies an operator, with or without spaces", () => {
   for (const text of ["a = f$(g 1)\n", "a = f $(g 1)\n"])
     expect(plain(readProgram(text)), text).toEqual(plain(readProgram("a = f $ g 1\n")))
 })
+
+test("a negative number with a type is a step or a condition like any other", () => {
+  const typed = plain(readProgram("a = -1 :: Int\n"))
+  const [
+    {
+      clauses: [
+        {
+          right: {body},
+        },
+      ],
+    },
+  ] = (typed as {declarations: [{clauses: [{right: {body: unknown}}]}]}).declarations
+  for (const text of ["do\n  -1 :: Int", "do { - 1 :: Int }"])
+    expect(plain(readProgram(`a = ${text}\n`)), text).toMatchObject({
+      declarations: [
+        {clauses: [{right: {body: {kind: "do", statements: [{kind: "statement", expr: body}]}}}]},
+      ],
+    })
+  expect(plain(readProgram("a | -1 :: Int = 1\n"))).toMatchObject({
+    declarations: [{clauses: [{right: {body: [{guards: [{kind: "statement", expr: body}]}]}}]}],
+  })
+})
