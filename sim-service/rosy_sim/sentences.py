@@ -10,19 +10,13 @@ __all__ = ["broken_link", "died", "lost_robot", "room_full", "stuck", "too_much"
 _SIGXCPU, _SIGKILL, _SIGSEGV, _SIGSYS = 24, 9, 11, 31
 
 
-_ENDLESS_TASKS = "Perhaps tasks follow one another for ever: put a `wait` into the loop, so that time can pass."
-"""Between two functions it is `main` that says which task comes next."""
-
-
 def stuck(function: str | None, limit: float, time: float) -> Problem:
     """A step took longer than ``limit`` s of wall-clock time."""
     who = f"`{function}`" if function else "The program"
     return problem(
         "stuck",
         f"{who} was still busy after {limit:g} seconds, so the robot was stopped.",
-        _ENDLESS_TASKS
-        if function == "main"
-        else "A robot must answer quickly: look for something in it that never comes to an end.",
+        "Look for something in it that never comes to an end; a loop of tasks needs a `wait`, so that time can pass.",
         function=function,
         time=time,
     )

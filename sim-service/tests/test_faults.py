@@ -200,20 +200,31 @@ def test_a_problem_is_in_the_line_that_the_learner_wrote(source: str, line: int,
     assert first.start.line == line
 
 
+_HIT = "hit :: Button -> Done ()\nhit _ = Done ()\n\npush :: Task ()\npush = task () hit\n\n"
+
+
 @pytest.mark.parametrize(
-    "source",
+    ("function", "source"),
     [
-        'main = simulate (dizzy >> say "never")\n\ndizzy :: Task ()\ndizzy = forever (pure ())\n',
-        "main = simulate (task () hit >> dizzy 1)\n\nhit :: Button -> Done ()\nhit _ = Done ()\n\n"
-        'dizzy :: Int -> Task ()\ndizzy n = if n > 0 then dizzy n else say "never"\n',
+        ("dizzy", 'main = simulate (dizzy >> say "never")\n\ndizzy :: Task ()\ndizzy = forever (pure ())\n'),
+        (
+            "dizzy",
+            "main = simulate (push >> dizzy 1)\n\n" + _HIT + 'dizzy n = if n > 0 then dizzy n else say "never"\n',
+        ),
+        (
+            "dizzy",
+            "main = simulate (parallel (wait 9) (dizzy 2))\n\n" + _HIT + "dizzy :: Int -> Task ()\n"
+            "dizzy n = do\n  push\n  say (show n)\n  go 1\n  where\n    go m = if m > n then pure () else go (m - 1)\n",
+        ),
+        ("main", "main = simulate (push >> forever (pure ()))\n\n" + _HIT),
     ],
-    ids=["from the start", "after another task"],
+    ids=["from the start", "after another task", "in a local function", "in main"],
 )
-def test_tasks_that_never_let_time_pass_are_stopped_and_not_blamed_on_the_function_before(
-    source: str, worker: BlockingWorker
+def test_tasks_that_never_let_time_pass_are_stopped_and_blamed_on_the_definition_they_stand_in(
+    function: str, source: str, worker: BlockingWorker
 ) -> None:
     run = ran(worker, source, 5, (0.5, Press(0, True)), limits=replace(LIMITS, settle=1.0, ready=1.0))
     assert run.outcome.ended == "stuck"
     [problem] = run.outcome.problems
-    assert problem.function == "main"
+    assert problem.function == function
     assert "`wait`" in problem.hint

@@ -56,6 +56,7 @@ import GHC.Types.SrcLoc
 import GHC.Unit.Module (mkModuleName)
 import GHCi.RemoteTypes (localRef, withForeignRef)
 import Rosy.Worker.Ghc.Add
+import Rosy.Worker.Ghc.Blame
 import Rosy.Worker.Ghc.Complete
 import Rosy.Worker.Ghc.Describe
 import Rosy.Worker.Ghc.Names (leaves)
@@ -216,7 +217,9 @@ check aim session flags columns source (L at parsed) warnings = do
 -- | Compiles a checked program to bytecode in this process and gives the action that runs it: over a link's
 -- descriptor, with a page for the name of the function at work.
 load :: Session -> Ready -> IO (CInt -> Ptr Word32 -> IO ())
-load session (Ready env summary checked name) = do
+load session (Ready env plain checked name) = do
+  let flags = ms_hspp_opts plain
+      summary = plain {ms_hspp_opts = flags {staticPlugins = blaming : staticPlugins flags}}
   compiled <- compileOne' (Just checked) Nothing env summary 1 1 Nothing Nothing SourceModified
   let home = env {hsc_HPT = addToHpt (hsc_HPT env) (mkModuleName "Main") compiled}
   value <- getHValue home name

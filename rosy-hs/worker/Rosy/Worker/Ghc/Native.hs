@@ -18,6 +18,7 @@ import GHC.Driver.Types (HsParsedModule (..))
 import GHC.Types.Name (nameOccName)
 import GHC.Types.Name.Occurrence (OccSet, mkOccSet)
 import Rosy.Worker.Ghc.Add (Added (..), Instances (..), addRosy)
+import Rosy.Worker.Ghc.Blame (blaming)
 import Rosy.Worker.Ghc.Warm (defaultExtensions)
 
 data Order = Order
@@ -52,7 +53,7 @@ compile order = defaultErrorHandler defaultFatalMessager defaultFlushOut . runGh
   let flags = foldl xopt_set parsed {ghcMode = CompManager, ghcLink = LinkBinary, hscTarget = HscAsm, verbosity = 0} defaultExtensions
   _ <- setSessionDynFlags flags
   names <- rosyExports
-  _ <- setSessionDynFlags flags {staticPlugins = [adding names]}
+  _ <- setSessionDynFlags flags {staticPlugins = [adding names, blaming]}
   program' <- guessTarget (source order) Nothing
   setTargets [program']
   graph <- depanal [] False
