@@ -11,6 +11,7 @@ A script is words; each is one behaviour, with ``@N`` for the step from which it
     garble@N    sends what is no line              lie@N       settles another step
     flood@N     sends commands without end         long@N      sends a line without end
     deaf        ignores `stop`                     mute        never sends `ready`
+    brittle     ends with an error when touched
     drip        sends byte by byte             count       remembers the step, and tells it when asked
 """
 
@@ -61,6 +62,7 @@ class _Player:
     def __init__(self, link: socket.socket, script: Script) -> None:
         self.link, self.script = link, script
         self.backwards = False
+        self.broken = False
         self.trace = False
 
     def send(self, *messages: dict[str, Any]) -> None:
@@ -86,6 +88,7 @@ class _Player:
                 case "publish":
                     if message["topic"].endswith("bumper") and message["msg"]["state"] and self.script.has("bump"):
                         self.backwards = True
+                    self.broken = self.broken or (self.script.has("brittle") and "/events/b" in message["topic"])
                 case "step":
                     if not self.step(message["step"], message.get("memory", False)):
                         return
@@ -116,7 +119,7 @@ class _Player:
         if script.now("done", step):
             self.send(*commands, self.velocity(0.0, 0.0), self.ended(how="done", fired=["script"]))
             return False
-        if script.now("error", step):
+        if script.now("error", step) or self.broken:
             problem = {
                 "severity": "error", "kind": "exception", "function": "move", "time": step / 50,
                 "message": "`move` divided by zero.", "hint": "", "ghc": "divide by zero",

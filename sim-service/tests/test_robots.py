@@ -15,68 +15,20 @@ from pathlib import Path
 
 import pytest
 
-from rosy_sim.app import Service
 from rosy_sim.config import Config, discover
-from rosy_sim.drivers import drivers, emergency_stop, way
+from rosy_sim.drivers import drivers, way
 from rosy_sim.errors import BadInput
 from rosy_sim.fleet import Fleet
 from rosy_sim.roster import configured
 
-from .robot_rig import Kobuki, kobuki
-from .test_app import Page, opened, serving
+from .robot_rig import LIMIT, Rig, Robot, kobuki
+from .test_app import opened, serving
 
 pytestmark = pytest.mark.skipif(discover().speaker is None, reason="rosy-robot is not built")
 
 HERE = Path(__file__).resolve().parents[1]
 
-LIMIT = 0.7
-"""Within so many s a robot that nobody drives any more stands."""
-
-Story = Callable[["Rig"], Awaitable[None]]
-
-
-class Rig:
-    """A service with one robot, called Kitchen, and a page that knows the code."""
-
-    def __init__(self, address: str, service: Service, page: Page, robot: Kobuki) -> None:
-        self.address = address
-        self.service = service
-        self.page = page
-        self.robot = robot
-        self._looking: asyncio.Task[None] | None = None
-
-    async def takes(self) -> None:
-        await self.page.send("unlock", code=self.service.fleet.code)
-        await self.page.op("robots", locked=False)
-        await self.page.send("take", robot="Kitchen", who="Anna")
-        await self.page.op("robot", link="connected")
-
-    async def drives(self, script: str = "drive:0.2", run: int = 1) -> None:
-        self.looks()
-        await self.page.send("run", run=run, source=script, speed=1)
-        await self.page.op("state", run=run, state="running")
-        await self.robot.moves(0.2)
-
-    def looks(self) -> None:
-        """The person at the page looks at the robot."""
-
-        async def look() -> None:
-            with contextlib.suppress(Exception):
-                while True:
-                    await self.page.send("alive")
-                    await asyncio.sleep(0.1)
-
-        self._looking = self._looking or asyncio.create_task(look())
-
-    async def looks_away(self) -> None:
-        assert self._looking is not None
-        self._looking.cancel()
-
-    @property
-    def driver(self) -> int:
-        """The process that drives the robot."""
-        [driver] = [d for d in drivers() if d.address == self.robot.address]
-        return driver.process
+Story = Callable[[Rig], Awaitable[None]]
 
 
 def story(tell: Story, config: Config, folder: Path) -> None:
@@ -164,64 +116,6 @@ def test_one_page_has_a_robot_and_the_others_see_who(config: Config, tmp_path: P
     story(tell, config, tmp_path)
 
 
-async def _page_closes(rig: Rig) -> None:
-    await rig.page.socket.close()
-
-
-async def _stop_is_pressed(rig: Rig) -> None:
-    await rig.page.send("stop")
-
-
-async def _emergency_in_the_page(rig: Rig) -> None:
-    await rig.page.send("estop")
-
-
-async def _emergency_elsewhere(rig: Rig) -> None:
-    assert [d.process for d in emergency_stop(rig.robot.address)] == [rig.driver]
-
-
-async def _program_is_killed(rig: Rig) -> None:
-    [program] = children(rig.service.worker.pid)
-    os.kill(program, signal.SIGKILL)
-
-
-def children(process: int | None) -> list[int]:
-    return [int(p) for p in Path(f"/proc/{process}/task/{process}/children").read_text().split()]
-
-
-async def _driver_is_killed(rig: Rig) -> None:
-    os.kill(rig.driver, signal.SIGKILL)
-
-
-async def _driver_is_asked_to_end(rig: Rig) -> None:
-    os.kill(rig.driver, signal.SIGTERM)
-
-
-@pytest.mark.parametrize(
-    "happening",
-    [
-        _page_closes,
-        Rig.looks_away,
-        _stop_is_pressed,
-        _emergency_in_the_page,
-        _emergency_elsewhere,
-        _program_is_killed,
-        _driver_is_killed,
-        _driver_is_asked_to_end,
-    ],
-    ids=lambda f: f.__name__.strip("_").replace("_", " "),
-)
-def test_the_robot_stands_when(happening: Story, config: Config, tmp_path: Path) -> None:
-    async def tell(rig: Rig) -> None:
-        await rig.takes()
-        await rig.drives()
-        await rig.robot.marked()
-        await happening(rig)
-        print(f"{happening.__name__.strip('_')}: stood after {await rig.robot.stands()} s (allowed: {LIMIT} s)")
-
-    story(tell, config, tmp_path)
-
-
 @pytest.mark.parametrize(
     ("script", "ended", "kind"),
     [
@@ -301,7 +195,7 @@ def test_the_page_is_told_when_the_part_that_drives_dies(config: Config, tmp_pat
 
 
 @asynccontextmanager
-async def service_of_its_own(robot: Kobuki, folder: Path) -> AsyncIterator[tuple[asyncio.subprocess.Process, str, str]]:
+async def service_of_its_own(robot: Robot, folder: Path) -> AsyncIterator[tuple[asyncio.subprocess.Process, str, str]]:
     """A service in another process, its address and its code."""
     process = await asyncio.create_subprocess_exec(
         sys.executable, "-m", "tests.robot_service", robot.address, str(folder),

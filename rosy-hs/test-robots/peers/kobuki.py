@@ -2,10 +2,11 @@
 A Kobuki at the end of a pseudo-terminal.
 
 In: command packets on the terminal; on standard input `bump BITS`, `cliff BITS`, `drop BITS`, `press BITS`, `noise`, `cut`, `corrupt`,
-`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `hush` (no more packets of its own), `replay HEX`, `mark`, `quit`; the path of a symbolic link as the argument, to which its process number is added. Out: a packet every 20 ms; on
-standard output `plugged PATH`, `control V W` when the speed changes, `led1 BITS`, `led2 BITS`, `sound N`, `versions asked`, `bad BYTES`, after `mark` `stood SECONDS` when
+`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `timeout SECONDS`, `hush` (no more packets of its own), `replay HEX`, `mark`, `quit`; the path of a symbolic link as the argument, to which its process number is added. Out: a packet every 20 ms; on
+standard output `plugged PATH`, `first V W` for the first speed it is told behind that, `control V W` when the speed changes, `led1 BITS`, `led2 BITS`, `sound N`, `versions asked`, `bad BYTES`, after `mark` `stood SECONDS` when
 its wheels stand, by its own clock.
-Its wheels turn as told; counters wrap at 16 bits and begin shortly before that.
+Its wheels turn as told; counters wrap at 16 bits and begin shortly before that. Yujin documents no time after which the firmware stops
+a base that hears nothing (protocol specification, firmware change log), so this one drives on; after `timeout SECONDS` it does not.
 """
 
 import math
@@ -26,6 +27,7 @@ left, right = 65000.0, 65000.0
 heading, stamp = 17000.0, 65000
 faults, firmware, speaking, replaying = [], 1, True, False
 outputs, versions_due, marked = None, False, None
+fresh, patience, told_at = True, None, 0.0
 buffer = b""
 
 
@@ -34,7 +36,8 @@ def say(*words):
 
 
 def plug():
-    global master, slave
+    global master, slave, fresh
+    fresh = True
     master, slave = os.openpty()
     tty.setraw(slave)
     os.set_blocking(master, False)
@@ -94,8 +97,23 @@ def spoil(packet):
     return packet
 
 
+def stand():
+    global marked
+    if marked is not None:
+        say("stood", f"{time.monotonic() - marked:.3f}")
+        marked = None
+
+
+def watch():
+    """What a firmware with a timeout would do; ours has none until it is told one."""
+    if patience is not None and speed != [0.0, 0.0] and time.monotonic() - told_at > patience:
+        speed[:] = [0.0, 0.0]
+        say("watchdog")
+        stand()
+
+
 def on_part(ident, data):
-    global versions_due, outputs, marked
+    global versions_due, outputs, fresh, told_at
     if ident == 1:
         s, r = struct.unpack("<hh", data)
         if r == 0:
@@ -105,12 +123,15 @@ def on_part(ident, data):
         else:
             w = s / (r + math.copysign(BASE * 500, r))
             new = [w * r / 1000, w]
+        told_at = time.monotonic()
+        if fresh:
+            fresh = False
+            say("first", f"{new[0]:.3f}", f"{new[1]:.3f}")
         if new != speed:
             speed[:] = new
             say("control", f"{new[0]:.3f}", f"{new[1]:.3f}", s, r)
-        if marked is not None and new == [0.0, 0.0]:
-            say("stood", f"{time.monotonic() - marked:.3f}")
-            marked = None
+        if new == [0.0, 0.0]:
+            stand()
     elif ident == 12:
         word = struct.unpack("<H", data)[0]
         if outputs is None or (word ^ outputs) & 0x0300:
@@ -150,7 +171,7 @@ def on_bytes(data):
 
 
 def on_line(words):
-    global firmware, speaking, replaying, outputs, marked
+    global firmware, speaking, replaying, outputs, marked, patience
     if words[0] in bits:
         bits[words[0]] = int(words[1])
     elif words[0] in ("noise", "cut", "corrupt"):
@@ -171,6 +192,8 @@ def on_line(words):
         say("marked")
     elif words[0] == "plug":
         plug()
+    elif words[0] == "timeout":
+        patience = float(words[1])
     elif words[0] == "firmware":
         firmware = int(words[1])
     elif words[0] == "quit":
@@ -197,6 +220,7 @@ while True:
             pass
     if time.monotonic() >= due:
         due += 0.02
+        watch()
         move()
         if master is not None and replaying:
             os.write(master, framed(bytes([3, 3, 0, 0, 0])))

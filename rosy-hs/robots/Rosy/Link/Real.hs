@@ -95,7 +95,8 @@ realLink clock patience r base = do
             forM_ lost (const (complain IsBack))
             writeIORef lostSince Nothing
           Heard _ -> pure ()
-        guarding (hearing h)
+        (messages, actions) <- guarding (hearing h)
+        messages <$ mapM_ (tell base) actions
       drive t a = do
         case a of
           SayText s -> putStrLn s

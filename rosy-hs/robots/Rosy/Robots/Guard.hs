@@ -59,15 +59,16 @@ isHere = here
 isEvading :: Guard -> Bool
 isEvading g = ownedUntil g > 0
 
--- | What the program is to hear of it.
-hearing :: Heard -> Guard -> ([Message], Guard)
+-- | What the program is to hear of it, and what the robot is told at once: one that is lost is told to stand. Perhaps it hears that
+-- at once, perhaps when it is found again, behind all that was under way to it meanwhile.
+hearing :: Heard -> Guard -> (([Message], [Action]), Guard)
 hearing h g = case h of
-  Here -> ([], g {here = True})
-  Gone _ -> ([StatusMessage Offline | here g], g {here = False, kept = (0, 0)})
-  Heard (OdometryMessage o) -> ([OdometryMessage (from start o)], g {origin = Just start})
+  Here -> (([], []), g {here = True})
+  Gone _ -> (([StatusMessage Offline | here g], [SetVelocity 0 0 | here g]), g {here = False, kept = (0, 0)})
+  Heard (OdometryMessage o) -> (([OdometryMessage (from start o)], []), g {origin = Just start})
     where
       start = fromMaybe o (origin g)
-  Heard m -> ([m], g {trouble = notice m <$> trouble g})
+  Heard m -> (([m], []), g {trouble = notice m <$> trouble g})
 
 -- | Odometry in the frame of where the program started.
 from :: Odometry -> Odometry -> Odometry

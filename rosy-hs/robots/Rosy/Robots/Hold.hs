@@ -125,7 +125,7 @@ hold target base (Requests asked) nextProgram write = do
       programs = do
         next <- atomically ((Nothing <$ readTQueue runs) `orElse` (Just <$> hear base))
         case next of
-          Just hs -> mapM_ (passing h) hs
+          Just hs -> mapM_ (passing h base) hs
           Nothing -> bracket nextProgram close (runProgram target base h)
         programs
       writer = forever (atomically (readTBQueue (lines' h)) >>= write)
@@ -141,16 +141,17 @@ sinceBegan :: Hold -> IO Double
 sinceBegan h = (-) <$> getMonotonicTime <*> readTVarIO (began h)
 
 -- | What the robot says while no program runs.
-passing :: Hold -> Heard -> IO ()
-passing h heard' = do
+passing :: Hold -> Base -> Heard -> IO ()
+passing h base heard' = do
   was <- isHere <$> readTVarIO (guarded h)
   case heard' of
     Here -> tellLine h (linkLine IsThere)
     Gone why -> tellLine h (linkLine ((if was then IsLost else IsAwaited) why))
     Heard _ -> pure ()
-  atomically $ do
-    ms <- stateTVar (guarded h) (hearing heard')
-    forM_ ms (modifyTVar' (picture h) . sensed)
+  actions <- atomically $ do
+    (ms, actions) <- stateTVar (guarded h) (hearing heard')
+    actions <$ forM_ ms (modifyTVar' (picture h) . sensed)
+  mapM_ (tell base) actions
 
 -- | The wheels stand.
 standing :: Hold -> Base -> IO ()

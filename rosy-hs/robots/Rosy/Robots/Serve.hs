@@ -150,7 +150,8 @@ serve witness stopWanted patience guarded base socket = do
             noticed witness (if null l then IsThere else IsBack)
             writeIORef lost Nothing
           Heard _ -> pure ()
-        ms <- guarding (hearing h)
+        (ms, actions) <- guarding (hearing h)
+        mapM_ (tell base) actions
         unless (null ms) (hears witness ms)
         forM_ ms $ \case
           OdometryMessage o -> writeIORef pose (Just (odometryPosition o, odometryOrientation o))

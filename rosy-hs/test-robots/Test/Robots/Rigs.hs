@@ -51,7 +51,9 @@ story ready rig name act = testCaseInfo name $ do
 
 -- | A robot and what it says.
 data Rig = Rig
-  { -- | its address
+  { -- | the way to it, for people
+    called :: String,
+    -- | its address
     url :: String,
     options :: String,
     robot :: Peer,
@@ -75,7 +77,8 @@ rosbridge version ros = (\_ use -> plainEnvironment >>= \e -> withProgram e "/us
       port <- drop 5 <$> hears p "port "
       use
         Rig
-          { url = "ws://127.0.0.1:" ++ port,
+          { called = "rosbridge, ROS " ++ version,
+            url = "ws://127.0.0.1:" ++ port,
             options = "&ros=" ++ version,
             robot = p,
             environment = e,
@@ -99,7 +102,8 @@ rospy ros = (\folder use -> withMaster folder (\e -> withPeer e "mobile_base" (a
       _ <- hears p "subscribed"
       use
         Rig
-          { url = "ros://127.0.0.1:" ++ show (uriPort (rosMaster e)),
+          { called = "ROS 1",
+            url = "ros://127.0.0.1:" ++ show (uriPort (rosMaster e)),
             options = "",
             robot = p,
             environment = e,
@@ -123,7 +127,8 @@ serial _ = Just $ \folder use -> do
     name <- drop 8 <$> hears p "plugged "
     use
       Rig
-        { url = "serial:" ++ name,
+        { called = "serial",
+          url = "serial:" ++ name,
           options = "",
           robot = p,
           environment = e,

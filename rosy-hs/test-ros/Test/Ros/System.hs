@@ -55,6 +55,7 @@ tests = withResource acquire release $ \ready ->
       story ready "a base that is killed and comes back is heard again" baseRestart,
       story ready "a slow subscriber loses the oldest, and holds up nobody" slowSubscriber,
       story ready "a node that takes its name ends it, and it ends one whose name it takes" nameClash,
+      story ready "a node that was killed can be started again under its name" startedAgain,
       story ready "parameters are shared, and changes are told" parameters,
       story ready "names are remapped, moved and given on the command line" remapped,
       story ready "what it logs is on /rosout with its place" logs,
@@ -269,6 +270,21 @@ nameClash ros = do
         AskedTo reason -> assertBool reason ("same" `isInfixOf` reason)
         _ -> assertFailure "it ended for another reason"
   withPeer ros "same" $ \theirs -> node ros "same" (publisher "/x" >>= \p -> liftIO (publish p (Int32.Int32 1) >> void (hears theirs "shutdown")))
+
+-- | The master still knows one that nobody has heard of since; whoever looks first, it or we, that one is no rival.
+startedAgain :: Ros -> IO ()
+startedAgain ros = withPeer ros "peer" $ \peer -> do
+  say peer "sub /x std_msgs/Int32"
+  forM_ [1 .. 10] $ \n -> do
+    _ <- call (rosMaster ros) (Call "registerPublisher" [VString "/us", VString "/old", VString "std_msgs/Int32", VString "http://127.0.0.1:1/"])
+    node ros "us" $ do
+      core <- askCore
+      p <- publisherWith publisherOptions {latched = True} "/x"
+      liftIO $ do
+        publish p (Int32.Int32 n)
+        _ <- hears peer ("got /x {\"data\": " ++ show n ++ "}")
+        ended <- atomically (tryReadTMVar (ending core))
+        maybe (pure ()) (const (assertFailure "it took the one before it for a rival")) ended
 
 -- | Waits until the master knows this node.
 awaitNode :: Ros -> String -> IO ()

@@ -144,24 +144,25 @@ watchEvery :: Int
 watchEvery = 1000000
 
 -- | Registers what the master does not know: at the start, if it was not there yet, and after it was
--- restarted. Ends the node when another has taken its name.
+-- restarted. Ends the node when another has taken its name. Who had the name before this node was known is no such other: a node
+-- that was killed stays registered.
 watchMaster :: Core -> IO ()
-watchMaster core = go True
+watchMaster core = go True False
   where
-    go wasThere = do
+    go wasThere wasKnown = do
       found <- lookupNode (master core) (ownName (coreNaming core))
       missed <- atomically (swapTVar (unregistered core) False)
       case found of
-        Left (Refused _) -> registerAll core >> rest True
+        Left (Refused _) -> registerAll core >> rest True False
         Right (Just u)
-          | u == coreUri core -> (if missed then registerAll core else pure ()) >> rest True
-          | not missed -> requestEnd core (AskedTo ("a new node is called " ++ ownName (coreNaming core)))
-        Right _ -> registerAll core >> rest True
+          | u == coreUri core -> (if missed then registerAll core else pure ()) >> rest True True
+          | wasKnown && not missed -> requestEnd core (AskedTo ("a new node is called " ++ ownName (coreNaming core)))
+        Right _ -> registerAll core >> rest True False
         Left why -> do
           if wasThere then complain core (explainRpcError why ++ "; waiting for the ROS master") else pure ()
           atomically (writeTVar (unregistered core) True)
-          rest False
-    rest there = threadDelay watchEvery >> go there
+          rest False wasKnown
+    rest there known = threadDelay watchEvery >> go there known
 
 registerAll :: Core -> IO ()
 registerAll core = do
