@@ -220,6 +220,23 @@ void rosy_limit_heap(uint64_t bytes) {
   RtsFlags.GcFlags.maxHeapSize = (mblocks_allocated * MBLOCK_SIZE + bytes) / BLOCK_SIZE;
 }
 
+/* How much a program may allocate between two collections; the next collection makes it so. */
+void rosy_area(uint64_t bytes) { RtsFlags.GcFlags.minAllocAreaSize = bytes / BLOCK_SIZE; }
+
+/*
+ * Gives back the pages of the allocation area in which nothing stands. A child that is forked later gets pages of zeros there when it
+ * needs them, which is quicker than copies of what nobody reads any more.
+ */
+void rosy_area_clear(void) {
+  CapabilityPublic *mine = (CapabilityPublic *)rts_unsafeGetMyCapability();
+  bdescr *block = mine->r.rCurrentNursery ? mine->r.rCurrentNursery->link : NULL;
+  while (block) {
+    char *begin = (char *)block->start, *end = begin;
+    for (; block && (char *)block->start == end; block = block->link) end += BLOCK_SIZE;
+    madvise(begin, end - begin, MADV_DONTNEED);
+  }
+}
+
 void rosy_exit(int code) { _exit(code); }
 
 /* ---- Filters ------------------------------------------------------------------------------------------------ */

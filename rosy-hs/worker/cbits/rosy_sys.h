@@ -31,5 +31,7 @@ int rosy_limit_data(uint64_t bytes);
 int rosy_limit_process(uint64_t data_bytes);
 void rosy_limit_heap(uint64_t bytes);
 uint64_t rosy_data_size(void);
+void rosy_area(uint64_t bytes);
+void rosy_area_clear(void);
 void rosy_exit(int code);
 #endif

@@ -18,8 +18,8 @@ where
 
 import Control.Exception (AsyncException (HeapOverflow), IOException, displayException, fromException, try)
 import Control.Monad (unless, when)
-import Data.Aeson (encode, object, (.=))
-import Data.Aeson.Types (Pair)
+import Data.Aeson (Series, pairs, (.=))
+import Data.Aeson.Encoding (encodingToLazyByteString)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Lazy as Lazy
@@ -33,6 +33,7 @@ import Rosy.Worker.Kind (explainAll)
 import Rosy.Worker.Problem (Report (..), isError)
 import Rosy.Worker.Sys
 import Rosy.Worker.Wire
+import System.Mem (performMinorGC)
 import System.Posix.IO (FdOption (NonBlockingRead), closeFd, setFdOption)
 import System.Posix.Types (Fd (..))
 
@@ -73,6 +74,7 @@ answerChild :: Settings -> Session -> Fd -> IO ()
 answerChild settings session service = alone service $ do
   begin settings [service]
   beCalled "rosy-check"
+  areaOf largeArea
   atFirst <- dataSize
   let next held = do
         bytes <- readSome service
@@ -88,8 +90,23 @@ answerChild settings session service = alone service $ do
             Check source -> reportFields . fst <$> judge settings ToKnow session source
             Complete source at -> completionFields <$> complete session source at
           writeAll service ("C" <> line fields)
+          -- Now, when nothing of the question is needed any more, there is next to nothing to collect.
+          performMinorGC
         _ -> pure ()
   next noLines
+
+-- | Bytes that may be allocated between two collections by a child that checks programs, or compiles a large one: a program of a
+-- hundred lines takes 25 MB to check, and collecting in between would be a quarter of the work.
+largeArea :: Word64
+largeArea = 32 * 1024 * 1024
+
+-- | The same for a running program, of which two hundred shall fit. What every child is born with (rosy.cabal, @-A@).
+smallArea :: Word64
+smallArea = 4 * 1024 * 1024
+
+-- | Characters from which on a program gets the large area while it is compiled: making one takes as long as a collection or two.
+largeSource :: Int
+largeSource = 1000
 
 -- | Bytes by which a child that answers questions may grow before a new one takes its place.
 mostGrown :: Word64
@@ -113,26 +130,30 @@ runChild :: Settings -> Session -> Fd -> Fd -> Page -> Word64 -> Text -> IO ()
 runChild settings session answer link page memory source = alone answer $ do
   began <- getMonotonicTime
   begin settings [answer, link]
+  when isLarge (areaOf largeArea)
   (report, mayRun) <- judge settings ToRun session source
   let found = problems report
   case mayRun of
-    Nothing -> writeAll answer ("R" <> line ["problems" .= found])
+    Nothing -> writeAll answer ("R" <> line ("problems" .= found))
     Just program -> do
       launch <- load session program
       -- Whoever made the link may not have wanted to wait; the program does.
       setFdOption link NonBlockingRead False
       beNice runNiceness
+      when isLarge (performMinorGC >> clearArea >> areaOf smallArea)
       when (limits (layers settings)) $ do
         size <- dataSize
-        limitHeap memory
+        limitHeap (if isLarge then memory - min memory (largeArea - smallArea) else memory)
         limitCpu (runSeconds settings)
         limitProcess (size + 2 * memory + heapSlack)
       now <- getMonotonicTime
-      writeAll answer ("S" <> line ["problems" .= found, "compile" .= (now - began)])
+      writeAll answer ("S" <> line ("problems" .= found <> "compile" .= (now - began)))
       closeFd answer
       when (systemCalls (layers settings)) filterRunning
       let Fd fd = link
       launch fd page
+  where
+    isLarge = Text.length source > largeSource
 
 -- | Bytes that the kernel grants beyond twice the heap limit, which a collection may need for a moment. The run-time system's own
 -- limit is the one that is meant to be reached; the kernel's is there in case it is not.
@@ -166,5 +187,5 @@ alone answer life = asMain $ do
         _ <- try (writeAll answer ("!" <> encodeUtf8 (Text.pack (takeWhile (/= '\n') (displayException e))) <> "\n")) :: IO (Either IOException ())
         exitNow 1
 
-line :: [Pair] -> ByteString
-line pairs = Lazy.toStrict (encode (object pairs)) <> "\n"
+line :: Series -> ByteString
+line fields = Lazy.toStrict (encodingToLazyByteString (pairs fields)) <> "\n"

@@ -1,4 +1,5 @@
 {-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE RankNTypes #-}
 
 -- |
 -- Module      : Rosy.Worker.Problem
@@ -33,7 +34,7 @@ module Rosy.Worker.Problem
   )
 where
 
-import Data.Aeson (ToJSON (..), object, (.=))
+import Data.Aeson (Encoding, KeyValue, ToJSON (..), Value, object, pairs, (.=))
 import Data.Text (Text)
 
 -- | A line and a column, both from 1, counted in characters (a tab is one).
@@ -110,33 +111,66 @@ data Candidate = Candidate {offers :: !Text, offersType :: !Text, takes :: !Int}
 data Completion = Completion {expected :: !(Maybe Text), offered :: ![Candidate]}
   deriving (Eq, Show)
 
+-- * As JSON
+
+-- | As values and, which is several times as quick, straight as text.
+asFields :: (forall kv. KeyValue kv => a -> [kv]) -> (a -> Value, a -> Encoding)
+asFields fields = (object . fields, pairs . mconcat . fields)
+
 instance ToJSON Candidate where
-  toJSON c = object ["name" .= offers c, "type" .= offersType c, "takes" .= takes c]
+  toJSON = fst (asFields candidateFields)
+  toEncoding = snd (asFields candidateFields)
+
+candidateFields :: KeyValue kv => Candidate -> [kv]
+candidateFields c = ["name" .= offers c, "type" .= offersType c, "takes" .= takes c]
 
 instance ToJSON Place where
-  toJSON (Place l c) = object ["line" .= l, "column" .= c]
+  toJSON = fst (asFields placeFields)
+  toEncoding = snd (asFields placeFields)
+
+placeFields :: KeyValue kv => Place -> [kv]
+placeFields (Place l c) = ["line" .= l, "column" .= c]
 
 instance ToJSON Problem where
-  toJSON p =
-    object $
-      [ "severity" .= (if isError p then "error" else "warning" :: Text),
-        "kind" .= kind p,
-        "message" .= message p,
-        "hint" .= hint p,
-        "ghc" .= ghc p
-      ]
-        ++ maybe [] (\s -> ["start" .= start s, "end" .= end s]) (place p)
-        ++ maybe [] (\f -> ["function" .= f]) (function p)
-        ++ ["fixes" .= fixes p | not (null (fixes p))]
+  toJSON = fst (asFields problemFields)
+  toEncoding = snd (asFields problemFields)
+
+problemFields :: KeyValue kv => Problem -> [kv]
+problemFields p =
+  [ "severity" .= (if isError p then "error" else "warning" :: Text),
+    "kind" .= kind p,
+    "message" .= message p,
+    "hint" .= hint p,
+    "ghc" .= ghc p
+  ]
+    ++ maybe [] (\s -> ["start" .= start s, "end" .= end s]) (place p)
+    ++ maybe [] (\f -> ["function" .= f]) (function p)
+    ++ ["fixes" .= fixes p | not (null (fixes p))]
 
 instance ToJSON Fix where
-  toJSON f = object ["title" .= title f, "edits" .= edits f]
+  toJSON = fst (asFields fixFields)
+  toEncoding = snd (asFields fixFields)
+
+fixFields :: KeyValue kv => Fix -> [kv]
+fixFields f = ["title" .= title f, "edits" .= edits f]
 
 instance ToJSON Edit where
-  toJSON e = object ["start" .= start (replaces e), "end" .= end (replaces e), "text" .= by e]
+  toJSON = fst (asFields editFields)
+  toEncoding = snd (asFields editFields)
+
+editFields :: KeyValue kv => Edit -> [kv]
+editFields e = ["start" .= start (replaces e), "end" .= end (replaces e), "text" .= by e]
 
 instance ToJSON Declaration where
-  toJSON d = object ["name" .= declares d, "type" .= ofType d, "start" .= start (covers d), "end" .= end (covers d)]
+  toJSON = fst (asFields declarationFields)
+  toEncoding = snd (asFields declarationFields)
+
+declarationFields :: KeyValue kv => Declaration -> [kv]
+declarationFields d = ["name" .= declares d, "type" .= ofType d, "start" .= start (covers d), "end" .= end (covers d)]
 
 instance ToJSON Function where
-  toJSON f = object ["name" .= called f, "inputs" .= inputs f, "outputs" .= outputs f]
+  toJSON = fst (asFields functionFields)
+  toEncoding = snd (asFields functionFields)
+
+functionFields :: KeyValue kv => Function -> [kv]
+functionFields f = ["name" .= called f, "inputs" .= inputs f, "outputs" .= outputs f]

@@ -13,7 +13,8 @@ module Rosy.Worker.Server
 where
 
 import Control.Monad (foldM, forM_)
-import Data.Aeson (Value (Null), encode, object, (.=))
+import Data.Aeson (Value (Null), encode, object, pairs, (.=))
+import Data.Aeson.Encoding (encodingToLazyByteString)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
@@ -211,7 +212,7 @@ report heard' s = case heard' of
   Broken i _ (Signalled 9) False _ -> reply (GoneNow i (Right 9) Nothing Nothing) s
   Broken i question how tooLate words' -> reply (Known question i (fieldsOf question (compileProblem tooLate words' how))) s
   where
-    fieldsOf question p = Lazy.toStrict . encode . object $ case question of
+    fieldsOf question p = Lazy.toStrict . encodingToLazyByteString . pairs $ case question of
       Check _ -> reportFields (emptyReport [p])
       Complete _ _ -> completionFields (Completion Nothing [])
 

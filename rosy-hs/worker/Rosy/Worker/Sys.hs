@@ -42,6 +42,8 @@ module Rosy.Worker.Sys
     limitHeap,
     limitCpu,
     dataSize,
+    areaOf,
+    clearArea,
     exitNow,
   )
 where
@@ -64,6 +66,7 @@ import Foreign.Marshal.Alloc (alloca)
 import Foreign.Marshal.Array (allocaArray, peekArray, withArrayLen)
 import Foreign.Ptr (Ptr, castPtr, nullPtr, plusPtr)
 import Foreign.Storable (peek)
+import System.Mem (performMinorGC)
 import System.Posix.IO (fdReadBuf)
 import System.Posix.Types (CSsize (..), Fd (..))
 
@@ -108,6 +111,10 @@ foreign import ccall unsafe rosy_limit_cpu :: Word64 -> IO CInt
 foreign import ccall unsafe rosy_limit_heap :: Word64 -> IO ()
 
 foreign import ccall unsafe rosy_data_size :: IO Word64
+
+foreign import ccall unsafe rosy_area :: Word64 -> IO ()
+
+foreign import ccall unsafe rosy_area_clear :: IO ()
 
 foreign import ccall unsafe rosy_exit :: CInt -> IO ()
 
@@ -268,6 +275,14 @@ limitHeap = rosy_limit_heap
 
 dataSize :: IO Word64
 dataSize = rosy_data_size
+
+-- | Bytes that may be allocated between two collections, from now on.
+areaOf :: Word64 -> IO ()
+areaOf bytes = rosy_area bytes >> performMinorGC
+
+-- | Gives back what the area for new values does not hold at the moment: most of it, right after a collection.
+clearArea :: IO ()
+clearArea = rosy_area_clear
 
 -- | Ends this process at once: no finalizers, no last collection, which would cost more than the whole run.
 exitNow :: Int -> IO ()

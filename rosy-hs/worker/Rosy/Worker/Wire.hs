@@ -28,8 +28,9 @@ module Rosy.Worker.Wire
   )
 where
 
-import Data.Aeson (Value (..), eitherDecodeStrict', encode, object, toJSON, (.:), (.=))
-import Data.Aeson.Types (Object, Pair, Parser, parseEither)
+import Data.Aeson (Series, Value (..), eitherDecodeStrict', encode, object, pairs, (.:), (.=))
+import Data.Aeson.Encoding (int, list, pair)
+import Data.Aeson.Types (Object, Parser, parseEither)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
@@ -111,26 +112,25 @@ answerLine answer = case answer of
   Failed i message -> whole [op "failed", "id" .= i, "message" .= message]
   where
     op name = "op" .= (name :: Text)
-    whole pairs = Lazy.toStrict (encode (object pairs)) <> "\n"
+    whole members = Lazy.toStrict (encode (object members)) <> "\n"
     -- Fields are a JSON object of at least one member.
-    spliced pairs fields = ByteString.init (Lazy.toStrict (encode (object pairs))) <> "," <> ByteString.drop 1 fields <> "\n"
+    spliced members fields = ByteString.init (Lazy.toStrict (encode (object members))) <> "," <> ByteString.drop 1 fields <> "\n"
 
 -- | The members of @checked@ besides @id@, as an object in bytes.
-reportFields :: Report -> [Pair]
+reportFields :: Report -> Series
 reportFields report =
-  [ "problems" .= problems report,
-    "declarations" .= declarations report,
-    "graph" .= object ["functions" .= toJSON (functions report)],
-    "types" .= object ["names" .= Map.keys names, "at" .= map place (types report)]
-  ]
+  "problems" .= problems report
+    <> "declarations" .= declarations report
+    <> pair "graph" (pairs ("functions" .= functions report))
+    <> pair "types" (pairs ("names" .= Map.keys names <> pair "at" (list place (types report))))
   where
     -- Each type is written once; a place is five numbers.
     names = Map.fromDistinctAscList (zip (Set.toAscList (Set.fromList (map hasType (types report)))) [0 :: Int ..])
-    place (Typed (Span (Place l c) (Place l' c')) t) = [l, c, l', c', names Map.! t]
+    place (Typed (Span (Place l c) (Place l' c')) t) = list int [l, c, l', c', names Map.! t]
 
 -- | The members of @completed@ besides @id@.
-completionFields :: Completion -> [Pair]
-completionFields completion = maybe [] (\t -> ["expected" .= t]) (expected completion) ++ ["names" .= offered completion]
+completionFields :: Completion -> Series
+completionFields completion = maybe mempty ("expected" .=) (expected completion) <> "names" .= offered completion
 
 -- | What has arrived of a line that is not complete, or how much of a line that is too long has gone by.
 data Lines = Lines [ByteString] !Int | Skipping
