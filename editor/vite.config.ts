@@ -9,10 +9,15 @@ import {defineConfig, type Plugin} from "vitest/config"
 
 const service = process.env.ROSY_SERVICE ?? "http://127.0.0.1:8080"
 
-const mediaTypes: Record<string, string> = {".svg": "image/svg+xml", ".png": "image/png", ".gif": "image/gif"}
+const mediaTypes: Record<string, string> = {
+  ".svg": "image/svg+xml",
+  ".png": "image/png",
+  ".gif": "image/gif",
+  ".cur": "image/x-icon",
+}
 
 /// Blockly asks for its pictures by address, under `media/`; they come from its package, so that nothing is
-/// fetched from elsewhere. Its sounds and cursors are not used.
+/// fetched from elsewhere. Its sounds are not used.
 function blocklyMedia(): Plugin {
   const folder = join(dirname(createRequire(import.meta.url).resolve("blockly")), "media")
   const pictures = readdirSync(folder).filter(name => extname(name) in mediaTypes)

@@ -29,6 +29,15 @@ export class Learner {
     return lines.join("\n").trimEnd()
   }
 
+  /// The whole text, in sight or not, the way it comes to another program: by the clipboard.
+  async wholeHaskell(): Promise<string> {
+    await this.page.context().grantPermissions(["clipboard-read", "clipboard-write"])
+    await this.haskell().focus()
+    await this.page.keyboard.press("Control+a")
+    await this.page.keyboard.press("Control+c")
+    return this.page.evaluate(() => navigator.clipboard.readText())
+  }
+
   async emptiesHaskell(): Promise<void> {
     await this.haskell().click()
     await this.page.keyboard.press("Control+a")

@@ -76,20 +76,36 @@ class Dragging extends Blockly.dragging.BlockDragStrategy {
 
   override endDrag(...end: Parameters<Blockly.dragging.BlockDragStrategy["endDrag"]>): void {
     this.host.refusal.hide()
-    super.endDrag(...end)
-    endMovement(this.moved.workspace)
+    try {
+      super.endDrag(...end)
+    } finally {
+      endMovement(this.moved.workspace)
+    }
   }
 
   override revertDrag(): void {
-    super.revertDrag()
-    this.host.refusal.hide()
-    endMovement(this.moved.workspace)
+    try {
+      super.revertDrag()
+    } finally {
+      this.host.refusal.hide()
+      endMovement(this.moved.workspace)
+    }
   }
 }
 
 function origin(block: Blockly.BlockSvg): Place | undefined {
   const above = block.outputConnection?.targetConnection ?? block.previousConnection?.targetConnection
   return above == null ? undefined : placeOf(above)
+}
+
+/// Gives up what a hand has under way, since the blocks in it are about to be replaced: a block that moves goes back to
+/// where it was, and an open field or menu closes.
+export function giveUpMovement(workspace: Blockly.WorkspaceSvg): void {
+  const mover = Blockly.KeyboardMover.mover
+  if (mover.isMoving()) mover.abortMove()
+  if (workspace.isDragging()) workspace.cancelCurrentGesture()
+  endMovement(workspace)
+  Blockly.WidgetDiv.hideIfOwnerIsInWorkspace(workspace)
 }
 
 /// Makes a block move our way.

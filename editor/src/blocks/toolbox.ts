@@ -213,6 +213,18 @@ class Category extends Blockly.ToolboxCategory {
 
   // The swatch has the colour already.
   protected override addColourBorder_(): void {}
+
+  override onNodeFocus(): void {
+    afterFocus(this, () => super.onNodeFocus())
+  }
+}
+
+/// Blockly opens a category while it is still handing the focus over. When the focus comes from a block that was
+/// offered, opening moves it once more: Blockly refuses that, and would then refuse every later move too.
+function afterFocus(node: Blockly.IFocusableNode, open: () => void): void {
+  queueMicrotask(() => {
+    if (Blockly.getFocusManager().getFocusedNode() === node) open()
+  })
 }
 
 /// What the toolbox asks of the view it belongs to.
@@ -266,9 +278,11 @@ class Search extends Blockly.ToolboxCategory {
   }
 
   override onNodeFocus(): void {
-    super.onNodeFocus()
-    // What was searched last is shown again, and typing replaces it.
-    this.field?.select()
+    afterFocus(this, () => {
+      super.onNodeFocus()
+      // What was searched last is shown again, and typing replaces it.
+      this.field?.select()
+    })
     void Blockly.renderManagement.finishQueuedRenders().then(() => this.match())
   }
 
@@ -345,9 +359,16 @@ class Search extends Blockly.ToolboxCategory {
   }
 }
 
-/// Tells Blockly about our categories; once for the page.
+class Toolbox extends Blockly.Toolbox {
+  override onTreeFocus(node: Blockly.IFocusableNode, from: Blockly.IFocusableTree | null): void {
+    afterFocus(node, () => super.onTreeFocus(node, from))
+  }
+}
+
+/// Tells Blockly about our toolbox and its categories; once for the page.
 export function registerToolbox(): void {
   const {registry} = Blockly
+  registry.register(registry.Type.TOOLBOX, registry.DEFAULT, Toolbox, true)
   registry.register(registry.Type.TOOLBOX_ITEM, categoryKind, Category, true)
   registry.register(registry.Type.TOOLBOX_ITEM, searchKind, Search, true)
 }

@@ -19,7 +19,7 @@ import {hideFarBlocks} from "./away.ts"
 import {type BuildActions, change, registerBlocks} from "./build.ts"
 import {checkerName, registerChecker} from "./checker.ts"
 import {type SharedClipboard, shareCopies} from "./copied.ts"
-import {type DragHost, makeDraggable} from "./drag.ts"
+import {type DragHost, giveUpMovement, makeDraggable} from "./drag.ts"
 import type {Tone} from "./families.ts"
 import {nameAfresh} from "./fresh.ts"
 import {showInference} from "./infer.ts"
@@ -344,6 +344,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
 
   return {
     load(saved) {
+      giveUpMovement(workspace)
       const focused = focusedBlock(workspace)
       const loaded = loadBlocks(workspace, saved)
       workspace.clearUndo()

@@ -1,7 +1,7 @@
 /// Keeps the open program in the browser: shortly after each change, and at once when the page is left. What was typed in
 /// the same instant belongs to it: `settle` brings it to the store first.
 ///
-/// A program gets a place of its own with its first change. When another tab writes to the same place, this tab
+/// A program gets a place of its own with its first change, and is the learner's own from then on. When another tab writes to the same place, this tab
 /// moves to a new one, so neither overwrites the other.
 
 import type {Shelf} from "../run/storage.ts"
@@ -11,7 +11,7 @@ import type {Store} from "../store.ts"
 const pause = 400
 
 export interface Autosave {
-  /// Another program is open: `id` is its place, or `null` when it has none yet.
+  /// Another program is about to be open: `id` is its place, or `null` when it has none yet.
   opened(id: string | null): void
 }
 
@@ -20,6 +20,7 @@ export function openAutosave(
   shelf: Shelf,
   projectText: () => string,
   settle: () => void,
+  becameOwn: () => void,
 ): Autosave {
   let place: string | null = null
   let timer: ReturnType<typeof setTimeout> | undefined
@@ -29,7 +30,10 @@ export function openAutosave(
     timer = undefined
     settle()
     if (store.now.saved === "saved") return
-    place ??= freshPlace()
+    if (place === null) {
+      place = freshPlace()
+      becameOwn()
+    }
     const ok = shelf.keep(place, store.now.name, projectText(), Date.now())
     store.dispatch({kind: "stored", ok})
   }
@@ -48,10 +52,9 @@ export function openAutosave(
   return {
     opened(id) {
       // What was changed a moment ago belongs to the program that is being left.
+      keep()
       place = id
-      clearTimeout(timer)
-      timer = undefined
-      if (id !== null) shelf.setCurrent(id)
+      shelf.setCurrent(id)
     },
   }
 }

@@ -18,7 +18,7 @@ import {fetchExample, fetchExamples, fetchRooms, fetchWorlds} from "../run/libra
 import {openCode} from "../run/robots.ts"
 import {openSession, type Session} from "../run/session.ts"
 import {type Liking, openShelf} from "../run/storage.ts"
-import {watchDark, watchKeys, watchSight, watchSize} from "../run/window.ts"
+import {addressNames, wantedExample, watchDark, watchKeys, watchSight, watchSize} from "../run/window.ts"
 import {openSource, type SourcePane} from "../source/pane.ts"
 import {type Fix, mended, movedFix, signatureFix, whereToGoOn} from "../state/fixes.ts"
 import {drives} from "../state/helm.ts"
@@ -65,7 +65,7 @@ const furthestBehind = 2000
 const firstExample = "accelerateAndPlay"
 
 export function openDesk(address: string): Desk {
-  const shelf = openShelf(window.localStorage)
+  const shelf = openShelf(window.localStorage, window.sessionStorage)
   const speaker = openSpeaker()
   const explanations = openExplanations()
   const answers = openCompletions(message => session?.send(message))
@@ -105,7 +105,13 @@ export function openDesk(address: string): Desk {
   const store = openStore(perform, shelf.liking())
   const isDark = () => store.now.theme === "dark" || (store.now.theme === "auto" && systemDark)
   const projectText = () => writeProject(project, store.now.document, store.now.name, store.now.worldName)
-  const autosave = openAutosave(store, shelf, projectText, () => flush())
+  const autosave = openAutosave(
+    store,
+    shelf,
+    projectText,
+    () => flush(),
+    () => addressNames(null),
+  )
 
   const paint = () => {
     document.documentElement.dataset.theme = isDark() ? "dark" : "light"
@@ -138,9 +144,10 @@ export function openDesk(address: string): Desk {
   })
 
   const show = (opened: OpenedProject, welcome: boolean, place: string | null) => {
+    autosave.opened(place)
+    addressNames(null)
     typed = null
     project = opened.project
-    autosave.opened(place)
     const {document, world} = opened
     store.dispatch({kind: "opened", opened: {name: project.name, world, document, welcome}})
   }
@@ -162,17 +169,19 @@ export function openDesk(address: string): Desk {
       store.dispatch({kind: "world-file-read", name, text})
     else openText(name, text, false, null)
   }
-  const openExample = async (name: string, welcome: boolean) => {
+  const openExample = async (name: string, welcome: boolean, named = true) => {
     const answer = await fetchExample(name)
-    if (answer.kind === "there") openText(name, answer.value, welcome, null)
-    else store.dispatch({kind: "notice", notice: {kind: "example-missing", name}})
+    if (answer.kind === "there") {
+      openText(name, answer.value, welcome, null)
+      if (named) addressNames(name)
+    } else store.dispatch({kind: "notice", notice: {kind: "example-missing", name}})
   }
   const openFirst = () => {
-    const wanted = new URLSearchParams(window.location.search).get("example")
+    const wanted = wantedExample()
     const last = shelf.current()
     if (wanted !== null) void openExample(wanted, wanted === firstExample)
     else if (last !== null) openText(words.yourProgram, last.text, false, last.id)
-    else void openExample(firstExample, true)
+    else void openExample(firstExample, true, false)
   }
 
   const cursorMoved = (offset: number) => {

@@ -36,14 +36,15 @@ const programKey = (id: string) => `rosy.program.${id}`
 
 export interface Shelf {
   kept(): readonly Kept[]
-  /// The program that was open last, as the text of its project file.
+  /// The program that this tab had open, or else the one that was open last in any, as the text of its project file.
   current(): {readonly id: string; readonly text: string} | null
   read(id: string): string | null
   /// The storage key of a program, as other tabs announce it.
   keyOf(id: string): string
   /// Answers whether the browser took it: its space is limited, and may be switched off.
   keep(id: string, name: string, text: string, at: number): boolean
-  setCurrent(id: string): void
+  /// This tab has that program open; `null` is one that has no place yet.
+  setCurrent(id: string | null): void
   /// How much of the language the toolbox shows, when the learner has chosen.
   level(): Level | null
   setLevel(level: Level): void
@@ -107,18 +108,19 @@ const liking = object<Liking>(get => {
   }
 })
 
-export function openShelf(storage: Storage): Shelf {
-  const read = (key: string): string | null => {
+/// `storage` is what all tabs share, `tab` what only this one remembers, over a reload.
+export function openShelf(storage: Storage, tab: Storage): Shelf {
+  const read = (key: string, from = storage): string | null => {
     try {
-      return storage.getItem(key)
+      return from.getItem(key)
     } catch (fault) {
       if (fault instanceof DOMException) return null
       throw fault
     }
   }
-  const write = (key: string, text: string): boolean => {
+  const write = (key: string, text: string, to = storage): boolean => {
     try {
-      storage.setItem(key, text)
+      to.setItem(key, text)
       return true
     } catch (fault) {
       if (fault instanceof DOMException) return false
@@ -133,9 +135,11 @@ export function openShelf(storage: Storage): Shelf {
   return {
     kept,
     current() {
-      const id = read(currentKey)
-      const text = id === null || id === "" ? null : read(programKey(id))
-      return id === null || text === null ? null : {id, text}
+      for (const id of [read(currentKey, tab), read(currentKey)]) {
+        const text = id === null || id === "" ? null : read(programKey(id))
+        if (id !== null && text !== null) return {id, text}
+      }
+      return null
     },
     read: id => read(programKey(id)),
     keyOf: programKey,
@@ -145,11 +149,13 @@ export function openShelf(storage: Storage): Shelf {
       return (
         write(programKey(id), text) &&
         write(indexKey, JSON.stringify([{id, name, at}, ...others.slice(0, maxKept - 1)])) &&
-        write(currentKey, id)
+        write(currentKey, id) &&
+        write(currentKey, id, tab)
       )
     },
     setCurrent(id) {
-      write(currentKey, id)
+      write(currentKey, id ?? "", tab)
+      if (id !== null) write(currentKey, id)
     },
     level() {
       const found = decode(oneOf("tasks", "reactions", "haskell"), read(levelKey))

@@ -22,6 +22,19 @@ export function watchDark(changed: (dark: boolean) => void): void {
   changed(query.matches)
 }
 
+/// The example that the page's address names, as in a link that a teacher gives.
+export function wantedExample(): string | null {
+  return new URLSearchParams(window.location.search).get("example")
+}
+
+/// Makes the address name that example, so that a reload or a bookmark opens it; `null` is a program of the learner's own.
+export function addressNames(example: string | null): void {
+  const address = new URL(window.location.href)
+  if (example === null) address.searchParams.delete("example")
+  else address.searchParams.set("example", example)
+  window.history.replaceState(null, "", address)
+}
+
 export interface Keys {
   /// Space, wherever nobody types: stops a real robot that drives, or does nothing.
   emergency(): boolean

@@ -30,6 +30,7 @@ import {
 } from "../../src/state/arrangement.ts"
 import {next} from "../../src/state/next.ts"
 import {firstPage} from "../../src/state/page.ts"
+import {storage} from "../storage.ts"
 
 const anyRegion = fc.constantFrom(...regions)
 const anySide = fc.constantFrom<Side>("left", "right", "top", "bottom")
@@ -217,26 +218,11 @@ describe("an arrangement", () => {
   })
 })
 
-/// A browser's storage, for as long as a test.
-function storage(): Storage {
-  const kept = new Map<string, string>()
-  return {
-    get length() {
-      return kept.size
-    },
-    clear: () => kept.clear(),
-    getItem: key => kept.get(key) ?? null,
-    key: n => [...kept.keys()][n] ?? null,
-    removeItem: key => void kept.delete(key),
-    setItem: (key, value) => void kept.set(key, value),
-  }
-}
-
 describe("what the browser remembers of it", () => {
   it("comes back as it was", () => {
     fc.assert(
       fc.property(arrangements, arrangement => {
-        const shelf = openShelf(storage())
+        const shelf = openShelf(storage(), storage())
         shelf.setLiking({arrangement})
         expect(shelf.liking().arrangement).toEqual(arrangement)
       }),
@@ -253,7 +239,7 @@ describe("what the browser remembers of it", () => {
     for (const arrangement of wrong) {
       const there = storage()
       there.setItem("rosy.liking", JSON.stringify({arrangement}))
-      expect(openShelf(there).liking()).toEqual({})
+      expect(openShelf(there, storage()).liking()).toEqual({})
     }
   })
 })
