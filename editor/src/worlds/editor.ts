@@ -2,16 +2,12 @@
 /// be undone. A pointer and the keyboard's cross-hair say the same three things: down, move, up. Pure.
 
 import {
-  clamp,
   doubled,
   exists,
-  gridStep,
-  gridTurn,
   type Handle,
   handlesOf,
   hasRoomFor,
   moved,
-  onGrid,
   type Part,
   painted,
   partAt,
@@ -21,9 +17,9 @@ import {
   resized,
   samePart,
   smallest,
-  tidy,
   turned,
 } from "./parts.ts"
+import {clamp, gridStep, gridTurn, onGrid, tidy} from "./plane.ts"
 import {defaultMass, limits, type Spot, type World, type WorldGoal} from "./world.ts"
 
 export const tools = [

@@ -2,15 +2,18 @@
 /// turned, pulled at a handle, doubled or taken away. Pure; nothing here leaves the room or the limits of the schema.
 
 import {
-  limits,
-  robotRadius,
-  type Spot,
-  tileAt,
-  type World,
-  type WorldGoal,
-  wallThickness,
-  wheelOffset,
-} from "./world.ts"
+  clamp,
+  distance,
+  gridStep,
+  gridTurn,
+  nearestOn,
+  onGrid,
+  plus,
+  tidy,
+  turnedBy,
+  wrapped,
+} from "./plane.ts"
+import {limits, robotRadius, type Spot, type World, type WorldGoal, wallThickness} from "./world.ts"
 
 export type Part =
   | {readonly kind: "start"}
@@ -24,9 +27,6 @@ export interface Handle {
   readonly at: Spot
 }
 
-/// Positions on the grid are multiples of this, m; angles of that, rad.
-export const gridStep = 0.1
-export const gridTurn = Math.PI / 12
 /// The smallest thing that hands make, m: a mouse can still hold it.
 export const smallest = 0.05
 /// From the rim of a thing to the handle that turns it, m.
@@ -54,41 +54,10 @@ export function exists(world: World, part: Part): boolean {
   return partsOf(world).some(other => samePart(part, other))
 }
 
-// Numbers
-
-/// A tenth of a millimetre is as fine as a world is written.
-export const tidy = (value: number): number => Math.round(value * 1e4) / 1e4 + 0
-export const clamp = (value: number, least: number, most: number): number =>
-  Math.min(most, Math.max(least, value))
-export const onGrid = (value: number, step: number = gridStep): number =>
-  tidy(Math.round(value / step) * step)
-
-/// An angle in (-π, π], so that a thing that is turned round and round keeps a readable number.
-export function wrapped(angle: number): number {
-  const turned = angle - 2 * Math.PI * Math.ceil((angle - Math.PI) / (2 * Math.PI))
-  return Math.abs(turned) < 1e-9 ? 0 : turned
-}
-
 const inRoom = (world: World, [x, y]: Spot): Spot => [
   tidy(clamp(x, 0, world.size[0])),
   tidy(clamp(y, 0, world.size[1])),
 ]
-const plus = ([x, y]: Spot, dx: number, dy: number): Spot => [x + dx, y + dy]
-const turnedBy = ([x, y]: Spot, angle: number): Spot => [
-  x * Math.cos(angle) - y * Math.sin(angle),
-  x * Math.sin(angle) + y * Math.cos(angle),
-]
-
-/// The nearest place to `at` on the line from `a` to `b`.
-function nearestOn(a: Spot, b: Spot, at: Spot): Spot {
-  const [dx, dy] = [b[0] - a[0], b[1] - a[1]]
-  const square = dx * dx + dy * dy
-  const t = square === 0 ? 0 : clamp(((at[0] - a[0]) * dx + (at[1] - a[1]) * dy) / square, 0, 1)
-  return [a[0] + t * dx, a[1] + t * dy]
-}
-const distance = (a: Spot, b: Spot): number => Math.hypot(a[0] - b[0], a[1] - b[1])
-
-// Changing a list
 
 export function put<T>(list: readonly T[], index: number, item: T): readonly T[] {
   return list.map((old, i) => (i === index ? item : old))
@@ -460,48 +429,4 @@ function gathered(world: World): World {
     }),
   }
   return partsOf(within).reduce((now: World, part) => moved(now, part, 0, 0, false), within)
-}
-
-/// Where the robot cannot start, and why; `null` when it can. As `World._check_start` in the service says it.
-export function startFault(world: World): {readonly path: "start"; readonly why: string} | null {
-  const {x, y, theta} = world.start
-  const [width, height] = world.size
-  const fault = (why: string) => ({path: "start" as const, why})
-  if (!(x >= 0 && x < width && y >= 0 && y < height)) return fault("the robot would start outside the room.")
-  const tile = tileAt(world, x, y)
-  if (tile === "#" || clearance(world, [x, y]) < -0.001)
-    return fault("the robot would start inside a wall; it needs 0.35 metres of free floor.")
-  const wheel = (side: number) =>
-    world.tiles.length > 0 && tileAt(world, x - side * Math.sin(theta), y + side * Math.cos(theta)) === "O"
-  if (tile === "O" || wheel(wheelOffset) || wheel(-wheelOffset))
-    return fault("the robot would start over a hole; it needs floor under it.")
-  return null
-}
-
-/// From the robot's body at a place to the nearest thing, m; less than 0 inside one.
-function clearance(world: World, at: Spot): number {
-  const [width, height] = world.size
-  let gap = Math.min(at[0], at[1], width - at[0], height - at[1])
-  for (const wall of world.walls)
-    gap = Math.min(gap, distance(nearestOn(wall.from, wall.to, at), at) - wallThickness / 2)
-  for (const box of world.boxes) {
-    const [u, v] = turnedBy([at[0] - box.x, at[1] - box.y], -box.theta)
-    gap = Math.min(gap, outside(u, v, box.w, box.h))
-  }
-  for (const round of world.rounds) gap = Math.min(gap, distance([round.x, round.y], at) - round.r)
-  world.tiles.forEach((row, r) => {
-    const y = (world.tiles.length - r - 0.5) * world.tile
-    if (Math.abs(y - at[1]) > world.tile + 0.5) return
-    ;[...row].forEach((tile, c) => {
-      const x = (c + 0.5) * world.tile
-      if (tile === "#") gap = Math.min(gap, outside(at[0] - x, at[1] - y, world.tile, world.tile))
-    })
-  })
-  return gap - robotRadius
-}
-
-/// How far a point is outside a rectangle around the origin, m; less than 0 inside.
-function outside(u: number, v: number, w: number, h: number): number {
-  const [dx, dy] = [Math.abs(u) - w / 2, Math.abs(v) - h / 2]
-  return Math.hypot(Math.max(0, dx), Math.max(0, dy)) + Math.min(0, Math.max(dx, dy))
 }

@@ -3,8 +3,8 @@
 import {readdirSync, readFileSync} from "node:fs"
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {startFault} from "../../src/worlds/parts.ts"
 import {readWorld} from "../../src/worlds/read.ts"
+import {startFault} from "../../src/worlds/standing.ts"
 import {worldText, writeWorld} from "../../src/worlds/write.ts"
 import {anyWorld} from "./worlds.ts"
 
