@@ -20,7 +20,7 @@ export class Learner {
   }
 
   haskell(): Locator {
-    return this.page.getByRole("region", {name: "Haskell"}).locator(".cm-content")
+    return this.page.getByTestId("haskell")
   }
 
   /// The whole text, line by line, as far as it is in sight.

@@ -24,14 +24,22 @@ import {render} from "preact"
 import {openDesk} from "./desk/desk.ts"
 import {App} from "./page/app.tsx"
 import {DeskContext} from "./page/pick.ts"
+import {chosenLanguage} from "./run/liking.ts"
 import {sessionAddress} from "./run/session.ts"
+import {languageFor, use} from "./words/languages.ts"
 
 const host = document.getElementById("page")
 if (host === null) throw new Error("expected #page in index.html, found nothing")
-const desk = openDesk(sessionAddress(window.location))
-render(
-  <DeskContext.Provider value={desk}>
-    <App />
-  </DeskContext.Provider>,
-  host,
-)
+
+const start = () => {
+  const desk = openDesk(sessionAddress(window.location))
+  render(
+    <DeskContext.Provider value={desk}>
+      <App />
+    </DeskContext.Provider>,
+    host,
+  )
+}
+const fetched = use(languageFor(window.location.search, chosenLanguage(), navigator.languages))
+if (fetched === undefined) start()
+else void fetched.then(start)

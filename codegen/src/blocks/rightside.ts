@@ -153,7 +153,7 @@ export function readRight(r: Reader, i: number, part: Part): RightSide {
     if (guards.length === 0)
       guards.push({
         kind: "statement",
-        expr: {kind: "hole", from: {block: r.from.block, input: words.answers.g(i, g)}},
+        expr: {kind: "hole", from: {block: r.from.block, input: `G${i}_${g}`}},
       })
     branches.push({kind: "guarded", guards, body: r.expr(`E${i}_${g}`)})
   }

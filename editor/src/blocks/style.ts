@@ -72,7 +72,7 @@ export const styleSheet = `
 }
 
 /* Toolbox. */
-.rosyBlocks .blocklyToolbox { width: 176px; padding: 10px 8px; border-right: 1px solid var(--line); background: var(--paper); color: var(--ink); font: 550 15px/1.3 Inter, system-ui, sans-serif; }
+.rosyBlocks .blocklyToolbox { width: 176px; padding: 10px 8px; border-inline-end: 1px solid var(--line); background: var(--paper); color: var(--ink); font: 550 15px/1.3 Inter, system-ui, sans-serif; }
 .rosyBlocks .blocklyToolboxCategory { height: auto; line-height: 1.3; margin: 0 0 2px; padding: 9px 10px !important; border-radius: 8px; border: 0 !important; }
 .rosyBlocks .blocklyToolboxCategory:not(.blocklyToolboxSelected):hover { background: color-mix(in srgb, var(--sunken) 60%, transparent); }
 .rosyBlocks .blocklyToolboxSelected { background: var(--sunken) !important; }
@@ -90,7 +90,7 @@ export const styleSheet = `
 .rosyBlocks .rosyLevel select option { background: var(--paper); color: var(--ink); }
 .rosyBlocks .rosyLevel select:focus-visible { outline: 2px solid var(--focus); }
 .rosyBlocks .blocklyFlyoutBackground { fill: var(--paper); fill-opacity: .97; }
-.rosyBlocks .blocklyFlyout { border-right: 1px solid var(--line); }
+.rosyBlocks .blocklyFlyout { border-inline-end: 1px solid var(--line); }
 .rosyBlocks .blocklyFlyoutLabelText { fill: var(--ink-2) !important; font: 550 13px Inter, system-ui, sans-serif !important; }
 .rosyBlocks .blocklyFlyoutLabelBackground { opacity: 0; }
 
@@ -103,7 +103,7 @@ export const styleSheet = `
 .blocklyDropDownDiv .blocklyMenuItemHighlight, .blocklyWidgetDiv .blocklyMenuItemHighlight { background: var(--sunken); outline: 2px solid var(--focus); outline-offset: -2px; }
 .blocklyMenuItemDisabled.blocklyMenuItem { color: var(--ink-2) !important; opacity: .6; }
 .blocklyMenuItemSelected .blocklyMenuItemCheckbox { background: none; }
-.blocklyMenuItemSelected .blocklyMenuItemCheckbox::before { content: "✓"; color: var(--rosy); font-weight: 700; margin-left: 4px; }
+.blocklyMenuItemSelected .blocklyMenuItemCheckbox::before { content: "✓"; color: var(--rosy); font-weight: 700; margin-inline-start: 4px; }
 .blocklyMenuItemContent .blocklyShortcutContainer .blocklyShortcut { color: var(--ink-2) !important; }
 .blocklyTooltipDiv { background: var(--ink) !important; color: var(--paper) !important; border: 0 !important; border-radius: 8px; box-shadow: 0 4px 18px #0003 !important; font: 400 13.5px/1.4 Inter, system-ui, sans-serif !important; opacity: 1 !important; padding: 7px 11px !important; max-width: 320px; }
 .rosyBlocks .blocklyIconGroup.blocklyCommentIcon .blocklyIconShape { fill: none; stroke: none; }
@@ -134,7 +134,7 @@ export const styleSheet = `
 .rosyRefusal code, .rosyRefusal b { font: 600 13px "JetBrains Mono", ui-monospace, monospace; }
 .rosyRefusal[hidden] { display: none; }
 
-.rosyZoom { position: absolute; right: 16px; bottom: 16px; z-index: 30; display: flex; gap: 4px; background: var(--paper); border: 1px solid var(--line); border-radius: 10px; padding: 3px; }
+.rosyZoom { position: absolute; inset-inline-end: 16px; bottom: 16px; z-index: 30; display: flex; gap: 4px; background: var(--paper); border: 1px solid var(--line); border-radius: 10px; padding: 3px; }
 .rosyZoom button { width: 32px; height: 32px; border: 0; border-radius: 7px; background: none; color: var(--ink); font: 500 17px Inter, system-ui, sans-serif; cursor: pointer; display: grid; place-items: center; }
 .rosyZoom button:hover { background: var(--sunken); }
 .rosyZoom button:focus-visible { outline: 2px solid var(--focus); }

@@ -116,7 +116,7 @@ let open: (BuildActions & {readonly menus: MenuActions}) | undefined
 /// Blockly keeps its kinds of blocks, renderers and themes per document, not per workspace.
 function register(language: Language): void {
   if (registered === undefined) {
-    Blockly.setLocale(English as unknown as Record<string, string>)
+    Blockly.setLocale({...English, ...words.blockly} as unknown as Record<string, string>)
     registerRenderer()
     registerChecker()
     registerToolbox()

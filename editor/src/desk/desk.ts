@@ -15,6 +15,7 @@ import {download, downloadBlob, fileName, pickFile, watchDrops} from "../run/fil
 import {type Film, startFilm, takePicture} from "../run/film.ts"
 import {fetchReader} from "../run/grammar.ts"
 import {fetchExample, fetchExamples, fetchRooms, fetchWorlds} from "../run/library.ts"
+import {chooseLanguage, keepOwnName, ownName} from "../run/liking.ts"
 import {openCode} from "../run/robots.ts"
 import {openSession, type Session} from "../run/session.ts"
 import {type Liking, openShelf} from "../run/storage.ts"
@@ -25,6 +26,7 @@ import {drives} from "../state/helm.ts"
 import type {Order, PageState} from "../state/page.ts"
 import {believed} from "../state/page.ts"
 import {type Finding, innermostBlock, mover, textOf} from "../state/program.ts"
+import {noRobots} from "../state/robots.ts"
 import {glowing} from "../state/room.ts"
 import {isActive} from "../state/run.ts"
 import {toCsv} from "../state/values.ts"
@@ -102,7 +104,7 @@ export function openDesk(address: string): Desk {
       checking = setTimeout(() => session?.send(order.message), checkPause)
     } else session?.send(order.message)
   }
-  const store = openStore(perform, shelf.liking())
+  const store = openStore(perform, {...shelf.liking(), robots: {...noRobots, who: ownName()}})
   const isDark = () => store.now.theme === "dark" || (store.now.theme === "auto" && systemDark)
   const projectText = () => writeProject(project, store.now.document, store.now.name, store.now.worldName)
   const autosave = openAutosave(
@@ -262,6 +264,7 @@ export function openDesk(address: string): Desk {
   if (known !== null) store.dispatch({kind: "robots-unlocked", code: known})
   store.onFrame(({robots}) => {
     if (robots.offered?.locked === false || robots.refused !== null) code.keep(robots.code)
+    if (robots.who !== ownName()) keepOwnName(robots.who)
   })
   watchKeys({
     emergency() {
@@ -304,6 +307,7 @@ export function openDesk(address: string): Desk {
       blocks = openBlocks(host, {
         language: codegen,
         tone: isDark() ? "dark" : "light",
+        rightToLeft: document.documentElement.dir === "rtl",
         level: shelf.level() ?? "reactions",
         onLevel: level => shelf.setLevel(level),
         clipboard: openClipboard(window.localStorage),
@@ -435,6 +439,14 @@ export function openDesk(address: string): Desk {
     undo,
     redo,
     mend,
+    speak(language) {
+      chooseLanguage(language)
+      const address = new URL(window.location.href)
+      address.searchParams.delete("lang")
+      // An address that stays the same is only loaded again when asked to.
+      if (address.href === window.location.href) window.location.reload()
+      else window.location.assign(address)
+    },
     show(finding: Finding) {
       const {size, arrangement, region} = store.now
       if (size === "phone" && region === "room") store.dispatch({kind: "region", region: "blocks"})

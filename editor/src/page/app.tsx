@@ -142,7 +142,8 @@ function SourceRegion({shown, style}: Placed): VNode {
   return (
     <section class="region haskell" aria-label={words.haskellPane} hidden={!shown} style={style}>
       <RegionHead region="haskell" />
-      <div class="source-host" ref={host} />
+      {/* Haskell is written from left to right in every language. */}
+      <div class="source-host" dir="ltr" ref={host} />
     </section>
   )
 }

@@ -39,6 +39,8 @@ export interface Desk {
   mend(fix: Fix): void
   /// Lays the text out anew, without losing anything.
   format(): void
+  /// Opens the page again in another language.
+  speak(language: string): void
   /// Brings the block and the text of a problem into sight.
   show(finding: Finding): void
 }

@@ -3,6 +3,7 @@
 import type {VNode} from "preact"
 import type {Theme} from "../state/page.ts"
 import {words} from "../words/index.ts"
+import {languages} from "../words/languages.ts"
 import {History} from "./history.tsx"
 import {MoreIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
@@ -75,6 +76,13 @@ function MenuItems({close}: {close: () => void}): VNode {
         options={themes.map(t => [t, words.themes[t]])}
         value={theme}
         choose={chosen => desk.store.dispatch({kind: "theme", theme: chosen})}
+      />
+      <p class="label">{words.language}</p>
+      <Segments
+        label={words.language}
+        options={Object.entries(languages).map(([language, name]) => [language, name] as const)}
+        value={document.documentElement.lang}
+        choose={desk.speak}
       />
     </div>
   )

@@ -141,7 +141,17 @@ function RobotChoice(): VNode | null {
 }
 
 /// The robot in words and numbers, for screen readers (read when asked for) and for tests.
+/// The sides of the robot that feel something, as words.
+function inWords(value: string): string {
+  const sides: Readonly<Record<string, string>> = words.sides
+  return value
+    .split(" ")
+    .map(word => sides[word] ?? word)
+    .join(" ")
+}
+
 function Readout(): VNode {
+  const readoutNames: Readonly<Record<string, string>> = words.readout
   const values = usePage(s => JSON.stringify(readout(s)))
   const robot = JSON.parse(values) as ReturnType<typeof readout>
   return (
@@ -149,8 +159,8 @@ function Readout(): VNode {
       {robot !== null &&
         Object.entries(robot).map(([name, value]) => (
           <div key={name}>
-            <dt>{name}</dt>
-            <dd data-testid={`robot-${name}`}>{value}</dd>
+            <dt>{readoutNames[name] ?? name}</dt>
+            <dd data-testid={`robot-${name}`}>{inWords(value)}</dd>
           </div>
         ))}
     </dl>

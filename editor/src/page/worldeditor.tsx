@@ -5,7 +5,7 @@ import {useEffect, useLayoutEffect, useRef} from "preact/hooks"
 import {words} from "../words/index.ts"
 import type {WorldEdit} from "../worlds/editor.ts"
 import {tools} from "../worlds/editor.ts"
-import {startFault} from "../worlds/parts.ts"
+import {startTrouble} from "../worlds/standing.ts"
 import {describePart} from "./describe.ts"
 import {RedoIcon, UndoIcon} from "./icons.tsx"
 import {NoticeBar} from "./notice.tsx"
@@ -40,7 +40,7 @@ export function WorldEditorDialog(): VNode {
 function Workshop(): VNode {
   const {store} = useDesk()
   const edit = (event: WorldEdit) => store.dispatch({kind: "world-edited", edit: event})
-  const why = usePage(s => (s.worldEditor === null ? null : (startFault(s.worldEditor.world)?.why ?? null)))
+  const why = usePage(s => (s.worldEditor === null ? null : startTrouble(s.worldEditor.world)))
   return (
     <div class="workshop">
       <header class="workshop-bar">
@@ -68,7 +68,7 @@ function Workshop(): VNode {
       <Sheet />
       <PartPanel edit={edit} />
       <p class="workshop-fault" role="alert">
-        {why !== null && words.world.startFault(why)}
+        {why !== null && words.world.startFaults[why]}
       </p>
     </div>
   )

@@ -50,7 +50,7 @@ const below = (first: Tree, second: Tree, share: number): Tree => ({split: "belo
 
 /// From left to right the way a program travels.
 export const firstArrangement: Arrangement = {
-  tree: beside(beside("blocks", "haskell", 0.65), "room", 0.715),
+  tree: beside(beside("blocks", "haskell", 0.59), "room", 0.73),
   hidden: [],
 }
 

@@ -1,8 +1,8 @@
 /// One step of the page: what happened turns one state into the next, and says what to send. Pure.
 
 import {edit, isChanged, openEditor} from "../worlds/editor.ts"
-import {startFault} from "../worlds/parts.ts"
 import {type Fault, readWorld} from "../worlds/read.ts"
+import {startFault} from "../worlds/standing.ts"
 import type {World} from "../worlds/world.ts"
 import {worldText, writeWorld} from "../worlds/write.ts"
 import {withShown, withView} from "./arrangement.ts"

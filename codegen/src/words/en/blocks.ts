@@ -226,7 +226,6 @@ export const blocks = {
     addOtherwise: (which: string) => `Add “otherwise”${which}`,
     askTheLastConditionAsOne: (which: string) => `Ask the last condition as one${which}`,
     askTheLastConditionInSteps: (which: string) => `Ask the last condition in steps${which}`,
-    g: (i: number, g: number) => `G${i}_${g}`,
   },
   tasks: {
     thereIsNoStepHereYet: "There is no step here yet.",

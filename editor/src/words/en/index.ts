@@ -4,4 +4,10 @@ import {blocks} from "./blocks.ts"
 import {page} from "./page.ts"
 import {world} from "./rooms.ts"
 
-export const en = {...page, blocks, world} as const
+export const en = {
+  ...page,
+  blocks,
+  world,
+  /// Blockly's own words, where they are not its English ones.
+  blockly: {} as Readonly<Record<string, string>>,
+} as const

@@ -47,6 +47,18 @@ export const page = {
     believedY: "Believed y",
     believedHeading: "Believed heading",
   },
+  /// The robot as a screen reader finds it.
+  readout: {
+    time: "time",
+    heading: "heading",
+    speed: "speed",
+    bumpers: "bumpers",
+    cliffs: "cliffs",
+    wheels: "wheels",
+    led1: "LED 1",
+    led2: "LED 2",
+  },
+  sides: {left: "left", centre: "centre", right: "right"},
   /// What 1 and 0 mean, per kind of sensor.
   senses: {
     bumper: ["pressed", "released"],
@@ -133,6 +145,7 @@ export const page = {
   saveFile: "Save as a file",
   saveHaskell: "Save the Haskell",
   driveByHand: "Drive by hand (ROS)",
+  language: "Language",
   theme: "Colours",
   themes: {auto: "As the system", light: "Light", dark: "Dark"},
   galleryTitle: "Examples",

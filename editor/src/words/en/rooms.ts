@@ -53,7 +53,11 @@ export const world = {
   sheetLabel:
     "The room from above. Arrow keys move what is chosen, or a cross-hair; Enter begins and ends a drawing; comma and full stop turn; Delete takes away.",
   aimAt: (at: Spot) => `At ${place(at)}`,
-  startFault: (why: string) => `${why.charAt(0).toUpperCase()}${why.slice(1)} Move it before you go on.`,
+  startFaults: {
+    outside: "The robot would start outside the room. Move it before you go on.",
+    wall: "The robot would start inside a wall; it needs 0.35 metres of free floor. Move it before you go on.",
+    hole: "The robot would start over a hole; it needs floor under it. Move it before you go on.",
+  },
   snap: "Snap to the grid",
   room: "This room",
   name: "Name",

@@ -1,0 +1,120 @@
+/// The page in other languages: nothing of it stays English, it can be read from right to left, and German is spoken.
+///
+/// In the pseudo-locale every word of the tables has accents (`editor/src/words/pseudo.ts`): plain letters on the page
+/// are a word that is in no table, or the program's and the robot's own.
+
+import {expect, type Page, test} from "@playwright/test"
+import {knownNames, toolbox} from "@rosy/codegen"
+import {Learner, until} from "./learner.ts"
+
+const words = (text: string): readonly string[] => text.match(/[A-Za-z]{3,}/g) ?? []
+
+/// Words that stay as they are in every language: the program's and the robot's, what examples and rooms call
+/// themselves, keys and units.
+async function kept(page: Page): Promise<ReadonlySet<string>> {
+  const names = knownNames().flatMap(known => words(`${known.name} ${known.type}`))
+  const ready = words(JSON.stringify(toolbox("haskell")))
+  const content = await page.evaluate(async () => {
+    const get = async (path: string) => (await fetch(path)).text()
+    const rooms: readonly string[] = await (await fetch("api/worlds")).json()
+    const texts = [get("api/examples"), ...rooms.map(room => get(`api/worlds/${room}`))]
+    return (await Promise.all(texts)).join(" ")
+  })
+  const program = await new Learner(page).haskellText()
+  const others = ["English", "Deutsch", "Alt", "Shift", "Control", "rad", "accelerateAndPlay"]
+  return new Set([...names, ...ready, ...words(content), ...words(program), ...others])
+}
+
+/// What can be seen or is read aloud, with the place it is at.
+function saidOn(page: Page): Promise<readonly string[]> {
+  return page.evaluate(() => {
+    const attributes = [
+      "aria-label",
+      "title",
+      "placeholder",
+      "alt",
+      "aria-description",
+      "aria-roledescription",
+      "aria-valuetext",
+    ]
+    const shows = (element: Element) => element.checkVisibility({visibilityProperty: true})
+    const own = (element: Element) => element.closest(".cm-content, code, script, style, noscript") !== null
+    const found: string[] = []
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT)
+    while (walker.nextNode()) {
+      const node = walker.currentNode
+      const element = node instanceof Element ? node : node.parentElement
+      if (element === null || own(element) || !shows(element)) continue
+      if (node instanceof Element) {
+        for (const name of attributes) found.push(`${name}: ${node.getAttribute(name) ?? ""}`)
+      } else found.push(`text: ${node.textContent ?? ""}`)
+    }
+    return found
+  })
+}
+
+async function speaksNoEnglish(page: Page, where: string, kept: ReadonlySet<string>): Promise<void> {
+  const english = (await saidOn(page)).filter(said =>
+    words(said.slice(said.indexOf(":") + 1)).some(word => !kept.has(word)),
+  )
+  expect([...new Set(english)], where).toEqual([])
+}
+
+test("every word of the page is in a table of words", async ({page}) => {
+  test.setTimeout(120_000)
+  await page.goto("/?example=accelerateAndPlay&lang=en-XA")
+  await expect(new Learner(page).haskell()).toContainText("simulate")
+  await expect(page.locator(".blocklyBlockCanvas .blocklyDraggable").first()).toBeVisible()
+  const own = await kept(page)
+  const look = (where: string) => speaksNoEnglish(page, where, own)
+  await look("the page")
+
+  for (const level of ["tasks", "reactions", "haskell"]) {
+    await page.locator(".rosyLevel select").selectOption(level)
+    for (const category of await page.locator(".blocklyToolboxCategory:not(.rosySearchRow)").all()) {
+      await category.click()
+      await expect(page.locator(".blocklyFlyout")).toBeVisible()
+      await look(`the toolbox at ${level}: ${await category.textContent()}`)
+    }
+  }
+  await page.locator(".rosySearch").fill("?!")
+  await look("a search that finds nothing")
+  await page.keyboard.press("Escape")
+  await page.keyboard.press("Escape")
+
+  for (const block of ["accelerate", "0.5", "simulate"]) {
+    const at = page.locator(".blocklyBlockCanvas .blocklyFieldText").getByText(block, {exact: true}).first()
+    if ((await at.count()) === 0) continue
+    await at.click({button: "right"})
+    await look(`the menu of ${block}`)
+    await page.keyboard.press("Escape")
+  }
+  await page.locator(".menu > button").first().click()
+  await look("the menu of the page")
+  await page.keyboard.press("Escape")
+
+  await page.locator(".topbar .examples, .topbar button").first().click()
+  await expect(page.locator("dialog[open] li").first()).toBeVisible()
+  await look("the examples")
+  await page.keyboard.press("Escape")
+  await page.locator(".room-choice").click()
+  await expect(page.locator("dialog[open] li").first()).toBeVisible()
+  await look("the rooms")
+  await page.locator("dialog[open] .pair button").first().click()
+  for (const tool of await page.locator(".workshop .tools button").all()) {
+    await tool.click()
+    await look(`the world editor: ${await tool.textContent()}`)
+  }
+  await page.locator(".workshop .things button").first().click()
+  await look("the start of the robot")
+  await page.locator(".workshop-bar button.plain").last().click()
+
+  await page.getByTestId("run").click()
+  await until(page.getByTestId("robot-speed"), v => v > 0.3)
+  for (const tab of await page.getByRole("tab").all()) {
+    await tab.click()
+    await look(`${await tab.textContent()} while it runs`)
+  }
+  await page.getByTestId("run").click()
+  await expect(page.locator("dialog[open]")).toHaveCount(0)
+})

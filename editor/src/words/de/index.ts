@@ -1,0 +1,14 @@
+/// German, as one speaks to somebody of twelve years. Haskell's words and the robot's stay English.
+
+import {de} from "@rosy/codegen/words/de"
+import type {Table} from "../table.ts"
+import {blockly, blocks} from "./blocks.ts"
+import {page} from "./page.ts"
+import {world} from "./rooms.ts"
+
+export const german: Table = {
+  tag: "de",
+  direction: "ltr",
+  page: {...page, blocks, world, blockly},
+  blocks: de,
+}
