@@ -24,9 +24,11 @@ describe("the generated environment", () => {
     const scheme = library.values.get(name)
     expect(scheme === undefined ? "" : showScheme(scheme).replaceAll(/\bg\b/g, "b")).toBe(type)
   })
-  test("knows which names the Prelude keeps", () => {
-    expect(["lookup", "Just", "Maybe", "+", "Show"].filter(n => !library.fixed.has(n))).toEqual([])
-    expect(["say", "Velocity", "when", "Red"].filter(n => library.fixed.has(n))).toEqual([])
+  test("knows what comes from the Prelude, and which of it a program cannot define anew", () => {
+    expect(["lookup", "Just", "Maybe", "+", "Show"].filter(n => !library.prelude.has(n))).toEqual([])
+    expect(["say", "Velocity", "when", "Red"].filter(n => library.prelude.has(n))).toEqual([])
+    expect(["Maybe", "Show"].filter(n => !library.fixed.has(n))).toEqual([])
+    expect(["lookup", "Just", "+", "say", "Velocity"].filter(n => library.fixed.has(n))).toEqual([])
   })
 })
 

@@ -83,6 +83,8 @@ function asModule({name, program, text}: Candidate): string {
     "{-# LANGUAGE PatternSynonyms #-}",
     `module ${name} (main) where`,
     `import Rosy hiding (${own.filter(n => !n.startsWith("pattern ")).join(", ")})`,
+    `import Prelude hiding (${own.map(n => n.replace("pattern ", "")).join(", ")})`,
+    "import qualified Prelude",
     "import qualified Rosy.Program",
     "",
     text,

@@ -73,9 +73,19 @@ describe("names that text brings into scope", () => {
     ["a type with a class in it", "data Any = forall a. Show a => Any a\n\nf (Any x) = Any 3"],
     ["a type by its constructors' types", "data Sum where\n  Sum :: Int -> Sum\n\nf (Sum n) = Sum (n + 1)"],
     ["a name the Prelude would have", "import Prelude hiding (lookup)\n\nlookup x = x + 1"],
+    [
+      "a name that gives way",
+      "data Side = Left | Right\n\nlookup x = x + 1\n\nf Left = lookup 1\nf Right = 2",
+    ],
     ["a pattern of text", "f !x = x\n\ng = f 3"],
   ])("%s is no problem", (_, text) => expect(seen(text).problems).toEqual([]))
 
+  test("what a program imports by its module's name does not give way", () => {
+    expect(seen("import Prelude\n\nlookup x = x + 1").problems).toEqual([
+      "Haskell itself has a `lookup` already.",
+    ])
+    expect(seen("import Prelude (lookup)\n\nfilter x = x + 1").problems).toEqual([])
+  })
   test("a name that nothing brings is still a problem", () => {
     expect(seen("import Data.Char (toUpper)\n\nf = toLower 'a'").problems).toEqual([
       "`toLower` has no meaning here.",

@@ -43,6 +43,7 @@ SAID: dict[str, tuple[list[tuple[float, Hand]], list[str]]] = {
     "legs": ([], ["[0.5,0.5,0.5]"]),
     "tagged": (TOUCH, ["fast 1", "slow 0", "fast 1", "slow 1"]),
     "dice": ([], ["ten dice"]),
+    "names": ([], ["<2><4><Right><4/2>"]),
 }
 
 

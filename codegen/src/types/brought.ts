@@ -54,6 +54,7 @@ interface Growing {
   readonly values: Layer<Scheme>
   readonly constructors: Layer<ConstructorInfo>
   readonly types: Layer<TypeEntry>
+  readonly prelude: ReadonlySet<string>
   readonly fixed: Set<string>
   /// Types that a signature cannot name without a dot.
   readonly hidden: Set<string>
@@ -64,7 +65,8 @@ interface Growing {
 function addImport(env: Growing, i: Import): void {
   env.qualifiers.add(i.as)
   if (i.module === "Prelude" || i.module === "Rosy") {
-    // What is left out may be defined anew.
+    // What is asked for by name of module does not give way, what is left out does.
+    if (i.module === "Prelude" && !i.qualified) for (const name of i.only ?? env.prelude) env.fixed.add(name)
     for (const name of i.hiding) env.fixed.delete(name)
     return
   }

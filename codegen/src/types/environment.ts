@@ -48,7 +48,10 @@ export interface Environment {
   readonly classes: Lookup<readonly string[]>
   /// Classes and types that a program cannot name, so that no signature may mention them.
   readonly hidden: ReadonlySet<string>
-  /// Names that the Prelude has and a program's top level therefore cannot define anew.
+  /// Names that the Prelude has.
+  readonly prelude: ReadonlySet<string>
+  /// Names that a program's top level cannot define anew: types that shapes are made of, and all of a Prelude that it imports itself. Other
+  /// names of Rosy and the Prelude give way to the program's own.
   readonly fixed: ReadonlySet<string>
   /// Instances that inference used and a program's own types must derive: `Eq Mode`. Filled while inferring.
   readonly needs: Set<string>
@@ -78,6 +81,7 @@ export interface Growing {
   types: Table<TypeEntry>
   classes: Table<readonly string[]>
   hidden: Set<string>
+  prelude: ReadonlySet<string>
   fixed: ReadonlySet<string>
   needs: Set<string>
   instances: Table<Table<Instance | "none">>
@@ -114,13 +118,18 @@ export class Layer<V> implements Table<V> {
 }
 
 /// Reads declarations, one a line. A line it cannot read (a type beyond Haskell 2010) leaves its name unknown.
-export function readEnvironment(text: string, fixed: ReadonlySet<string> = new Set()): Library {
+export function readEnvironment(
+  text: string,
+  prelude: ReadonlySet<string> = new Set(),
+  fixed: ReadonlySet<string> = new Set(),
+): Library {
   const env = {
     values: new Map<string, Scheme>(),
     constructors: new Map<string, ConstructorInfo>(),
     types: new Map<string, TypeEntry>(),
     classes: new Map<string, readonly string[]>(),
     hidden: new Set<string>(),
+    prelude,
     fixed,
     needs: new Set<string>(),
     instances: new Map<string, Map<string, Instance | "none">>(),

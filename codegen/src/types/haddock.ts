@@ -11,5 +11,5 @@ export function homeOf(help: string): Home {
     ? library.types.has(name)
     : library.values.has(name) || library.constructors.has(name)
   if (!known) return "nowhere"
-  return library.fixed.has(name) ? "prelude" : "rosy"
+  return library.prelude.has(name) ? "prelude" : "rosy"
 }

@@ -12,24 +12,26 @@ hidden data IOException
 hidden data NotInATask
 `
 
-export const library = readEnvironment(`${generated}\n${builtIn}`, preludeNames(generated))
+const prelude = preludeNames(generated)
 
-/// What the Prelude exports: everything up to the first line that only Rosy brings. A program that defines one of
-/// these itself has an ambiguity, while a name of Rosy's gives way.
-function preludeNames(text: string): Set<string> {
+export const library = readEnvironment(`${generated}\n${builtIn}`, prelude.all, prelude.types)
+
+/// What the Prelude exports: everything up to the first line that only Rosy brings; its types and classes once more.
+function preludeNames(text: string): {all: Set<string>; types: Set<string>} {
   const names = new Set<string>()
+  const types = new Set<string>()
   for (const line of text.split("\n")) {
     if (line.startsWith("(<$!>)")) break
     const value = /^\(?([^\s()]+)\)? ::/.exec(line)?.[1]
     if (value !== undefined) names.add(value)
     const type = /^(?:data|newtype|type) (\S+)(?:(?: \w+)* = (.*))?/.exec(line)
     if (type !== null) {
-      names.add(type[1] ?? "")
+      types.add(type[1] ?? "")
       if (!line.startsWith("type "))
         for (const c of (type[2] ?? "").split(" | ")) names.add(c.split(" ")[0] ?? "")
     }
     const cls = /^class (?:.* => )?(\w+) \w+$/.exec(line)?.[1]
-    if (cls !== undefined) names.add(cls)
+    if (cls !== undefined) types.add(cls)
   }
-  return names
+  return {all: new Set([...names, ...types]), types}
 }

@@ -34,6 +34,7 @@ export function withTypes(
     types: new Layer(base.types),
     classes: base.classes as Table<readonly string[]>,
     hidden: new Set(base.hidden),
+    prelude: base.prelude,
     fixed: base.fixed,
     needs: new Set(),
     instances,

@@ -5,7 +5,8 @@
 -- A program is written without a header, without instances and without @deriving@. Whoever compiles it (the worker, a build)
 -- adds the following to the parsed tree, never to the text, so that every place in a message is the learner's own.
 --
--- [Imports] @import Rosy@, hiding the names that the program itself defines at top level; and @import qualified Rosy.Program@,
+-- [Imports] @import Rosy@, hiding the names that the program itself defines at top level; the Prelude likewise, unless the program
+--   imports it itself, and then also @import qualified Prelude@ for what is hidden; and @import qualified Rosy.Program@,
 --   whose exports are all that the additions below need.
 --
 -- [Instances] For each @data@ or @newtype@ declaration @T a b@ with Haskell 98 constructors (no GADT syntax with

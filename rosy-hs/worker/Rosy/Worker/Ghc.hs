@@ -177,7 +177,7 @@ withoutStubs = defaultPlugin {installCoreToDos = \_ passes -> pure (CoreDoPlugin
 
 check :: Aim -> Session -> DynFlags -> Columns -> Text -> Located HsModule -> [Raw] -> IO Analysis
 check aim session flags columns source (L at parsed) warnings = do
-  let added = addRosy instances (linesWith (map Text.pack namingWords) source) (rosyNames session) parsed
+  let added = addRosy instances (linesWith (map Text.pack namingWords) source) (broughtWith flags (brought session)) parsed
       env = (environment session) {hsc_dflags = flags}
       summary = summaryOf flags source
       placed = definitionSpans (placeOf columns) parsed

@@ -116,7 +116,7 @@ explain outline raw = case reason raw of
       | saying "Duplicate type signatures" = Just (problem "duplicate" (quoted firstName <> " has two types.") "Remove one of them.")
       | saying "lacks an accompanying binding" = Just (problem "missing-definition" (quoted firstName <> " has a type but no definition.") (lacking everything))
       | saying "different numbers of arguments" = Just (problem "argument-count" ("The equations of " <> quoted firstName <> " take different numbers of values.") "Give each of them the same number of patterns: _ stands for anything.")
-      | saying "Ambiguous occurrence" = Just (problem "ambiguous-name" (quoted firstName <> " is the name of two things.") (if "Prelude" `Text.isInfixOf` everything then "One comes with Haskell: give yours another name." else "Give yours another name."))
+      | saying "Ambiguous occurrence" = Just (problem "ambiguous-name" (quoted firstName <> " is the name of two things.") (whichOne firstName everything))
       | saying "The last statement in a 'do' block" = Just (problem "incomplete" "A do block cannot end like this." "Its last line says what to do: add one.")
       | saying "Empty 'do' block" = Just (problem "incomplete" "Nothing follows this ‘do’." "Write what to do on the next line, indented.")
       | saying "should have" && saying "arguments, but has been given" || saying "should have" && saying "argument, but has been given" = Just (patternArguments firstName)
@@ -166,6 +166,16 @@ nearMiss :: Text -> Text -> Text
 nearMiss everything unknownName = case nearMisses everything unknownName of
   [] -> maybe "Check its spelling, or define it." (\m -> "It comes with Haskell: write at the top: import " <> m <> " (" <> unknownName <> ").") (importFor unknownName)
   xs -> "Did you mean " <> sentenceList (take 3 xs) <> "?"
+
+-- | What to do about a name that comes from two places. One of them may be the program itself.
+whichOne :: Text -> Text -> Text
+whichOne name everything
+  | "defined at" `Text.isInfixOf` everything = maybe "Give yours another name." (\m -> "One comes from " <> m <> ": give yours another name.") (listToMaybe modules)
+  | m : _ <- filter (`notElem` ["Prelude", "Rosy"]) modules = "Keep what comes from " <> m <> " apart: write import qualified " <> m <> " as " <> shortOf m <> ", and then " <> shortOf m <> "." <> name <> "."
+  | otherwise = "Write the module in front of it."
+  where
+    modules = [Text.takeWhile (/= '’') t | t <- drop 1 (Text.splitOn "imported from ‘" everything)]
+    shortOf m = last (Text.splitOn "." m)
 
 lacking :: Text -> Text
 lacking everything = case maybe [] quotes (after "Perhaps you meant" everything) of

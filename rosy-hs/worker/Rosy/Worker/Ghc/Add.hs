@@ -12,6 +12,8 @@
 module Rosy.Worker.Ghc.Add
   ( Added (..),
     Instances (..),
+    Brought (..),
+    broughtWith,
     addRosy,
     namingWords,
     generatedQualifier,
@@ -22,10 +24,12 @@ import Data.Data (Data, gmapQ, gmapT)
 import Data.List (nub)
 import Data.Maybe (maybeToList)
 import Data.Typeable (cast, eqT, (:~:) (..))
-import GHC (mkModuleName)
+import GHC (mkModuleName, moduleNameString)
 import GHC.Data.Bag (bagToList, emptyBag, listToBag)
 import GHC.Data.FastString (mkFastString)
+import GHC.Driver.Session (DynFlags, xopt)
 import GHC.Hs
+import GHC.LanguageExtensions.Type (Extension (ImplicitPrelude))
 import GHC.Types.Basic (PromotionFlag (NotPromoted), SourceText (..))
 import GHC.Types.Name.Occurrence
 import GHC.Types.Name.Reader (RdrName, isUnqual, mkRdrQual, mkRdrUnqual, rdrNameOcc)
@@ -50,11 +54,21 @@ added = mkRdrQual (mkModuleName generatedQualifier)
 data Instances = Whole | Promised
   deriving (Eq)
 
--- | Adds the header, the import of Rosy without the names that the program defines itself, the instances of the
--- program's own types, and the names of functions. The set holds what @import Rosy@ brings; the predicate says where one of
--- 'namingWords' may stand.
-addRosy :: Instances -> (SrcSpan -> Bool) -> OccSet -> HsModule -> Added
-addRosy instances mayName exported parsed =
+-- | The names that a program has without asking: what @import Rosy@ brings, and what the Prelude does.
+data Brought = Brought
+  { fromRosy :: OccSet,
+    -- | None for a program that does without the Prelude.
+    fromPrelude :: OccSet
+  }
+
+-- | What a program with these flags has: it may have left out the Prelude.
+broughtWith :: DynFlags -> Brought -> Brought
+broughtWith flags brought = if xopt ImplicitPrelude flags then brought else brought {fromPrelude = emptyOccSet}
+
+-- | Adds the header, the imports of Rosy and the Prelude without the names that the program defines itself, the instances of the
+-- program's own types, and the names of functions. The predicate says where one of 'namingWords' may stand.
+addRosy :: Instances -> (SrcSpan -> Bool) -> Brought -> HsModule -> Added
+addRosy instances mayName brought parsed =
   Added
     { program =
         parsed
@@ -68,8 +82,9 @@ addRosy instances mayName exported parsed =
   where
     own = definedNames (hsmodDecls parsed)
     imports =
-      concatMap (giveWay exported own) (hsmodImports parsed)
-        ++ (if any importsRosy (hsmodImports parsed) then [] else giveWay exported own (noLoc (implicit "Rosy")))
+      concatMap (\i -> if importsRosy i then giveWay (fromRosy brought) own i else [i]) (hsmodImports parsed)
+        ++ (if any importsRosy (hsmodImports parsed) then [] else giveWay (fromRosy brought) own (noLoc (implicit "Rosy")))
+        ++ (if any (imports' "Prelude") (hsmodImports parsed) then [] else preludeFor (fromPrelude brought) own)
         ++ [noLoc (implicit "Rosy.Program") {ideclQualified = QualifiedPre, ideclAs = Just (noLoc (mkModuleName generatedQualifier))}]
     named = [if mayName (getLoc d) then nameFunctions hidden definitions d else (d, []) | d <- hsmodDecls parsed]
     decls = map fst named
@@ -85,14 +100,24 @@ implicit m = (simpleImportDecl (mkModuleName m)) {ideclImplicit = True}
 
 -- * Imports
 
-importsRosy :: LImportDecl GhcPs -> Bool
-importsRosy (L _ i) = unLoc (ideclName i) == mkModuleName "Rosy" && ideclQualified i == NotQualified
+imports' :: String -> LImportDecl GhcPs -> Bool
+imports' m (L _ i) = unLoc (ideclName i) == mkModuleName m
 
--- | An import of Rosy that leaves out what the program defines. A data constructor and a type may share a name of
+importsRosy :: LImportDecl GhcPs -> Bool
+importsRosy l@(L _ i) = imports' "Rosy" l && ideclQualified i == NotQualified
+
+-- | The Prelude of a program that does not import it itself: nothing to add when there is nothing to leave out. What is left out can
+-- still be had with the module's name before it, and instances can still be made of its classes.
+preludeFor :: OccSet -> [OccName] -> [LImportDecl GhcPs]
+preludeFor exported own
+  | any (`elemOccSet` exported) own = giveWay exported own (noLoc (implicit "Prelude")) ++ [noLoc (implicit "Prelude") {ideclQualified = QualifiedPre}]
+  | otherwise = []
+
+-- | An import that leaves out what the program defines. A data constructor and a type may share a name of
 -- which the program defines only one: the other is then imported by itself.
 giveWay :: OccSet -> [OccName] -> LImportDecl GhcPs -> [LImportDecl GhcPs]
 giveWay exported own l@(L at i)
-  | not (importsRosy l) || null clashes = [l]
+  | null clashes = [l]
   | otherwise = case ideclHiding i of
     Just (False, _) -> [l]
     Just (True, L s items) -> hide s items
@@ -100,7 +125,7 @@ giveWay exported own l@(L at i)
   where
     clashes = filter (`elemOccSet` exported) own
     hide s items = L at i {ideclHiding = Just (True, L s (items ++ map item clashes))} : [L at (one o) | o <- clashes, not (null (siblings o))]
-    one o = (implicit "Rosy") {ideclHiding = Just (False, noLoc (siblings o))}
+    one o = (implicit (moduleNameString (unLoc (ideclName i)))) {ideclHiding = Just (False, noLoc (siblings o))}
     siblings o
       | isTcOcc o, sibling <- mkDataOccFS (occNameFS o), sibling `elemOccSet` exported, sibling `notElem` own = [noLoc (IEVar noExtField (noLoc (IEPattern (noLoc (mkRdrUnqual sibling)))))]
       | isDataOcc o, sibling <- mkTcOccFS (occNameFS o), sibling `elemOccSet` exported, sibling `notElem` own = [noLoc (IEThingAbs noExtField (wrapped sibling))]

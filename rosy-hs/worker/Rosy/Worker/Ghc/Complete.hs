@@ -53,7 +53,7 @@ import GHC.Types.Var.Set (elemVarSet, mkVarSet)
 import GHC.Unit.Module (moduleNameString)
 import Rosy.Worker.Allow (refuseName)
 import Rosy.Worker.Cursor (holeName, withHole)
-import Rosy.Worker.Ghc.Add (Added (..), Instances (..), addRosy, generatedQualifier, namingWords)
+import Rosy.Worker.Ghc.Add (Added (..), Instances (..), addRosy, broughtWith, generatedQualifier, namingWords)
 import Rosy.Worker.Ghc.Describe (showType)
 import Rosy.Worker.Ghc.Read
 import Rosy.Worker.Ghc.Report (placeOf)
@@ -78,7 +78,7 @@ complete session written at = case withHole at written of
           found <- newIORef Nothing
           let env = (environment session) {hsc_dflags = askingAboutHole found flags}
               summary = summaryOf (hsc_dflags env) source
-          (_, outcome) <- tcRnModule env summary False (parsedModule (L place (undecided (program (addRosy Promised (linesWith (map Text.pack namingWords) source) (rosyNames session) parsed)))))
+          (_, outcome) <- tcRnModule env summary False (parsedModule (L place (undecided (program (addRosy Promised (linesWith (map Text.pack namingWords) source) (broughtWith flags (brought session)) parsed)))))
           hole <- readIORef found
           let named = map (\(c, t) -> c {offersType = showType flags t})
               kinds = map (\(c, k) -> c {offersType = Text.replace "*" "Type" (showType flags k)})

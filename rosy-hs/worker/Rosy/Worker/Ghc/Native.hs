@@ -16,8 +16,8 @@ import GHC.Driver.Plugins (Plugin (..), PluginWithArgs (..), StaticPlugin (..), 
 import GHC.Driver.Session (defaultFatalMessager, defaultFlushOut, xopt_set)
 import GHC.Driver.Types (HsParsedModule (..))
 import GHC.Types.Name (nameOccName)
-import GHC.Types.Name.Occurrence (OccSet, mkOccSet)
-import Rosy.Worker.Ghc.Add (Added (..), Instances (..), addRosy)
+import GHC.Types.Name.Occurrence (mkOccSet)
+import Rosy.Worker.Ghc.Add (Added (..), Brought (..), Instances (..), addRosy, broughtWith)
 import Rosy.Worker.Ghc.Blame (blaming)
 import Rosy.Worker.Ghc.Warm (defaultExtensions)
 
@@ -52,7 +52,7 @@ compile order = defaultErrorHandler defaultFatalMessager defaultFlushOut . runGh
   (parsed, _, _) <- parseDynamicFlags plain (map noLoc (arguments order))
   let flags = foldl xopt_set parsed {ghcMode = CompManager, ghcLink = LinkBinary, hscTarget = HscAsm, verbosity = 0} defaultExtensions
   _ <- setSessionDynFlags flags
-  names <- rosyExports
+  names <- broughtNames
   _ <- setSessionDynFlags flags {staticPlugins = [adding names, blaming]}
   program' <- guessTarget (source order) Nothing
   setTargets [program']
@@ -74,16 +74,17 @@ arguments order =
     ++ ["-O1", "-threaded", "-fno-omit-yields", "-rtsopts=ignoreAll", "-w"]
     ++ ["-main-is", launcherName, "-outputdir", scratch order, "-o", binary order]
 
--- | What @import Rosy@ brings.
-rosyExports :: Ghc OccSet
-rosyExports = do
-  rosy <- findModule (mkModuleName "Rosy") Nothing
-  info <- getModuleInfo rosy
-  pure (mkOccSet (maybe [] (map nameOccName . modInfoExports) info))
+-- | What every program has.
+broughtNames :: Ghc Brought
+broughtNames = Brought <$> exportsOf "Rosy" <*> exportsOf "Prelude"
+  where
+    exportsOf m = do
+      info <- findModule (mkModuleName m) Nothing >>= getModuleInfo
+      pure (mkOccSet (maybe [] (map nameOccName . modInfoExports) info))
 
-adding :: OccSet -> StaticPlugin
+adding :: Brought -> StaticPlugin
 adding names = StaticPlugin (PluginWithArgs defaultPlugin {parsedResultAction = const add, pluginRecompile = purePlugin} [])
   where
     add summary tree
-      | moduleNameString (ms_mod_name summary) == "Main" = pure tree {hpm_module = fmap (program . addRosy Whole (const True) names) (hpm_module tree)}
+      | moduleNameString (ms_mod_name summary) == "Main" = pure tree {hpm_module = fmap (program . addRosy Whole (const True) (broughtWith (ms_hspp_opts summary) names)) (hpm_module tree)}
       | otherwise = pure tree

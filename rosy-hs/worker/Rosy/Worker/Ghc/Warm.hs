@@ -33,8 +33,9 @@ import GHC.Driver.Ways (hostFullWays, wayGeneralFlags, wayUnsetGeneralFlags)
 import GHC.LanguageExtensions.Type (Extension (..))
 import GHC.Types.Avail (availNames)
 import GHC.Types.Name (nameOccName)
-import GHC.Types.Name.Occurrence (OccSet, mkOccSet)
+import GHC.Types.Name.Occurrence (emptyOccSet, mkOccSet)
 import Rosy.Worker.Allow (allowedModules)
+import Rosy.Worker.Ghc.Add (Brought (..))
 import Unsafe.Coerce (unsafeCoerce)
 
 -- | The databases that list the Rosy library besides the global one, its unit's name there, GHC's own directory.
@@ -47,11 +48,11 @@ data Library = Library
 -- | @Rosy.Launch.onPipe@: the link's descriptor, the page that names the function at work, the program.
 type Launcher = CInt -> Ptr Word32 -> IO () -> IO ()
 
--- | A warm compiler, the launcher of the library linked in this process, and the names that @import Rosy@ brings.
+-- | A warm compiler, the launcher of the library linked in this process, and the names that programs have without asking.
 data Session = Session
   { environment :: HscEnv,
     launcher :: Launcher,
-    rosyNames :: OccSet
+    brought :: Brought
   }
 
 warm :: Library -> IO Session
@@ -82,12 +83,13 @@ interpreting plain = foldl gopt_unset (foldl gopt_set flags (concatMap (wayGener
     platform = targetPlatform plain
     flags = plain {ghcMode = CompManager, ghcLink = LinkInMemory, hscTarget = HscInterpreted, ways = own, verbosity = 0}
 
--- | Loads the interface of everything that may be imported; gives the names that Rosy exports.
-preload :: HscEnv -> IO OccSet
+-- | Loads the interface of everything that may be imported; gives the names that every program has.
+preload :: HscEnv -> IO Brought
 preload env = do
   forM_ (Set.toList allowedModules) (interfaceOf . Text.unpack)
-  maybe (mkOccSet []) (mkOccSet . map nameOccName . concatMap availNames . mi_exports) <$> interfaceOf "Rosy"
+  Brought <$> namesOf "Rosy" <*> namesOf "Prelude"
   where
+    namesOf m = maybe emptyOccSet (mkOccSet . map nameOccName . concatMap availNames . mi_exports) <$> interfaceOf m
     interfaceOf m = do
       found <- findImportedModule env (mkModuleName m) Nothing
       case found of

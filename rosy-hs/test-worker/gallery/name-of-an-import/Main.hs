@@ -1,0 +1,6 @@
+import Data.List
+
+main = simulate insert
+
+insert :: Bumper -> Sound
+insert _ = ErrorSound

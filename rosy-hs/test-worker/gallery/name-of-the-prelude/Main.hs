@@ -1,4 +1,0 @@
-main = simulate lookup
-
-lookup :: Bumper -> Sound
-lookup _ = ErrorSound
