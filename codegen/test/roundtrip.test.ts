@@ -24,7 +24,10 @@ function kinds(workspace: SavedWorkspace): {[type: string]: number} {
       if (only?.type === "tuple" && only.extraState?.items !== 0 && more.length === 0)
         counted.tuple = (counted.tuple ?? 0) - 1
     }
-    // One step alone is written without its stack, as the call that it is.
+    // The negative of a number is written as a negative number.
+    if (type === "negate" && block.inputs?.X?.block?.type === "number") continue
+    // One step alone is written without its stack, as the call that it is: `unless hit $ do …`.
+    if (type === "infix" && block.extraState?.op === "$" && block.inputs?.R?.block?.type === "do") continue
     if (!silent.has(type) && !type.startsWith("step_") && type !== "name")
       counted[type] = (counted[type] ?? 0) + 1
   }

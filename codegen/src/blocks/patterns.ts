@@ -181,6 +181,34 @@ const string: BlockSpec = {
   },
 }
 
+const character: BlockSpec = {
+  type: "pattern_character",
+  shape: extra => ({
+    family: "own",
+    connects: {as: "pattern"},
+    rows: [
+      [
+        {kind: "label", text: "‘"},
+        {
+          kind: "text",
+          key: "value",
+          value: textIn(extra, "value", "a"),
+          aria: words.patterns.exactlyThisCharacter,
+        },
+        {kind: "label", text: "’"},
+      ],
+    ],
+    tooltip: words.patterns.onlyWhenItIsExactlyThisCharacter,
+    aria: words.patterns.exactlyTheCharacter(textIn(extra, "value", "a")),
+  }),
+  press: noButtons,
+  meaning: {
+    as: "pattern",
+    read: r => ({kind: "character-pattern", value: textIn(r.extra, "value", "a"), from: r.from}),
+    write: p => (p.kind === "character-pattern" ? {extra: {value: p.value}} : undefined),
+  },
+}
+
 const tuple: BlockSpec = {
   type: "pattern_tuple",
   shape(extra) {
@@ -384,4 +412,5 @@ export const patterns: readonly BlockSpec[] = [
   record,
   number,
   string,
+  character,
 ]

@@ -95,8 +95,11 @@ export function numberLiteral(text: string): {negative: boolean; digits: string}
   return isNumberLiteral(digits) ? {negative, digits} : {negative: false, digits: "0"}
 }
 
+/// With underscores between digits, as GHC's `NumericUnderscores` has it; every program may use them.
 export function isNumberLiteral(text: string): boolean {
-  return /^(?:\d+(?:\.\d+)?(?:[eE][+-]?\d+)?|0[xX][\da-fA-F]+|0[oO][0-7]+|0[bB][01]+)$/.test(text)
+  return /^(?:\d(?:_*\d)*(?:\.\d(?:_*\d)*)?(?:_*[eE][+-]?\d(?:_*\d)*)?|0[xX](?:_*[\da-fA-F])+|0[oO](?:_*[0-7])+|0[bB](?:_*[01])+)$/.test(
+    text,
+  )
 }
 
 /// Whether the literal has a decimal point or an exponent, so that it cannot be an `Int`.

@@ -112,7 +112,7 @@ function isAtom(p: Pattern): boolean {
     case "number-pattern":
       return !isNegative(p)
     case "raw-pattern":
-      return /^[\w'.]*$|^\(.*\)$|^\[.*\]$|^[~!][\w']*$/s.test(p.text.trim())
+      return /^[~!]?(?:[\p{L}\p{N}_'.]*|\(.*\)|\[.*\]|[\p{L}\p{N}_'.]+ *\{.*\})$/su.test(p.text.trim())
     default:
       return true
   }

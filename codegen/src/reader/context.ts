@@ -5,8 +5,13 @@ import type {Comment, Range} from "./lexer.ts"
 import {wordsOf} from "./lexer.ts"
 import type {Cause} from "./reasons.ts"
 import {reasons} from "./reasons.ts"
+import {expandTabs} from "./tabs.ts"
 
 const arrow = /(?<![!#$%&*+./<=>?@\\^|~:-]) ?([-=]>) ?(?![!#$%&*+./<=>?@\\^|~:-])/g
+
+/// A word that opens a block, with the block's first line behind it.
+const opensLayout =
+  /(?:^|[^\p{L}\p{N}_'])(?:do|mdo|of|where|let|if|\\ *case|rec)(?![\p{L}\p{N}_'])\s*(?!--|\{-)\S/u
 
 export class Context {
   readonly text: string
@@ -35,19 +40,22 @@ export class Context {
     return node
   }
 
-  /// The exact text of a piece that blocks cannot say. Its later lines are moved left as far as its first line was from the margin.
+  /// The exact text of a piece that blocks cannot say. Its later lines keep their places towards the first.
   exact(node: Range, cause: Cause): {text: string; reason: string} {
     this.comments.forEach((c, i) => {
       if (c.start >= node.start && c.end <= node.end) this.taken[i] = true
     })
-    const [first = "", ...others] = this.of(node).split(/\r?\n/)
+    const [first = "", ...below] = this.of(node).split(/\r?\n/)
+    const others = below.map(expandTabs)
+    const indents = others.filter(l => l.trim() !== "").map(l => l.length - l.trimStart().length)
     const column = this.columnOf(node.start)
-    const lines = others.map(line => {
-      const expanded = expandTabs(line)
-      const indent = expanded.length - expanded.trimStart().length
-      if (expanded.trim() !== "" && indent < column) this.whole ??= "displaced"
-      return expanded.slice(Math.min(column, indent))
-    })
+    const least = Math.min(column, ...indents)
+    // Lines further left than the first go as far to the right together as needed; but not past what they are measured against.
+    if (least < column && opensLayout.test(first)) this.whole ??= "displaced"
+    const by = least < column ? least - 2 : column
+    const lines = others.map(line =>
+      line.trim() === "" ? "" : by < 0 ? " ".repeat(-by) + line : line.slice(by),
+    )
     return {text: [first, ...lines].join("\n"), reason: reasons[cause]}
   }
 
@@ -79,11 +87,4 @@ export class Context {
     // `a->b` and `a -> b` are one type; blocks compare types as text.
     return (text + this.text.slice(at, node.end)).replace(/\s+/g, " ").replace(arrow, " $1 ").trim()
   }
-}
-
-function expandTabs(line: string): string {
-  if (!line.includes("\t")) return line
-  let out = ""
-  for (const c of line) out += c === "\t" ? " ".repeat(8 - (out.length % 8)) : c
-  return out
 }

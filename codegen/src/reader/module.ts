@@ -19,6 +19,7 @@ import type {Cause} from "./reasons.ts"
 import {reasons} from "./reasons.ts"
 import type {NodeNames, Parsed, Syntax} from "./syntax.ts"
 import {copyTree, namedChildren, nodeNames} from "./syntax.ts"
+import {untabbed} from "./tabs.ts"
 
 /// A part of a file. `header` holds `module`, imports, pragmas and directives, which have no blocks; `end` what follows the last definition.
 export interface Piece extends Range {
@@ -159,9 +160,15 @@ export class Reader {
       const at = d.start - part.core.start + shift
       source = `${source.slice(0, at)}${"+".repeat(d.end - d.start)}${source.slice(at + d.end - d.start)}`
     }
-    const tree: Tree | null = this.parser.parse(`${plainer(source)}\n`)
+    // Between words, the grammar does not know tabs.
+    const tabs = source.includes("\t") ? untabbed(source) : undefined
+    const tree: Tree | null = this.parser.parse(`${plainer(tabs?.text ?? source)}\n`)
     if (tree === null) return undefined
-    const parsed = copyTree(tree, this.names)
+    const parsed = copyTree(
+      tree,
+      this.names,
+      tabs === undefined ? at => at : at => tabs.from[at] ?? source.length,
+    )
     tree.delete()
     return parsed
   }

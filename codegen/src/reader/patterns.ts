@@ -10,6 +10,7 @@ import type {FieldPattern, Pattern} from "../model/tree.ts"
 import type {Link} from "./chain.ts"
 import {resolve} from "./chain.ts"
 import type {Context} from "./context.ts"
+import type {Range} from "./lexer.ts"
 import {readLiteral} from "./literals.ts"
 import type {Cause} from "./reasons.ts"
 import type {Syntax} from "./syntax.ts"
@@ -20,7 +21,10 @@ export function readPattern(node: Syntax, context: Context): Pattern {
   return typeof made === "string" ? raw(node, made, context) : made
 }
 
-function raw(node: Syntax, cause: Cause, context: Context): Pattern {
+function raw(found: Range, cause: Cause, context: Context): Pattern {
+  // The grammar's `!x` and `~x` begin with the space before them.
+  const text = context.of(found)
+  const node = {start: found.end - text.trimStart().length, end: found.end}
   return context.at(node, {kind: "raw-pattern", ...context.exact(node, cause)} as const)
 }
 
@@ -50,7 +54,10 @@ function make(node: Syntax, context: Context): Pattern | Cause {
       const inner = child(node, "pattern")
       if (inner === undefined) return "pattern"
       const made = make(inner, context)
-      return typeof made === "string" ? raw(node, made, context) : made
+      if (typeof made !== "string") return made
+      // What stands by itself gets its brackets from the printer; the others mean something only in theirs.
+      const alone = ["bang", "lazy", "puns", "wildcards"].includes(made)
+      return raw(alone ? inner : node, made, context)
     }
     case "tuple":
       return context.at(node, {

@@ -39,7 +39,8 @@ export function nodeNames(language: Language): NodeNames {
 
 const skipped = new Set(["comment", "haddock", "pragma"])
 
-export function copyTree(tree: Tree, names: NodeNames): Parsed {
+/// `place` says where in the file's text a place of the parsed text is.
+export function copyTree(tree: Tree, names: NodeNames, place: (at: number) => number): Parsed {
   const cursor = tree.walk()
   let broken = tree.rootNode.hasError
   const copy = (): Syntax | undefined => {
@@ -47,8 +48,8 @@ export function copyTree(tree: Tree, names: NodeNames): Parsed {
     const type = names.types[id] ?? "ERROR"
     if (type === "ERROR" || id === 65535) broken = true
     const fieldId = cursor.currentFieldId
-    const start = cursor.startIndex
-    const end = cursor.endIndex
+    const start = place(cursor.startIndex)
+    const end = place(cursor.endIndex)
     const children: Syntax[] = []
     if (cursor.gotoFirstChild()) {
       do {

@@ -369,6 +369,7 @@ const lists = perLanguage((): readonly ToolboxItem[] => [
   item(words.toolbox.listPattern, make("pattern_list", {items: 0})),
   item(words.toolbox.wholeAndPartsPattern, make("pattern_as", {name: "whole"})),
   item(words.toolbox.exactlyThisTextPattern, make("pattern_text", {value: ""})),
+  item(words.toolbox.exactlyThisCharacterPattern, make("pattern_character", {value: "a"})),
 ])
 
 const random = perLanguage((): readonly ToolboxItem[] => [

@@ -32,11 +32,16 @@ const pieceOfExpression = new Set(
   ),
 )
 
-test("the share of expressions that become native blocks", () => {
+/// Programs in the manner of experienced authors, `style-*.hs`, are there for what the reader might stumble over: half of them show
+/// just what blocks leave out. They are counted apart.
+test.each([
+  ["programs as learners write them", corpus.filter(p => !p.name.startsWith("style-")), 0.97],
+  ["programs in every style", corpus.filter(p => p.name.startsWith("style-")), 0.8],
+] as const)("the share of expressions that become native blocks: %s", (what, programs, least) => {
   let native = 0
   let kept = 0
   const byCause = new Map<string, {times: number; words: number}>()
-  for (const program of corpus) {
+  for (const program of programs) {
     const view = openView(reader, program.text)
     for (const shown of view.declarations) {
       const d = view.module.pieces[shown.piece]?.declaration
@@ -69,10 +74,10 @@ test("the share of expressions that become native blocks", () => {
   const table = [...byCause].sort((a, b) => b[1].words - a[1].words)
   console.log(
     [
-      `${corpus.length} programs: ${(100 * share).toFixed(1)} % of ${native + kept} expressions become native blocks. The rest, by construct:`,
+      `${programs.length} ${what}: ${(100 * share).toFixed(1)} % of ${native + kept} expressions become native blocks. The rest, by construct:`,
       ...table.map(([cause, {times, words}]) => `  ${cause}: ${times} times, ${words} expressions`),
     ].join("\n"),
   )
-  expect(share).toBeGreaterThan(0.9)
+  expect(share).toBeGreaterThan(least)
   expect(byCause.has("unknown")).toBe(false)
 })

@@ -54,6 +54,9 @@ export function normal(d: Dump): Dump {
     return [inner ?? n]
   })
   if (head(all) === "Infix" || head(all) === "Prefix") return ["(", "Prefix"]
+  // A `where` with nothing below it.
+  if (head(all) === "HsValBinds" && JSON.stringify(all).includes('"NValBinds",["["],["["]'))
+    return ["(", "EmptyLocalBinds", "NoExtField"]
   return all.map(x => (x === "Infix" ? "Prefix" : x))
 }
 

@@ -34,7 +34,7 @@ const operator = fc.constantFrom(
   ":|",
   "on",
 ) // prettier-ignore
-const positive = fc.constantFrom("0", "1", "0.5", "42", "1e-3", "0x1F", "2.5e2")
+const positive = fc.constantFrom("0", "1", "0.5", "42", "1e-3", "0x1F", "2.5e2", "1_000", "0b1_0")
 const number = fc.oneof({weight: 4, arbitrary: positive}, {weight: 1, arbitrary: positive.map(n => `-${n}`)})
 const words = fc.string({unit: "grapheme", maxLength: 8})
 const typeText = fc.constantFrom(
@@ -153,6 +153,7 @@ const kinds = fc.letrec<Kinds>(loose => {
       fc.constant<Pattern>({kind: "wildcard"}),
       number.map((text): Pattern => ({kind: "number-pattern", text})),
       words.map((value): Pattern => ({kind: "string-pattern", value})),
+      fc.constantFrom("a", "'", '"', "\\", "ü").map((value): Pattern => ({kind: "character-pattern", value})),
       fc
         .tuple(conName, few(p, 0))
         .map(([name, args]): Pattern => ({kind: "constructor-pattern", name, args})),

@@ -133,6 +133,7 @@ export const toolbox = {
   listPattern: "list pattern",
   wholeAndPartsPattern: "whole and parts, pattern",
   exactlyThisTextPattern: "exactly this text, pattern",
+  exactlyThisCharacterPattern: "exactly this character, pattern",
   aRandomNumberInARange: "a random number in a range",
   aRandomValue: "a random value",
   whenItSenses: "When it senses",
