@@ -1,5 +1,6 @@
-/// Makes a counterexample small: as long as GHC still refuses what inference accepts, definitions and blocks are taken away.
+/// Makes a counterexample small: as long as GHC still refuses what inference accepts, definitions and blocks are taken away. And keeps it.
 
+import {writeFileSync} from "node:fs"
 import {blockView} from "../src/blocks/language.ts"
 import {printProgram} from "../src/haskell/print.ts"
 import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
@@ -7,7 +8,21 @@ import {plug} from "../src/index.ts"
 import {everyBlock, problemsOf, solve} from "../src/workspace/infer.ts"
 import {without} from "../src/workspace/plug.ts"
 import {compileAll} from "./ghc.ts"
+import type {Refused} from "./soundness.ts"
 import {candidate} from "./soundness.ts"
+
+export const cases = new URL("cases/", import.meta.url)
+
+/// Writes a counterexample, shrunk, to the cases that every later test run tries. It can get a name of its own once it is mended.
+export function keep(database: string, {seed, workspace, complaint}: Refused): string {
+  const said = complaint
+    .split("\n")
+    .slice(0, 3)
+    .map(l => `-- ${l.replace(/^\w+\.hs:\d+:\d+: /, "").trim()}\n`)
+  const text = `${said.join("")}${shrink(database, workspace)}`
+  writeFileSync(new URL(`found-${seed}.hs.txt`, cases), text)
+  return `seed ${seed}, kept in test/cases/found-${seed}.hs.txt\n${text}\n${complaint}`
+}
 
 /// The Haskell of the smallest program found that is still refused, without inferred signatures.
 export function shrink(database: string, workspace: SavedWorkspace): string {

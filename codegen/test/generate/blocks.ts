@@ -200,7 +200,8 @@ export class Maker {
         [2, () => this.block("step_let", {}, {D: this.localDefinitions(2)})],
         [3, last],
       ])()
-    return this.stack([...Array.from({length: this.dice.pick([0, 0, 1, 1, 2])}, first), last()])
+    const all = [...Array.from({length: this.dice.pick([0, 0, 1, 1, 2])}, first), last()]
+    return this.stack(all.map(b => (this.dice.once(12) ? {...b, icons: {comment: {text: "why"}}} : b)))
   }
 
   /// Where a comprehension takes its items from.

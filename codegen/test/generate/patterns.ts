@@ -32,6 +32,7 @@ function ofType(make: Maker, wanted: Type): SavedBlock | undefined {
   if (head.kind !== "con") return undefined
   if (["Double", "Int", "Integer", "Seconds", "Orientation"].includes(head.name))
     return dice.once(3) ? make.block("pattern_number", {value: dice.pick(["0", "1", "-1"])}) : undefined
+  if (head.name === "Char") return make.block("pattern_character", {value: dice.pick(["a", "'", " "])})
   if (/^\(,*\)$/.test(head.name)) return make.block("pattern_tuple", {items: args.length})
   if (head.name === "[]") {
     const [item] = args
@@ -60,5 +61,6 @@ function anything(make: Maker): SavedBlock {
     () => make.block("pattern_infix", {op: ":"}),
     () => make.block("pattern_number", {value: dice.pick(["0", "1", "-1", "0.5"])}),
     () => make.block("pattern_text", {value: "hi"}),
+    () => make.block("pattern_character", {value: "z"}),
   ])()
 }

@@ -65,7 +65,8 @@ class Generator {
     if (dice.once(6)) tops.push(make.block("synonym", {name: "Speed", type: "Double"}))
     const functions = Math.max(1, Math.min(12, Math.round(this.size / 24) + dice.below(2)))
     for (let i = 0; i < functions; i++) tops.push(this.topLevel(`f${i}`))
-    const main = make.block("main", {controllers: 1 + dice.below(Math.min(3, functions))})
+    const most = dice.once(12) ? 9 : Math.min(3, functions)
+    const main = make.block("main", {controllers: 1 + dice.below(most)})
     this.workspace = {blocks: {languageVersion: 0, blocks: [...tops, main]}}
     for (const b of this.workspace.blocks.blocks) this.grew(b)
     this.fillAll()
@@ -76,7 +77,7 @@ class Generator {
 
   private dataType(name: string): SavedBlock {
     const {make, dice} = this
-    const parameters = dice.once(4) ? ["a"] : []
+    const parameters = dice.once(4) ? ["a", "b"].slice(0, 1 + dice.below(2)) : []
     const types = [
       "Double",
       "Bool",
@@ -90,10 +91,10 @@ class Generator {
       ...parameters,
     ]
     const named = dice.once(3)
-    const constructors = Array.from({length: 1 + dice.below(3)}, (_, i) => {
-      const fields = Array.from({length: dice.below(3)}, (_, j) => ({
+    const constructors = Array.from({length: 1 + dice.below(dice.once(5) ? 5 : 3)}, (_, i) => {
+      const fields = Array.from({length: dice.below(dice.once(5) ? 5 : 3)}, (_, j) => ({
         type: dice.pick(types),
-        ...(named ? {name: `${name.toLowerCase()}c${i}${"ab"[j]}`} : {}),
+        ...(named ? {name: `${name.toLowerCase()}c${i}${"abcde"[j]}`} : {}),
       }))
       make.own.push({
         con: `${name}C${i}`,

@@ -45,7 +45,7 @@ export function signatureFor(
     return dice.once(2) ? {text: task, arity: 0} : {text: `${input} -> ${task}`, arity: 1}
   }
   const reaction = !dice.once(3)
-  const count = reaction ? 1 + dice.below(2) : dice.below(3)
+  const count = reaction ? 1 + dice.below(dice.once(4) ? 4 : 2) : dice.below(dice.once(4) ? 5 : 3)
   const inputs = Array.from({length: count}, () =>
     dice.pick(reaction ? [...sensors, ...own] : [...plain, ...own, ...sensors.slice(0, 4)]),
   )

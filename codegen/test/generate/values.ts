@@ -83,7 +83,7 @@ export class Values {
 
   private caseOf(): SavedBlock {
     const {make} = this
-    const parts = Array.from({length: 1 + make.dice.below(3)}, () => make.equation(2))
+    const parts = Array.from({length: 1 + make.dice.below(make.dice.once(5) ? 5 : 3)}, () => make.equation(2))
     const inputs = Object.assign({}, ...parts.map((p, i) => p.inputs(i))) as {[name: string]: SavedBlock}
     return make.block("case", {alternatives: parts.map(p => p.extra)}, inputs)
   }
@@ -91,7 +91,8 @@ export class Values {
   private update(): SavedBlock {
     const records = [...this.make.own, ...libraryConstructors].filter(c => c.fieldNames[0] !== undefined)
     const fields = this.make.dice.pick(records).fieldNames.flatMap(f => f ?? [])
-    return this.make.block("update", {fields: [this.make.dice.pick(fields)]})
+    const first = this.make.dice.below(fields.length)
+    return this.make.block("update", {fields: fields.slice(first, first + 1 + this.make.dice.below(2))})
   }
 
   private throughLibrary(wanted: Type): SavedBlock {
@@ -105,6 +106,11 @@ export class Values {
   /// Any block without sockets.
   leaf(): SavedBlock {
     return this.anything(true)
+  }
+
+  /// Any block, mostly one with sockets.
+  node(): SavedBlock {
+    return this.anything(false)
   }
 
   /// Any block: the checker will say.
@@ -152,12 +158,20 @@ export class Values {
             "**",
             "mod",
             ">=",
+            "<$>",
+            "<*>",
+            ">>=",
+            ">>",
+            "=<<",
+            "!!",
+            "elem",
+            "addVec",
           ]),
         }),
       () => make.block("negate"),
-      () => make.block("tuple", {items: 2 + dice.below(2)}),
-      () => make.block("list", {items: 1 + dice.below(2)}),
-      () => make.block("lambda", {inputs: 1 + dice.below(2)}, {P0: make.named()}),
+      () => make.block("tuple", {items: 2 + dice.below(dice.once(6) ? 8 : 2)}),
+      () => make.block("list", {items: 1 + dice.below(dice.once(6) ? 6 : 2)}),
+      () => make.block("lambda", {inputs: 1 + dice.below(3)}, {P0: make.named()}),
       () =>
         make.block("section", {
           op: dice.pick(["+", "*", "==", "++", "-", "<", "/", "div", ":", "."]),
