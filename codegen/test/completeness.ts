@@ -171,8 +171,8 @@ function proposal(sort: Sort, maker: Maker, workspace: SavedWorkspace): SavedBlo
   }
   const taken = usable.length > 0 && dice.once(2) ? structuredClone(dice.pick(usable)) : fresh()
   if (sort === "step") delete taken.next
-  // Two definitions of one name are refused everywhere.
-  if (sort === "definition") taken.extraState = {...taken.extraState, name: maker.name()}
+  // Two definitions of one name below each other would read as two equations.
+  if (sort === "definition") taken.extraState = {...taken.extraState, name: "moved"}
   return filled(taken, maker, values)
 }
 
