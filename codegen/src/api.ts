@@ -63,6 +63,14 @@ export interface Checker {
   fits(place: Place, block: SavedBlock | BlockId): Verdict
 }
 
+/// Answers about one workspace as it changes. What was found out about a definition is remembered as long as it is the very same value and what it
+/// uses has the same types; the answers are those that `infer`, `checker` and `namesInScope` give.
+export interface Session {
+  infer(workspace: SavedWorkspace): Inference
+  checker(workspace: SavedWorkspace): Checker
+  namesInScope(workspace: SavedWorkspace, place: Place): readonly InScope[]
+}
+
 export type Level = "tasks" | "reactions" | "haskell"
 
 export interface ToolboxCategory {

@@ -12,6 +12,7 @@ export type {
   Project,
   ProjectOutcome,
   Renaming,
+  Session,
   Span,
   ToolboxCategory,
   ToolboxItem,
@@ -43,5 +44,6 @@ export {
   parseProject,
   saveProject,
 } from "./workspace/project.ts"
+export {session} from "./workspace/questions.ts"
 export {namesInScope, rename, renameNamed} from "./workspace/scope.ts"
 export {libraryItems, toolbox, typedItems} from "./workspace/toolbox.ts"

@@ -43,7 +43,10 @@ const tone = asked.get("tone") === "dark" ? "dark" : "light"
 document.documentElement.dataset.theme = tone
 const level = (asked.get("level") ?? "reactions") as codegen.Level
 /// Blockly's own checks, for the benchmark to compare with.
-const untyped = {...codegen, checker: () => ({fits: () => ({fits: true}) as const})}
+const untyped = {
+  ...codegen,
+  session: () => ({...codegen.session(), checker: () => ({fits: () => ({fits: true}) as const})}),
+}
 const view = openBlocks(document.getElementById("blocks")!, {
   language: asked.has("small") ? small : asked.has("untyped") ? untyped : codegen,
   tone,

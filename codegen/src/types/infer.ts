@@ -16,15 +16,16 @@ import type {
 } from "../model/tree.ts"
 import type {Environment} from "./environment.ts"
 import {Expressions} from "./expressions.ts"
-import type {Memo} from "./memo.ts"
+import type {Memo, Part, Remembered} from "./memo.ts"
 import type {Wanted} from "./problems.ts"
 import {Scope} from "./scope.ts"
 import type {Type} from "./type.ts"
 import {app, con, metasIn, showScheme} from "./type.ts"
 
 export class Inferrer extends Expressions {
-  /// Types found before, by an inference that had the same definitions before it.
-  private readonly remembered: ReadonlyMap<Node, Type>[] = []
+  /// What was found in each group of top-level definitions, now or by an inference that had the same group before. What was remembered is the very
+  /// same value as then.
+  readonly parts: Part[] = []
   private merged: ReadonlyMap<Node, Type> | undefined
 
   private readonly memo: Memo | undefined
@@ -37,12 +38,14 @@ export class Inferrer extends Expressions {
     this.world = world
   }
 
+  /// Types of what belongs to no group of definitions.
+  get others(): ReadonlyMap<Node, Type> {
+    return this.found
+  }
+
   /// The type of every expression and pattern, parents before their parts.
   get types(): ReadonlyMap<Node, Type> {
-    this.merged ??=
-      this.remembered.length === 0
-        ? this.found
-        : new Map([...this.found, ...this.remembered.flatMap(m => [...m])])
+    this.merged ??= new Map([...this.found, ...this.parts.flatMap(part => [...part.types])])
     return this.merged
   }
 
@@ -113,20 +116,22 @@ export class Inferrer extends Expressions {
     const key = fresh ? undefined : this.keyOf(members, scope, memo)
     const known = key === undefined ? undefined : memo?.groups.get(key)
     if (known !== undefined) {
-      for (const [d, scheme] of known.schemes) {
-        this.schemes.set(d, scheme)
-        if (d.kind === "function") scope.set(d.name, scheme)
+      for (const [d, scheme] of known.schemes) this.schemes.set(d, scheme)
+      for (const d of known.members) {
+        const scheme = this.schemes.get(d)
+        if (d.kind === "function" && scheme !== undefined) scope.set(d.name, scheme)
       }
       this.problems.push(...known.problems)
       for (const n of known.needs) this.env.needs.add(n)
       for (const d of known.unsignable) this.unsignable.add(d)
-      this.remembered.push(known.types)
+      this.parts.push(known)
       return
     }
     const outer = {
       found: this.found,
       wanted: this.wanted.length,
       problems: this.problems.length,
+      schemes: this.schemes.size,
       needs: [...this.env.needs],
     }
     this.found = new Map()
@@ -136,23 +141,27 @@ export class Inferrer extends Expressions {
     for (const n of outer.needs) this.env.needs.add(n)
     const types = this.found
     this.found = outer.found
-    for (const [node, type] of types) this.found.set(node, type)
-    const schemes = members.flatMap(d => {
-      const scheme = this.schemes.get(d)
-      return scheme === undefined ? [] : [[d, scheme] as const]
-    })
+    const part = {members, types}
     // What other definitions may still decide cannot be remembered, nor what binds names by a pattern.
     const closed =
       this.wanted.length === outer.wanted &&
-      schemes.every(([d, s]) => d.kind === "function" && metasIn(s.type).size === 0)
-    if (key === undefined || !closed) return
-    memo?.groups.set(key, {
-      schemes,
-      types,
+      members.every(d => {
+        const scheme = this.schemes.get(d)
+        return scheme === undefined || (d.kind === "function" && metasIn(scheme.type).size === 0)
+      })
+    if (key === undefined || !closed) {
+      this.parts.push(part)
+      return
+    }
+    const found: Remembered = {
+      ...part,
+      schemes: [...this.schemes].slice(outer.schemes),
       problems: this.problems.slice(outer.problems),
       needs,
       unsignable: members.filter(d => this.unsignable.has(d)),
-    })
+    }
+    memo?.groups.set(key, found)
+    this.parts.push(found)
   }
 
   private keyOf(members: readonly Declaration[], scope: Scope, memo: Memo): string | undefined {

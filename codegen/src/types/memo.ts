@@ -11,9 +11,15 @@ import type {Environment} from "./environment.ts"
 import type {TypeProblem} from "./problems.ts"
 import type {Scheme, Type} from "./type.ts"
 
-export interface Remembered {
-  readonly schemes: readonly (readonly [Declaration, Scheme])[]
+/// The types of a group of definitions that use each other.
+export interface Part {
+  readonly members: readonly Declaration[]
   readonly types: ReadonlyMap<Node, Type>
+}
+
+export interface Remembered extends Part {
+  /// Of the members, and of what is defined inside them.
+  readonly schemes: readonly (readonly [Declaration, Scheme])[]
   readonly problems: readonly TypeProblem[]
   readonly needs: readonly string[]
   readonly unsignable: readonly Declaration[]

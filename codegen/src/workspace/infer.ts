@@ -4,19 +4,19 @@ import type {BlockProblem, Inference, TypeInfo} from "../api.ts"
 import {socketKey} from "../api.ts"
 import {blockView} from "../blocks/language.ts"
 import type {ReadWorkspace} from "../blocks/read.ts"
-import {readWorkspace} from "../blocks/read.ts"
+import {chain, readWorkspace} from "../blocks/read.ts"
 import type {Declaration, Node, Origin, RawDeclaration} from "../model/tree.ts"
 import type {SavedBlock, SavedWorkspace} from "../saved.ts"
 import {withTexts} from "../types/brought.ts"
 import type {Environment} from "../types/environment.ts"
 import {Inferrer} from "../types/infer.ts"
 import {library} from "../types/library.ts"
-import type {Memo} from "../types/memo.ts"
+import type {Memo, Part} from "../types/memo.ts"
 import {withTypes} from "../types/own.ts"
 import type {TypeProblem} from "../types/problems.ts"
 import type {Scope} from "../types/scope.ts"
 import {readTexts} from "../types/texts.ts"
-import type {Meta} from "../types/type.ts"
+import type {Meta, Type} from "../types/type.ts"
 import {showScheme, showType} from "../types/type.ts"
 import {familyOfType, problemWords} from "../types/words.ts"
 import {words} from "../words/index.ts"
@@ -73,25 +73,79 @@ export function infer(workspace: SavedWorkspace): Inference {
   return inferenceOf(workspace, solve(workspace))
 }
 
-export function inferenceOf(workspace: SavedWorkspace, solved: Solved): Inference {
+/// What is shown of the types in a group of definitions, or in loose blocks.
+interface Shown {
+  readonly blocks: ReadonlyMap<string, TypeInfo>
+  readonly sockets: ReadonlyMap<string, TypeInfo>
+}
+
+/// What was shown of groups that inference remembers; theirs does not change.
+export type KnownParts = WeakMap<Part, Shown>
+
+export function inferenceOf(
+  workspace: SavedWorkspace,
+  solved: Solved,
+  known: KnownParts = new WeakMap(),
+): Inference {
   const {inferrer} = solved
   const byId = new Map<string, SavedBlock>()
-  for (const block of everyBlock(workspace)) if (block.id !== undefined) byId.set(block.id, block)
+  for (const block of definitionsIn(workspace)) if (block.id !== undefined) byId.set(block.id, block)
+  const shown = inferrer.parts.map(part => {
+    const before = known.get(part)
+    if (before !== undefined) return before
+    const made = shownOf(
+      part.types,
+      part.members.flatMap(d => [...partsOf(d.from === undefined ? undefined : byId.get(d.from.block))]),
+    )
+    known.set(part, made)
+    return made
+  })
+  const grouped = new Set(inferrer.parts.flatMap(part => part.members.flatMap(d => d.from?.block ?? [])))
+  const rest = definitionsIn(workspace).filter(b => b.id === undefined || !grouped.has(b.id))
+  shown.push(
+    shownOf(
+      inferrer.others,
+      rest.flatMap(b => [...partsOf(b)]),
+    ),
+  )
+  const blocks = new Map<string, TypeInfo>()
+  const sockets = new Map<string, TypeInfo>()
+  for (const part of shown) {
+    for (const [block, info] of part.blocks) blocks.set(block, info)
+    for (const [socket, info] of part.sockets) sockets.set(socket, info)
+  }
+  const definitions = new Map<string, {name: string; type: string; family: TypeInfo["family"]}>()
+  for (const [d, scheme] of inferrer.schemes) {
+    if (d.kind !== "function" || d.from === undefined) continue
+    const look = byId.get(d.from.block)
+    const family = look === undefined ? undefined : familyOfBlock(look)
+    definitions.set(d.from.block, {
+      name: d.name,
+      type: d.signature?.text ?? showScheme(scheme),
+      family:
+        d.name === "main"
+          ? "task"
+          : family !== undefined && family !== "own"
+            ? family
+            : (familyOfType(scheme.type, "value") ?? "own"),
+    })
+  }
+  return {blocks, sockets, definitions, problems: problemsOf(solved)}
+}
+
+function shownOf(types: ReadonlyMap<Node, Type>, within: readonly SavedBlock[]): Shown {
+  const byId = new Map(within.map(block => [block.id, block]))
   const letters = new Map<Meta, string>()
   const blocks = new Map<string, TypeInfo>()
   const sockets = new Map<string, TypeInfo>()
-  for (const [node, type] of inferrer.types) {
+  for (const [node, type] of types) {
     const from = originOf(node)
     if (from === undefined) continue
     const as = node.kind === "wildcard" || node.kind.endsWith("-pattern") ? "pattern" : "value"
     const key = from.input === undefined ? undefined : socketKey(from.block, from.input)
-    const known = key === undefined ? blocks.has(from.block) : sockets.has(key)
-    if (known) continue
+    if (key === undefined ? blocks.has(from.block) : sockets.has(key)) continue
     const look = byId.get(from.block)
-    const otherwise =
-      key === undefined && look !== undefined
-        ? blockView(look.type)?.shape(look.extraState ?? {}).family
-        : undefined
+    const otherwise = key === undefined && look !== undefined ? familyOfBlock(look) : undefined
     const info: TypeInfo = {
       type: showType(type, letters),
       family: familyOfType(type, as) ?? otherwise ?? "own",
@@ -99,28 +153,29 @@ export function inferenceOf(workspace: SavedWorkspace, solved: Solved): Inferenc
     if (key === undefined) blocks.set(from.block, info)
     else sockets.set(key, info)
   }
-  for (const block of byId.values())
+  for (const block of within)
     for (const [input, child] of Object.entries(block.inputs ?? {})) {
       const inner = child.block?.id === undefined ? undefined : blocks.get(child.block.id)
       if (inner !== undefined && block.id !== undefined) sockets.set(socketKey(block.id, input), inner)
     }
-  const definitions = new Map<string, {name: string; type: string; family: TypeInfo["family"]}>()
-  for (const [d, scheme] of inferrer.schemes) {
-    if (d.kind !== "function" || d.from === undefined) continue
-    const look = byId.get(d.from.block)
-    const shown = look === undefined ? undefined : blockView(look.type)?.shape(look.extraState ?? {}).family
-    definitions.set(d.from.block, {
-      name: d.name,
-      type: d.signature?.text ?? showScheme(scheme),
-      family:
-        d.name === "main"
-          ? "task"
-          : shown !== undefined && shown !== "own"
-            ? shown
-            : (familyOfType(scheme.type, "value") ?? "own"),
-    })
-  }
-  return {blocks, sockets, definitions, problems: problemsOf(solved)}
+  return {blocks, sockets}
+}
+
+function familyOfBlock(block: SavedBlock): TypeInfo["family"] | undefined {
+  return blockView(block.type)?.shape(block.extraState ?? {}).family
+}
+
+/// The blocks of a workspace that stand for themselves: the top-level ones, and those below them in a stack.
+function definitionsIn(workspace: SavedWorkspace): readonly SavedBlock[] {
+  return workspace.blocks.blocks.flatMap(chain)
+}
+
+/// A block and all in it, without what stands below it.
+function* partsOf(block: SavedBlock | undefined): Generator<SavedBlock> {
+  if (block === undefined) return
+  yield block
+  for (const {block: inside, shadow} of Object.values(block.inputs ?? {}))
+    for (const child of [inside, shadow]) if (child !== undefined) yield* everyBlockIn(child)
 }
 
 /// Everything a learner must know about a workspace.

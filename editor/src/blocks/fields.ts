@@ -5,7 +5,7 @@
 import * as Blockly from "blockly/core"
 import {Code} from "./code.ts"
 import type {FieldItem} from "./plan.ts"
-import {measure} from "./widths.ts"
+import {widthOf} from "./widths.ts"
 
 /// What a field does when the learner has changed or used it.
 export interface FieldActions {
@@ -32,11 +32,31 @@ export function haskellNumber(text: string): string | null {
     .replace(/^(-?)0+(?=\d)/, "$1")
 }
 
+/// The size of a field with a text, as Blockly has it, without asking the browser where the text stands.
+function sizeOf(
+  field: Blockly.Field,
+  text: SVGTextElement | null,
+  border: SVGRectElement | null,
+  margin?: number,
+): {readonly size: Blockly.utils.Size; readonly inset: number; readonly width: number} {
+  const constants = field.getConstants()
+  if (constants === null) return {size: new Blockly.utils.Size(0, 0), inset: 0, width: 0}
+  const inset = margin ?? (border === null ? 0 : constants.FIELD_BORDER_RECT_X_PADDING)
+  const width = widthOf(text)
+  const height = Math.max(
+    constants.FIELD_TEXT_HEIGHT,
+    border === null ? 0 : constants.FIELD_BORDER_RECT_HEIGHT,
+  )
+  return {size: new Blockly.utils.Size(2 * inset + width, height), inset, width}
+}
+
 /// @internal Words of a block.
 export class Words extends Blockly.FieldLabel {
   protected override updateSize_(margin?: number): void {
-    measure(this.textElement_)
-    super.updateSize_(margin)
+    const {size, inset, width} = sizeOf(this, this.textElement_, this.borderRect_, margin)
+    this.size_ = size
+    this.positionTextElement_(inset, width)
+    this.positionBorderRect_()
   }
 
   override isSerializable(): boolean {
@@ -63,6 +83,13 @@ export class Signature extends Blockly.FieldTextInput {
     super(value, undefined, {spellcheck: false, ariaTypeName: aria})
     this.key = key
     this.actions = actions
+  }
+
+  protected override updateSize_(margin?: number): void {
+    const {size, inset, width} = sizeOf(this, this.textElement_, this.borderRect_, margin)
+    this.size_ = size
+    this.positionTextElement_(inset, width)
+    this.positionBorderRect_()
   }
 
   override isSerializable(): boolean {
@@ -128,8 +155,10 @@ export class Entry extends Blockly.FieldTextInput {
   }
 
   protected override updateSize_(margin?: number): void {
-    measure(this.textElement_)
-    super.updateSize_(margin)
+    const {size, inset, width} = sizeOf(this, this.textElement_, this.borderRect_, margin)
+    this.size_ = size
+    this.positionTextElement_(inset, width)
+    this.positionBorderRect_()
   }
 
   override isSerializable(): boolean {
@@ -212,11 +241,6 @@ export class Menu extends Blockly.FieldDropdown {
     this.live = true
   }
 
-  protected override updateSize_(margin?: number): void {
-    measure(this.textElement_)
-    super.updateSize_(margin)
-  }
-
   override isSerializable(): boolean {
     return false
   }
@@ -243,8 +267,10 @@ export class Binder extends Blockly.FieldTextInput {
   }
 
   protected override updateSize_(margin?: number): void {
-    measure(this.textElement_)
-    super.updateSize_(margin)
+    const {size, inset, width} = sizeOf(this, this.textElement_, this.borderRect_, margin)
+    this.size_ = size
+    this.positionTextElement_(inset, width)
+    this.positionBorderRect_()
   }
 
   override isSerializable(): boolean {
@@ -343,11 +369,10 @@ export class Press extends Blockly.Field<string> {
   }
 
   protected override updateSize_(): void {
-    measure(this.textElement_)
-    super.updateSize_(pressMargin)
+    const {size, inset, width} = sizeOf(this, this.textElement_, this.borderRect_, pressMargin)
     // Lower than other fields, so that a row of buttons is hardly a row.
-    this.size_ = new Blockly.utils.Size(this.size_.width, pressHeight)
-    this.positionTextElement_(pressMargin, this.size_.width - 2 * pressMargin)
+    this.size_ = new Blockly.utils.Size(size.width, pressHeight)
+    this.positionTextElement_(inset, width)
     this.positionBorderRect_()
   }
 

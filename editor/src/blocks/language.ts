@@ -3,23 +3,21 @@
 import type {
   BlockId,
   BlockView,
-  Checker,
   Inference,
-  InScope,
   Level,
-  Place,
   Renaming,
   SavedWorkspace,
+  Session,
   ToolboxCategory,
   ToolboxItem,
 } from "@rosy/codegen"
 
 export interface Language {
   readonly blockTypes: readonly BlockView[]
-  checker(workspace: SavedWorkspace): Checker
+  /// What is known of a workspace is remembered for the next question, as long as its blocks are the very same values.
+  session(): Session
   infer(workspace: SavedWorkspace): Inference
   rename(workspace: SavedWorkspace, block: BlockId, key: string, name: string): Renaming
-  namesInScope(workspace: SavedWorkspace, place: Place): readonly InScope[]
   toolbox(level: Level): readonly ToolboxCategory[]
   /// What the search finds besides what the toolbox shows.
   libraryItems(): readonly ToolboxItem[]

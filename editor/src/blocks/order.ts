@@ -1,25 +1,33 @@
 /// When two saved blocks are the same. Pure: no Blockly.
 
-import type {SavedBlock} from "@rosy/codegen"
+import type {SavedBlock, SavedWorkspace} from "@rosy/codegen"
 
-/// A block as text that is the same whoever wrote it: Blockly and codegen order keys in their own ways, and Blockly
-/// adds to a remark how large its bubble is.
-export function inOneOrder(block: SavedBlock): string {
-  let text = written.get(block)
-  if (text === undefined) {
-    text = write(block)
-    written.set(block, text)
-  }
-  return text
+/// Whether two saved blocks say the same, whoever wrote them: Blockly and codegen order keys in their own ways, and Blockly adds to a remark how
+/// large its bubble is. Blocks are values, and those that nobody touched are the very same one as a rule.
+export function sameBlock(one: SavedBlock | undefined, other: SavedBlock | undefined): boolean {
+  return same(one, other, "")
 }
 
-/// Saved blocks are values, and those of definitions that nobody touched come again and again.
-const written = new WeakMap<SavedBlock, string>()
+function same(one: unknown, other: unknown, key: string): boolean {
+  if (one === other) return true
+  if (typeof one !== "object" || typeof other !== "object" || one === null || other === null) return false
+  if (Array.isArray(one) || Array.isArray(other)) {
+    if (!Array.isArray(one) || !Array.isArray(other) || one.length !== other.length) return false
+    return one.every((item, i) => same(item, other[i], ""))
+  }
+  const [mine, others] = [one as {[name: string]: unknown}, other as {[name: string]: unknown}]
+  if (key === "comment") return mine.text === others.text
+  for (const name in mine) if (!same(mine[name], others[name], name)) return false
+  for (const name in others) if (others[name] !== undefined && mine[name] === undefined) return false
+  return true
+}
 
-function write(block: SavedBlock): string {
-  return JSON.stringify(block, (key, value: unknown) => {
-    if (typeof value !== "object" || value === null || Array.isArray(value)) return value
-    const entries = Object.entries(value).filter(([name]) => key !== "comment" || name === "text")
-    return Object.fromEntries(entries.sort(([a], [b]) => (a < b ? -1 : a > b ? 1 : 0)))
-  })
+/// Whether two workspaces hold the same blocks, in whatever order they came.
+export function sameBlocks(one: SavedWorkspace, other: SavedWorkspace): boolean {
+  if (one === other) return true
+  const [mine, others] = [one.blocks.blocks, other.blocks.blocks]
+  if (one.header !== other.header || mine.length !== others.length) return false
+  if (mine.every((block, i) => block === others[i])) return true
+  const byId = new Map(others.map(block => [block.id, block]))
+  return mine.every(block => sameBlock(block, byId.get(block.id)))
 }

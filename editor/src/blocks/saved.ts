@@ -1,23 +1,19 @@
-/// Blocks in and out of a workspace. Loading never throws and never leaves half of a block behind: everything is
-/// tried in a workspace without a picture first, and what cannot be loaded is left out and named.
+/// Blocks in and out of a workspace. Loading never throws and never leaves half of a block behind: what cannot be loaded is left out and named.
 
 import type {BlockId, SavedBlock, SavedWorkspace} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {checkerName} from "./checker.ts"
-import {inOneOrder} from "./order.ts"
+import {sameBlock} from "./order.ts"
+import {madeFrom, savedTop} from "./snapshot.ts"
 
 /// The text above the definitions, which Blockly knows nothing of.
 const headers = new WeakMap<Blockly.Workspace, string>()
 
-/// The blocks as Blockly and codegen know them, with ids and positions.
+/// The blocks as Blockly and codegen know them, with ids and positions. A top-level block that has not changed is the same value as the last time.
 export function saveBlocks(workspace: Blockly.Workspace): SavedWorkspace {
-  const saved = Blockly.serialization.workspaces.save(workspace) as Partial<SavedWorkspace>
   const header = headers.get(workspace)
-  return {
-    ...saved,
-    ...(header === undefined ? {} : {header}),
-    blocks: saved.blocks ?? {languageVersion: 0, blocks: []},
-  }
+  const blocks = workspace.getTopBlocks(false).flatMap(block => savedTop(block) ?? [])
+  return {...(header === undefined ? {} : {header}), blocks: {languageVersion: 0, blocks}}
 }
 
 export interface Loaded {
@@ -25,19 +21,14 @@ export interface Loaded {
   readonly left: readonly SavedBlock[]
 }
 
-/// Whether Blockly knows a block and all it carries.
+/// Whether Blockly knows a block and all it carries: tried in a workspace without a picture.
 export function loads(block: SavedBlock): boolean {
-  const scratch = scratchPad()
+  const scratch = new Blockly.Workspace(new Blockly.Options({plugins: {connectionChecker: checkerName}}))
   try {
-    return possible(block, scratch)
+    return append(scratch, block, new Set()) !== undefined
   } finally {
     scratch.dispose()
   }
-}
-
-/// A workspace without a picture, to try things in.
-function scratchPad(): Blockly.Workspace {
-  return new Blockly.Workspace(new Blockly.Options({plugins: {connectionChecker: checkerName}}))
 }
 
 /// Makes `workspace` hold `wanted`. A top-level block that is there already, the same in every respect, stays, with
@@ -46,35 +37,57 @@ export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace)
   if (wanted.header === undefined) headers.delete(workspace)
   else headers.set(workspace, wanted.header)
   const left: SavedBlock[] = []
-  const there = new Map(saveBlocks(workspace).blocks.blocks.map(block => [block.id, inOneOrder(block)]))
-  const coming = new Set<BlockId | undefined>()
-  const scratch = scratchPad()
+  const there = new Map(workspace.getTopBlocks(false).map(block => [block.id, block]))
   const enabled = Blockly.Events.isEnabled()
   if (enabled) Blockly.Events.disable()
   try {
     const fresh: SavedBlock[] = []
-    const homeless: Blockly.Block[] = []
+    const coming = new Set<BlockId>()
     for (const block of wanted.blocks.blocks) {
-      if (block.id !== undefined && there.get(block.id) === inOneOrder(block)) coming.add(block.id)
-      else fresh.push(block)
-    }
-    for (const block of workspace.getTopBlocks(false)) if (!coming.has(block.id)) block.dispose(false)
-    for (const block of fresh) {
-      if (!possible(block, scratch)) left.push(block)
+      const now = block.id === undefined ? undefined : there.get(block.id)
+      if (now === undefined || !sameBlock(savedTop(now), block)) fresh.push(block)
       else {
-        const made = Blockly.serialization.blocks.append(
-          block as Blockly.serialization.blocks.State,
-          workspace,
-        )
-        if (block.x === undefined && block.y === undefined) homeless.push(made)
+        madeFrom(now, block)
+        coming.add(now.id)
       }
+    }
+    for (const block of there.values()) if (!coming.has(block.id)) block.dispose(false)
+    const homeless: Blockly.Block[] = []
+    const whole = new Set(workspace.getTopBlocks(false))
+    for (const block of fresh) {
+      const made = append(workspace, block, whole)
+      if (made === undefined) left.push(block)
+      else if (block.x === undefined && block.y === undefined) homeless.push(made)
     }
     placeBelow(workspace, homeless)
   } finally {
-    scratch.dispose()
     if (enabled) Blockly.Events.enable()
   }
   return {left}
+}
+
+/// Makes a block without drawing it: to draw one by one would make the browser lay out all of them for each. When Blockly cannot make it, what it
+/// has made of it is taken away again: all but the `whole` ones.
+function append(
+  workspace: Blockly.Workspace,
+  block: SavedBlock,
+  whole: Set<Blockly.Block>,
+): Blockly.Block | undefined {
+  try {
+    const made = Blockly.serialization.blocks.appendInternal(
+      block as Blockly.serialization.blocks.State,
+      workspace,
+    )
+    savedTop(made)
+    madeFrom(made, block)
+    whole.add(made)
+    return made
+  } catch {
+    // Blockly throws for unknown kinds, missing sockets and sorts that do not join; the cause does not matter here,
+    // because the text of the program, not its blocks, is what must not be lost.
+    for (const half of workspace.getTopBlocks(false)) if (!whole.has(half)) half.dispose(false)
+    return undefined
+  }
 }
 
 /// Pixels from the edge, and between blocks, for those that nobody has placed yet.
@@ -91,19 +104,5 @@ function placeBelow(workspace: Blockly.Workspace, blocks: readonly Blockly.Block
     const box = block.getBoundingRectangle()
     block.moveBy(margin - box.left, y - box.top)
     y += box.getHeight() + between
-  }
-}
-
-/// Whether Blockly can load a block and all it carries.
-function possible(block: SavedBlock, scratch: Blockly.Workspace): boolean {
-  try {
-    Blockly.serialization.blocks.append(block as Blockly.serialization.blocks.State, scratch)
-    return true
-  } catch {
-    // Blockly throws for unknown kinds, missing sockets and sorts that do not join; the cause does not matter here,
-    // because the text of the program, not its blocks, is what must not be lost.
-    return false
-  } finally {
-    scratch.clear()
   }
 }

@@ -5,6 +5,7 @@ import {
   type InScope,
   type Place,
   type SavedWorkspace,
+  type Session,
   socketKey,
   type ToolboxCategory,
   type ToolboxItem,
@@ -12,7 +13,6 @@ import {
 import * as Blockly from "blockly/core"
 import {words} from "../words/index.ts"
 import {placeOf} from "./checker.ts"
-import type {Language} from "./language.ts"
 import {flyoutBlock} from "./toolbox.ts"
 
 /// The chosen place: the socket with the focus, the first empty socket of the chosen block, or the place the block
@@ -117,21 +117,21 @@ const mostSuggestions = 14
 
 /// Names and ready blocks that fit at a place: first the names, then what is of the family that the socket wants.
 export function suggest(
-  language: Language,
+  session: Session,
   workspace: SavedWorkspace,
   place: Place,
   categories: readonly ToolboxCategory[],
 ): readonly ToolboxItem[] {
-  const names = language.namesInScope(workspace, place).filter(name => name.fits)
+  const names = session.namesInScope(workspace, place).filter(name => name.fits)
   const wanted: Family | undefined =
     "below" in place
       ? "task"
-      : language.infer(workspace).sockets.get(socketKey(place.block, place.input))?.family
+      : session.infer(workspace).sockets.get(socketKey(place.block, place.input))?.family
   const ordered = [
     ...categories.filter(category => category.family === wanted),
     ...categories.filter(category => category.family !== wanted),
   ]
-  const check = language.checker(workspace)
+  const check = session.checker(workspace)
   const found: ToolboxItem[] = names.map(nameItem)
   const seen = new Set<string>()
   for (const item of ordered.flatMap(category => category.items)) {

@@ -26,6 +26,7 @@ import {showInference} from "./infer.ts"
 import type {Language} from "./language.ts"
 import {Marks} from "./marks.ts"
 import {type MenuActions, registerMenus} from "./menus.ts"
+import {sameBlocks} from "./order.ts"
 import {pull} from "./pull.ts"
 import {RefusalLine} from "./refusal.ts"
 import {registerRemark} from "./remark.ts"
@@ -168,24 +169,25 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   const away = hideFarBlocks(workspace, host)
   const changeListeners = new Set<(change: BlocksChange) => void>()
   const selectListeners = new Set<(block: BlockId | undefined) => void>()
-  let inference: Inference = language.infer(saveBlocks(workspace))
+  const session = language.session()
+  let inference: Inference = session.infer(saveBlocks(workspace))
   let due = false
   /// The blocks as last told or loaded: one edit is heard of twice, at once and from Blockly.
-  let told = ""
+  let told = saveBlocks(workspace)
 
   const views = new Map(language.blockTypes.map(view => [view.type, view]))
   const sortOf = ({block}: ToolboxItem) =>
     views.get(block.type)?.shape(block.extraState ?? {}).connects.as ?? ""
 
   const dragHost: DragHost = {
-    asker: () => language.checker(saveBlocks(workspace)),
+    asker: () => session.checker(saveBlocks(workspace)),
     chosen: () => chosenBlock(workspace),
     refusal,
   }
 
   const refresh = (): SavedWorkspace => {
     const saved = saveBlocks(workspace)
-    inference = language.infer(saved)
+    inference = session.infer(saved)
     showInference(workspace, inference)
     marks.setInferred(inference.problems)
     return saved
@@ -199,12 +201,10 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     if (workspace.isDragging()) return
     nameAfresh(workspace, made)
     made.clear()
-    const now = JSON.stringify(saveBlocks(workspace))
-    if (now === told) return
-    told = now
+    if (sameBlocks(saveBlocks(workspace), told)) return
     refresh()
     const saved = giveRoom()
-    told = JSON.stringify(saved)
+    told = saved
     for (const listener of changeListeners) listener({workspace: saved, inference})
   }
 
@@ -249,7 +249,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       const flyout = workspace.getFlyout()?.getWorkspace()
       if (flyout === undefined) return
       const place = chosenPlace(workspace)
-      const names = place === undefined ? [] : language.namesInScope(saveBlocks(workspace), place)
+      const names = place === undefined ? [] : session.namesInScope(saveBlocks(workspace), place)
       showInference(
         flyout,
         language.infer(saveBlocks(flyout)),
@@ -260,20 +260,20 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
 
   workspace.registerToolboxCategoryCallback(scopeKey, () => {
     const place = chosenPlace(workspace)
-    return scopeItems(place === undefined ? undefined : language.namesInScope(saveBlocks(workspace), place))
+    return scopeItems(place === undefined ? undefined : session.namesInScope(saveBlocks(workspace), place))
   })
   setNearby(workspace, {
     level: () => level,
     setLevel: wanted => setLevel(wanted),
     names() {
       const place = chosenPlace(workspace)
-      return place === undefined ? [] : language.namesInScope(saveBlocks(workspace), place).map(nameItem)
+      return place === undefined ? [] : session.namesInScope(saveBlocks(workspace), place).map(nameItem)
     },
     typed: query => language.typedItems(query),
     fitting() {
       const place = chosenPlace(workspace)
       if (place === undefined) return undefined
-      const check = language.checker(saveBlocks(workspace))
+      const check = session.checker(saveBlocks(workspace))
       // What stands alone has its place on the workspace.
       const alone = new Set(["top", "definition"])
       return item =>
@@ -281,7 +281,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     },
     suggestions() {
       const place = chosenPlace(workspace)
-      return place && suggest(language, saveBlocks(workspace), place, language.toolbox(level))
+      return place && suggest(session, saveBlocks(workspace), place, language.toolbox(level))
     },
   })
 
@@ -348,7 +348,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       const focused = focusedBlock(workspace)
       const loaded = loadBlocks(workspace, saved)
       workspace.clearUndo()
-      told = JSON.stringify(refresh())
+      told = refresh()
       Blockly.renderManagement.triggerQueuedRenders(workspace)
       boxes = boxesOf(workspace)
       marks.forget()

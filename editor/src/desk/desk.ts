@@ -4,7 +4,7 @@
 import type {SavedWorkspace} from "@rosy/codegen"
 import * as codegen from "@rosy/codegen"
 import {formatted, type Reader} from "@rosy/codegen/reader"
-import {type BlocksView, openBlocks} from "../blocks/index.ts"
+import {type BlocksView, openBlocks, sameBlocks} from "../blocks/index.ts"
 import type {Desk} from "../page/desk.ts"
 import {openWorldEditor, type WorldEditorView} from "../room/editorview.ts"
 import {openSpeaker} from "../room/sounds.ts"
@@ -320,7 +320,7 @@ export function openDesk(address: string): Desk {
       })
       blocks.onChange(({workspace: edited, inference}) => {
         flush()
-        if (reader === null || JSON.stringify(edited) === JSON.stringify(shown)) return
+        if (reader === null || (shown !== null && sameBlocks(edited, shown))) return
         const now = store.now.document.workspace
         const workspace = shown === null || shown === now ? edited : merged(shown, edited, now)
         const document = withBlocks(reader, store.now.document, workspace, inference)

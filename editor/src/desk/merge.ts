@@ -1,14 +1,14 @@
 /// Edits of blocks that were made before the blocks had followed the text: brought into the blocks that the text has by now. Pure.
 
 import type {SavedBlock, SavedWorkspace} from "@rosy/codegen"
-import {inOneOrder} from "../blocks/order.ts"
+import {sameBlock} from "../blocks/order.ts"
 
 /// `now` with what makes `edited` differ from `shown`, top-level block by top-level block. Where both have changed the
 /// same one, the edit of the blocks counts: it was made last.
 export function merged(shown: SavedWorkspace, edited: SavedWorkspace, now: SavedWorkspace): SavedWorkspace {
   const before = byId(shown)
   const after = byId(edited)
-  const touched = (block: SavedBlock) => !same(before.get(block.id), block)
+  const touched = (block: SavedBlock) => !sameBlock(before.get(block.id), block)
   const kept = now.blocks.blocks.flatMap(block => {
     const mine = after.get(block.id)
     if (mine === undefined) return before.has(block.id) ? [] : [block]
@@ -21,8 +21,4 @@ export function merged(shown: SavedWorkspace, edited: SavedWorkspace, now: Saved
 
 function byId({blocks}: SavedWorkspace): ReadonlyMap<string | undefined, SavedBlock> {
   return new Map(blocks.blocks.map(block => [block.id, block]))
-}
-
-function same(one: SavedBlock | undefined, other: SavedBlock): boolean {
-  return one !== undefined && inOneOrder(one) === inOneOrder(other)
 }

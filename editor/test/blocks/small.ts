@@ -5,9 +5,11 @@
 import {
   type BlockProblem,
   type BlockView,
+  type Checker,
   type Extra,
   type Family,
   type Inference,
+  type InScope,
   type Item,
   type Place,
   type SavedBlock,
@@ -246,23 +248,35 @@ function infer(workspace: SavedWorkspace): Inference {
   return {blocks, sockets, definitions, problems}
 }
 
+function checker(workspace: SavedWorkspace): Checker {
+  const all = new Map([...blocksOf(workspace)].map(block => [block.id, block]))
+  return {
+    fits(place: Place, moved) {
+      const block = typeof moved === "string" ? all.get(moved) : moved
+      if ("below" in place) return {fits: true}
+      const parent = all.get(place.block)
+      const wanted = wants[`${parent?.type}/${place.input}`]
+      const made = makes[block?.type ?? ""]
+      if (wanted === undefined || made === undefined || wanted === made) return {fits: true}
+      return {fits: false, why: `This socket wants a \`${wanted}\`, and this is a \`${made}\`.`}
+    },
+  }
+}
+
+function namesInScope(): readonly InScope[] {
+  return ["vl", "va"].map(name => ({
+    name,
+    type: "Double",
+    family: "number" as const,
+    block: {type: "name", extraState: {name}},
+    fits: true,
+  }))
+}
+
 export const small: Language = {
   blockTypes: views,
   infer,
-  checker(workspace) {
-    const all = new Map([...blocksOf(workspace)].map(block => [block.id, block]))
-    return {
-      fits(place: Place, moved) {
-        const block = typeof moved === "string" ? all.get(moved) : moved
-        if ("below" in place) return {fits: true}
-        const parent = all.get(place.block)
-        const wanted = wants[`${parent?.type}/${place.input}`]
-        const made = makes[block?.type ?? ""]
-        if (wanted === undefined || made === undefined || wanted === made) return {fits: true}
-        return {fits: false, why: `This socket wants a \`${wanted}\`, and this is a \`${made}\`.`}
-      },
-    }
-  },
+  session: () => ({infer, checker, namesInScope}),
   rename(workspace, block, key, name) {
     if (!/^[a-z]\w*$/.test(name)) return {ok: false, why: "A name is one word with a small letter first."}
     const all = [...blocksOf(workspace)]
@@ -274,15 +288,6 @@ export const small: Language = {
         extra: setIn(found.extraState ?? {}, found.id === block ? key : "name", name),
       }))
     return {ok: true, changes}
-  },
-  namesInScope() {
-    return ["vl", "va"].map(name => ({
-      name,
-      type: "Double",
-      family: "number" as const,
-      block: {type: "name", extraState: {name}},
-      fits: true,
-    }))
   },
   libraryItems: () => [],
   typedItems: () => [],
