@@ -262,6 +262,18 @@ function readWorldFile(state: PageState, name: string, text: string | null): Ste
   return takeWorld(open, world)
 }
 
+/// Metres: seen whole, a longer room makes a dot of the robot and a scribble of its trail, so the picture goes with it.
+const longestSeenWhole = 12
+
+/// The simulator's room as it stands now. A room that the learner has just come into is shown so that the robot is seen;
+/// in one that they know already, the picture stays as they like it.
+function inWorld(state: PageState, world: World): PageState {
+  const known = state.room.world
+  const same = known !== null && known.name === world.name && `${known.size}` === `${world.size}`
+  const follows = same ? state.follows : Math.max(...world.size) > longestSeenWhole
+  return {...state, follows, room: {...state.room, world, idle: true}}
+}
+
 /// Makes a world the room, and saves it with the program.
 function takeWorld(state: PageState, world: World): Step {
   const file = writeWorld(world)
@@ -351,9 +363,7 @@ function heard(state: PageState, message: ServiceMessage): Step {
     case "worker":
       return still({...state, worker: message.state})
     case "world":
-      return state.robots.held === null
-        ? still({...state, room: {...state.room, world: message.world, idle: true}})
-        : still(state)
+      return state.robots.held === null ? still(inWorld(state, message.world)) : still(state)
     case "robots":
     case "robot":
       return robotHeard(state, message)

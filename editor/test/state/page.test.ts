@@ -169,13 +169,24 @@ describe("time", () => {
   const driving = play(open, press, running(1), frame(1, {time: 1, x: 1}), frame(1, {time: 2, x: 2})).state
 
   it("shows a robot that is driven without a run, but nothing of the run before a reset", () => {
-    const world = hear({op: "world", world: {...driving.room.world, name: "room"} as World})
+    const world = hear({op: "world", world: {name: "room", size: [5, 4]} as unknown as World})
     const idle = frame(1, {time: 0, x: 3, v: 0.2})
     const still = play(open, press, running(1), frame(1, {x: 2}), reset, frame(1, {x: 9})).state
     expect(still.room.frame).toBeNull()
     const driven = play(still, world, idle, idle).state
     expect(readout(driven)).toMatchObject({x: "3.000", speed: "0.200"})
     expect(driven.room.recording.length).toBe(1)
+  })
+
+  it("goes with the robot in a room too large to be seen whole, until the learner wants it otherwise", () => {
+    const room = (name: string, size: [number, number]) =>
+      hear({op: "world", world: {name, size} as unknown as World})
+    const large = play(open, room("empty", [20, 20])).state
+    expect(large.follows).toBe(true)
+    const liked = play(large, {kind: "follows", follows: false}, room("empty", [20, 20])).state
+    expect(liked.follows).toBe(false)
+    expect(play(liked, room("room", [5, 4])).state.follows).toBe(false)
+    expect(play(liked, room("room", [5, 4]), room("empty", [20, 20])).state.follows).toBe(true)
   })
 
   it("shows what was said and where the boxes stood at that moment", () => {
