@@ -135,6 +135,7 @@ export const toolbox: Words["toolbox"] = {
   listPattern: "Listenmuster",
   wholeAndPartsPattern: "Ganzes und Teile, Muster",
   exactlyThisTextPattern: "genau dieser Text, Muster",
+  exactlyThisCharacterPattern: "genau dieses Zeichen, Muster",
   aRandomNumberInARange: "eine Zufallszahl aus einem Bereich",
   aRandomValue: "ein zufälliger Wert",
   whenItSenses: "Wenn er spürt",
