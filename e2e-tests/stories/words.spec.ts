@@ -3,7 +3,7 @@
 /// In the pseudo-locale every word of the tables has accents (`editor/src/words/pseudo.ts`): plain letters on the page
 /// are a word that is in no table, or the program's and the robot's own.
 
-import {expect, type Page, test} from "@playwright/test"
+import {expect, type Locator, type Page, test} from "@playwright/test"
 import {knownNames, toolbox} from "@rosy/codegen"
 import {Learner, until} from "./learner.ts"
 
@@ -89,9 +89,11 @@ test("every word of the page is in a table of words", async ({page}) => {
     await look(`the menu of ${block}`)
     await page.keyboard.press("Escape")
   }
-  await page.locator(".menu > button").first().click()
-  await look("the menu of the page")
-  await page.keyboard.press("Escape")
+  for (const menu of await page.locator(".menu > button").all()) {
+    await menu.click()
+    await look(`the menu ${await menu.getAttribute("title")}`)
+    await page.keyboard.press("Escape")
+  }
 
   await page.locator(".topbar .examples, .topbar button").first().click()
   await expect(page.locator("dialog[open] li").first()).toBeVisible()
@@ -117,4 +119,76 @@ test("every word of the page is in a table of words", async ({page}) => {
   }
   await page.getByTestId("run").click()
   await expect(page.locator("dialog[open]")).toHaveCount(0)
+})
+
+test("from right to left a program is built by hand and runs", async ({page}) => {
+  const learner = new Learner(page)
+  await page.goto("/?example=accelerate&lang=ar-XB")
+  await expect(learner.haskell()).toContainText("simulate")
+  await page.locator(".menu > button").last().click()
+  await page.getByText(/New.*program/).click()
+  const blocks = page.locator(".blocklySvg .blocklyBlockCanvas > .blocklyDraggable")
+  await expect(blocks).toHaveCount(1)
+
+  // Blocks begin at their right edge, the toolbox is on the right, and Haskell still reads from the left.
+  const [main, toolbox] = [
+    (await blocks.boundingBox())!,
+    (await page.locator(".blocklyToolbox").boundingBox())!,
+  ]
+  expect(toolbox.x).toBeGreaterThan(main.x)
+  await expect(learner.haskell()).toHaveCSS("direction", "ltr")
+
+  await page.locator(".blocklyToolboxCategory", {hasText: /Tell/}).click()
+  const ready = page.locator(".blocklyFlyout .blocklyBlockCanvas > .blocklyDraggable").first()
+  await drag(page, edge(await box(ready)), {x: main.x + main.width - 8, y: main.y + main.height + 60})
+  await expect(blocks).toHaveCount(2)
+  const name = page.locator(".blocklySvg .rosyBinder", {hasText: "move"})
+  const socket = await box(
+    page.locator(".blocklySvg .blocklyDraggable:has(> [aria-roledescription*=simulate])"),
+  )
+  const from = await box(name)
+  await drag(
+    page,
+    {x: from.x + from.width / 2, y: from.y + from.height / 2},
+    {x: socket.x + socket.width - 100, y: socket.y + 26},
+  )
+  await expect(learner.haskell()).toContainText("main = simulate move")
+
+  await page.getByTestId("run").click()
+  await until(learner.robot("speed"), v => v > 0.3)
+  await learner.keeps("right-to-left")
+  await page.getByTestId("run").click()
+})
+
+interface Spot {
+  readonly x: number
+  readonly y: number
+}
+
+const box = async (of: Locator) => (await of.boundingBox())!
+
+/// Where a block that is written from right to left begins.
+const edge = ({x, y, width}: Spot & {readonly width: number}): Spot => ({x: x + width - 6, y: y + 12})
+
+async function drag(page: Page, from: Spot, to: Spot): Promise<void> {
+  await page.mouse.move(from.x, from.y)
+  await page.mouse.down()
+  await page.mouse.move((from.x + to.x) / 2, (from.y + to.y) / 2, {steps: 4})
+  await page.mouse.move(to.x, to.y, {steps: 4})
+  await page.mouse.up()
+}
+
+test("German is chosen in the menu, spoken after that, and remembered", async ({page}) => {
+  await page.goto("/?example=accelerateAndPlay")
+  await expect(new Learner(page).haskell()).toContainText("simulate")
+  await page.locator(".menu > button").last().click()
+  await page.getByRole("button", {name: "Deutsch"}).click()
+  await expect(page.getByTestId("run")).toHaveText("Start")
+  await expect(page.locator(".blocklyToolboxCategory", {hasText: "Sag dem Roboter"})).toBeVisible()
+  await expect(page.locator("html")).toHaveAttribute("lang", "de")
+  await page.goto("/?example=move")
+  await expect(page.getByTestId("run")).toHaveText("Start")
+  await page.getByTestId("run").click()
+  await expect(page.getByRole("status").filter({hasText: "Läuft"})).toBeVisible()
+  await page.getByTestId("run").click()
 })

@@ -36,11 +36,11 @@ function dragReference(workspace: Blockly.WorkspaceSvg, name: string, pointer: P
     new Blockly.utils.Coordinate(pointer.clientX, pointer.clientY),
   )
   Blockly.Events.setGroup(true)
-  const block = Blockly.serialization.blocks.append(
-    {type: "name", extraState: {name}, x: at.x - 24, y: at.y - 14},
-    workspace,
-    {recordUndo: true},
-  ) as Blockly.BlockSvg
+  const block = Blockly.serialization.blocks.append({type: "name", extraState: {name}}, workspace, {
+    recordUndo: true,
+  }) as Blockly.BlockSvg
+  // Blocks begin at their right edge where one writes from right to left.
+  block.moveTo(new Blockly.utils.Coordinate(at.x + (workspace.RTL ? 24 : -24), at.y - 14))
   // Only what is drawn can have the focus.
   Blockly.renderManagement.triggerQueuedRenders(workspace)
   // A press on the new block at the same spot: from here on it is an ordinary drag.

@@ -72,12 +72,12 @@ export const styleSheet = `
 }
 
 /* Toolbox. */
-.rosyBlocks .blocklyToolbox { width: 176px; padding: 10px 8px; border-inline-end: 1px solid var(--line); background: var(--paper); color: var(--ink); font: 550 15px/1.3 Inter, system-ui, sans-serif; }
+.rosyBlocks .blocklyToolbox { width: max-content; min-width: 176px; max-width: 230px; padding: 10px 8px; border-inline-end: 1px solid var(--line); background: var(--paper); color: var(--ink); font: 550 15px/1.3 Inter, system-ui, sans-serif; }
 .rosyBlocks .blocklyToolboxCategory { height: auto; line-height: 1.3; margin: 0 0 2px; padding: 9px 10px !important; border-radius: 8px; border: 0 !important; }
 .rosyBlocks .blocklyToolboxCategory:not(.blocklyToolboxSelected):hover { background: color-mix(in srgb, var(--sunken) 60%, transparent); }
 .rosyBlocks .blocklyToolboxSelected { background: var(--sunken) !important; }
 .rosyBlocks .blocklyToolboxCategory .blocklyTreeRowContentContainer { display: flex; gap: 10px; align-items: center; }
-.rosyBlocks .blocklyToolboxCategoryLabel, .rosyBlocks .blocklyToolboxSelected .blocklyToolboxCategoryLabel { font: inherit; font-size: 14.5px; color: var(--ink); white-space: nowrap; }
+.rosyBlocks .blocklyToolboxCategoryLabel, .rosyBlocks .blocklyToolboxSelected .blocklyToolboxCategoryLabel { font: inherit; font-size: 14.5px; color: var(--ink); white-space: normal; }
 .rosyBlocks .rosySwatch { width: 18px; height: 14px; flex: none; overflow: visible; }
 .rosyBlocks .rosySearch { pointer-events: auto; width: 100%; min-width: 0; font: 400 14px Inter, system-ui, sans-serif; color: var(--ink); background: var(--sunken); border: 1px solid var(--line); border-radius: 8px; padding: 7px 10px; outline-offset: 1px; }
 .rosyBlocks .rosySearch::placeholder { color: var(--ink-2); opacity: 1; }
@@ -89,7 +89,7 @@ export const styleSheet = `
 .rosyBlocks .rosyLevel select { flex: 1; min-width: 0; font: 550 12.5px Inter, system-ui, sans-serif; color: var(--ink); background: none; border: 0; border-radius: 6px; padding: 3px 2px; cursor: pointer; }
 .rosyBlocks .rosyLevel select option { background: var(--paper); color: var(--ink); }
 .rosyBlocks .rosyLevel select:focus-visible { outline: 2px solid var(--focus); }
-.rosyBlocks .blocklyFlyoutBackground { fill: var(--paper); fill-opacity: .97; }
+.rosyBlocks .blocklyFlyoutBackground { fill: var(--paper); fill-opacity: 1; }
 .rosyBlocks .blocklyFlyout { border-inline-end: 1px solid var(--line); }
 .rosyBlocks .blocklyFlyoutLabelText { fill: var(--ink-2) !important; font: 550 13px Inter, system-ui, sans-serif !important; }
 .rosyBlocks .blocklyFlyoutLabelBackground { opacity: 0; }
@@ -123,7 +123,7 @@ export const styleSheet = `
 
 /* On a phone the toolbox is its swatches; its words are still there for a screen reader. */
 @container blocks (max-width: 560px) {
-  .rosyBlocks .blocklyToolbox { width: 54px; padding: 8px 5px; }
+  .rosyBlocks .blocklyToolbox { width: 54px; min-width: 0; padding: 8px 5px; }
   .rosyBlocks .blocklyToolboxCategory { padding: 13px 12px !important; }
   .rosyBlocks .blocklyToolboxCategoryLabel { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
   .rosyBlocks .rosyLevel { display: none; }
