@@ -82,6 +82,8 @@ export interface ToolboxCategory {
 export interface ToolboxItem {
   /// Words for the search.
   readonly label: string
+  /// More words that find it.
+  readonly also?: string
   readonly block: SavedBlock
 }
 

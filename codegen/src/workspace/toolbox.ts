@@ -3,49 +3,46 @@
 /// Three levels filter and order; none locks anything: text and saved programs may hold every block at every level.
 
 import type {Level, ToolboxCategory, ToolboxItem} from "../api.ts"
-import {choiceOf, choices, lookOf, whatOf} from "../blocks/vocabulary.ts"
+import {choiceOf, choices, whatOf} from "../blocks/vocabulary.ts"
 import {isNumberLiteral, isOperator, isVariableName, reservedWords} from "../haskell/lexemes.ts"
-import type {Extra, SavedBlock} from "../saved.ts"
+import type {SavedBlock} from "../saved.ts"
 import {library} from "../types/library.ts"
 import {asFunction, type Type} from "../types/type.ts"
 import {perLanguage, words} from "../words/index.ts"
+import {readyReactions, readyTasks} from "./readymade.ts"
+import {
+  anything,
+  call,
+  con,
+  infix,
+  make,
+  match,
+  named,
+  num,
+  pat,
+  pick,
+  reaction,
+  ref,
+  text,
+} from "./saying.ts"
 
-function make(
-  type: string,
-  extra: Extra = {},
-  sockets: {readonly [name: string]: SavedBlock} = {},
-): SavedBlock {
-  return {
-    type,
-    ...(Object.keys(extra).length > 0 ? {extraState: extra} : {}),
-    ...(Object.keys(sockets).length > 0
-      ? {inputs: Object.fromEntries(Object.entries(sockets).map(([name, block]) => [name, {block}]))}
-      : {}),
-  }
+function item(label: string, block: SavedBlock): ToolboxItem {
+  const also = alsoFor(block)
+  return {label, block, ...(also === "" ? {} : {also})}
 }
 
-const num = (value: string) => make("number", {value})
-const text = (value: string) => make("text", {value})
-const ref = (name: string) => make("name", {name, args: 0})
-const named = (name: string) => make("pattern_name", {name})
-const anything = (what: string) => make("pattern_any", {what})
-const pick = (of: string, value: string) => make("choice", {of, value})
-const match = (of: string, value: string) => make("pattern_choice", {of, value})
-const numbered = (blocks: readonly SavedBlock[], letter: string) =>
-  Object.fromEntries(blocks.map((b, i) => [`${letter}${i}`, b]))
-const con = (name: string, ...args: readonly SavedBlock[]) =>
-  make("construct", {con: name, args: Math.max(args.length, lookOf(name).parts.length)}, numbered(args, "A"))
-const pat = (name: string, ...args: readonly SavedBlock[]) =>
-  make(
-    "pattern_construct",
-    {con: name, args: Math.max(args.length, lookOf(name).parts.length)},
-    numbered(args, "A"),
+/// Other words for what a block and those in it are about.
+function alsoFor(block: SavedBlock): string {
+  const known: {readonly [about: string]: string} = words.toolbox.also
+  const {con, of, name} = block.extraState ?? {}
+  const own = [block.type, con, of, name].flatMap(about =>
+    typeof about === "string" && Object.hasOwn(known, about) ? [known[about]] : [],
   )
-const call = (name: string, count: number, ...args: readonly SavedBlock[]) =>
-  make("name", {name, args: count, fn: true}, numbered(args, "A"))
-const infix = (op: string, left?: SavedBlock, right?: SavedBlock) =>
-  make("infix", {op}, {...(left === undefined ? {} : {L: left}), ...(right === undefined ? {} : {R: right})})
-const item = (label: string, block: SavedBlock): ToolboxItem => ({label, block})
+  const inside = [...Object.values(block.inputs ?? {}), block.next].flatMap(input =>
+    input?.block === undefined ? [] : [alsoFor(input.block)],
+  )
+  return [...own, ...inside].filter(found => found !== "").join(" ")
+}
 
 /// Every other name that a program knows without defining it, for the search: it finds all of Haskell at every level.
 export function libraryItems(): ToolboxItem[] {
@@ -88,22 +85,6 @@ export function typedItems(typed: string): ToolboxItem[] {
 function inputsOf(type: Type): number {
   const f = asFunction(type)
   return f === undefined ? 0 : Math.min(9, 1 + inputsOf(f.to))
-}
-
-function reaction(
-  name: string,
-  as: string,
-  patterns: readonly SavedBlock[],
-  answer?: SavedBlock,
-): SavedBlock {
-  return make(
-    "define",
-    {name, as, arity: patterns.length, equations: [{}]},
-    {
-      ...Object.fromEntries(patterns.map((p, i) => [`P0_${i}`, p])),
-      ...(answer === undefined ? {} : {E0_0: answer}),
-    },
-  )
 }
 
 const drive = con("Velocity", num("0.5"), num("0"))
@@ -391,6 +372,16 @@ const category = (
 })
 
 const categories = perLanguage(() => ({
+  ready: category(
+    words.toolbox.readyMade,
+    "task",
+    [...readyTasks(), ...readyReactions()].map(found => item(found.label, found.block)),
+  ),
+  reactions: category(
+    words.toolbox.readyMade,
+    "event",
+    [...readyReactions(), ...readyTasks()].map(found => item(found.label, found.block)),
+  ),
   senses: category(words.toolbox.whenItSenses, "event", senses()),
   states: category(words.toolbox.howIt, "state", states()),
   commands: category(words.toolbox.tellTheRobot, "command", commands()),
@@ -408,6 +399,7 @@ export function toolbox(level: Level): ToolboxCategory[] {
   switch (level) {
     case "tasks":
       return [
+        all.ready,
         all.tasks,
         all.commands,
         all.senses,
@@ -417,6 +409,7 @@ export function toolbox(level: Level): ToolboxCategory[] {
       ]
     case "reactions":
       return [
+        all.reactions,
         all.senses,
         all.states,
         all.commands,
@@ -439,6 +432,7 @@ export function toolbox(level: Level): ToolboxCategory[] {
         all.lists,
         all.types,
         all.functions,
+        all.reactions,
       ]
   }
 }

@@ -118,7 +118,7 @@ export function findable(items: readonly ToolboxItem[], views: readonly BlockVie
   return items.map(item => ({
     item,
     label: item.label.toLowerCase(),
-    words: [...said(item.block)].join(" ").toLowerCase(),
+    words: [...said(item.block), item.also ?? ""].join(" ").toLowerCase(),
   }))
 }
 
