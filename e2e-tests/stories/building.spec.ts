@@ -3,14 +3,13 @@
 import {readFileSync} from "node:fs"
 import {expect, type Page, test} from "@playwright/test"
 import type {Hands} from "./hands.ts"
+import {Keys} from "./keys.ts"
 import {Learner, until} from "./learner.ts"
 import {Mouse} from "./mouse.ts"
 import {drawSquare, mux, randomWalk} from "./recipes.ts"
 
 // A whole program takes a learner a while, and a busy machine too.
 test.setTimeout(180_000)
-// On a machine that stutters the pointer may let go beside its socket, as a learner's does; the text then tells.
-test.describe.configure({retries: 2})
 
 async function builds(
   page: Page,
@@ -71,5 +70,20 @@ test("the multiplexer by mouse", async ({page}) => {
 
 test("the random walker by mouse", async ({page}) => {
   const learner = await builds(page, "randomWalk", randomWalk, new Mouse(page))
+  await walksAtRandom(page, learner)
+})
+
+test("drawSquare by keyboard alone", async ({page}) => {
+  const learner = await builds(page, "drawSquare", drawSquare, new Keys(page))
+  await drivesASquare(page, learner)
+})
+
+test("the multiplexer by keyboard alone", async ({page}) => {
+  const learner = await builds(page, "mux", mux, new Keys(page))
+  await circles(page, learner)
+})
+
+test("the random walker by keyboard alone", async ({page}) => {
+  const learner = await builds(page, "randomWalk", randomWalk, new Keys(page))
   await walksAtRandom(page, learner)
 })

@@ -161,7 +161,7 @@ export async function mux(hands: Hands): Promise<void> {
 
   await begin(hands, "mux", "Seconds -> Memory M -> Either (M1 a) (M2 a) -> Maybe (a, Memory M)", 3)
   await hands.presses(/^one more case$/)
-  await hands.presses(/^add a condition$/)
+  await hands.presses(/^add a condition, case 2$/)
   await hands.puts("now", "any, whatever", "left pattern")
   await hands.throws(field.x, "last")
   await hands.puts("M1", "message")
@@ -267,7 +267,7 @@ export async function randomWalk(hands: Hands): Promise<void> {
 
   await begin(hands, "spin", "Memory Mode -> Seconds -> Either Velocity (Memory Mode)", 2)
   await hands.presses(/^one more case$/, 2)
-  await hands.presses(/^add a condition$/)
+  await hands.presses(/^add a condition, case 3$/)
   for (const mode of ["Go", "Stop"]) {
     await hands.puts("what is remembered")
     await hands.throws(field.m, "last")

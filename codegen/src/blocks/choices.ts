@@ -55,7 +55,8 @@ const caseBlock: BlockSpec = {
         {kind: "label", text: words.choices.when},
         {kind: "socket", name: `P${i}`, sort: "pattern", aria: words.choices.case(i + 1)},
       ])
-      rows.push(...rightRows(i, partOf(a), words.choices.thenWord, words.choices.result))
+      const which = alternatives.length > 1 ? words.choices.case2(i + 1) : ""
+      rows.push(...rightRows(i, partOf(a), words.choices.thenWord, words.choices.result, which))
     }
     rows.push([
       {kind: "button", action: "more-cases", text: "+", aria: words.choices.oneMoreCase},

@@ -96,7 +96,8 @@ const define: BlockSpec = {
           })
       }
       if (inputs.length > 0) rows.push(inputs)
-      rows.push(...rightRows(i, partOf(equation), reading.answer, reading.what))
+      const which = equations.length > 1 ? words.definitions.case(i + 1) : ""
+      rows.push(...rightRows(i, partOf(equation), reading.answer, reading.what, which))
     }
     if (arity > 0) {
       const last: Item[] = [

@@ -36,19 +36,19 @@ export function savedPart(part: Part): {readonly [key: string]: Json} {
   }
 }
 
-/// `answer` is the word before an answer: "send", "is", "then".
-export function rightRows(i: number, part: Part, answer: string, what: string): Row[] {
+/// `answer` is the word before an answer: "send", "is", "then". `which` names the part when there are several.
+export function rightRows(i: number, part: Part, answer: string, what: string, which: string): Row[] {
   const rows: Row[] = []
   const more = {
     kind: "button",
     action: `more-guards.${i}`,
     text: "+",
-    aria: words.answers.addACondition,
+    aria: words.answers.addACondition + which,
   } as const
   if (part.guards === 0)
     rows.push([
       {kind: "label", text: answer},
-      {kind: "socket", name: `E${i}_0`, sort: "expression", aria: what},
+      {kind: "socket", name: `E${i}_0`, sort: "expression", aria: what + which},
       more,
     ])
   else {
@@ -59,23 +59,28 @@ export function rightRows(i: number, part: Part, answer: string, what: string): 
           kind: "socket",
           name: `E${i}_${g}`,
           sort: "expression",
-          aria: words.answers.ifConditionHolds(what, g + 1),
+          aria: words.answers.ifConditionHolds(what, g + 1) + which,
         },
       ]
-      const asked = condition(i, g, part)
+      const asked = condition(i, g, part, which)
       // A stack ends its row.
       rows.push(...(part.stacked.includes(g) ? [asked, then] : [[...asked, ...then]]))
     }
     const last: Row = [
       more,
-      {kind: "button", action: `fewer-guards.${i}`, text: "−", aria: words.answers.removeTheLastCondition},
+      {
+        kind: "button",
+        action: `fewer-guards.${i}`,
+        text: "−",
+        aria: words.answers.removeTheLastCondition + which,
+      },
     ]
     rows.push(
       part.otherwise
         ? [
             {kind: "label", text: words.answers.otherwise},
             {kind: "label", text: answer},
-            {kind: "socket", name: `O${i}`, sort: "expression", aria: words.answers.otherwise2(what)},
+            {kind: "socket", name: `O${i}`, sort: "expression", aria: words.answers.otherwise2(what) + which},
             ...last,
           ]
         : last,
@@ -84,13 +89,13 @@ export function rightRows(i: number, part: Part, answer: string, what: string): 
   if (part.where)
     rows.push([
       {kind: "label", text: words.answers.where},
-      {kind: "stack", name: `W${i}`, sort: "definition", aria: words.answers.definitionsUsed},
+      {kind: "stack", name: `W${i}`, sort: "definition", aria: words.answers.definitionsUsed + which},
     ])
   return rows
 }
 
-function condition(i: number, g: number, part: Part): Row {
-  const aria = words.answers.condition(g + 1)
+function condition(i: number, g: number, part: Part, which: string): Row {
+  const aria = words.answers.condition(g + 1) + which
   if (part.stacked.includes(g))
     return [
       {kind: "label", text: words.answers.ifAll},

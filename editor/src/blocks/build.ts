@@ -81,6 +81,7 @@ export function registerBlocks(views: readonly BlockView[], actions: () => Build
         if (this.isInFlyout || !Blockly.keyboardNavigationController.getIsActive()) return
         this.workspace.scrollBoundsIntoView(this.getBoundingRectangleWithoutChildren())
       },
+      checkAndDelete: deleted,
       // Blockly pushes away blocks that lie near a socket of another. Here they lie where the learner put them.
       bumpNeighbours() {},
       saveExtraState(this: Blockly.Block) {
@@ -92,6 +93,25 @@ export function registerBlocks(views: readonly BlockView[], actions: () => Build
       },
     }
   }
+}
+
+/// Deletes a block, and leaves the focus where it was: on the empty socket, or on the step before or after. Blockly
+/// gives it to the block around, later.
+function deleted(this: Blockly.BlockSvg): void {
+  if (this.workspace.isFlyout) return
+  Blockly.Events.setGroup(true)
+  this.workspace.hideChaff()
+  const socket = this.outputConnection?.targetConnection ?? this.previousConnection?.targetConnection
+  const stacked = this.outputConnection === null
+  if (socket != null) {
+    this.unplug(stacked)
+    // Only what is drawn can have the focus.
+    Blockly.renderManagement.triggerQueuedRenders(this.workspace)
+    const inStack = socket.getParentInput() === null ? socket.getSourceBlock() : socket
+    Blockly.getFocusManager().focusNode(stacked ? (socket.targetBlock() ?? inStack) : socket)
+  }
+  this.dispose(stacked, true)
+  Blockly.Events.setGroup(false)
 }
 
 /// All that a block says about itself besides its children.

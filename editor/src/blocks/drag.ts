@@ -4,6 +4,7 @@
 import type {Place} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {type Asker, beginMovement, endMovement, Movement, movementIn, placeOf} from "./checker.ts"
+import {moveBelowOthers} from "./fill.ts"
 import type {RefusalLine} from "./refusal.ts"
 
 /// What a movement needs from the view that it happens in.
@@ -14,10 +15,6 @@ export interface DragHost {
   chosen(): Blockly.Block | undefined
   readonly refusal: RefusalLine
 }
-
-/// Pixels from the corner of an empty workspace, and between blocks, where the keys put a new one.
-const freePlace = 30
-const freeGap = 28
 
 class Dragging extends Blockly.dragging.BlockDragStrategy {
   private readonly moved: Blockly.BlockSvg
@@ -42,16 +39,9 @@ class Dragging extends Blockly.dragging.BlockDragStrategy {
     return super.startDrag(event)
   }
 
-  /// A block that the keys bring comes below all others: definitions are read, and printed, from top to bottom.
   protected override positionNewBlock(offered: Blockly.BlockSvg, made: Blockly.BlockSvg): void {
     super.positionNewBlock(offered, made)
-    if (!this.byKeyboard) return
-    const others = made.workspace.getTopBlocks(false).filter(block => block !== made)
-    const boxes = others.map(block => block.getBoundingRectangle())
-    const box = made.getBoundingRectangle()
-    const x = Math.min(...boxes.map(other => other.left), box.left + freePlace)
-    const y = Math.max(...boxes.map(other => other.bottom), freePlace - freeGap) + freeGap
-    made.moveBy(x - box.left, y - box.top, ["cleanup"])
+    if (this.byKeyboard) moveBelowOthers(made)
   }
 
   /// Asks about every socket there is. The keys need it to step from one to the next, the pointer does not.

@@ -95,6 +95,8 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
   const {KeyCodes} = Blockly.utils
   // C tidies in Blockly; Ctrl+Enter is the page's Run.
   keys.unregister(Blockly.ShortcutItems.names.CLEANUP)
+  // Home and End of a block, Page up and down of a stack, Ctrl+Home and Ctrl+End of them all.
+  Blockly.ShortcutItems.registerNavigationShortcuts()
   const menu = Blockly.ShortcutItems.names.MENU
   keys.removeAllKeyMappings(menu)
   keys.addKeyMapping(keys.createSerializedKey(KeyCodes.F10, [Blockly.utils.KeyCodes.SHIFT]), menu)
@@ -116,13 +118,34 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
     },
   })
   keys.register({
+    name: "rosyFill",
+    keyCodes: [KeyCodes.ENTER],
+    allowCollision: true,
+    displayText: () => words.blocks.fill,
+    preconditionFn: (workspace, scope) =>
+      !workspace.isDragging() && scope.focusedNode instanceof Blockly.RenderedConnection,
+    callback: (_, event) => {
+      const view = actions()
+      if (view === undefined) return false
+      event.preventDefault()
+      Blockly.keyboardNavigationController.setIsActive(true)
+      view.focusSearch()
+      return true
+    },
+  })
+  keys.register({
     name: "rosyNextEmpty",
-    keyCodes: [KeyCodes.E],
+    keyCodes: [KeyCodes.E, keys.createSerializedKey(KeyCodes.E, [KeyCodes.SHIFT])],
     displayText: () => words.blocks.nextEmpty,
     preconditionFn: workspace => !workspace.isDragging(),
-    callback: workspace => {
-      const next = nextEmpty(workspace)
-      if (next === undefined) return false
+    callback: (workspace, event) => {
+      // Only what is drawn can have the focus.
+      Blockly.renderManagement.triggerQueuedRenders(workspace)
+      const next = nextEmpty(workspace, event instanceof KeyboardEvent && event.shiftKey)
+      if (next === undefined) {
+        Blockly.utils.aria.announceDynamicAriaState(words.blocks.noneEmpty)
+        return false
+      }
       Blockly.keyboardNavigationController.setIsActive(true)
       Blockly.getFocusManager().focusNode(next)
       return true

@@ -15,16 +15,22 @@ import {words} from "../words/index.ts"
 import {placeOf} from "./checker.ts"
 import {flyoutBlock} from "./toolbox.ts"
 
-/// The chosen place: the socket with the focus, the first empty socket of the chosen block, or the place the block
-/// itself is in. Opening the toolbox takes the focus away, but Blockly marks where it came from.
+/// The chosen place: the first of `chosenPlaces`.
 export function chosenPlace(workspace: Blockly.WorkspaceSvg): Place | undefined {
+  return chosenPlaces(workspace)[0]
+}
+
+/// Where something new may go, best first: the socket with the focus; or else the empty sockets of the chosen block and
+/// below it; or else the place that the block itself is in. Opening the toolbox takes the focus away, but Blockly marks
+/// where it came from.
+export function chosenPlaces(workspace: Blockly.WorkspaceSvg): readonly Place[] {
   const node = chosenNode(workspace)
-  if (node instanceof Blockly.RenderedConnection) return placeOf(node)
+  if (node instanceof Blockly.RenderedConnection) return [placeOf(node)]
   const block = node instanceof Blockly.Field ? node.getSourceBlock() : node
-  if (!(block instanceof Blockly.BlockSvg)) return undefined
-  for (const input of block.inputList) {
-    if (input.connection !== null && input.connection.targetBlock() === null) return placeOf(input.connection)
-  }
+  if (!(block instanceof Blockly.BlockSvg)) return []
+  const places = block.inputList.flatMap(({connection}) =>
+    connection !== null && connection.targetBlock() === null ? [placeOf(connection)] : [],
+  )
   // A step is followed by another, and so is a definition inside one.
   const stacked = block.nextConnection?.getCheck()
   const inside = block.getSurroundParent() !== null
@@ -32,10 +38,11 @@ export function chosenPlace(workspace: Blockly.WorkspaceSvg): Place | undefined 
     block.nextConnection !== null &&
     (stacked?.includes("step") || (stacked?.includes("definition") && inside))
   ) {
-    return placeOf(block.nextConnection)
+    places.push(placeOf(block.nextConnection))
   }
+  if (places.length > 0) return places
   const above = block.outputConnection?.targetConnection
-  return above == null ? undefined : placeOf(above)
+  return above == null ? [] : [placeOf(above)]
 }
 
 /// The block with the focus, or the one that had it before the toolbox.
@@ -53,48 +60,35 @@ function chosenNode(workspace: Blockly.WorkspaceSvg): Blockly.IFocusableNode | n
   return marked?.id ? workspace.lookUpFocusableNode(marked.id) : null
 }
 
-/// The next place that is empty, as one reads: after the one with the focus, and from the beginning again.
-export function nextEmpty(workspace: Blockly.WorkspaceSvg): Blockly.RenderedConnection | undefined {
+/// The next place that is empty, as one reads: after what has the focus, then in the other stacks, and from the
+/// beginning again. `back`: the one before.
+export function nextEmpty(
+  workspace: Blockly.WorkspaceSvg,
+  back = false,
+): Blockly.RenderedConnection | undefined {
+  const all = workspace.getTopBlocks(true).flatMap(block => [...asRead(block)])
   const node = chosenNode(workspace)
-  const from = node instanceof Blockly.BlockSvg ? node : ownerOf(node)
-  const start = from === undefined ? [] : placesIn(from.getRootBlock() as Blockly.BlockSvg)
-  const others = workspace.getTopBlocks(true).flatMap(block => placesIn(block))
-  const all = [...start, ...others.filter(place => !start.includes(place))]
-  const inside = node instanceof Blockly.RenderedConnection ? all.indexOf(node) + 1 : -1
-  const after =
-    inside > 0
-      ? inside
-      : from === undefined
-        ? 0
-        : Math.max(
-            0,
-            all.findIndex(place => isAtOrAfter(place, from)),
-          )
-  const turned = [...all.slice(after), ...all.slice(0, after)]
-  return turned.find(place => place.targetBlock() === null && place.canBeFocused())
+  const at = all.findIndex(one => one === node)
+  const turned = [...all.slice(at + 1), ...all.slice(0, at + 1)]
+  if (back) turned.reverse()
+  return turned.find(
+    (one): one is Blockly.RenderedConnection =>
+      one instanceof Blockly.RenderedConnection && one.targetBlock() === null && one.canBeFocused(),
+  )
 }
 
-function ownerOf(node: Blockly.IFocusableNode | null): Blockly.BlockSvg | undefined {
-  if (!(node instanceof Blockly.Field) && !(node instanceof Blockly.RenderedConnection)) return undefined
-  return (node.getSourceBlock() ?? undefined) as Blockly.BlockSvg | undefined
-}
-
-/// Every place of a block and of what it carries, filled or not, as one reads.
-function placesIn(block: Blockly.BlockSvg): Blockly.RenderedConnection[] {
-  const own = block.inputList.flatMap(input => {
-    if (input.connection === null) return []
-    const inside = input.connection.targetBlock() as Blockly.BlockSvg | null
-    return [input.connection as Blockly.RenderedConnection, ...(inside === null ? [] : placesIn(inside))]
-  })
-  const next = block.getNextBlock() as Blockly.BlockSvg | null
-  return next === null ? own : [...own, ...placesIn(next)]
-}
-
-/// Whether a place is one of `block` or comes after it.
-function isAtOrAfter(place: Blockly.RenderedConnection, block: Blockly.BlockSvg): boolean {
-  if (place.getSourceBlock() === block) return true
-  const order = place.getSourceBlock().getRootBlock().getDescendants(true)
-  return order.indexOf(place.getSourceBlock()) > order.indexOf(block)
+/// A block, its fields and places, and what it carries.
+function* asRead(block: Blockly.Block): Generator<Blockly.Block | Blockly.Field | Blockly.Connection> {
+  yield block
+  for (const input of block.inputList) {
+    yield* input.fieldRow
+    if (input.connection === null) continue
+    yield input.connection
+    const inside = input.connection.targetBlock()
+    if (inside !== null) yield* asRead(inside)
+  }
+  const next = block.getNextBlock()
+  if (next !== null) yield* asRead(next)
 }
 
 /// The flyout's contents for the names at a place; those whose type fits come first.

@@ -27,10 +27,10 @@ interface CategoryInfo {
 
 /// An entry of the flyout for a ready block.
 export function flyoutBlock(item: Pick<ToolboxItem, "block">): ItemInfo {
-  // Ids belong to blocks on the workspace: a copy gets its own.
   return {kind: "block", ...withoutIds(item.block)} as unknown as ItemInfo
 }
 
+/// Ids belong to blocks on the workspace: a copy gets its own.
 function withoutIds(block: ToolboxItem["block"]): ToolboxItem["block"] {
   const {id: _, x: __, y: ___, ...rest} = block
   const copy: ToolboxItem["block"] = {...rest}
@@ -122,21 +122,32 @@ export function findable(items: readonly ToolboxItem[], views: readonly BlockVie
   }))
 }
 
-/// Items whose words hold every word of the query, best first: at the start of the label, of a word of the label,
-/// anywhere in it, on the blocks. The whole label is best of all.
+/// How well the query as it stands fits a label. More than its words can count one by one.
+function phraseRank(label: string, phrase: string): number {
+  if (label === phrase) return 200
+  if (label.startsWith(phrase)) return 100
+  return label.includes(` ${phrase}`) ? 50 : 0
+}
+
+/// Items whose words hold every word of the query, best first: the query as it stands; then each word at the start of
+/// the label, of a word of the label, anywhere in it, on the blocks.
 export function search(items: readonly Findable[], query: string): readonly ToolboxItem[] {
   const words = query
     .toLowerCase()
     .split(/\s+/)
     .filter(word => word !== "")
   if (words.length === 0) return []
+  const phrase = words.join(" ")
   const rank = ({label, words: others}: Findable) =>
-    words.reduce((sum, word) => {
-      const at = label.indexOf(word)
-      if (label === word) return sum + 6
-      if (at >= 0) return sum + (at === 0 ? 4 : label[at - 1] === " " ? 3 : 2)
-      return others.includes(word) ? sum + 1 : Number.NEGATIVE_INFINITY
-    }, 0)
+    words.reduce(
+      (sum, word) => {
+        const at = label.indexOf(word)
+        if (label === word) return sum + 6
+        if (at >= 0) return sum + (at === 0 ? 4 : label[at - 1] === " " ? 3 : 2)
+        return others.includes(word) ? sum + 1 : Number.NEGATIVE_INFINITY
+      },
+      phraseRank(label, phrase),
+    )
   return items
     .map((found, order) => ({item: found.item, order, rank: rank(found)}))
     .filter(found => found.rank > 0)
@@ -239,6 +250,8 @@ export interface Nearby {
   fitting(): ((item: ToolboxItem) => "here" | "alone" | "nowhere") | undefined
   /// Ready blocks and names that fit there, best first; undefined when no place is chosen.
   suggestions(): readonly ToolboxItem[] | undefined
+  /// Puts a block into the chosen place, or beside the others.
+  put(block: SavedBlock): void
 }
 
 const nearby = new WeakMap<Blockly.WorkspaceSvg, Nearby>()
@@ -249,6 +262,7 @@ export function setNearby(workspace: Blockly.WorkspaceSvg, answers: Nearby): voi
 
 class Search extends Blockly.ToolboxCategory {
   private field: HTMLInputElement | undefined
+  private best: ToolboxItem | undefined
 
   protected override createDom_(): HTMLDivElement {
     const dom = super.createDom_()
@@ -308,11 +322,18 @@ class Search extends Blockly.ToolboxCategory {
   // Letters belong to the field, but the arrows lead on to the categories and the blocks found.
   private key(event: KeyboardEvent): void {
     const navigator = this.parentToolbox_.getNavigator()
+    if (event.key === "Enter" && this.best !== undefined) {
+      event.preventDefault()
+      event.stopPropagation()
+      Blockly.keyboardNavigationController.setIsActive(true)
+      nearby.get(this.workspace_)?.put(withoutIds(this.best.block))
+      return
+    }
     const end = this.field?.selectionStart === this.field?.value.length
     const to =
       event.key === "ArrowDown"
         ? navigator.getNextNode()
-        : (event.key === "ArrowRight" && end) || event.key === "Enter"
+        : event.key === "ArrowRight" && end
           ? navigator.getInNode()
           : undefined
     if (to) {
@@ -351,6 +372,7 @@ class Search extends Blockly.ToolboxCategory {
             : undefined
     const counted = words.blocks.found(found.length)
     if (query !== "" || suggested !== undefined) Blockly.utils.aria.announceDynamicAriaState(counted)
+    this.best = found[0]
     this.flyoutItems_ = [
       ...(heading === undefined ? [] : [label(heading)]),
       ...found.map(flyoutBlock),

@@ -21,6 +21,8 @@ import {checkerName, registerChecker} from "./checker.ts"
 import {type SharedClipboard, shareCopies} from "./copied.ts"
 import {type DragHost, giveUpMovement, makeDraggable} from "./drag.ts"
 import type {Tone} from "./families.ts"
+import {putDown} from "./fill.ts"
+import {keepFocus} from "./focus.ts"
 import {nameAfresh} from "./fresh.ts"
 import {showInference} from "./infer.ts"
 import type {Language} from "./language.ts"
@@ -33,7 +35,7 @@ import {registerRemark} from "./remark.ts"
 import {registerRenderer, rendererName} from "./renderer.ts"
 import {boxesOf, makeRoom} from "./room.ts"
 import {loadBlocks, loads, saveBlocks} from "./saved.ts"
-import {chosenBlock, chosenPlace, nameItem, scopeItems, suggest} from "./scope.ts"
+import {chosenBlock, chosenPlace, chosenPlaces, nameItem, scopeItems, suggest} from "./scope.ts"
 import {bringHome, inSight, straysOf} from "./sight.ts"
 import {styleSheet} from "./style.ts"
 import {themes} from "./theme.ts"
@@ -167,6 +169,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   })
   const marks = new Marks(workspace)
   const away = hideFarBlocks(workspace, host)
+  const freeFocus = keepFocus(workspace)
   const changeListeners = new Set<(change: BlocksChange) => void>()
   const selectListeners = new Set<(block: BlockId | undefined) => void>()
   const session = language.session()
@@ -271,18 +274,24 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     },
     typed: query => language.typedItems(query),
     fitting() {
-      const place = chosenPlace(workspace)
-      if (place === undefined) return undefined
+      const places = chosenPlaces(workspace)
+      if (places.length === 0) return undefined
       const check = session.checker(saveBlocks(workspace))
       // What stands alone has its place on the workspace.
       const alone = new Set(["top", "definition"])
       return item =>
-        check.fits(place, item.block).fits ? "here" : alone.has(sortOf(item)) ? "alone" : "nowhere"
+        places.some(place => check.fits(place, item.block).fits)
+          ? "here"
+          : alone.has(sortOf(item))
+            ? "alone"
+            : "nowhere"
     },
     suggestions() {
       const place = chosenPlace(workspace)
       return place && suggest(session, saveBlocks(workspace), place, language.toolbox(level))
     },
+    put: block =>
+      putDown(workspace, block, chosenPlaces(workspace), () => session.checker(saveBlocks(workspace))),
   })
 
   const history: History = options.history ?? {
@@ -414,6 +423,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       unshare?.()
       marks.dispose()
       away.dispose()
+      freeFocus()
       refusal.dispose()
       zoom.remove()
       if (open === actions) open = undefined

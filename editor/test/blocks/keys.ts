@@ -28,13 +28,20 @@ export class Keys {
     return this.page.evaluate(() => document.activeElement?.getAttribute("aria-label") ?? "")
   }
 
-  /// T, some words, and the first block found; it goes to the chosen socket, or stands free.
+  /// T, some words, Enter: the best that is found goes to the chosen place, or stands free.
   async take(words: string): Promise<void> {
     await this.press("t")
     await this.page.keyboard.type(words)
     await settled(this.page)
-    // Into the blocks found, take the first, put it down.
-    await this.press("Enter", "Enter", "Enter")
+    await this.press("Enter")
+  }
+
+  /// On to the next empty place, Enter, some words, Enter.
+  async fill(words: string): Promise<void> {
+    await this.press("e", "Enter")
+    await this.page.keyboard.type(words)
+    await settled(this.page)
+    await this.press("Enter")
   }
 
   /// Right, until something is read that sounds like `label`.

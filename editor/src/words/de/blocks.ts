@@ -25,6 +25,8 @@ export const blocks: Words["blocks"] = {
   showAll: "Alle Blöcke zeigen",
   strays: "Verirrte Blöcke heimholen",
   nextEmpty: "Nächster leerer Platz",
+  noneEmpty: "Kein Platz ist mehr leer",
+  fill: "Den leeren Platz füllen",
   zoom: "Zoom",
   zoomOut: "Kleiner",
   zoomIn: "Größer",

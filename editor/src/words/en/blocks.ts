@@ -23,6 +23,8 @@ export const blocks = {
   showAll: "Show all blocks",
   strays: "Bring stray blocks home",
   nextEmpty: "Next empty place",
+  noneEmpty: "No empty place is left",
+  fill: "Fill the empty place",
   zoom: "Zoom",
   zoomOut: "Zoom out",
   zoomIn: "Zoom in",
