@@ -23,6 +23,24 @@ test("drawSquare, typed key by key, becomes blocks and drives", async ({page}) =
   await learner.stops()
 })
 
+test("a line ends where Enter is pressed, also when something is offered for a word that is there already", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  await learner.haskell().click()
+  await page.keyboard.press("Control+End")
+  await page.keyboard.type("\nloud = ErrorSound")
+  await expect(page.getByRole("listbox").getByRole("option").first()).toContainText("ErrorSound")
+  await page.keyboard.press("Enter")
+  await page.keyboard.press("Enter")
+  await page.keyboard.type("silent = OffSo")
+  await expect(page.getByRole("listbox").getByRole("option").first()).toContainText("OffSound")
+  // What is not there yet is taken.
+  await page.keyboard.press("Enter")
+  await expect.poll(() => learner.haskellText()).toMatch(/\nloud = ErrorSound\n\nsilent = OffSound$/)
+})
+
 test("broken text keeps its blocks, dimmed, until it is mended", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("accelerateAndPlay")

@@ -20,6 +20,8 @@ import {reasons} from "./reasons.ts"
 import type {NodeNames, Parsed, Syntax} from "./syntax.ts"
 import {copyTree, namedChildren, nodeNames} from "./syntax.ts"
 import {untabbed} from "./tabs.ts"
+import type {Word} from "./wordroles.ts"
+import {wordsOf} from "./wordroles.ts"
 
 /// A part of a file. `header` holds `module`, imports, pragmas and directives, which have no blocks; `end` what follows the last definition.
 export interface Piece extends Range {
@@ -40,6 +42,8 @@ export interface Piece extends Range {
   readonly broken: boolean
   /// Where each node of `declaration` stands, counted from `core.start`.
   readonly spans: ReadonlyMap<object, Range>
+  /// What its names are there for, in their order, counted from `core.start`; also of a broken one.
+  readonly words: readonly Word[]
 }
 
 export interface Module {
@@ -53,6 +57,7 @@ interface Converted {
   readonly declaration: Declaration
   readonly broken: boolean
   readonly spans: ReadonlyMap<object, Range>
+  readonly words: readonly Word[]
 }
 
 /// Longer definitions are kept as text: nobody shows them as blocks, and a broken one would cost the parser seconds.
@@ -101,6 +106,7 @@ export class Reader {
           declaration: undefined,
           broken: false,
           spans: new Map(),
+          words: [],
         }
       pieces.push({...piece, kind: part.kind, slice: text.slice(start, part.end), start, end: part.end})
       start = part.end
@@ -124,6 +130,7 @@ export class Reader {
     const context = new Context(source, shifted, fixities)
     const parsed =
       part.trouble !== undefined || part.source.length > longest ? undefined : this.parse(source, part, shift)
+    const words = parsed === undefined ? [] : wordsOf(parsed.root, shift)
     const made: Declaration | Cause =
       part.trouble ??
       (parsed === undefined ? "large" : parsed.broken ? "broken" : readTop(topOf(parsed.root), context))
@@ -140,7 +147,7 @@ export class Reader {
           ? context.spans
           : new Map([...context.spans].map(([node, span]) => [node, moved(span, -shift)]))
       spans.set(declaration, {start: 0, end: part.source.length})
-      return {declaration, broken: false, spans}
+      return {declaration, broken: false, spans, words}
     }
     const declaration: Declaration = {
       kind: "raw-declaration",
@@ -152,6 +159,7 @@ export class Reader {
       declaration,
       broken: made === "broken",
       spans: new Map([[declaration, {start: 0, end: part.source.length}]]),
+      words,
     }
   }
 

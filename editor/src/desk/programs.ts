@@ -125,7 +125,9 @@ export function withText(reader: Reader, document: Document, text: string): Docu
 
 /// The document with what type inference tells of its blocks.
 export function analysed(document: Document, inference: Inference): Document {
-  const families = Object.fromEntries([...inference.blocks].map(([block, {family}]) => [block, family]))
+  const families = Object.fromEntries(
+    [...inference.blocks, ...inference.definitions].map(([block, {family}]) => [block, family]),
+  )
   const program = {...document.program, families}
   // What is wrong with blocks that no longer say what the text says is nobody's problem.
   const findings = inference.problems
@@ -176,7 +178,10 @@ function documentOf(view: View, workspace: SavedWorkspace): Document {
     return piece.names.map(name => ({name, start, end, block: shown.block.id ?? ""}))
   })
   const dimmed = view.declarations.filter(d => d.dimmed).flatMap(d => d.block.id ?? [])
-  const program = {text: view.text, spans, definitions, families: {}}
+  const words = view.module.pieces
+    .filter(piece => piece.words.length > 0)
+    .map(piece => ({start: piece.core.start, words: piece.words}))
+  const program = {text: view.text, spans, definitions, families: {}, words}
   return {program, workspace, view, dimmed, findings: []}
 }
 

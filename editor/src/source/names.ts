@@ -2,13 +2,18 @@
 /// cannot be read yet, the names that the page knows itself. Blocks of the toolbox come as whole pieces of text.
 
 import {
+  acceptCompletion,
   autocompletion,
   type Completion,
   type CompletionContext,
   type CompletionResult,
+  closeCompletion,
+  completionKeymap,
+  selectedCompletion,
   snippetCompletion,
 } from "@codemirror/autocomplete"
-import type {Extension} from "@codemirror/state"
+import {type Extension, Prec} from "@codemirror/state"
+import {type Command, keymap} from "@codemirror/view"
 import type {KnownName} from "@rosy/codegen"
 import type {Fitting} from "../state/messages.ts"
 import {known, told} from "./known.ts"
@@ -108,5 +113,33 @@ function snippet(label: string, code: string, section: string): Completion {
   })
 }
 
-export const names = (completer: Completer): Extension =>
-  autocompletion({override: [context => complete(context, completer)], icons: false})
+/// Enter takes what is chosen, but not for a word that stands there already: who has typed it to its end wants the next line.
+const takeUnlessWritten: Command = view => {
+  const chosen = selectedCompletion(view.state)
+  const {head} = view.state.selection.main
+  const written =
+    chosen !== null &&
+    view.state.sliceDoc(head - chosen.label.length, head) === chosen.label &&
+    isPlain(chosen)
+  if (!written) return acceptCompletion(view)
+  closeCompletion(view)
+  return false
+}
+
+/// A snippet puts in more than its label.
+const isPlain = ({apply}: Completion) => apply === undefined
+
+export const names = (completer: Completer): Extension => [
+  autocompletion({
+    override: [context => complete(context, completer)],
+    icons: false,
+    defaultKeymap: false,
+  }),
+  Prec.highest(
+    keymap.of([
+      {key: "Enter", run: takeUnlessWritten},
+      {key: "Tab", run: acceptCompletion},
+      ...completionKeymap.filter(({key}) => key !== "Enter"),
+    ]),
+  ),
+]

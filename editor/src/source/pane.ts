@@ -1,7 +1,7 @@
 /// The Haskell pane: CodeMirror, in step with the blocks. What the learner types goes out as text; what comes in from
 /// the blocks or from undo is set with as few changes as it takes, so that the cursor and the scroll position stay.
 
-import {closeBrackets, closeBracketsKeymap, completionKeymap} from "@codemirror/autocomplete"
+import {closeBrackets, closeBracketsKeymap} from "@codemirror/autocomplete"
 import {defaultKeymap, indentLess, indentMore} from "@codemirror/commands"
 import {bracketMatching} from "@codemirror/language"
 import {type Diagnostic, lintGutter, lintKeymap, openLintPanel, setDiagnostics} from "@codemirror/lint"
@@ -108,7 +108,6 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
           renameKey,
           {key: "Shift-Alt-f", run: () => (options.format(), true)},
           ...closeBracketsKeymap,
-          ...completionKeymap,
           ...searchKeymap,
           ...lintKeymap,
           ...defaultKeymap,

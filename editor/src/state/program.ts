@@ -1,5 +1,6 @@
 /// The program as the page knows it: its text, where each block's text is, and which block a problem is about.
 
+import type {Word} from "@rosy/codegen/reader"
 import type {Fix} from "./fixes.ts"
 import type {Place, Problem} from "./messages.ts"
 
@@ -26,9 +27,11 @@ export interface Program {
   readonly definitions: readonly Definition[]
   /// The family of each block whose type is known.
   readonly families: {readonly [block: BlockId]: Family}
+  /// What the names in each top-level piece of the text are there for, by the syntax tree: counted from where the piece starts.
+  readonly words: readonly {readonly start: number; readonly words: readonly Word[]}[]
 }
 
-export const emptyProgram: Program = {text: "", spans: [], definitions: [], families: {}}
+export const emptyProgram: Program = {text: "", spans: [], definitions: [], families: {}, words: []}
 
 /// A problem on the page: what it says, and the block and text it is about when it has any.
 export interface Finding {

@@ -20,6 +20,16 @@ describe("an edit of blocks that had not followed the text yet", () => {
       "a=9",
     )
   })
+  it("takes nothing back that was typed into a block that only moved, was folded or unfolded", () => {
+    const at = (id: string, value: string, x: number): SavedBlock => ({...block(id, value), x, y: 0})
+    const before = workspace(at("a", "1", 0), {...at("b", "1", 0), collapsed: true})
+    const moved = workspace({...at("a", "1", 40), collapsed: true}, at("b", "1", 0))
+    const now = workspace(at("a", "2", 0), {...at("b", "2", 0), collapsed: true})
+    const result = merged(before, moved, now)
+    expect(ids(result)).toBe("a=2 b=2")
+    expect(result.blocks.blocks[0]).toEqual({...at("a", "2", 40), collapsed: true})
+    expect(result.blocks.blocks[1]).toEqual(at("b", "2", 0))
+  })
   it("adds and removes definitions", () => {
     const edited = workspace(block("b", "1"), block("d", "9"))
     expect(ids(merged(shown, edited, workspace(block("a", "1"), block("b", "2"))))).toBe("b=2 d=9")

@@ -1,8 +1,7 @@
-/// Words of Haskell, told apart for their colours; and how little of the text is replaced.
+/// Words of Haskell, told apart; and how little of the text is replaced.
 
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {classOf} from "../../src/source/colours.ts"
 import {difference} from "../../src/source/difference.ts"
 import {tokens} from "../../src/source/lexer.ts"
 
@@ -48,15 +47,6 @@ describe("the lexer", () => {
         expect(at).toBeLessThanOrEqual(text.length)
       }),
     )
-  })
-})
-
-describe("a word's colour", () => {
-  it("is its block's, and otherwise the one its name has", () => {
-    const velocity = {kind: "type", start: 0, end: 8} as const
-    expect(classOf(velocity, "Velocity", "command", false)).toBe("hs-command")
-    expect(classOf(velocity, "Velocity", undefined, false)).toBe("hs-state")
-    expect(classOf(velocity, "Mode", undefined, false)).toBe("hs-own")
   })
 })
 

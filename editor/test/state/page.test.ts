@@ -70,6 +70,7 @@ const program = {
     {name: "main", start: 24, end: 50, block: "main"},
   ],
   families: {},
+  words: [],
 }
 const document: Document = {...emptyDocument, program}
 const open = play({...firstPage, document}, hello, hear({op: "worker", state: "ready"})).state
