@@ -1,7 +1,7 @@
 /// Text and blocks are two views of one program: what is written in one appears in the other, and nothing is lost on the way.
 
 import {readFileSync} from "node:fs"
-import {expect, test} from "@playwright/test"
+import {expect, type Page, test} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
 
 const drawSquare = readFileSync(new URL("../../examples/drawSquare/Main.hs", import.meta.url), "utf8")
@@ -214,4 +214,60 @@ test("while somebody writes, the text says what fits and whose input comes next"
   await learner.haskell().getByText("ErrorSound").hover()
   await expect(page.locator(".hs-explained").last()).toContainText("ErrorSound :: Sound")
   await expect(page.getByRole("link", {name: "Read more"})).toHaveAttribute("href", /api-docs/)
+})
+
+test.describe("a block of the toolbox that is let fall on the text", () => {
+  /// Drags what the search finds first to a place in the Haskell, by mouse or by finger.
+  async function carries(page: Page, words: string, to: {x: number; y: number}, by: "mouse" | "touch") {
+    await page.locator(".rosySearch").click()
+    await page.keyboard.insertText(words)
+    const found = page.locator(".blocklyFlyout .blocklyDraggable > .blocklyPath").first()
+    await expect(found).toBeVisible()
+    const box = await found.boundingBox()
+    if (box === null) throw new Error("expected a block in the toolbox")
+    const from = {x: box.x + 9, y: box.y + Math.min(box.height / 2, 12)}
+    const path = [from, {x: from.x + 30, y: from.y}, {x: (from.x + to.x) / 2, y: to.y}, to]
+    const client = await page.context().newCDPSession(page)
+    for (const [i, {x, y}] of path.entries()) {
+      if (by === "touch")
+        await client.send("Input.dispatchTouchEvent", {
+          type: i === 0 ? "touchStart" : "touchMove",
+          touchPoints: [{x, y}],
+        })
+      else {
+        await page.mouse.move(x, y)
+        if (i === 0) await page.mouse.down()
+      }
+      await page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))))
+    }
+    await expect(page.locator(".hs-carried")).toBeVisible()
+    if (by === "touch") await client.send("Input.dispatchTouchEvent", {type: "touchEnd", touchPoints: []})
+    else await page.mouse.up()
+    await expect(page.locator(".hs-carried")).toBeHidden()
+  }
+  const placeOf = async (page: Page, words: string) => {
+    const line = await page.locator(".cm-line", {hasText: words}).boundingBox()
+    if (line === null) throw new Error(`expected a line with ${words}`)
+    return line
+  }
+
+  for (const by of ["mouse", "touch"] as const)
+    test.describe(`by ${by}`, () => {
+      test.use({hasTouch: by === "touch"})
+      test("is there as its Haskell, and gone with one undo", async ({page}) => {
+        const learner = new Learner(page)
+        await learner.opens("accelerateAndPlay")
+        const before = await learner.haskellText()
+        const blocks = await page.locator(".blocklySvg .blocklyBlockCanvas > .blocklyDraggable").count()
+        const line = await placeOf(page, "main = simulate")
+        await carries(page, "function", {x: line.x + 60, y: line.y + line.height * 3}, by)
+        await expect
+          .poll(() => learner.haskellText())
+          .toMatch(/\nmain = simulate \(accelerate, play\)\n\n\S.* = _$/)
+        await learner.keeps(`carried-${by}`)
+        await page.getByRole("button", {name: "Undo"}).click()
+        await expect.poll(() => learner.haskellText()).toBe(before)
+        await expect(page.locator(".blocklySvg .blocklyBlockCanvas > .blocklyDraggable")).toHaveCount(blocks)
+      })
+    })
 })

@@ -27,24 +27,30 @@ export function toHaskell(workspace: SavedWorkspace): Haskell {
   return {text: printed.text, spans: printed.spans, problems: problemsOf(solved), declarations}
 }
 
+/// A block as Haskell: a definition, steps below each other, or something that stands inside of one.
+export interface PieceOfCode {
+  readonly text: string
+  readonly as: "definition" | "steps" | "part"
+}
+
 /// A block, with all it carries, as a piece of Haskell to put into a text. A definition stands at the margin; anything else begins where it is put.
-export function codeOf(block: SavedBlock): {readonly text: string; readonly definition: boolean} | undefined {
+export function codeOf(block: SavedBlock): PieceOfCode | undefined {
   const {program, loose} = readWorkspace({blocks: {languageVersion: 0, blocks: [block]}})
   const [one] = loose
-  if (program.declarations.length > 0) return {text: printProgram(program).text.trimEnd(), definition: true}
+  if (program.declarations.length > 0) return {text: printProgram(program).text.trimEnd(), as: "definition"}
   if (one === undefined) return undefined
   switch (one.kind) {
     case "expression":
-      return {text: printExprAlone(one.expr), definition: false}
+      return {text: printExprAlone(one.expr), as: "part"}
     case "pattern":
-      return {text: printPatternAlone(one.pattern), definition: false}
+      return {text: printPatternAlone(one.pattern), as: "part"}
     default: {
       // A block of steps is printed with its `do`; without it, its steps stand below each other.
       const lines = printExprAlone({kind: "do", statements: one.steps}).replace(/^do\s/, "").split("\n")
       const indent = Math.min(...lines.map(l => l.search(/\S/)).filter(n => n >= 0))
       return {
         text: lines.map(l => l.slice(Math.max(0, Math.min(indent, l.search(/\S/))))).join("\n"),
-        definition: false,
+        as: "steps",
       }
     }
   }

@@ -28,7 +28,11 @@ import {showInference} from "./infer.ts"
 import type {Language} from "./language.ts"
 import {Marks} from "./marks.ts"
 import {type MenuActions, registerMenus} from "./menus.ts"
+
 import {sameBlocks} from "./order.ts"
+
+import {letFallOutside, type Outside} from "./outside.ts"
+
 import {pull} from "./pull.ts"
 import {RefusalLine} from "./refusal.ts"
 import {registerRemark} from "./remark.ts"
@@ -48,6 +52,8 @@ export interface BlocksOptions {
   readonly level?: Level
   /// Where copied blocks are shared with other tabs.
   readonly clipboard?: SharedClipboard
+  /// Where new blocks can be let fall beside the workspace.
+  readonly outside?: Outside
   /// Told when the learner chose another level in the toolbox.
   readonly onLevel?: (level: Level) => void
   /// Where Blockly's pictures are served; nothing is fetched from elsewhere.
@@ -341,6 +347,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     options.onLevel?.(level)
   }
 
+  const indoors = options.outside && letFallOutside(workspace, options.outside, id => made.has(id))
   const unshare = options.clipboard && shareCopies(workspace, options.clipboard, loads)
   const zoom = zoomButtons(host, workspace)
   const observer = new ResizeObserver(() => Blockly.svgResize(workspace))
@@ -421,6 +428,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     dispose() {
       observer.disconnect()
       unshare?.()
+      indoors?.()
       marks.dispose()
       away.dispose()
       freeFocus()

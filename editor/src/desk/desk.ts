@@ -21,6 +21,7 @@ import {openSession, type Session} from "../run/session.ts"
 import {type Liking, openShelf} from "../run/storage.ts"
 import {addressNames, wantedExample, watchDark, watchKeys, watchSight, watchSize} from "../run/window.ts"
 import {openSource, type SourcePane} from "../source/pane.ts"
+import {putting} from "../source/putting.ts"
 import {type Fix, mended, movedFix, signatureFix, whereToGoOn} from "../state/fixes.ts"
 import {drives} from "../state/helm.ts"
 import type {Order, PageState} from "../state/page.ts"
@@ -311,6 +312,28 @@ export function openDesk(address: string): Desk {
         level: shelf.level() ?? "reactions",
         onLevel: level => shelf.setLevel(level),
         clipboard: openClipboard(window.localStorage),
+        outside: {
+          area: () => source?.area() ?? null,
+          over(block, x, y) {
+            const code = codegen.codeOf(block)
+            const at = source?.aim(x, y) ?? null
+            if (code === undefined || at === null) return source?.carry(null)
+            const {text} = store.now.document.program
+            source?.carry({code: code.text, at: putting(text, at, code).from, x, y})
+          },
+          left: () => source?.carry(null),
+          dropped(block, x, y) {
+            flush()
+            const code = codegen.codeOf(block)
+            const at = source?.aim(x, y) ?? null
+            if (code === undefined || at === null) return
+            const {text} = store.now.document.program
+            const {from, to, insert, select} = putting(text, at, code)
+            rewrite(text.slice(0, from) + insert + text.slice(to))
+            source?.setProgram(store.now.document.program)
+            source?.choose(select)
+          },
+        },
         history: {
           undo,
           redo,

@@ -10,6 +10,7 @@ import {Annotation, Compartment, EditorState} from "@codemirror/state"
 import {drawSelection, EditorView, keymap} from "@codemirror/view"
 import type {Fix} from "../state/fixes.ts"
 import type {Finding, Program} from "../state/program.ts"
+import {type Carried, showCarried} from "./carried.ts"
 import {colours, programShown} from "./colours.ts"
 import {difference} from "./difference.ts"
 import {type Explainer, explain} from "./explain.ts"
@@ -33,6 +34,12 @@ export interface SourcePane {
   cursor(): number
   /// Brings a place into sight and puts the cursor there.
   reveal(range: Range): void
+  /// The offset under a place on the screen, and the way it shows itself there; `null` outside of the text.
+  aim(x: number, y: number): number | null
+  /// Shows where a piece of text would go; `null` ends that.
+  carry(carried: Carried | null): void
+  /// Where the text is on the screen; `null` while it is not to be seen or not to be changed.
+  area(): DOMRect | null
   /// Selects a place, and gives the pane the keyboard.
   choose(range: Range): void
   dispose(): void
@@ -133,6 +140,7 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
     }),
   })
 
+  const carrying = showCarried(view)
   return {
     setProgram(program) {
       const changes = difference(view.state.doc.toString(), program.text)
@@ -182,6 +190,17 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
         effects: EditorView.scrollIntoView(at, {y: "center"}),
       })
     },
+    aim(x, y) {
+      return view.posAtCoords({x, y}, false)
+    },
+    carry(carried) {
+      carrying.show(carried)
+    },
+    area() {
+      if (view.state.readOnly || host.offsetParent === null) return null
+      const area = host.getBoundingClientRect()
+      return area.width === 0 || area.height === 0 ? null : area
+    },
     choose(range) {
       const {length} = view.state.doc
       view.dispatch({
@@ -191,6 +210,7 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
       view.focus()
     },
     dispose() {
+      carrying.show(null)
       view.destroy()
     },
   }
