@@ -28,11 +28,8 @@ import {showInference} from "./infer.ts"
 import type {Language} from "./language.ts"
 import {Marks} from "./marks.ts"
 import {type MenuActions, registerMenus} from "./menus.ts"
-
 import {sameBlocks} from "./order.ts"
-
 import {letFallOutside, type Outside} from "./outside.ts"
-
 import {pull} from "./pull.ts"
 import {RefusalLine} from "./refusal.ts"
 import {registerRemark} from "./remark.ts"
