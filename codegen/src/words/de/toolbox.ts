@@ -191,7 +191,6 @@ export const toolbox: Words["toolbox"] = {
   wholeAndPartsPattern: "Ganzes und Teile, Muster",
   exactlyThisCharacterPattern: "genau dieses Zeichen, Muster",
   exactlyThisTextPattern: "genau dieser Text, Muster",
-  exactlyThisCharacterPattern: "genau dieses Zeichen, Muster",
   aRandomNumberInARange: "eine Zufallszahl aus einem Bereich",
   aRandomValue: "ein zufälliger Wert",
   whenItSenses: "Wenn er spürt",
