@@ -38,7 +38,10 @@ BENCHES: dict[str, tuple[str, list[list[str]]]] = {
             ],
         ],
     ),
-    "worker": ("check and run in the worker, beside ghci, runghc and ghc -O0", [[sys.executable, "rosy-hs/test-worker/bench/worker.py"]]),
+    "worker": (
+        "check and run in the worker, beside ghci, runghc and ghc -O0, and how soon another takes its place",
+        [[sys.executable, "rosy-hs/test-worker/bench/worker.py"], [sys.executable, "-m", "rosy_sim.bench", "recovery"]],
+    ),
     "room": (
         "pictures a second of a full room with a long trail and three curves, and bytes a second to the page",
         [["npx", "vite-node", "e2e-tests/bench/room.ts"]],

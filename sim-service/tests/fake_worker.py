@@ -2,7 +2,8 @@
 A worker that compiles nothing: a source is a script of ``fake_program``, played in a forked child.
 
 Words of its own: ``refuse`` (does not compile), ``slow`` (never finishes compiling), ``die`` (the worker itself
-dies), ``babble`` (sends what is no answer). Run it as a program with its socket as descriptor 3.
+dies), ``hang`` (it runs in circles), ``babble`` (sends what is no answer). Run it as a program with its socket as
+descriptor 3.
 """
 
 from __future__ import annotations
@@ -58,6 +59,8 @@ class Worker:
                 script = Script(request["source"])
                 if script.has("die"):
                     os._exit(1)
+                while script.has("hang"):
+                    pass
                 if script.has("babble"):
                     self.socket.sendall(b"what?\n")
                 if script.has("slow"):
@@ -72,6 +75,8 @@ class Worker:
                     self.send(op="completed", id=ident, expected="Velocity", names=[name])
             case "run":
                 self.start(ident, request["source"], descriptors.pop(0))
+            case "ping":
+                self.send(op="pong", id=ident)
             case "kill":
                 with contextlib.suppress(KeyError, ProcessLookupError):
                     os.kill(self.children[ident], signal.SIGKILL)

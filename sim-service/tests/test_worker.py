@@ -104,6 +104,49 @@ def test_a_spare_takes_over(config: Config, monkeypatch: pytest.MonkeyPatch) -> 
     keeping(play, config)
 
 
+@pytest.mark.parametrize("how", ["stopped", "running in circles"])
+def test_a_wedged_worker_is_replaced(config: Config, how: str) -> None:
+    async def play(worker: Worker, states: list[State]) -> None:
+        await worker.check("")
+        ours, theirs = socket.socketpair()
+        program = await worker.start("slow", theirs)
+        wedged = worker.pid
+        assert wedged is not None
+        if how == "stopped":
+            os.kill(wedged, signal.SIGSTOP)
+            waiting = asyncio.create_task(worker.check(""))
+        else:
+            waiting = asyncio.create_task(worker.check("hang"))
+        for future in (waiting, program.gone):
+            with pytest.raises(WorkerLost):
+                await future
+        ours.close()
+        await worker.check("")
+        assert worker.pid != wedged
+        assert states == ["ready", "restarting", "ready"]
+
+    keeping(play, config)
+
+
+def test_a_worker_that_has_little_to_do_is_left_alone(config: Config) -> None:
+    async def play(worker: Worker, states: list[State]) -> None:
+        await worker.check("")
+        first, looks = worker.pid, 0
+        beat = worker._pulse.beat
+
+        def counted() -> bool:
+            nonlocal looks
+            looks += 1
+            return beat()
+
+        worker._pulse.beat = counted  # type: ignore[method-assign]
+        while looks < 10:
+            await asyncio.sleep(0.01)
+        assert (worker.pid, states) == (first, ["ready"])
+
+    keeping(play, config)
+
+
 def test_a_worker_that_vanishes_is_waited_for(config: Config, tmp_path: Path) -> None:
     executable = tmp_path / "worker"
 

@@ -1,13 +1,14 @@
-"""``python -m rosy_sim.bench simulator [--pages N ...] [--seconds S] [--profile]``."""
+"""``python -m rosy_sim.bench simulator [--pages N ...] [--seconds S] [--profile]``, and ``recovery [--rounds N]``."""
 
 from __future__ import annotations
 
 import argparse
+import asyncio
 import sys
 
 from ..config import discover
 from ..errors import RosyError
-from . import lockstep, pages, world
+from . import lockstep, pages, recovery, world
 
 __all__ = ["main"]
 
@@ -15,14 +16,18 @@ __all__ = ["main"]
 def main() -> int:
     """Print the tables."""
     parser = argparse.ArgumentParser(prog="python -m rosy_sim.bench")
-    parser.add_argument("name", choices=["simulator"])
+    parser.add_argument("name", choices=["simulator", "recovery"])
     parser.add_argument("--pages", type=int, nargs="*", default=[50, 100, 150, 200])
     parser.add_argument("--seconds", type=float, default=10.0)
     parser.add_argument("--runs", type=int, help="programs at once; the other pages wait (default: all drive)")
     parser.add_argument("--profile", action="store_true", help="say where the service's time goes")
+    parser.add_argument("--rounds", type=int, default=3, help="deaths of each kind")
     options = parser.parse_args()
     try:
         config = discover()
+        if options.name == "recovery":
+            asyncio.run(recovery.measure(config, options.rounds))
+            return 0
         world.report()
         lockstep.report(config)
         held = 0

@@ -18,6 +18,7 @@ __all__ = [
     "Completed",
     "Failed",
     "Gone",
+    "Pong",
     "Refused",
     "Started",
     "WorkerReady",
@@ -25,6 +26,7 @@ __all__ = [
     "check_request",
     "complete_request",
     "kill_request",
+    "ping_request",
     "run_request",
 ]
 
@@ -82,6 +84,12 @@ class Gone(msgspec.Struct, tag="gone", tag_field="op"):
     problem: Problem | None = None
 
 
+class Pong(msgspec.Struct, tag="pong", tag_field="op"):
+    """It is alive."""
+
+    id: int
+
+
 class Failed(msgspec.Struct, tag="failed", tag_field="op"):
     """The request itself was wrong."""
 
@@ -89,7 +97,7 @@ class Failed(msgspec.Struct, tag="failed", tag_field="op"):
     id: int | None = None
 
 
-Answer = WorkerReady | Checked | Completed | Started | Refused | Gone | Failed
+Answer = WorkerReady | Checked | Completed | Started | Refused | Gone | Pong | Failed
 
 _decoder = msgspec.json.Decoder(Answer)
 
@@ -134,3 +142,8 @@ def run_request(ident: int, source: str, memory: int) -> bytes:
 def kill_request(ident: int) -> bytes:
     """Ends a check or a run."""
     return _line(op="kill", id=ident)
+
+
+def ping_request(ident: int) -> bytes:
+    """Asks for a sign of life."""
+    return _line(op="ping", id=ident)

@@ -1,8 +1,8 @@
 """
 The worker for a service with many pages: one process, restarted when it dies, asked from asyncio.
 
-Answers come home by ``id``. When the process dies, everything under way ends with ``WorkerLost``, the pages
-are told, and a new one is started at once (after a growing pause when it keeps dying).
+Answers come home by ``id``. When the process dies or gives no sign of life, everything under way ends with
+``WorkerLost``, the pages are told, and one that is warm already takes its place (after a growing pause when they keep dying).
 """
 
 from __future__ import annotations
@@ -34,9 +34,11 @@ from ..wire.worker import (
     check_request,
     complete_request,
     kill_request,
+    ping_request,
     run_request,
 )
 from .launch import WorkerProcess, launch
+from .pulse import BEAT, Pulse
 
 __all__ = ["RunningProgram", "State", "Worker"]
 
@@ -49,7 +51,7 @@ State = Literal["starting", "ready", "restarting"]
 _FIRST_PAUSE, _LAST_PAUSE = 0.02, 1.0
 """Between a death and the next start, s; doubles while it keeps dying before it is ready."""
 
-_SPARE_DELAY = 3.0
+_SPARE_DELAY = 1.0
 """After a worker is ready until the next one is warmed up beside it, s: the first run comes first."""
 
 
@@ -76,6 +78,7 @@ class Worker:
         self.pid: int | None = None
         # Warm and waiting; takes over at once when the worker dies.
         self._spare: WorkerProcess | None = None
+        self._prepared = asyncio.Event()
         # Set when run() is over: no spare may be started any more.
         self._over = False
         self._ids = 0
@@ -86,6 +89,7 @@ class Worker:
         self._stream = WorkerStream()
         self._ready = asyncio.Event()
         self._closed = asyncio.Event()
+        self._pulse = Pulse(0)
 
     # Keeping one alive
 
@@ -129,6 +133,7 @@ class Worker:
         self._stream = WorkerStream()
         self._ready.clear()
         self._closed.clear()
+        self._pulse = Pulse(process.pid)
         loop.add_reader(process.socket, self._read)
         try:
             async with asyncio.timeout(self._config.limits.worker_ready) as limit:
@@ -137,7 +142,7 @@ class Worker:
                 try:
                     await asyncio.wait((closed, ready), return_when=asyncio.FIRST_COMPLETED)
                     limit.reschedule(None)
-                    await closed
+                    await self._wedged(closed)
                 finally:
                     closed.cancel()
                     ready.cancel()
@@ -147,13 +152,35 @@ class Worker:
             loop.remove_reader(process.socket)
             loop.remove_writer(process.socket)
 
+    async def _wedged(self, closed: asyncio.Future[Any]) -> None:
+        """Until the worker has closed its socket or gives no sign of life any more."""
+        while not closed.done():
+            self._send(ping_request(self._next()), ())
+            await asyncio.wait((closed,), timeout=BEAT)
+            if not closed.done() and self._pulse.beat():
+                _log.warning("the worker does not answer any more; another takes its place")
+                return
+
     def _prepare(self) -> None:
         """Warm up the worker that takes over when this one dies."""
         if self._spare is None and self.state == "ready" and self._socket is not None and not self._over:
             self._spare = self._try_launch()
+            if self._spare is not None:
+                self._prepared.set()
+
+    async def spare_warm(self) -> None:
+        """Until another one is ready to take over, for tests and tables."""
+        await self._prepared.wait()
+        assert self._spare is not None
+        warm = asyncio.Event()
+        loop = asyncio.get_running_loop()
+        loop.add_reader(self._spare.socket, warm.set)
+        await warm.wait()
+        loop.remove_reader(self._spare.socket)
 
     def _take_spare(self) -> WorkerProcess | None:
         spare, self._spare = self._spare, None
+        self._prepared.clear()
         return spare
 
     def _try_launch(self) -> WorkerProcess | None:
@@ -285,6 +312,7 @@ class Worker:
             if not data:
                 self._stop_reading(sock)
                 return
+            self._pulse.heard()
             for answer in self._stream.feed(data):
                 self._take(answer)
         except (BlockingIOError, InterruptedError):

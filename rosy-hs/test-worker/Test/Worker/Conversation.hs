@@ -70,6 +70,7 @@ conversations =
     ("complete", [object ["op" .= ("complete" :: Text), "id" .= (5 :: Int), "source" .= ("play :: Bumper -> Maybe Sound\nplay (Bumper _ ) = Nothing\n\nmain = simulate play\n" :: Text), "line" .= (2 :: Int), "column" .= (16 :: Int)]]),
     ("run", [running 2 idle]),
     ("refused", [running 3 mistake]),
+    ("ping", [object ["op" .= ("ping" :: Text), "id" .= (6 :: Int)]]),
     ("failed", [object ["op" .= ("dance" :: Text), "id" .= (4 :: Int)]])
   ]
   where

@@ -153,6 +153,7 @@ handle config session s (Line bytes)
       Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
       fd :<| others -> startRun config session i source memory fd s {passengers = others}
     Right (Kill i) -> kill i s
+    Right (Ping i) -> pure (reply (Pong i) s)
 
 dropPassenger :: State -> IO State
 dropPassenger s = case passengers s of

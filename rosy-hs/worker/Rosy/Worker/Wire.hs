@@ -49,6 +49,8 @@ data Request
   | -- | The source and the bytes of memory the run may take.
     Run Id Text Int
   | Kill Id
+  | -- | Whether anybody is there.
+    Ping Id
   deriving (Eq, Show)
 
 -- | What a service may want to know about a text.
@@ -74,6 +76,7 @@ request i o = do
     "complete" -> (\s l c -> Ask i (Complete s (Place l c))) <$> source <*> o .: "line" <*> o .: "column"
     "run" -> Run i <$> source <*> o .: "memory"
     "kill" -> pure (Kill i)
+    "ping" -> pure (Ping i)
     other -> fail ("There is no request called " ++ show other ++ ".")
   where
     source = do
@@ -95,6 +98,7 @@ data Answer
   | Refused Id ByteString
   | -- | How it ended, the function at work, a problem of the worker's own.
     GoneNow Id (Either Int Int) (Maybe Text) (Maybe Problem)
+  | Pong Id
   | Failed Id Text
 
 answerLine :: Answer -> ByteString
@@ -109,6 +113,7 @@ answerLine answer = case answer of
       [op "gone", "id" .= i, either ("exit" .=) ("signal" .=) how]
         ++ maybe [] (\f -> ["firing" .= f]) firing
         ++ maybe [] (\p -> ["problem" .= p]) problem
+  Pong i -> whole [op "pong", "id" .= i]
   Failed i message -> whole [op "failed", "id" .= i, "message" .= message]
   where
     op name = "op" .= (name :: Text)
