@@ -12,12 +12,14 @@ module Rosy.Worker.Kind
   )
 where
 
+import Data.Char (isAlphaNum, isUpper)
 import Data.List (nub, nubBy)
 import Data.Maybe (catMaybes, fromMaybe, listToMaybe, mapMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Rosy.Worker.Kind.Fix (fixesFor, nearMisses)
 import Rosy.Worker.Kind.Imports (importFor, moduleOf)
+import Rosy.Worker.Kind.Nouns
 import Rosy.Worker.Kind.Syntax (explainSyntax)
 import Rosy.Worker.Kind.Types
 import Rosy.Worker.Kind.Words
@@ -61,6 +63,12 @@ withoutEchoes ps = nubBy (\x y -> place x == place y && kind x == kind y) (filte
         || kind p == "ambiguous-type" && any ((< place p) . place) (at p "ambiguous-type")
         || kind p == "function-as-value" && not (null (at p "negative-number"))
         || kind p == "missing-field" && not (null (at p "unknown-field"))
+        || kind p == "pattern-arguments" && any ((== place p) . place) (at p "type-mismatch")
+        || kind p `elem` ["type-mismatch", "function-as-value"] && any (sameLine p) (at p "operator")
+        || kind p == "type-mismatch" && any (\q -> kind q == "calculation" && sameLine p q) ps
+        || kind p == "ambiguous-type" && any (sameLine p) (at p "missing-controller")
+        || kind p == "ambiguous-type" && any ((< place p) . place) (at p "type-mismatch")
+    sameLine p q = fmap (line . start) (place p) == fmap (line . start) (place q)
 
 -- | The kind and the sentences for one message.
 explain :: Outline -> Raw -> Problem
@@ -93,8 +101,18 @@ explain outline raw = case reason raw of
            in problem "hole" "Something is missing here." (if null fits then "What fits is " <> a t <> "." else "What fits is " <> a t <> ", for example " <> sentenceList fits <> ".")
       _ -> problem "hole" "Something is missing here." "Put a value in this place."
 
-    notInScope = problem "not-in-scope" ("There is nothing called " <> quoted unknownName <> ".") (nearMiss everything unknownName)
+    notInScope
+      | behindDot = problem "operator" "A value has no parts behind a dot." "Take it apart with a pattern, for example: (Position x y)."
+      | Text.isPrefixOf "(" unknownName = problem "operator" ("There is no sign " <> quoted sign <> ".") (fromMaybe (nearMiss everything sign) (foreignName sign))
+      | otherwise = problem "not-in-scope" ("There is nothing called " <> quoted unknownName <> ".") (fromMaybe (nearMiss everything unknownName) (foreignName unknownName))
     unknownName = Text.takeWhile (/= ' ') (fromMaybe "?" (after "not in scope: " said))
+    sign = Text.dropAround (`elem` ("()" :: String)) unknownName
+    before = maybe "" (\s -> Text.take (column (start s) - 1) (lineOf s)) (region raw)
+    lineOf s = fromMaybe "" (listToMaybe (drop (line (start s) - 1) (Text.lines (text outline))))
+    -- As in p.x: the dot touches both.
+    behindDot = case Text.unsnoc before of
+      Just (rest, '.') | Just (_, c) <- Text.unsnoc rest -> isAlphaNum c || c == ')'
+      _ -> False
 
     missingCases =
       let missing = maybe [] (filter (not . Text.null) . map Text.strip . Text.lines) (after "Patterns not matched:" (Text.unlines (important raw)))
@@ -115,7 +133,7 @@ explain outline raw = case reason raw of
       | saying "Multiple declarations of" || saying "Conflicting definitions for" = Just (problem "duplicate" (quoted firstName <> " is defined twice.") (otherPlace "Rename one of them, or put equations of the same function next to each other."))
       | saying "Duplicate type signatures" = Just (problem "duplicate" (quoted firstName <> " has two types.") "Remove one of them.")
       | saying "lacks an accompanying binding" = Just (problem "missing-definition" (quoted firstName <> " has a type but no definition.") (lacking everything))
-      | saying "different numbers of arguments" = Just (problem "argument-count" ("The equations of " <> quoted firstName <> " take different numbers of values.") "Give each of them the same number of patterns: _ stands for anything.")
+      | saying "different numbers of arguments" = Just (problem "argument-count" ("The equations of " <> quoted firstName <> " take different numbers of values.") (if any looseParts (maybe [] (\r -> take (line (end r) - line (start r) + 1) (drop (line (start r) - 1) (Text.lines (text outline)))) (region raw)) then "A pattern with parts needs brackets, for example: (Bumper _ Pressed)." else "Give each of them the same number of patterns: _ stands for anything."))
       | saying "Ambiguous occurrence" = Just (problem "ambiguous-name" (quoted firstName <> " is the name of two things.") (whichOne firstName everything))
       | saying "The last statement in a 'do' block" = Just (problem "incomplete" "A do block cannot end like this." "Its last line says what to do: add one.")
       | saying "Empty 'do' block" = Just (problem "incomplete" "Nothing follows this ‘do’." "Write what to do on the next line, indented.")
@@ -123,9 +141,11 @@ explain outline raw = case reason raw of
       | saying "does not have the required strict field" = Just (problem "missing-field" ("This " <> quoted firstName <> " is not complete.") ("Write it as " <> quoted firstName <> " and its values in order."))
       | saying "does not have field" = Just (problem "unknown-field" (quoted firstName <> " has no field called " <> maybe "that" quoted (listToMaybe (drop 1 names)) <> ".") ("Write it as " <> quoted firstName <> " and its values in order."))
       | saying "is not a (visible) field" || saying "is not a record selector" = Just (problem "unknown-field" (quoted firstName <> " is not a field.") "Write the constructor and its values in order.")
-      | saying "Expecting" && saying "more argument" = Just (problem "type-argument" (quoted (fromMaybe firstName (listToMaybe names)) <> " needs another type beside it.") (if firstName == "Memory" then "Say what is remembered, for example: Memory Bool." else "Say of what, for example: " <> firstName <> " Double."))
+      | saying "cannot mix" = Just (problem "operator" "Two comparisons cannot follow one another." (if any (`elem` ["and", "or"]) (Text.words (fromMaybe "" (region raw >>= snippet (text outline)))) then "In Haskell, and is written &&, or is written ||." else "Join them with &&: 3 < s && s < 5."))
+      | Just ('\'', _) <- Text.uncons =<< (region raw >>= snippet (text outline)) = Just (problem "character" "Single quotation marks are for one letter." "A text stands between double ones: \"hello\".")
+      | saying "Expecting" && saying "more argument" = Just (problem "type-argument" (quoted (fromMaybe firstName (listToMaybe names)) <> " needs another type beside it.") ((if firstName == "Memory" then "Say what is remembered, for example: " else if firstName `elem` ["Task", "Done"] then "Say with what it ends, for example: " else "Say of what, for example: ") <> exampleOf firstName <> "."))
       | saying "Expected kind" && saying "but" = Just (problem "type-argument" (quoted (typeHead (fromMaybe "" (listToMaybe (drop 1 names)))) <> " is a complete type: nothing can follow it.") "Remove what stands behind it, or put an arrow -> between.")
-      | saying "Expected a type, but" || saying "Expected a constraint" = Just (problem "type-argument" (quoted firstName <> " cannot stand in this place of a type.") "Check the type for a missing arrow or bracket.")
+      | saying "Expected a type, but" || saying "Expected a constraint" = Just (problem "type-argument" (quoted firstName <> " cannot stand in this place of a type.") (if maybe False (Text.isInfixOf "=>" . lineOf) (region raw) then "Between what a function takes and what it gives stands ->." else "Check the type for a missing arrow or bracket."))
       | saying "Parse error in pattern" || saying "Pattern syntax in expression" = Just (problem "pattern" "This cannot stand on the left of an equals sign." "Write names, constructors and _ there, each with brackets around it if it has parts.")
       | saying "Illegal" || saying "Perhaps you intended to use" || saying "Perhaps you meant to use" = Just (problem "extension" "This needs a language extension that is not switched on." "There is nearly always a simpler way to say it.")
       | saying "No explicit implementation" = Just (problem "missing-method" "This instance is not complete." "Define its functions as well.")
@@ -135,16 +155,18 @@ explain outline raw = case reason raw of
       | otherwise = Nothing
 
     undefinedThing rest
-      | "A data constructor of that name" `Text.isInfixOf` said = problem "not-a-type" (quoted firstName <> " is a value, not a type.") "In a type, write the type that it belongs to."
+      | "A data constructor of that name" `Text.isInfixOf` said = problem "not-a-type" (quoted firstName <> " is a value, not a type.") (fromMaybe "In a type, write the type that it belongs to." (typeOfValue firstName))
+      | "type variable" `Text.isPrefixOf` rest = problem "not-in-scope" ("There is no type called " <> quoted firstName <> ".") "Types begin with capital letters, for example: Turn Double."
       | "No module named" `Text.isInfixOf` everything,
         qualifier <- fromMaybe "" (listToMaybe (drop 1 names)) =
         problem "not-in-scope" (quoted qualifier <> " is not imported.") (importHint qualifier)
       | "type constructor or class" `Text.isPrefixOf` rest = problem "not-in-scope" ("There is no type called " <> quoted firstName <> ".") (nearMiss everything firstName)
-      | otherwise = problem "not-in-scope" ("There is nothing called " <> quoted firstName <> ".") (nearMiss everything firstName)
+      | otherwise = problem "not-in-scope" ("There is nothing called " <> quoted firstName <> ".") (fromMaybe (nearMiss everything firstName) (foreignName firstName))
 
     patternArguments c =
       let counts = mapMaybe readNumber (Text.words (fromMaybe "" (after "should have" said)))
        in case counts of
+            wanted : 0 : _ -> problem "pattern-arguments" (quoted c <> " holds " <> number wanted <> (if wanted == 1 then " value" else " values") <> ", but here none are named.") ("Write it with its parts in brackets: (" <> Text.unwords (c : replicate wanted "_") <> ").")
             wanted : given : _ -> problem "pattern-arguments" (quoted c <> " holds " <> number wanted <> (if wanted == 1 then " value" else " values") <> ", but here " <> (if given == 1 then "one is" else number given <> " are") <> " named.") "Name each of them: _ stands for one that is not needed."
             _ -> problem "pattern-arguments" (quoted c <> " does not hold that many values.") "Name each of them: _ stands for one that is not needed."
 
@@ -153,7 +175,15 @@ explain outline raw = case reason raw of
       _ -> advice
     lineIn w = readNumber (Text.takeWhile (/= ':') (Text.drop (Text.length "Main.hs:") w))
 
+-- | Whether the left side of an equation has a constructor with something behind it and no brackets around both.
+looseParts :: Text -> Bool
+looseParts l = or (zipWith (\w next -> isConstructor w && next /= "=") ws (drop 1 ws))
+  where
+    ws = drop 1 (Text.words (fst (Text.breakOn " = " l)))
+    isConstructor w = maybe False (isUpper . fst) (Text.uncons w)
+
 readNumber :: Text -> Maybe Int
+readNumber "none" = Just 0
 readNumber t = case reads (Text.unpack (Text.dropWhileEnd (`elem` (".,:" :: String)) t)) of
   [(n, "")] -> Just n
   _ -> Nothing

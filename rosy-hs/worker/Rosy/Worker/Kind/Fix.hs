@@ -18,7 +18,7 @@ import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Rosy.Worker.Kind.Imports (importFor, moduleOf)
-import Rosy.Worker.Kind.Syntax (Token (..), scan, upTo)
+import Rosy.Worker.Kind.Tokens (Token (..), scan, upTo)
 import Rosy.Worker.Kind.Words
 import Rosy.Worker.Problem
 import Rosy.Worker.Raw

@@ -4,36 +4,21 @@
 -- Module      : Rosy.Worker.Kind.Syntax
 -- Description : Why a program cannot be read, found in its text.
 --
--- GHC says only where it gave up. This module looks at the text with a small scanner (words, brackets, texts, comments) for the
+-- GHC says only where it gave up. This module looks at the text with a small scanner ("Rosy.Worker.Kind.Tokens") for the
 -- mistakes that beginners make, in the order in which they explain most.
 module Rosy.Worker.Kind.Syntax
   ( explainSyntax,
-
-    -- * The words of a program
-    Token (..),
-    scan,
-    upTo,
   )
 where
 
-import Data.Char (isAlphaNum, isSpace)
+import Data.Char (isDigit, isLower, isSpace)
 import Data.List (find)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Rosy.Worker.Kind.Tokens
 import Rosy.Worker.Kind.Words
 import Rosy.Worker.Problem
-
--- | A word, bracket or sign of the program with its place.
-data Token = Token {word :: Text, from :: Place}
-  deriving (Eq, Show)
-
--- | The end of a token.
-upTo :: Token -> Place
-upTo t = (from t) {column = column (from t) + max 1 (Text.length (word t))}
-
-spanning :: Token -> Span
-spanning t = Span (from t) (upTo t)
 
 -- | What keeps a text from being read. Takes the program, GHC's sentence and its place.
 explainSyntax :: Text -> Text -> Maybe Span -> Problem
@@ -50,6 +35,8 @@ explainSyntax source said spot = fromMaybe fallback (listToMaybe (concat finding
     onLine = [t | t <- found, line (from t) == line at]
     firstOnLine = listToMaybe onLine
     endsWith w = fmap word (listToMaybe (reverse current)) == Just w
+    -- Brackets that are open.
+    missing ws = filter (`elem` ["(", "[", "{"]) (foldl (\open w -> if w `elem` [")", "]", "}"] then drop 1 open else [w | w `elem` ["(", "[", "{"]] ++ open) [] ws)
     missingAfter opener closer = unbalanced opener closer words'
 
     findings =
@@ -61,6 +48,94 @@ explainSyntax source said spot = fromMaybe fallback (listToMaybe (concat finding
             not (Text.null c)
         ],
         brackets found,
+        [ problemAt (spanning t) "capital" (quoted (word t) <> " is written with a small letter.") ("Write: " <> Text.toLower (word t) <> ".")
+          | t : _ <- [current],
+            Text.toLower (word t) `elem` reserved,
+            word t /= Text.toLower (word t)
+        ],
+        [ problemAt (Span (from x) (upTo z)) "number" "A number has a point, not a comma." ("Write " <> word x <> "." <> word z <> ".")
+          | given == Just ",",
+            Just x <- [listToMaybe (reverse current)],
+            z : _ <- [drop 1 (dropWhile ((< at) . from) found)],
+            all (Text.all isDigit . word) [x, z]
+        ],
+        [ problemAt (spanning t) "missing-arrow" "Two colons stand between a name and its type." ("Write: " <> word f <> " :: …")
+          | (f, t) <- take 1 (zip current (drop 1 current)) ++ [(f, t) | f : _ <- [reverse current], Just t <- [here]],
+            word t == ":"
+        ],
+        [ problemAt (spanning t) "comparison" "A single = gives a name to something." "To compare two values, write ==."
+          | given == Just "=",
+            fmap word firstOnLine == Just "|",
+            t : _ : _ <- [[x | x <- onLine, word x == "="]]
+        ],
+        [ problemAt (spanning t) "guard" "No equals sign stands before the first guard." "Remove it: each guard has its own."
+          | given == Just "|",
+            endsWith "=",
+            take 1 words' /= ["data"],
+            t : _ <- [reverse current]
+        ],
+        [ problemAt (spanning t) "missing-equals" "Between a function and its value stands an equals sign." "Replace -> by =."
+          | given == Just "->",
+            all (`notElem` words') ["::", "case", "\\", "=", "of", "if"],
+            not (afterOf source at),
+            Just t <- [here]
+        ],
+        [ problemAt (spanning t) "word" "The last guard is called ‘otherwise’." "Write: | otherwise = …"
+          | given == Just "else",
+            endsWith "|",
+            Just t <- [here]
+        ],
+        [ problemAt (spanning t) "word" ("Haskell has no loop called " <> quoted (word t) <> ".") "To repeat tasks, write: replicateM_ 4 (do …), or forever."
+          | Just t <- [firstOnLine],
+            word t `elem` ["for", "while", "repeat", "loop"]
+        ],
+        [ problemAt (spanning t) "word" "Before ‘do’ a dollar sign is missing." "Write it between the two: replicateM_ 4 $ do."
+          | given == Just "do",
+            Just t <- [here]
+        ],
+        [ problemAt (spanning t) "missing-let" "In a ‘do’ block, ‘let’ gives a name to something." ("Write: let " <> maybe "x" word firstOnLine <> " = …")
+          | given == Just "=",
+            inBlock "do" source at,
+            Just t <- [firstOnLine]
+        ],
+        [ problemAt (spanning t) "missing-equals" "After ‘let’ and a name comes an equals sign." "To name what a task ends with, leave out the let: x <- task."
+          | given == Just "<-",
+            "let" `elem` map word onLine,
+            Just t <- [here]
+        ],
+        [ problemAt (spanning t) "capital" "The values of a type begin with a capital letter." ("Write " <> Text.toTitle (Text.take 1 (word t)) <> Text.drop 1 (word t) <> ".")
+          | take 1 words' `elem` [["data"], ["newtype"]],
+            Just t <- [if given `elem` [Just "|", Nothing] then listToMaybe (reverse current) else here],
+            Text.all isLower (Text.take 1 (word t)),
+            fmap word (listToMaybe (reverse (takeWhile ((< from t) . from) current))) `elem` [Just "=", Just "|"]
+        ],
+        [ problemAt (spanning t) "syntax" "The values of a type have | between them." "Write: data Mode = Go | Stop."
+          | take 1 words' == ["data"],
+            given == Just ",",
+            null (missing words'),
+            Just t <- [here]
+        ],
+        [ problemAt (spanning t) "syntax" "The parts of a list or a pair have commas between them." "Replace the semicolon by a comma."
+          | given == Just ";",
+            not (null (missing words')),
+            Just t <- [here]
+        ],
+        [ problemAt (spanning t) "bracket" "Several things together need brackets around them." "Write: (first, second)."
+          | given == Just ",",
+            null (missing words'),
+            Just t <- [here]
+        ],
+        [ problemAt (spanning t) "syntax" "‘type’ gives a type another name, and no values." "For a type with values of its own, write data."
+          | take 1 words' == ["type"],
+            given == Just "|",
+            Just t <- take 1 (map Just current)
+        ],
+        [ problemAt (spanning t) "capital" "The names of modules begin with capital letters." "Write for example: import Data.List."
+          | "import" : _ <- [map word onLine],
+            Just t <- [listToMaybe (drop 1 onLine)],
+            Text.all isLower (Text.take 1 (word t)),
+            word t `notElem` ["qualified", "safe"]
+        ],
         [ problemAt (spanning t) "comparison" "A single = gives a name to something." "To compare two values, write ==."
           | given == Just "=",
             lastOf ["if", "|", "then", "else", "="] words' `elem` [Just "if", Just "|"],
@@ -80,6 +155,7 @@ explainSyntax source said spot = fromMaybe fallback (listToMaybe (concat finding
           | given `elem` [Just "=", Just "::", Just "|"],
             Just t <- [firstOnLine],
             column (from t) > 1,
+            given /= Just "=" || not (inBlock "do" source at),
             not (endsWith "=")
         ],
         [ problemAt (maybe (widen at) spanning here) "missing-then" "After ‘if’ and its condition comes ‘then’." "Write: if condition then one value else another."
@@ -192,10 +268,14 @@ takeDefinition ts = case break ((== 1) . column . from) ts of
   (inside, first : _) -> inside ++ [first]
   (inside, []) -> inside
 
--- | Whether a place is in one of the cases of an @of@: the nearest line before it that stands further left ends so.
+-- | Whether a place is in one of the cases of an @of@.
 inCases :: Text -> Place -> Bool
-inCases source at = case dropWhile ((>= indent here) . indent) (filter (not . Text.null . Text.strip) above) of
-  l : _ -> lastWord l == Just "of"
+inCases = inBlock "of"
+
+-- | Whether a place is in a block that began with this word: the nearest line before it that stands further left ends so.
+inBlock :: Text -> Text -> Place -> Bool
+inBlock opener source at = case dropWhile ((>= indent here) . indent) (filter (not . Text.null . Text.strip) above) of
+  l : _ -> lastWord l == Just opener
   [] -> False
   where
     ls = Text.splitOn "\n" source
@@ -209,41 +289,3 @@ afterOf :: Text -> Place -> Bool
 afterOf source at = case reverse (filter (not . Text.null . Text.strip) (take (line at - 1) (Text.splitOn "\n" source))) of
   l : _ -> listToMaybe (reverse (Text.words l)) == Just "of"
   [] -> False
-
--- | Cuts a program into tokens. Texts, characters and comments are skipped (a text is one token, a quotation mark).
-scan :: Text -> [Token]
-scan source = go (Place 1 1) (Text.unpack source)
-  where
-    go _ [] = []
-    go p ('\n' : rest) = go (Place (line p + 1) 1) rest
-    go p ('-' : '-' : rest)
-      | not (continuesOperator rest) = go (move 2 p) (dropLine rest)
-    go p ('{' : '-' : rest) = uncurry go (comment (1 :: Int) (move 2 p) rest)
-    go p ('"' : rest) = Token "\"" p : uncurry go (string (move 1 p) rest)
-    go p ('\'' : c : '\'' : rest) | c /= '\\' = Token "'" p : go (move 3 p) rest
-    go p ('\'' : '\\' : rest) = let n = length (takeWhile (\x -> x /= '\'' && x /= '\n') rest) in Token "'" p : go (move (n + 3) p) (drop (n + 1) rest)
-    go p s@(c : rest)
-      | isSpace c = go (move 1 p) rest
-      | isWord c = let w = takeWhile isWord s in Token (Text.pack w) p : go (move (length w) p) (drop (length w) s)
-      | isSign c = let w = takeWhile isSign s in Token (Text.pack w) p : go (move (length w) p) (drop (length w) s)
-      | otherwise = Token (Text.singleton c) p : go (move 1 p) rest
-    move n p = p {column = column p + n}
-    dropLine = dropWhile (/= '\n')
-    continuesOperator (c : _) = isSign c && c /= '-'
-    continuesOperator [] = False
-    isWord c = isAlphaNum c || c == '_' || c == '\''
-    isSign c = c `elem` ("!#$%&*+./<=>?@\\^|-~:" :: String)
-    comment 0 p s = (p, s)
-    comment n p s = case s of
-      [] -> (p, [])
-      '-' : '}' : rest -> comment (n - 1) (move 2 p) rest
-      '{' : '-' : rest -> comment (n + 1) (move 2 p) rest
-      '\n' : rest -> comment n (Place (line p + 1) 1) rest
-      _ : rest -> comment n (move 1 p) rest
-    string p s = case s of
-      [] -> (p, [])
-      '\n' : _ -> (p, s)
-      '\\' : '\n' : _ -> (move 1 p, drop 1 s)
-      '\\' : _ : rest -> string (move 2 p) rest
-      '"' : rest -> (move 1 p, rest)
-      _ : rest -> string (move 1 p) rest

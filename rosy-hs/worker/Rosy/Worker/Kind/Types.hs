@@ -12,11 +12,12 @@ module Rosy.Worker.Kind.Types
 where
 
 import Control.Applicative ((<|>))
-import Data.Char (isLower)
+import Data.Char (isAlphaNum, isLower)
 import Data.List (find)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Rosy.Worker.Kind.Nouns
 import Rosy.Worker.Kind.Words
 import Rosy.Worker.Problem
 import Rosy.Worker.Raw
@@ -126,8 +127,12 @@ unclear outline problem = case find (any isOpen . (\f -> inputs f ++ outputs f))
 explainInstance :: Outline -> Raw -> Say -> Text -> Type -> Text -> Problem
 explainInstance outline raw problem c t user
   | c == "Typeable", t == "feed" = feedbackOfWhat problem
+  | c == "Typeable", isOpenType t, "Done" `elem` Text.words (Text.map (\x -> if isAlphaNum x then x else ' ') (text outline)) = problem "ambiguous-type" "It is not clear with what this task ends." "Write the type of the task above it, for example: turn :: Task ()."
   | c == "Typeable", isOpenType t = problem "ambiguous-type" "This task has no end: none of its functions gives Done." "Give Done () when it is over; if it goes on for ever, say so: (task start go :: Task ())."
+  | c == "Sensor", Just (f, _) <- culprit inputs, any ("Task" `Text.isPrefixOf`) (outputs f) = problem "missing-argument" (quoted (called f) <> " needs a value before it is a task.") ("Give it one: simulate (" <> called f <> " …).")
+  | c == "Enum", t == "String" = problem "calculation" "Here numbers are counted, but texts are needed." "Turn each number into a text with show: (say . show)."
   | c == "Sensor" = blaming inputs (problem "not-a-sensor" (who "takes" <> a t <> ", which the robot cannot sense.") sensorHint)
+  | c == "Command", "Task" `Text.isPrefixOf` t, any isOpenType (drop 1 (atoms t)) = problem "missing-controller" "‘task’ needs two things: how it starts, and what it does." "If nothing is to be done first, write: task () f."
   | c == "Command", "Task" `Text.isPrefixOf` t = blaming outputs (problem "controller-needed" (owner <> " is a task, but here a function for the robot is needed.") "Simulate the task alone, or put it into another task with do.")
   | c == "Command", "IO" `Text.isPrefixOf` t = problem "not-a-command" "Only main may be an IO action." "Give a command instead, for example Say to show a text."
   | c `elem` ["Command", "Controller"], shown == "String" = blaming outputs (problem "not-a-command" (who "gives" <> "a ‘String’, which is not a command.") "To show a text, write Say in front of it.")
@@ -144,7 +149,7 @@ explainInstance outline raw problem c t user
   | c `elem` ["Fractional", "Floating", "RealFrac"], t `elem` ["Int", "Integer"] = problem "type-mismatch" ("A whole number (" <> quoted t <> ") cannot hold what this gives.") "Turn it into a Double with fromIntegral, or divide with div."
   | c `elem` ["Integral", "Bits"] = problem "type-mismatch" ("A whole number is needed here, but this is " <> a t <> ".") "Turn it into one with round or truncate."
   | c `elem` ["Num", "Fractional"], "literal" `Text.isInfixOf` whole = problem "type-mismatch" ("A number stands where " <> a t <> " is needed.") (numberHint t)
-  | c `elem` ["Num", "Fractional", "Floating"] = problem "type-mismatch" ("With " <> a t <> " one cannot calculate.") (if Text.null user then "Check which value was meant." else quoted user <> " works on numbers only.")
+  | c `elem` ["Num", "Fractional", "Floating"] = problem "calculation" ("With " <> a t <> " one cannot calculate.") (if t `elem` ["Velocity", "Position", "Pose"] then "Take its numbers out with a pattern, as in (Velocity v w), and put them together again." else if "Memory" `Text.isPrefixOf` t then "Take out what it holds with a pattern: (Memory n)." else if Text.null user then "Check which value was meant." else quoted user <> " works on numbers only.")
   | c `elem` ["Monad", "Applicative", "Functor", "MonadFail", "Foldable", "Traversable"] = problem "type-mismatch" (quoted t <> " cannot be used with " <> quoted user <> ".") "Check which value was meant."
   | otherwise = problem "type-mismatch" (a' t <> " cannot be used with " <> quoted user <> ".") "Check which value was meant."
   where
@@ -177,12 +182,6 @@ explainInstance outline raw problem c t user
 bracketIfNeeded :: Type -> Type
 bracketIfNeeded t = if length (atoms t) > 1 then "(" <> t <> ")" else t
 
-numberHint :: Type -> Text
-numberHint t
-  | t == "Bool" = "Write True or False."
-  | t == "String" = "Put it in quotation marks, or turn it into a text with show."
-  | otherwise = "Check which value belongs here."
-
 -- | Where a type is written in the signature of a function.
 typePlace :: Outline -> Text -> Type -> Maybe Span
 typePlace outline name t = do
@@ -199,19 +198,23 @@ typePlace outline name t = do
 explainMismatch :: Outline -> Raw -> Say -> Type -> Type -> Problem
 explainMismatch outline raw problem needed given
   | "NotInATask" `elem` [needed, given] = doneOutside
-  | Just u <- user, u `elem` ["task", "taskWith"] = problem "done-type" ("The task ends with " <> a needed <> ", but its Done carries " <> a given <> ".") "Make both the same type."
+  | Just u <- user, u `elem` ["task", "taskWith"] = problem "done-type" ("The task ends with " <> a needed <> ", but its Done carries " <> a given <> ".") (if needed == "String" then "Make both the same, or turn what it ends with into a text with show." else "Make both the same type.")
   | "IO" == firstAtom needed, "IO action ‘main’" `Text.isInfixOf` whole = problem "main-type" "‘main’ must say what to do with the robot." ("Write: main = simulate " <> mainBody <> ".")
   | "Occurs check" `Text.isInfixOf` said || isVariable needed && needed `elem` Text.words given || isVariable given && given `elem` Text.words needed = problem "infinite-type" "This would have to contain itself." "Check the brackets, and whether a function is given to itself by accident."
   | Just (f, taken, has) <- tooMany = tooManyArguments f taken has
+  | Just f <- equationsTooLong = problem "argument-count" (quoted f <> " takes more than its type says.") ("Add to the type what it takes: " <> f <> " :: Bumper -> " <> lastOf needed <> ".")
+  | "m" == firstAtom given, Just w <- firstOf' source, w `elem` ["return", "pure"] = problem "type-mismatch" ("A function gives its value without ‘" <> w <> "’.") ("Remove ‘" <> w <> "’.")
   | "too few arguments" `Text.isInfixOf` whole, Just f <- appliedTooLittle = missingArgument f
   | needed == "Maybe " <> bracketIfNeeded given = problem "missing-just" ("This always gives " <> a given <> ", but the type says that it may be missing.") ("Write Just in front of it" <> example "Just" <> ".")
   | given == "Maybe " <> bracketIfNeeded needed || "Maybe" == firstAtom given && "Maybe" /= firstAtom needed = problem "unexpected-maybe" ("This may be nothing, but " <> a needed <> " is needed.") ("Write the type as Maybe " <> bracketIfNeeded needed <> ", or give a value in every case.")
   | "Memory" == firstAtom needed, "Memory" /= firstAtom given, not (isFunction given) = problem "missing-memory" ("This is " <> a given <> ", but " <> a needed <> " is needed.") ("Write Memory in front of the value" <> example "Memory" <> ".")
+  | "Memory" == firstAtom given, firstOf' source == Just "Memory" = problem "memory-as-value" ("This is a whole Memory, but the type says " <> quoted needed <> ".") ("Write the type as " <> given <> ".")
   | "Memory" == firstAtom given, "Memory" /= firstAtom needed = problem "memory-as-value" ("This is a whole Memory, but the " <> quoted needed <> " in it is needed.") "Take it out with a pattern: (Memory x) instead of x."
   | "Memory" == firstAtom needed, "Memory" == firstAtom given = problem "memory-types" ("This memory holds " <> a (inner given) <> ", but one with " <> a (inner needed) <> " is needed.") "Each memory has one type: use the same everywhere."
-  | "Task" == firstAtom needed, "Task" == firstAtom given = problem "task-result" ("This task ends with " <> a (inner given) <> ", but one that ends with " <> a (inner needed) <> " is needed.") "The last line of a task gives its result."
+  | "Task" == firstAtom needed, "Task" == firstAtom given = problem "task-result" ("This task ends with " <> a (stripBrackets (inner given)) <> ", but one that ends with " <> a (stripBrackets (inner needed)) <> " is needed.") (if stripBrackets (inner needed) == "()" then "If its result is not needed, write" <> maybe " void in front of it" (\s -> " void (" <> s <> ")") source <> "." else "The last line of a task gives its result.")
   | "Task" == firstAtom needed = problem "task-needed" ("A task is needed here, but this is " <> a given <> ".") ("Turn a command into a task with once" <> example "once" <> ".")
   | "Task" == firstAtom given = problem "controller-needed" ("This is a task, but " <> a needed <> " is needed here.") "Start a task with simulate, or in another task with do."
+  | needed == "Bool", behindNot = problem "type-mismatch" "‘not’ takes only what stands right behind it." "Put brackets around the comparison: not (a > b)."
   | needed == "Bool", "if" `Text.isInfixOf` whole = problem "type-mismatch" ("The condition of an ‘if’ is true or false, but this is " <> a given <> ".") "Compare it with something, for example with ==."
   | isNumber needed, isNumber given, needed /= given = problem "type-mismatch" (theseAre <> " but " <> a needed <> " is needed.") (convert needed given)
   | isNumber needed, given == "String" = problem "type-mismatch" ("This is a text, but a number (" <> quoted needed <> ") is needed.") "Numbers stand without quotation marks."
@@ -219,6 +222,12 @@ explainMismatch outline raw problem needed given
   | needed == "[" <> given <> "]" = problem "type-mismatch" ("This is one " <> quoted given <> ", but a list of them is needed.") "Put it in square brackets."
   | given == "[" <> needed <> "]" = problem "type-mismatch" ("This is a list, but one " <> quoted needed <> " is needed.") "Take one element of it."
   | isFunction given, not (isFunction needed), lastOf given == needed = problem "missing-argument" ("Something is missing here: this still needs " <> a (firstOf given) <> ".") "Add the missing value."
+  | "Either" : l : r : _ <- atoms needed, Just side <- lookup given [(l, "Left"), (r, "Right")] = problem "missing-side" ("This is " <> a given <> ", but " <> a needed <> " is needed here.") ("Say which of the two it is" <> example side <> ".")
+  | given == "Say", needed == "String" = problem "operator" "Only the first text belongs to this ‘Say’." "Put brackets around all of the text: Say (\"hits: \" ++ show n)."
+  | isFunction given, isFunction needed, maybe False (\s -> "[" `Text.isInfixOf` Text.take (column (start s) - 1) (lineAt s)) (region raw) = problem "type-mismatch" "The parts of a list have one type, and these differ." "Put functions of different types into round brackets: (f, g)."
+  | Just c <- wrapperOf given needed = problem "type-mismatch" ("This is " <> a given <> ", but " <> a needed <> " is needed here.") ("Write " <> c <> " in front of it" <> example c <> ".")
+  | "(" `Text.isPrefixOf` given, "StdGen)" `Text.isSuffixOf` given = problem "type-mismatch" ("This is a pair with a new generator, but " <> a needed <> " is needed here.") ("Take the first of the two" <> example "fst" <> ".")
+  | isFunction needed, not (isFunction given), not (isVariable given) = problem "type-mismatch" ("The type says that this takes " <> a (firstOf needed) <> ", but nothing is taken here.") "Name what it takes on the left of the equals sign, or change the type."
   | "rigid type variable" `Text.isInfixOf` whole = problem "too-general" ("The type says that this works for any ‘" <> (if isVariable needed then needed else given) <> "’, but it does not.") "Write the type that is meant instead of the small letter."
   | isFunction given, not (isFunction needed) = problem "type-mismatch" ("This is " <> a given <> ", but " <> a needed <> " is needed here.") "Give the function its values, or check the brackets."
   | otherwise = problem "type-mismatch" ("This is " <> a given <> ", but " <> a needed <> " is needed here.") (mixedHint needed given)
@@ -230,6 +239,13 @@ explainMismatch outline raw problem needed given
     inner t = Text.unwords (drop 1 (atoms t))
     source = region raw >>= snippet (text outline)
     example f = maybe "" (\s -> ": " <> f <> " " <> (if Text.any (== ' ') s && not (Text.isPrefixOf "(" s) then "(" <> s <> ")" else s)) source
+    -- The word that what is wrong begins with.
+    firstOf' = (>>= listToMaybe . Text.words)
+    equationsTooLong = do
+      rest <- after "The equation(s) for ‘" whole
+      if any (`Text.isInfixOf` rest) ["has none", "has only"] then Just (Text.takeWhile (/= '’') rest) else Nothing
+    lineAt s = fromMaybe "" (listToMaybe (drop (line (start s) - 1) (Text.lines (text outline))))
+    behindNot = maybe False (\s -> "not" `elem` take 1 (reverse (Text.words (Text.take (column (start s) - 1) (lineAt s))))) (region raw)
     firstOf = fromMaybe "" . listToMaybe . splitArrows
     lastOf = fromMaybe "" . listToMaybe . reverse . splitArrows
     isVariable t = maybe False (isLower . fst) (Text.uncons t) && not (Text.any (== ' ') t)
@@ -249,6 +265,7 @@ explainMismatch outline raw problem needed given
 
     appliedTooLittle = listToMaybe . quotes =<< after "Probable cause:" whole
     missingArgument f
+      | f `elem` ["return", "pure"] = problem "missing-argument" (quoted f <> " needs the value that it gives.") ("If there is none, write: " <> f <> " ().")
       | not (null missing) = problem "missing-argument" (quoted f <> " needs " <> (if length missing == 1 then "another value: " else number (length missing) <> " more values: ") <> Text.intercalate ", then " (map a missing) <> ".") "Add what is missing."
       | otherwise = problem "missing-argument" (quoted f <> " needs more values than it is given.") "Add what is missing."
       where
@@ -263,28 +280,7 @@ explainMismatch outline raw problem needed given
     tooManyArguments f taken has
       | overLines = problem "indentation" "The next line seems to go on with this one." "Lines of one block begin in the same column."
       | f == "simulate" = problem "too-many-arguments" "‘simulate’ takes one thing only." "Put several functions into brackets with commas: simulate (f, g)."
+      | Just so <- lookup f [("once", "one thing only"), ("task", "two things"), ("taskWith", "two things"), ("call", "two things")] = problem "too-many-arguments" (quoted f <> " takes " <> so <> ".") "Put brackets around what belongs together, for example: once (Velocity 0.5 0)."
       | "none" == has || "has none" `Text.isInfixOf` whole = problem "too-many-arguments" (quoted f <> " takes no values, but is given " <> taken <> ".") "Remove what is too much, or check the brackets."
       | otherwise = problem "too-many-arguments" (quoted f <> " is given " <> taken <> " values, which is too many.") "Remove what is too much, or put brackets around what belongs together."
     overLines = maybe False (\s -> line (start s) < line (end s)) (region raw) && "do" `Text.isInfixOf` whole
-
-isNumber :: Type -> Bool
-isNumber t = t `elem` ["Int", "Integer", "Double", "Float", "Seconds", "Orientation", "Word", "Rational", "Degrees", "Radians", "Centimeters", "Meters"]
-
-convert :: Type -> Type -> Text
-convert needed given
-  | whole' given, whole' needed = "Convert it with fromIntegral."
-  | whole' given = "Convert it with fromIntegral."
-  | whole' needed = "Round it with round."
-  | needed == "Seconds" = "Convert it with doubleToSeconds."
-  | given == "Seconds" = "Convert it with secondsToDouble."
-  | needed == "Orientation" = "Write Orientation in front of it."
-  | otherwise = "Convert it with realToFrac."
-  where
-    whole' t = t `elem` ["Int", "Integer", "Word"]
-
-mixedHint :: Type -> Type -> Text
-mixedHint needed given
-  | all isCommand [needed, given] = "A function gives one type of command: use Either, Maybe or a pair for several."
-  | otherwise = "Check which of the two was meant."
-  where
-    isCommand t = t `elem` ["Velocity", "Led1", "Led2", "Sound", "Say"]

@@ -1,0 +1,5 @@
+main = simulate t
+t :: Task ()
+t = do
+  x <- 3
+  say (show x)

@@ -1,0 +1,2 @@
+Data Mode = Go | Stop
+main = simulate (Memory Go)

@@ -1,0 +1,3 @@
+Main = simulate f
+f :: Bumper -> Sound
+f _ = ErrorSound

@@ -1,0 +1,3 @@
+main = simulate f
+f :: Seconds -> Velocity
+f s = if s >= 3 || s =< 5 then Velocity 0 1 else Velocity 0 0

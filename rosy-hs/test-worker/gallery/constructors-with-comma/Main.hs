@@ -1,0 +1,2 @@
+data Mode = Go, Stop
+main = simulate (Memory Go)

@@ -1,0 +1,2 @@
+turn = task () (\(Velocity _ _) -> Done 3)
+main = simulate turn

@@ -1,0 +1,3 @@
+main = simulate f
+f :: Bumper => Sound
+f b = ErrorSound

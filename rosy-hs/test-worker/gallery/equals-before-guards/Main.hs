@@ -1,0 +1,5 @@
+main = simulate f
+f :: Bumper -> Sound
+f (Bumper s p) =
+  | s == LeftBumper = ErrorSound
+  | otherwise = ButtonSound

@@ -1,0 +1,2 @@
+data Mode = Turn angle | Go
+main = simulate (Memory Go)

@@ -1,0 +1,3 @@
+main = simulate f
+f :: Velocity
+f () = Velocity 1 0

@@ -1,0 +1,1 @@
+main = simulate (forM_ [1..3] say)

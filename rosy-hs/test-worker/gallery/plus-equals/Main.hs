@@ -1,0 +1,3 @@
+main = simulate f
+f :: Bumper -> Memory Int -> Memory Int
+f b (Memory n) = n += 1

@@ -1,0 +1,3 @@
+main = simulate f
+f :: StdGen -> Velocity
+f g = Velocity (random g) 0

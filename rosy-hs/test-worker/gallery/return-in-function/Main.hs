@@ -1,0 +1,3 @@
+main = simulate f
+f :: Bumper -> Velocity
+f b = return (Velocity 0 1)

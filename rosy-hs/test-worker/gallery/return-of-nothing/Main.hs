@@ -1,0 +1,5 @@
+main = simulate t
+t :: Task ()
+t = do
+  say "x"
+  return

@@ -1,0 +1,3 @@
+main = simulate f
+f :: Bumper -> Say
+f b = Say "hit" ++ show b

@@ -1,0 +1,3 @@
+main = simulate f
+f :: LeftBumper -> Sound
+f _ = ErrorSound

@@ -1,0 +1,2 @@
+data Mode = Turn { angle : Double }
+main = simulate (Memory (Turn 1))

@@ -1,0 +1,2 @@
+data Mode = go | stop
+main = simulate (Memory go)

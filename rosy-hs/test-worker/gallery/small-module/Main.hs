@@ -1,0 +1,2 @@
+import data.list
+main = simulate (say "x")

@@ -1,0 +1,3 @@
+main = simulate t
+t :: Task
+t = say "x"

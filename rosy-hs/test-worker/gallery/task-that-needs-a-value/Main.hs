@@ -1,0 +1,3 @@
+main = simulate t
+t :: Int -> Task ()
+t n = say (show n)

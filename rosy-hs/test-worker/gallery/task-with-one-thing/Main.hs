@@ -1,0 +1,3 @@
+main = simulate (task f)
+f :: Bumper -> Done ()
+f _ = Done ()

@@ -1,0 +1,2 @@
+type Mode = Go | Stop
+main = simulate (Memory Go)
