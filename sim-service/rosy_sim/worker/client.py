@@ -2,7 +2,8 @@
 The worker for a service with many pages: one process, restarted when it dies, asked from asyncio.
 
 Answers come home by ``id``. When the process dies or gives no sign of life, everything under way ends with
-``WorkerLost``, the pages are told, and one that is warm already takes its place (after a growing pause when they keep dying).
+``WorkerLost``, the pages are told, and one that is warm already takes its place (after a growing pause when they keep
+dying).
 """
 
 from __future__ import annotations
