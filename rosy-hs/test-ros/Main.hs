@@ -14,8 +14,9 @@ import Test.Tasty
 main :: IO ()
 main =
   getArgs >>= \case
-    -- The tests start this program again as a node of its own.
+    -- The tests start this program again as nodes of their own.
     "--node" : _ -> Test.Ros.System.aNode
+    "--echo" : _ -> Test.Ros.System.anEcho
     _ -> suite
 
 suite :: IO ()

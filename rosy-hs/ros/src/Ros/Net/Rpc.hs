@@ -1,3 +1,5 @@
+{-# LANGUAGE CApiFFI #-}
+{-# LANGUAGE InterruptibleFFI #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
@@ -24,26 +26,35 @@ module Ros.Net.Rpc
     connectTo,
     accepting,
     receiver,
+    sendAtOnce,
   )
 where
 
 import Control.Applicative ((<|>))
-import Control.Concurrent (ThreadId, forkIOWithUnmask, killThread, myThreadId)
+import Control.Concurrent (ThreadId, forkIOWithUnmask, killThread, myThreadId, rtsSupportsBoundThreads, threadWaitRead)
 import Control.Concurrent.MVar (modifyMVar_, newMVar, readMVar)
 import Control.Exception (IOException, bracket, bracketOnError, finally, mask_, onException, try)
 import Control.Monad (forever, void, when)
+import Data.Bits ((.|.))
 import qualified Data.ByteString as B
+import qualified Data.ByteString.Unsafe as B
 import Data.Char (isDigit, isSpace)
 import Data.IORef (newIORef, readIORef, writeIORef)
 import Data.List (stripPrefix)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
+import Foreign.C.String (CString)
+import Foreign.C.Types (CInt (..), CShort (..), CSize (..), CULong (..))
+import Foreign.Marshal.Alloc (allocaBytes)
+import Foreign.Ptr (Ptr)
+import Foreign.Storable (pokeByteOff)
 import Network.Socket
 import Network.Socket.ByteString (recv)
 import Network.Socket.ByteString.Lazy (sendAll)
 import Ros.Net.Http
 import Ros.Net.XmlRpc
 import System.IO.Error (ioeGetErrorString)
+import System.Posix.Types (CSsize (..), Fd (..))
 import System.Timeout (timeout)
 
 -- | @http://host:port/@
@@ -132,9 +143,47 @@ receiver s = do
   size <- newIORef 4096
   pure $ do
     n <- readIORef size
+    waitReadable s
     b <- recv s n
     when (B.length b == n && n < 262144) (writeIORef size (n * 2))
     pure b
+
+-- | Waits in the system, on a thread of its own, and not with the runtime's event manager: what arrives is then handled by the
+-- thread that the system wakes, two calls of the system and not eight before the answer is on its way.
+waitReadable :: Socket -> IO ()
+waitReadable s
+  | rtsSupportsBoundThreads = withFdSocket s $ \fd -> allocaBytes pollSize $ \entry -> do
+    pokeByteOff entry fdOffset fd
+    pokeByteOff entry eventsOffset pollIn
+    let again = poll entry 1 lookUp >>= \n -> when (n <= 0) again
+    again
+  | otherwise = withFdSocket s (threadWaitRead . Fd)
+
+-- | After so many milliseconds a wait begins anew: one that was to end just as it began has not noticed.
+lookUp :: CInt
+lookUp = 200
+
+-- | @struct pollfd@ (poll.h): a descriptor, what is wished for, what happened.
+pollSize, fdOffset, eventsOffset :: Int
+pollSize = 8
+fdOffset = 0
+eventsOffset = 4
+
+foreign import ccall interruptible "poll" poll :: Ptr () -> CULong -> CInt -> IO CInt
+
+foreign import capi "poll.h value POLLIN" pollIn :: CShort
+
+-- | How many of the bytes the system takes without waiting. None also when the connection is lost: who sends on it
+-- and waits is told.
+sendAtOnce :: Socket -> B.ByteString -> IO Int
+sendAtOnce s bytes = withFdSocket s $ \fd ->
+  B.unsafeUseAsCStringLen bytes $ \(p, n) -> max 0 . fromIntegral <$> send fd p (fromIntegral n) (dontWait .|. noSignal)
+
+foreign import ccall unsafe "send" send :: CInt -> CString -> CSize -> CInt -> IO CSsize
+
+foreign import capi "sys/socket.h value MSG_DONTWAIT" dontWait :: CInt
+
+foreign import capi "sys/socket.h value MSG_NOSIGNAL" noSignal :: CInt
 
 -- | A listening socket on a port of the system's choice; on loopback alone when others are not meant to
 -- reach this node.

@@ -28,7 +28,7 @@ module Ros.Node.Core
   )
 where
 
-import Control.Concurrent.Async (Async, async, cancel)
+import Control.Concurrent.Async (Async, asyncWithUnmask, cancel)
 import Control.Concurrent.MVar (MVar)
 import Control.Concurrent.STM
 import Control.Exception
@@ -36,6 +36,7 @@ import Control.Monad (unless, void)
 import Data.ByteString (ByteString)
 import qualified Data.Map.Strict as Map
 import Data.Word (Word32)
+import Network.Socket (Socket)
 import Ros.Names (Naming (..))
 import Ros.Net.Master (Master (..))
 import Ros.Net.Rpc (Uri)
@@ -119,9 +120,12 @@ data Publication = Publication
 -- | A connection to one subscriber.
 data Outlet = Outlet
   { outletPeer :: String,
+    outletSocket :: Socket,
     outletQueue :: Queue ByteString,
     -- | bytes are on their way to the system
     outletBusy :: TVar Bool,
+    -- | what the system did not take of a message
+    outletRest :: TVar ByteString,
     -- | messages and bytes
     outletSent :: TVar (Int, Int)
   }
@@ -146,12 +150,12 @@ data Inlet = Inlet
 freshId :: Core -> IO Int
 freshId core = atomically (stateTVar (counter core) (\n -> (n, n + 1)))
 
--- | A thread that lives no longer than the node.
+-- | A thread that lives no longer than the node, and can be ended also when whoever starts it cannot.
 spawn :: Core -> IO () -> IO (Async ())
-spawn core act = mask $ \restore -> do
+spawn core act = mask_ $ do
   n <- freshId core
   ready <- newEmptyTMVarIO
-  a <- async (atomically (readTMVar ready) >> restore act `finally` atomically (modifyTVar' (threads core) (Map.delete n)))
+  a <- asyncWithUnmask (\unmask -> atomically (readTMVar ready) >> unmask act `finally` atomically (modifyTVar' (threads core) (Map.delete n)))
   atomically (modifyTVar' (threads core) (Map.insert n a) >> putTMVar ready ())
   pure a
 

@@ -13,7 +13,7 @@ module Ros.Node.Subscribe
   )
 where
 
-import Control.Concurrent (threadDelay)
+import Control.Concurrent (threadDelay, yield)
 import Control.Concurrent.Async (cancel)
 import Control.Concurrent.MVar (newMVar, withMVar)
 import Control.Concurrent.STM
@@ -160,7 +160,8 @@ readMessages s connected received socket = do
         then pure (Right ())
         else case feed maxFrame seen more of
           Left (TooLong n) -> pure (Left (Refusal ("a message of " ++ show n ++ " bytes")))
-          Right (messages, rest) -> deliver messages >> body next rest
+          -- Those who wait for the messages go first, before the system is asked for more.
+          Right (messages, rest) -> deliver messages >> yield >> body next rest
     deliver [] = pure ()
     deliver messages = atomically $ do
       sinks <- readTVar (subSinks s)
