@@ -14,7 +14,7 @@ if (database === undefined) {
   const {programs, hints, warnings, content} = await lint(database, Number(from), Number(count))
   for (const said of [...hints, ...warnings]) say(said)
   const known = [...content].sort((a, b) => b[1] - a[1]).map(([hint, n]) => `${hint} ${n}`)
-  say(`about what the programs do: ${known.join(", ")}`)
+  say(`by rules that ask for another program: ${known.join(", ")}`)
   say(
     `${programs} programs: ${hints.length} hints and ${warnings.length} warnings about how they are written`,
   )

@@ -105,10 +105,17 @@ describe("brackets", () => {
         args: [v("y")],
       },
     ],
-    ["(subtract 1)", {kind: "section", op: "-", side: "right", operand: {kind: "number", text: "1"}}],
+    ["subtract 1", {kind: "section", op: "-", side: "right", operand: {kind: "number", text: "1"}}],
     ["(+ 1)", {kind: "section", op: "+", side: "right", operand: {kind: "number", text: "1"}}],
     ["(a * b +)", {kind: "section", op: "+", side: "left", operand: op(v("a"), "*", v("b"))}],
     ["f $ g x", op(v("f"), "$", {kind: "apply", fn: v("g"), args: [v("x")]})],
   ]
   test.each(cases)("%s", (text, e) => expect(printExpr(e)).toBe(text))
+})
+
+test("a long list that is a step keeps its lines to itself", () => {
+  const list: Expr = {kind: "list", items: [v("a".repeat(50)), v("b".repeat(50))]}
+  const e: Expr = {kind: "do", statements: [list, list].map(expr => ({kind: "statement", expr}))}
+  // A line that starts where a step starts would be the next step.
+  for (const line of printExpr(e).split("\n")) expect(line).not.toMatch(/^ {2}[,\]]/)
 })

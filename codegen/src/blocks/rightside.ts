@@ -154,12 +154,16 @@ export function readRight(r: Reader, i: number, part: Part): RightSide {
     const guards: Statement[] = part.stacked.includes(g)
       ? r.steps(`G${i}_${g}`)
       : [{kind: "statement", expr: r.expr(`C${i}_${g}`)}]
-    // Without a question the answer holds always.
-    if (guards.length === 0)
-      guards.push({
-        kind: "statement",
-        expr: {kind: "hole", from: {block: r.from.block, input: `G${i}_${g}`}},
-      })
+    if (guards.length === 0) {
+      const input = `G${i}_${g}`
+      r.problem(
+        "hole",
+        words.answers.thereIsNoConditionHereYet,
+        words.answers.putAtLeastOneConditionIntoTheStack,
+        input,
+      )
+      guards.push({kind: "statement", expr: {kind: "hole", from: {block: r.from.block, input}}})
+    }
     branches.push({kind: "guarded", guards, body: r.expr(`E${i}_${g}`)})
   }
   if (part.otherwise) {

@@ -35,6 +35,24 @@ export function align(doc: Doc): Doc {
   return {kind: "align", doc}
 }
 
+/// A document that begins with an `align` has its later lines two further in.
+export function indented(doc: Doc): Doc {
+  if (typeof doc === "string") return doc
+  if (isList(doc)) {
+    const at = doc.findIndex(d => d !== "")
+    return doc.map((d, i) => (i === at ? indented(d) : d))
+  }
+  switch (doc.kind) {
+    case "align":
+      return align(nest(doc.doc))
+    case "line":
+    case "if-broken":
+      return doc
+    default:
+      return {...doc, doc: indented(doc.doc)}
+  }
+}
+
 export function group(doc: Doc): Doc {
   return {kind: "group", doc, breaks: hasHardline(doc)}
 }

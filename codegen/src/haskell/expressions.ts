@@ -9,6 +9,7 @@ import {
   hardline,
   hasHardline,
   ifBroken,
+  indented,
   join,
   line,
   lines,
@@ -229,10 +230,32 @@ function statementBody(s: Statement, context: Context): Doc {
         ? "let _ = ()"
         : ["let ", align(context.declarations(s.declarations))]
     case "statement":
-      // A `let … in` here would be read as a statement followed by a stray `in`.
-      return startsWithLet(s.expr) ? ["(", printExpr(s.expr, context), ")"] : printExpr(s.expr, context)
+      // A `let … in` here would be read as a statement followed by a stray `in`; a line that starts below a list, as the next statement.
+      return startsWithLet(s.expr)
+        ? ["(", printExpr(s.expr, context), ")"]
+        : startsWithList(s.expr)
+          ? indented(printExpr(s.expr, context))
+          : printExpr(s.expr, context)
     default:
       return unreachable(s)
+  }
+}
+
+function startsWithList(e: Expr): boolean {
+  switch (e.kind) {
+    case "list":
+    case "tuple":
+      return true
+    case "infix":
+      return startsWithList(e.left)
+    case "apply":
+      return startsWithList(e.fn)
+    case "typed":
+      return startsWithList(e.expr)
+    case "update":
+      return startsWithList(e.record)
+    default:
+      return false
   }
 }
 
@@ -308,7 +331,10 @@ function operand(child: Expr, parent: Expr & {kind: "infix"}, side: "left" | "ri
   const mine = fixityOf(parent.op, context.fixities)
   const bare =
     isOperandOf(child, mine, side, context) || (parent.op === "$" && side === "right" && isOpen(child))
-  return bare ? printExpr(child, context) : mark(child, ["(", exprBody(child, context), ")"])
+  if (bare) return printExpr(child, context)
+  const doc = exprBody(child, context)
+  // What goes on below its first line stays inside its brackets, or it would look like a part of the whole.
+  return mark(child, ["(", hasHardline(doc) ? align(doc) : doc, ")"])
 }
 
 function isOperandOf(child: Expr, mine: Fixity, side: "left" | "right", context: Context): boolean {
@@ -360,6 +386,8 @@ function fixityOfExpr(e: Expr, context: {fixities: Fixities}): Fixity | "atom" |
       return e.statements.length === 0 ? "atom" : "open"
     case "raw":
       return isRawAtom(e.text) ? "atom" : "open"
+    case "section":
+      return isSubtract(e) ? {precedence: 10, associates: "left"} : "atom"
     default:
       return "atom"
   }
@@ -397,8 +425,12 @@ function printSection(e: Expr & {kind: "section"}, context: Context): Doc {
     ? printExpr(e.operand, context)
     : mark(e.operand, ["(", exprBody(e.operand, context), ")"])
   // `(- x)` is a number, not a section. (Haskell 2010 report §3.5)
-  if (e.side === "right" && e.op === "-") return ["(subtract ", atom(e.operand, context), ")"]
+  if (e.side === "right" && e.op === "-") return ["subtract ", atom(e.operand, context)]
   return e.side === "left" ? ["(", inner, ` ${op})`] : [`(${op} `, inner, ")"]
+}
+
+function isSubtract(e: Expr): boolean {
+  return e.kind === "section" && e.side === "right" && e.op === "-"
 }
 
 function variableWord(name: string): string {

@@ -162,6 +162,9 @@ function show(type: Type, place: 0 | 1 | 2, names: Map<Meta, string>): string {
       const item = spine(first)
       return item.head.kind === "con" && item.head.name === "Char" ? "String" : `[${show(first, 0, names)}]`
     }
+    // The only fractions of whole numbers that a program can name.
+    if (word === "Ratio" && args.length === 1 && first !== undefined && namesIn(first).has("Integer"))
+      return "Rational"
     if (/^\(,+\)$/.test(word) && args.length === word.length - 1)
       return `(${args.map(a => show(a, 0, names)).join(", ")})`
   }

@@ -72,10 +72,9 @@ export function withSignatures(program: Program, {inferrer}: Pick<Solved, "infer
         (scheme.variables.length > 0 && hasUnknowns(d))
       )
         return d
-      if (scheme.constraints.some(c => inferrer.env.hidden.has(c.name) || c.name === "Typeable")) return d
-      if ([...namesIn(scheme.type)].some(n => inferrer.env.hidden.has(n))) return d
       const text = showScheme(scheme)
-      if (text.includes("?")) return d
+      const named = text.match(/\p{Lu}[\p{L}\p{N}_']*/gu) ?? []
+      if (text.includes("?") || named.some(n => inferrer.env.hidden.has(n))) return d
       return {...d, signature: {kind: "type", text, from: d.from}}
     }),
   }

@@ -14,7 +14,10 @@ export function proposePattern(make: Maker, wanted: Type): SavedBlock {
     [6, () => make.named()],
     [2, () => make.block("pattern_any", {what: "thing"})],
     [fitting === undefined ? 0 : 8, () => fitting ?? make.named()],
-    [1, () => make.block("pattern_as", {name: make.name()})],
+    [
+      fitting === undefined ? 0 : 1,
+      () => make.block("pattern_as", {name: make.name()}, {P: fitting ?? make.named()}),
+    ],
     [1, () => anything(make)],
   ])()
 }

@@ -110,7 +110,7 @@ class Generator {
       name,
       constructors,
       ...(parameters.length > 0 ? {parameters} : {}),
-      ...(one && dice.once(2) ? {newtype: true} : {}),
+      ...(one && !dice.once(4) ? {newtype: true} : {}),
     })
   }
 

@@ -336,10 +336,7 @@ export class Values {
     const f = asFunction(wanted)
     if (f !== undefined) {
       const result = this.least(f.to, known, depth + 1)
-      return (
-        result &&
-        make.block("lambda", {inputs: 1}, {P0: make.block("pattern_any", {what: "thing"}), B: result})
-      )
+      return result && make.block("name", {name: "const", args: 1}, {A0: result})
     }
     if (head.name === "Task" || head.name === "IO") {
       const [inner] = all(args) ?? []

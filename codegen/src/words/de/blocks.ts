@@ -231,6 +231,8 @@ export const blocks: Pick<
     haskellDefinition: "Haskell-Definition",
   },
   answers: {
+    thereIsNoConditionHereYet: "Hier steht noch keine Bedingung.",
+    putAtLeastOneConditionIntoTheStack: "Lege mindestens einen Schritt, der etwas fragt, in den Stapel.",
     addACondition: "eine Bedingung dazutun",
     ifConditionHolds: (what, n) => `${what}, wenn Bedingung ${n} gilt`,
     removeTheLastCondition: "die letzte Bedingung wegnehmen",

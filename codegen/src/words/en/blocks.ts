@@ -212,6 +212,8 @@ export const blocks = {
     haskellDefinition: "Haskell definition",
   },
   answers: {
+    thereIsNoConditionHereYet: "There is no condition here yet.",
+    putAtLeastOneConditionIntoTheStack: "Put at least one step that asks something into the stack.",
     addACondition: "add a condition",
     ifConditionHolds: (what: string, n: number) => `${what} if condition ${n} holds`,
     removeTheLastCondition: "remove the last condition",
