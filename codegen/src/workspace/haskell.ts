@@ -6,7 +6,7 @@ import {printExprAlone, printPatternAlone, printProgram} from "../haskell/print.
 import {hasUnknowns} from "../model/holes.ts"
 import type {Declaration, Program} from "../model/tree.ts"
 import type {BlockId, SavedBlock, SavedWorkspace} from "../saved.ts"
-import {metasIn, namesIn, showScheme} from "../types/type.ts"
+import {metasIn, showScheme} from "../types/type.ts"
 import type {Solved} from "./infer.ts"
 import {problemsOf, solve} from "./infer.ts"
 
