@@ -81,7 +81,7 @@ runRosy = go 0 (Tally 0 0 0) (begin (Start 0 (mkStdGen 1)) (program (Names []) n
          in case todo of
               [] -> pure (firings, tally')
               s : rest -> go firings tally' (instant 0 (what s) now') rest
-      Enters _ after -> go firings tally after todo
+      Enters _ _ after -> go firings tally after todo
       Closes _ after -> go firings tally after todo
       Ended _ -> pure (firings, tally)
     add t action = case action of

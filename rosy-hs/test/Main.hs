@@ -6,6 +6,7 @@ import qualified Test.Rosy.Documentation
 import qualified Test.Rosy.Geometry
 import qualified Test.Rosy.Laws
 import qualified Test.Rosy.Model
+import qualified Test.Rosy.Problem
 import qualified Test.Rosy.Refused
 import qualified Test.Rosy.Task
 import qualified Test.Rosy.Value
@@ -24,6 +25,7 @@ main =
         Test.Rosy.Refused.tests,
         Test.Rosy.Laws.tests,
         Test.Rosy.Model.tests,
+        Test.Rosy.Problem.tests,
         Test.Rosy.Wire.tests,
         Test.Rosy.Documentation.tests
       ]

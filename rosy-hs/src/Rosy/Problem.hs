@@ -80,6 +80,9 @@ sentence who exception
     _ -> ("stopped", "The program was stopped.", "")
   | Just NonTermination <- fromException exception =
     ("exception", who ++ " waits for its own answer.", "It may use a value to compute that same value.")
+  | Just (RecSelError _) <- fromException exception = ("exception", who ++ " asked for a field that this value does not have.", "Look at it with a pattern first: not every constructor has every field.")
+  | Just (NoMethodError _) <- fromException exception = ("exception", who ++ " used a function that an instance leaves out.", "Define it in the instance.")
+  | Just (RecConError _) <- fromException exception = ("exception", who ++ " used a field that was never given a value.", "Give it one where the value is made.")
   | Just (ErrorCall text) <- fromException exception = errorSentence who text
   | otherwise = ("exception", who ++ " failed.", firstLine (displayException exception))
 
@@ -93,6 +96,14 @@ errorSentence who text
     ("exception", who ++ " could not read a text as a value.", "Check how the text is written.")
   | "Prelude.!!" `isPrefixOf` text =
     ("exception", who ++ " looked for something past the end of a list.", "A list of n things has the places 0 to n - 1.")
+  | "Maybe.fromJust" `isPrefixOf` text =
+    ("exception", who ++ " took something out of a Nothing.", "Use a pattern, or fromMaybe with a value for that case.")
+  | any (`isPrefixOf` text) ["Map.!", "IntMap.!"] =
+    ("exception", who ++ " looked for a key that is not in the map.", "Use Map.lookup: it gives Nothing when there is none.")
+  | any (`elem'` text) ["bad argument", "tried to take `"] =
+    ("exception", who ++ " counted past the last value of a type.", "Check first that there is a next one.")
+  | "Negative exponent" `isPrefixOf` text =
+    ("exception", who ++ " raised a number to a negative power with ^.", "Use ** for that.")
   | otherwise = ("exception", who ++ " stopped with an error: " ++ firstLine text, "")
   where
     needle `elem'` hay = any (needle `isPrefixOf`) (suffixes hay)

@@ -26,25 +26,32 @@ runOn link program = do
     Just batch -> do
       between link
       let start = Start {startTime = batchTime batch, startGen = mkStdGen (openingSeed opening)}
-      batches link [] batch (begin start program)
+      batches link [] batch (Ended (Report [] [])) (begin start program)
 
 -- | Go through one batch, starting from a turn, then wait for the next. The memory is as it was seen last.
-batches :: Link -> [(String, String)] -> Batch -> Turn -> IO ()
-batches link seen batch = drive [] (occasions batch)
+batches :: Link -> [(String, String)] -> Batch -> Turn -> Turn -> IO ()
+batches link seen batch = drive "main" [] (occasions batch)
   where
-    -- Names of what fired, newest first, and what of the batch is to come.
-    drive fired todo turn = case turn of
+    failed name inputs exception = EndedError (problemFrom (Just name) inputs (Just (batchTime batch)) exception)
+    -- Who says what comes next, the names of what fired, newest first, what of the batch is to come, and what follows when what comes
+    -- next cannot be computed.
+    drive name fired todo instead next' = do
+      computed <- try (evaluate next')
+      case computed of
+        Right turn -> follow fired todo turn
+        Left exception -> cleanUp link batch fired (failed name [] exception) instead
+    follow fired todo turn = case turn of
       Fires firing after -> do
         let name = firingName firing
         atWork link name
         result <- try (evaluate (firingEffects firing))
         case result of
-          Right _ -> between link >> drive (name : fired) todo after
+          Right _ -> between link >> drive "main" (name : fired) todo (firingFailed firing) after
           Left exception -> do
             inputs <- showInputs (firingInputs firing)
-            cleanUp link batch fired (EndedError (problemFrom (Just (nameText name)) inputs (Just (batchTime batch)) exception)) (firingFailed firing)
+            cleanUp link batch fired (failed (nameText name) inputs exception) (firingFailed firing)
       Settled network -> case todo of
-        what : rest -> drive fired rest (instant (batchTime batch) what network)
+        what : rest -> drive "main" fired rest (stop network) (instant (batchTime batch) what network)
         [] -> do
           atRest link
           let (report, network') = collect network
@@ -53,8 +60,8 @@ batches link seen batch = drive [] (occasions batch)
           following <- next link
           case following of
             Nothing -> cleanUp link batch [] EndedStopped (stop network')
-            Just batch' -> between link >> batches link memory batch' (Settled network')
-      Enters name after -> atWork link name >> drive fired todo after
+            Just batch' -> between link >> batches link memory batch' (stop network') (Settled network')
+      Enters name instead after -> atWork link name >> drive (nameText name) fired todo instead after
       Closes outcome after -> cleanUp link batch fired (endingOf batch outcome) after
       Ended report -> end link (answerOf batch fired report) EndedStopped
 
@@ -87,7 +94,7 @@ cleanUp link batch fired ending turn = case turn of
     case result of
       Right _ -> between link >> cleanUp link batch (firingName firing : fired) ending after
       Left _ -> cleanUp link batch fired ending (firingFailed firing)
-  Enters name after -> atWork link name >> cleanUp link batch fired ending after
+  Enters name _ after -> atWork link name >> cleanUp link batch fired ending after
   Closes _ after -> cleanUp link batch fired ending after
   Settled network -> cleanUp link batch fired ending (stop network)
   Ended report -> atRest link >> end link (answerOf batch fired report) ending

@@ -101,12 +101,12 @@ hearProgram p = go 0 [] (begin (Start 0 (mkStdGen 1)) p)
          in heard time fired report Nothing : case todo of
               [] -> []
               (t, what) : rest -> go t [] (instant t what network') rest
-      Enters _ after -> go time fired after todo
+      Enters _ _ after -> go time fired after todo
       Closes outcome after -> closing time fired (show outcome) after
       Ended report -> [heard time fired report Nothing]
     closing time fired how = \case
       Fires firing after -> closing time (nameText (firingName firing) : fired) how (maybe after (const (firingFailed firing)) (attempt (firingEffects firing)))
-      Enters _ after -> closing time fired how after
+      Enters _ _ after -> closing time fired how after
       Closes _ after -> closing time fired how after
       Settled network -> closing time fired how (stop network)
       Ended report -> [heard time fired report (Just how)]

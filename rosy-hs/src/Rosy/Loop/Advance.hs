@@ -38,7 +38,7 @@ advance :: Int -> Program r -> Step (Running r)
 advance !left program = case program of
   Return x -> pure (Returned x)
   _ | left <= 0 -> pure (Paused program)
-  Within name rest -> Step (\w k -> Enters name (runStep (advance left rest) w k))
+  Within name rest -> Step (\w k -> Enters name (cleanUp w) (runStep (advance left rest) w k))
   RunTask spec k -> startTask left spec k
   Once function rest -> do
     scope <- freshScope

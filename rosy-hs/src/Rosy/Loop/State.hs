@@ -42,8 +42,9 @@ import Rosy.Core
 data Turn
   = -- | A function is about to fire. Once its effects are computed, this is what follows.
     Fires Firing Turn
-  | -- | The definition of this name says what comes next; it is at work until a function fires.
-    Enters !FunctionName Turn
+  | -- | The definition of this name says what comes next; it is at work until a function fires. What follows when it throws: the
+    -- clean-up of the tasks that are live, and 'Ended'. The second is what follows else.
+    Enters !FunctionName Turn Turn
   | -- | The step is over; the program waits for the next.
     Settled !Network
   | -- | The program is over. What follows is the clean-up of all live tasks, then 'Ended'.

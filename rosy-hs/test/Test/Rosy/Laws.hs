@@ -116,7 +116,7 @@ liveSizes stretch = go 0 (begin (Start 0 (mkStdGen 1)) (program (Names []) busie
           size <- gcdetails_live_bytes . gc <$> getRTSStats
           (size :) <$> step k network (left - 1)
         | otherwise -> step k network left
-      Enters _ after -> go k after left
+      Enters _ _ after -> go k after left
       Closes _ after -> go k after left
       Ended _ -> assertFailure "it ended"
     step k network = go (k + 1) (instant (0.02 * fromIntegral k) (what k) (snd (collect network)))

@@ -1,0 +1,66 @@
+{-# LANGUAGE ScopedTypeVariables #-}
+{-# OPTIONS_GHC -Wno-incomplete-patterns -Wno-missing-methods -Wno-missing-fields -Wno-partial-fields #-}
+
+-- |
+-- Module      : Test.Rosy.Problem
+-- Description : What a learner reads when something is thrown, and whom it names.
+module Test.Rosy.Problem (tests) where
+
+import Control.Exception (SomeException, evaluate, try)
+import Data.List (isInfixOf)
+import qualified Data.Map as Map
+import Data.Maybe (fromJust)
+import Rosy
+import Rosy.Problem
+import Rosy.Program (Names (..), within)
+import Rosy.Runnable (program)
+import Support.Rehearsal
+import Test.Tasty (TestTree, testGroup)
+import Test.Tasty.HUnit
+
+data Shape = Square {side :: Int} | Point deriving (Show)
+
+class Tells a where tell :: a -> Int
+
+instance Tells Shape
+
+{- HLINT ignore "Evaluate" -}
+
+tests :: TestTree
+tests =
+  testGroup
+    "Problem"
+    [ testGroup
+        "says kindly"
+        [ says "an empty list" (head []) "f took something out of an empty list.",
+          says "a division by zero" (1 `div` 0) "f divided by zero.",
+          says "a missing case" (case words "x" of [] -> 1) "f has no case for what it was given.",
+          says "undefined" undefined "f reached undefined.",
+          says "the program's own error" (error "too fast") "f stopped with an error: too fast",
+          says "a Nothing" (fromJust Nothing) "f took something out of a Nothing.",
+          says "a missing key" (Map.fromList [(1 :: Int, 1)] Map.! 2) "f looked for a key that is not in the map.",
+          says "a text that is no number" (read "x") "f could not read a text as a value.",
+          says "a place past the end" ([1] !! 5) "f looked for something past the end of a list.",
+          says "the last of its type" (fromEnum (succ True)) "f counted past the last value of a type.",
+          says "a negative power" (2 ^ negate (1 :: Int)) "f raised a number to a negative power with ^.",
+          says "a field of another constructor" (side Point) "f asked for a field that this value does not have.",
+          says "a field without a value" (side Square {}) "f used a field that was never given a value.",
+          says "a function that an instance leaves out" (tell Point) "f used a function that an instance leaves out."
+        ],
+      testCase "a task that cannot be computed is blamed on its definition, and live tasks clean up" $ do
+        heard <- rehearse [Steps 0 [] True] (program (Names []) (parallel guarded (within "plan" broken)))
+        (concatMap heardCommands heard, heardEnd (last heard))
+          @?= (["Led1 Green", "Say \"a\"", "Led1 Red", "Velocity 0.0 0.0"], Just (End "error" (Just "exception") (Just "plan")))
+    ]
+  where
+    guarded, broken :: Task ()
+    guarded = taskWith TaskOptions {starting = Led1 Green, stopped = Led1 Red} (\Never -> Done ())
+    broken = say "a" >> within "plan" (if head [] then pure () else say "b")
+    says what (value :: Int) wanted = testCase what $ do
+      thrown <- try (evaluate value)
+      case thrown of
+        Right _ -> assertFailure "nothing was thrown"
+        Left (e :: SomeException) -> do
+          let problem = problemFrom (Just "f") [] Nothing e
+          problemMessage problem @?= wanted
+          assertBool (problemHint problem) (not ("Prelude" `isInfixOf` problemHint problem))
