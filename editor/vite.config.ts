@@ -38,11 +38,17 @@ function blocklyMedia(): Plugin {
   }
 }
 
+const page = (name: string) => fileURLToPath(new URL(name, import.meta.url))
+
 export default defineConfig({
   root: fileURLToPath(new URL(".", import.meta.url)),
   base: "./",
   plugins: [blocklyMedia()],
-  build: {target: "es2022", chunkSizeWarningLimit: 2500},
+  build: {
+    target: "es2022",
+    chunkSizeWarningLimit: 2500,
+    rollupOptions: {input: {index: page("index.html"), prelude: page("prelude.html")}},
+  },
   server: {proxy: {"/api": {target: service, ws: true}, "/rosbridge": {target: service, ws: true}}},
   test: {environment: "node", include: ["test/**/*.test.ts", "test/**/*.test.tsx"]},
 })

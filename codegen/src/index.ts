@@ -29,7 +29,7 @@ export type {Connects, Family, Item, MenuEntry, Row, Shape, Sort, StackSort} fro
 export {setIn} from "./shape.ts"
 export {homeOf} from "./types/haddock.ts"
 export type {KnownName} from "./types/known.ts"
-export {knownNames} from "./types/known.ts"
+export {knownNames, preludeNames} from "./types/known.ts"
 export {checker, fits} from "./workspace/check.ts"
 export type {Haskell, PieceOfCode} from "./workspace/haskell.ts"
 export {blockAt, codeOf, spanOf, spanOfSocket, toHaskell} from "./workspace/haskell.ts"

@@ -16,6 +16,17 @@ export interface KnownName {
 
 /// Every name of Rosy and the Prelude that blocks and programs use, in the order of their declarations.
 export function knownNames(): readonly KnownName[] {
+  return everyName().filter(n => /^[\p{L}_]/u.test(n.name))
+}
+
+/// Those of them that are Haskell's own, with their operators.
+export function preludeNames(): readonly KnownName[] {
+  return everyName()
+    .filter(n => library.prelude.has(n.name))
+    .sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0))
+}
+
+function everyName(): readonly KnownName[] {
   const values = [...library.values].map(
     ([name, scheme]): KnownName => ({
       name,
@@ -40,7 +51,7 @@ export function knownNames(): readonly KnownName[] {
       family: familyOfType(con(name), "pattern") ?? "own",
     }),
   )
-  return [...values, ...constructors, ...types].filter(n => /^[\p{L}_]/u.test(n.name))
+  return [...values, ...constructors, ...types]
 }
 
 /// What a function answers in the end.

@@ -299,7 +299,15 @@ function Tabs(): VNode {
           </button>
         ))}
       </div>
-      <div class="tab-panel" key={tab} id="tab-panel" role="tabpanel" aria-labelledby={`tab-${tab}`}>
+      <div
+        class="tab-panel"
+        key={tab}
+        id="tab-panel"
+        role="tabpanel"
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by keys
+        tabIndex={0}
+        aria-labelledby={`tab-${tab}`}
+      >
         {tab === "console" && <ConsolePanel />}
         {tab === "charts" && <ChartsPanel />}
         {tab === "sensors" && <SensorsPanel />}

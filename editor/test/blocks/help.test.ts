@@ -1,9 +1,9 @@
 /// Every block that the toolbox offers explains itself: a tooltip with an example, and a link to the page that says more.
 
 import {existsSync, readFileSync} from "node:fs"
-import {blockView, type Level, type SavedBlock, toolbox} from "@rosy/codegen"
+import {blockView, type Level, preludeNames, type SavedBlock, toolbox} from "@rosy/codegen"
 import {expect, test} from "vitest"
-import {apiPage, helpAddress} from "../../src/blocks/help.ts"
+import {apiPage, helpAddress, placeOf, preludePage} from "../../src/blocks/help.ts"
 
 function* inside(block: SavedBlock): Generator<SavedBlock> {
   yield block
@@ -41,6 +41,15 @@ test.runIf(existsSync(page))("every help link into Rosy's page leads to what it 
 test("a name goes to its own place, and an operator by its numbers", () => {
   expect(helpAddress("v:wait")).toBe("api-docs/Rosy.html#v:wait")
   expect(helpAddress("t:Velocity")).toBe("api-docs/Rosy.html#t:Velocity")
-  expect(helpAddress("v:&&")).toMatch(/Prelude\.html#v:-38--38-$/)
+  expect(helpAddress("v:&&")).toBe("prelude.html#v:-38--38-")
   expect(helpAddress("v:myOwn")).toBe("api-docs/Rosy.html")
+})
+
+test("every help link to a name of Haskell's own leads to its place on the page of those names", () => {
+  const places = new Set(preludeNames().map(n => placeOf(`${n.kind === "type" ? "t" : "v"}:${n.name}`)))
+  const links = [...new Set(shapes.map(({shape}) => helpAddress(shape?.help)))]
+  const into = links.filter(link => link.startsWith(preludePage)).map(link => link.split("#")[1] ?? "")
+  expect(into.length).toBeGreaterThan(20)
+  expect(into.filter(place => !places.has(place))).toEqual([])
+  expect(links.filter(link => link.includes("://"))).toEqual([])
 })

@@ -143,6 +143,10 @@ export const page: Omit<Words, "blocks" | "world" | "blockly"> = {
   saveFile: "Als Datei speichern",
   saveHaskell: "Das Haskell speichern",
   driveByHand: "Von Hand fahren (ROS)",
+  help: {
+    title: "Haskells eigene Namen",
+    lead: "Diese kennt jedes Haskell-Programm. Jeder steht mit seinem Typ und einem Beispiel da.",
+  },
   language: "Sprache",
   theme: "Farben",
   themes: {auto: "Wie das System", light: "Hell", dark: "Dunkel"},

@@ -145,6 +145,11 @@ export const page = {
   saveFile: "Save as a file",
   saveHaskell: "Save the Haskell",
   driveByHand: "Drive by hand (ROS)",
+  /// The page that help links to Haskell's own names lead to.
+  help: {
+    title: "Haskell's own names",
+    lead: "Every Haskell program knows these. Each stands with its type and an example.",
+  },
   language: "Language",
   theme: "Colours",
   themes: {auto: "As the system", light: "Light", dark: "Dark"},
