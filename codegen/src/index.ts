@@ -22,6 +22,7 @@ export type {
 export {socketKey} from "./api.ts"
 export {blockTypes, blockView} from "./blocks/language.ts"
 export {readWorkspace} from "./blocks/read.ts"
+export {isConstructorName, isVariableName, reservedWords} from "./haskell/lexemes.ts"
 export {printProgram} from "./haskell/print.ts"
 export {hashOf, splitDeclarations} from "./haskell/split.ts"
 export type {BlockId, Extra, Json, Place, SavedBlock, SavedInput, SavedWorkspace} from "./saved.ts"

@@ -238,7 +238,11 @@ test.describe("a block of the toolbox that is let fall on the text", () => {
         await page.mouse.move(x, y)
         if (i === 0) await page.mouse.down()
       }
-      await page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))))
+      // A finger that rests on a block opens its menu.
+      if (i > 0)
+        await page.evaluate(
+          () => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))),
+        )
     }
     await expect(page.locator(".hs-carried")).toBeVisible()
     if (by === "touch") await client.send("Input.dispatchTouchEvent", {type: "touchEnd", touchPoints: []})
@@ -270,4 +274,28 @@ test.describe("a block of the toolbox that is let fall on the text", () => {
         await expect(page.locator(".blocklySvg .blocklyBlockCanvas > .blocklyDraggable")).toHaveCount(blocks)
       })
     })
+})
+
+test("what is chosen, what is wrong and what is at work is seen in both views", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  // A block is chosen: its text is marked. The cursor is put elsewhere: the block there is marked.
+  await learner.definition("play").getByText("play", {exact: true}).first().click()
+  await page.keyboard.press("Escape")
+  await expect(page.locator(".hs-linked-line").first()).toContainText("play")
+  await learner.findsInHaskell("vl + 0.5")
+  await expect(learner.definition("accelerate").locator(".rosyTold").first()).toBeVisible()
+  await expect(page.locator(".hs-linked").first()).toContainText("vl + 0.5")
+  await learner.keeps("both-selected")
+  // What is at work glows, once the robot has run into something.
+  await learner.runs()
+  await expect(page.locator(".hs-glowing").first()).toContainText("accelerate")
+  await expect(learner.definition("accelerate").and(page.locator(".rosyFired"))).toBeVisible()
+  await learner.stops()
+  // What is wrong is marked on the words and on the block that says them.
+  await learner.findsInHaskell("0.5")
+  await page.keyboard.type("True")
+  await expect(page.locator(".cm-lintRange-error", {hasText: "True"}).first()).toBeVisible()
+  await expect(learner.wrongBlocks().first()).toBeVisible()
+  await learner.keeps("both-wrong")
 })

@@ -41,13 +41,15 @@ const knownOptions: readonly Completion[] = known.map(n => ({
   boost: -10,
 }))
 
-/// Boosts go from -99 to 99.
-function ranked(names: readonly Fitting[]): readonly Completion[] {
+/// What can stand there as it is comes before what needs an input first; within each, in the compiler's order. (CodeMirror sorts by how well the letters fit, then by
+/// boosts from -99 to 99, then by `sortText`.)
+export function ranked(names: readonly Fitting[]): readonly Completion[] {
   return names.map(({name, type, takes}, i) => ({
     label: name,
     detail: type,
     type: /^\p{Lu}/u.test(name) ? "class" : "function",
-    boost: Math.max(1, 60 - Math.floor(i / 4) - 2 * takes),
+    boost: takes === 0 ? 60 : 45 - 2 * Math.min(takes, 10),
+    sortText: String(i).padStart(4, "0"),
   }))
 }
 

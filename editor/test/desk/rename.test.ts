@@ -50,7 +50,36 @@ describe("renaming", () => {
   it("changes a constructor in its type and in patterns", () => {
     expect(rename("Go", "Drive")).toEqual({ok: true, text: text.replaceAll(/\bGo\b/g, "Drive")})
   })
+  it("changes a type wherever it is named, and a constructor of the same name apart from it", () => {
+    expect(rename("Mode", "State", 1)).toEqual({ok: true, text: text.replaceAll(/\bMode\b/g, "State")})
+    const pair =
+      "data Pair a b = Pair a b\n\nswap :: Pair a b -> Pair b a\nswap (Pair one other) = Pair other one\n"
+    const at = (which: number, old: string, name: string) => {
+      const offset = [...pair.matchAll(new RegExp(`\\b${old}\\b`, "g"))][which]?.index ?? -1
+      return renamed(readHaskell(reader, "x", pair).document, offset, old, name)
+    }
+    const type =
+      "data Two a b = Pair a b\n\nswap :: Two a b -> Two b a\nswap (Pair one other) = Pair other one\n"
+    const made =
+      "data Pair a b = Two a b\n\nswap :: Pair a b -> Pair b a\nswap (Two one other) = Two other one\n"
+    for (const which of [0, 2, 3]) expect(at(which, "Pair", "Two")).toEqual({ok: true, text: type})
+    for (const which of [1, 4, 5]) expect(at(which, "Pair", "Two")).toEqual({ok: true, text: made})
+    // A variable of types belongs to its definition.
+    expect(at(0, "a", "x")).toEqual({
+      ok: true,
+      text: pair.replace("Pair a b = Pair a b", "Pair x b = Pair x b"),
+    })
+    expect(at(2, "a", "x")).toEqual({
+      ok: true,
+      text: pair.replace("Pair a b -> Pair b a", "Pair x b -> Pair b x"),
+    })
+    expect(at(0, "a", "b").ok).toBe(false)
+    expect(at(0, "a", "A").ok).toBe(false)
+    expect(at(0, "Pair", "Maybe").ok).toBe(false)
+    expect(at(1, "Pair", "Just").ok).toBe(false)
+  })
   it.each([
+    ["Memory", "Thing", 0, /Memory/],
     ["speed", "drive", 4, /drive/],
     ["drive", "turn", 0, /turn/],
     ["simulate", "run", 0, /simulate/],
