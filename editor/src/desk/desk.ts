@@ -40,7 +40,9 @@ import {
   analysed,
   blockProblem,
   emptyProject,
+  isForeign,
   isWorldFile,
+  longestProgram,
   type OpenedProject,
   readHaskell,
   readProject,
@@ -156,9 +158,18 @@ export function openDesk(address: string): Desk {
   }
   const openText = (name: string, text: string, welcome: boolean, place: string | null) => {
     if (reader === null) return
-    if (/\.hs$/i.test(name))
-      return show(readHaskell(reader, name.replace(/\.hs$/i, ""), text), welcome, place)
-    const opening = readProject(reader, text)
+    const tooLarge = (haskell: string) => {
+      // What is kept here is the learner's already.
+      if (place !== null || haskell.length <= longestProgram) return false
+      store.dispatch({kind: "notice", notice: {kind: "too-large", name}})
+      return true
+    }
+    if (/\.hs$/i.test(name)) {
+      if (!tooLarge(text)) show(readHaskell(reader, name.replace(/\.hs$/i, ""), text), welcome, place)
+      return
+    }
+    const opening = readProject(reader, text, tooLarge)
+    if (opening === null) return
     if (opening.kind === "opened") show(opening.opened, welcome, place)
     else {
       const {message, hint} = opening
@@ -170,6 +181,7 @@ export function openDesk(address: string): Desk {
     if (text === null) store.dispatch({kind: "notice", notice: {kind: "not-text", name}})
     else if (store.now.worldEditor !== null || isWorldFile(name, text))
       store.dispatch({kind: "world-file-read", name, text})
+    else if (isForeign(name, text)) store.dispatch({kind: "notice", notice: {kind: "not-program", name}})
     else openText(name, text, false, null)
   }
   const openExample = async (name: string, welcome: boolean, named = true) => {

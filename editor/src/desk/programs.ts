@@ -50,11 +50,19 @@ export type Opening =
   | {readonly kind: "opened"; readonly opened: OpenedProject}
   | {readonly kind: "unreadable"; readonly message: string; readonly hint: string}
 
-/// Opens the text of a project file.
-export function readProject(reader: Reader, text: string): Opening {
+/// Letters of a program that the service takes (protocol §3).
+export const longestProgram = 200_000
+
+/// Opens the text of a project file; `null` when its program is refused.
+export function readProject(
+  reader: Reader,
+  text: string,
+  refused: (haskell: string) => boolean = () => false,
+): Opening | null {
   const parsed = parseProject(text)
   if (!parsed.ok) return {kind: "unreadable", message: parsed.message, hint: parsed.hint}
   const {project} = parsed
+  if (refused(project.haskell)) return null
   return {
     kind: "opened",
     opened: {
@@ -70,6 +78,11 @@ export function isWorldFile(name: string, text: string): boolean {
   if (/\.(hs|rosy)$/i.test(name)) return false
   const value = parseJson(text.replace(/^\uFEFF/, ""))
   return typeof value === "object" && value !== null && !("rosy" in value)
+}
+
+/// Whether a file claims to be something else than a program, a project or a room, and is no project.
+export function isForeign(name: string, text: string): boolean {
+  return !/\.(hs|rosy|json)$/i.test(name) && parseJson(text.replace(/^\uFEFF/, "")) === undefined
 }
 
 /// A room that cannot be read leaves the room as it is; the project file keeps it.

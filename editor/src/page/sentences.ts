@@ -23,6 +23,10 @@ export function noticeWords(notice: Notice): {readonly message: string; readonly
       return {message: `${notice.name}: ${notice.message}`, hint: notice.hint}
     case "not-text":
       return {message: w.notText.message(notice.name), hint: w.notText.hint}
+    case "not-program":
+      return {message: w.notProgram(notice.name), hint: w.notText.hint}
+    case "too-large":
+      return {message: w.tooLarge.message(notice.name), hint: w.tooLarge.hint}
     case "unreadable-world":
       return {
         message: w.notWorld(notice.name),

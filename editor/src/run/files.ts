@@ -22,9 +22,19 @@ export function pickFile(accept: string, picked: (name: string, text: string | n
   input.accept = accept
   input.onchange = async () => {
     const file = input.files?.[0]
-    if (file !== undefined) picked(file.name, textIn(await file.arrayBuffer()))
+    if (file !== undefined) picked(file.name, await contentOf(file))
   }
   input.click()
+}
+
+/// Bytes of a file that are read: more is no program of anybody's, and the rest of it tells nothing new.
+const mostBytes = 20_000_000
+
+async function contentOf(file: File): Promise<string | null> {
+  // Cut off in the middle of a letter it would not be text.
+  return file.size > mostBytes
+    ? new TextDecoder().decode(await file.slice(0, mostBytes).arrayBuffer())
+    : textIn(await file.arrayBuffer())
 }
 
 /// UTF-8 to the last byte, a byte order mark included, or `null`.
@@ -52,6 +62,6 @@ export function watchDrops(dropped: (name: string, text: string | null) => void)
     const file = event.dataTransfer?.files[0]
     if (!hasFiles(event) || file === undefined) return
     event.preventDefault()
-    dropped(file.name, textIn(await file.arrayBuffer()))
+    dropped(file.name, await contentOf(file))
   })
 }

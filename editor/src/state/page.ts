@@ -41,6 +41,9 @@ export type Gallery =
 export type Notice =
   | {readonly kind: "unreadable-file"; readonly name: string; readonly message: string; readonly hint: string}
   | {readonly kind: "not-text"; readonly name: string}
+  /// Text, but neither a program nor a room.
+  | {readonly kind: "not-program"; readonly name: string}
+  | {readonly kind: "too-large"; readonly name: string}
   /// `path` is empty when it is about the whole file.
   | {readonly kind: "unreadable-world"; readonly name: string; readonly path: string; readonly why: string}
   | {readonly kind: "example-missing"; readonly name: string}

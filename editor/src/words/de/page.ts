@@ -254,6 +254,11 @@ export const page: Omit<Words, "blocks" | "world" | "blockly"> = {
       message: name => `In ${name} steht kein Text.`,
       hint: "Rosy öffnet Programme: Dateien, die auf .rosy oder .hs enden.",
     },
+    notProgram: name => `${name} ist kein Programm.`,
+    tooLarge: {
+      message: name => `${name} ist zu groß.`,
+      hint: "Ein Programm hat höchstens 200.000 Zeichen. Deins ist noch offen.",
+    },
     notWorld: name => `${name} ist kein Raum, den Rosy benutzen kann.`,
     exampleMissing: {
       message: name => `Es gibt kein Beispiel ${name}.`,

@@ -259,6 +259,11 @@ export const page = {
       message: (name: string) => `${name} does not hold text.`,
       hint: "Rosy opens programs: files that end in .rosy or .hs.",
     },
+    notProgram: (name: string) => `${name} is not a program.`,
+    tooLarge: {
+      message: (name: string) => `${name} is too large.`,
+      hint: "A program has at most 200,000 letters. Yours is still open.",
+    },
     notWorld: (name: string) => `${name} is not a room Rosy can use.`,
     exampleMissing: {
       message: (name: string) => `There is no example ${name}.`,
