@@ -59,6 +59,8 @@ module Ros.Topic
     subsample,
     finiteDifference,
     weightedMean,
+    weightedMean2,
+    weightedMeanNormalized,
     simpsonsRule,
     filterBy,
     gate,
@@ -240,27 +242,38 @@ slidingWindow n t = Topic (splitAt (n - 1) t >>= \(xs, rest) -> runTopic (go xs 
 subsample :: Monad m => Int -> Topic m a -> Topic m a
 subsample n t = Topic (runTopic t >>= \(x, rest) -> pure (x, subsample n (drop (n - 1) rest)))
 
--- | > finiteDifference (-) = differences of neighbours
+-- | > finiteDifference f t = zipWith f t (tail t)
 finiteDifference :: Monad m => (a -> a -> b) -> Topic m a -> Topic m b
-finiteDifference f = fmap (\(x, y) -> f y x) . consecutive
+finiteDifference f = fmap (uncurry f) . consecutive
 
--- | @weightedMean w add scale@: a running mean, in which what came before weighs @w@ and each new value
--- @1 - w@. For values that are not numbers, hence the two functions.
+-- | @weightedMean w plus scale@: a running mean, in which what came before weighs @w@ and each new value @1 - w@. It
+-- begins with the mean of the first two. For values that are not numbers, hence the two functions.
 weightedMean :: (Monad m, Num n) => n -> (a -> a -> a) -> (n -> a -> a) -> Topic m a -> Topic m a
-weightedMean w add scale t = Topic (runTopic t >>= \(x, more) -> pure (x, scan step x more))
-  where
-    step mean x = add (scale w mean) (scale (1 - w) x)
+weightedMean w = weightedMean2 w (1 - w)
 
--- | Integrates a signal of which each value is @dt@ seconds after the one before.
-simpsonsRule :: (Monad m, Fractional a) => a -> Topic m a -> Topic m a
-simpsonsRule dt t = scan (+) 0 (fmap area (subsample 2 (slidingWindow 3 t)))
-  where
-    area [a, b, c] = dt / 3 * (a + 4 * b + c)
-    area _ = 0
+-- | As 'weightedMean', with both weights.
+weightedMean2 :: Monad m => n -> n -> (a -> a -> a) -> (n -> a -> a) -> Topic m a -> Topic m a
+weightedMean2 old new plus scale = weightedMeanNormalized old new plus scale id
 
--- | Lets a value pass when the next value of the other topic is true. One of each is pulled.
-filterBy :: Monad m => Topic m Bool -> Topic m a -> Topic m a
-filterBy keep t = catMaybes ((\k x -> if k then Just x else Nothing) <$> keep <*> t)
+-- | And with a function for the sum, so that whole numbers can be weighed: @weightedMeanNormalized 7 1 (+) (*) (`div` 8)@.
+weightedMeanNormalized :: Monad m => n -> n -> (b -> b -> c) -> (n -> a -> b) -> (c -> a) -> Topic m a -> Topic m a
+weightedMeanNormalized old new plus scale normalize t = Topic (runTopic t >>= \(x, more) -> runTopic (scan step x more))
+  where
+    step mean x = normalize (plus (scale old mean) (scale new x))
+
+-- | Integrates over every three neighbours, which are one unit of time apart: a third of the outer ones and four of the middle one.
+-- The functions add and scale values that need not be numbers.
+simpsonsRule :: (Monad m, Fractional n) => (a -> a -> a) -> (n -> a -> a) -> Topic m a -> Topic m a
+simpsonsRule plus scale t = fmap area (consecutive (consecutive t))
+  where
+    area ((a, b), (_, c)) = scale (1 / 3) (plus (plus a (scale 4 b)) c)
+
+-- | The first value that satisfies the first predicate, the first one after it that satisfies the second, and so on.
+filterBy :: Monad m => Topic m (a -> Bool) -> Topic m a -> Topic m a
+filterBy predicates t = Topic $ do
+  (p, more) <- runTopic predicates
+  (x, rest) <- runTopic (dropWhile (not . p) t)
+  pure (x, filterBy more rest)
 
 -- | A value of the left for every value of the right.
 gate :: Applicative m => Topic m a -> Topic m b -> Topic m a

@@ -7,7 +7,6 @@ import Control.Concurrent.MVar
 import Control.Concurrent.STM (atomically)
 import Control.Exception (ErrorCall (..), throwIO, try)
 import Data.Bifunctor (second)
-import Data.Foldable (toList)
 import Data.Functor.Identity (Identity (..))
 import Data.IORef
 import Data.List (mapAccumL, sort)
@@ -45,20 +44,31 @@ pureOnes =
       law "subsample" (T.subsample 3) (\xs -> [xs !! i | i <- [0, 3 ..]]),
       law "concats" (T.concats . fmap (\x -> replicate (x `mod` 3) x)) (concatMap (\x -> replicate (x `mod` 3) x)),
       law "catMaybes" (T.catMaybes . fmap (\x -> if odd x then Just x else Nothing)) (filter odd),
-      law "finiteDifference" (T.finiteDifference (-) . fmap (^ (2 :: Int))) (\xs -> zipWith (-) (tail (map (^ (2 :: Int)) xs)) (map (^ (2 :: Int)) xs)),
+      law "finiteDifference" (T.finiteDifference subtract . fmap (^ (2 :: Int))) (\xs -> zipWith (-) (tail (map (^ (2 :: Int)) xs)) (map (^ (2 :: Int)) xs)),
       law "cons" (T.cons 9) (9 :),
       law "metamorph" (T.metamorph (\s x -> (s + x, x)) 0) (\xs -> zipWith (+) (0 : xs) xs),
       law "gate" (\t -> T.gate t (T.repeat ())) id,
-      law "filterBy" (\t -> T.filterBy (fmap even t) t) (filter even),
+      law "filterBy" (T.filterBy (T.repeat even)) (filter even),
       testCase "break stops before the value and keeps it" $
         second ten (runIdentity (T.break (> 3) numbers)) @?= ([0 .. 3], [4 .. 13]),
       testCase "takeWhile" $ runIdentity (T.takeWhile (< 4) numbers) @?= [0 .. 3],
       testCase "tails start at each value" $ map T.head (ten (T.tails numbers)) @?= map Identity [0 .. 9],
-      testCase "Simpson's rule integrates a parabola exactly" $
-        let parabola = fmap (\i -> let x = fromIntegral i * 0.5 in x * x) numbers :: Topic Identity Double
-         in take 3 (ten (T.simpsonsRule 0.5 parabola)) @?= [1 / 3, 8 / 3, 9],
       testCase "a running mean forgets with its weight" $
-        take 3 (ten (T.weightedMean 0.5 (+) (*) (fmap fromIntegral numbers) :: Topic Identity Double)) @?= [0, 0.5, 1.25],
+        take 3 (ten (T.weightedMean 0.5 (+) (*) (fmap fromIntegral numbers) :: Topic Identity Double)) @?= [0.5, 1.25, 2.125],
+      testCase "a running mean of whole numbers" $
+        take 4 (ten (T.weightedMeanNormalized 1 1 (+) (*) (`div` 2) numbers)) @?= [0, 1, 2, 3],
+      testCase "differences of neighbours are older to newer" $
+        take 3 (ten (T.finiteDifference (,) numbers)) @?= [(0, 1), (1, 2), (2, 3)],
+      testCase "Simpson's rule is exact for squares" $
+        take 2 (ten (T.simpsonsRule (+) (*) (fmap (\n -> fromIntegral n * fromIntegral n) numbers) :: Topic Identity Rational)) @?= [8 / 3, 26 / 3],
+      testCase "each predicate takes its first value" $
+        take 3 (ten (T.filterBy (T.fromList [even, odd, (> 7)]) (T.drop 1 numbers))) @?= [2, 3, 8],
+      testCase "a topic as a list is pulled when it is looked at" $ do
+        pulled <- newIORef (0 :: Int)
+        xs <- toList (T.repeatM (atomicModifyIORef' pulled (\n -> (n + 1, n))))
+        readIORef pulled >>= (@?= 0)
+        take 3 xs @?= [0, 1, 2]
+        readIORef pulled >>= (@?= 3),
       testCase "a list ends in its last value" $ ten (T.fromList "abc") @?= "abcccccccc"
     ]
   where
@@ -174,5 +184,5 @@ queues =
         lost <- atomically (missed q)
         kept <- if null xs then pure [] else atomically (popAll q)
         let n = min bound (length xs)
-        pure (conjoin [toList kept === drop (length xs - n) xs, lost === length xs - n])
+        pure (conjoin [kept === drop (length xs - n) xs, lost === length xs - n])
     ]

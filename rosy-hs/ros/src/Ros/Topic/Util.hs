@@ -26,6 +26,9 @@ module Ros.Topic.Util
     interruptible,
     topicOn,
 
+    -- * A topic as a list
+    toList,
+
     -- * How two topics join, as pure steps
     BothNew,
     neitherNew,
@@ -47,6 +50,7 @@ import Data.Maybe (fromMaybe)
 import Ros.Rate (rateLimiter)
 import Ros.Topic (Topic (..))
 import qualified Ros.Topic as Topic
+import System.IO.Unsafe (unsafeInterleaveIO)
 
 infixl 7 <+>
 
@@ -194,6 +198,10 @@ interruptible lists = Topic $ do
       pulled <- try (runTopic t)
       atomically (tryTakeTMVar latest >> putTMVar latest (fst <$> pulled))
       either (const (pure ())) (gather latest . snd) pulled
+
+-- | All values as an endless list. It is pulled when it is looked at, in the thread that looks.
+toList :: Topic IO a -> IO [a]
+toList t = unsafeInterleaveIO (runTopic t >>= \(x, rest) -> (x :) <$> toList rest)
 
 -- | The newest value of the topic at every value of the other.
 topicOn :: Topic IO a -> Topic IO b -> Topic IO (a, b)
