@@ -56,6 +56,8 @@ tests = withResource acquire release $ \ready ->
       story ready "a slow subscriber loses the oldest, and holds up nobody" slowSubscriber,
       story ready "a node that takes its name ends it, and it ends one whose name it takes" nameClash,
       story ready "a node that was killed can be started again under its name" startedAgain,
+      story ready "the example that prints a topic prints a bumper" printsATopic,
+      story ready "the example that fuses two sensors slows down before a wall" fuses,
       story ready "parameters are shared, and changes are told" parameters,
       story ready "names are remapped, moved and given on the command line" remapped,
       story ready "what it logs is on /rosout with its place" logs,
@@ -286,6 +288,26 @@ startedAgain ros = withPeer ros "peer" $ \peer -> do
         _ <- hears peer ("got /x {\"data\": " ++ show n ++ "}")
         ended <- atomically (tryReadTMVar (ending core))
         maybe (pure ()) (const (assertFailure "it took the one before it for a rival")) ended
+
+printsATopic :: Ros -> IO ()
+printsATopic ros = withPeer ros "mobile_base" $ \base -> do
+  say base "pub /mobile_base/events/bumper kobuki_msgs/BumperEvent latch"
+  say base "send /mobile_base/events/bumper {\"bumper\": 1, \"state\": 1}"
+  withProgram ros "ros-print-topic" ["bumper:=/mobile_base/events/bumper"] $ \p -> void (hears p "BumperEvent {_bumper = 1, _state = 1}")
+
+-- | It drives at 0.2 m/s, and has 0.5 m more than it wants to keep: half of the change towards 0.25 m/s. Then only 0.1 m.
+fuses :: Ros -> IO ()
+fuses ros = withPeer ros "mobile_base" $ \base -> do
+  mapM_ (say base) ["pub /odom nav_msgs/Odometry latch", "pub /scan sensor_msgs/LaserScan latch", "sub /cmd_vel geometry_msgs/Twist"]
+  scanned base "0.8"
+  withProgram ros "ros-fuse" ["_top_speed:=0.3"] $ \_ -> do
+    void (hears base "got /cmd_vel {\"linear\": {\"x\": 0.22")
+    scanned base "0.4"
+    void (hears base "got /cmd_vel {\"linear\": {\"x\": 0.12")
+  where
+    scanned base metres = do
+      say base "send /odom {\"twist\": {\"twist\": {\"linear\": {\"x\": 0.2}}}}"
+      say base ("send /scan {\"ranges\": [2.0, " ++ metres ++ "]}")
 
 -- | Waits until the master knows this node.
 awaitNode :: Ros -> String -> IO ()
