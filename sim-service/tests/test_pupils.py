@@ -43,6 +43,11 @@ SAID: dict[str, tuple[list[tuple[float, Hand]], list[str]]] = {
     "legs": ([], ["[0.5,0.5,0.5]"]),
     "tagged": (TOUCH, ["fast 1", "slow 0", "fast 1", "slow 1"]),
     "dice": ([], ["ten dice"]),
+    "bag": (PUSH, ["1", "2", "3"]),
+    "tree": ([], ["(True,True)"]),
+    "guarded": ([], ["both", "again", "again"]),
+    "pick": ([], ["none"]),
+    "parser": ([], ["there"]),
     "names": ([], ["<2><4><Right><4/2>"]),
 }
 
