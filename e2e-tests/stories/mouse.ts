@@ -19,6 +19,8 @@ const freeGap = 34
 const workbench = {top: 90, bottom: 420}
 /// Pixels from the left edge of a block that a hand takes it at.
 const grip = 9
+/// Pixels between the left edge of a socket and of the line that lights up around it.
+const nearby = 12
 
 export class Mouse implements Hands {
   private readonly page: Page
@@ -77,12 +79,12 @@ export class Mouse implements Hands {
       const gap = await this.gap()
       if (!gap.pattern && (await binder.count()) > 0) {
         const box = (await binder.first().boundingBox())!
-        await this.drags({x: box.x + box.width / 2, y: box.y + box.height / 2}, {x: gap.x + 24, y: gap.y})
+        await this.drags({x: box.x + box.width / 2, y: box.y + box.height / 2}, gap, {gap, grip: 24})
       } else {
         await this.page.mouse.click(gap.x + 4, gap.y)
         const from = await this.finds(words)
         const to = await this.gap()
-        await this.drags(from, {x: to.x + grip, y: to.y})
+        await this.drags(from, to, {gap: to, grip})
       }
       this.last = await this.chosen()
       const into = await this.block("last").evaluate(block => block.parentElement?.getAttribute("data-id"))
@@ -205,18 +207,50 @@ export class Mouse implements Hands {
     return {x: box.x + grip, y: box.y + Math.min(box.height / 2, 12)}
   }
 
-  private async drags(from: Spot, to: Spot): Promise<void> {
+  /// `into`: the socket that the block is for, and how far right of its left edge the hand lets go. A learner lets go when
+  /// that socket lights up, and looks again where it is when it does not: blocks grow when something has come in.
+  private async drags(
+    from: Spot,
+    to: Spot,
+    into?: {readonly gap: Gap; readonly grip: number},
+  ): Promise<void> {
     const {mouse} = this.page
     await mouse.move(from.x, from.y)
     await mouse.down()
     await mouse.move(from.x + 12, from.y)
     await this.drawn()
-    // From inside: Blockly holds on to the place that came near first, and the outer socket begins a little to the left.
-    await mouse.move(to.x + 3, to.y + 1)
-    await mouse.move(to.x, to.y)
-    await this.drawn()
+    if (into === undefined) {
+      await mouse.move(to.x + 3, to.y + 1)
+      await mouse.move(to.x, to.y)
+      await this.drawn()
+    } else {
+      await expect(async () => {
+        const gap = await this.gap()
+        // From inside: Blockly holds on to the place that came near first, and the outer socket begins a little to the left.
+        await mouse.move(gap.x + into.grip + 60, gap.y + 40)
+        await mouse.move(gap.x + into.grip + 3, gap.y + 1)
+        await mouse.move(gap.x + into.grip, gap.y)
+        await this.drawn()
+        const lit = await this.lit()
+        expect({block: gap.block, near: Math.abs(lit.x - gap.x) < nearby}).toEqual({
+          block: lit.block,
+          near: true,
+        })
+      }).toPass({intervals: [0, 50, 200], timeout: 10_000})
+    }
     await mouse.up()
     await this.drawn()
+  }
+
+  /// The socket that is lit up for what is being dragged.
+  private lit(): Promise<{readonly x: number; readonly block: string | null | undefined}> {
+    return this.page.evaluate(() => {
+      const found = document.querySelector(
+        ".blocklySvg .blocklyBlockCanvas .blocklyHighlightedConnectionPathVisible",
+      )
+      const block = found?.closest(".blocklyDraggable")?.getAttribute("data-id")
+      return {x: found?.getBoundingClientRect().left ?? Number.NEGATIVE_INFINITY, block}
+    })
   }
 
   /// Waits until the page has drawn what was done.
