@@ -37,7 +37,14 @@ export type Item =
     }
   /// A name that this block brings into scope. Rename through `rename`, so that its references follow;
   /// dragging it out makes a `name` block.
-  | {readonly kind: "binder"; readonly key: string; readonly value: string; readonly aria: string}
+  | {
+      readonly kind: "binder"
+      readonly key: string
+      readonly value: string
+      readonly aria: string
+      /// A name of a type, which is no value: no block that refers to it can be dragged out.
+      readonly ofType?: true
+    }
   /// A name that this block refers to; not edited by hand.
   | {readonly kind: "reference"; readonly key: string; readonly value: string; readonly aria: string}
   /// A Haskell type, as text.

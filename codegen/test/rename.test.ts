@@ -20,12 +20,14 @@ interface Binder {
   readonly name: string
 }
 
-/// Everything in a program that has a name of the learner's.
+/// Everything in a program that has a name of the learner's, and stands for a value.
 function bindersOf(workspace: SavedWorkspace): Binder[] {
   return [...everyBlock(workspace)].flatMap(block =>
     (blockView(block.type)?.shape(block.extraState ?? {}).rows ?? [])
       .flat()
-      .flatMap(item => (item.kind === "binder" ? [{block, key: item.key, name: item.value}] : [])),
+      .flatMap(item =>
+        item.kind === "binder" && item.ofType !== true ? [{block, key: item.key, name: item.value}] : [],
+      ),
   )
 }
 
@@ -110,4 +112,33 @@ test.skipIf(database === undefined)("a renamed program means what it meant", {ti
   ).toEqual([])
   expect(done).toBeGreaterThan(150)
   expect(refused).toBeGreaterThan(40)
+})
+
+test("a type's new name stands wherever a type is written, and constructors keep theirs", () => {
+  const block = (id: string, type: string, extraState: SavedBlock["extraState"]): SavedBlock => ({
+    id,
+    type,
+    x: 0,
+    y: 0,
+    extraState,
+  })
+  const workspace: SavedWorkspace = {
+    blocks: {
+      languageVersion: 0,
+      blocks: [
+        block("type", "data", {name: "Way", constructors: [{name: "Way", fields: [{type: "Double"}]}]}),
+        block("other", "synonym", {name: "Ways", type: "[Way]"}),
+        block("use", "define", {name: "go", arity: 1, equations: [{}], signature: "Way -> Memory Way"}),
+      ],
+    },
+  }
+  const binder: Binder = {block: workspace.blocks.blocks[0]!, key: "name", name: "Way"}
+  const after = renamed(workspace, binder, "Path")
+  expect(typeof after === "string" ? after : after.blocks.blocks.map(b => b.extraState)).toEqual([
+    {name: "Path", constructors: [{name: "Way", fields: [{type: "Double"}]}]},
+    {name: "Ways", type: "[Path]"},
+    {name: "go", arity: 1, equations: [{}], signature: "Path -> Memory Path"},
+  ])
+  expect(renamed(workspace, binder, "Ways")).toBe("There is another `Ways` already.")
+  expect(renamed(workspace, binder, "way")).toBe("This name is one word that starts with a capital letter.")
 })

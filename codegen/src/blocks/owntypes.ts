@@ -45,7 +45,7 @@ const data: BlockSpec = {
           text: extra.newtype === true ? words.ownTypes.newType : words.ownTypes.type,
           strong: true,
         },
-        {kind: "text", key: "name", value: name, aria: words.ownTypes.nameOfTheType},
+        {kind: "binder", key: "name", value: name, aria: words.ownTypes.nameOfTheType, ofType: true},
         ...parameters.map(
           (p, i): Item => ({
             kind: "text",
@@ -253,7 +253,7 @@ const synonym: BlockSpec = {
       rows: [
         [
           {kind: "label", text: words.ownTypes.type, strong: true},
-          {kind: "text", key: "name", value: name, aria: words.ownTypes.newName},
+          {kind: "binder", key: "name", value: name, aria: words.ownTypes.newName, ofType: true},
           ...wordsIn(extra, "parameters").map(
             (p, i): Item => ({
               kind: "text",

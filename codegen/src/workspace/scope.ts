@@ -120,6 +120,8 @@ function arityOf(scheme: Scheme): number {
 export function rename(workspace: SavedWorkspace, block: BlockId, key: string, name: string): Renaming {
   const binder = find(workspace, block)
   if (binder === undefined) return {ok: false, why: words.renaming.thisBlockIsGone}
+  if (key === "name" && (binder.type === "data" || binder.type === "synonym"))
+    return renameType(workspace, binder, name)
   if (binder.type === "data") return renamePart(workspace, binder, key, name)
   if (reservedWords.has(name)) return {ok: false, why: words.renaming.isOneOfHaskellsOwnWords(name)}
   if (!isVariableName(name) && !isOperator(name))
@@ -264,6 +266,42 @@ function renamedPart(b: SavedBlock, extra: Extra, old: string, name: string, isC
     ...(!isConstructor && Array.isArray(fields) ? {fields: fields.map(f => (f === old ? name : f))} : {}),
     ...(b.type.startsWith("raw_") && typeof text === "string" ? {text: replaceWord(text, old, name)} : {}),
   }
+}
+
+/// A type, and every type that is written somewhere and says its name.
+function renameType(workspace: SavedWorkspace, block: SavedBlock, name: string): Renaming {
+  const old = textAt(block.extraState ?? {}, "name")
+  if (!isConstructorName(name)) return {ok: false, why: words.renaming.thisNameIsOneWordThatStarts}
+  const {declarations} = readWorkspace(workspace).program
+  const taken = declarations.some(d => (d.kind === "data" || d.kind === "synonym") && d.name === name)
+  if (taken && name !== old) return {ok: false, why: words.renaming.thereIsAnotherAlready(name)}
+  // Haskell of the program's own says types and constructors alike.
+  const alike = declarations.some(d => d.kind === "data" && d.constructors.some(c => c.name === old))
+  const changes = new Map<BlockId, Extra>()
+  for (const b of everyBlock(workspace)) {
+    if (b.id === undefined) continue
+    const extra = b.extraState ?? {}
+    const next = b.id === block.id ? setIn(extra, "name", name) : extra
+    const renamed = renamedTypes(b.type, next, String(old), name, alike) as Extra
+    if (JSON.stringify(renamed) !== JSON.stringify(extra)) changes.set(b.id, renamed)
+  }
+  return unlessWrong(workspace, mapExtras(workspace, changes), changes, name)
+}
+
+/// What a block says about itself, with a type's new name wherever a type is written.
+function renamedTypes(kind: string, said: Json, old: string, name: string, alike: boolean): Json {
+  if (Array.isArray(said)) return said.map(one => renamedTypes(kind, one, old, name, alike))
+  if (typeof said !== "object" || said === null) return said
+  return Object.fromEntries(
+    Object.entries(said).map(([key, value]) => {
+      const isType =
+        key === "type" ||
+        key === "signature" ||
+        (key === "text" && (kind === "raw_type" || (kind.startsWith("raw_") && !alike)))
+      if (isType && typeof value === "string") return [key, replaceWord(value, old, name)]
+      return [key, value === undefined ? value : renamedTypes(kind, value, old, name, alike)]
+    }),
+  ) as Extra
 }
 
 function binderBlock(use: Use): BlockId | undefined {

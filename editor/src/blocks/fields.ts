@@ -77,12 +77,14 @@ export class Signature extends Blockly.FieldTextInput {
   override maxDisplayLength = 120
   readonly key: string
   private readonly actions: FieldActions
+  private readonly ofType: boolean
   private before = ""
 
-  constructor(key: string, value: string, aria: string, actions: FieldActions) {
+  constructor(key: string, value: string, aria: string, actions: FieldActions, ofType = false) {
     super(value, undefined, {spellcheck: false, ariaTypeName: aria})
     this.key = key
     this.actions = actions
+    this.ofType = ofType
   }
 
   protected override updateSize_(margin?: number): void {
@@ -258,12 +260,14 @@ const pullDistance = 3
 export class Binder extends Blockly.FieldTextInput {
   readonly key: string
   private readonly actions: FieldActions
+  private readonly ofType: boolean
   private before = ""
 
-  constructor(key: string, value: string, aria: string, actions: FieldActions) {
+  constructor(key: string, value: string, aria: string, actions: FieldActions, ofType = false) {
     super(value, undefined, {spellcheck: false, ariaTypeName: aria})
     this.key = key
     this.actions = actions
+    this.ofType = ofType
   }
 
   protected override updateSize_(margin?: number): void {
@@ -301,6 +305,11 @@ export class Binder extends Blockly.FieldTextInput {
   override initView(): void {
     super.initView()
     if (this.fieldGroup_ === null) return
+    if (this.ofType) {
+      Blockly.utils.dom.addClass(this.fieldGroup_, "rosyEntry")
+      if (this.textElement_ !== null) Blockly.utils.dom.addClass(this.textElement_, "rosyEntryText")
+      return
+    }
     Blockly.utils.dom.addClass(this.fieldGroup_, "rosyBinder")
     this.fieldGroup_.addEventListener("pointerdown", event => this.watch(event as PointerEvent))
   }
@@ -405,7 +414,7 @@ export function makeField(item: FieldItem, actions: FieldActions): Blockly.Field
     case "menu":
       return new Menu(item.key, item.value, item.options, item.aria, actions)
     case "binder":
-      return new Binder(item.key, item.value, item.aria, actions)
+      return new Binder(item.key, item.value, item.aria, actions, item.ofType)
     case "button":
       return new Press(item.text, item.action, item.aria, actions)
   }

@@ -38,3 +38,56 @@ export function keepFocus(workspace: Blockly.WorkspaceSvg): () => void {
     stop.abort()
   }
 }
+
+/// Pixels: a pointer that moves less has clicked.
+const still = 5
+
+/// Chooses the empty socket that is clicked, and not only its block: what is looked for then is for this place. Answers how
+/// to stop.
+export function chooseByClick(workspace: Blockly.WorkspaceSvg): () => void {
+  const host = workspace.getInjectionDiv()
+  const stop = new AbortController()
+  let down: PointerEvent | undefined
+  host.addEventListener(
+    "pointerdown",
+    event => {
+      down = event
+    },
+    {capture: true, signal: stop.signal},
+  )
+  host.addEventListener(
+    "click",
+    event => {
+      if (
+        down === undefined ||
+        Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) > still
+      )
+        return
+      const socket = event.target instanceof Element ? socketUnder(workspace, event.target) : undefined
+      if (socket?.canBeFocused()) Blockly.getFocusManager().focusNode(socket)
+    },
+    {signal: stop.signal},
+  )
+  return () => stop.abort()
+}
+
+/// The empty socket that an outline is drawn for: the one that begins where it begins.
+function socketUnder(
+  workspace: Blockly.WorkspaceSvg,
+  outline: Element,
+): Blockly.RenderedConnection | undefined {
+  if (!outline.classList.contains("blocklyOutlinePath")) return undefined
+  const id = outline.closest(".blocklyDraggable")?.getAttribute("data-id") ?? ""
+  const box = outline.getBoundingClientRect()
+  const away = (connection: Blockly.RenderedConnection) => {
+    const at = Blockly.utils.svgMath.wsToScreenCoordinates(
+      workspace,
+      new Blockly.utils.Coordinate(connection.x, connection.y),
+    )
+    return Math.hypot(at.x - box.left, at.y - box.top)
+  }
+  const empty = (workspace.getBlockById(id)?.inputList ?? []).flatMap(({connection}) =>
+    connection instanceof Blockly.RenderedConnection && connection.targetBlock() === null ? [connection] : [],
+  )
+  return empty.sort((one, other) => away(one) - away(other))[0]
+}

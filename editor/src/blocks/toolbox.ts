@@ -175,6 +175,8 @@ function bestFirst(
     switch (fits(item)) {
       case "here":
         return typed.includes(item) ? 2 : called ? 0 : 3
+      case "near":
+        return called && !typed.includes(item) ? 2.5 : 3.5
       case "alone":
         return called ? 1 : 4
       case "nowhere":
@@ -246,8 +248,9 @@ export interface Nearby {
   names(): readonly ToolboxItem[]
   /// What was typed, as blocks of their own.
   typed(query: string): readonly ToolboxItem[]
-  /// Tells of an item whether it fits there, or stands alone; undefined when no place is chosen.
-  fitting(): ((item: ToolboxItem) => "here" | "alone" | "nowhere") | undefined
+  /// Tells of an item whether it fits there, in another place of the chosen block, or stands alone; undefined when no
+  /// place is chosen.
+  fitting(): ((item: ToolboxItem) => "here" | "near" | "alone" | "nowhere") | undefined
   /// Ready blocks and names that fit there, best first; undefined when no place is chosen.
   suggestions(): readonly ToolboxItem[] | undefined
   /// Puts a block into the chosen place, or beside the others.

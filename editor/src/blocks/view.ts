@@ -8,6 +8,7 @@ import type {
   BlockProblem,
   Inference,
   Level,
+  Place,
   SavedBlock,
   SavedWorkspace,
   ToolboxItem,
@@ -22,7 +23,7 @@ import {type SharedClipboard, shareCopies} from "./copied.ts"
 import {type DragHost, giveUpMovement, makeDraggable} from "./drag.ts"
 import type {Tone} from "./families.ts"
 import {putDown} from "./fill.ts"
-import {keepFocus} from "./focus.ts"
+import {chooseByClick, keepFocus} from "./focus.ts"
 import {nameAfresh} from "./fresh.ts"
 import {showInference} from "./infer.ts"
 import type {Language} from "./language.ts"
@@ -173,6 +174,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   const marks = new Marks(workspace)
   const away = hideFarBlocks(workspace, host)
   const freeFocus = keepFocus(workspace)
+  const stopChoosing = chooseByClick(workspace)
   const changeListeners = new Set<(change: BlocksChange) => void>()
   const selectListeners = new Set<(block: BlockId | undefined) => void>()
   const session = language.session()
@@ -282,12 +284,17 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       const check = session.checker(saveBlocks(workspace))
       // What stands alone has its place on the workspace.
       const alone = new Set(["top", "definition"])
+      const [first, ...others] = places
+      const fits = (place: Place | undefined, item: ToolboxItem) =>
+        place !== undefined && check.fits(place, item.block).fits
       return item =>
-        places.some(place => check.fits(place, item.block).fits)
+        fits(first, item)
           ? "here"
-          : alone.has(sortOf(item))
-            ? "alone"
-            : "nowhere"
+          : others.some(place => fits(place, item))
+            ? "near"
+            : alone.has(sortOf(item))
+              ? "alone"
+              : "nowhere"
     },
     suggestions() {
       const place = chosenPlace(workspace)
@@ -429,6 +436,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       marks.dispose()
       away.dispose()
       freeFocus()
+      stopChoosing()
       refusal.dispose()
       zoom.remove()
       if (open === actions) open = undefined
