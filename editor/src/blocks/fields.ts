@@ -77,14 +77,12 @@ export class Signature extends Blockly.FieldTextInput {
   override maxDisplayLength = 120
   readonly key: string
   private readonly actions: FieldActions
-  private readonly ofType: boolean
   private before = ""
 
-  constructor(key: string, value: string, aria: string, actions: FieldActions, ofType = false) {
+  constructor(key: string, value: string, aria: string, actions: FieldActions) {
     super(value, undefined, {spellcheck: false, ariaTypeName: aria})
     this.key = key
     this.actions = actions
-    this.ofType = ofType
   }
 
   protected override updateSize_(margin?: number): void {

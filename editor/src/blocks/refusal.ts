@@ -26,7 +26,7 @@ export class RefusalLine {
     if (why !== this.said) {
       this.said = why
       this.line.replaceChildren(...marked(why))
-      Blockly.utils.aria.announceDynamicAriaState(why)
+      Blockly.utils.aria.announceDynamicAriaState(why.replaceAll("`", ""))
     }
     this.line.hidden = false
     const frame = this.host.getBoundingClientRect()
