@@ -1,7 +1,7 @@
 -- Operators of one's own, in front, between, and with bindings.
 infixl 6 |+|
 infixl 7 `scale`
-infixr 0 ~>
+infixl 1 ~>
 infix 4 `near`, =~=
 
 data V = V Double Double

@@ -43,6 +43,27 @@ describe("names that text brings into scope", () => {
       "class Shape a where\n  area :: a -> Double\n\ninstance Shape Bool where\n  area _ = 1\n\nf = area True + 2",
       "f :: Double",
     ],
+    ["a constructor between its parts", "data P = E | Int :> P\n\nf E = E\nf (x :> p) = E", "f :: P -> P"],
+    [
+      "two dots for all parts",
+      "data R = R {part :: Double}\n\nf :: R -> Double\nf R {..} = part + 1",
+      "f :: R -> Double",
+    ],
+    [
+      "a type with variables of its own",
+      'f :: (forall a. [a] -> Int) -> Int\nf g = g [1] + g "a"',
+      "f :: (forall a. [a] -> Int) -> Int",
+    ],
+    [
+      "a constructor that says more about the type",
+      "data E a where\n  N :: Int -> E Int\n\nf :: E a -> a\nf (N n) = n + 1",
+      "f :: E a -> a",
+    ],
+    [
+      "a function that is kept as text",
+      "f x = map (\\case\n  1 -> 'a'\n  _ -> 'b') (words x)",
+      "f :: String -> [a]",
+    ],
     [
       "an operator",
       "infixl 6 <+>\n(<+>) :: Double -> Double -> Double\na <+> b = a * b\n\nf x = x <+> 2",

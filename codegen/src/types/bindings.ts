@@ -16,12 +16,13 @@ import type {
 import {unreachable} from "../model/tree.ts"
 import {bindersIn, freeInDeclaration} from "../model/uses.ts"
 import {components} from "./components.ts"
+import {unknown} from "./environment.ts"
 import {Patterns} from "./patterns.ts"
 import type {Wanted} from "./problems.ts"
 import type {Scope} from "./scope.ts"
 import type {Rigid} from "./solve.ts"
 import {simplify} from "./solve.ts"
-import {mono} from "./state.ts"
+import {beyond, mono} from "./state.ts"
 import type {Meta, Scheme, Type} from "./type.ts"
 import {asFunction, bool, fun, metasIn, rigidsIn, substitute, variablesIn} from "./type.ts"
 
@@ -91,9 +92,17 @@ export abstract class Bindings extends Patterns {
   ): void {
     const [only] = members
     const signature = only === undefined ? undefined : signatures.get(only)
+    const {problems, wanted} = {problems: this.problems.length, wanted: this.wanted}
     if (members.length === 1 && only?.kind === "function" && signature !== undefined)
       this.checkSigned(only, signature, scope, top)
     else this.inferTogether(members, scope, top)
+    if (!members.some(d => d.kind === "function" && beyond(d.signature?.text ?? ""))) return
+    this.problems.length = problems
+    this.wanted = wanted
+    for (const d of members) {
+      this.schemes.set(d, unknown)
+      if (d.kind === "function") scope.set(d.name, unknown)
+    }
   }
 
   protected checkSigned(d: FunctionDeclaration, scheme: Scheme, scope: Scope, top: boolean): void {
@@ -106,6 +115,7 @@ export abstract class Bindings extends Patterns {
       const variable: Rigid = {kind: "var", name, id: this.count++, level: this.level}
       rigid.set(name, variable)
     }
+    const {opaque} = this
     const givens = scheme.constraints.map(c => ({name: c.name, type: substitute(c.type, rigid)}))
     this.clauses(d, substitute(scheme.type, rigid), scope)
     this.level--
@@ -115,6 +125,7 @@ export abstract class Bindings extends Patterns {
     for (const c of stuck) {
       // Only about variables that this signature promises to work for.
       const mine = metasIn(c.type).size === 0 && [...rigidsIn(c.type)].some(v => own.has(v))
+      if (mine && this.opaque > opaque) continue
       if (mine) this.problems.push({kind: "too-general", node: c.node, constraint: c})
       else deferred.push(c)
     }

@@ -135,8 +135,10 @@ export class Expressions extends Bindings {
         this.look(e.from, type, scope)
         return
       case "raw":
-        // GHC will say; until then it fits anywhere and decides nothing.
+        // GHC will say; until then it fits anywhere and decides nothing, but that it is a function where it says so.
         this.holes.push(type)
+        if (/^\\ *case(?![\p{L}\p{N}_'])/u.test(e.text.trim()))
+          this.same(type, fun(this.unknown(), this.unknown()), e)
         return
       default:
         unreachable(e)

@@ -93,6 +93,10 @@ export class Patterns extends Constraints {
       case "raw-pattern":
         for (const [name] of p.text.matchAll(/(?<![\p{L}\p{N}_'])[\p{Ll}_][\p{L}\p{N}_']*/gu))
           scope.set(name, mono(this.unknown()))
+        // Two dots name all parts of a record.
+        for (const [, name = ""] of p.text.matchAll(/([\p{Lu}][\p{L}\p{N}_']*)\s*\{[^{}]*\.\.\s*\}/gu))
+          for (const field of this.env.constructors.get(name)?.fieldNames ?? [])
+            if (field !== undefined) scope.set(field, mono(this.unknown()))
         return
       default:
         unreachable(p)
@@ -106,6 +110,7 @@ export class Patterns extends Constraints {
     }
     const info = this.env.constructors.get(p.name)
     if (info === undefined || info.scheme.unknown === true) {
+      this.opaque++
       if (info === undefined && !this.unseen(p.name))
         this.problems.push({kind: "unknown-name", node: p, name: p.name})
       this.holes.push(type)

@@ -13,6 +13,11 @@ import {asFunction, con, funs, listOf, prune, substitute, tupleOf} from "./type.
 /// Types and classes as they are written without a module's name before them.
 const unqualifiedNames = /(?<![\p{L}\p{N}_'.])\p{Lu}[\p{L}\p{N}_']*(?![\p{L}\p{N}_'.])/gu
 
+/// A type with variables of its own inside, which is GHC's to judge.
+export function beyond(text: string): boolean {
+  return /(?<![\p{L}\p{N}_'])forall(?![\p{L}\p{N}_'])|∀/u.test(text)
+}
+
 export class State {
   protected found = new Map<Node, Type>()
   schemes = new Map<Declaration, Scheme>()
@@ -23,6 +28,8 @@ export class State {
   protected count = 0
   /// Whether names that nothing defines are accepted; so for blocks that lie loose.
   protected lenient = false
+  /// How many patterns took apart what only GHC knows, and so may have learnt more about a type than is known here.
+  protected opaque = 0
   protected strays = new Map<string, Type>()
   readonly env: Environment
 
@@ -51,7 +58,7 @@ export class State {
   protected signature(text: string, node: Node): Scheme | undefined {
     const scheme = parseScheme(text)
     if (scheme === undefined) {
-      if (text.trim() !== "") this.problems.push({kind: "bad-signature", node, text})
+      if (text.trim() !== "" && !beyond(text)) this.problems.push({kind: "bad-signature", node, text})
       return undefined
     }
     this.knownTypes(scheme.type, node)

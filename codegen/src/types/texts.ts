@@ -220,6 +220,9 @@ function readConstructor(text: string): WrittenType["constructors"][number] {
     return {name: record[1] ?? "", fields: read}
   }
   const core = plain.replace(/^forall [^.]*\. ?/, "").replace(/^.*=> ?/, "")
+  // `Step :> Path`: its parts are left to GHC.
+  const between = / (:[!#$%&*+./<=>?@\\^|~:-]+|`[\p{Lu}][\w']*`) /u.exec(` ${core} `)?.[1]
+  if (between !== undefined) return {name: between.replaceAll("`", ""), fields: undefined}
   const name = /^[\p{Lu}][\w']*/u.exec(core)?.[0]
   if (name === undefined || /\bforall\b|=>|[^\w\s'.()[\],>-]/u.test(plain))
     return {name: name ?? "_", fields: undefined}
