@@ -35,6 +35,8 @@ export class Keys implements Hands {
     await this.press("Enter")
     await this.steps(/^New program/, "Tab")
     await this.press("Enter")
+    // The focus is where the menu was.
+    expect((await this.heard()).label).toBe("More")
     await expect(this.page.locator(".blocklySvg .blocklyBlockCanvas > .blocklyDraggable")).toHaveCount(1)
     await this.steps(/stack of blocks$/, "Tab")
   }

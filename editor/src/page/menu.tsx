@@ -14,6 +14,11 @@ const themes: readonly Theme[] = ["auto", "light", "dark"]
 
 export function Menu(): VNode {
   const {open, box, button, toggle} = usePopup("menu")
+  /// The entry that had the focus is gone then.
+  const leave = () => {
+    toggle(false)
+    button.current?.focus()
+  }
   return (
     <div class="menu" ref={box}>
       <button
@@ -27,7 +32,7 @@ export function Menu(): VNode {
       >
         <MoreIcon />
       </button>
-      {open && <MenuItems close={() => toggle(false)} />}
+      {open && <MenuItems close={leave} />}
     </div>
   )
 }

@@ -15,7 +15,7 @@ export const blocks: Words["blocks"] = {
   otherNames: "Andere Namen hier",
   noNames: "Hier gibt es noch keine Namen",
   chooseFirst: "Wähle zuerst einen Block oder einen leeren Platz",
-  fitsHere: "Das passt hier",
+  fitsHere: "Das passt hier. Enter nimmt das erste",
   nothingFits: "Nichts im Werkzeugkasten passt hier",
   typeToFind: "Tippe, um einen Block zu finden",
   notFound: "Kein Block hat diese Wörter",

@@ -13,7 +13,7 @@ export const blocks = {
   otherNames: "Other names here",
   noNames: "No names can be used here yet",
   chooseFirst: "Choose a block or an empty place first",
-  fitsHere: "Fits here",
+  fitsHere: "Fits here. Enter takes the first",
   nothingFits: "Nothing in the toolbox fits here",
   typeToFind: "Type to find a block",
   notFound: "No block has these words",
