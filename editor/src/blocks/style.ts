@@ -79,7 +79,7 @@ export const styleSheet = `
 .rosyBlocks .blocklyToolboxCategory .blocklyTreeRowContentContainer { display: flex; gap: 10px; align-items: center; }
 .rosyBlocks .blocklyToolboxCategoryLabel, .rosyBlocks .blocklyToolboxSelected .blocklyToolboxCategoryLabel { font: inherit; font-size: 14.5px; color: var(--ink); white-space: normal; }
 .rosyBlocks .rosySwatch { width: 18px; height: 14px; flex: none; overflow: visible; }
-.rosyBlocks .rosySearch { pointer-events: auto; width: 100%; min-width: 0; font: 400 14px Inter, system-ui, sans-serif; color: var(--ink); background: var(--sunken); border: 1px solid var(--line); border-radius: 8px; padding: 7px 10px; outline-offset: 1px; }
+.rosyBlocks .rosySearch { pointer-events: auto; width: 0; min-width: 100%; font: 400 14px Inter, system-ui, sans-serif; color: var(--ink); background: var(--sunken); border: 1px solid var(--line); border-radius: 8px; padding: 7px 10px; outline-offset: 1px; }
 .rosyBlocks .rosySearch::placeholder { color: var(--ink-2); opacity: 1; }
 .rosyBlocks .rosySearch:focus { outline: 2px solid var(--focus); }
 .rosyBlocks .rosySearchRow { padding: 0 0 8px !important; background: none !important; }

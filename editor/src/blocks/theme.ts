@@ -49,7 +49,7 @@ function theme(tone: Tone): Blockly.Theme {
       toolboxForegroundColour: g.text,
       flyoutBackgroundColour: g.paper,
       flyoutForegroundColour: g.text,
-      flyoutOpacity: 0.97,
+      flyoutOpacity: 1,
       scrollbarColour: g.line,
       scrollbarOpacity: 0.7,
       insertionMarkerColour: ink[tone === "light" ? "dark" : "light"],
