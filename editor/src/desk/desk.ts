@@ -18,27 +18,25 @@ import {fetchExample, fetchExamples, fetchRooms, fetchWorlds} from "../run/libra
 import {chooseLanguage, keepOwnName, ownName} from "../run/liking.ts"
 import {openCode} from "../run/robots.ts"
 import {openSession, type Session} from "../run/session.ts"
-import {type Liking, openShelf} from "../run/storage.ts"
+import {openShelf} from "../run/storage.ts"
 import {addressNames, wantedExample, watchDark, watchKeys, watchSight, watchSize} from "../run/window.ts"
 import {openSource, type SourcePane} from "../source/pane.ts"
 import {putting} from "../source/putting.ts"
 import {type Fix, mended, movedFix, signatureFix, whereToGoOn} from "../state/fixes.ts"
 import {drives} from "../state/helm.ts"
-import type {Order, PageState} from "../state/page.ts"
-import {believed} from "../state/page.ts"
-import {type Finding, innermostBlock, mover, textOf} from "../state/program.ts"
+import type {Order} from "../state/page.ts"
+import {type Finding, innermostBlock, mover} from "../state/program.ts"
 import {noRobots} from "../state/robots.ts"
-import {glowing} from "../state/room.ts"
 import {isActive} from "../state/run.ts"
 import {toCsv} from "../state/values.ts"
 import {openStore} from "../store.ts"
 import {words} from "../words/index.ts"
 import {openAutosave} from "./autosave.ts"
 import {openCompletions} from "./completions.ts"
+import {drawParts} from "./draw.ts"
 import {merged} from "./merge.ts"
 import {
   analysed,
-  blockProblem,
   emptyProject,
   isForeign,
   isWorldFile,
@@ -53,18 +51,13 @@ import {
 } from "./programs.ts"
 import {renamed} from "./rename.ts"
 import {snippets} from "./snippets.ts"
+import {openTyping} from "./typing.ts"
 
 /// Milliseconds between the last change and the question to the compiler.
 const checkPause = 150
 
 /// Milliseconds between two signs that somebody watches a real robot (protocol §4, `alive`).
 const watchPause = 100
-
-/// Milliseconds that following a key may cost without being felt, the longest pause to wait for instead, and how long
-/// the blocks may stay behind somebody who never pauses.
-const quick = 12
-const longestPause = 400
-const furthestBehind = 2000
 
 /// What a newcomer finds.
 const firstExample = "accelerateAndPlay"
@@ -85,13 +78,6 @@ export function openDesk(address: string): Desk {
   let project = codegen.newProject("")
   /// The blocks as the block view has them; when the document has others, they are loaded.
   let shown: SavedWorkspace | null = null
-  /// What was typed and has not reached the blocks yet.
-  let typed: string | null = null
-  let typing: ReturnType<typeof setTimeout> | undefined
-  /// When the first of it was typed, in milliseconds.
-  let typedSince = 0
-  /// What the last change of the text cost until the blocks had followed, in milliseconds.
-  let cost = 0
   let systemDark = false
 
   let checking: ReturnType<typeof setTimeout> | undefined
@@ -118,6 +104,7 @@ export function openDesk(address: string): Desk {
     () => addressNames(null),
   )
 
+  const typing = openTyping(() => flush())
   const paint = () => {
     document.documentElement.dataset.theme = isDark() ? "dark" : "light"
     blocks?.setTone(isDark() ? "dark" : "light")
@@ -125,19 +112,18 @@ export function openDesk(address: string): Desk {
     worldEditor?.recolour()
   }
   store.onFrame(() => {
-    if (cost < quick) flush()
     const {document} = store.now
     if (document.workspace === shown || blocks === null) return
     const began = performance.now()
     shown = document.workspace
     blocks.load(shown)
     store.dispatch({kind: "analysed", before: document, document: analysed(document, blocks.inference())})
-    cost += performance.now() - began
+    typing.cost(performance.now() - began)
   })
   store.onFrame(
     drawParts(
       () => ({blocks, source, room}),
-      () => typed !== null,
+      typing.waits,
       () => store.redraw(),
       paint,
       liking => shelf.setLiking(liking),
@@ -151,7 +137,7 @@ export function openDesk(address: string): Desk {
   const show = (opened: OpenedProject, welcome: boolean, place: string | null) => {
     autosave.opened(place)
     addressNames(null)
-    typed = null
+    typing.forget()
     project = opened.project
     const {document, world} = opened
     store.dispatch({kind: "opened", opened: {name: project.name, world, document, welcome}})
@@ -205,22 +191,14 @@ export function openDesk(address: string): Desk {
   }
   /// Brings what was typed to the document, and so to the blocks.
   const flush = () => {
-    clearTimeout(typing)
-    if (typed === null || reader === null) return
-    const text = typed
-    typed = null
+    if (reader === null) return
+    const text = typing.take()
+    if (text === null) return
     const began = performance.now()
     const document = withText(reader, store.now.document, text)
     store.dispatch({kind: "program-changed", document, by: "haskell", at: began})
     if (source !== null) cursorMoved(source.cursor())
-    cost = performance.now() - began
-  }
-  /// Small programs follow every key; where that would be felt, they follow in the gap after it.
-  const flushSoon = () => {
-    clearTimeout(typing)
-    if (cost < quick) store.redraw()
-    else if (performance.now() - typedSince > furthestBehind) flush()
-    else typing = setTimeout(flush, Math.min(longestPause, cost))
+    typing.cost(performance.now() - began)
   }
   /// Changes the text by a command: one step, whatever was typed before it.
   const rewrite = (text: string) => {
@@ -393,11 +371,7 @@ export function openDesk(address: string): Desk {
           const {document, declared} = store.now
           return signatureFix(document.program, declared, offset, words.writeType)
         },
-        edited(text) {
-          if (typed === null) typedSince = performance.now()
-          typed = text
-          flushSoon()
-        },
+        edited: typing.typed,
       })
     },
     mountWorldEditor(canvas) {
@@ -496,65 +470,5 @@ export function openDesk(address: string): Desk {
   }
 }
 
-/// What the browser remembers of how the learner likes the page.
-const liked = ["theme", "muted", "arrangement", "layout", "trail", "charts", "chartSpan"] as const
-
 /// Luck for a run: any number that the service's dice take (protocol §4).
 const newSeed = () => Math.floor(Math.random() * 2 ** 31)
-
-/// Draws what is not Preact's: each part is told only of what changed for it.
-function drawParts(
-  parts: () => {blocks: BlocksView | null; source: SourcePane | null; room: RoomView | null},
-  typing: () => boolean,
-  again: () => void,
-  paint: () => void,
-  remember: (liking: Liking) => void,
-): (state: PageState, now: number) => void {
-  let before: PageState | null = null
-  let glow = ""
-  return (state, now) => {
-    const {blocks, source, room} = parts()
-    const changed = (key: keyof PageState) => before === null || before[key] !== state[key]
-    const {program} = state.document
-    if (changed("document")) {
-      // What was typed since is newer than the program: it would be lost.
-      if (!typing()) source?.setProgram(program)
-      blocks?.dim(state.document.dimmed)
-    }
-    if (changed("findings") || changed("document") || changed("accepted") || changed("run")) {
-      const {compiler, run} = state.findings
-      source?.mark([...believed(state), ...compiler, ...run])
-      // While somebody builds, an empty socket is no mistake: it is drawn dashed. Only Run makes it one.
-      const tried = state.run.kind === "ended" && state.run.how === "refused"
-      const shown = [...compiler.filter(f => tried || f.kind !== "hole"), ...run]
-      blocks?.mark(shown.map(blockProblem), state.accepted)
-    }
-    if (changed("declared") || changed("types"))
-      source?.setTold({declared: state.declared, types: state.types})
-    if (changed("selected") || changed("selectedIn") || changed("document")) {
-      const {selected, selectedIn} = state
-      source?.link(selected === null ? null : textOf(program.spans, selected))
-      blocks?.highlight(selected === null || selectedIn === "blocks" ? [] : [selected])
-      if (selected !== null && selectedIn === "haskell") blocks?.reveal(selected)
-    }
-    if (changed("room") || changed("run")) {
-      const names = isActive(state.run) ? glowing(state.room) : []
-      if (names.length > 0) blocks?.glow(names)
-      if (names.join(" ") !== glow) {
-        glow = names.join(" ")
-        source?.glow(program.definitions.filter(d => names.includes(d.name)))
-      }
-    }
-    if (changed("theme")) paint()
-    if (before !== null && liked.some(changed))
-      remember(Object.fromEntries(liked.map(key => [key, state[key]])))
-    before = state
-    const sight = {
-      trail: state.trail,
-      follows: state.follows,
-      hands: state.run.kind === "running" && state.robots.held === null,
-      held: state.room.held,
-    }
-    if (room?.draw(state.room, sight, now)) again()
-  }
-}

@@ -15,8 +15,7 @@ export function snippets(): readonly Snippet[] {
     const byCode = new Map<string, Snippet>()
     for (const item of toolbox("haskell").flatMap(category => category.items)) {
       const code = codeOf(item.block)?.text
-      if (code !== undefined && code.includes(" ") && !byCode.has(code))
-        byCode.set(code, {label: item.label, code})
+      if (code?.includes(" ") && !byCode.has(code)) byCode.set(code, {label: item.label, code})
     }
     made = [...byCode.values()]
   }

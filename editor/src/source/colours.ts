@@ -4,7 +4,7 @@
 import {type Extension, RangeSetBuilder, StateEffect} from "@codemirror/state"
 import {Decoration, type DecorationSet, type EditorView, ViewPlugin, type ViewUpdate} from "@codemirror/view"
 import type {Program} from "../state/program.ts"
-import {type Token, tokens} from "./lexer.ts"
+import {firstWith, type Token, tokens, tokensAfter} from "./lexer.ts"
 import {classOf, noPalette, type Palette, paletteOf, wayBack} from "./paint.ts"
 
 /// Tells the pane that its text now is this program's.
@@ -24,8 +24,14 @@ class Colours {
 
   update(update: ViewUpdate): void {
     if (update.docChanged) {
+      const change = {from: this.text.length, to: 0}
+      update.changes.iterChangedRanges((_fromOld, _toOld, from, to) => {
+        change.from = Math.min(change.from, from)
+        change.to = Math.max(change.to, to)
+      })
+      const before = this.text.length
       this.text = update.state.doc.toString()
-      this.words = tokens(this.text)
+      this.words = tokensAfter(this.words, this.text, {...change, shift: this.text.length - before})
     }
     let told = false
     for (const transaction of update.transactions)
@@ -41,8 +47,8 @@ class Colours {
     const builder = new RangeSetBuilder<Decoration>()
     const {from, to} = view.viewport
     const before = wayBack(this.palette.text, this.text)
-    for (const token of this.words) {
-      if (token.end < from) continue
+    for (let i = firstWith(this.words, token => token.end >= from); i < this.words.length; i += 1) {
+      const token = this.words[i] as Token
       if (token.start > to) break
       const word = this.text.slice(token.start, token.end)
       const known = before(token.start, token.end)

@@ -32,21 +32,59 @@ const pieces =
 /// All tokens of a text, in order; what lies between them is space and brackets.
 export function tokens(text: string): readonly Token[] {
   const found: Token[] = []
-  pieces.lastIndex = 0
-  for (let match = pieces.exec(text); match !== null; match = pieces.exec(text)) {
-    const groups = match.groups ?? {}
-    const start = match.index
-    if (groups.open !== undefined) {
-      // Block comments nest, which a regular expression cannot say.
-      const end = endOfComment(text, start)
-      found.push({kind: "comment", start, end})
-      pieces.lastIndex = end
-      continue
+  for (let token = tokenAt(text, 0); token !== null; token = tokenAt(text, token.end)) found.push(token)
+  return found
+}
+
+/// The tokens of `text`, which was another where `old` are the tokens: from `from` on, up to `to` in the new text, it has changed, and what stands behind has
+/// moved by `shift`. Tokens far from the change are taken over.
+export function tokensAfter(
+  old: readonly Token[],
+  text: string,
+  {from, to, shift}: {readonly from: number; readonly to: number; readonly shift: number},
+): readonly Token[] {
+  // A token before the change may have looked a few characters ahead (a comment is told from an operator, a number from a name), as far as its line's end.
+  const line = text.lastIndexOf("\n", from - 1)
+  const kept = firstWith(old, token => token.end > line)
+  const found = old.slice(0, kept)
+  let rest = firstWith(old, token => token.end + shift >= to)
+  for (let token = tokenAt(text, found.at(-1)?.end ?? 0); token !== null; token = tokenAt(text, token.end)) {
+    found.push(token)
+    // Where an old token ends, the text goes on as it did.
+    while (rest < old.length && (old[rest]?.end ?? 0) + shift < token.end) rest += 1
+    if (token.end >= to && (old[rest]?.end ?? -1) + shift === token.end) {
+      for (let i = rest + 1; i < old.length; i += 1) {
+        const {kind, start, end} = old[i] as Token
+        found.push(shift === 0 ? (old[i] as Token) : {kind, start: start + shift, end: end + shift})
+      }
+      return found
     }
-    const word = match[0]
-    found.push({kind: kindOf(groups, word), start, end: start + word.length})
   }
   return found
+}
+
+/// The number of the first item of which something is true that is then true of all behind it.
+export function firstWith<A>(all: readonly A[], is: (item: A) => boolean): number {
+  let [low, high] = [0, all.length]
+  while (low < high) {
+    const middle = (low + high) >> 1
+    if (is(all[middle] as A)) high = middle
+    else low = middle + 1
+  }
+  return low
+}
+
+/// The first token at or behind an offset at which none is under way.
+function tokenAt(text: string, from: number): Token | null {
+  pieces.lastIndex = from
+  const match = pieces.exec(text)
+  if (match === null) return null
+  const groups = match.groups ?? {}
+  const start = match.index
+  // Block comments nest, which a regular expression cannot say.
+  if (groups.open !== undefined) return {kind: "comment", start, end: endOfComment(text, start)}
+  const word = match[0]
+  return {kind: kindOf(groups, word), start, end: start + word.length}
 }
 
 function kindOf(groups: {[name: string]: string | undefined}, word: string): TokenKind {

@@ -3,7 +3,7 @@
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
 import {difference} from "../../src/source/difference.ts"
-import {tokens} from "../../src/source/lexer.ts"
+import {tokens, tokensAfter} from "../../src/source/lexer.ts"
 
 const kinds = (text: string) => tokens(text).map(t => `${t.kind} ${text.slice(t.start, t.end)}`)
 
@@ -46,6 +46,49 @@ describe("the lexer", () => {
         }
         expect(at).toBeLessThanOrEqual(text.length)
       }),
+    )
+  })
+})
+
+describe("the lexer after a change", () => {
+  const piece = fc.constantFrom(
+    "{-",
+    "-}",
+    "{-#",
+    "#-}",
+    "--",
+    "-->",
+    '"',
+    "'",
+    "\\",
+    "\n",
+    " ",
+    "a",
+    "Bc",
+    "0x1",
+    "1.5e",
+    "3",
+    "_d",
+    "::",
+    "(",
+    "=",
+    "where",
+  )
+  const source = fc.array(piece, {maxLength: 40}).map(all => all.join(""))
+  const share = fc.double({min: 0, max: 1, noNaN: true})
+
+  it("finds what it finds in the whole text", () => {
+    fc.assert(
+      fc.property(source, source, share, share, (text, put, one, other) => {
+        const [from, until] = [Math.round(one * text.length), Math.round(other * text.length)].sort(
+          (a, b) => a - b,
+        )
+        const [start, end] = [from ?? 0, until ?? 0]
+        const now = text.slice(0, start) + put + text.slice(end)
+        const change = {from: start, to: start + put.length, shift: now.length - text.length}
+        expect(tokensAfter(tokens(text), now, change)).toEqual(tokens(now))
+      }),
+      {numRuns: 2000},
     )
   })
 })
