@@ -36,6 +36,8 @@ export interface Inference {
     {readonly name: string; readonly type: string; readonly family: Family}
   >
   readonly problems: readonly BlockProblem[]
+  /// Per definition block a value that a session's next answer has again when nothing is told of that definition that was not told before.
+  readonly stamps: ReadonlyMap<BlockId, object>
 }
 
 export function socketKey(block: BlockId, input: string): string {

@@ -75,7 +75,10 @@ function edited(workspace: SavedWorkspace, kind: string, which: number): SavedWo
 }
 
 function expectTheSame(asked: Session, workspace: SavedWorkspace, which: number): void {
-  expect(asked.infer(workspace)).toEqual(infer(workspace))
+  const told = asked.infer(workspace)
+  expect(told).toEqual(infer(workspace))
+  // Asked again, it tells nothing new.
+  for (const [block, stamp] of asked.infer(workspace).stamps) expect(told.stamps.get(block)).toEqual(stamp)
   const all = [...everyBlock(workspace)]
   const sockets = all.flatMap((block): Place[] =>
     (blockView(block.type)?.shape(block.extraState ?? {}).rows ?? [])

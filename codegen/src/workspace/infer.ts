@@ -130,7 +130,12 @@ export function inferenceOf(
             : (familyOfType(scheme.type, "value") ?? "own"),
     })
   }
-  return {blocks, sockets, definitions, problems: problemsOf(solved)}
+  const stamps = new Map(
+    inferrer.parts.flatMap((part, i) =>
+      part.members.flatMap(d => (d.from === undefined ? [] : [[d.from.block, shown[i] as Shown] as const])),
+    ),
+  )
+  return {blocks, sockets, definitions, problems: problemsOf(solved), stamps}
 }
 
 function shownOf(types: ReadonlyMap<Node, Type>, within: readonly SavedBlock[]): Shown {

@@ -5,7 +5,7 @@
 
 import {type BlockView, type Extra, type Shape, setIn} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
-import {Binder, type FieldActions, makeField, Press, showValue, Words} from "./fields.ts"
+import {Binder, type FieldActions, makeField, Press, Signature, showValue, Words} from "./fields.ts"
 import {helpAddress} from "./help.ts"
 import {setLook} from "./looks.ts"
 import {type PlannedInput, plan, skeleton, values} from "./plan.ts"
@@ -121,6 +121,16 @@ export function extraOf(block: Blockly.Block): Extra {
 
 export function shapeOf(block: Blockly.Block): Shape | undefined {
   return built.get(block)?.shape
+}
+
+/// Whether the fields of a block show what it says: a menu takes only what is in it. (A type in a header is inferred where none is written.)
+export function isShown(block: Blockly.Block): boolean {
+  const shape = built.get(block)?.shape
+  if (shape === undefined) return false
+  return [...values(shape)].every(([key, value]) => {
+    const field = block.getField(key)
+    return field === null || field instanceof Signature || field.getValue() === value
+  })
 }
 
 /// Gives a block a new `extraState` as one step of undo. The button that was pressed keeps the focus.

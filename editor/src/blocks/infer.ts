@@ -7,7 +7,11 @@ import * as Blockly from "blockly/core"
 import {extraOf, shapeOf} from "./build.ts"
 import {Signature} from "./fields.ts"
 import {lookOf, setLook} from "./looks.ts"
+import {savedTop} from "./snapshot.ts"
 import {styleName} from "./theme.ts"
+
+/// What each top-level block and what is told of it was when it was painted.
+const painted = new WeakMap<Blockly.Block, {readonly stamp: object | undefined; readonly saved: unknown}>()
 
 /// Paints `inference` onto the blocks of a workspace. `names` are families of names from elsewhere, for blocks in the
 /// toolbox, which stand outside the program.
@@ -23,7 +27,14 @@ export function showInference(
       )
       .map(problem => socketKey(problem.block!, problem.input!)),
   )
-  for (const block of workspace.getAllBlocks(false)) {
+  const fresh = workspace.getTopBlocks(false).filter(top => {
+    const stamp = inference.stamps.get(top.id)
+    const saved = savedTop(top)
+    const before = painted.get(top)
+    painted.set(top, {stamp, saved})
+    return names !== undefined || stamp === undefined || before?.stamp !== stamp || before.saved !== saved
+  })
+  for (const block of fresh.flatMap(top => top.getDescendants(false))) {
     if (block.isInsertionMarker()) continue
     const shape = shapeOf(block)
     if (shape === undefined) continue

@@ -64,19 +64,23 @@ export class Marks {
     for (const id of [...this.loose, ...loose])
       if (id !== undefined) toggle(this.workspace.getBlockById(id), "rosyLoose", loose.has(id))
     this.loose = loose
-    for (const block of this.workspace.getAllBlocks(false)) {
-      if (block.isInsertionMarker()) continue
-      const words = sentences.get(block.id)?.join("\n") ?? ""
-      if ((this.worded.get(block.id) ?? "") === words) continue
-      this.worded.set(block.id, words)
+    for (const id of new Set([...this.worded.keys(), ...sentences.keys()])) {
+      const block = this.workspace.getBlockById(id)
+      const words = sentences.get(id)?.join("\n") ?? ""
+      if (block === null) this.worded.delete(id)
+      if (block === null || block.isInsertionMarker() || (this.worded.get(id) ?? "") === words) continue
+      if (words === "") this.worded.delete(id)
+      else this.worded.set(id, words)
       withoutEvents(() => block.setWarningText(words === "" ? null : words, problemIcon))
       toggle(block, "rosyWrong", words !== "")
     }
   }
 
-  /// Blocks were replaced: their marks are gone with them.
+  /// Some blocks were replaced: their marks are gone with them.
   forget(): void {
-    this.worded.clear()
+    for (const id of this.worded.keys())
+      if (this.workspace.getBlockById(id)?.getSvgRoot().classList.contains("rosyWrong") !== true)
+        this.worded.delete(id)
     this.showProblems()
     this.highlight(this.highlighted)
     this.dim(this.dimmed)

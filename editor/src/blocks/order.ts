@@ -22,6 +22,27 @@ function same(one: unknown, other: unknown, key: string): boolean {
   return true
 }
 
+/// The blocks of `wanted` that say something else about themselves than in `now`, if that is all in which the two trees differ.
+export function changesOf(now: SavedBlock, wanted: SavedBlock): readonly SavedBlock[] | undefined {
+  if (now === wanted) return []
+  const {extraState: mine, inputs = {}, next, ...own} = now
+  const {extraState: others, inputs: wantedInputs = {}, next: wantedNext, ...wantedOwn} = wanted
+  if (!same(own, wantedOwn, "") || (next === undefined) !== (wantedNext === undefined)) return undefined
+  const names = Object.keys(wantedInputs)
+  if (names.length !== Object.keys(inputs).length) return undefined
+  const below = [
+    ...names.map(name => [inputs[name], wantedInputs[name]] as const),
+    ...(next === undefined ? [] : [[next, wantedNext] as const]),
+  ]
+  const changes = same(mine, others, "") ? [] : [wanted]
+  for (const [one, other] of below) {
+    const inner = one?.block && other?.block && changesOf(one.block, other.block)
+    if (inner === undefined || one?.shadow !== undefined || other?.shadow !== undefined) return undefined
+    changes.push(...inner)
+  }
+  return changes
+}
+
 /// Whether two workspaces hold the same blocks, in whatever order they came.
 export function sameBlocks(one: SavedWorkspace, other: SavedWorkspace): boolean {
   if (one === other) return true

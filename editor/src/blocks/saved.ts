@@ -2,8 +2,9 @@
 
 import type {BlockId, SavedBlock, SavedWorkspace} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
+import {isShown} from "./build.ts"
 import {checkerName} from "./checker.ts"
-import {sameBlock} from "./order.ts"
+import {changesOf, sameBlock} from "./order.ts"
 import {madeFrom, savedTop} from "./snapshot.ts"
 
 /// The text above the definitions, which Blockly knows nothing of.
@@ -32,7 +33,8 @@ export function loads(block: SavedBlock): boolean {
 }
 
 /// Makes `workspace` hold `wanted`. A top-level block that is there already, the same in every respect, stays, with
-/// its selection and its open editors; the others are replaced. No events are fired.
+/// its selection and its open editors; so does one in which only names, numbers and the like are others, which are then shown; the rest are
+/// replaced. No events are fired.
 export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace): Loaded {
   if (wanted.header === undefined) headers.delete(workspace)
   else headers.set(workspace, wanted.header)
@@ -45,7 +47,7 @@ export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace)
     const coming = new Set<BlockId>()
     for (const block of wanted.blocks.blocks) {
       const now = block.id === undefined ? undefined : there.get(block.id)
-      if (now === undefined || !sameBlock(savedTop(now), block)) fresh.push(block)
+      if (now === undefined || !becomes(now, block)) fresh.push(block)
       else {
         madeFrom(now, block)
         coming.add(now.id)
@@ -64,6 +66,21 @@ export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace)
     if (enabled) Blockly.Events.enable()
   }
   return {left}
+}
+
+/// Whether a block on the workspace says what `wanted` says, perhaps after others of its fields show something else.
+function becomes(block: Blockly.Block, wanted: SavedBlock): boolean {
+  const now = savedTop(block)
+  if (now === undefined) return false
+  if (sameBlock(now, wanted)) return true
+  const changes = changesOf(now, wanted)
+  if (changes === undefined) return false
+  for (const {id, extraState} of changes) {
+    const changed = block.workspace.getBlockById(id ?? "")
+    changed?.loadExtraState?.(extraState ?? {})
+    if (changed === null || !isShown(changed)) return false
+  }
+  return sameBlock(savedTop(block), wanted)
 }
 
 /// Makes a block without drawing it: to draw one by one would make the browser lay out all of them for each. When Blockly cannot make it, what it

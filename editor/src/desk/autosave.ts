@@ -5,6 +5,7 @@
 /// moves to a new one, so neither overwrites the other.
 
 import type {Shelf} from "../run/storage.ts"
+import {whenIdle} from "../run/window.ts"
 import type {Store} from "../store.ts"
 
 /// Milliseconds between a change and its being kept.
@@ -39,7 +40,7 @@ export function openAutosave(
   }
 
   store.onFrame(state => {
-    if (state.saved === "changed" && timer === undefined) timer = setTimeout(keep, pause)
+    if (state.saved === "changed" && timer === undefined) timer = setTimeout(() => whenIdle(keep), pause)
   })
   window.addEventListener("pagehide", keep)
   document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && keep())

@@ -108,3 +108,13 @@ export function watchKeys(keys: Keys): void {
     if (event.key === " " && !belongsElsewhere(event.target) && keys.space()) event.preventDefault()
   })
 }
+
+/// Milliseconds that something may wait for the page to have nothing else to do.
+const longestWait = 1000
+
+/// Does something when the page has nothing else to do; somebody who types feels nothing of it.
+export function whenIdle(act: () => void): void {
+  // Safari cannot tell.
+  if (window.requestIdleCallback === undefined) setTimeout(act)
+  else window.requestIdleCallback(act, {timeout: longestWait})
+}

@@ -4,7 +4,14 @@
 import {closeBrackets, closeBracketsKeymap} from "@codemirror/autocomplete"
 import {defaultKeymap, indentLess, indentMore} from "@codemirror/commands"
 import {bracketMatching} from "@codemirror/language"
-import {type Diagnostic, lintGutter, lintKeymap, openLintPanel, setDiagnostics} from "@codemirror/lint"
+import {
+  type Diagnostic,
+  forEachDiagnostic,
+  lintGutter,
+  lintKeymap,
+  openLintPanel,
+  setDiagnostics,
+} from "@codemirror/lint"
 import {highlightSelectionMatches, search, searchKeymap} from "@codemirror/search"
 import {Annotation, Compartment, EditorState} from "@codemirror/state"
 import {drawSelection, EditorView, keymap} from "@codemirror/view"
@@ -87,6 +94,8 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
     return true
   }
   let found: readonly Finding[] = []
+  /// What the marks say that are shown, in the order of `found`.
+  let marked = ""
   const view = new EditorView({
     parent: host,
     state: EditorState.create({
@@ -167,7 +176,7 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
     mark(findings) {
       found = findings
       const length = view.state.doc.length
-      const diagnostics = findings.flatMap((f): Diagnostic[] => {
+      const diagnostics = findings.flatMap((f, i): Diagnostic[] => {
         if (f.range === null || f.range.start > length) return []
         const to = Math.min(f.range.end, length)
         return [
@@ -176,10 +185,20 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
             to,
             severity: f.severity,
             message: `${f.message} ${f.hint}`.trim().replaceAll("`", ""),
-            actions: f.fixes.map(fix => ({name: fix.title, apply: () => options.mend(fix)})),
+            // The way to mend it as it is then: what is typed moves its places.
+            actions: f.fixes.map(({title}, n) => ({
+              name: title,
+              apply() {
+                const fix = found[i]?.fixes[n]
+                if (fix !== undefined) options.mend(fix)
+              },
+            })),
           },
         ]
       })
+      const said = diagnostics.map(saidBy).join("\n\n")
+      if (said === marked && standThere(view.state, diagnostics)) return
+      marked = said
       view.dispatch(setDiagnostics(view.state, diagnostics))
     },
     cursor: () => view.state.selection.main.head,
@@ -214,4 +233,17 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
       view.destroy()
     },
   }
+}
+
+/// What a mark says, wherever it stands.
+function saidBy({severity, message, actions = []}: Diagnostic): string {
+  return [severity, message, ...actions.map(action => action.name)].join("\n")
+}
+
+/// Whether these stand where what the pane shows has moved to by itself.
+function standThere(state: EditorState, wanted: readonly Diagnostic[]): boolean {
+  const at = (d: Diagnostic, from: number, to: number) => `${from} ${to} ${saidBy(d)}`
+  const there = new Set<string>()
+  forEachDiagnostic(state, (d, from, to) => there.add(at(d, from, to)))
+  return wanted.every(d => there.has(at(d, d.from, d.to)))
 }

@@ -245,7 +245,7 @@ function infer(workspace: SavedWorkspace): Inference {
       }
     }
   }
-  return {blocks, sockets, definitions, problems}
+  return {blocks, sockets, definitions, problems, stamps: new Map()}
 }
 
 function checker(workspace: SavedWorkspace): Checker {
