@@ -255,6 +255,30 @@ describe("what comes from elsewhere", () => {
     expect(await tree(page)).toEqual([{led: {}}])
   })
 
+  test("a number that is another in the text is shown, and the definition around it stays", async () => {
+    const page = await stage.open("small")
+    const answer = await page.evaluate(() => {
+      const workspace = window.Blockly.getMainWorkspace()
+      const saved = window.blocks.save()
+      const number = workspace
+        .getAllBlocks(false)
+        .find(block => block.type === "number" && block.getParent())!
+      const root = number.getRootBlock()
+      const wanted: typeof saved = JSON.parse(
+        JSON.stringify(saved, (_, value) =>
+          value?.id === number.id ? {...value, extraState: {...value.extraState, value: "7.25"}} : value,
+        ),
+      )
+      window.blocks.load(wanted)
+      return {
+        stays: workspace.getBlockById(root.id) === root && workspace.getBlockById(number.id) === number,
+        shows: number.getFieldValue("value"),
+        saved: JSON.stringify(window.blocks.save()).includes("7.25"),
+      }
+    })
+    expect(answer).toEqual({stays: true, shows: "7.25", saved: true})
+  })
+
   test("loading again what is there already replaces nothing", async () => {
     const page = await stage.open("small")
     const same = await page.evaluate(() => {
