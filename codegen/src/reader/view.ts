@@ -210,7 +210,8 @@ export function syncBlocks(reader: Reader, view: View, workspace: SavedWorkspace
   }
   const changed = view.declarations.filter(s => {
     const b = found.get(s)
-    return b === undefined || hashTree(b, true) !== hashTree(s.block, true)
+    // The very same value says the same; to compare thousands of blocks at each edit would be felt.
+    return b === undefined || (b !== s.block && hashTree(b, true) !== hashTree(s.block, true))
   })
   const nextId = Math.max(view.nextId, firstFree(tops))
   if (changed.length === 0 && added.length === 0)
@@ -332,6 +333,7 @@ function printable(
 
 /// A definition of a stack by itself; those below the first get places of their own.
 function alone(block: SavedBlock, top: SavedBlock, i: number): SavedBlock {
+  if (i === 0 && block.next === undefined) return block
   const {next: _, ...rest} = block
   return i === 0 ? rest : {...rest, x: top.x ?? 0, y: (top.y ?? 0) + 80 * i}
 }
