@@ -10,6 +10,7 @@ import {
   closeCompletion,
   completionKeymap,
   selectedCompletion,
+  selectedCompletionIndex,
   snippetCompletion,
 } from "@codemirror/autocomplete"
 import {type Extension, Prec} from "@codemirror/state"
@@ -119,10 +120,11 @@ function snippet(label: string, code: string, section: string): Completion {
 const takeUnlessWritten: Command = view => {
   const chosen = selectedCompletion(view.state)
   const {head} = view.state.selection.main
-  const written =
-    chosen !== null &&
-    view.state.sliceDoc(head - chosen.label.length, head) === chosen.label &&
-    isPlain(chosen)
+  const line = view.state.doc.lineAt(head)
+  const word = /[\p{L}_][\p{L}\p{N}_']*$/u.exec(line.text.slice(0, head - line.from))?.[0] ?? ""
+  // A name that everybody knows is whole, whatever longer one is offered first; who has gone down the list means what is chosen there.
+  const whole = selectedCompletionIndex(view.state) === 0 && known.some(n => n.name === word)
+  const written = chosen !== null && isPlain(chosen) && (chosen.label === word || whole)
   if (!written) return acceptCompletion(view)
   closeCompletion(view)
   return false
