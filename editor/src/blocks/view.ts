@@ -360,6 +360,8 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   void Promise.all(fonts.map(font => document.fonts.load(font))).then(() => {
     forgetWidths()
     measureAgain(workspace)
+    // The toolbox is as wide as its words, and what stands beside it must know.
+    workspace.getToolbox()?.handleToolboxItemResize()
   })
 
   return {
