@@ -5,7 +5,9 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -28,6 +30,26 @@ def test_the_reason_is_the_kernels_own(config: Config, monkeypatch: pytest.Monke
     monkeypatch.setattr(serving, "sandbox_fault", lambda: "bwrap: No permissions to create new namespace")
     with pytest.raises(BadInput, match=r"No permissions to create new namespace.*--unprotected"):
         serving.serve(replace(config, sandbox=True), "0.0.0.0", 0, open_browser=False, unprotected=False)
+
+
+@pytest.mark.skipif(not discover().worker, reason="the worker is not built")
+def test_a_kernel_that_forbids_namespaces_is_noticed() -> None:
+    kinds = "user pid net mnt ipc uts cgroup"
+    forbid = f'for kind in {kinds}; do echo 0 > /proc/sys/user/max_"$kind"_namespaces; done; exec "$@"'
+    unable = ["unshare", "--user", "--map-root-user", "sh", "-c"]
+    if (
+        shutil.which("unshare") is None
+        or subprocess.run([*unable, "true"], capture_output=True, check=False).returncode
+    ):
+        pytest.skip("this kernel lets nobody here try it")
+    command = [sys.executable, "-m", "rosy_sim", "serve", "--no-browser", "--port", "0", "--host", "0.0.0.0"]
+    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).resolve().parents[1])}
+    done = subprocess.run(
+        [*unable, forbid, "sh", *command], env=environment, capture_output=True, text=True, check=False, timeout=60
+    )
+    assert done.returncode != 0
+    assert "Programs cannot be locked in on this machine (bwrap: Creating new namespace failed" in done.stderr
+    assert "so Rosy only serves this machine itself; leave out --host, or add --unprotected" in done.stderr
 
 
 def test_who_insists_is_served(config: Config) -> None:

@@ -143,9 +143,9 @@ static int is_kept(int fd, int count, const int *keep) {
 
 /*
  * Dies with its parent, leads its own session, knows no environment, has nothing open but the kept descriptors and an empty 0, 1 and 2,
- * can gain no privilege, write no file and start no core dump.
+ * starts no core dump, and, unless a test wants to see what the other layers do, can gain no privilege and write no file.
  */
-int rosy_child_begin(int count, const int *keep, int null_fd) {
+int rosy_child_begin(int count, const int *keep, int null_fd, int no_files, int no_privileges) {
   pid_t parent = getppid();
   struct rlimit none = {0, 0};
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) < 0) return -1;
@@ -162,8 +162,8 @@ int rosy_child_begin(int count, const int *keep, int null_fd) {
 #endif
     for (int fd = last + 1; fd < 65536; fd++) close(fd);
   setrlimit(RLIMIT_CORE, &none);
-  setrlimit(RLIMIT_FSIZE, &none);
-  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) < 0) return -1;
+  if (no_files) setrlimit(RLIMIT_FSIZE, &none);
+  if (no_privileges && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) < 0) return -1;
   prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
   return 0;
 }
@@ -205,11 +205,11 @@ int rosy_limit_cpu(uint64_t seconds) {
   return setrlimit(RLIMIT_CPU, &cpu);
 }
 
-/* The kernel refuses more private memory than this, and further processes and threads. */
-int rosy_limit_process(uint64_t data_bytes) {
+/* The kernel refuses more private memory than this (0: any), and, when it is to be alone, further processes and threads. */
+int rosy_limit_process(uint64_t data_bytes, int alone) {
   struct rlimit data = {data_bytes, data_bytes}, none = {0, 0};
   if (data_bytes && setrlimit(RLIMIT_DATA, &data) < 0) return -1;
-  setrlimit(RLIMIT_NPROC, &none);
+  if (alone) setrlimit(RLIMIT_NPROC, &none);
   setrlimit(RLIMIT_MSGQUEUE, &none);
   setrlimit(RLIMIT_MEMLOCK, &none);
   return 0;

@@ -45,12 +45,20 @@ data Layers = Layers
     lists :: Bool,
     -- | The seccomp filters.
     systemCalls :: Bool,
-    -- | Memory and process limits.
-    limits :: Bool
+    -- | The run-time system's and the kernel's limits of memory.
+    memoryLimit :: Bool,
+    -- | No further processes and threads.
+    processLimit :: Bool,
+    -- | No files are written.
+    fileLimit :: Bool,
+    -- | Seconds of computing.
+    computingLimit :: Bool,
+    -- | No rights can be gained.
+    noPrivileges :: Bool
   }
 
 allLayers :: Layers
-allLayers = Layers True True True True
+allLayers = Layers True True True True True True True True
 
 data Settings = Settings
   { layers :: Layers,
@@ -85,7 +93,7 @@ answerChild settings session service = alone service $ do
           when (now < atFirst + mostGrown) (next rest)
       answer request = case request of
         Ask _ question -> do
-          when (limits (layers settings)) (limitCpu compileCpu)
+          when (computingLimit (layers settings)) (limitCpu compileCpu)
           fields <- case question of
             Check source -> reportFields . fst <$> judge settings ToKnow session source
             Complete source at -> completionFields <$> complete session source at
@@ -141,11 +149,11 @@ runChild settings session answer link page memory source = alone answer $ do
       setFdOption link NonBlockingRead False
       beNice runNiceness
       when isLarge (performMinorGC >> clearArea >> areaOf smallArea)
-      when (limits (layers settings)) $ do
-        size <- dataSize
-        limitHeap (if isLarge then memory - min memory (largeArea - smallArea) else memory)
-        limitCpu (runSeconds settings)
-        limitProcess (size + 2 * memory + heapSlack)
+      size <- dataSize
+      let on layer = layer (layers settings)
+      when (on memoryLimit) $ limitHeap (if isLarge then memory - min memory (largeArea - smallArea) else memory)
+      when (on computingLimit) $ limitCpu (runSeconds settings)
+      limitProcess (if on memoryLimit then size + 2 * memory + heapSlack else 0) (on processLimit)
       now <- getMonotonicTime
       writeAll answer ("S" <> line ("problems" .= found <> "compile" .= (now - began)))
       closeFd answer
@@ -166,12 +174,13 @@ compileCpu = 60
 
 begin :: Settings -> [Fd] -> IO ()
 begin settings keep = do
-  beginChild keep (nullFd settings)
-  when (limits (layers settings)) $ do
+  let on layer = layer (layers settings)
+  beginChild keep (nullFd settings) (on fileLimit) (on noPrivileges)
+  when (on memoryLimit) $ do
     size <- dataSize
     -- Only the kernel's limit: close to its own, the run-time system would collect for minutes before it gives up.
     limitData (size + compileMemory settings)
-    limitCpu compileCpu
+  when (on computingLimit) $ limitCpu compileCpu
   when (systemCalls (layers settings)) filterCompiling
 
 -- | Lives as a program's main does, so that a full heap is an exception there, and leaves at once. What went wrong

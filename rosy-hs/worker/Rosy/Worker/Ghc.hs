@@ -148,7 +148,7 @@ data Aim = ToKnow | ToRun
 -- | Reads and checks a program.
 analyse :: Guard -> Aim -> Session -> Text -> IO Analysis
 analyse guarded aim session source = do
-  options <- optionsOf guarded (allowing (hsc_dflags (environment session))) columns buffer
+  options <- optionsOf guarded (allowing (hsc_dflags (environment session))) columns source buffer
   case options of
     Left found -> pure (stopped found [])
     Right flags -> case readProgram flags columns buffer of

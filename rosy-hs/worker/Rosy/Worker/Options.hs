@@ -36,7 +36,8 @@ usage :: String
 usage =
   unlines
     [ "rosy-worker [--fd N] [--package-db DIR] [--rosy-unit ID] [--libdir DIR]",
-      "            [--check-seconds S] [--check-memory BYTES] [--checks N] [--run-seconds S] [--without language|lists|system-calls|limits]",
+      "            [--check-seconds S] [--check-memory BYTES] [--checks N] [--run-seconds S]",
+      "            [--without language|lists|system-calls|limits|memory|processes|files|computing|privileges]",
       "Serves one Unix stream socket, descriptor 3 unless told otherwise. See protocol/README.md, section 3."
     ]
 
@@ -59,7 +60,12 @@ parseOptions = go (Options 3 [] Nothing Nothing allLayers 10 (512 * 1024 * 1024)
       [ ("language", \l -> l {language = False}),
         ("lists", \l -> l {lists = False}),
         ("system-calls", \l -> l {systemCalls = False}),
-        ("limits", \l -> l {limits = False})
+        ("limits", \l -> l {memoryLimit = False, processLimit = False, fileLimit = False, computingLimit = False}),
+        ("memory", \l -> l {memoryLimit = False}),
+        ("processes", \l -> l {processLimit = False}),
+        ("files", \l -> l {fileLimit = False}),
+        ("computing", \l -> l {computingLimit = False}),
+        ("privileges", \l -> l {noPrivileges = False})
       ]
 
 -- | The library that was named, or the one that was built in place beside this executable, and GHC's directory.

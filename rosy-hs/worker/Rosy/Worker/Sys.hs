@@ -96,7 +96,7 @@ foreign import ccall unsafe rosy_name :: CString -> IO CInt
 
 foreign import ccall unsafe rosy_nice :: CInt -> IO CInt
 
-foreign import ccall unsafe rosy_child_begin :: CInt -> Ptr CInt -> CInt -> IO CInt
+foreign import ccall unsafe rosy_child_begin :: CInt -> Ptr CInt -> CInt -> CInt -> CInt -> IO CInt
 
 foreign import ccall unsafe rosy_filter_compiling :: IO CInt
 
@@ -104,7 +104,7 @@ foreign import ccall unsafe rosy_filter_running :: IO CInt
 
 foreign import ccall unsafe rosy_limit_data :: Word64 -> IO CInt
 
-foreign import ccall unsafe rosy_limit_process :: Word64 -> IO CInt
+foreign import ccall unsafe rosy_limit_process :: Word64 -> CInt -> IO CInt
 
 foreign import ccall unsafe rosy_limit_cpu :: Word64 -> IO CInt
 
@@ -245,10 +245,14 @@ readSome fd = createAndTrim chunk (\buffer -> fromIntegral <$> fdReadBuf fd buff
 beCalled :: String -> IO ()
 beCalled name = withCString name (void . rosy_name)
 
--- | See @rosy_child_begin@: the descriptors to keep, and one that stands in for 0 to 2.
-beginChild :: [Fd] -> Fd -> IO ()
-beginChild keep (Fd nullFd) =
-  void $ withArrayLen [fd | Fd fd <- keep] (\n fds -> orThrow "becoming a child" (rosy_child_begin (fromIntegral n) fds nullFd))
+-- | See @rosy_child_begin@: the descriptors to keep, one that stands in for 0 to 2, whether files cannot be written, and whether
+-- no rights can be gained.
+beginChild :: [Fd] -> Fd -> Bool -> Bool -> IO ()
+beginChild keep (Fd nullFd) noFiles noPrivileges =
+  void $ withArrayLen [fd | Fd fd <- keep] (\n fds -> orThrow "becoming a child" (rosy_child_begin (fromIntegral n) fds nullFd (flag noFiles) (flag noPrivileges)))
+
+flag :: Bool -> CInt
+flag = fromIntegral . fromEnum
 
 -- | Others go first. A refusal changes nothing that matters.
 beNice :: Int -> IO ()
@@ -262,9 +266,9 @@ filterRunning = void $ orThrow "seccomp" rosy_filter_running
 limitData :: Word64 -> IO ()
 limitData bytes = void $ orThrow "setrlimit" (rosy_limit_data bytes)
 
--- | Bytes of private memory for good (0: no limit).
-limitProcess :: Word64 -> IO ()
-limitProcess bytes = void $ orThrow "setrlimit" (rosy_limit_process bytes)
+-- | Bytes of private memory for good (0: no limit), and whether no processes and threads may be started.
+limitProcess :: Word64 -> Bool -> IO ()
+limitProcess bytes alone = void $ orThrow "setrlimit" (rosy_limit_process bytes (flag alone))
 
 -- | Seconds of computing from now on.
 limitCpu :: Word64 -> IO ()

@@ -70,7 +70,7 @@ complete session written at = case withHole at written of
     let columns = columnsOf source
         buffer = stringToStringBuffer (Text.unpack source)
         plain = (hsc_dflags (environment session)) {log_action = \_ _ _ _ _ -> pure ()}
-    options <- optionsOf Guarded plain columns buffer
+    options <- optionsOf Guarded plain columns source buffer
     case options of
       Right flags
         | Right (L place parsed, _) <- readProgram flags columns buffer,

@@ -24,6 +24,7 @@ module Rosy.Worker.Ghc.Read
 where
 
 import Control.Exception (evaluate, try)
+import Data.Char (isAlpha, isDigit)
 import Data.Data (Data, cast, gmapQ)
 import qualified Data.IntSet as IntSet
 import Data.Text (Text)
@@ -51,7 +52,7 @@ import Rosy.Worker.Allow
 import Rosy.Worker.Ghc.Describe
 import Rosy.Worker.Ghc.Report
 import Rosy.Worker.Place (Columns)
-import Rosy.Worker.Problem (Problem, problemAt, problemNowhere)
+import Rosy.Worker.Problem (Place (..), Problem, Span (..), problemAt, problemNowhere)
 import Rosy.Worker.Raw (Raw (..))
 
 -- | What limits what a program may import and switch on: our lists and Safe Haskell, Safe Haskell alone, or nothing. Only tests of
@@ -60,8 +61,9 @@ data Guard = Guarded | OnlySafe | Unguarded
   deriving (Eq)
 
 -- | The flags after the pragmas at the top of the file, or why one of them is refused.
-optionsOf :: Guard -> DynFlags -> Columns -> StringBuffer -> IO (Either [Problem] DynFlags)
-optionsOf guarded flags columns buffer = do
+optionsOf :: Guard -> DynFlags -> Columns -> Text -> StringBuffer -> IO (Either [Problem] DynFlags)
+optionsOf guarded _ _ source _ | guarded == Guarded, found@(_ : _) <- placeRefusals source = pure (Left found)
+optionsOf guarded flags columns _ buffer = do
   attempt <- try $ do
     let options = getOptions flags buffer fileName
     mapM_ (evaluate . length . unLoc) options
@@ -83,6 +85,15 @@ optionsOf guarded flags columns buffer = do
     optionProblem raw =
       let (m, h) = refuseUnknown (Text.strip (snd (Text.breakOnEnd "Unsupported extension:" (Text.concat (take 1 (Text.lines (Text.concat (important raw))))))))
        in maybe (problemNowhere "extension") (`problemAt` "extension") (region raw) m h
+
+-- | What would make the compiler believe that a text stands elsewhere than it does. Problems would be shown at the wrong place, and
+-- 'linesWith' would look there.
+placeRefusals :: Text -> [Problem]
+placeRefusals source = [problemAt (Span (Place n 1) (Place n (Text.length l + 1))) "pragma" "A program cannot say on which line it stands." "Remove this line." | (n, l) <- numbered, n `elem` hashes ++ pragmas]
+  where
+    numbered = zip [1 ..] (Text.lines source)
+    hashes = [n | (n, l) <- numbered, Just rest <- [Text.stripPrefix "#" l], let word = Text.stripStart rest, Text.any isDigit (Text.take 1 word) || "line" `Text.isPrefixOf` word]
+    pragmas = [1 + Text.count "\n" before | (before, after) <- Text.breakOnAll "{-#" source, Text.toLower (Text.takeWhile isAlpha (Text.stripStart (Text.drop 3 after))) `elem` ["line", "column"]]
 
 -- | The tree of a program with warnings about its text, or what keeps it from being read.
 readProgram :: DynFlags -> Columns -> StringBuffer -> Either [Raw] (Located HsModule, [Raw])

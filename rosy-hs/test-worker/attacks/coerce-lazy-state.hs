@@ -1,0 +1,3 @@
+import Control.Monad.ST.Lazy.Unsafe (unsafeInterleaveST)
+
+main = simulate (Say "ran")

@@ -1,0 +1,1 @@
+main = simulate (Say (show (maximum [minBound .. maxBound :: Int])))

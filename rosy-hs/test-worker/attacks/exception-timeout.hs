@@ -1,0 +1,3 @@
+import System.Timeout
+
+main = timeout 100 (simulate (Velocity 0 0)) >> print "HARM"

@@ -1,0 +1,5 @@
+{-# OPTIONS_HADDOCK hide #-}
+{-# LANGUAGE Safe, Unsafe #-}
+module Main where
+
+main = simulate (Say "HARM")

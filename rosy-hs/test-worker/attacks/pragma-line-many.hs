@@ -1,0 +1,2 @@
+# 99999999 "/etc/passwd"
+main = simulate (Say missing)

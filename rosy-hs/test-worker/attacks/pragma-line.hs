@@ -1,0 +1,2 @@
+{-# LINE 4711 "CANARY" #-}
+main = simulate (Say missing)

@@ -1,0 +1,1 @@
+main = simulate (Say (show (until (< 0) (+ 1) (0 :: Integer))))

@@ -1,0 +1,1 @@
+main = simulate (Say (cycle "ha "))

@@ -1,0 +1,4 @@
+import Control.Exception
+import Control.Monad (forever)
+
+main = mask_ (forever (pure ()))
