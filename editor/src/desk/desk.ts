@@ -111,7 +111,8 @@ export function openDesk(address: string): Desk {
     room?.recolour()
     worldEditor?.recolour()
   }
-  store.onFrame(() => {
+  /// Shows the blocks of the document as it is.
+  const follow = () => {
     const {document} = store.now
     if (document.workspace === shown || blocks === null) return
     const began = performance.now()
@@ -119,7 +120,8 @@ export function openDesk(address: string): Desk {
     blocks.load(shown)
     store.dispatch({kind: "analysed", before: document, document: analysed(document, blocks.inference())})
     typing.cost(performance.now() - began)
-  })
+  }
+  store.onFrame(follow)
   store.onFrame(
     drawParts(
       () => ({blocks, source, room}),
@@ -295,6 +297,11 @@ export function openDesk(address: string): Desk {
   return {
     store,
     mountBlocks(host) {
+      // Who goes to the blocks finds them as the text is: what is opened there would close when they follow.
+      host.addEventListener("pointerenter", () => {
+        flush()
+        follow()
+      })
       blocks = openBlocks(host, {
         language: codegen,
         tone: isDark() ? "dark" : "light",
