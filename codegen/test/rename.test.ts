@@ -115,7 +115,11 @@ test.skipIf(database === undefined)("a renamed program means what it meant", {ti
 })
 
 test("a type's new name stands wherever a type is written, and constructors keep theirs", () => {
-  const block = (id: string, type: string, extraState: SavedBlock["extraState"]): SavedBlock => ({
+  const block = (
+    id: string,
+    type: string,
+    extraState: NonNullable<SavedBlock["extraState"]>,
+  ): SavedBlock => ({
     id,
     type,
     x: 0,
