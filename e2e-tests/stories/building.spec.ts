@@ -9,7 +9,7 @@ import {Mouse} from "./mouse.ts"
 import {drawSquare, mux, randomWalk} from "./recipes.ts"
 
 // A whole program takes a learner a while, and a busy machine too.
-test.setTimeout(180_000)
+test.setTimeout(300_000)
 
 async function builds(
   page: Page,
