@@ -29,7 +29,7 @@ export function compileAll(
   const folder = mkdtempSync(join(tmpdir(), "rosy-codegen-"))
   try {
     for (const c of candidates) writeFileSync(join(folder, `${c.name}.hs`), asModule(c))
-    const {stdout, stderr, error} = spawnSync(
+    const {stdout, stderr, error, status, signal} = spawnSync(
       "ghc",
       [
         ...withRosy(database),
@@ -44,6 +44,9 @@ export function compileAll(
       {cwd: folder, encoding: "utf8", maxBuffer: 1 << 28},
     )
     if (error !== undefined) throw error
+    // 1 after a complaint. What ended in another way has not looked at all programs.
+    if (signal !== null || (status ?? 2) > 1)
+      throw new Error(`expected GHC to end with 0 or 1, found ${signal ?? status}: ${stderr.slice(-400)}`)
     const complaints = new Map<string, string>()
     let current: string | undefined
     for (const line of `${stderr}\n${stdout}`.split("\n")) {

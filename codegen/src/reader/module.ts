@@ -202,7 +202,7 @@ function plainer(source: string): string {
         n => (/^- *\d/.test(n) ? "0" : "a").repeat(n.length),
       )
       // `-1 :: Int` as a step or condition: the grammar expects a pattern. As a name, which `expressions.ts` reads as the number it is.
-      .replace(/(?<=- *)(?:0[xXoObB][\da-fA-F_]+|\d[\d._]*(?:[eE][-+]?\d+)?)(?=\s*::)/gu, n =>
+      .replace(/(?<=(?<![\d_.][eE])- *)(?:0[xXoObB][\da-fA-F_]+|\d[\d._]*(?:[eE][-+]?\d+)?)(?=\s*::)/gu, n =>
         "a".repeat(n.length),
       )
       // The grammar's `'\n'` may go on to the next quote, as the one in `x'`.

@@ -109,6 +109,7 @@ test("a negative number with a type is a step or a condition like any other", ()
         {clauses: [{right: {body: {kind: "do", statements: [{kind: "statement", expr: body}]}}}]},
       ],
     })
+  expect(reader.read("a | 1e-3 :: Double = 1\n").pieces.some(p => p.broken)).toBe(false)
   expect(plain(readProgram("a | -1 :: Int = 1\n"))).toMatchObject({
     declarations: [{clauses: [{right: {body: [{guards: [{kind: "statement", expr: body}]}]}}]}],
   })
