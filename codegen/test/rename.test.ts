@@ -3,7 +3,7 @@
 import {setImmediate} from "node:timers/promises"
 import {expect, test} from "vitest"
 import {packageDatabase} from "../scripts/ghc.ts"
-import type {Extra, SavedBlock, SavedWorkspace} from "../src/index.ts"
+import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {blockView, infer, rename, toHaskell} from "../src/index.ts"
 import {everyBlock} from "../src/workspace/infer.ts"
 import {generateProgram} from "./generate/program.ts"
