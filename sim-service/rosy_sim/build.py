@@ -12,7 +12,7 @@ from pathlib import Path
 
 from .errors import BadInput, WorkerMissing
 
-__all__ = ["build_program"]
+__all__ = ["build_program", "is_native"]
 
 
 def build_program(root: Path, source: str, output: Path) -> int:
@@ -40,6 +40,15 @@ def build_program(root: Path, source: str, output: Path) -> int:
         if status == 0:
             _deliver(binary, output)
     return status
+
+
+def is_native(path: Path) -> bool:
+    """Whether a file is an executable program (ELF's first four bytes), as ``build_program`` makes them."""
+    try:
+        with path.open("rb") as file:
+            return file.read(4) == b"\x7fELF"
+    except OSError:
+        return False
 
 
 def _deliver(binary: Path, output: Path) -> None:

@@ -19,6 +19,7 @@ from typing import BinaryIO, NoReturn
 
 import msgspec
 
+from .build import build_program, is_native
 from .config import Config, discover
 from .errors import BadInput, RosyError
 from .grade import grade, programs_in, table
@@ -26,7 +27,7 @@ from .inputs import read_inputs
 from .library import DEFAULT_WORLD, load_world, named_world, usable_arena
 from .program import ProgramFile, read_program
 from .roster import configured
-from .run import Order, Outcome, run_program
+from .run import Order, Outcome, run_native, run_program
 from .wire.problem import Problem
 from .worker.blocking import BlockingWorker
 from .world.arena import Arena
@@ -133,8 +134,6 @@ def _check(config: Config, options: argparse.Namespace) -> int:
 
 def _build(config: Config, options: argparse.Namespace) -> int:
     """A native program, of what the worker would run."""
-    from .build import build_program
-
     program = read_program(options.file)
     with BlockingWorker(config) as worker:
         worker.ready()
@@ -147,8 +146,11 @@ def _build(config: Config, options: argparse.Namespace) -> int:
 
 
 def _run(config: Config, options: argparse.Namespace) -> int:
-    program = read_program(options.file)
+    native = is_native(options.file)
+    program = ProgramFile("") if native else read_program(options.file)
     if options.robot is not None:
+        if native:
+            raise BadInput(f"A built program drives by itself: {options.file} --robot {options.robot}")
         return _drive(config, program, options)
     arena = _arena(program, options)
     order = Order(
@@ -160,9 +162,12 @@ def _run(config: Config, options: argparse.Namespace) -> int:
     world = World(arena, order.seed)
     with contextlib.ExitStack() as stack:
         trace = stack.enter_context(_writable(options.trace)) if options.trace is not None else None
-        worker = stack.enter_context(BlockingWorker(config))
-        worker.ready()
-        outcome = run_program(worker, program.source, world, order, config.limits, _say, trace)
+        if native:
+            outcome = run_native(options.file, world, order, config.limits, _say, trace)
+        else:
+            worker = stack.enter_context(BlockingWorker(config))
+            worker.ready()
+            outcome = run_program(worker, program.source, world, order, config.limits, _say, trace)
     return _report(options.file, world, outcome)
 
 

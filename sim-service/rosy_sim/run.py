@@ -1,5 +1,6 @@
 """
-A run without a page: program, world and worker on one blocking thread, as fast as asked.
+A run without a page: program, world and worker on one blocking thread, as fast as asked. A native
+program needs no worker.
 
 Yields nothing but results: what was said goes to a callback at once, the trace to a file object.
 """
@@ -8,9 +9,11 @@ from __future__ import annotations
 
 import select
 import socket
+import subprocess
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import BinaryIO, Literal
 
 from .config import Limits
@@ -25,7 +28,7 @@ from .world.facts import STEP
 from .world.goals import GoalState
 from .world.world import HandRefused, World
 
-__all__ = ["Ended", "Order", "Outcome", "drive", "run_program"]
+__all__ = ["Ended", "Order", "Outcome", "drive", "run_native", "run_program"]
 
 Ended = Literal["time", "done", "error", "stuck", "refused"]
 
@@ -75,6 +78,26 @@ def run_program(
         if isinstance(answer, Refused):
             return Outcome("refused", answer.problems)
         return drive(ours, world, order, limits, say, trace, kill=worker.kill, gone=worker.gone)
+
+
+def run_native(
+    binary: Path,
+    world: World,
+    order: Order,
+    limits: Limits,
+    say: Callable[[str], None],
+    trace: BinaryIO | None = None,
+) -> Outcome:
+    """The same for what ``./rosy build`` made. It runs in no sandbox: whoever built it may start it too."""
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+    with ours, theirs:
+        command = [str(binary.absolute()), "--link", str(theirs.fileno())]
+        with subprocess.Popen(command, pass_fds=[theirs.fileno()]) as process:
+            theirs.close()
+            try:
+                return drive(ours, world, order, limits, say, trace, kill=process.kill)
+            finally:
+                process.kill()
 
 
 def drive(

@@ -57,6 +57,22 @@ def test_without_a_robot_it_says_how_to_name_one(tmp_path: Path) -> None:
     assert said.stderr.startswith("This program drives a robot; say which one: randomWalk --robot ws://HOST:9090")
 
 
+def test_in_the_simulator_it_does_what_its_source_does(tmp_path: Path) -> None:
+    binary = built("randomWalk", tmp_path)
+    options = ["--world", "obstacles", "--seconds", "20", "--seed", "7"]
+    hands = tmp_path / "hands.jsonl"
+    hands.write_text('{"t": 2, "lift": "both"}\n{"t": 4, "lower": "both"}\n')
+    traces: list[bytes] = []
+    for program in (str(binary), str(ROOT / "examples" / "randomWalk" / "Main.hs")):
+        trace = tmp_path / f"{len(traces)}.jsonl"
+        assert main(["run", program, *options, "--input", str(hands), "--trace", str(trace)]) == 0
+        traces.append(trace.read_bytes())
+    assert traces[0] == traces[1]
+    alone = subprocess.run([binary, *options], capture_output=True, text=True, check=False)
+    assert alone.returncode == 1
+    assert alone.stderr.strip().endswith(f"./rosy run {binary} {' '.join(options)}")
+
+
 def test_a_program_with_a_mistake_is_not_built(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     program, binary = tmp_path / "wrong.hs", tmp_path / "wrong"
     program.write_text("main = simulate (not 3)\n")
