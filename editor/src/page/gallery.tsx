@@ -1,48 +1,23 @@
 /// The gallery: examples to open, each with what it teaches, and the learner's own programs.
 
 import type {VNode} from "preact"
-import {useEffect, useRef, useState} from "preact/hooks"
+import {useState} from "preact/hooks"
 import type {Example} from "../state/page.ts"
 import {words} from "../words/index.ts"
-import {CloseIcon} from "./icons.tsx"
+import {Dialog} from "./dialog.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {Said} from "./said.tsx"
 
-export function GalleryDialog(): VNode | null {
-  const desk = useDesk()
-  const open = usePage(s => s.dialog === "gallery")
-  const dialog = useRef<HTMLDialogElement>(null)
-  useEffect(() => {
-    if (open) dialog.current?.showModal()
-    else dialog.current?.close()
-  }, [open])
-  const close = () => desk.store.dispatch({kind: "dialog", dialog: null})
+export function GalleryDialog(): VNode {
   return (
-    // A click on the backdrop is a click on the dialog itself; Escape closes it through `onClose`.
-    <dialog
-      class="gallery"
-      ref={dialog}
-      aria-labelledby="gallery-title"
-      onClose={close}
-      onClick={event => event.target === event.currentTarget && close()}
-      onKeyDown={event => event.stopPropagation()}
-    >
-      {open && (
-        <div class="gallery-body">
-          <header>
-            <div>
-              <h2 id="gallery-title">{words.galleryTitle}</h2>
-              <p class="quiet">{words.galleryLead}</p>
-            </div>
-            <button type="button" class="plain icon" aria-label={words.close} onClick={close}>
-              <CloseIcon />
-            </button>
-          </header>
+    <Dialog name="gallery" title={words.galleryTitle} lead={words.galleryLead}>
+      {() => (
+        <>
           <Examples />
           <KeptPrograms />
-        </div>
+        </>
       )}
-    </dialog>
+    </Dialog>
   )
 }
 

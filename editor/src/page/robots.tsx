@@ -1,50 +1,21 @@
 /// Where a robot is chosen: the simulated one, or one of those that the person who started Rosy lets pages drive.
 
 import type {VNode} from "preact"
-import {useEffect, useRef, useState} from "preact/hooks"
+import {useState} from "preact/hooks"
 import type {RobotName} from "../state/robots.ts"
 import {words} from "../words/index.ts"
-import {CloseIcon} from "./icons.tsx"
+import {Dialog} from "./dialog.tsx"
 import {useDesk, usePage} from "./pick.ts"
 
 export function RobotsDialog(): VNode {
-  const {store} = useDesk()
-  const open = usePage(s => s.dialog === "robots")
-  const dialog = useRef<HTMLDialogElement>(null)
-  useEffect(() => {
-    if (open) dialog.current?.showModal()
-    else dialog.current?.close()
-  }, [open])
-  const close = () => store.dispatch({kind: "dialog", dialog: null})
   return (
-    // A click on the backdrop is a click on the dialog itself; Escape closes it through `onClose`.
-    <dialog
-      class="gallery robots"
-      ref={dialog}
-      aria-labelledby="robots-title"
-      onClose={close}
-      onClick={event => event.target === event.currentTarget && close()}
-      onKeyDown={event => event.stopPropagation()}
-    >
-      {open && (
-        <div class="gallery-body">
-          <header>
-            <div>
-              <h2 id="robots-title">{words.robots.title}</h2>
-              <p class="quiet">{words.robots.lead}</p>
-            </div>
-            <button type="button" class="plain icon" aria-label={words.close} onClick={close}>
-              <CloseIcon />
-            </button>
-          </header>
-          <Choices close={close} />
-        </div>
-      )}
-    </dialog>
+    <Dialog name="robots" title={words.robots.title} lead={words.robots.lead}>
+      {() => <Choices />}
+    </Dialog>
   )
 }
 
-function Choices({close}: {close: () => void}): VNode {
+function Choices(): VNode {
   const {store} = useDesk()
   const offered = usePage(s => s.robots.offered)
   const held = usePage(s => s.robots.held)
@@ -54,7 +25,7 @@ function Choices({close}: {close: () => void}): VNode {
   const w = words.robots
   const simulate = () => {
     store.dispatch({kind: "robot-left"})
-    close()
+    store.dispatch({kind: "dialog", dialog: null})
   }
   return (
     <>

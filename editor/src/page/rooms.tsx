@@ -1,29 +1,30 @@
 /// The gallery of rooms: a picture and a name of each, and the learner's own.
 
 import type {VNode} from "preact"
-import {useEffect, useLayoutEffect, useRef} from "preact/hooks"
+import {useLayoutEffect, useRef} from "preact/hooks"
 import {drawPicture} from "../room/picture.ts"
 import {words} from "../words/index.ts"
 import type {World} from "../worlds/world.ts"
-import {CloseIcon} from "./icons.tsx"
+import {Dialog} from "./dialog.tsx"
 import {useDesk, usePage} from "./pick.ts"
 
 export function RoomsDialog(): VNode {
+  return (
+    <Dialog name="rooms" title={words.world.rooms} lead={words.world.roomsLead}>
+      {() => <Rooms />}
+    </Dialog>
+  )
+}
+
+function Rooms(): VNode {
   const {store} = useDesk()
-  const open = usePage(s => s.dialog === "rooms")
   const rooms = usePage(s => s.rooms)
-  const dialog = useRef<HTMLDialogElement>(null)
-  useEffect(() => {
-    if (open) dialog.current?.showModal()
-    else dialog.current?.close()
-  }, [open])
-  const close = () => store.dispatch({kind: "dialog", dialog: null})
   const ask = (text: string, act: () => void) => (
     <button
       type="button"
       class="plain"
       onClick={() => {
-        close()
+        store.dispatch({kind: "dialog", dialog: null})
         act()
       }}
     >
@@ -31,35 +32,14 @@ export function RoomsDialog(): VNode {
     </button>
   )
   return (
-    // A click on the backdrop is a click on the dialog itself; Escape closes it through `onClose`.
-    <dialog
-      class="gallery rooms"
-      ref={dialog}
-      aria-labelledby="rooms-title"
-      onClose={() => store.now.dialog === "rooms" && close()}
-      onClick={event => event.target === event.currentTarget && close()}
-      onKeyDown={event => event.stopPropagation()}
-    >
-      {open && (
-        <div class="gallery-body">
-          <header>
-            <div>
-              <h2 id="rooms-title">{words.world.rooms}</h2>
-              <p class="quiet">{words.world.roomsLead}</p>
-            </div>
-            <button type="button" class="plain icon" aria-label={words.close} onClick={close}>
-              <CloseIcon />
-            </button>
-          </header>
-          {rooms === null ? <p class="quiet late">{words.world.roomsLoading}</p> : <Cards rooms={rooms} />}
-          <p class="pair">
-            {ask(words.world.change, () => store.dispatch({kind: "world-editor-opened"}))}
-            {ask(words.world.openFile, () => store.dispatch({kind: "world-file-wanted"}))}
-            {ask(words.world.saveFile, () => store.dispatch({kind: "world-file-made"}))}
-          </p>
-        </div>
-      )}
-    </dialog>
+    <>
+      {rooms === null ? <p class="quiet late">{words.world.roomsLoading}</p> : <Cards rooms={rooms} />}
+      <p class="pair">
+        {ask(words.world.change, () => store.dispatch({kind: "world-editor-opened"}))}
+        {ask(words.world.openFile, () => store.dispatch({kind: "world-file-wanted"}))}
+        {ask(words.world.saveFile, () => store.dispatch({kind: "world-file-made"}))}
+      </p>
+    </>
   )
 }
 
