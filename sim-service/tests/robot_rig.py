@@ -136,7 +136,8 @@ async def _started(kind: type[Robot], *command: str, **environment: str) -> Asyn
     finally:
         with contextlib.suppress(ProcessLookupError):
             process.kill()
-        await process.wait()
+        # To its last word: a pipe that nobody has read to its end is never closed.
+        await process.communicate()
 
 
 @asynccontextmanager

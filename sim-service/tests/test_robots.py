@@ -208,7 +208,8 @@ async def service_of_its_own(robot: Robot, folder: Path) -> AsyncIterator[tuple[
     finally:
         with contextlib.suppress(ProcessLookupError):
             process.kill()
-        await process.wait()
+        # Until all that it had started has let go of its output, too.
+        await process.communicate()
 
 
 def test_the_robot_stands_when_the_service_is_killed(tmp_path: Path) -> None:

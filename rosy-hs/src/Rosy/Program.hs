@@ -36,7 +36,7 @@
 --   a lambda for instance. A variable that the program defines as a tuple or list without arguments has the names of its right-hand side.
 --   Names are a service, not a duty: a tree of another shape than the controller falls back to @function 1@, @function 2@ …
 --
--- [Whose task it is] Once the types are known, every expression of type @Task a@ in a definition @d@ becomes @within "d"@ of it, so that a
+-- [Whose task it is] Once the types are known, every expression of type @Task a@ in a definition @d@ becomes @within "d"@ of a function that gives it, so that a
 --   loop of tasks that never lets time pass is blamed on the definition in which it stands.
 module Rosy.Program
   ( -- * Instances

@@ -105,9 +105,12 @@ taskWithNamed nameOfStart nameOfStop names options ctrl =
 fromSpec :: forall end. Typeable end => Function -> Maybe Function -> [Function] -> Task end
 fromSpec start stop list = Task (RunTask (Spec (Just start) list stop fromDynamic (show (typeRep (Proxy @end)))))
 
--- | The task, which stands in the definition of this name: what says how it goes on, and never does, is blamed on that.
-within :: String -> Task a -> Task a
-within name t = Task (Within (functionName name) . runTask t)
+-- | The task, which stands in the definition of this name: what says how it goes on, and never does, is blamed on that. It is made
+-- anew whenever it is begun, so that nothing keeps what it goes on with.
+within :: String -> (() -> Task a) -> Task a
+within name t = Task anew
+  where
+    anew k = Within (functionName name) (runTask (t ()) k)
 
 -- | Do it once, and go on.
 once :: (Command c, Ends NotInATask c) => c -> Task ()

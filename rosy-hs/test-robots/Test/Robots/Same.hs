@@ -181,12 +181,11 @@ jsonRobot prefix' r = do
   prepared r
   driven r $ do
     attached r
-    forM_ (zip steps expected) $ \(ms, actions) -> do
+    -- Each topic travels by itself: what an event leads to is awaited before the next, which could overtake it.
+    forM_ (zip3 steps expected (scanl1 (+) (map (length . others) expected))) $ \(ms, actions, soFar) -> do
       mapM_ (say (robot r)) (mapMaybe sending ms)
       forM_ (velocities actions) $ \v -> hearsWhere (robot r) (show v) ((== Just v) . command')
-    -- The last light and sound may travel behind the last velocity.
-    let wanted' = others (concat expected)
-    awaiting (untilAll (length wanted'))
+      awaiting (untilAll soFar)
   got <- mapMaybe command' <$> transcript (robot r)
   let untilStop = takeWhile (/= SetVelocity 0 0) (once (velocities got))
   untilStop @?= once (velocities (concat expected))

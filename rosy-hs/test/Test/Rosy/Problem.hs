@@ -48,14 +48,14 @@ tests =
           says "a function that an instance leaves out" (tell Point) "f used a function that an instance leaves out."
         ],
       testCase "a task that cannot be computed is blamed on its definition, and live tasks clean up" $ do
-        heard <- rehearse [Steps 0 [] True] (program (Names []) (parallel guarded (within "plan" broken)))
+        heard <- rehearse [Steps 0 [] True] (program (Names []) (parallel guarded (within "plan" (const broken))))
         (concatMap heardCommands heard, heardEnd (last heard))
           @?= (["Led1 Green", "Say \"a\"", "Led1 Red", "Velocity 0.0 0.0"], Just (End "error" (Just "exception") (Just "plan")))
     ]
   where
     guarded, broken :: Task ()
     guarded = taskWith TaskOptions {starting = Led1 Green, stopped = Led1 Red} (\Never -> Done ())
-    broken = say "a" >> within "plan" (if head [] then pure () else say "b")
+    broken = say "a" >> within "plan" (\_ -> if head [] then pure () else say "b")
     says what (value :: Int) wanted = testCase what $ do
       thrown <- try (evaluate value)
       case thrown of

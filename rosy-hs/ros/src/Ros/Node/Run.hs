@@ -13,7 +13,7 @@ module Ros.Node.Run
 where
 
 import Control.Concurrent (threadDelay)
-import Control.Concurrent.Async (forConcurrently_)
+import Control.Concurrent.Async (cancel, forConcurrently_)
 import Control.Concurrent.MVar (newMVar, withMVar)
 import Control.Concurrent.STM
 import Control.Exception
@@ -69,8 +69,9 @@ withCore settings name act = do
           _ <- spawnLinked core (accepting topics (serveSubscriber core))
           _ <- spawnLinked core (forever (atomically (readTQueue effects) >>= carryOut core))
           forM_ (privateParams (arguments settings)) $ \(k, v) -> setParam (master core) (resolve (coreNaming core) ('~' : k)) (literal v)
-          void (spawnLinked core (watchMaster core))
-    (start >> act core) `finally` finish core
+          spawnLinked core (watchMaster core)
+    -- Who watches must not register again what is being taken back.
+    bracket start cancel (const (act core)) `finally` finish core
   where
     address = fromMaybe "http://localhost:11311" (firstOf [special "__master" (arguments settings), set "ROS_MASTER_URI"])
     set key = case lookup key (environment settings) of

@@ -1,3 +1,5 @@
+{-# LANGUAGE PatternSynonyms #-}
+
 -- |
 -- Module      : Rosy.Worker.Ghc.Blame
 -- Description : Says of every task in whose definition it stands.
@@ -6,17 +8,21 @@
 -- that may never end either: @patrol = forever (pure ())@. When the types are known, every expression of type @Task a@ in the
 -- program is wrapped in 'Rosy.Task.within' with the name of its definition. It has to be every one and not only the
 -- right-hand side of the definition: after @turn@ in @do { turn; … }@ it is the definition's turn again.
+--
+-- The expression is wrapped as a function of nothing. A recursion like @loop n = step >> loop (n + 1)@ makes ever more tasks, and a
+-- task that was an expression would keep the one it goes on with, and so all of them.
 module Rosy.Worker.Ghc.Blame
   ( blaming,
   )
 where
 
 import Control.Monad.IO.Class (liftIO)
+import GHC.Builtin.Types (unitTy)
 import GHC.Core
-import GHC.Core.Make (mkStringExpr)
+import GHC.Core.Make (mkStringExpr, mkWildValBinder)
 import GHC.Core.Opt.Monad (CoreM, CoreToDo (..), getHscEnv)
 import GHC.Core.TyCon (TyCon)
-import GHC.Core.Type (Type, splitTyConApp_maybe)
+import GHC.Core.Type (Type, splitTyConApp_maybe, pattern Many)
 import GHC.Core.Utils (exprType)
 import GHC.Driver.Finder (findImportedModule)
 import GHC.Driver.Plugins (Plugin (..), PluginWithArgs (..), StaticPlugin (..), defaultPlugin, purePlugin)
@@ -72,7 +78,7 @@ whole library owner e = case (e, owner) of
   (_, Just name) | Just result <- taskOf library (exprType e) -> do
     text <- mkStringExpr name
     inner <- parts library owner e
-    pure (mkApps (Var (within library)) [Type result, text, inner])
+    pure (mkApps (Var (within library)) [Type result, text, Lam (mkWildValBinder Many unitTy) inner])
   _ -> parts library owner e
 
 parts :: Library -> Maybe String -> CoreExpr -> CoreM CoreExpr
