@@ -24,7 +24,7 @@ const aboutContent: {readonly [fault: string]: RegExp} = {
   "a call does nothing":
     /^Redundant (?:\$|id|flip|curry|uncurry|const|return|pure|negate|fmap|map|concat|reverse|list comprehension|either|maybe|void|when|fst|snd|seq|show|from\w+|to\w+|real\w+|take|drop|filter)$/,
   "the library has a shorter word for several blocks":
-    /^Use (?:[a-z]\w*_?|[!$&*+./<=>^|-]+|list (?:literal|comprehension)(?: pattern)?|newtype instead of data|Just|Left|Right)$/,
+    /^Use (?:[a-z]\w*_?|[!$&*+./:<=>^|-]+|list (?:literal|comprehension)(?: pattern)?|record patterns|newtype instead of data|Just|Left|Right)$/,
   "blocks stand in another order than they could":
     /^(?:Move (?:guards forward|brackets to avoid \$|\w+ inside .*)|(?:Monad|Functor|Alternative) law, .*|Fuse .*|Hoist not|Reduce duplication|Replace case with \w+)$/,
 }
@@ -38,7 +38,7 @@ function isContent(hint: string): boolean {
 /// Warnings about what a program leaves out or never uses, and about numbers that nothing decides.
 const contentWarnings =
   `unused-matches unused-local-binds unused-top-binds unused-pattern-binds overlapping-patterns incomplete-patterns incomplete-uni-patterns
-  incomplete-record-updates type-defaults unused-do-bind missing-fields`.split(/\s+/)
+  incomplete-record-updates type-defaults unused-do-bind missing-fields empty-enumerations`.split(/\s+/)
 
 export interface Lint {
   readonly programs: number
@@ -109,7 +109,11 @@ function hintsOn(candidates: readonly Candidate[], content: Map<string, number>)
   }
 }
 
-/// Brackets that say where a condition ends when a block of lines is in it, and those of `(C) {x = 1}`, which means something else without.
+/// Brackets that say where a condition ends when a block of lines is in it, those of `(C) {x = 1}`, which means something else without,
+/// and those of a section that is called: `(subtract 1) x` are other blocks than `subtract 1 x`.
 function keptBrackets({hint, from}: Hint): boolean {
-  return /bracket/i.test(hint) && (/\b(?:case|let|do)\b/.test(from) || /^\([\p{Lu}]\w*\)$/u.test(from))
+  return (
+    /bracket/i.test(hint) &&
+    (/\b(?:case|let|do)\b/.test(from) || /^\((?:[\p{Lu}]\w*\)$|subtract )/u.test(from))
+  )
 }
