@@ -27,7 +27,7 @@ import Foreign.C.Error (throwErrnoIfMinus1Retry)
 import Foreign.C.Types (CInt (..), CSize (..))
 import Foreign.Marshal.Utils (copyBytes)
 import Foreign.Ptr (Ptr, castPtr, nullPtr, plusPtr)
-import Foreign.Storable (poke)
+import Foreign.Storable (peek, poke)
 import Rosy.Core (Message, nameBytes)
 import Rosy.Link
 import Rosy.Problem (Fault (..))
@@ -114,13 +114,25 @@ send descriptor builder = mapM_ piece (Lazy.toChunks (Builder.toLazyByteString b
 lost :: IO a -> IO a
 lost io = io `catch` \e -> throwIO (LinkLost (show (e :: IOException)))
 
--- | Write a name into the page: no length while the bytes change, then the bytes, then the length.
+-- | Write a name into the page. Its first word says at which byte the name stands, 0 for none; there, a word with the name's length,
+-- then its bytes. The next name is written where none is shown and then shown with one write: a program that is killed at any moment
+-- was at work on one of the two.
 leave :: Ptr Word32 -> ByteString -> IO ()
 leave page name = do
-  poke page 0
-  Unsafe.unsafeUseAsCStringLen name (\(p, len) -> copyBytes (page `plusPtr` 4) p (min len nameLimit))
-  poke page (fromIntegral (min (ByteString.length name) nameLimit))
+  place <- other <$> peek page
+  let size = min (ByteString.length name) nameLimit
+      begin = page `plusPtr` fromIntegral place
+  Unsafe.unsafeUseAsCString name (\p -> copyBytes (begin `plusPtr` 4) p size)
+  poke begin (fromIntegral size :: Word32)
+  poke page place
+  where
+    other shown = if shown == firstName then secondName else firstName
 
--- | What fits the page after its length, bytes.
+-- | Where the two names stand in a page of 4096 bytes.
+firstName, secondName :: Word32
+firstName = 4
+secondName = 2048
+
+-- | What fits between them after a length, bytes.
 nameLimit :: Int
-nameLimit = 4092
+nameLimit = fromIntegral (secondName - firstName) - 4

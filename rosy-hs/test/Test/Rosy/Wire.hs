@@ -16,13 +16,18 @@ import Data.Aeson.Types (parseMaybe)
 import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
-import Data.List (isInfixOf, sort)
-import Foreign.Ptr (nullPtr)
+import Data.List (isInfixOf, nub, sort)
+import Data.Word (Word32)
+import Foreign.Marshal.Alloc (allocaBytes)
+import Foreign.Ptr (nullPtr, plusPtr)
+import Foreign.Storable (peek, peekByteOff, poke)
 import Network.Socket
 import Network.Socket.ByteString (recv, sendAll)
 import Rosy
-import Rosy.Core (Message (..), Odometry (..))
+import Rosy.Core (Message (..), Odometry (..), functionName, nameBytes)
 import Rosy.Launch (onPipe)
+import Rosy.Link (atRest, atWork)
+import Rosy.Link.Pipe (pipeLink)
 import Rosy.Program (Names (..), simulateNamed, taskNamed)
 import Rosy.Wire
 import System.Directory (listDirectory)
@@ -48,6 +53,27 @@ tests =
       testCase "a main without simulate ends as done, with the wheels at rest" $ do
         answer <- held [start] (pure ())
         map Line' answer @?= map Line' [object ["op" .= publish, "topic" .= velocity, "msg" .= object ["linear" .= object ["x" .= zero], "angular" .= object ["z" .= zero]]], object ["op" .= ended, "how" .= done, "fired" .= ([] :: [String])]],
+      testCase "the name of the function at work is whole at every moment: the next is written beside the one that is shown" $
+        allocaBytes 4096 $ \page -> do
+          poke page (0 :: Word32)
+          link <- pipeLink 0 page
+          let bytesAt place = do
+                size <- peekByteOff page place :: IO Word32
+                ByteString.packCStringLen (page `plusPtr` (place + 4), fromIntegral size)
+              works :: String -> IO Int
+              works name = atWork link (functionName name) >> fromIntegral <$> peek page
+          places <- forM ["first", "second", "das Größte", replicate 5000 'z'] $ \name -> do
+            place <- works name
+            shown' <- bytesAt place
+            shown' @?= ByteString.take 2040 (nameBytes (functionName name))
+            _ <- works "next"
+            still <- bytesAt place
+            still @?= shown'
+            pure place
+          length (nub places) @?= 1
+          atRest link
+          atRest' <- peek page
+          atRest' @?= 0,
       testCase "a heading comes out of the quaternion" $
         case readLine (odom "0.5" "0.8660254037844386") of
           Right (SensorLine (OdometryMessage o)) -> do

@@ -64,8 +64,8 @@ import Foreign.C.String (CString, withCString)
 import Foreign.C.Types
 import Foreign.Marshal.Alloc (alloca)
 import Foreign.Marshal.Array (allocaArray, peekArray, withArrayLen)
-import Foreign.Ptr (Ptr, castPtr, nullPtr, plusPtr)
-import Foreign.Storable (peek)
+import Foreign.Ptr (Ptr, nullPtr, plusPtr)
+import Foreign.Storable (peek, peekByteOff)
 import System.Mem (performMinorGC)
 import System.Posix.IO (fdReadBuf)
 import System.Posix.Types (CSsize (..), Fd (..))
@@ -210,12 +210,22 @@ newPage = do
 freePage :: Page -> IO ()
 freePage = rosy_page_free
 
--- | The text in a page: its length in bytes in the first word, UTF-8 after it. A child may have written anything.
+-- | The text in a page: the first word says at which byte its length stands, 0 for no text; UTF-8 after that ('Rosy.Link.Pipe'). A
+-- child may have written anything.
 pageText :: Page -> IO Text
 pageText page = do
-  size <- peek page
-  bytes <- ByteString.packCStringLen (castPtr page `plusPtr` 4, fromIntegral (min 1024 size))
-  pure (Text.filter (>= ' ') (decodeUtf8With lenientDecode bytes))
+  place <- fromIntegral <$> peek page
+  if place < 4 || place > pageSize - 4
+    then pure Text.empty
+    else do
+      size <- fromIntegral <$> (peekByteOff page place :: IO Word32)
+      bytes <- ByteString.packCStringLen (page `plusPtr` (place + 4), minimum [size, longestText, pageSize - place - 4])
+      pure (Text.filter (>= ' ') (decodeUtf8With lenientDecode bytes))
+
+-- | Bytes of a 'Page', and the most of a text in it that anybody is shown.
+pageSize, longestText :: Int
+pageSize = 4096
+longestText = 1024
 
 -- | Children that are forked from now on do not see the page.
 keepPage :: Page -> IO ()
