@@ -32,6 +32,8 @@ const host = document.getElementById("page")
 if (host === null) throw new Error("expected #page in index.html, found nothing")
 
 const start = () => {
+  // The sign of what is coming (index.html) has done its work.
+  host.replaceChildren()
   const desk = openDesk(sessionAddress(window.location))
   render(
     <DeskContext.Provider value={desk}>

@@ -150,8 +150,13 @@ need_api_docs() {
   step api-docs "$(fingerprint rosy-hs/src scripts/api_docs.py scripts/api_docs.css editor/src/styles/tokens.css package-lock.json)" \
     "Building the page that explains every name of the language." build_api_docs
 }
-build_api_docs() { "$ROSY_PYTHON" "$ROSY_ROOT/scripts/api_docs.py" "$ROSY_STATE/api-docs"; }
-build_page() { (cd "$ROSY_ROOT" && npm run -s build -w editor); }
+build_api_docs() {
+  "$ROSY_PYTHON" "$ROSY_ROOT/scripts/api_docs.py" "$ROSY_STATE/api-docs" && compress "$ROSY_STATE/api-docs"
+}
+build_page() { (cd "$ROSY_ROOT" && npm run -s build -w editor) && compress "$ROSY_ROOT/editor/dist"; }
+
+# compress FOLDER: a gzip beside every file that gains by it; the service sends that one (rosy_sim/pages.py).
+compress() { find "$1" -type f -regex '.*\.\(html\|js\|css\|svg\|wasm\)' -size +1k -exec gzip -9 -k -f {} +; }
 
 need() {
   local what

@@ -17,7 +17,6 @@ from starlette.applications import Starlette
 from starlette.requests import Request
 from starlette.responses import JSONResponse, PlainTextResponse, Response
 from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
-from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from .bridge import Client
@@ -27,6 +26,7 @@ from .errors import BadInput
 from .fleet import Fleet
 from .library import example, examples, named_world, world_names
 from .live import Lateness
+from .pages import Pages
 from .places import Places
 from .sentences import room_full
 from .session import Session
@@ -235,9 +235,9 @@ def build_app(config: Config) -> Starlette:
         Route("/api/worlds/{name}", service.one_world),
     ]
     if config.api_docs.is_dir():
-        routes.append(Mount("/api-docs", StaticFiles(directory=config.api_docs, html=True)))
+        routes.append(Mount("/api-docs", Pages(directory=config.api_docs, html=True)))
     if config.page.is_dir():
-        routes.append(Mount("/", StaticFiles(directory=config.page, html=True)))
+        routes.append(Mount("/", Pages(directory=config.page, html=True)))
     else:
         routes.append(Route("/", _no_page))
     app = Starlette(routes=routes, lifespan=service.lifespan)

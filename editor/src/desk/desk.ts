@@ -24,7 +24,7 @@ import {openSource, type SourcePane} from "../source/pane.ts"
 import {putting} from "../source/putting.ts"
 import {type Fix, mended, movedFix, signatureFix, whereToGoOn} from "../state/fixes.ts"
 import {drives} from "../state/helm.ts"
-import type {Order} from "../state/page.ts"
+import {awaitsProgram, type Order} from "../state/page.ts"
 import {type Finding, innermostBlock, mover} from "../state/program.ts"
 import {noRobots} from "../state/robots.ts"
 import {isActive} from "../state/run.ts"
@@ -114,7 +114,7 @@ export function openDesk(address: string): Desk {
   /// Shows the blocks of the document as it is.
   const follow = () => {
     const {document} = store.now
-    if (document.workspace === shown || blocks === null) return
+    if (document.workspace === shown || blocks === null || awaitsProgram(store.now)) return
     const began = performance.now()
     shown = document.workspace
     blocks.load(shown)
@@ -236,6 +236,7 @@ export function openDesk(address: string): Desk {
     store.dispatch({kind: "redo-pressed"})
   }
   const run = () => {
+    if (awaitsProgram(store.now)) return
     flush()
     store.dispatch({kind: "run-pressed", seed: newSeed()})
   }

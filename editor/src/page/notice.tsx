@@ -2,6 +2,7 @@
 /// a file that could not be read.
 
 import type {VNode} from "preact"
+import {awaitsProgram} from "../state/page.ts"
 import {words} from "../words/index.ts"
 import {CloseIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
@@ -12,6 +13,7 @@ export function NoticeBar(): VNode {
   const notice = usePage(s => s.notice)
   const link = usePage(s => s.link)
   const worker = usePage(s => s.worker)
+  const awaited = usePage(s => awaitsProgram(s) && s.notice === null)
   const place = usePage(s => (s.run.kind === "queued" ? s.run.place : null))
   // The first connection and the first start are quick as a rule: the stylesheet shows these lines late.
   const state =
@@ -21,15 +23,17 @@ export function NoticeBar(): VNode {
         ? words.link.connecting
         : worker !== "ready"
           ? words.worker[worker]
-          : place === null
-            ? null
-            : words.queued(place)
+          : awaited
+            ? words.programComing
+            : place === null
+              ? null
+              : words.queued(place)
   const said = notice === null ? null : noticeWords(notice)
   return (
     <div class="notices" aria-live="polite">
       {state !== null && (
         <p
-          class={`notice ${link === "connecting" || worker === "starting" ? "late" : ""}`}
+          class={`notice ${link === "connecting" || worker === "starting" || awaited ? "late" : ""}`}
           data-testid="link"
         >
           {state}

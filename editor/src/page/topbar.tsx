@@ -2,6 +2,7 @@
 
 import type {VNode} from "preact"
 import {type View, viewOf} from "../state/arrangement.ts"
+import {awaitsProgram} from "../state/page.ts"
 import {words} from "../words/index.ts"
 import {ArrangeMenu} from "./arrange.tsx"
 import {History} from "./history.tsx"
@@ -41,6 +42,7 @@ function ProgramName(): VNode {
   const {store} = useDesk()
   const name = usePage(s => s.name)
   const saved = usePage(s => s.saved)
+  const awaited = usePage(awaitsProgram)
   return (
     <div class="program-name">
       <span class="grower" data-text={name === "" ? words.unnamed : name}>
@@ -57,7 +59,7 @@ function ProgramName(): VNode {
         />
       </span>
       <span class="saved" data-testid="saved">
-        {words.saved[saved]}
+        {!awaited && words.saved[saved]}
       </span>
     </div>
   )

@@ -266,6 +266,9 @@ export interface Step {
   readonly orders: readonly Order[]
 }
 
+/// The first program is still on its way: over a network that many share it takes a while.
+export const awaitsProgram = (state: Pick<PageState, "document">): boolean => state.document === emptyDocument
+
 /// What the blocks find wrong and is to be believed: once the compiler has taken the text, only what is not in the
 /// text at all, empty sockets and loose blocks.
 export function believed(state: Pick<PageState, "document" | "accepted">): readonly Finding[] {

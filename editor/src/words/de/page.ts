@@ -167,6 +167,7 @@ export const page: Omit<Words, "blocks" | "world" | "blockly"> = {
     connecting: "Der Roboter wird gesucht …",
     lost: "Die Verbindung zu Rosy ist weg. Sie kommt von selbst wieder; dein Programm bleibt erhalten.",
   },
+  programComing: "Die Blöcke sind unterwegs. Das erste Mal dauert am längsten; dein Browser behält sie.",
   worker: {
     starting: "Der Helfer, der Haskell liest, startet gerade.",
     restarting:

@@ -169,6 +169,7 @@ export const page = {
     connecting: "Looking for the robot…",
     lost: "The connection to Rosy is lost. It comes back by itself; your program is kept.",
   },
+  programComing: "The blocks are on their way. The first time takes longest; your browser keeps them.",
   worker: {
     starting: "The helper that reads Haskell is starting.",
     restarting:
