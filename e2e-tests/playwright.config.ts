@@ -13,8 +13,9 @@ export default defineConfig({
   outputDir: "test-results",
   fullyParallel: false,
   workers: 1,
-  timeout: 60_000,
-  expect: {timeout: 15_000},
+  // For stories that hang; a slow machine needs its time.
+  timeout: 240_000,
+  expect: {timeout: 60_000},
   retries: process.env["CI"] ? 1 : 0,
   reporter: [["list"], ["json", {outputFile: `${reports}/e2e.json`}]],
   use: {
@@ -37,7 +38,7 @@ export default defineConfig({
   webServer: {
     command: `${root}rosy start --no-browser --port ${port}`,
     url: `http://127.0.0.1:${port}/api/health`,
-    timeout: 120_000,
+    timeout: 600_000,
     stdout: "ignore",
     stderr: "pipe",
     gracefulShutdown: {signal: "SIGTERM", timeout: 5_000},

@@ -50,5 +50,11 @@ export default defineConfig({
     rollupOptions: {input: {index: page("index.html"), prelude: page("prelude.html")}},
   },
   server: {proxy: {"/api": {target: service, ws: true}, "/rosbridge": {target: service, ws: true}}},
-  test: {environment: "node", include: ["test/**/*.test.ts", "test/**/*.test.tsx"]},
+  // The limit is for what hangs; a slow machine needs its time.
+  test: {
+    environment: "node",
+    testTimeout: 120_000,
+    hookTimeout: 120_000,
+    include: ["test/**/*.test.ts", "test/**/*.test.tsx"],
+  },
 })

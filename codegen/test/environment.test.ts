@@ -11,7 +11,7 @@ const database = packageDatabase()
 
 describe("the generated environment", () => {
   // Needs the built library; `./rosy test` builds it first.
-  test.skipIf(database === undefined)("is not stale", {timeout: 60_000}, () => {
+  test.skipIf(database === undefined)("is not stale", () => {
     expect(environmentFromGhc(database ?? "")).toBe(generated)
   })
   test.each([

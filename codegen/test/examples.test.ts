@@ -14,7 +14,7 @@ const names = readdirSync(examples).filter(n => existsSync(`${examples}${n}/prog
 const database = packageDatabase()
 const hlint = spawnSync("hlint", ["--version"]).status === 0
 
-test.skipIf(database === undefined)("no example has a warning", {timeout: 120_000}, () => {
+test.skipIf(database === undefined)("no example has a warning", () => {
   const candidates = names.map(name => {
     const outcome = parseProject(readFileSync(`${examples}${name}/program.rosy`, "utf8"))
     if (!outcome.ok) throw new Error(outcome.message)
@@ -36,7 +36,7 @@ test.skipIf(database === undefined)("no example has a warning", {timeout: 120_00
   expect(Object.fromEntries(compileAll(database ?? "", candidates, options))).toEqual({})
 })
 
-test.skipIf(!hlint)("no example has a hint", {timeout: 120_000}, () => {
+test.skipIf(!hlint)("no example has a hint", () => {
   const {stdout} = spawnSync(
     "hlint",
     names.map(n => `${examples}${n}/Main.hs`),

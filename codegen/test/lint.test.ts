@@ -10,7 +10,6 @@ const hlint = spawnSync("hlint", ["--version"]).status === 0
 
 test.skipIf(database === undefined || !hlint)(
   "no hint and no warning about how a program is written",
-  {timeout: 300_000},
   async () => {
     const {programs, hints, warnings} = await lint(database ?? "", 5000, 40)
     expect(hints).toEqual([])

@@ -42,7 +42,7 @@ test.each(programs)("$label has no problem, and reads so", ({problems, text, nam
 })
 
 // What the test itself writes above a program is not what is looked at.
-test.skipIf(database === undefined)("GHC compiles them all, without a warning", {timeout: 120_000}, () => {
+test.skipIf(database === undefined)("GHC compiles them all, without a warning", () => {
   const candidates = programs.map(({name, program, text}) => ({
     name: `Ready${name}`,
     program,
@@ -60,7 +60,7 @@ test.skipIf(database === undefined)("GHC compiles them all, without a warning", 
   ).toEqual({})
 })
 
-test.skipIf(!hlint)("hlint has no hint about them", {timeout: 60_000}, () => {
+test.skipIf(!hlint)("hlint has no hint about them", () => {
   const folder = mkdtempSync(join(tmpdir(), "rosy-ready-"))
   try {
     for (const {name, text} of programs) writeFileSync(join(folder, `${name}.hs`), text)

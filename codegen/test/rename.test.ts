@@ -71,7 +71,7 @@ const names = [
   "t1c0a",
 ]
 
-test.skipIf(database === undefined)("a renamed program means what it meant", {timeout: 300_000}, async () => {
+test.skipIf(database === undefined)("a renamed program means what it meant", async () => {
   let done = 0
   let refused = 0
   const candidates: Candidate[] = []

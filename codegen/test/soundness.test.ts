@@ -22,7 +22,7 @@ const kinds = blockTypes.map(b => b.type).filter(t => !t.startsWith("raw_"))
 
 const sum = (of: {readonly [sort: string]: number}) => Object.values(of).reduce((a, b) => a + b, 0)
 
-test.skipIf(database === undefined)("what fits compiles", {timeout: 300_000}, async () => {
+test.skipIf(database === undefined)("what fits compiles", async () => {
   const found = await soundness(database ?? "", 0, 500)
   console.log(
     `soundness: ${found.whole} programs of ${found.blocks} blocks, ${found.refused.length} refused by GHC. Blocks a program: ${sizesOf(found)}`,
@@ -35,7 +35,7 @@ test.skipIf(database === undefined)("what fits compiles", {timeout: 300_000}, as
   expect(kinds.filter(k => !found.kinds.has(k))).toEqual([])
 })
 
-test.skipIf(database === undefined)("what does not fit does not compile", {timeout: 300_000}, async () => {
+test.skipIf(database === undefined)("what does not fit does not compile", async () => {
   const {moves, allowed, refused, needless, moved, tried} = await completeness(database ?? "", 300, 80)
   console.log(
     `completeness: ${sum(moves)} random moves, ${sum(allowed)} allowed, ${needless.length} refused and GHC takes them`,
@@ -53,7 +53,7 @@ describe("programs that inference once accepted and GHC refused", async () => {
   const names = readdirSync(cases)
   const workspaces = names.map(n => workspaceOf(openView(reader, readFileSync(new URL(n, cases), "utf8"))))
   const whole = workspaces.map(w => problemsOf(solve(w)).every(p => p.severity !== "error"))
-  test.skipIf(database === undefined)("compile now, or are refused", {timeout: 60_000}, () => {
+  test.skipIf(database === undefined)("compile now, or are refused", () => {
     const complaints = compileAll(
       database ?? "",
       workspaces.map((w, i) => candidate(`Case${i}`, w)),

@@ -135,6 +135,6 @@ describe("what is printed", () => {
 })
 
 const database = packageDatabase()
-test.skipIf(database === undefined)("the table of modules is not stale", {timeout: 60_000}, () =>
+test.skipIf(database === undefined)("the table of modules is not stale", () =>
   expect(modulesFromGhc(database ?? "")).toEqual(modules),
 )

@@ -62,7 +62,7 @@ function carelessly(page: Page, pick: (n: number) => number): () => Promise<stri
 
 for (const seed of seeds) {
   test(`careless hands break nothing, and a reload keeps what they made (seed ${seed})`, async ({page}) => {
-    test.setTimeout(60_000 + gestures * 400)
+    test.setTimeout(240_000 + gestures * 1600)
     const learner = new Learner(page)
     const broken: string[] = []
     const done: string[] = []

@@ -166,7 +166,22 @@ export class Learner {
   }
 }
 
-/// Waits until a number on the page satisfies a claim.
+/// Waits until a number on the page satisfies a claim, if only for a frame: what it says between two looks is kept.
 export async function until(value: Locator, claim: (n: number) => boolean): Promise<void> {
-  await expect.poll(async () => claim(Number.parseFloat((await value.textContent()) ?? "NaN"))).toBe(true)
+  await value.evaluate(sinceLook)
+  await expect
+    .poll(async () => (await value.evaluate(sinceLook)).some(said => claim(Number.parseFloat(said))))
+    .toBe(true)
+}
+
+/// In the page: all that an element has said since the last look, and says now.
+function sinceLook(element: Element & {rosySaid?: string[]}): readonly string[] {
+  const now = () => element.textContent ?? ""
+  if (element.rosySaid === undefined) {
+    const said: string[] = []
+    element.rosySaid = said
+    const changes = {characterData: true, childList: true, subtree: true}
+    new MutationObserver(() => said.push(now())).observe(element, changes)
+  }
+  return [...element.rosySaid.splice(0), now()]
 }

@@ -236,7 +236,7 @@ export class Mouse implements Hands {
           block: lit.block,
           near: true,
         })
-      }).toPass({intervals: [0, 50, 200], timeout: 10_000})
+      }).toPass({intervals: [0, 50, 200], timeout: 60_000})
     }
     await mouse.up()
     await this.drawn()

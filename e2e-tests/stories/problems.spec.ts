@@ -37,7 +37,7 @@ test("a case that is missing at run time ends on its function's block, and the r
   await expect(learner.haskell()).toContainText("play (Bumper _ Released) = Just")
   await expect(learner.haskell()).not.toContainText("Pressed")
   await learner.runs()
-  await expect(learner.status()).toHaveText("Ended by a problem", {timeout: 30_000})
+  await expect(learner.status()).toHaveText("Ended by a problem")
   await learner.seesProblem(/play/)
   await expect(learner.wrongBlocks()).toHaveCount(1)
   await expect(learner.robot("speed")).toHaveText("0.000")

@@ -56,8 +56,7 @@ export async function openRig(): Promise<Rig> {
   const emulator = join(root, "rosy-hs", "test-robots", "peers", "kobuki.py")
   const base = new Talker("/usr/bin/python3", [emulator, join(folder, "kobuki")])
   const device = (await base.says(/^plugged (.*)$/))[1]
-  const port = 30_000 + Math.floor(Math.random() * 10_000)
-  const args = ["start", "--no-browser", "--port", String(port), "--robot", `Kitchen=serial:${device}`]
+  const args = ["start", "--no-browser", "--port", "0", "--robot", `Kitchen=serial:${device}`]
   const service = new Talker(join(root, "rosy"), args)
   const [, code = "", opened = ""] = await service.says(/the code (\S+): (\S+)$/)
   return {

@@ -78,7 +78,7 @@ test("the page that drives by hand goes with keys and with a finger, and stops w
       .getByRole("listitem")
       .filter({hasText: /bumper pressed/})
       .first(),
-  ).toBeVisible({timeout: 30_000})
+  ).toBeVisible()
   await hand.keyboard.up("ArrowUp")
   await hand.screenshot({
     path: new URL("../screenshots/teleop.png", import.meta.url).pathname,

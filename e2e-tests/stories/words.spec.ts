@@ -61,7 +61,6 @@ async function speaksNoEnglish(page: Page, where: string, kept: ReadonlySet<stri
 }
 
 test("every word of the page is in a table of words", async ({page}) => {
-  test.setTimeout(120_000)
   await page.goto("/?example=accelerateAndPlay&lang=en-XA")
   await expect(new Learner(page).haskell()).toContainText("simulate")
   await expect(page.locator(".blocklyBlockCanvas .blocklyDraggable").first()).toBeVisible()

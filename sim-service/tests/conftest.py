@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from rosy_sim.config import Config, Limits
 from rosy_sim.world.arena import read_arena
@@ -20,6 +21,10 @@ from rosy_sim.world.world import World
 from .fake_program import play
 
 FAKE_WORKER = Path(__file__).with_name("fake_worker.py")
+
+# How long a busy machine takes for an example says nothing about it.
+settings.register_profile("rosy", settings(), deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("rosy")
 
 Play = Callable[[str], Any]
 

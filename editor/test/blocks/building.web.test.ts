@@ -1,12 +1,9 @@
 /// The paper's first programs, built from an empty workspace with the real language.
 
 import {existsSync, readdirSync, readFileSync} from "node:fs"
-import {afterAll, beforeAll, describe, expect, test, vi} from "vitest"
+import {afterAll, beforeAll, describe, expect, test} from "vitest"
 import {drag, openStage, type Stage, settled, socket} from "./browser.ts"
 import {Keys} from "./keys.ts"
-
-// A browser on a busy machine is slow; a story that hangs still ends.
-vi.setConfig({testTimeout: 120_000, hookTimeout: 120_000})
 
 let stage: Stage
 beforeAll(async () => {

@@ -1,11 +1,8 @@
 /// A block that does not fit says why: to the eye near the pointer or the finger, and to a screen reader. With the real
 /// language.
 
-import {afterAll, beforeAll, expect, test, vi} from "vitest"
+import {afterAll, beforeAll, expect, test} from "vitest"
 import {drag, grip, openStage, type Stage, settled, socket} from "./browser.ts"
-
-// A browser on a busy machine is slow; a story that hangs still ends.
-vi.setConfig({testTimeout: 120_000, hookTimeout: 120_000})
 
 let stage: Stage
 beforeAll(async () => {

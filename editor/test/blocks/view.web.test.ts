@@ -1,10 +1,7 @@
 /// Stories of hands on blocks, with a small language, in a real browser.
 
-import {afterAll, beforeAll, describe, expect, test, vi} from "vitest"
+import {afterAll, beforeAll, describe, expect, test} from "vitest"
 import {drag, grip, openStage, type Stage, settled, socket, tree} from "./browser.ts"
-
-// A browser on a busy machine is slow; a story that hangs still ends.
-vi.setConfig({testTimeout: 120_000, hookTimeout: 120_000})
 
 let stage: Stage
 beforeAll(async () => {
