@@ -108,6 +108,8 @@ class LiveRun:
         self._looked = 0.0
         # When the program must have answered, on the monotonic clock; None while it owes nothing.
         self._deadline: float | None = time.monotonic() + limits.ready
+        # When that was looked at last.
+        self._patrolled = time.monotonic()
         self._stopping = False
         self._over = False
         self._allowance = Budget(_OUTPUT, 2 * _OUTPUT, self._loop.time())
@@ -255,7 +257,13 @@ class LiveRun:
             self._loop.call_soon(self._end, "stuck", "")
 
     def _look_at_deadline(self) -> None:
-        if self._deadline is not None and time.monotonic() > self._deadline:
+        now = time.monotonic()
+        stood = now - self._patrolled - _PATROL
+        self._patrolled = now
+        if self._deadline is not None and stood > _PATROL:
+            # We did not run ourselves, as on a machine that was asleep: the answer may be here, unread.
+            self._deadline += stood
+        if self._deadline is not None and now > self._deadline:
             self._end("stopped" if self._stopping else "stuck", "")
             return
         self._patrol = self._loop.call_later(_PATROL, self._look_at_deadline)
