@@ -10,7 +10,6 @@ import contextlib
 import json
 import os
 import signal
-import socket
 import subprocess
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
@@ -21,6 +20,7 @@ import pytest
 from rosy_sim.app import Service
 from rosy_sim.drivers import drivers
 
+from .ports import kept_port
 from .test_app import Page
 
 __all__ = ["LIMIT", "Rig", "Robot", "kobuki", "rosbridge", "rospy"]
@@ -164,8 +164,7 @@ async def rosbridge(folder: Path) -> AsyncIterator[Robot]:
 async def rospy(folder: Path) -> AsyncIterator[Robot]:
     """A base on ROS 1, with a master of its own."""
     _ros_in(folder)
-    with socket.create_server(("127.0.0.1", 0)) as free:
-        port = free.getsockname()[1]
+    port = kept_port()
     uri = f"http://127.0.0.1:{port}"
     ros = {"ROS_MASTER_URI": uri, "ROS_IP": "127.0.0.1", "ROS_HOME": f"{folder}/home", "PYTHONPATH": str(folder)}
     peer = str(HASKELL / "test-ros" / "peers" / "peer.py")

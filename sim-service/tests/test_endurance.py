@@ -31,6 +31,7 @@ from rosy_sim.wire.worker import Started
 from rosy_sim.worker.client import Worker
 
 from .mutants import texts
+from .ports import kept_port
 from .processes import alive, below, descriptors, named, resident
 from .test_app import Page, opened
 
@@ -176,8 +177,7 @@ class Fort:
     """The whole service as a process of its own, started again when it has been killed."""
 
     def __init__(self) -> None:
-        with socket.create_server(("127.0.0.1", 0)) as free:
-            self.port = free.getsockname()[1]
+        self.port = kept_port()
         self.address = f"127.0.0.1:{self.port}"
         self._process: asyncio.subprocess.Process | None = None
 

@@ -171,8 +171,11 @@ int rosy_child_begin(int count, const int *keep, int null_fd, int no_files, int 
 /* As the system shows this process. */
 int rosy_name(const char *name) { return prctl(PR_SET_NAME, name, 0, 0, 0); }
 
-/* Less important than whoever is not nice. */
-int rosy_nice(int niceness) { return setpriority(PRIO_PROCESS, 0, niceness); }
+/* Less important than whoever is not nice, and than those that started this one, however nice they are. */
+int rosy_nice(int niceness) {
+  int nicer = getpriority(PRIO_PROCESS, 0) + niceness;
+  return setpriority(PRIO_PROCESS, 0, nicer > niceness ? nicer : niceness);
+}
 
 /* Bytes of writable private memory now (VmData), the baseline that limits are counted from. */
 uint64_t rosy_data_size(void) {
@@ -272,7 +275,7 @@ static const int running_calls[] = {
 /* What the compiler needs besides: looking at the interfaces and libraries that are there. */
 static const int compiling_calls[] = {
   __NR_pread64, __NR_newfstatat, __NR_statx, __NR_statfs, __NR_faccessat, __NR_readlinkat, __NR_getcwd, __NR_getdents64, __NR_uname,
-  __NR_setpriority, __NR_dup, __NR_dup3, __NR_prctl, __NR_seccomp, __NR_setrlimit, __NR_getrlimit, __NR_sysinfo, __NR_flock,
+  __NR_getpriority, __NR_setpriority, __NR_dup, __NR_dup3, __NR_prctl, __NR_seccomp, __NR_setrlimit, __NR_getrlimit, __NR_sysinfo, __NR_flock,
   __NR_epoll_ctl, __NR_epoll_pwait, __NR_timer_create, __NR_getuid, __NR_geteuid, __NR_getgid, __NR_getegid, __NR_getppid,
 #ifdef __NR_stat
   __NR_stat, __NR_lstat, __NR_access, __NR_readlink, __NR_dup2, __NR_epoll_wait,
