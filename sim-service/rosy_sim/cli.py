@@ -48,16 +48,19 @@ _EXITS = {"time": 0, "done": 0, "error": 2, "stuck": 2, "refused": 1}
 
 
 class _Parser(argparse.ArgumentParser):
-    """One sentence instead of a page of usage."""
+    """One sentence instead of a page of usage; `scripts/help` has that."""
 
     def error(self, message: str) -> NoReturn:
-        raise BadInput(f"{self.prog}: {message}.")
+        raise BadInput(f"{message}. ./{self.prog} --help says what there is.")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; returns the exit status."""
     try:
-        options = _parser().parse_args(arguments)
+        options, unknown = _parser().parse_known_args(arguments)
+        if unknown:
+            command = "start" if options.command == "serve" else options.command
+            raise BadInput(f"{command} does not take {' '.join(unknown)}. ./rosy {command} --help says what there is.")
         config = discover()
         if options.command == "serve":
             from .serve import serve
@@ -88,23 +91,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(prog="rosy", description="A simulated Kobuki.", allow_abbrev=False)
+    parser = _Parser(prog="rosy", add_help=False, allow_abbrev=False)
     commands = parser.add_subparsers(dest="command", required=True, parser_class=_Parser)
-    serve = commands.add_parser("serve", prog="rosy start", allow_abbrev=False)
+    serve = commands.add_parser("serve", prog="rosy start", add_help=False, allow_abbrev=False)
     serve.add_argument("--port", type=int, default=8080)
     serve.add_argument("--host", default="127.0.0.1")
     serve.add_argument("--no-browser", action="store_true")
-    serve.add_argument("--runs", type=int, help="programs that run at once; others wait their turn")
+    serve.add_argument("--runs", type=int)
     serve.add_argument("--robot", action="append", default=[], metavar="NAME=ADDRESS")
     serve.add_argument("--robots", type=Path, metavar="FILE")
-    serve.add_argument("--unprotected", action="store_true", help="listen beyond this machine even without a sandbox")
-    check = commands.add_parser("check", prog="rosy check", allow_abbrev=False)
+    serve.add_argument("--unprotected", action="store_true")
+    check = commands.add_parser("check", prog="rosy check", add_help=False, allow_abbrev=False)
     check.add_argument("file", type=Path)
     check.add_argument("--json", action="store_true")
-    build = commands.add_parser("build", prog="rosy build", allow_abbrev=False)
+    build = commands.add_parser("build", prog="rosy build", add_help=False, allow_abbrev=False)
     build.add_argument("file", type=Path)
     build.add_argument("-o", dest="output", type=Path, required=True, metavar="BIN")
-    run = commands.add_parser("run", prog="rosy run", allow_abbrev=False)
+    run = commands.add_parser("run", prog="rosy run", add_help=False, allow_abbrev=False)
     run.add_argument("files", type=Path, nargs="+", metavar="file")
     run.add_argument("--world")
     run.add_argument("--seconds", type=float)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +30,8 @@ DEFAULT_WORLD = "room"
 
 MAX_FILE = 20_000_000
 """Largest file read, bytes."""
+
+STANDARD_INPUT = Path("-")
 
 _WORLDS = Path(__file__).parent / "worlds"
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,63}")
@@ -86,6 +89,8 @@ def read_text(path: Path, kind: str) -> str:
         BadInput: it is missing, unreadable, too large or not UTF-8.
     """
     try:
+        if path == STANDARD_INPUT:
+            return sys.stdin.buffer.read(MAX_FILE).decode("utf-8")
         if path.stat().st_size > MAX_FILE:
             raise BadInput(f"{path} is too large to be a {kind}.")
         return path.read_bytes().decode("utf-8")

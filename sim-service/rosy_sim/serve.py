@@ -24,6 +24,7 @@ import uvloop
 from .app import build_app
 from .config import Config
 from .errors import BadInput, WorkerMissing
+from .reach import is_everybody, own_addresses
 from .worker.launch import sandbox_fault
 
 __all__ = ["serve"]
@@ -46,8 +47,10 @@ def serve(config: Config, host: str, port: int, open_browser: bool, unprotected:
     if fault is not None:
         print(f"rosy: programs run without their sandbox: {fault}.", file=sys.stderr)
     bound = listener.getsockname()[1]
-    shown = f"[{host}]" if ":" in host else host
+    everybody = is_everybody(host)
+    shown = "127.0.0.1" if everybody else f"[{host}]" if ":" in host else host
     address = f"http://{shown}:{bound}/"
+    others = [f"http://{own}:{bound}/" for own in own_addresses()] if everybody else []
     _go_first()
     app = build_app(config)
     code = app.state.service.fleet.code if config.robots else None
@@ -64,7 +67,7 @@ def serve(config: Config, host: str, port: int, open_browser: bool, unprotected:
     )
     try:
         with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
-            runner.run(_serve(_Server(settings, address, open_browser, code), listener))
+            runner.run(_serve(_Server(settings, address, others if everybody else None, open_browser, code), listener))
     finally:
         listener.close()
     return 0
@@ -73,9 +76,12 @@ def serve(config: Config, host: str, port: int, open_browser: bool, unprotected:
 class _Server(uvicorn.Server):
     """Says where it is once it is there."""
 
-    def __init__(self, config: uvicorn.Config, address: str, open_browser: bool, code: str | None) -> None:
+    def __init__(
+        self, config: uvicorn.Config, address: str, others: list[str] | None, open_browser: bool, code: str | None
+    ) -> None:
         super().__init__(config)
         self._address = address
+        self._others = others
         self._code = code
         self._open_browser = open_browser
 
@@ -99,6 +105,10 @@ class _Server(uvicorn.Server):
         """As uvicorn does, then the address."""
         await super().startup(sockets)
         print(f"Rosy is ready at {self._address} (Ctrl-C ends it)", flush=True)
+        if self._others:
+            print(f"Others on this network open {' or '.join(self._others)}", flush=True)
+        elif self._others is not None:
+            print("This machine is on no network yet; start Rosy again when it is.", flush=True)
         address = self._address
         if self._code is not None:
             # Behind the hash: a browser keeps that part to itself.

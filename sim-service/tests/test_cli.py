@@ -14,7 +14,8 @@ from pathlib import Path
 import httpx
 import pytest
 
-from rosy_sim.cli import main
+from rosy_sim.cli import _parser, main
+from rosy_sim.reach import is_everybody, own_addresses
 
 from .conftest import FAKE_WORKER
 
@@ -253,3 +254,40 @@ def test_a_signal_ends_the_service_and_its_worker(sent: int, environment: dict[s
         service.send_signal(sent)
         assert service.wait(60) == 0
     assert not any(Path(f"/proc/{child}").exists() for child in children)
+
+
+@pytest.mark.parametrize("command", ["start", "check", "run", "build"])
+def test_the_help_of_a_command_names_what_it_takes_and_nothing_else(command: str) -> None:
+    text = (ROOT.parent / "scripts" / "help" / f"{command}.txt").read_text()
+    named = {line.split()[0] for line in text.splitlines() if line.startswith("  -")}
+    commands = _parser()._subparsers._group_actions[0].choices  # type: ignore[union-attr]
+    parser = commands["serve" if command == "start" else command]  # type: ignore[index]
+    assert named == set(parser._option_string_actions)
+
+
+def test_a_program_comes_from_standard_input(environment: dict[str, str]) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "rosy_sim", "check", "-"],
+        env=environment, input="drive:0.5", capture_output=True, text=True, timeout=120, check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stdout, done.stderr) == (0, "-: no problems.\n", "")
+
+
+def test_a_word_too_many_is_named(here: Here) -> None:
+    done = here("check", "a.hs", "b.hs")
+    assert done.returncode == 1
+    assert done.stderr == "rosy: check does not take b.hs. ./rosy check --help says what there is.\n"
+
+
+@pytest.mark.parametrize("host", ["0.0.0.0", "::"])
+def test_everybody_is_everybody(host: str) -> None:
+    assert is_everybody(host)
+    assert not is_everybody("127.0.0.1")
+    assert not is_everybody("localhost")
+
+
+def test_others_are_told_addresses_that_reach_this_machine() -> None:
+    for address in own_addresses():
+        with socket.create_server((address, 0)) as listener:
+            assert listener.getsockname()[0] == address
+        assert not address.startswith("127.")
