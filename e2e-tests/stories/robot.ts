@@ -9,14 +9,16 @@ import {createInterface} from "node:readline"
 
 const root = new URL("../..", import.meta.url).pathname
 
+type Environment = Readonly<Record<string, string | undefined>>
+
 /// A program and the lines it says.
 class Talker {
   readonly process: ChildProcess
   private readonly said: string[] = []
   private waiting: (() => void) | null = null
 
-  constructor(command: string, args: readonly string[]) {
-    this.process = spawn(command, args, {cwd: root, stdio: ["pipe", "pipe", "inherit"]})
+  constructor(command: string, args: readonly string[], env: Environment) {
+    this.process = spawn(command, args, {cwd: root, env, stdio: ["pipe", "pipe", "inherit"]})
     if (this.process.stdout === null) throw new Error(`expected ${command} to have an output`)
     createInterface(this.process.stdout).on("line", line => {
       this.said.push(line)
@@ -48,21 +50,25 @@ export interface Rig {
   readonly address: string
   readonly opened: string
   readonly code: string
+  /// In which an emergency stop meets nobody else who drives a robot from this machine.
+  readonly environment: Environment
   close(): void
 }
 
 export async function openRig(): Promise<Rig> {
   const folder = mkdtempSync(join(tmpdir(), "rosy-e2e-"))
   const emulator = join(root, "rosy-hs", "test-robots", "peers", "kobuki.py")
-  const base = new Talker("/usr/bin/python3", [emulator, join(folder, "kobuki")])
+  const environment = {...process.env, XDG_RUNTIME_DIR: folder}
+  const base = new Talker("/usr/bin/python3", [emulator, join(folder, "kobuki")], environment)
   const device = (await base.says(/^plugged (.*)$/))[1]
   const args = ["start", "--no-browser", "--port", "0", "--robot", `Kitchen=serial:${device}`]
-  const service = new Talker(join(root, "rosy"), args)
+  const service = new Talker(join(root, "rosy"), args, environment)
   const [, code = "", opened = ""] = await service.says(/the code (\S+): (\S+)$/)
   return {
     base,
     code,
     opened,
+    environment,
     address: opened.replace(/#.*/, ""),
     close() {
       service.process.kill("SIGTERM")

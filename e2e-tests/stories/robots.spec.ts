@@ -86,7 +86,7 @@ test("the emergency stop works on its button, on the space bar, and from a termi
     () => page.getByTestId("estop").click(),
     () => page.keyboard.press("Space"),
     () => {
-      execFileSync(rosy, ["estop"])
+      execFileSync(rosy, ["estop"], {env: rig.environment})
     },
   ]
   for (const stop of stops) {
@@ -116,7 +116,7 @@ test("the robot stands when the page hangs, and the emergency stop of a terminal
     })
     .catch(() => {})
   await rig.base.says(/^stood /)
-  execFileSync(rosy, ["estop"])
+  execFileSync(rosy, ["estop"], {env: rig.environment})
   await page.close()
 })
 
