@@ -9,7 +9,7 @@
 #   need tools     what only the tests use: browser, linters, ROS
 #
 # Each step has a stamp under .rosy/stamps holding a fingerprint of its inputs; a step whose stamp still fits is skipped,
-# so a second call costs a few file listings. Logs are in .rosy/log.
+# so a second call costs a few file listings; one whose result has been taken away is done again. Logs are in .rosy/log.
 
 ROSY_STATE="$ROSY_ROOT/.rosy"
 ROSY_PYTHON="$ROSY_STATE/venv/bin/python"
@@ -17,7 +17,11 @@ export ROSY_PYTHON
 export PYTHONPATH="$ROSY_ROOT/sim-service${PYTHONPATH:+:$PYTHONPATH}"
 # A cabal that knows no package server: Debian's packages are all there is, and nothing is asked of the network.
 export CABAL_DIR="$ROSY_STATE/cabal"
-mkdir -p "$ROSY_STATE/stamps" "$ROSY_STATE/log" "$CABAL_DIR"
+# Programs, messages and tests are written in UTF-8, also where the system was never told of a language.
+[ "$(locale charmap 2>/dev/null)" = UTF-8 ] || export LC_ALL=C.UTF-8
+# Where one's own folder cannot be written, as in some containers.
+[ -w "${HOME:-/nowhere}" ] || export HOME="$ROSY_STATE/home"
+mkdir -p "$HOME" "$ROSY_STATE/stamps" "$ROSY_STATE/log" "$CABAL_DIR"
 [ -f "$CABAL_DIR/config" ] || : >"$CABAL_DIR/config"
 
 # Debian packages. Each line has its reason in DECISIONS.md, "What we install".
@@ -40,12 +44,33 @@ fingerprint() {
     -o -type f -printf '%p %s %T@\n' 2>/dev/null | LC_ALL=C sort | sha1sum | cut -d' ' -f1)
 }
 
-# step NAME FINGERPRINT SENTENCE COMMAND...: runs the command unless the stamp says it is done.
+# made STEP: whether what the step made is still there.
+made() {
+  case "$1" in
+    venv) "$ROSY_PYTHON" -c '' 2>/dev/null ;;
+    npm) [ -d "$ROSY_ROOT/node_modules/vite" ] ;;
+    haskell) built rosy-worker ;;
+    robot) built rosy-robot ;;
+    builder) built rosy-build ;;
+    codegen) [ -f "$ROSY_ROOT/codegen/dist/cli.js" ] ;;
+    page) [ -f "$ROSY_ROOT/editor/dist/index.html" ] ;;
+  esac
+}
+built() { compgen -G "$ROSY_ROOT/dist-newstyle/build/*/ghc-*/rosy-*/x/$1/build/$1/$1" >/dev/null; }
+
+# step NAME FINGERPRINT SENTENCE COMMAND...: runs the command unless the stamp says it is done. Two do not do it at once.
 step() {
-  local name=$1 print=$2 sentence=$3
+  local name=$1 print=$2 stamp="$ROSY_STATE/stamps/$1" turn
+  is_done "$stamp" "$print" "$name" && return 0
+  exec {turn}>"$ROSY_STATE/turn"
+  if command -v flock >/dev/null; then flock "$turn"; fi
+  is_done "$stamp" "$print" "$name" || perform "$@"
+  exec {turn}>&-
+}
+is_done() { [ -f "$1" ] && [ "$(cat "$1")" = "$2" ] && made "$3"; }
+perform() {
+  local name=$1 print=$2 sentence=$3 stamp="$ROSY_STATE/stamps/$1"
   shift 3
-  local stamp="$ROSY_STATE/stamps/$name"
-  [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$print" ] && return 0
   say "$sentence"
   local log="$ROSY_STATE/log/$name.log" started=$SECONDS
   if ! "$@" >"$log" 2>&1; then
@@ -65,10 +90,11 @@ missing_packages() {
 }
 
 apt_install() {
-  local as_root=()
+  # A machine that has just come up may still be at its own updates.
+  local as_root=() patient=(-o Acquire::Retries=5 -o DPkg::Lock::Timeout=600)
   if [ "$(id -u)" != 0 ]; then as_root=(sudo); fi
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update &&
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@"
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "${patient[@]}" update &&
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "${patient[@]}" install -y --no-install-recommends "$@"
 }
 
 need_apt() { # need_apt STAMP PACKAGES
@@ -101,7 +127,7 @@ need_python() {
 make_venv() {
   rm -rf "$ROSY_STATE/venv"
   python3 -m venv "$ROSY_STATE/venv" &&
-    "$ROSY_PYTHON" -m pip install --disable-pip-version-check --no-deps -r "$ROSY_ROOT/sim-service/requirements.lock"
+    "$ROSY_PYTHON" -m pip install --disable-pip-version-check --retries 10 --no-deps -r "$ROSY_ROOT/sim-service/requirements.lock"
 }
 
 need_haskell() {
@@ -133,7 +159,7 @@ need_node() {
 }
 # Not `npm ci`: it wants the lock file to list the builds of esbuild and Biome for every system there is, and a registry
 # mirror need not have them all. The versions are the lock file's all the same, and it is left as it is.
-install_node() { (cd "$ROSY_ROOT" && npm install --no-save --no-audit --no-fund); }
+install_node() { (cd "$ROSY_ROOT" && npm install --no-save --no-audit --no-fund --fetch-retries=5); }
 
 need_codegen() {
   need_node
