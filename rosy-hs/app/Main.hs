@@ -75,9 +75,10 @@ driveOnce address fd limit = do
   forM_ [s | [t] <- [limit], (s, "") <- reads t] $ \s ->
     -- A thread's delay is counted in an Int of microseconds: a week fits.
     forkIO (threadDelay (ceiling (s * 1e6 :: Double)) >> atomically (writeTVar stopWanted True))
+  pace <- realPace
   served <- announced address . withBase target $ \base -> do
     let standing = atomically (stateTVar guarded halting) >>= mapM_ (tell base)
-    onSignals endings (standing >> atomically (writeTVar stopWanted True)) (serve (onTerminal (baseName base)) (readTVar stopWanted) (targetPatience target) guarded base socket)
+    onSignals endings (standing >> atomically (writeTVar stopWanted True)) (serve pace (onTerminal (baseName base)) (readTVar stopWanted) (targetPatience target) guarded base socket)
       `finally` standing
   ended <- getMonotonicTime
   report (ended - began) served

@@ -2,7 +2,7 @@
 A Kobuki at the end of a pseudo-terminal.
 
 In: command packets on the terminal; on standard input `bump BITS`, `cliff BITS`, `drop BITS`, `press BITS`, `noise`, `cut`, `corrupt`,
-`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `timeout SECONDS`, `hush` (no more packets of its own), `replay HEX`, `mark`, `quit`; the path of a symbolic link as the argument, to which its process number is added. Out: a packet every 20 ms; on
+`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `timeout SECONDS`, `hush` (no more packets of its own), `replay HEX`, `nudge` (one packet at once), `mark`, `quit`; the path of a symbolic link as the argument, to which its process number is added. Out: a packet every 20 ms; on
 standard output `plugged PATH`, `first V W` for the first speed it is told behind that, `control V W` when the speed changes, `led1 BITS`, `led2 BITS`, `sound N`, `versions asked`, `bad BYTES`, after `mark` `stood SECONDS` when
 its wheels stand, by its own clock.
 Its wheels turn as told; counters wrap at 16 bits and begin shortly before that. Yujin documents no time after which the firmware stops
@@ -19,6 +19,8 @@ import tty
 
 link = f"{sys.argv[1]}-{os.getpid()}"
 BASE, TICKS_PER_METRE = 0.23, 11724.41658
+NOTHING = bytes([3, 3, 0, 0, 0])
+"""A packet that says nothing of the base itself: no dock is seen."""
 
 master = slave = None
 speed = [0.0, 0.0]
@@ -184,6 +186,8 @@ def on_line(words):
     elif words[0] == "replay":
         replaying = True
         os.write(master, bytes.fromhex(words[1]))
+    elif words[0] == "nudge":
+        os.write(master, framed(NOTHING))
     elif words[0] == "unplug":
         unplug()
         outputs = None
@@ -223,7 +227,7 @@ while True:
         watch()
         move()
         if master is not None and replaying:
-            os.write(master, framed(bytes([3, 3, 0, 0, 0])))
+            os.write(master, framed(NOTHING))
         elif master is not None and speaking:
             try:
                 os.write(master, spoil(feedback()))

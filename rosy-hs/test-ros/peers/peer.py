@@ -2,7 +2,7 @@
 A rospy node that does what its standard input says, one command a line, and says on its standard output what it sees.
 
 In: `sub TOPIC TYPE`, `pub TOPIC TYPE [latch]`, `send TOPIC JSON`, `stream TOPIC JSON`, `flood TOPIC COUNT`, `echo FROM TO`, `time COUNT TOPIC BACK [TOPIC BACK]`,
-`connected TOPIC COUNT`, `heard TOPIC COUNT`, `watchdog TOPIC`, `mark`, `param get|set NAME JSON`, `rosout`, `quit`.
+`connected TOPIC COUNT`, `listening TOPIC`, `heard TOPIC COUNT`, `watchdog TOPIC`, `mark`, `param get|set NAME JSON`, `rosout`, `quit`.
 Out: `ready`, `got TOPIC JSON` for every message, an answer per command, after `mark` `stood SECONDS` when a
 watched velocity is zero or the watchdog has spoken, by its own clock. It never decides whether a test passes.
 """
@@ -42,7 +42,7 @@ def say(*words):
 
 
 lock = threading.Lock()
-publishers, counts, quiet = {}, {}, set()
+publishers, subscribers, counts, quiet = {}, {}, {}, set()
 counted = threading.Condition()
 
 
@@ -67,7 +67,7 @@ def subscribe(topic, type_name, *options):
     counts[topic] = []
     if "quiet" in options:
         quiet.add(topic)
-    rospy.Subscriber(topic, kind(type_name), heard(topic), tcp_nodelay=True)
+    subscribers[topic] = rospy.Subscriber(topic, kind(type_name), heard(topic), tcp_nodelay=True)
     say("subscribed", topic)
 
 
@@ -93,6 +93,13 @@ def connected(topic, count):
     while publishers[topic][0].get_num_connections() < int(count):
         time.sleep(0.005)
     say("connected", topic)
+
+
+def listening(topic):
+    """Says so when somebody who publishes this is connected."""
+    while subscribers[topic].get_num_connections() < 1:
+        time.sleep(0.005)
+    say("listening", topic)
 
 
 def flood(topic, count):
@@ -178,7 +185,7 @@ def watchdog(topic):
             say("watchdog")
             stand()
 
-    rospy.Subscriber(topic, kind("geometry_msgs/Twist"), on_message, tcp_nodelay=True)
+    subscribers[topic] = rospy.Subscriber(topic, kind("geometry_msgs/Twist"), on_message, tcp_nodelay=True)
     rospy.Timer(rospy.Duration(0.1), look)
     say("watching", topic)
 
@@ -204,6 +211,7 @@ COMMANDS = {
     "send": send,
     "stream": stream,
     "connected": connected,
+    "listening": listening,
     "flood": flood,
     "heard": wait_heard,
     "echo": echo,

@@ -112,6 +112,7 @@ realLink clock patience r base = do
           arrived <- isHere <$> readTVarIO (guarded r)
           if arrived then pure () else untilHere
       following = do
+        waiting <- readIORef early
         found <- atomically $ do
           stop <- readTVar (stopWanted r)
           if stop
@@ -119,7 +120,7 @@ realLink clock patience r base = do
             else do
               hs <- hear base `orElse` pure []
               tick <- swapTVar (tickDue clock) False
-              check (tick || not (null hs))
+              check (tick || not (null hs && null waiting))
               pure (Just (hs, tick))
         case found of
           Nothing -> pure Nothing

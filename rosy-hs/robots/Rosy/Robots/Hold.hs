@@ -184,7 +184,8 @@ runProgram target base h socket = do
   case held of
     Just _ -> tellLine h (endedLine 0 "stopped" Nothing)
     Nothing -> do
-      served <- serve (witness h) (readTVar stop) (targetPatience target) (guarded h) base socket `finally` atomically (writeTVar (running h) Nothing)
+      pace <- realPace
+      served <- serve pace (witness h) (readTVar stop) (targetPatience target) (guarded h) base socket `finally` atomically (writeTVar (running h) Nothing)
       time <- sinceBegan h
       showFrame h
       tellLine h . uncurry (endedLine time) $ case how served of

@@ -9,6 +9,8 @@
 -- the real time, and the robot is told what the guard lets through. A program that does not answer a step is given up.
 module Rosy.Robots.Serve
   ( serve,
+    Pace (..),
+    realPace,
     Witness (..),
     onTerminal,
     Served (..),
@@ -85,6 +87,31 @@ data HowEnded
     RobotLost String
   deriving (Eq, Show)
 
+-- | Chance and time, as the run has them.
+data Pace = Pace
+  { -- | where the chance of this run comes from
+    chance :: IO Int,
+    -- | seconds since 1970
+    timeNow :: IO Double,
+    -- | waits until the next step begins
+    awaitStep :: IO ()
+  }
+
+-- | Fifty steps a second from now on. One that came late is not caught up with.
+realPace :: IO Pace
+realPace = do
+  due <- getMonotonicTime >>= newIORef
+  pure
+    Pace
+      { chance = randomRIO (0, 2 ^ (31 :: Int) - 1),
+        timeNow = realToFrac <$> getPOSIXTime,
+        awaitStep = do
+          t <- getMonotonicTime
+          begins <- max (t - stepLength) <$> readIORef due
+          when (begins > t) (threadDelay (ceiling ((begins - t) * 1e6)))
+          writeIORef due (begins + stepLength)
+      }
+
 -- | How long a program may think, microseconds. Longer than 0.6 s, after which the base has stopped by itself.
 thinking :: Int
 thinking = 1000000
@@ -98,14 +125,14 @@ tickSteps :: Int
 tickSteps = 5
 
 -- | Serves until the program or the person has had enough. The number is how many seconds a lost robot is waited for.
-serve :: Witness -> STM Bool -> Double -> TVar Guard -> Base -> Socket -> IO Served
-serve witness stopWanted patience guarded base socket = do
+serve :: Pace -> Witness -> STM Bool -> Double -> TVar Guard -> Base -> Socket -> IO Served
+serve pace witness stopWanted patience guarded base socket = do
   unread <- newIORef B.empty
   pose <- newIORef Nothing
   lost <- newIORef Nothing
   let guarding :: (Guard -> (b, Guard)) -> IO b
       guarding f = atomically (stateTVar guarded f)
-      now = realToFrac <$> getPOSIXTime :: IO Double
+      now = timeNow pace
       -- The next line of the program; nothing when it is gone or takes too long.
       line = do
         bytes <- readIORef unread
@@ -165,9 +192,8 @@ serve witness stopWanted patience guarded base socket = do
             ms <- concat <$> mapM passes some
             there <- isHere <$> readTVarIO guarded
             if there then pure (early ++ ms) else untilHere (early ++ ms)
-      steps n due early = do
-        t0 <- getMonotonicTime
-        when (due > t0) (threadDelay (ceiling ((due - t0) * 1e6)))
+      steps n early = do
+        awaitStep pace
         stop <- atomically stopWanted
         l <- readIORef lost
         t <- now
@@ -183,9 +209,7 @@ serve witness stopWanted patience guarded base socket = do
               Just e -> ended n e
               Nothing -> do
                 when (n `mod` tickSteps == 0) (now >>= \t' -> guarding (ticking t') >>= mapM_ (tell base))
-                -- A step that came late is not caught up with.
-                t1 <- getMonotonicTime
-                steps (n + 1) (max (due + stepLength) (t1 - stepLength)) []
+                steps (n + 1) []
       listenToTheEnd = listen >>= maybe listenToTheEnd pure
       ended n e = do
         guarding halting >>= mapM_ (tell base)
@@ -193,8 +217,6 @@ serve witness stopWanted patience guarded base socket = do
   -- A robot that is held already is here.
   there <- isHere <$> readTVarIO guarded
   early <- if there then pure [] else noticed witness (IsAwaited "") >> untilHere []
-  seed <- randomRIO (0, 2 ^ (31 :: Int) - 1)
-  say (startLine seed)
+  chance pace >>= say . startLine
   opened <- listen
-  began <- getMonotonicTime
-  maybe (steps 0 began early) (ended 0) opened
+  maybe (steps 0 early) (ended 0) opened

@@ -109,9 +109,11 @@ corePart t b d c l r n = B.pack ([1, 15] ++ u16 t ++ [b, d, c] ++ u16 l ++ u16 r
   where
     u16 x = [fromIntegral (x .&. 255), fromIntegral (x `shiftR` 8)]
 
--- | A whole packet with a heading in hundredths of degrees.
-corePacket :: Core -> Word16 -> B.ByteString
-corePacket (Core t b d c l r n _) a = packet (corePart t b d c l r n <> B.pack [4, 7, fromIntegral (a .&. 255), fromIntegral (a `shiftR` 8), 0, 0, 0, 0, 0])
+-- | A whole packet.
+corePacket :: Core -> Inertia -> B.ByteString
+corePacket (Core t b d c l r n _) (Inertia a rate) = packet (corePart t b d c l r n <> B.pack ([4, 7] ++ i16 a ++ i16 rate ++ [0, 0, 0]))
+  where
+    i16 x = let w = fromIntegral x :: Word16 in [fromIntegral (w .&. 255), fromIntegral (w `shiftR` 8)]
 
 sensing :: TestTree
 sensing =
@@ -165,7 +167,7 @@ sensing =
     -- The robot stands still, so every event is a wrong one; the program wants one speed ten times a second, so the safety rules have
     -- nothing to say, and every other speed is a wrong one.
     step (wrong, frames, s, guard', g) i =
-      let bytes = corePacket (still (fromIntegral (20 * i))) 0
+      let bytes = corePacket (still (fromIntegral (20 * i))) (Inertia 0 0)
           (spoilt, g1) = randomR (1, 100 :: Int) g
           (sent, g2) = if spoilt == 1 then spoil bytes g1 else (bytes, g1)
           Feeding found _ frames' = feed frames sent

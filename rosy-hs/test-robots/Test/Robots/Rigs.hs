@@ -15,7 +15,7 @@ module Test.Robots.Rigs
   )
 where
 
-import Control.Monad (void)
+import Control.Monad (forM_, void)
 import Data.Either (fromLeft)
 import Data.List (isPrefixOf)
 import Ros.Net.Rpc (Uri (..))
@@ -62,7 +62,7 @@ data Rig = Rig
     streaming :: IO (),
     -- | also takes and sends what only some tests need
     prepared :: IO (),
-    -- | waits until a program listens
+    -- | waits until a program listens, and is listened to
     attached :: IO (),
     -- | the left bumper is pressed
     bumped :: IO (),
@@ -108,8 +108,10 @@ rospy ros = (\folder use -> withMaster folder (\e -> withPeer e "mobile_base" (a
             robot = p,
             environment = e,
             streaming = say p ("stream /odom " ++ odometry "") >> void (hears p "streaming"),
-            prepared = mapM_ (say p) ["pub /mobile_base/events/cliff kobuki_msgs/CliffEvent", "pub /mobile_base/events/button kobuki_msgs/ButtonEvent", "sub /mobile_base/commands/sound kobuki_msgs/Sound"] >> void (hears p "subscribed"),
-            attached = mapM_ (\t -> say p ("connected " ++ t ++ " 1") >> hears p ("connected " ++ t)) ["/odom", "/mobile_base/events/bumper", "/mobile_base/events/cliff", "/mobile_base/events/button"],
+            prepared = mapM_ (say p) (["pub /mobile_base/events/" ++ topic ++ " kobuki_msgs/" ++ kind ++ "Event" | (topic, kind) <- others] ++ ["sub /mobile_base/commands/led2 kobuki_msgs/Led", "sub /mobile_base/commands/sound kobuki_msgs/Sound", "sub /rosy/say std_msgs/String"]) >> void (hears p "subscribed /rosy/say"),
+            attached = do
+              forM_ ("/odom" : ["/mobile_base/events/" ++ topic | topic <- "bumper" : map fst others]) $ \t -> say p ("connected " ++ t ++ " 1") >> hears p ("connected " ++ t)
+              forM_ ("/rosy/say" : ["/mobile_base/commands/" ++ topic | topic <- ["velocity", "led1", "led2", "sound"]]) $ \t -> say p ("listening " ++ t) >> hears p ("listening " ++ t),
             bumped = say p "send /mobile_base/events/bumper {\"bumper\": 0, \"state\": 1}",
             moves = velocity "0.2",
             stands = velocity "0.0",
@@ -117,6 +119,7 @@ rospy ros = (\folder use -> withMaster folder (\e -> withPeer e "mobile_base" (a
             red = (== "got /mobile_base/commands/led1 {\"value\": 3}")
           }
     velocity x = isPrefixOf ("got /mobile_base/commands/velocity {\"linear\": {\"x\": " ++ x)
+    others = [("cliff", "Cliff"), ("button", "Button"), ("wheel_drop", "WheelDrop"), ("robot_state", "RobotState")]
 
 -- | Needs no ROS.
 serial :: Either String FilePath -> Maybe WithRig

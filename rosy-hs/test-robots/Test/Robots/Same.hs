@@ -4,51 +4,54 @@
 -- Description : The same program and the same sensor stream give the same commands on every link.
 --
 -- The stream was made from packets of the base. It goes through the simulator's pipe, through a robot in the simulator's
--- place, through a rosbridge server of either kind, through ROS 1 and down a serial line; each time the same program
--- answers, and what the robot was told must be what the simulator was told.
+-- place, through a rosbridge server of either kind, through ROS 1 and down a serial line, with the same chance and the same
+-- time; each time the same programs answer, and what the robot was told must be what the simulator was told.
 module Test.Robots.Same (tests) where
 
-import Control.Concurrent.Async (withAsync)
+import Control.Concurrent.Async (wait, waitSTM, withAsync)
 import Control.Concurrent.STM
 import Control.Exception (bracket, finally)
-import Control.Monad (forM, forM_, void)
+import Control.Monad (forM_, unless, void, when)
 import Data.Aeson (Value (..), (.:))
 import qualified Data.Aeson as Aeson
 import Data.Aeson.Types (parseMaybe)
+import Data.Bifunctor (first)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as C
 import qualified Data.ByteString.Lazy as L
 import qualified Data.ByteString.Lazy.Char8 as LC
 import Data.IORef
-import Data.List (group, stripPrefix)
-import Data.Maybe (mapMaybe)
+import Data.List (group, intercalate, stripPrefix)
+import Data.Maybe (isJust, mapMaybe)
 import Foreign.Ptr (nullPtr)
 import Network.Socket (Family (..), Socket, SocketType (..), close, defaultProtocol, socketPair, withFdSocket)
 import Network.Socket.ByteString (recv)
 import Network.Socket.ByteString.Lazy (sendAll)
-import Rosy.Controller (Names (..))
-import Rosy.Core (Action (..), Message (..), Odometry (..))
+import Rosy.Core (Action (..), Message (..))
 import Rosy.Kobuki.Command (wheelCommand)
-import Rosy.Kobuki.Feedback (Core (..), Inertia (..))
-import Rosy.Kobuki.Sensing
-import Rosy.Link (Link)
+import Rosy.Launch (onLink)
 import Rosy.Link.Pipe (pipeLink)
-import Rosy.Link.Real
 import Rosy.Robot
 import Rosy.Robots.Base
 import Rosy.Robots.Drive (withBase)
 import Rosy.Robots.Guard
 import Rosy.Robots.Pipe
-import Rosy.Robots.Serve (onTerminal, serve)
+import Rosy.Robots.Serve (Pace (..), Witness (noticed, wants), onTerminal, serve)
 import Rosy.Robots.Target
-import Rosy.Run (runOn)
-import Rosy.Runnable (program)
 import System.Posix.IO (FdOption (..), setFdOption)
 import System.Posix.Types (Fd (..))
-import System.Timeout (timeout)
-import Test.Robots.Kobuki (corePacket)
-import Test.Robots.Programs (follow, lights, sounds)
+import qualified Test.Robots.Paper.Accelerate
+import qualified Test.Robots.Paper.AccelerateAndPlay
+import qualified Test.Robots.Paper.DrawSquare
+import qualified Test.Robots.Paper.ForwardBackward
+import qualified Test.Robots.Paper.Mux
+import qualified Test.Robots.Paper.RandomWalk
+import qualified Test.Robots.Paper.SafeRandomWalk
+import qualified Test.Robots.Paper.SafetyControl
+import Test.Robots.Played
+import Test.Robots.Programs (afterOneAnother, functions, remembering)
+import Test.Robots.Recorded
 import Test.Robots.Rigs
 import Test.Ros.Peer
 import Test.Tasty
@@ -59,60 +62,51 @@ tests ready =
   localOption (mkTimeout 60000000) $
     testGroup
       "the same stream gives the same commands"
-      [ testCase "a robot in the simulator's place" inPlace,
+      [ testCase "the stream has something for every program, and they answer it differently" differ,
+        testCase "a robot in the simulator's place" (forM_ plays inPlace),
         story ready (rosbridge "1") "rosbridge on ROS 1" (jsonRobot "/mobile_base"),
         story ready (rosbridge "2") "rosbridge on ROS 2" (jsonRobot ""),
         story ready rospy "ROS 1" (jsonRobot "/mobile_base"),
         story ready serial "serial" serialRobot
       ]
 
--- | Half a second of a drive: faster and faster, with bumps, a hole and a button.
-recorded :: [(Core, [Message])]
-recorded = zip cores (go unsensed cores)
-  where
-    go s cs = case cs of
-      [] -> []
-      c : rest -> let (ms, s') = sense c (Just (Inertia 0 0)) s in ms : go s' rest
-    cores =
-      [ Core
-          { timeStamp = fromIntegral (65400 + 20 * i),
-            bumpers = if i `elem` [5 .. 8] then 4 else if i == 12 then 3 else 0,
-            wheelDrops = 0,
-            cliffs = if i `elem` [14, 15] then 2 else 0,
-            leftEncoder = ticks i,
-            rightEncoder = ticks i,
-            buttons = if i `elem` [17, 18] then 1 else 0,
-            battery = 160
-          }
-        | i <- [0 .. 24 :: Int]
-      ]
-    ticks i = fromIntegral (65000 + 10 * i + 3 * i * (i - 1) `div` 2)
+-- | Programs by their names. 'onLink' keeps its robot in one place for the whole process, so they run one after another.
+plays :: [(String, IO ())]
+plays =
+  [ ("functions", functions),
+    ("memory, events, chance and time", remembering),
+    ("tasks", afterOneAnother),
+    ("accelerate", Test.Robots.Paper.Accelerate.main),
+    ("accelerateAndPlay", Test.Robots.Paper.AccelerateAndPlay.main),
+    ("forwardBackward", Test.Robots.Paper.ForwardBackward.main),
+    ("safetyControl", Test.Robots.Paper.SafetyControl.main),
+    ("mux", Test.Robots.Paper.Mux.main),
+    ("randomWalk", Test.Robots.Paper.RandomWalk.main),
+    ("safeRandomWalk", Test.Robots.Paper.SafeRandomWalk.main),
+    ("drawSquare", Test.Robots.Paper.DrawSquare.main)
+  ]
 
-steps :: [[Message]]
-steps = map snd recorded
-
--- | The program, on a link.
-running :: Link -> IO ()
-running link = runOn link (program (Names []) (lights, sounds, follow))
-
--- | What the simulator is told, step by step.
-reference :: IO [[Action]]
-reference = withProgramAtPipe $ \socket -> do
-  next <- lineReader socket
+-- | What the simulator is told.
+reference :: IO () -> IO [Action]
+reference main' = withProgramAtPipe main' $ \socket -> do
+  talk <- lineReader socket
+  let wishes = do
+        l <- talk
+        case readWish l of
+          Just (Wants a) -> first (a :) <$> wishes
+          Just NamesTopics -> wishes
+          Just (HasEnded _ _) -> pure ([], True)
+          Just _ -> pure ([], False)
+          Nothing -> assertFailure (show l)
+      go n = \case
+        [] -> say' socket stopLine >> fst <$> wishes
+        ms : rest -> do
+          say' socket (batchLines n (timeOf n) ms)
+          (as, ended) <- wishes
+          (as ++) <$> if ended then pure [] else go (n + 1) rest
   say' socket (startLine 1)
-  void (wishes next)
-  answers <- forM (zip [0 ..] steps) $ \(n, ms) -> say' socket (batchLines n (fromIntegral n / 50) ms) >> wishes next
-  say' socket stopLine
-  void (wishes next)
-  pure answers
-  where
-    wishes next = do
-      l <- next
-      case readWish l of
-        Just (Wants a) -> (a :) <$> wishes next
-        Just NamesTopics -> wishes next
-        Just _ -> pure []
-        Nothing -> assertFailure (show l)
+  _ <- wishes
+  go 0 (starting (map snd recorded))
 
 say' :: Socket -> Builder.Builder -> IO ()
 say' s = sendAll s . Builder.toLazyByteString
@@ -120,122 +114,208 @@ say' s = sendAll s . Builder.toLazyByteString
 lineReader :: Socket -> IO (IO B.ByteString)
 lineReader s = do
   rest <- newIORef B.empty
-  let next = do
+  let next' = do
         bytes <- readIORef rest
         case C.elemIndex '\n' bytes of
           Just i -> B.take i bytes <$ writeIORef rest (B.drop (i + 1) bytes)
           Nothing -> do
             more <- recv s 65536
-            if B.null more then assertFailure "the program has left" else writeIORef rest (bytes <> more) >> next
-  pure next
+            if B.null more then assertFailure "the program has left" else writeIORef rest (bytes <> more) >> next'
+  pure next'
 
 -- | The program waits for a simulator at the other end.
-withProgramAtPipe :: (Socket -> IO a) -> IO a
-withProgramAtPipe use = bracket (socketPair AF_UNIX Stream defaultProtocol) (\(a, b) -> close a >> close b) $ \(ours, theirs) ->
+withProgramAtPipe :: IO () -> (Socket -> IO a) -> IO a
+withProgramAtPipe main' use = bracket (socketPair AF_UNIX Stream defaultProtocol) (\(a, b) -> close a >> close b) $ \(ours, theirs) ->
   withFdSocket theirs $ \fd -> do
     -- The pipe link reads as a process does that was forked a moment ago: it blocks, and ends when the other side closes.
     setFdOption (Fd fd) NonBlockingRead False
-    withAsync (pipeLink fd nullPtr >>= running) (const (use ours `finally` close ours))
+    withAsync (pipeLink fd nullPtr >>= (`onLink` main')) (const (use ours `finally` close ours))
 
-inPlace :: Assertion
-inPlace = do
-  expected <- reference
-  told <- newTVarIO []
-  hearing' <- newHearing
-  stop <- newTVarIO False
-  guarded <- newTVarIO (newGuard (Limits 0.7 pi) False)
-  let base = Base "a robot" (\a -> atomically (modifyTVar' told (a :))) (hearAll hearing')
-  withProgramAtPipe $ \socket -> withAsync (serve (onTerminal "a robot") (readTVar stop) 10 guarded base socket) $ \_ -> do
-    atomically (heard hearing' Here)
-    forM_ (zip steps expected) $ \(ms, actions) -> do
-      atomically (mapM_ (heard hearing' . Heard) ms)
-      awaiting (atomically (readTVar told >>= check . any (`elem` velocities actions)))
-    got <- reverse <$> readTVarIO told
-    once (velocities got) @?= once (velocities (concat expected))
-    others got @?= others (concat expected)
+-- ---------------------------------------------------------------------------------------------
+-- Comparing
 
-velocities, others :: [Action] -> [Action]
-velocities as = [a | a@(SetVelocity _ _) <- as]
-others as = [a | a <- as, a `notElem` velocities as]
+differ :: Assertion
+differ = do
+  all' <- mapM (reference . snd) plays
+  forM_ (zip plays all') $ \((name, _), as) -> assertBool (name ++ " does little: " ++ show (once as)) (length (once as) > 2)
+  let used = concat all'
+  forM_ (map SetLed1 [Black ..] ++ map SetLed2 [Black ..] ++ map PlaySound [OnSound, OffSound, ErrorSound, CleaningStartSound]) $ \a ->
+    assertBool (show a) (a `elem` used)
+  forM_ (zip all' (drop 1 all')) $ \(a, b) -> assertBool "two programs do the same" (a /= b)
+
+-- | What goes its own way to the robot; between them there is no order.
+channels :: [(String, Action -> Bool)]
+channels =
+  [ ("velocity", isVelocity),
+    ("LED 1", \case SetLed1 _ -> True; _ -> False),
+    ("LED 2", \case SetLed2 _ -> True; _ -> False),
+    ("sound", \case PlaySound _ -> True; _ -> False),
+    ("words", \case SayText _ -> True; _ -> False)
+  ]
+
+isVelocity :: Action -> Bool
+isVelocity a = case a of
+  SetVelocity _ _ -> True
+  _ -> False
+
+-- | The same in every channel. A heading that went through a quaternion is another in its last digit.
+sameAs :: String -> [Action] -> [Action] -> Assertion
+sameAs who got expected = forM_ channels $ \(channel, is) -> do
+  let g = filter is got
+      e = filter is expected
+      same = length (takeWhile id (zipWith near g e))
+  unless (length g == length e && same == length g) $
+    assertFailure (unlines [who ++ ", " ++ channel ++ ", from number " ++ show same, "expected: " ++ show (take 5 (drop same e)), " but got: " ++ show (take 5 (drop same g))])
+
+near :: Action -> Action -> Bool
+near (SetVelocity v w) (SetVelocity v' w') = abs (v - v') < 1e-9 && abs (w - w') < 1e-9
+near a b = a == b
 
 -- | Repetitions of what was said are no new commands.
 once :: Eq a => [a] -> [a]
 once = concatMap (take 1) . group
 
-awaiting :: IO () -> IO ()
-awaiting act = timeout 20000000 act >>= maybe (assertFailure "the robot was not told") pure
+-- | What the guard lets through of it: velocities within limits, each once.
+through :: [Action] -> [Action]
+through as = once (map limited (filter isVelocity as)) ++ filter (not . isVelocity) as
+  where
+    limited a = case a of
+      SetVelocity v w -> SetVelocity (max (-0.7) (min 0.7 v)) (max (negate pi) (min pi w))
+      _ -> a
 
--- | The program on a robot at this address.
-driven :: Rig -> IO a -> IO a
-driven r act = do
-  target <- either (assertFailure . explainTargetError) pure (readTarget (url r ++ "?safety=off" ++ options r))
-  reins <- newReins (newGuard (targetLimits target) False)
-  withClock $ \clock -> withBase target $ \base -> do
-    link <- realLink clock 10 reins base
-    withAsync (running link) (const act)
+-- ---------------------------------------------------------------------------------------------
+-- The links
 
--- | Messages go in as JSON, and commands come out so.
+inPlace :: (String, IO ()) -> Assertion
+inPlace (name, main') = do
+  expected <- reference main'
+  told <- newTVarIO []
+  wishes <- newTVarIO []
+  begun <- newTVarIO 0
+  released <- newTVarIO 0
+  hearing' <- newHearing
+  stop <- newTVarIO False
+  guarded <- newTVarIO (newGuard (Limits 0.7 pi) False)
+  let base = Base "a robot" (\a -> atomically (modifyTVar' told (a :))) (hearAll hearing')
+      witness = (onTerminal "a robot") {wants = \a -> atomically (modifyTVar' wishes (a :)), noticed = const (pure ())}
+      pace =
+        Pace
+          { chance = pure 1,
+            timeNow = timeOf . subtract 1 <$> readTVarIO begun,
+            awaitStep = atomically (modifyTVar' begun (+ 1)) >> atomically ((>=) <$> readTVar released <*> readTVar begun >>= check)
+          }
+      -- The step before is over when this one waits to begin; a run may be over before.
+      step running n act = do
+        awaiting (atomically ((readTVar begun >>= check . (== n)) `orElse` void (waitSTM running)))
+        atomically (act >> writeTVar released n)
+      hears' = mapM_ (heard hearing' . Heard)
+      steps = starting (map snd recorded)
+  withProgramAtPipe main' $ \socket -> do
+    atomically (heard hearing' Here >> mapM_ hears' (take 1 steps))
+    withAsync (serve pace witness (readTVar stop) 10 guarded base socket) $ \running -> do
+      step running 1 (pure ())
+      forM_ (zip [2 ..] (drop 1 steps)) $ \(n, ms) -> step running n (hears' ms)
+      step running (length steps + 1) (writeTVar stop True)
+      awaiting (void (wait running))
+  readTVarIO wishes >>= \as -> sameAs name (reverse as) expected
+  readTVarIO told >>= \as -> sameAs name (through (reverse as)) (through expected)
+
+-- | The robot's address, with nothing between the program and the wheels but the limits.
+reached :: Rig -> (Base -> IO a) -> IO a
+reached r use = either (assertFailure . explainTargetError) pure (readTarget (url r ++ "?safety=off" ++ options r)) >>= (`withBase` use)
+
+-- | Messages go in as JSON, and commands come out so. All programs drive over one connection.
 jsonRobot :: String -> Rig -> IO ()
 jsonRobot prefix' r = do
-  expected <- reference
+  expected <- mapM (reference . snd) plays
   prepared r
-  driven r $ do
-    attached r
-    -- Each topic travels by itself: what an event leads to is awaited before the next, which could overtake it.
-    forM_ (zip3 steps expected (scanl1 (+) (map (length . others) expected))) $ \(ms, actions, soFar) -> do
-      mapM_ (say (robot r)) (mapMaybe sending ms)
-      forM_ (velocities actions) $ \v -> hearsWhere (robot r) (show v) ((== Just v) . command')
-      awaiting (untilAll soFar)
-  got <- mapMaybe command' <$> transcript (robot r)
-  let untilStop = takeWhile (/= SetVelocity 0 0) (once (velocities got))
-  untilStop @?= once (velocities (concat expected))
-  [a | a@(SetLed1 _) <- got] @?= [a | a@(SetLed1 _) <- concat expected]
-  [a | a@(PlaySound _) <- got] @?= [a | a@(PlaySound _) <- concat expected]
+  reached r $ \base -> forM_ (zip3 plays expected (False : repeat True)) $ \((name, main'), e, known) -> do
+    before <- length <$> transcript (robot r)
+    got <- concat <$> playing main' base known (\hands -> unless known (attached r) >> stream hands)
+    sameAs name got e
+    let told ls = mapMaybe command' (drop before ls)
+    awaitTranscript (robot r) (\ls -> all (\(_, is) -> filter is (through (told ls)) == filter is (through got)) channels)
+    transcript (robot r) >>= \ls -> sameAs (name ++ ", told") (through (told ls)) (through got)
   where
-    untilAll n = do
-      got <- mapMaybe command' <$> transcript (robot r)
-      if length (others got) >= n then pure () else untilAll n
+    -- Each topic travels by itself, so a message is answered before the next is sent, which could overtake it.
+    stream hands = forM_ (zip [0 ..] (map snd recorded)) $ \(n, ms) -> do
+      ended <- isOver hands
+      unless ended $ do
+        at hands n
+        forM_ (ms ++ [StatusMessage Online | n == 0]) $ \m -> say (robot r) (sending m) >> answers hands 1
+        when (ticksAt n) (tick hands)
     command' line = do
-      rest <- stripPrefix ("got " ++ prefix' ++ "/commands/") line
-      let (topic, text) = break (== ' ') rest
+      (topic, text) <- break (== ' ') <$> (stripPrefix ("got " ++ prefix' ++ "/commands/") line `orIf` stripPrefix "got /rosy/" line)
       Object o <- Aeson.decode (LC.pack text)
       case topic of
         "velocity" -> parseMaybe (\m -> SetVelocity <$> (m .: "linear" >>= (.: "x")) <*> (m .: "angular" >>= (.: "z"))) o
         "led1" -> SetLed1 . toEnum <$> parseMaybe (.: "value") o
+        "led2" -> SetLed2 . toEnum <$> parseMaybe (.: "value") o
         "sound" -> PlaySound . toEnum <$> parseMaybe (.: "value") o
+        "say" -> SayText <$> parseMaybe (.: "data") o
         _ -> Nothing
+    orIf a b = if isJust a then a else b
     sending m = case m of
-      OdometryMessage o -> Just ("send /odom " ++ odometryJson o)
-      BumperMessage (Bumper n s) -> Just (event "bumper" ("{\"bumper\": " ++ show (fromEnum n) ++ ", \"state\": " ++ show (fromEnum (s == Pressed)) ++ "}"))
-      CliffMessage (Cliff n s) -> Just (event "cliff" ("{\"sensor\": " ++ show (fromEnum n) ++ ", \"state\": " ++ show (fromEnum (s == Hole)) ++ ", \"bottom\": 0}"))
-      ButtonMessage (Button n s) -> Just (event "button" ("{\"button\": " ++ show (fromEnum n) ++ ", \"state\": " ++ show (fromEnum (s == Pressed)) ++ "}"))
-      _ -> Nothing
-    event topic text = "send " ++ prefix' ++ "/events/" ++ topic ++ " " ++ text
+      OdometryMessage o -> "send /odom " ++ odometryJson o
+      BumperMessage (Bumper n s) -> event "bumper" [("bumper", fromEnum n), ("state", fromEnum (s == Pressed))]
+      CliffMessage (Cliff n s) -> event "cliff" [("sensor", fromEnum n), ("state", fromEnum (s == Hole)), ("bottom", 0)]
+      WheelMessage (Wheel n s) -> event "wheel_drop" [("wheel", fromEnum n), ("state", fromEnum (s == Air))]
+      ButtonMessage (Button n s) -> event "button" [("button", fromEnum n), ("state", fromEnum (s == Pressed))]
+      StatusMessage s -> event "robot_state" [("state", fromEnum (s == Online))]
+    event topic fields = "send " ++ prefix' ++ "/events/" ++ topic ++ " {" ++ intercalate ", " [show (k :: String) ++ ": " ++ show v | (k, v) <- fields] ++ "}"
 
--- | Packets go in, and the wheels' speeds come out as the base encodes them.
+-- | Packets go in, and the wheels' speeds come out as the base encodes them. It is plugged in anew for each program.
 serialRobot :: Rig -> IO ()
 serialRobot r = do
-  expected <- reference
+  expected <- mapM (reference . snd) plays
   prepared r
-  driven r . forM_ (zip recorded expected) $ \((core, _), actions) -> do
-    say (robot r) ("replay " ++ concatMap hex (B.unpack (corePacket core 0)))
-    forM_ (velocities actions) $ \v -> hearsWhere (robot r) (show v) ((== control v) . speeds)
-  got <- transcript (robot r)
-  takeWhile (/= "0 0") [speeds l | l <- got, take 8 l == "control "] @?= once (map control (velocities (concat expected)))
-  [l | l <- got, take 5 l == "led1 "] @?= ("led1 0" : once [light c | SetLed1 c <- concat expected])
-  [l | l <- got, take 6 l == "sound "] @?= ["sound " ++ show (fromEnum s) | PlaySound s <- concat expected]
+  forM_ (zip plays expected) $ \((name, main'), e) -> do
+    mapM_ (say (robot r)) ["unplug", "plug"]
+    _ <- hears (robot r) "plugged"
+    before <- length <$> transcript (robot r)
+    let agrees batches ls = and [fits (heardAs k (drop before ls)) (toldAs k batches) | k <- ["control", "led1", "led2", "sound"]]
+        -- One packet carries one speed: it has arrived before the next message comes.
+        settled batches = do
+          ls <- transcript (robot r)
+          unless (agrees batches ls) (say (robot r) "nudge" >> awaitTranscript (robot r) (agrees batches))
+        stream hands = forM_ (zip [0 ..] recorded) $ \(n, (bytes, ms)) -> do
+          ended <- isOver hands
+          unless ended $ do
+            at hands n
+            say (robot r) ("replay " ++ concatMap hex (B.unpack bytes))
+            answers hands (length ms + fromEnum (n == 0))
+            soFar hands >>= settled
+            when (ticksAt n) (tick hands >> soFar hands >>= settled)
+    got <- reached r $ \base -> playing main' base False stream >>= \got -> got <$ settled got
+    sameAs name (concat got) e
+    ls <- transcript (robot r)
+    forM_ ["control", "led1", "led2", "sound"] $ \k ->
+      assertBool (unlines [name, "told: " ++ show (toldAs k got), "heard: " ++ show (heardAs k (drop before ls))]) (fits (heardAs k (drop before ls)) (toldAs k got))
   where
-    hex b = let t = L.unpack (Builder.toLazyByteString (Builder.word8HexFixed b)) in map (toEnum . fromIntegral) t
-    light c = "led1 " ++ show (case c of Black -> 0 :: Int; Red -> 1; Green -> 2; Orange -> 3)
-    -- Speed and radius are the last words.
-    speeds = unwords . drop 3 . words
-    control a = case a of
-      SetVelocity v w -> let (s, radius) = wheelCommand v w in unwords [show s, show radius]
-      _ -> ""
+    hex b = map (toEnum . fromIntegral) (L.unpack (Builder.toLazyByteString (Builder.word8HexFixed b)))
 
--- | All that the program's odometry is made of.
-odometryJson :: Odometry -> String
-odometryJson (Odometry (Position x y) _ (Velocity v w)) =
-  ("{\"pose\": {\"pose\": {\"position\": {\"x\": " ++ show x ++ ", \"y\": " ++ show y ++ ", \"z\": 0.0}, ")
-    ++ "\"orientation\": {\"x\": 0.0, \"y\": 0.0, \"z\": 0.0, \"w\": 1.0}}}, "
-    ++ ("\"twist\": {\"twist\": {\"linear\": {\"x\": " ++ show v ++ ", \"y\": 0.0, \"z\": 0.0}, \"angular\": {\"x\": 0.0, \"y\": 0.0, \"z\": " ++ show w ++ "}}}}")
+-- | What the base says that it was told: speed and radius are the last words.
+heardAs :: String -> [String] -> [String]
+heardAs kind ls = [unwords (if kind == "control" then drop 2 rest else rest) | k : rest <- map words ls, k == kind]
+
+-- | What it is told, by message or tick: the last of each kind, if it is another than before.
+toldAs :: String -> [[Action]] -> [String]
+toldAs kind batches = case kind of
+  "control" -> drop 1 (once ("0 0" : lasts (\case SetVelocity v w -> Just (control v w); _ -> Nothing)))
+  "led1" -> once ("0" : lasts (\case SetLed1 c -> Just (light c); _ -> Nothing))
+  "led2" -> once ("0" : lasts (\case SetLed2 c -> Just (light c); _ -> Nothing))
+  _ -> [show (fromEnum sound) | PlaySound sound <- concat batches]
+  where
+    lasts f = concatMap (take 1 . reverse . mapMaybe f . through) batches
+    control v w = let (speed, radius) = wheelCommand v w in unwords [show speed, show radius]
+    light c = show (case c of Black -> 0 :: Int; Red -> 1; Green -> 2; Orange -> 3)
+
+-- | The same, but for a machine so busy that the link itself said stop, because it was told nothing new for 0.6 s, and went on after that.
+fits :: [String] -> [String] -> Bool
+fits = go ""
+  where
+    go before heard' told = case (heard', told) of
+      ([], []) -> True
+      (h : hs, t : ts) | h == t -> go t hs ts
+      (h : hs, _) | h `elem` ["0 0", before] -> go before hs told
+      _ -> False

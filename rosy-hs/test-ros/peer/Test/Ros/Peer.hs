@@ -16,6 +16,7 @@ module Test.Ros.Peer
     hears,
     hearsWhere,
     transcript,
+    awaitTranscript,
     killPeer,
     signal,
     exitOf,
@@ -136,6 +137,10 @@ hearsWhere p what wanted = do
 -- | All that it has ever said.
 transcript :: Peer -> IO [String]
 transcript p = reverse <$> readTVarIO (peerAll p)
+
+-- | Waits until all that it has said is so; whoever asserts then what it said tells what is wrong better than a time limit.
+awaitTranscript :: Peer -> ([String] -> Bool) -> IO ()
+awaitTranscript p wanted = void . timeout 20000000 . atomically $ readTVar (peerAll p) >>= check . wanted . reverse
 
 -- | Like pulling its plug.
 killPeer :: Peer -> IO ()

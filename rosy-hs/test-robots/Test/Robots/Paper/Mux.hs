@@ -1,0 +1,42 @@
+{-# LANGUAGE CPP #-}
+{-# LANGUAGE DeriveGeneric #-}
+{-# LANGUAGE StandaloneDeriving #-}
+
+-- |
+-- Description : The example of this name, from its file, with what its learner may leave out.
+module Test.Robots.Paper.Mux (main) where
+
+import Rosy
+import Rosy.Program
+
+deriving instance Generic (M1 a)
+
+instance Value a => Value (M1 a)
+
+instance Value a => Default (M1 a)
+
+instance Value a => Sensor (M1 a)
+
+instance Value a => Command (M1 a)
+
+deriving instance Generic (M2 a)
+
+instance Value a => Value (M2 a)
+
+instance Value a => Default (M2 a)
+
+instance Value a => Sensor (M2 a)
+
+instance Value a => Command (M2 a)
+
+deriving instance Generic M
+
+instance Value M
+
+instance Default M
+
+instance Sensor M
+
+instance Command M
+
+#include "../../../../../examples/mux/Main.hs"
