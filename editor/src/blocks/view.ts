@@ -104,6 +104,10 @@ export interface BlocksView {
   redo(): void
   canUndo(): boolean
   canRedo(): boolean
+  /// How far the blocks are scrolled, in pixels, and how large they are.
+  place(): {readonly x: number; readonly y: number; readonly scale: number}
+  /// Scrolls and zooms to what `place` once told.
+  goTo(place: {readonly x: number; readonly y: number; readonly scale: number}): void
   /// Shows everything at once.
   zoomToFit(): void
   /// Brings top-level blocks that lie out of sight to the others; moves nothing else.
@@ -426,6 +430,11 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     redo: () => workspace.undo(true),
     canUndo: () => workspace.getUndoStack().length > 0,
     canRedo: () => workspace.getRedoStack().length > 0,
+    place: () => ({x: workspace.scrollX, y: workspace.scrollY, scale: workspace.scale}),
+    goTo({x, y, scale}) {
+      workspace.setScale(scale)
+      workspace.scroll(x, y)
+    },
     zoomToFit: () => workspace.zoomToFit(),
     bringStraysHome: () => bringHome(workspace),
     focus: () => Blockly.getFocusManager().focusTree(workspace),

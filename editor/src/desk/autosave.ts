@@ -1,19 +1,20 @@
-/// Keeps the open program in the browser: shortly after each change, and at once when the page is left. What was typed in
-/// the same instant belongs to it: `settle` brings it to the store first.
+/// Keeps the open program in the browser: shortly after each change, and at once when the page is left, with the steps of undo and the
+/// learner's place in it. What was typed in the same instant belongs to it: `settle` brings it to the store first.
 ///
 /// A program gets a place of its own with its first change, and is the learner's own from then on. When another tab writes to the same place, this tab
 /// moves to a new one, so neither overwrites the other.
 
-import type {Shelf} from "../run/storage.ts"
+import type {Shelf, Whereabouts} from "../run/storage.ts"
 import {whenIdle} from "../run/window.ts"
 import type {Store} from "../store.ts"
+import {stepsText} from "./steps.ts"
 
 /// Milliseconds between a change and its being kept.
 const pause = 400
 
 export interface Autosave {
-  /// Another program is about to be open: `id` is its place, or `null` when it has none yet.
-  opened(id: string | null): void
+  /// Another program is about to be open: `id` is its place, or `null` when it has none yet; `again`, the one that was open before a reload.
+  opened(id: string | null, again: boolean): void
 }
 
 export function openAutosave(
@@ -21,6 +22,7 @@ export function openAutosave(
   shelf: Shelf,
   projectText: () => string,
   settle: () => void,
+  whereabouts: () => Whereabouts | null,
   becameOwn: () => void,
 ): Autosave {
   let place: string | null = null
@@ -30,7 +32,10 @@ export function openAutosave(
     clearTimeout(timer)
     timer = undefined
     settle()
+    const here = whereabouts()
+    if (here !== null) shelf.setPlace(here)
     if (store.now.saved === "saved") return
+    shelf.setSteps(stepsText(store.now.history, store.now.document))
     if (place === null) {
       place = freshPlace()
       becameOwn()
@@ -51,11 +56,12 @@ export function openAutosave(
   })
 
   return {
-    opened(id) {
+    opened(id, again) {
       // What was changed a moment ago belongs to the program that is being left.
       keep()
       place = id
       shelf.setCurrent(id)
+      if (!again) shelf.setSteps(null)
     },
   }
 }

@@ -18,12 +18,13 @@ import {fetchExample, fetchExamples, fetchRooms, fetchWorlds} from "../run/libra
 import {chooseLanguage, keepOwnName, ownName} from "../run/liking.ts"
 import {openCode} from "../run/robots.ts"
 import {openSession, type Session} from "../run/session.ts"
-import {openShelf} from "../run/storage.ts"
+import {openShelf, type Whereabouts} from "../run/storage.ts"
 import {addressNames, wantedExample, watchDark, watchKeys, watchSight, watchSize} from "../run/window.ts"
 import {openSource, type SourcePane} from "../source/pane.ts"
 import {putting} from "../source/putting.ts"
 import {type Fix, mended, movedFix, signatureFix, whereToGoOn} from "../state/fixes.ts"
 import {drives} from "../state/helm.ts"
+import {emptyHistory} from "../state/history.ts"
 import {awaitsProgram, type Order} from "../state/page.ts"
 import {type Finding, innermostBlock, mover} from "../state/program.ts"
 import {noRobots} from "../state/robots.ts"
@@ -51,6 +52,7 @@ import {
 } from "./programs.ts"
 import {renamed} from "./rename.ts"
 import {snippets} from "./snippets.ts"
+import {readSteps} from "./steps.ts"
 import {openTyping} from "./typing.ts"
 
 /// Milliseconds between the last change and the question to the compiler.
@@ -101,6 +103,7 @@ export function openDesk(address: string): Desk {
     shelf,
     projectText,
     () => flush(),
+    () => whereabouts(),
     () => addressNames(null),
   )
 
@@ -136,15 +139,34 @@ export function openDesk(address: string): Desk {
     if (state.worldEditor !== null) worldEditor?.draw(state.worldEditor)
   })
 
-  const show = (opened: OpenedProject, welcome: boolean, place: string | null) => {
-    autosave.opened(place)
+  const show = (opened: OpenedProject, welcome: boolean, place: string | null, again = false) => {
+    autosave.opened(place, again)
     addressNames(null)
     typing.forget()
     project = opened.project
     const {document, world} = opened
-    store.dispatch({kind: "opened", opened: {name: project.name, world, document, welcome}})
+    const steps = again ? shelf.steps() : null
+    const kept = reader === null || steps === null ? null : readSteps(reader, steps, document)
+    const history = kept ?? emptyHistory
+    store.dispatch({kind: "opened", opened: {name: project.name, world, document, history, welcome}})
+    if (again) goBack()
   }
-  const openText = (name: string, text: string, welcome: boolean, place: string | null) => {
+  /// Where the learner is in the program.
+  const whereabouts = (): Whereabouts | null => {
+    if (source === null || blocks === null || store.now.document.view === null) return null
+    return {text: codegen.hashOf(store.now.document.program.text), ...source.place(), ...blocks.place()}
+  }
+  /// Goes where the learner was before the page was loaded again.
+  const goBack = () => {
+    const {program} = store.now.document
+    const was = shelf.place()
+    if (was === null || was.text !== codegen.hashOf(program.text)) return
+    source?.setProgram(program)
+    source?.goTo(was)
+    follow()
+    blocks?.goTo(was)
+  }
+  const openText = (name: string, text: string, welcome: boolean, place: string | null, again = false) => {
     if (reader === null) return
     const tooLarge = (haskell: string) => {
       // What is kept here is the learner's already.
@@ -158,7 +180,7 @@ export function openDesk(address: string): Desk {
     }
     const opening = readProject(reader, text, tooLarge)
     if (opening === null) return
-    if (opening.kind === "opened") show(opening.opened, welcome, place)
+    if (opening.kind === "opened") show(opening.opened, welcome, place, again)
     else {
       const {message, hint} = opening
       store.dispatch({kind: "notice", notice: {kind: "unreadable-file", name, message, hint}})
@@ -172,19 +194,19 @@ export function openDesk(address: string): Desk {
     else if (isForeign(name, text)) store.dispatch({kind: "notice", notice: {kind: "not-program", name}})
     else openText(name, text, false, null)
   }
-  const openExample = async (name: string, welcome: boolean, named = true) => {
+  const openExample = async (name: string, welcome: boolean, named = true, again = false) => {
     const answer = await fetchExample(name)
     if (answer.kind === "there") {
-      openText(name, answer.value, welcome, null)
+      openText(name, answer.value, welcome, null, again)
       if (named) addressNames(name)
     } else store.dispatch({kind: "notice", notice: {kind: "example-missing", name}})
   }
   const openFirst = () => {
     const wanted = wantedExample()
     const last = shelf.current()
-    if (wanted !== null) void openExample(wanted, wanted === firstExample)
-    else if (last !== null) openText(words.yourProgram, last.text, false, last.id)
-    else void openExample(firstExample, true, false)
+    if (wanted !== null) void openExample(wanted, wanted === firstExample, true, true)
+    else if (last !== null) openText(words.yourProgram, last.text, false, last.id, true)
+    else void openExample(firstExample, true, false, true)
   }
 
   const cursorMoved = (offset: number) => {
@@ -229,11 +251,14 @@ export function openDesk(address: string): Desk {
     if (store.now.worldEditor !== null) return store.dispatch({kind: "world-edited", edit: {kind: "undo"}})
     flush()
     store.dispatch({kind: "undo-pressed"})
+    // What was typed and taken back within one picture leaves the program as it was drawn; the pane has it still.
+    source?.setProgram(store.now.document.program)
   }
   const redo = () => {
     if (store.now.worldEditor !== null) return store.dispatch({kind: "world-edited", edit: {kind: "redo"}})
     flush()
     store.dispatch({kind: "redo-pressed"})
+    source?.setProgram(store.now.document.program)
   }
   const run = () => {
     if (awaitsProgram(store.now)) return

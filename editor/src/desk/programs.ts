@@ -180,6 +180,11 @@ function stackOf(top: SavedBlock): readonly SavedBlock[] {
 }
 
 /// What the page shows of a view, before its types are known.
+export function unanalysed(view: View): Document {
+  return documentOf(view, workspaceOf(view))
+}
+
+/// The same, with blocks that may be newer than the view's.
 function documentOf(view: View, workspace: SavedWorkspace): Document {
   const spans = spansOf(view).spans.flatMap((s): Span[] =>
     s.block === undefined ? [] : [{start: s.start, end: s.end, block: s.block}],
@@ -199,8 +204,8 @@ function documentOf(view: View, workspace: SavedWorkspace): Document {
 }
 
 function analysedView(view: View): Document {
-  const workspace = workspaceOf(view)
-  return analysed(documentOf(view, workspace), infer(workspace))
+  const document = unanalysed(view)
+  return analysed(document, infer(document.workspace))
 }
 
 function findingOf(program: Program, problem: BlockProblem): Finding {

@@ -32,6 +32,8 @@ const indexKey = "rosy.programs"
 const currentKey = "rosy.current"
 const likingKey = "rosy.liking"
 const levelKey = "rosy.level"
+const stepsKey = "rosy.steps"
+const placeKey = "rosy.place"
 const programKey = (id: string) => `rosy.program.${id}`
 
 export interface Shelf {
@@ -45,11 +47,31 @@ export interface Shelf {
   keep(id: string, name: string, text: string, at: number): boolean
   /// This tab has that program open; `null` is one that has no place yet.
   setCurrent(id: string | null): void
+  /// What this tab keeps over a reload: the steps of undo around the program as it is, and where the learner was in it.
+  steps(): string | null
+  setSteps(text: string | null): void
+  place(): Whereabouts | null
+  setPlace(place: Whereabouts): void
   /// How much of the language the toolbox shows, when the learner has chosen.
   level(): Level | null
   setLevel(level: Level): void
   liking(): Liking
   setLiking(liking: Liking): void
+}
+
+/// Where somebody is in a program.
+export interface Whereabouts {
+  /// The hash of the text that the offsets are of.
+  readonly text: string
+  /// The selection in the text, the start of the first line in sight, and whether the text has the keyboard.
+  readonly anchor: number
+  readonly head: number
+  readonly top: number
+  readonly writes: boolean
+  /// How far the blocks are scrolled, in pixels, and how large they are.
+  readonly x: number
+  readonly y: number
+  readonly scale: number
 }
 
 export type Liking = Partial<
@@ -59,6 +81,16 @@ export type Liking = Partial<
 const index = list(
   object<Kept>(get => ({id: get("id", string), name: get("name", string), at: get("at", number)})),
 )
+const whereabouts = object<Whereabouts>(get => ({
+  text: get("text", string),
+  anchor: get("anchor", number),
+  head: get("head", number),
+  top: get("top", number),
+  writes: get("writes", boolean),
+  x: get("x", number),
+  y: get("y", number),
+  scale: get("scale", number),
+}))
 const layout = object<Layout>(get => ({
   canvas: get("canvas", number),
 }))
@@ -156,6 +188,19 @@ export function openShelf(storage: Storage, tab: Storage): Shelf {
     setCurrent(id) {
       write(currentKey, id ?? "", tab)
       if (id !== null) write(currentKey, id)
+    },
+    steps: () => read(stepsKey, tab),
+    setSteps(text) {
+      // Steps that there is no room for must not leave older ones behind.
+      if (text === null || !write(stepsKey, text, tab)) write(stepsKey, "", tab)
+    },
+    place() {
+      const text = read(placeKey, tab)
+      const found = decode(whereabouts, text === null ? undefined : parseJson(text))
+      return found.kind === "ok" ? found.value : null
+    },
+    setPlace(place) {
+      write(placeKey, JSON.stringify(place), tab)
     },
     level() {
       const found = decode(oneOf("tasks", "reactions", "haskell"), read(levelKey))

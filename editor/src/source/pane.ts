@@ -47,9 +47,20 @@ export interface SourcePane {
   carry(carried: Carried | null): void
   /// Where the text is on the screen; `null` while it is not to be seen or not to be changed.
   area(): DOMRect | null
+  /// What is selected, where the first line in sight starts, and whether the pane has the keyboard.
+  place(): Spot
+  /// Selects and scrolls to what `place` once told.
+  goTo(spot: Spot): void
   /// Selects a place, and gives the pane the keyboard.
   choose(range: Range): void
   dispose(): void
+}
+
+export interface Spot {
+  readonly anchor: number
+  readonly head: number
+  readonly top: number
+  readonly writes: boolean
 }
 
 export interface SourceOptions {
@@ -219,6 +230,19 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
       if (view.state.readOnly || host.offsetParent === null) return null
       const area = host.getBoundingClientRect()
       return area.width === 0 || area.height === 0 ? null : area
+    },
+    place() {
+      const {anchor, head} = view.state.selection.main
+      const top = view.lineBlockAtHeight(view.scrollDOM.scrollTop).from
+      return {anchor, head, top, writes: view.hasFocus}
+    },
+    goTo({anchor, head, top, writes}) {
+      const within = (offset: number) => Math.max(0, Math.min(offset, view.state.doc.length))
+      view.dispatch({
+        selection: {anchor: within(anchor), head: within(head)},
+        effects: EditorView.scrollIntoView(within(top), {y: "start", yMargin: 0}),
+      })
+      if (writes) view.focus()
     },
     choose(range) {
       const {length} = view.state.doc

@@ -9,7 +9,7 @@ import {withShown, withView} from "./arrangement.ts"
 import {parseJson} from "./decode.ts"
 import {movedFix} from "./fixes.ts"
 import {drives, letGo, robotEvent, robotHeard, robotRefused} from "./helm.ts"
-import {type Document, emptyHistory, redo, remember, undo} from "./history.ts"
+import {type Document, redo, remember, undo} from "./history.ts"
 import type {ServiceMessage} from "./messages.ts"
 import type {Order, PageEvent, PageState, Step} from "./page.ts"
 import {type Finding, locate, type Mover, mover, rangeMoved} from "./program.ts"
@@ -106,7 +106,7 @@ export function next(state: PageState, event: PageEvent): Step {
         name: opened.name,
         saved: "saved",
         document: opened.document,
-        history: emptyHistory,
+        history: opened.history,
         worldName: opened.world,
         run: nextRun(state.run, {kind: "reset-pressed"}),
         room,

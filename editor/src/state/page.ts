@@ -61,6 +61,8 @@ export interface Opened {
   readonly name: string
   readonly world: string | WorldFile | null
   readonly document: Document
+  /// The steps of undo that were kept.
+  readonly history: History
   /// A newcomer's program: Run pulses once, and after the first run a line invites to change a number.
   readonly welcome: boolean
 }

@@ -1,0 +1,192 @@
+/// The steps of undo as a text, for a reload of the page. Steps of one program are much alike: each text is told by what it changes in its neighbour's,
+/// blocks that several steps share are told once, and those that the program still has not at all. Steps come back unread, and are read when somebody goes
+/// there: each is a document like any other, only later.
+
+import {hashOf, type LaidOut, type SavedBlock} from "@rosy/codegen"
+import {layoutOf, openView, type Reader, type View} from "@rosy/codegen/reader"
+import {difference} from "../source/difference.ts"
+import {type Decoder, decode, list, number, object, parseJson, string} from "../state/decode.ts"
+import type {Document, History} from "../state/history.ts"
+import {unanalysed} from "./programs.ts"
+
+/// A step as it is kept: its text, and where its blocks are.
+interface Kept {
+  readonly text: string
+  readonly layout: ReturnType<typeof layoutOf>
+}
+
+/// The nearest steps on each side that are kept, and the letters that all of them may take: a tenth of what a browser gives a page for a tab.
+const mostSteps = 200
+const mostLetters = 500_000
+
+/// How a step's text comes from its neighbour's: from an offset to another, this instead.
+interface Step {
+  readonly from: number
+  readonly to: number
+  readonly insert: string
+  /// Its definitions and its loose blocks, by their places in `here` and, counted on, in `shared`.
+  readonly declarations: readonly number[]
+  readonly loose: readonly number[]
+}
+
+interface Told {
+  /// The text that the steps lead away from.
+  readonly now: string
+  /// Blocks of the program itself, by their hashes.
+  readonly here: readonly string[]
+  readonly shared: readonly unknown[]
+  readonly past: readonly Step[]
+  readonly future: readonly Step[]
+}
+
+const step = object<Step>(get => ({
+  from: get("from", number),
+  to: get("to", number),
+  insert: get("insert", string),
+  declarations: get("declarations", list(number)),
+  loose: get("loose", list(number)),
+}))
+const anything: Decoder<unknown> = value => value
+const toldAs = object<Told>(get => ({
+  now: get("now", string),
+  here: get("here", list(string)),
+  shared: get("shared", list(anything)),
+  past: get("past", list(step)),
+  future: get("future", list(step)),
+}))
+
+/// What is known of documents and blocks that were told or read before; values never change.
+const unread = new WeakMap<Document, Kept>()
+const ofViews = new WeakMap<View, Kept>()
+const ofBlocks = new WeakMap<SavedBlock, {readonly text: string; readonly hash: string}>()
+
+/// The steps around a document; `null` when there are none.
+export function stepsText(history: History, document: Document, most = mostLetters): string | null {
+  if (history.past.length === 0 && history.future.length === 0) return null
+  const now = keptOf(document)
+  const here = new Map(hashesOf(now.layout).map((hash, i) => [hash, i]))
+  const shared = new Map<string, number>()
+  const told: string[] = []
+  let letters = 0
+  const share = (hash: string, text: () => string): number => {
+    const known = here.get(hash) ?? shared.get(hash)
+    if (known !== undefined) return known
+    const place = here.size + told.length
+    const one = text()
+    told.push(one)
+    letters += one.length
+    shared.set(hash, place)
+    return place
+  }
+  const walk = (documents: readonly Document[]): string[] => {
+    const steps: string[] = []
+    let before = now.text
+    for (const each of documents.slice(0, mostSteps)) {
+      const {text, layout} = keptOf(each)
+      const shares = told.length
+      const change = difference(before, text) ?? {from: 0, to: 0, insert: ""}
+      const declarations = layout.declarations.map(d => share(hashOfLaid(d), () => laidText(d)))
+      const loose = layout.loose.map(block => share(blockText(block).hash, () => blockText(block).text))
+      const one = JSON.stringify({...change, declarations, loose} satisfies Step)
+      letters += one.length
+      if (letters > most) {
+        told.length = shares
+        break
+      }
+      steps.push(one)
+      before = text
+    }
+    return steps
+  }
+  // What was done can be missed more than what was undone.
+  const past = walk([...history.past].reverse())
+  const future = walk(history.future)
+  const hashes = JSON.stringify([...here.keys()])
+  return `{"now":"${hashOf(now.text)}","here":${hashes},"shared":[${told}],"past":[${past}],"future":[${future}]}`
+}
+
+/// The steps as they were told, around the document they were told for; `null` when they are another's.
+export function readSteps(reader: Reader, text: string, document: Document): History | null {
+  const found = decode(toldAs, parseJson(text))
+  const now = keptOf(document)
+  if (found.kind !== "ok" || found.value.now !== hashOf(now.text)) return null
+  const {here, shared, past, future} = found.value
+  const known = new Map<string, unknown>(now.layout.declarations.map(d => [hashOfLaid(d), d]))
+  for (const block of now.layout.loose) known.set(blockText(block).hash, block)
+  const blocks = [...here.map(hash => known.get(hash)), ...shared]
+  const walk = (steps: readonly Step[]): Document[] => {
+    let before = now.text
+    return steps.map(({from, to, insert, declarations, loose}) => {
+      before = before.slice(0, from) + insert + before.slice(to)
+      const layout = {
+        declarations: declarations.map(i => blocks[i] as LaidOut),
+        loose: loose.map(i => blocks[i] as SavedBlock),
+      }
+      return later(reader, {text: before, layout})
+    })
+  }
+  const has = (s: Step) => [...s.declarations, ...s.loose].every(i => blocks[i] !== undefined)
+  if (![...past, ...future].every(has)) return null
+  return {past: walk(past).reverse(), future: walk(future), last: null}
+}
+
+/// A document that is read when it is first looked at.
+function later(reader: Reader, kept: Kept): Document {
+  let read: Document | undefined
+  const document = (): Document => {
+    read ??= unanalysed(openView(reader, kept.text, kept.layout))
+    return read
+  }
+  const promised: Document = {
+    get program() {
+      return document().program
+    },
+    get workspace() {
+      return document().workspace
+    },
+    get view() {
+      return document().view
+    },
+    get dimmed() {
+      return document().dimmed
+    },
+    get findings() {
+      return document().findings
+    },
+  }
+  unread.set(promised, kept)
+  return promised
+}
+
+function keptOf(document: Document): Kept {
+  const known = unread.get(document)
+  if (known !== undefined) return known
+  const {view} = document
+  if (view === null) return {text: document.program.text, layout: {declarations: [], loose: []}}
+  const before = ofViews.get(view)
+  if (before !== undefined) return before
+  const kept = {text: view.text, layout: layoutOf(view)}
+  ofViews.set(view, kept)
+  return kept
+}
+
+function hashesOf(layout: Kept["layout"]): readonly string[] {
+  return [...layout.declarations.map(hashOfLaid), ...layout.loose.map(block => blockText(block).hash)]
+}
+
+function hashOfLaid({name, hash, blocks}: LaidOut): string {
+  return `${name} ${hash} ${blockText(blocks).hash}`
+}
+
+function laidText({name, hash, blocks}: LaidOut): string {
+  return `{"name":${JSON.stringify(name)},"hash":"${hash}","blocks":${blockText(blocks).text}}`
+}
+
+function blockText(block: SavedBlock): {readonly text: string; readonly hash: string} {
+  const known = ofBlocks.get(block)
+  if (known !== undefined) return known
+  const text = JSON.stringify(block)
+  const told = {text, hash: hashOf(text)}
+  ofBlocks.set(block, told)
+  return told
+}
