@@ -23,18 +23,11 @@ export function withRosy(database: string): string[] {
 
 const classes =
   `Eq Ord Show Read Enum Bounded Num Real Integral Fractional Floating RealFrac RealFloat Semigroup Monoid
-  Functor Applicative Monad MonadFail Foldable Traversable MonadPlus Sensor Command Controller Runnable`.split(
-    /\s+/,
-  )
+  Functor Applicative Alternative Monad MonadFail Foldable Traversable MonadPlus Random RandomGen Default
+  Sensor Command Controller Runnable`.split(/\s+/)
 
 /// Classes that a learner cannot write, but that stand in the types of what a learner uses.
-const hiddenClasses = [
-  "GHC.Base.Alternative",
-  "System.Random.Random",
-  "System.Random.RandomGen",
-  "Rosy.Value.Default",
-  "Rosy.Value.Value",
-]
+const hiddenClasses = ["Rosy.Value.Value"]
 
 /// The whole environment: Prelude first, so that what Rosy says of a name comes last and holds.
 export function environmentFromGhc(database: string): string {

@@ -7,6 +7,7 @@ import {join} from "node:path"
 import {withRosy} from "../scripts/ghc.ts"
 import {definedBy} from "../src/model/names.ts"
 import type {DataDeclaration, Program} from "../src/model/tree.ts"
+import {library} from "../src/types/library.ts"
 
 export interface Candidate {
   readonly name: string
@@ -65,13 +66,14 @@ export function compileAll(
 
 function asModule({name, program, text}: Candidate): string {
   const data = program.declarations.filter((d): d is DataDeclaration => d.kind === "data")
-  const own = [
-    ...program.declarations.flatMap(definedBy).map(n => (/^\w/.test(n) ? n : `(${n})`)),
-    ...program.declarations.flatMap(d => (d.kind === "data" || d.kind === "synonym" ? [d.name] : [])),
-    ...data.flatMap(d =>
-      d.constructors.flatMap(c => [`pattern ${c.name}`, ...c.fields.flatMap(f => f.name ?? [])]),
-    ),
-  ]
+  const own: Own = {
+    values: [
+      ...program.declarations.flatMap(definedBy),
+      ...data.flatMap(d => d.constructors.flatMap(c => c.fields.flatMap(f => f.name ?? []))),
+    ],
+    types: program.declarations.flatMap(d => (d.kind === "data" || d.kind === "synonym" ? [d.name] : [])),
+    constructors: data.flatMap(d => d.constructors.map(c => c.name)),
+  }
   const instances = data.flatMap(d => {
     const type = [d.name, ...d.parameters].join(" ")
     const context = d.parameters.map(p => `Rosy.Program.Value ${p}`).join(", ")
@@ -85,12 +87,40 @@ function asModule({name, program, text}: Candidate): string {
   return [
     "{-# LANGUAGE PatternSynonyms #-}",
     `module ${name} (main) where`,
-    `import Rosy hiding (${own.filter(n => !n.startsWith("pattern ")).join(", ")})`,
-    `import Prelude hiding (${own.map(n => n.replace("pattern ", "")).join(", ")})`,
+    ...givingWay("Rosy", own),
+    ...givingWay("Prelude", own),
     "import qualified Prelude",
     "import qualified Rosy.Program",
     "",
     text,
     ...instances,
   ].join("\n")
+}
+
+/// What a program defines at top level.
+interface Own {
+  readonly values: readonly string[]
+  readonly types: readonly string[]
+  readonly constructors: readonly string[]
+}
+
+/// Types and constructors of Rosy and the Prelude. A class is a type here.
+const shared = {
+  types: new Set([...library.types.keys(), ...library.classes.keys()]),
+  constructors: new Set(library.constructors.keys()),
+}
+
+/// An import that leaves out what the program defines. Hiding a name hides type and constructor alike, so the one of them that the
+/// program does not define is imported by itself.
+function givingWay(module: "Rosy" | "Prelude", {values, types, constructors}: Own): string[] {
+  const here = (name: string) => library.prelude.has(name) === (module === "Prelude")
+  const siblings = [
+    ...types.filter(n => shared.constructors.has(n) && !constructors.includes(n)).map(n => [n, `pattern ${n}`]),
+    ...constructors.filter(n => shared.types.has(n) && !types.includes(n)).map(n => [n, n]),
+  ].flatMap(([name = "", item]) => (here(name) ? [item] : []))
+  const hidden = [...values.map(n => (/^\w/.test(n) ? n : `(${n})`)), ...types, ...constructors]
+  return [
+    `import ${module} hiding (${hidden.join(", ")})`,
+    ...(siblings.length === 0 ? [] : [`import ${module} (${siblings.join(", ")})`]),
+  ]
 }

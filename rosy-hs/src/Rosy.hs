@@ -125,10 +125,16 @@ module Rosy
     extVec,
 
     -- * Words for signatures
+    -- $signatures
     Sensor,
     Command,
     Controller,
     Runnable,
+    Default,
+    Random,
+    RandomGen,
+    Alternative,
+    Typeable,
 
     -- * Haskell's vocabulary for doing things again and again
     -- $again
@@ -136,7 +142,9 @@ module Rosy
   )
 where
 
+import Control.Applicative (Alternative)
 import Control.Monad
+import Data.Typeable (Typeable)
 import Rosy.Command
 import Rosy.Controller
 import Rosy.Geometry
@@ -145,7 +153,8 @@ import Rosy.Robot
 import Rosy.Runnable
 import Rosy.Sensor
 import Rosy.Task
-import System.Random (StdGen, random, randomR)
+import Rosy.Value (Default)
+import System.Random (Random, RandomGen, StdGen, random, randomR)
 
 -- $chance
 -- A function that takes a 'StdGen' gets a fresh source of chance each time it fires; the same seed of a run gives the same chances again.
@@ -153,6 +162,12 @@ import System.Random (StdGen, random, randomR)
 --
 -- > turn :: StdGen -> Velocity
 -- > turn gen = Velocity 0 (fst (randomR (-1, 1) gen))
+
+-- $signatures
+-- What a function with a type variable asks of it. Most functions need none of these; a signature that GHC or the blocks find may have one:
+--
+-- > dice :: (Random a, RandomGen g) => a -> a -> g -> a
+-- > dice low high gen = fst (randomR (low, high) gen)
 
 -- $again
 -- These come with Haskell, and are here without an import. They work for tasks as for everything else that can be done one after another.

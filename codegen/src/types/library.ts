@@ -5,7 +5,6 @@ import {readEnvironment} from "./environment.ts"
 
 const builtIn = `
 type String = [Char]
-hidden class Typeable a
 hidden class Ends a
 hidden data Ratio a
 hidden data IOException

@@ -292,7 +292,9 @@ export class Values {
       [
         2,
         () => {
-          const {name, arity} = dice.pick(everyName.filter(n => n.arity >= inputs))
+          const long = everyName.filter(n => n.arity >= inputs)
+          if (long.length === 0) return lambda()
+          const {name, arity} = dice.pick(long)
           return make.call(name, arity - inputs)
         },
       ],

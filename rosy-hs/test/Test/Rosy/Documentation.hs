@@ -31,7 +31,7 @@ tests =
     ]
   where
     -- Names that come from base and random.
-    others = ["Generic", "Typeable", "StdGen", "random", "randomR"]
+    others = ["Alternative", "Generic", "Random", "RandomGen", "StdGen", "Typeable", "random", "randomR"]
 
 -- | The names that haddock lists as undocumented.
 missing :: [String] -> [String]
