@@ -115,7 +115,9 @@ const shared = {
 function givingWay(module: "Rosy" | "Prelude", {values, types, constructors}: Own): string[] {
   const here = (name: string) => library.prelude.has(name) === (module === "Prelude")
   const siblings = [
-    ...types.filter(n => shared.constructors.has(n) && !constructors.includes(n)).map(n => [n, `pattern ${n}`]),
+    ...types
+      .filter(n => shared.constructors.has(n) && !constructors.includes(n))
+      .map(n => [n, `pattern ${n}`]),
     ...constructors.filter(n => shared.types.has(n) && !types.includes(n)).map(n => [n, n]),
   ].flatMap(([name = "", item]) => (here(name) ? [item] : []))
   const hidden = [...values.map(n => (/^\w/.test(n) ? n : `(${n})`)), ...types, ...constructors]

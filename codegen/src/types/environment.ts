@@ -73,6 +73,7 @@ export interface Library extends Environment {
   readonly values: ReadonlyMap<string, Scheme>
   readonly constructors: ReadonlyMap<string, ConstructorInfo>
   readonly types: ReadonlyMap<string, TypeEntry>
+  readonly classes: ReadonlyMap<string, readonly string[]>
 }
 
 export interface Growing {

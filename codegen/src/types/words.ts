@@ -5,9 +5,9 @@ import type {Family} from "../shape.ts"
 import {words} from "../words/index.ts"
 import type {TypeProblem} from "./problems.ts"
 import type {Constraint, Type} from "./type.ts"
-import {asFunction, prune, showType, spine} from "./type.ts"
+import {asFunction, metasIn, prune, showType, spine, variablesIn} from "./type.ts"
 
-/// "a Velocity", "a light", "a list of numbers", "a function".
+/// "a Velocity", "a light", "a list ([Int])", "a function". What is open stays unsaid: "a list", "a Maybe".
 export function describe(type: Type): string {
   const {head, args} = spine(type)
   if (head.kind === "meta") return words.types.something
@@ -15,18 +15,39 @@ export function describe(type: Type): string {
   if (head.kind !== "con") return words.types.something
   const [first] = args
   if (asFunction(type) !== undefined) return words.types.aFunction
+  const open = metasIn(type).size > 0 || variablesIn(type).size > 0 || args.every(a => showType(a) === "()")
+  const text = open ? "" : ` (${showType(type)})`
   if (head.name === "[]" && first !== undefined) {
     const item = spine(first)
     if (item.head.kind === "con" && item.head.name === "Char") return words.types.text
-    return words.types.aList(showType(type))
+    return `${words.types.aList}${text}`
   }
-  if (head.name === "()") return words.types.nothing
-  if (/^\(,+\)$/.test(head.name)) return words.types.thingsTogether(args.length, showType(type))
+  if (head.name === "()") return words.types.theEmptyValue
+  // The type of a pair has brackets of its own.
+  if (/^\(,+\)$/.test(head.name))
+    return `${words.types.together(args.length)}${open ? "" : ` ${showType(type)}`}`
   const nouns: {readonly [type: string]: string} = words.nouns
   const noun = nouns[head.name]
-  if (noun !== undefined && args.length === 0) return noun
-  return words.types.a(showType(type))
+  if (noun !== undefined) return args.length === 0 || plain.has(head.name) ? noun : `${noun}${text}`
+  return words.types.a(open && args.length > 0 ? head.name : showType(type))
 }
+
+/// Two types beside each other: a number, beside a whole one, is one with a decimal point.
+export function describeBoth(one: Type, other: Type): readonly [string, string] {
+  const [a, b] = [describe(one), describe(other)]
+  const against = (said: string, beside: string) =>
+    said === words.nouns.Double && beside === words.nouns.Int ? words.types.aNumberWithAPoint : said
+  return [against(a, b), against(b, a)]
+}
+
+/// What is said to lack an ability.
+export function describeFor({name, type}: Constraint): string {
+  const said = describe(type)
+  return name === "Integral" && said === words.nouns.Double ? words.types.aNumberWithAPoint : said
+}
+
+/// Types of which a learner need not know the parameters.
+const plain = new Set(["IO", "TaskOptions", "CallOptions"])
 
 export function ability(constraint: Constraint): string {
   const abilities: {readonly [name: string]: string} = words.abilities
@@ -40,8 +61,7 @@ export function problemWords(
 ): {kind: string; message: string; hint: string} {
   switch (problem.kind) {
     case "mismatch": {
-      const wanted = describe(problem.wanted)
-      const found = describe(problem.found)
+      const [wanted, found] = describeBoth(problem.wanted, problem.found)
       const same = wanted === found
       return {
         kind: "type-mismatch",
@@ -55,7 +75,7 @@ export function problemWords(
       if (problem.constraint.name === "Ends") return endWords(problem.constraint)
       return {
         kind: "type-mismatch",
-        message: words.types.cannot(capital(describe(problem.constraint.type)), ability(problem.constraint)),
+        message: words.types.cannot(capital(describeFor(problem.constraint)), ability(problem.constraint)),
         hint: words.types.useAnotherBlock,
       }
     case "unknown-name":
@@ -128,7 +148,7 @@ export function problemWords(
 }
 
 /// A `Done` that does not belong: outside a task, or with another result than its task's.
-function endWords(constraint: Constraint): {kind: string; message: string; hint: string} {
+export function endWords(constraint: Constraint): {kind: string; message: string; hint: string} {
   const [end] = spine(constraint.type).args
   const outside = end !== undefined && showType(end) === "NotInATask"
   return {

@@ -4,14 +4,10 @@ import type {Checker, Verdict} from "../api.ts"
 import {blockView} from "../blocks/language.ts"
 import type {BlockId, Place, SavedBlock, SavedWorkspace} from "../saved.ts"
 import type {Connects, Item} from "../shape.ts"
-import type {TypeProblem} from "../types/problems.ts"
-import type {Type} from "../types/type.ts"
-import {prune, showType} from "../types/type.ts"
-import {ability, capital, describe} from "../types/words.ts"
 import {words} from "../words/index.ts"
 import type {Solved} from "./infer.ts"
-import {whatIs} from "./infer.ts"
 import {find, plug, without} from "./plug.ts"
+import {refusing, why} from "./refusal.ts"
 import {Session} from "./session.ts"
 
 export function fits(workspace: SavedWorkspace, place: Place, block: SavedBlock | BlockId): Verdict {
@@ -75,17 +71,12 @@ export function checker(workspace: SavedWorkspace, session = new Session()): Che
         fits: false,
         // Only the refusal that is shown needs its words.
         get why() {
-          sentence ??= why(emptied(all, place), after, place, all.block)
+          sentence ??= why(all.rest, emptied(all, place), after, place, all.block)
           return sentence
         },
       }
     },
   }
-}
-
-/// What nothing decides yet may be decided later, so it is no reason to refuse a block.
-function refusing(problem: TypeProblem): boolean {
-  return problem.kind !== "ambiguous"
 }
 
 function count(solved: Solved): number {
@@ -101,18 +92,8 @@ function rightSort(place: Place, target: SavedBlock, block: SavedBlock): string 
   const wanted = "below" in place ? connectsOf(target)?.as : itemAt(target, place.input)?.sort
   if (is === undefined) return words.fits.rosyDoesNotKnowThisKind
   if (wanted === is) return undefined
-  switch (wanted) {
-    case "pattern":
-      return words.fits.hereGoesANameOrAPattern
-    case "expression":
-      return is === "pattern" ? words.fits.hereGoesAValueAndThisBlock : words.fits.hereGoesAValueAndThisBlock2
-    case "step":
-      return words.fits.hereGoesAStepOfATask
-    case "definition":
-      return words.fits.hereGoesADefinition
-    default:
-      return words.fits.nothingCanBeJoined
-  }
+  if (wanted === undefined || wanted === "top") return words.fits.nothingCanBeJoined
+  return words.fits.hereGoes(words.fits.places[wanted], words.fits.makes[is])
 }
 
 /// The socket or stack of a block that has a name.
@@ -121,65 +102,4 @@ export function itemAt(target: SavedBlock, input: string): (Item & {kind: "socke
     for (const item of row)
       if ((item.kind === "socket" || item.kind === "stack") && item.name === input) return item
   return undefined
-}
-
-function why(base: Solved, after: Solved, place: Place, block: SavedBlock): string {
-  const key = (p: TypeProblem) => `${p.kind} ${"from" in p.node ? p.node.from?.block : ""} ${whatIs(p.node)}`
-  const known = new Set(base.inferrer.problems.map(key))
-  const news = after.inferrer.problems.filter(refusing)
-  const first = news.find(p => !known.has(key(p))) ?? news[0]
-  const name = blockWord(block)
-  if (first === undefined) return words.fits.doesNotGo(name)
-  if (first.kind === "unknown-name") return words.fits.isKnownOnlyInsideTheFunction(first.name)
-  const wanted = typeAt(base, place)
-  const found = typeOf(base, block)
-  if (wanted !== undefined && found !== undefined && isKnown(wanted) && isKnown(found)) {
-    const [w, f] = [describe(wanted), describe(found)]
-    if (w !== f) return words.fits.thisSocketWants(w, name, f)
-    if (showType(wanted) !== showType(found))
-      return words.fits.thisSocketWants2(showType(wanted), name, showType(found))
-  }
-  switch (first.kind) {
-    case "mismatch":
-      return words.fits.thenThereWouldBeWhereMustBe(describe(first.found), describe(first.wanted))
-    case "no-instance":
-      return found !== undefined && isKnown(found) && prune(first.constraint.type) === prune(found)
-        ? words.fits.whatGoesHereMust(ability(first.constraint), name, describe(found))
-        : words.fits.cannot(capital(describe(first.constraint.type)), ability(first.constraint))
-    case "too-many-arguments":
-      return words.fits.thenSomethingWouldGetMoreInputsThan
-    case "wrong-field-count":
-      return words.fits.hasPartsNot(first.name, first.wanted, first.found)
-    case "too-general":
-      return words.fits.theTypeOfThisDefinitionPromisesMore
-    default:
-      return words.fits.doesNotGo(name)
-  }
-}
-
-function isKnown(type: Type): boolean {
-  return prune(type).kind !== "meta"
-}
-
-/// The type that an empty or filled place wants, from the workspace without the dragged block.
-function typeAt(solved: Solved, place: Place): Type | undefined {
-  if ("below" in place) return undefined
-  for (const [node, type] of solved.inferrer.types)
-    if (node.kind !== "program" && node.from?.block === place.block && node.from.input === place.input)
-      return type
-  return undefined
-}
-
-function typeOf(solved: Solved, block: SavedBlock): Type | undefined {
-  for (const [node, type] of solved.inferrer.types)
-    if (node.kind !== "program" && node.from?.block === (block.id ?? "") && node.from.input === undefined)
-      return type
-  return undefined
-}
-
-/// What to call the dragged block.
-function blockWord(block: SavedBlock): string {
-  const extra = block.extraState ?? {}
-  const word = extra.con ?? extra.name ?? extra.value ?? extra.op
-  return typeof word === "string" && word !== "" ? `\`${word}\`` : words.fits.thisBlock
 }
