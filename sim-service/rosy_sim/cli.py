@@ -235,7 +235,14 @@ def _say(text: str) -> None:
 def _sentence(file: Path, found: Problem) -> str:
     where = f"{file}:{found.start.line}:{found.start.column}: " if found.start is not None else f"{file}: "
     who = "warning: " if found.severity == "warning" else ""
-    return f"{where}{who}{found.message}" + (f" {found.hint}" if found.hint else "")
+    return " ".join(part for part in (f"{where}{who}{found.message}", found.hint, _moment(found)) if part)
+
+
+def _moment(found: Problem) -> str:
+    """When it happened in a run, and what the function was given then."""
+    if found.time is None:
+        return ""
+    return f"(at {found.time:g} s" + (f", given: {', '.join(found.inputs)})" if found.inputs else ")")
 
 
 def _arena(program: ProgramFile, options: argparse.Namespace) -> Arena:

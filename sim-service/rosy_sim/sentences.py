@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import msgspec
+
 from .wire.problem import Problem, problem
 from .wire.worker import Gone
 
@@ -25,7 +27,7 @@ def stuck(function: str | None, limit: float, time: float) -> Problem:
 def died(gone: Gone | None, time: float) -> Problem:
     """The program closed the link without a word."""
     if gone is not None and gone.problem is not None:
-        return gone.problem
+        return msgspec.structs.replace(gone.problem, time=time)
     function = gone.firing if gone is not None else None
     who = (
         f"The program stopped while `{function}` was at work" if function else "The program stopped without saying why"

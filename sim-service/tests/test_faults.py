@@ -5,6 +5,7 @@ them again. Faults of the language alone are in the library's suite, faults of t
 
 from __future__ import annotations
 
+import asyncio
 import math
 from collections.abc import Iterator
 from dataclasses import replace
@@ -19,8 +20,12 @@ from rosy_sim.world.events import Press
 from rosy_sim.world.facts import MAX_SPEED
 
 from .real_runs import LIMITS, program, ran, worker_started
+from .test_app import opened, serving
 
 pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]
+
+SMALL = replace(LIMITS, memory=4 * 1024 * 1024)
+"""Limits of a program that may not have much memory."""
 
 GO_ON = """
 goOn :: Position -> Velocity
@@ -228,3 +233,41 @@ def test_tasks_that_never_let_time_pass_are_stopped_and_blamed_on_the_definition
     [problem] = run.outcome.problems
     assert problem.function == function
     assert "`wait`" in problem.hint
+
+
+EAT = """
+eat :: Bumper -> Velocity
+eat _ = Velocity (fromIntegral (length xs + last xs)) 0
+  where
+    xs = [1 .. 6000000 :: Int]
+
+main = simulate (Velocity 0.7 0, eat)
+"""
+"""A program that dies of its memory at the first bump, without a word."""
+
+NO_MEMORY = ("memory", "eat", "eat needed too much memory.", "It may build something without end.")
+"""What is said of that."""
+
+
+def test_a_program_that_dies_of_its_memory_leaves_the_name_of_the_function_and_the_time() -> None:
+    with BlockingWorker(discover().with_limits(SMALL)) as worker:
+        worker.ready()
+        run = ran(worker, EAT, 20)
+    [problem] = run.outcome.problems
+    assert run.outcome.ended == "error"
+    assert (problem.kind, problem.function, problem.message, problem.hint) == NO_MEMORY
+    # The step that it died in is not in the trace.
+    assert problem.time == pytest.approx(len(run.lines) * 0.02)
+
+
+def test_a_page_is_told_which_function_a_program_died_of_and_when() -> None:
+    async def play() -> None:
+        async with serving(discover().with_limits(SMALL)) as (address, _), opened(address) as page:
+            await page.send("run", run=1, source=EAT, speed="max")
+            ended = await page.ended(1)
+            [problem] = ended["problems"]
+            assert ended["ended"] == "error"
+            assert tuple(problem[key] for key in ("kind", "function", "message", "hint")) == NO_MEMORY
+            assert problem["time"] > 0
+
+    asyncio.run(play())

@@ -11,7 +11,7 @@ import qualified Data.ByteString as ByteString
 import Data.List (sort)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import System.Posix.Signals (sigKILL, signalProcess)
+import System.Posix.Signals (sigABRT, sigKILL, signalProcess)
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
 import Test.Worker.Client
@@ -80,6 +80,20 @@ tests borrow =
           gone <- hear worker
           let told = [text "kind" (field "problem" l) | l <- said ++ [gone], field "problem" l /= Null]
           assertBool (show (said, gone)) ("memory" `elem` told),
+      testCase "a program that the kernel refuses more memory is blamed on the function at work" $ do
+        worker <- borrow
+        withRun worker "aborted" stuck (64 * megabytes) $ \link -> do
+          _ <- hear worker
+          say link start
+          _ <- linesUntil "ready" link
+          say link odometry
+          say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
+          eventually "the child computes" (or <$> (childrenOf (processId worker) >>= mapM hasWorked))
+          -- What the run-time system does when it is given no more.
+          childrenOf (processId worker) >>= mapM_ (signalProcess sigABRT . fromIntegral)
+          gone <- hear worker
+          let told = field "problem" gone
+          (text "firing" gone, text "kind" told, text "function" told, text "message" told) @?= ("forEver", "memory", "forEver", "forEver needed too much memory."),
       testCase "a program that has computed for too long ends with a sentence" $
         withWorker ["--run-seconds", "1"] $ \worker ->
           withRun worker "busy" stuck (64 * megabytes) $ \link -> do

@@ -20,6 +20,7 @@ import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import Data.Sequence (Seq (..), (|>))
 import qualified Data.Sequence as Seq
 import Data.Text (Text)
@@ -301,7 +302,7 @@ bury pid how s = case Map.lookup pid (jobs s) of
     freePage (page job)
     pure $
       if started job
-        then reply (gone (if Text.null firing || isExit how then Nothing else Just firing) (endedBy how)) rest
+        then let atWork = if Text.null firing || isExit how then Nothing else Just firing in reply (gone atWork (endedBy atWork how)) rest
         else
           if answered job
             then rest
@@ -310,8 +311,8 @@ bury pid how s = case Map.lookup pid (jobs s) of
                 then reply (gone Nothing Nothing) rest
                 else reply (Refused i (Lazy.toStrict (encode (object ["problems" .= [compileProblem (late job) (lastWords job) how]])))) rest
   where
-    endedBy ended
-      | outOfMemory ended = Just memoryProblem
+    endedBy atWork ended
+      | outOfMemory ended = Just (memoryProblem atWork)
       | ended == Signalled tookTooLong = Just timeProblem
       | otherwise = Nothing
     isExit (Exited n) = n /= ranOutOfMemory
@@ -327,9 +328,13 @@ outOfMemory how = how `elem` [Exited ranOutOfMemory, Signalled sigABRT']
 tookTooLong :: Int
 tookTooLong = 24
 
-memoryProblem, timeProblem :: Problem
+timeProblem :: Problem
 timeProblem = problemNowhere "time" "The program has computed for too long." "Press Run to start it again."
-memoryProblem = problemNowhere "memory" "The program used up its memory." "Look for a list or a value that grows for ever."
+
+-- | The words of "Rosy.Problem", for a program that has no memory left to say them itself. Takes the function at work.
+memoryProblem :: Maybe Text -> Problem
+memoryProblem atWork =
+  (problemNowhere "memory" (fromMaybe "The program" atWork <> " needed too much memory.") "It may build something without end.") {function = atWork}
 
 -- | Why a compilation ended without an answer.
 compileProblem :: Bool -> Text -> Ended -> Problem
