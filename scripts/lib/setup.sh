@@ -120,7 +120,7 @@ need_apt() { # need_apt STAMP PACKAGES
 
 need_python() {
   command -v python3 >/dev/null || give_up "Python 3.11 or newer is needed. On Debian: apt-get install python3 python3-venv"
-  python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' || give_up "Python 3.11 or newer is needed; this is $(python3 --version)."
+  python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || give_up "Python 3.11 or newer is needed; this is $(python3 --version)."
   python3 -c 'import ensurepip' 2>/dev/null || need_apt python-venv python3-venv
   step venv "$(sha1sum <"$ROSY_ROOT/sim-service/requirements.lock")" "Installing the Python packages of the simulator." make_venv
 }

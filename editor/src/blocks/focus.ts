@@ -42,9 +42,9 @@ export function keepFocus(workspace: Blockly.WorkspaceSvg): () => void {
 /// Pixels: a pointer that moves less has clicked.
 const still = 5
 
-/// Chooses the empty socket that is clicked, and not only its block: what is looked for then is for this place. Answers how
-/// to stop.
-export function chooseByClick(workspace: Blockly.WorkspaceSvg): () => void {
+/// Chooses the empty socket that is clicked, and not only its block, and has what fits there offered to a mouse: to a finger the
+/// search would bring up a keyboard over half of the page. Answers how to stop.
+export function chooseByClick(workspace: Blockly.WorkspaceSvg, offer: () => void): () => void {
   const host = workspace.getInjectionDiv()
   const stop = new AbortController()
   let down: PointerEvent | undefined
@@ -64,9 +64,48 @@ export function chooseByClick(workspace: Blockly.WorkspaceSvg): () => void {
       )
         return
       const socket = event.target instanceof Element ? socketUnder(workspace, event.target) : undefined
-      if (socket?.canBeFocused()) Blockly.getFocusManager().focusNode(socket)
+      if (!socket?.canBeFocused()) return
+      Blockly.getFocusManager().focusNode(socket)
+      if (down.pointerType === "mouse") offer()
     },
     {signal: stop.signal},
+  )
+  return () => stop.abort()
+}
+
+/// A block of the toolbox that is clicked, and not dragged, goes where Enter would put it: into the place that is chosen, or
+/// below the others. Blockly would lay it over whatever is behind the toolbox. Answers how to stop.
+export function takeByClick(
+  workspace: Blockly.WorkspaceSvg,
+  put: (block: Blockly.serialization.blocks.State) => void,
+): () => void {
+  const host = workspace.getInjectionDiv()
+  const stop = new AbortController()
+  let down: PointerEvent | undefined
+  host.addEventListener(
+    "pointerdown",
+    event => {
+      down = event
+    },
+    {capture: true, signal: stop.signal},
+  )
+  host.addEventListener(
+    "pointerup",
+    event => {
+      const shelf = workspace.getFlyout()?.getWorkspace()
+      if (down === undefined || down.button !== 0 || shelf === undefined) return
+      if (Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) > still) return
+      const picture =
+        event.target instanceof Element && event.target.closest(".blocklyFlyout .blocklyDraggable")
+      const id = picture instanceof Element ? picture.getAttribute("data-id") : null
+      const block = id === null ? null : shelf.getBlockById(id)
+      if (block === null || !block.isEnabled()) return
+      const saved = Blockly.serialization.blocks.save(block.getRootBlock(), {saveIds: false})
+      shelf.cancelCurrentGesture()
+      workspace.cancelCurrentGesture()
+      if (saved !== null) put(saved)
+    },
+    {capture: true, signal: stop.signal},
   )
   return () => stop.abort()
 }

@@ -23,7 +23,7 @@ import {type SharedClipboard, shareCopies} from "./copied.ts"
 import {type DragHost, giveUpMovement, makeDraggable} from "./drag.ts"
 import type {Tone} from "./families.ts"
 import {putDown} from "./fill.ts"
-import {chooseByClick, keepFocus} from "./focus.ts"
+import {chooseByClick, keepFocus, takeByClick} from "./focus.ts"
 import {nameAfresh} from "./fresh.ts"
 import {showInference} from "./infer.ts"
 import type {Language} from "./language.ts"
@@ -178,7 +178,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   const marks = new Marks(workspace)
   const away = hideFarBlocks(workspace, host)
   const freeFocus = keepFocus(workspace)
-  const stopChoosing = chooseByClick(workspace)
+  const stopChoosing = chooseByClick(workspace, () => focusSearch(workspace))
   const changeListeners = new Set<(change: BlocksChange) => void>()
   const selectListeners = new Set<(block: BlockId | undefined) => void>()
   const session = language.session()
@@ -274,6 +274,8 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     const place = chosenPlace(workspace)
     return scopeItems(place === undefined ? undefined : session.namesInScope(saveBlocks(workspace), place))
   })
+  const put = (block: SavedBlock) =>
+    putDown(workspace, block, chosenPlaces(workspace), () => session.checker(saveBlocks(workspace)))
   setNearby(workspace, {
     level: () => level,
     setLevel: wanted => setLevel(wanted),
@@ -304,9 +306,9 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       const place = chosenPlace(workspace)
       return place && suggest(session, saveBlocks(workspace), place, language.toolbox(level))
     },
-    put: block =>
-      putDown(workspace, block, chosenPlaces(workspace), () => session.checker(saveBlocks(workspace))),
+    put,
   })
+  const stopTaking = takeByClick(workspace, block => put(block as SavedBlock))
 
   const history: History = options.history ?? {
     undo: () => workspace.undo(false),
@@ -448,6 +450,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       away.dispose()
       freeFocus()
       stopChoosing()
+      stopTaking()
       refusal.dispose()
       zoom.remove()
       if (open === actions) open = undefined

@@ -107,6 +107,7 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
   let found: readonly Finding[] = []
   /// What the marks say that are shown, in the order of `found`.
   let marked = ""
+  let markedLines = 0
   const view = new EditorView({
     parent: host,
     state: EditorState.create({
@@ -208,8 +209,11 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
         ]
       })
       const said = diagnostics.map(saidBy).join("\n\n")
-      if (said === marked && standThere(view.state, diagnostics)) return
+      const {lines} = view.state.doc
+      // Underlines move with the text; the dots beside it stay behind when lines come or go.
+      if (said === marked && lines === markedLines && standThere(view.state, diagnostics)) return
       marked = said
+      markedLines = lines
       view.dispatch(setDiagnostics(view.state, diagnostics))
     },
     cursor: () => view.state.selection.main.head,

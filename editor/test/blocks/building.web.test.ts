@@ -74,6 +74,24 @@ describe("by mouse", () => {
     await settled(page)
     expect((await keys.haskell()).trim()).toBe(example("move"))
   })
+
+  test("move by clicks alone: a ready function lies below the others, its name comes where it was asked for", async () => {
+    const keys = await start()
+    const {page} = keys
+    await page.locator(".blocklyToolboxCategory", {hasText: "Tell the robot"}).click()
+    const offered = (words: string) =>
+      page.locator(".blocklyFlyout .blocklyDraggable", {hasText: words}).first()
+    const box = (await offered("move").boundingBox())!
+    await page.mouse.click(box.x + 12, box.y + box.height - 6)
+    await settled(page)
+    const gap = await socket(page, "main", "R0")
+    await page.mouse.click(gap.x + 8, gap.y + 6)
+    await settled(page)
+    await page.getByText("Fits here").waitFor()
+    await offered("move").click({position: {x: 8, y: 8}})
+    await settled(page)
+    expect((await keys.haskell()).trim()).toBe(example("move"))
+  })
 })
 
 test("every example comes out of the blocks as it went in, with nothing left out, raw or wrong", async () => {

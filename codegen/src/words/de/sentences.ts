@@ -123,7 +123,7 @@ export const sentences: Pick<
     itMayComeFromANewerVersion: "Vielleicht kommt er aus einer neueren Version.",
     putItIntoASocketOrThrow: "Setze ihn in einen Platz, oder wirf ihn weg.",
     somethingIsMissing: "Hier fehlt etwas.",
-    fillTheEmptySocket: socket => `Fülle den leeren Platz: ${socket}.`,
+    fillTheEmptySocket: socket => `Klick auf den leeren Platz, um zu sehen, was passt: ${socket}.`,
     thisBlockDoesNotBelong: "Dieser Block gehört nicht hierher.",
     takeItOutAndPutAnother: "Nimm ihn heraus und setze einen anderen ein.",
     aBlock: "ein Block",

@@ -119,7 +119,7 @@ export const sentences = {
     itMayComeFromANewerVersion: "It may come from a newer version.",
     putItIntoASocketOrThrow: "Put it into a socket, or throw it away.",
     somethingIsMissing: "Something is missing here.",
-    fillTheEmptySocket: (socket: string) => `Fill the empty socket: ${socket}.`,
+    fillTheEmptySocket: (socket: string) => `Click the empty place to see what fits: ${socket}.`,
     thisBlockDoesNotBelong: "This block does not belong here.",
     takeItOutAndPutAnother: "Take it out, and put another in its place.",
     aBlock: "a block",
