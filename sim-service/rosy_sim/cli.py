@@ -16,6 +16,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO, NoReturn
+from unicodedata import category
 
 import msgspec
 
@@ -229,13 +230,13 @@ def _report(file: Path, world: World | None, outcome: Outcome) -> int:
 
 
 def _say(text: str) -> None:
-    print(text, flush=True)
+    print(_harmless(text), flush=True)
 
 
 def _sentence(file: Path, found: Problem) -> str:
     where = f"{file}:{found.start.line}:{found.start.column}: " if found.start is not None else f"{file}: "
     who = "warning: " if found.severity == "warning" else ""
-    return " ".join(part for part in (f"{where}{who}{found.message}", found.hint, _moment(found)) if part)
+    return _harmless(" ".join(part for part in (f"{where}{who}{found.message}", found.hint, _moment(found)) if part))
 
 
 def _moment(found: Problem) -> str:
@@ -243,6 +244,11 @@ def _moment(found: Problem) -> str:
     if found.time is None:
         return ""
     return f"(at {found.time:g} s" + (f", given: {', '.join(found.inputs)})" if found.inputs else ")")
+
+
+def _harmless(text: str) -> str:
+    """A program's words for a terminal, which would obey control characters: a sign in the place of each."""
+    return "".join("\N{REPLACEMENT CHARACTER}" if category(c) in ("Cc", "Cs") and c not in "\t\n" else c for c in text)
 
 
 def _arena(program: ProgramFile, options: argparse.Namespace) -> Arena:

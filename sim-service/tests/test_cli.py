@@ -80,6 +80,13 @@ def test_a_run_ends_with_its_json(environment: dict[str, str], tmp_path: Path) -
     assert (last(done)["time"], last(done)["ended"], last(done)["steps"]) == (2.0, "time", 100)
 
 
+def test_a_program_cannot_give_orders_to_the_terminal(environment: dict[str, str], tmp_path: Path) -> None:
+    program = tmp_path / "p.hs"
+    program.write_text("say:\033[2Jhi\u009b31m@3 done@4")
+    done = rosy(environment, "run", program)
+    assert done.stdout.splitlines()[0] == "\ufffd[2Jhi\ufffd31m"
+
+
 @pytest.mark.parametrize(
     ("script", "ended", "status"),
     [("done@9", "done", 0), ("error@4", "error", 2), ("hang@4", "stuck", 2), ("refuse", "error", 1)],

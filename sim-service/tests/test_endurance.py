@@ -29,6 +29,7 @@ from rosy_sim.config import Config, Limits, discover
 from rosy_sim.errors import WorkerLost
 from rosy_sim.wire.worker import Started
 from rosy_sim.worker.client import Worker
+from rosy_sim.worker.pulse import inside
 
 from .mutants import texts
 from .ports import kept_port
@@ -43,6 +44,12 @@ SEED = int(os.environ.get("ROSY_SEED", "1"))
 
 AT_ONCE = 8
 """Requests under way at the same time."""
+
+ROOM_TO_REMEMBER = 24
+"""What the worker's memory may grow by until it remembers as much as it may (4 MB of answers), MB."""
+
+GROWN_WHEN_FULL = 8
+"""And after that, MB: ten thousand texts of which it kept even 1 kB each would take more."""
 
 PATIENT = Limits(settle=20.0, ready=60.0, gone=60.0, compile=120.0, worker_ready=120.0)
 
@@ -107,25 +114,24 @@ async def first_step(link: socket.socket) -> None:
                 said = said[-20:] + more
 
 
-def counts() -> dict[str, int]:
-    """What must not grow."""
-    ours = below(os.getpid())
-    [*workers] = named(ours, "/rosy-worker")
-    own = [pid for pid in workers if len(below(pid)) == max(len(below(w)) for w in workers)]
+def counts(worker: Worker) -> dict[str, int]:
+    """What must not grow. The worker's memory is its own: its children come and go."""
+    assert worker.pid is not None
+    own = inside(worker.pid)
     return {
-        "processes": len(ours),
-        "descriptors of the worker": max((descriptors(pid) for pid in own), default=0),
-        "memory of the worker, MB": max((resident(pid) for pid in workers), default=0) // 1024,
+        "processes": len(below(os.getpid())),
+        "descriptors of the worker": descriptors(own),
+        "memory of the worker, MB": resident(own) // 1024,
         "descriptors here": descriptors(os.getpid()),
     }
 
 
-async def settled() -> dict[str, int]:
+async def settled(worker: Worker) -> dict[str, int]:
     """The counts once nothing changes any more."""
-    before = counts()
+    before = counts(worker)
     for _ in range(200):
         await asyncio.sleep(0.02)
-        now = counts()
+        now = counts(worker)
         if now == before:
             return now
         before = now
@@ -134,38 +140,45 @@ async def settled() -> dict[str, int]:
 
 def test_no_text_crashes_or_hangs_the_worker_or_leaves_anything_behind() -> None:
     async def tell() -> None:
-        # Without a spare worker, which would come at some moment in between.
         config = discover().with_limits(PATIENT)
         async with warm(config) as worker:
             first = worker.pid
             work = texts(TEXTS, SEED)
-            ran = 0
+            ran = done = 0
+            # Of the worker at every tenth of the way, MB.
+            memory: list[int] = []
 
             async def some() -> None:
-                nonlocal ran
+                nonlocal ran, done
                 for name, source in work:
                     # Added after the wait: the others have counted meanwhile.
                     did = await checked_and_run(worker, name, source)
                     ran += did
+                    done += 1
+                    if done * 10 % (2 * TEXTS) == 0:
+                        memory.append(counts(worker)["memory of the worker, MB"])
 
             # Several at once, so that all the children are there that answer questions.
             first_ones = list(texts(20, SEED + 1))
             await asyncio.gather(*(checked_and_run(worker, name, source) for name, source in first_ones))
-            await asyncio.sleep(3.5)
-            before = await settled()
+            # The one in waiting would come at some moment in between.
+            await worker.spare_warm()
+            before = await settled(worker)
             began = time.monotonic()
             await asyncio.gather(*(some() for _ in range(AT_ONCE)))
-            after = await settled()
+            after = await settled(worker)
             assert worker.pid == first, "the worker died"
         print(f"\n{2 * TEXTS} texts checked and run in {time.monotonic() - began:.0f} s; {ran} of them were programs")
-        print(f"before: {before}\nafter:  {after}")
+        print(f"before: {before}\nafter:  {after}\nmemory at each tenth of the way, MB: {memory}")
         # A third of the mutants are meant to be programs still; a fifth is the least that tries the running of them.
         assert ran >= TEXTS // 5
         assert after["processes"] <= before["processes"]
         assert after["descriptors of the worker"] <= before["descriptors of the worker"]
         assert after["descriptors here"] <= before["descriptors here"]
-        # Its cache of answers is full then, and its heap has found its size.
-        assert after["memory of the worker, MB"] <= before["memory of the worker, MB"] + 100
+        # What it remembers is bounded; once that is full, it grows no more.
+        assert memory[-1] <= before["memory of the worker, MB"] + ROOM_TO_REMEMBER
+        if TEXTS >= 5000:
+            assert memory[-1] <= memory[4] + GROWN_WHEN_FULL
 
     asyncio.run(tell())
 

@@ -92,14 +92,45 @@ def test_a_spare_takes_over(config: Config, monkeypatch: pytest.MonkeyPatch) -> 
 
     async def play(worker: Worker, _: list[State]) -> None:
         await worker.check("")
-        while worker._spare is None:
-            await asyncio.sleep(0.01)
-        spare = worker._spare.pid
+        await worker.spare_warm()
+        spare = worker.spare_pid
         assert worker.pid is not None
         os.killpg(worker.pid, signal.SIGKILL)
         while worker.pid != spare:
             await asyncio.sleep(0.01)
         await worker.check("")
+
+    keeping(play, config)
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGSTOP])
+def test_a_spare_that_is_lost_while_it_waits_is_replaced_at_once(
+    how: signal.Signals, config: Config, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("rosy_sim.worker.client._SPARE_DELAY", 0.0)
+    monkeypatch.setattr("rosy_sim.worker.spare._LOOK", 0.05)
+
+    async def play(worker: Worker, states: list[State]) -> None:
+        await worker.check("")
+        await worker.spare_warm()
+        first = worker.spare_pid
+        assert first is not None
+        os.kill(first, how)
+        while worker.spare_pid in (None, first):
+            await asyncio.sleep(0.01)
+        await worker.spare_warm()
+        assert states == ["ready"]
+
+    keeping(play, config)
+
+
+def test_a_worker_that_is_stopped_before_it_is_warm_is_replaced(config: Config) -> None:
+    async def play(worker: Worker, _: list[State]) -> None:
+        while (first := worker.pid) is None:
+            await asyncio.sleep(0)
+        os.kill(first, signal.SIGSTOP)
+        await worker.check("")
+        assert worker.pid != first
 
     keeping(play, config)
 
@@ -132,14 +163,16 @@ def test_a_worker_that_has_little_to_do_is_left_alone(config: Config) -> None:
     async def play(worker: Worker, states: list[State]) -> None:
         await worker.check("")
         first, looks = worker.pid, 0
-        beat = worker._pulse.beat
+        assert worker._connection is not None
+        pulse = worker._connection.pulse
+        beat = pulse.beat
 
         def counted() -> bool:
             nonlocal looks
             looks += 1
             return beat()
 
-        worker._pulse.beat = counted  # type: ignore[method-assign]
+        pulse.beat = counted  # type: ignore[method-assign]
         while looks < 10:
             await asyncio.sleep(0.01)
         assert (worker.pid, states) == (first, ["ready"])

@@ -12,16 +12,12 @@ import asyncio
 import logging
 import os
 import socket
-from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal, TypeVar
 
-import msgspec
-
 from ..config import Config
 from ..errors import WorkerLost, WorkerMissing, WorkerRefused
-from ..wire.lines import LineTooLong
 from ..wire.worker import (
     Answer,
     Checked,
@@ -31,15 +27,14 @@ from ..wire.worker import (
     Refused,
     Started,
     WorkerReady,
-    WorkerStream,
     check_request,
     complete_request,
     kill_request,
-    ping_request,
     run_request,
 )
-from .launch import WorkerProcess, launch
-from .pulse import BEAT, Pulse
+from .connection import Connection
+from .launch import launch
+from .spare import LAST_PAUSE, Spare
 
 __all__ = ["RunningProgram", "State", "Worker"]
 
@@ -49,11 +44,12 @@ _log = logging.getLogger(__name__)
 
 State = Literal["starting", "ready", "restarting"]
 
-_FIRST_PAUSE, _LAST_PAUSE = 0.02, 1.0
+_FIRST_PAUSE = 0.02
 """Between a death and the next start, s; doubles while it keeps dying before it is ready."""
 
-_SPARE_DELAY = 1.0
-"""After a worker is ready until the next one is warmed up beside it, s: the first run comes first."""
+_SPARE_DELAY = 0.25
+"""After a worker is ready until the next one is warmed up beside it, s: the first run comes first. One that is wedged
+right then has been found out when the next one is warm, and all of it takes less than a second."""
 
 
 @dataclass(slots=True)
@@ -77,119 +73,79 @@ class Worker:
         self.state: State = "starting"
         # The process id of the current worker, for tests and tables.
         self.pid: int | None = None
-        # Warm and waiting; takes over at once when the worker dies.
-        self._spare: WorkerProcess | None = None
-        self._prepared = asyncio.Event()
-        # Set when run() is over: no spare may be started any more.
-        self._over = False
+        # Takes over at once when the worker dies.
+        self._spare = Spare(self._connect)
         self._ids = 0
-        self._socket: socket.socket | None = None
-        self._outgoing: deque[tuple[bytes, tuple[int, ...]]] = deque()
+        self._connection: Connection | None = None
         self._questions: dict[int, asyncio.Future[Checked | Completed]] = {}
         self._runs: dict[int, RunningProgram] = {}
-        self._stream = WorkerStream()
         self._ready = asyncio.Event()
-        self._closed = asyncio.Event()
-        self._pulse = Pulse(0)
 
     # Keeping one alive
 
     async def run(self) -> None:
         """Start a worker, and another whenever it dies, for ever."""
-        pause = _FIRST_PAUSE
         try:
-            await self._keep(pause)
+            await self._keep()
         finally:
-            self._over = True
-            if self._spare is not None:
-                self._spare.kill()
-                self._spare.socket.close()
-                await _reap(self._spare.pid)
+            await self._spare.close()
 
-    async def _keep(self, pause: float) -> None:
+    async def _keep(self) -> None:
+        pause = _FIRST_PAUSE
         while True:
-            process = self._take_spare() or self._try_launch()
-            if process is None:
+            connection = self._spare.take() or self._connect()
+            if connection is None:
                 # Rebuilt at this moment, perhaps, or the machine is out of processes: it may come back.
                 self._say("restarting")
-                pause = min(_LAST_PAUSE, pause * 2)
+                pause = min(LAST_PAUSE, pause * 2)
                 await asyncio.sleep(pause)
                 continue
             try:
-                await self._serve(process)
-                pause = _FIRST_PAUSE if self.state == "ready" else min(_LAST_PAUSE, pause * 2)
+                await self._serve(connection)
+                pause = _FIRST_PAUSE if connection.ready.is_set() else min(LAST_PAUSE, pause * 2)
             finally:
                 self._lose()
-                process.kill()
-                process.socket.close()
-                await _reap(process.pid)
+                await connection.end()
             self._say("restarting")
             await asyncio.sleep(pause)
 
-    async def _serve(self, process: WorkerProcess) -> None:
-        """Until the worker closes its socket or does not become ready in time."""
-        loop = asyncio.get_running_loop()
-        process.socket.setblocking(False)
-        self._socket, self.pid = process.socket, process.pid
-        self._stream = WorkerStream()
-        self._ready.clear()
-        self._closed.clear()
-        self._pulse = Pulse(process.pid)
-        loop.add_reader(process.socket, self._read)
+    async def _serve(self, connection: Connection) -> None:
+        """Until the worker is lost."""
+        self._connection, self.pid = connection, connection.pid
+        connection.listener = self._take
+        if connection.ready.is_set():
+            self._begin()
+        preparing = asyncio.get_running_loop().create_task(self._prepare(connection))
         try:
-            async with asyncio.timeout(self._config.limits.worker_ready) as limit:
-                closed = asyncio.ensure_future(self._closed.wait())
-                ready = asyncio.ensure_future(self._ready.wait())
-                try:
-                    await asyncio.wait((closed, ready), return_when=asyncio.FIRST_COMPLETED)
-                    limit.reschedule(None)
-                    await self._wedged(closed)
-                finally:
-                    closed.cancel()
-                    ready.cancel()
-        except TimeoutError:
-            return
+            await connection.lives()
         finally:
-            loop.remove_reader(process.socket)
-            loop.remove_writer(process.socket)
+            preparing.cancel()
 
-    async def _wedged(self, closed: asyncio.Future[Any]) -> None:
-        """Until the worker has closed its socket or gives no sign of life any more."""
-        while not closed.done():
-            self._send(ping_request(self._next()), ())
-            await asyncio.wait((closed,), timeout=BEAT)
-            if not closed.done() and self._pulse.beat():
-                _log.warning("the worker does not answer any more; another takes its place")
-                return
-
-    def _prepare(self) -> None:
+    async def _prepare(self, connection: Connection) -> None:
         """Warm up the worker that takes over when this one dies."""
-        if self._spare is None and self.state == "ready" and self._socket is not None and not self._over:
-            self._spare = self._try_launch()
-            if self._spare is not None:
-                self._prepared.set()
+        await connection.ready.wait()
+        await asyncio.sleep(_SPARE_DELAY)
+        self._spare.prepare()
 
     async def spare_warm(self) -> None:
         """Until another one is ready to take over, for tests and tables."""
-        await self._prepared.wait()
-        assert self._spare is not None
-        warm = asyncio.Event()
-        loop = asyncio.get_running_loop()
-        loop.add_reader(self._spare.socket, warm.set)
-        await warm.wait()
-        loop.remove_reader(self._spare.socket)
+        await self._spare.warm()
 
-    def _take_spare(self) -> WorkerProcess | None:
-        spare, self._spare = self._spare, None
-        self._prepared.clear()
-        return spare
+    @property
+    def spare_pid(self) -> int | None:
+        """The process id of the worker in waiting, for tests and tables."""
+        return self._spare.pid
 
-    def _try_launch(self) -> WorkerProcess | None:
+    def _connect(self) -> Connection | None:
         try:
-            return launch(self._config)
+            return Connection(launch(self._config), self._config.limits.worker_ready)
         except (WorkerMissing, OSError) as error:
             _log.warning("the worker cannot be started: %s", error)
             return None
+
+    def _begin(self) -> None:
+        self._ready.set()
+        self._say("ready")
 
     def _say(self, state: State) -> None:
         if state != self.state:
@@ -198,11 +154,10 @@ class Worker:
 
     def _lose(self) -> None:
         """Everything under way has lost its worker."""
-        self._socket = self.pid = None
+        if self._connection is not None:
+            self._connection.listener = None
+        self._connection = self.pid = None
         self._ready.clear()
-        for _, descriptors in self._outgoing:
-            _close(descriptors)
-        self._outgoing.clear()
         questions, self._questions = self._questions, {}
         runs, self._runs = self._runs, {}
         for question in questions.values():
@@ -240,13 +195,13 @@ class Worker:
         ident = self._next()
         answer: asyncio.Future[Checked | Completed] = asyncio.get_running_loop().create_future()
         self._questions[ident] = answer
-        self._send(request(ident), ())
+        self._send(request(ident))
         try:
             async with asyncio.timeout(self._config.limits.compile):
                 return await answer
         except (TimeoutError, asyncio.CancelledError):
             self._questions.pop(ident, None)
-            self._send(kill_request(ident), ())
+            self._send(kill_request(ident))
             raise
 
     async def start(self, source: str, link: socket.socket) -> RunningProgram:
@@ -268,69 +223,25 @@ class Worker:
     def kill(self, program: RunningProgram) -> None:
         """End a run at once; nothing happens when it has ended."""
         if program.id in self._runs:
-            self._send(kill_request(program.id), ())
+            self._send(kill_request(program.id))
 
     def _next(self) -> int:
         self._ids += 1
         return self._ids
 
-    # Bytes
-
-    def _send(self, data: bytes, descriptors: tuple[int, ...]) -> None:
-        if self._socket is None:
-            _close(descriptors)
+    def _send(self, data: bytes, descriptors: tuple[int, ...] = ()) -> None:
+        if self._connection is not None:
+            self._connection.send(data, descriptors)
             return
-        self._outgoing.append((data, descriptors))
-        self._write()
+        for descriptor in descriptors:
+            os.close(descriptor)
 
-    def _write(self) -> None:
-        sock = self._socket
-        if sock is None:
-            return
-        loop = asyncio.get_running_loop()
-        while self._outgoing:
-            data, descriptors = self._outgoing[0]
-            try:
-                sent = socket.send_fds(sock, [data], descriptors)
-            except (BlockingIOError, InterruptedError):
-                loop.add_writer(sock, self._write)
-                return
-            except OSError:
-                self._closed.set()
-                return
-            _close(descriptors)
-            if sent < len(data):
-                self._outgoing[0] = (data[sent:], ())
-            else:
-                self._outgoing.popleft()
-        loop.remove_writer(sock)
-
-    def _read(self) -> None:
-        sock = self._socket
-        assert sock is not None
-        try:
-            data = sock.recv(65536)
-            if not data:
-                self._stop_reading(sock)
-                return
-            self._pulse.heard()
-            for answer in self._stream.feed(data):
-                self._take(answer)
-        except (BlockingIOError, InterruptedError):
-            return
-        except (OSError, LineTooLong, msgspec.DecodeError):
-            self._stop_reading(sock)
-
-    def _stop_reading(self, sock: socket.socket) -> None:
-        asyncio.get_running_loop().remove_reader(sock)
-        self._closed.set()
+    # Answers
 
     def _take(self, answer: Answer) -> None:
         match answer:
             case WorkerReady():
-                self._ready.set()
-                self._say("ready")
-                asyncio.get_running_loop().call_later(_SPARE_DELAY, self._prepare)
+                self._begin()
             case Checked() | Completed():
                 _answer(self._questions.pop(answer.id, None), answer)
             case Started():
@@ -372,33 +283,3 @@ def _answer(future: asyncio.Future[_T] | None, value: _T) -> None:
 def _fail(future: asyncio.Future[Any]) -> None:
     if not future.done():
         future.set_exception(WorkerLost())
-
-
-def _close(descriptors: tuple[int, ...]) -> None:
-    for descriptor in descriptors:
-        os.close(descriptor)
-
-
-def _wake(waiting: asyncio.Future[None]) -> None:
-    if not waiting.done():
-        waiting.set_result(None)
-
-
-async def _reap(pid: int) -> None:
-    """Wait for a killed child without stopping the loop."""
-    loop = asyncio.get_running_loop()
-    try:
-        watch = os.pidfd_open(pid)
-    except ProcessLookupError:
-        return
-    try:
-        dead: asyncio.Future[None] = loop.create_future()
-        loop.add_reader(watch, _wake, dead)
-        try:
-            await asyncio.shield(dead)
-        finally:
-            loop.remove_reader(watch)
-            # It has been killed, so this returns at once even when the wait was cancelled.
-            os.waitpid(pid, 0)  # noqa: ASYNC222
-    finally:
-        os.close(watch)

@@ -28,12 +28,13 @@ memory, is half of that."""
 
 
 class Pulse:
-    """Of one worker process. ``heard`` at every sign of life, ``beat`` at every look."""
+    """Of one worker process. ``heard`` at every sign of life, ``beat`` at every look, ``stopped`` before it is warm."""
 
     def __init__(self, pid: int) -> None:
         self._pid = pid
         self._silent = 0
         self._computed = 0.0
+        self._stopped = 0
 
     def heard(self) -> None:
         """It has said something."""
@@ -48,6 +49,11 @@ class Pulse:
         if state == "R":
             return (self._silent > _SILENT and computed - self._computed >= _COMPUTED) or self._silent > _SILENT_WAITING
         return self._silent > (_SILENT_WAITING if state == "D" else _SILENT)
+
+    def stopped(self) -> bool:
+        """Look at one that is not warm yet and so cannot answer; whether somebody has stopped it."""
+        self._stopped = self._stopped + 1 if _looks(inside(self._pid))[0] in "Tt" else 0
+        return self._stopped >= _SILENT
 
 
 def inside(pid: int) -> int:

@@ -12,6 +12,7 @@ module Rosy.Worker.Server
   )
 where
 
+import Control.Exception (evaluate)
 import Control.Monad (foldM, forM_)
 import Data.Aeson (Value (Null), encode, object, pairs, (.=))
 import Data.Aeson.Encoding (encodingToLazyByteString)
@@ -31,7 +32,9 @@ import GHC.Clock (getMonotonicTime)
 import Rosy.Worker.Checkers
 import Rosy.Worker.Child
 import Rosy.Worker.Ghc (Session, compilerVersion)
+import Rosy.Worker.Page (wordOf)
 import Rosy.Worker.Problem (Completion (..), Problem (..), emptyReport, problemNowhere)
+import Rosy.Worker.Remember
 import Rosy.Worker.Sys
 import Rosy.Worker.Wire
 import System.Mem (performMajorGC)
@@ -77,8 +80,8 @@ data State = State
     checkers :: Checkers,
     -- | Questions that nobody works on yet.
     waiting :: Seq (Id, Question),
-    cache :: Map.Map Question ByteString,
-    cacheOrder :: Seq Question,
+    -- | By 'questionBytes'.
+    cache :: Remembered ByteString ByteString,
     peerGone :: Bool
   }
 
@@ -87,7 +90,7 @@ serve :: Config -> Session -> IO ()
 serve config session = do
   ended <- watchChildren
   performMajorGC
-  let begun = State noLines Seq.empty (Seq.singleton (answerLine (ReadyNow compilerVersion))) Map.empty noCheckers Seq.empty Map.empty Seq.empty False
+  let begun = State noLines Seq.empty (Seq.singleton (answerLine (ReadyNow compilerVersion))) Map.empty noCheckers Seq.empty nothingYet False
   loop config session ended begun
 
 loop :: Config -> Session -> Fd -> State -> IO ()
@@ -147,8 +150,11 @@ handle config session s (Line bytes)
       -- A run that cannot be read still brought its descriptor.
       s' <- if "\"run\"" `ByteString.isInfixOf` bytes then dropPassenger s else pure s
       pure (reply (Failed i sentence) s')
-    Right (Ask i question) -> case Map.lookup question (cache s) of
-      Just fields -> pure (reply (Known question i fields) s)
+    Right (Ask i question) -> case recall (questionBytes question) (cache s) of
+      Just (fields, after) -> do
+        -- The remembered bytes may be given back before this has been sent.
+        own <- evaluate (ByteString.copy fields)
+        pure (reply (Known question i own) s {cache = after})
       Nothing -> pure s {waiting = waiting s |> (i, question)}
     Right (Run i source memory) -> case passengers s of
       Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
@@ -205,14 +211,14 @@ attend :: State -> (Int, (Bool, Bool)) -> IO State
 attend s (pid, (canRead, canWrite)) = do
   told <- if canWrite then sendMore pid (checkers s) else pure (checkers s)
   (said, after) <- if canRead then listenTo pid told else pure ([], told)
-  pure (foldl (flip report) s {checkers = after} said)
+  foldM (flip report) s {checkers = after} said
 
 -- | Passes on what became of a question.
-report :: Heard -> State -> State
+report :: Heard -> State -> IO State
 report heard' s = case heard' of
-  Answered i question fields -> remember question fields (reply (Known question i fields) s)
-  Broken i _ (Signalled 9) False _ -> reply (GoneNow i (Right 9) Nothing Nothing) s
-  Broken i question how tooLate words' -> reply (Known question i (fieldsOf question (compileProblem tooLate words' how))) s
+  Answered i question fields -> keepAnswer question fields (reply (Known question i fields) s)
+  Broken i _ (Signalled 9) False _ -> pure (reply (GoneNow i (Right 9) Nothing Nothing) s)
+  Broken i question how tooLate words' -> pure (reply (Known question i (fieldsOf question (compileProblem tooLate words' how))) s)
   where
     fieldsOf question p = Lazy.toStrict . encodingToLazyByteString . pairs $ case question of
       Check _ -> reportFields (emptyReport [p])
@@ -257,16 +263,19 @@ understand pid (Line bytes) s
           _ -> s
 understand _ _ s = s
 
-remember :: Question -> ByteString -> State -> State
-remember question fields s = shrink s {cache = Map.insert question fields (cache s), cacheOrder = cacheOrder s |> question}
-  where
-    shrink st = case cacheOrder st of
-      oldest :<| others | Seq.length (cacheOrder st) > mostRemembered -> st {cache = Map.delete oldest (cache st), cacheOrder = others}
-      _ -> st
+-- | Keeps an answer for those who ask again.
+keepAnswer :: Question -> ByteString -> State -> IO State
+keepAnswer question fields s = do
+  asked <- outside (questionBytes question)
+  known <- outside fields
+  (gone, after) <- evaluate (remember mostRemembered asked (ByteString.length asked + ByteString.length known) known (cache s))
+  forM_ gone (\(k, v) -> giveBack k >> giveBack v)
+  pure s {cache = after}
 
--- | Answers kept for questions that are asked again.
+-- | Bytes of questions and answers that are kept for those who ask again: those of a class that each go back and forth between a dozen
+-- programs.
 mostRemembered :: Int
-mostRemembered = 256
+mostRemembered = 4 * 1024 * 1024
 
 -- | Ends what compiles for too long.
 expire :: State -> IO State
@@ -286,7 +295,7 @@ reapAll s = do
       -- What it said before it ended may still be on its way.
       s' <- maybe (pure s) (\fd -> hear fd pid s) (answers =<< Map.lookup pid (jobs s))
       (said, after) <- buried pid how (checkers s')
-      bury pid how (foldl (flip report) s' {checkers = after} said) >>= reapAll
+      foldM (flip report) s' {checkers = after} said >>= bury pid how >>= reapAll
 
 -- | The last word about a child.
 bury :: Int -> Ended -> State -> IO State
@@ -298,7 +307,8 @@ bury pid how s = case Map.lookup pid (jobs s) of
         i = jobId job
         wasKilled = how == Signalled 9 && not (late job)
         gone = GoneNow i (case how of Exited n -> Left n; Signalled n -> Right n)
-    firing <- pageText (page job)
+    -- Copied once: what is looked at below changes no more, whoever writes.
+    firing <- wordOf <$> pageBytes (page job)
     freePage (page job)
     pure $
       if started job

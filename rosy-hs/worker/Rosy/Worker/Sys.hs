@@ -25,7 +25,7 @@ module Rosy.Worker.Sys
     Page,
     newPage,
     freePage,
-    pageText,
+    pageBytes,
     keepPage,
     newPair,
     writeAll,
@@ -54,18 +54,15 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString as ByteString
 import Data.ByteString.Internal (createAndTrim, createAndTrim')
 import Data.ByteString.Unsafe (unsafeUseAsCStringLen)
-import Data.Text (Text)
-import qualified Data.Text as Text
-import Data.Text.Encoding (decodeUtf8With)
-import Data.Text.Encoding.Error (lenientDecode)
 import Data.Word (Word32, Word64, Word8)
 import Foreign.C.Error (errnoToIOError, getErrno)
 import Foreign.C.String (CString, withCString)
 import Foreign.C.Types
 import Foreign.Marshal.Alloc (alloca)
 import Foreign.Marshal.Array (allocaArray, peekArray, withArrayLen)
-import Foreign.Ptr (Ptr, nullPtr, plusPtr)
-import Foreign.Storable (peek, peekByteOff)
+import Foreign.Ptr (Ptr, castPtr, nullPtr)
+import Foreign.Storable (peek)
+import Rosy.Worker.Page (pageSize)
 import System.Mem (performMinorGC)
 import System.Posix.IO (fdReadBuf)
 import System.Posix.Types (CSsize (..), Fd (..))
@@ -198,7 +195,7 @@ reap = alloca $ \how -> alloca $ \value -> do
       v <- fromIntegral <$> peek value
       pure (Just (fromIntegral pid, if h == 0 then Exited v else Signalled v))
 
--- | Memory that a forked child shares with its parent, 4096 bytes.
+-- | Memory that a forked child shares with its parent, 'pageSize' bytes.
 type Page = Ptr Word32
 
 newPage :: IO Page
@@ -210,22 +207,9 @@ newPage = do
 freePage :: Page -> IO ()
 freePage = rosy_page_free
 
--- | The text in a page: the first word says at which byte its length stands, 0 for no text; UTF-8 after that ('Rosy.Link.Pipe'). A
--- child may have written anything.
-pageText :: Page -> IO Text
-pageText page = do
-  place <- fromIntegral <$> peek page
-  if place < 4 || place > pageSize - 4
-    then pure Text.empty
-    else do
-      size <- fromIntegral <$> (peekByteOff page place :: IO Word32)
-      bytes <- ByteString.packCStringLen (page `plusPtr` (place + 4), minimum [size, longestText, pageSize - place - 4])
-      pure (Text.filter (>= ' ') (decodeUtf8With lenientDecode bytes))
-
--- | Bytes of a 'Page', and the most of a text in it that anybody is shown.
-pageSize, longestText :: Int
-pageSize = 4096
-longestText = 1024
+-- | What stands in a page now.
+pageBytes :: Page -> IO ByteString
+pageBytes page = ByteString.packCStringLen (castPtr page, pageSize)
 
 -- | Children that are forked from now on do not see the page.
 keepPage :: Page -> IO ()

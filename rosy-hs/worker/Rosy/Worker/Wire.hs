@@ -10,6 +10,7 @@ module Rosy.Worker.Wire
   ( -- * Requests
     Request (..),
     Question (..),
+    questionBytes,
     Id,
     parseRequest,
 
@@ -39,6 +40,7 @@ import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Data.Text.Encoding (encodeUtf8)
 import Rosy.Worker.Problem (Completion (..), Place (Place), Problem, Report (..), Span (..), Typed (..))
 
 -- | Chosen by the service; any JSON value.
@@ -57,7 +59,13 @@ data Request
 data Question
   = Check Text
   | Complete Text Place
-  deriving (Eq, Ord, Show)
+  deriving (Eq, Show)
+
+-- | A question as bytes, no two questions as the same.
+questionBytes :: Question -> ByteString
+questionBytes question = case question of
+  Check source -> "check " <> encodeUtf8 source
+  Complete source (Place l c) -> Char8.pack (unwords ["complete", show l, show c, ""]) <> encodeUtf8 source
 
 -- | A request, or the id (null if there is none) and a sentence for @failed@.
 parseRequest :: ByteString -> Either (Id, Text) Request

@@ -1,0 +1,161 @@
+"""
+One worker process from its start to its end: what goes to it and comes from it, and whether it lives.
+
+Who has the connection says what happens to its answers; it may change hands, from the spare to the worker in use.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import socket
+from collections import deque
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+
+from ..wire.lines import LineTooLong
+from ..wire.worker import Answer, WorkerReady, WorkerStream, ping_request
+from .launch import WorkerProcess
+from .pulse import BEAT, Pulse
+
+__all__ = ["Connection"]
+
+_log = logging.getLogger(__name__)
+
+_PING = 0
+"""The id of a ping; its answer concerns nobody but the pulse."""
+
+
+class Connection:
+    """Everything that is said to one process. end() it, whatever has become of the process."""
+
+    def __init__(self, process: WorkerProcess, ready_within: float) -> None:
+        process.socket.setblocking(False)
+        self.pid = process.pid
+        # It is warm.
+        self.ready = asyncio.Event()
+        # It has closed its socket, or has said what is no answer.
+        self.lost = asyncio.Event()
+        # Who is told of answers.
+        self.listener: Callable[[Answer], None] | None = None
+        self.pulse = Pulse(process.pid)
+        self._process = process
+        self._socket = process.socket
+        self._stream = WorkerStream()
+        self._outgoing: deque[tuple[bytes, tuple[int, ...]]] = deque()
+        self._loop = asyncio.get_running_loop()
+        self._ready_by = self._loop.time() + ready_within
+        self._loop.add_reader(self._socket, self._read)
+
+    async def lives(self, beat: float = BEAT) -> None:
+        """Until it is lost, gives no sign of life any more, or is not warm in time; looks so often, s."""
+        lost = asyncio.ensure_future(self.lost.wait())
+        ready = asyncio.ensure_future(self.ready.wait())
+        try:
+            while not (lost.done() or ready.done()):
+                await asyncio.wait((lost, ready), timeout=BEAT, return_when=asyncio.FIRST_COMPLETED)
+                if not ready.done() and (self._loop.time() > self._ready_by or self.pulse.stopped()):
+                    return
+            while not lost.done():
+                self.send(ping_request(_PING))
+                await asyncio.wait((lost,), timeout=beat)
+                if not lost.done() and self.pulse.beat():
+                    _log.warning("the worker does not answer any more; another takes its place")
+                    return
+        finally:
+            lost.cancel()
+            ready.cancel()
+
+    async def end(self) -> None:
+        """End the process and everything in its sandbox."""
+        self._loop.remove_reader(self._socket)
+        self._loop.remove_writer(self._socket)
+        for _, descriptors in self._outgoing:
+            _close(descriptors)
+        self._outgoing.clear()
+        self.lost.set()
+        self._process.kill()
+        self._socket.close()
+        await _reap(self.pid)
+
+    # Bytes
+
+    def send(self, data: bytes, descriptors: tuple[int, ...] = ()) -> None:
+        """Say something; the descriptors ride along and are closed here."""
+        if self.lost.is_set():
+            _close(descriptors)
+            return
+        self._outgoing.append((data, descriptors))
+        self._write()
+
+    def _write(self) -> None:
+        while self._outgoing:
+            data, descriptors = self._outgoing[0]
+            try:
+                sent = socket.send_fds(self._socket, [data], descriptors)
+            except (BlockingIOError, InterruptedError):
+                self._loop.add_writer(self._socket, self._write)
+                return
+            except OSError:
+                self.lost.set()
+                break
+            _close(descriptors)
+            if sent < len(data):
+                self._outgoing[0] = (data[sent:], ())
+            else:
+                self._outgoing.popleft()
+        self._loop.remove_writer(self._socket)
+
+    def _read(self) -> None:
+        try:
+            data = self._socket.recv(65536)
+            if not data:
+                self._stop_reading()
+                return
+            self.pulse.heard()
+            for answer in self._stream.feed(data):
+                if isinstance(answer, WorkerReady):
+                    self.ready.set()
+                if self.listener is not None:
+                    self.listener(answer)
+        except (BlockingIOError, InterruptedError):
+            return
+        except (OSError, LineTooLong, msgspec.DecodeError):
+            self._stop_reading()
+
+    def _stop_reading(self) -> None:
+        self._loop.remove_reader(self._socket)
+        self.lost.set()
+
+
+def _close(descriptors: tuple[int, ...]) -> None:
+    for descriptor in descriptors:
+        os.close(descriptor)
+
+
+def _wake(waiting: asyncio.Future[Any]) -> None:
+    if not waiting.done():
+        waiting.set_result(None)
+
+
+async def _reap(pid: int) -> None:
+    """Wait for a killed child without stopping the loop."""
+    loop = asyncio.get_running_loop()
+    try:
+        watch = os.pidfd_open(pid)
+    except ProcessLookupError:
+        return
+    try:
+        dead: asyncio.Future[None] = loop.create_future()
+        loop.add_reader(watch, _wake, dead)
+        try:
+            await asyncio.shield(dead)
+        finally:
+            loop.remove_reader(watch)
+            # It has been killed, so this returns at once even when the wait was cancelled.
+            os.waitpid(pid, 0)  # noqa: ASYNC222
+    finally:
+        os.close(watch)
