@@ -20,6 +20,7 @@ where
 import Control.Exception
 import Data.List (isPrefixOf)
 import Data.Maybe (fromMaybe)
+import System.IO.Unsafe (unsafePerformIO)
 
 -- | A failure that Rosy itself finds.
 data Fault
@@ -58,7 +59,7 @@ problemFrom function inputs time exception =
       problemFunction = function,
       problemMessage = message,
       problemHint = hint,
-      problemOriginal = takeWhile (/= '\0') (take 2000 (displayException exception)),
+      problemOriginal = takeWhile (/= '\0') (readable (displayException exception)),
       problemTime = time,
       problemInputs = inputs
     }
@@ -83,8 +84,8 @@ sentence who exception
   | Just (RecSelError _) <- fromException exception = ("exception", who ++ " asked for a field that this value does not have.", "Look at it with a pattern first: not every constructor has every field.")
   | Just (NoMethodError _) <- fromException exception = ("exception", who ++ " used a function that an instance leaves out.", "Define it in the instance.")
   | Just (RecConError _) <- fromException exception = ("exception", who ++ " used a field that was never given a value.", "Give it one where the value is made.")
-  | Just (ErrorCall text) <- fromException exception = errorSentence who text
-  | otherwise = ("exception", who ++ " failed.", firstLine (displayException exception))
+  | Just (ErrorCall text) <- fromException exception = errorSentence who (readable text)
+  | otherwise = ("exception", who ++ " failed.", firstLine (readable (displayException exception)))
 
 errorSentence :: String -> String -> (String, String, String)
 errorSentence who text
@@ -118,6 +119,24 @@ faultSentence who = \case
   LinkLost _ -> ("link-lost", "The connection to the robot was lost.", "Check that the robot is on, then run the program again.")
   Malformed line -> ("malformed", "The robot said something that Rosy does not understand.", take 200 line)
   RanBefore -> ("ran-before", "The program called simulate a second time.", "A program runs one robot once; put both controllers in one list.")
+
+-- | As much of a message as anybody reads. It is a learner's own text: it may have no end, and may fail in its turn.
+readable :: String -> String
+readable = unsafePerformIO . upTo longestMessage
+  where
+    upTo :: Int -> String -> IO String
+    upTo n text
+      | n <= 0 = pure ""
+      | otherwise = do
+        next <- try (evaluate (case text of [] -> Nothing; c : rest -> c `seq` Just (c, rest)))
+        case next of
+          Right (Just (c, rest)) -> (c :) <$> upTo (n - 1) rest
+          Right Nothing -> pure ""
+          Left (SomeException _) -> pure "..."
+
+-- | Characters of a message that are kept.
+longestMessage :: Int
+longestMessage = 2000
 
 firstLine :: String -> String
 firstLine = takeWhile (/= '\n') . take 300

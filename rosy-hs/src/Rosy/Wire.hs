@@ -200,8 +200,11 @@ problem p =
     <> list text (problemInputs p)
     <> "}"
 
+-- | A text in JSON. Half a pair of surrogates, which Haskell lets stand in a text, cannot be written in UTF-8.
 text :: String -> Builder
-text = Encoding.fromEncoding . Encoding.string
+text = Encoding.fromEncoding . Encoding.string . map whole
+  where
+    whole c = if c >= '\xD800' && c <= '\xDFFF' then '\xFFFD' else c
 
 list :: (a -> Builder) -> [a] -> Builder
 list _ [] = "[]"

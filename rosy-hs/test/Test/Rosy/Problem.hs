@@ -45,7 +45,9 @@ tests =
           says "a negative power" (2 ^ negate (1 :: Int)) "f raised a number to a negative power with ^.",
           says "a field of another constructor" (side Point) "f asked for a field that this value does not have.",
           says "a field without a value" (side Square {}) "f used a field that was never given a value.",
-          says "a function that an instance leaves out" (tell Point) "f used a function that an instance leaves out."
+          says "a function that an instance leaves out" (tell Point) "f used a function that an instance leaves out.",
+          says "a message without end" (error (cycle "no ")) ("f stopped with an error: " ++ take 300 (cycle "no ")),
+          says "a message that fails in its turn" (let message = 'a' : error message in error message) "f stopped with an error: a..."
         ],
       testCase "a task that cannot be computed is blamed on its definition, and live tasks clean up" $ do
         heard <- rehearse [Steps 0 [] True] (program (Names []) (parallel guarded (within "plan" (const broken))))

@@ -149,7 +149,7 @@ definedNames = nub . concatMap (names . unLoc)
       DataDecl {} -> unLoc (tcdLName t) : concatMap (constructor . unLoc) (dd_cons (tcdDataDefn t))
       ClassDecl {} -> unLoc (tcdLName t) : concat [map unLoc ns | L _ (ClassOpSig _ _ ns _) <- tcdSigs t]
       SynDecl {} -> [unLoc (tcdLName t)]
-      FamDecl {} -> [unLoc (tcdLName t)]
+      FamDecl {} -> [unLoc (fdLName (tcdFam t))]
     constructor, fields :: ConDecl GhcPs -> [RdrName]
     constructor c = constructorNames c ++ fields c
     fields c = case c of

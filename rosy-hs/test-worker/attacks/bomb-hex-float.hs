@@ -1,0 +1,2 @@
+{-# LANGUAGE HexFloatLiterals #-}
+main = simulate (Velocity 0x1p100000000000 0)

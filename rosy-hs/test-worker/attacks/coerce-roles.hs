@@ -1,0 +1,3 @@
+import Data.Coerce
+
+main = simulate (coerce (pure 'x' :: Task Char) :: Task Int)

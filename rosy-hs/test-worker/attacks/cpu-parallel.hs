@@ -1,0 +1,4 @@
+bomb :: Task ()
+bomb = parallel bomb bomb >> pure ()
+
+main = simulate bomb

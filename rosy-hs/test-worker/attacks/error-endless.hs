@@ -1,0 +1,4 @@
+main = simulate fail'
+
+fail' :: Velocity -> Maybe Sound
+fail' _ = error (cycle "no end ")

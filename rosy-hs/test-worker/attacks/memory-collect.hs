@@ -1,0 +1,4 @@
+import Control.Monad
+import System.Mem
+
+main = forever performGC

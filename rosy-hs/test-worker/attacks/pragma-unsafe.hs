@@ -1,0 +1,4 @@
+{-# LANGUAGE Unsafe, MagicHash, UnboxedTuples #-}
+import GHC.Exts
+
+main = simulate (Say (show (I# (ord# (indexCharOffAddr# nullAddr# 0#)))))

@@ -1,0 +1,3 @@
+import Control.Concurrent.MVar
+
+main = newEmptyMVar >>= takeMVar >>= simulate . Say

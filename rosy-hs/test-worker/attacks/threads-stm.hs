@@ -1,0 +1,3 @@
+import GHC.Conc
+
+main = atomically retry >> simulate (Velocity 0 0)
