@@ -71,7 +71,9 @@ def _one(file: Path, options: Sequence[str]) -> Grade:
     goals = last.get("goals", [])
     assert isinstance(goals, list)
     missed = [goal["title"] for goal in goals if goal["state"] != "done"]
-    problem = done.stderr.splitlines()[0].removeprefix(f"{file}: ") if done.stderr else ""
+    # The row names the file already.
+    problem = done.stderr.splitlines()[0].removeprefix("rosy: ") if done.stderr else ""
+    problem = problem.removeprefix(f"{file} ").removeprefix(f"{file}:").strip()
     time = last.get("time", 0.0)
     assert isinstance(time, float)
     return Grade(str(file), done.returncode, time, (len(goals) - len(missed), len(goals)), problem or "; ".join(missed))
