@@ -2,11 +2,13 @@
 -- Description : Rosy's links to real robots, with robots that are not.
 module Main (main) where
 
+import Control.Monad (forM_)
 import Rosy.Robots.Drive (drive)
 import Rosy.Robots.Target (explainTargetError, readTarget)
 import System.Environment (getArgs)
 import System.Exit (die, exitWith)
 import qualified Test.Robots.Guard
+import Test.Robots.Kobuki (anHour)
 import qualified Test.Robots.Kobuki
 import qualified Test.Robots.Links
 import Test.Robots.Programs (byName)
@@ -21,6 +23,8 @@ main =
   getArgs >>= \case
     -- The tests start this program again as a learner's program.
     ["--drive", url, name] -> either (die . explainTargetError) (\t -> drive t (byName name) >>= exitWith) (readTarget url)
+    -- Hours on a bad cable, one for each of these numbers.
+    ["--hours", from, to] -> forM_ [read from .. read to] $ \seed -> putStrLn (show seed ++ ": " ++ show (anHour seed) ++ " wrong")
     _ -> suite
 
 suite :: IO ()

@@ -2,7 +2,7 @@
 A Kobuki at the end of a pseudo-terminal.
 
 In: command packets on the terminal; on standard input `bump BITS`, `cliff BITS`, `drop BITS`, `press BITS`, `noise`, `cut`, `corrupt`,
-`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `timeout SECONDS`, `hush` (no more packets of its own), `replay HEX`, `nudge` (one packet at once), `mark`, `quit`; the path of a symbolic link as the argument, to which its process number is added. Out: a packet every 20 ms; on
+`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `mute` (it answers no question), `timeout SECONDS`, `hush` (no more packets of its own), `replay HEX`, `nudge` (one packet at once), `mark`, `quit`; the path of a symbolic link as the argument, to which its process number is added. Out: a packet every 20 ms; on
 standard output `plugged PATH`, `first V W` for the first speed it is told behind that, `control V W` when the speed changes, `led1 BITS`, `led2 BITS`, `sound N`, `versions asked`, `bad BYTES`, after `mark` `stood SECONDS` when
 its wheels stand, by its own clock.
 Its wheels turn as told; counters wrap at 16 bits and begin shortly before that. Yujin documents no time after which the firmware stops
@@ -28,7 +28,7 @@ bits = {"bump": 0, "cliff": 0, "drop": 0, "press": 0}
 left, right = 65000.0, 65000.0
 heading, stamp = 17000.0, 65000
 faults, firmware, speaking, replaying = [], 1, True, False
-outputs, versions_due, marked = None, False, None
+outputs, versions_due, mute, marked = None, False, False, None
 fresh, patience, told_at = True, None, 0.0
 buffer = b""
 
@@ -145,7 +145,7 @@ def on_part(ident, data):
         say("sound", data[0])
     elif ident == 9:
         say("versions asked")
-        versions_due = True
+        versions_due = not mute
     else:
         say("bad", ident, data.hex())
 
@@ -173,7 +173,7 @@ def on_bytes(data):
 
 
 def on_line(words):
-    global firmware, speaking, replaying, outputs, marked, patience
+    global firmware, mute, speaking, replaying, outputs, marked, patience
     if words[0] in bits:
         bits[words[0]] = int(words[1])
     elif words[0] in ("noise", "cut", "corrupt"):
@@ -198,6 +198,8 @@ def on_line(words):
         plug()
     elif words[0] == "timeout":
         patience = float(words[1])
+    elif words[0] == "mute":
+        mute = True
     elif words[0] == "firmware":
         firmware = int(words[1])
     elif words[0] == "quit":

@@ -38,12 +38,23 @@ module Ros.Topic
     forever,
     force,
     scan,
+    mapAccum,
+    join,
+    concats,
+
+    -- * Giving some values for some others
+    IterCont (..),
+    IterContM (..),
+    yield,
+    skip,
+    yieldM,
+    skipM,
     metamorph,
     metamorphM,
     bimetamorph,
     bimetamorphM,
-    join,
-    concats,
+    bimetamorphE,
+    bimetamorphME,
 
     -- * Choosing among them
     filter,
@@ -56,6 +67,7 @@ module Ros.Topic
     -- * Windows
     consecutive,
     slidingWindow,
+    slidingWindowG,
     subsample,
     finiteDifference,
     weightedMean,
@@ -64,6 +76,7 @@ module Ros.Topic
     simpsonsRule,
     filterBy,
     gate,
+    topicOn,
 
     -- * Showing
     showTopic,
@@ -175,11 +188,9 @@ mapM_ f t = runTopic t >>= \(x, rest) -> f x >> mapM_ f rest
 forever :: Monad m => Topic m a -> m b
 forever t = runTopic t >>= forever . snd
 
--- | Computes every value before giving it.
-force :: Monad m => Topic m a -> Topic m a
-force t = Topic $ do
-  (x, rest) <- runTopic t
-  x `seq` pure (x, force rest)
+-- | Waits for the first value, and gives the topic that begins with it.
+force :: Monad m => Topic m a -> m (Topic m a)
+force t = runTopic t >>= \now -> pure (Topic (pure now))
 
 -- | > scan f z t = tail (scanl f z t)
 scan :: Monad m => (b -> a -> b) -> b -> Topic m a -> Topic m b
@@ -189,24 +200,79 @@ scan f z t = Topic $ do
   y `seq` pure (y, scan f y rest)
 
 -- | A state that every value changes.
-metamorph :: Monad m => (s -> a -> (b, s)) -> s -> Topic m a -> Topic m b
-metamorph f = metamorphM (\s x -> pure (f s x))
-
-metamorphM :: Monad m => (s -> a -> m (b, s)) -> s -> Topic m a -> Topic m b
-metamorphM f s t = Topic $ do
+--
+-- > mapAccum f s t = snd (mapAccumL (\s x -> swap (f s x)) s t)
+mapAccum :: Monad m => (s -> a -> (b, s)) -> s -> Topic m a -> Topic m b
+mapAccum f s t = Topic $ do
   (x, rest) <- runTopic t
-  (y, s') <- f s x
-  pure (y, metamorphM f s' rest)
+  let (y, s') = f s x
+  pure (y, mapAccum f s' rest)
 
--- | Two topics in turn, the left one first, each with the state that the other left.
-bimetamorph :: Monad m => (s -> a -> (c, s)) -> (s -> b -> (c, s)) -> s -> Topic m a -> Topic m b -> Topic m c
-bimetamorph f g = bimetamorphM (\s x -> pure (f s x)) (\s y -> pure (g s y))
+-- | What comes of a value, if anything, and what is done with the next one.
+newtype IterCont a b = IterCont (Maybe b, a -> IterCont a b)
 
-bimetamorphM :: Monad m => (s -> a -> m (c, s)) -> (s -> b -> m (c, s)) -> s -> Topic m a -> Topic m b -> Topic m c
-bimetamorphM f g s l r = Topic $ do
-  (x, l') <- runTopic l
-  (z, s') <- f s x
-  pure (z, Topic (runTopic r >>= \(y, r') -> g s' y >>= \(w, s'') -> pure (w, bimetamorphM f g s'' l' r')))
+instance Functor (IterCont a) where
+  fmap f (IterCont (y, next)) = IterCont (fmap f y, fmap f . next)
+
+-- | The same with effects.
+newtype IterContM m a b = IterContM (Maybe b, a -> m (IterContM m a b))
+
+instance Functor m => Functor (IterContM m a) where
+  fmap f (IterContM (y, next)) = IterContM (fmap f y, fmap (fmap f) . next)
+
+-- | Gives a value, and goes on with the function.
+yield :: b -> (a -> IterCont a b) -> IterCont a b
+yield y next = IterCont (Just y, next)
+
+-- | Gives nothing, and goes on with the function.
+skip :: (a -> IterCont a b) -> IterCont a b
+skip next = IterCont (Nothing, next)
+
+yieldM :: Monad m => b -> (a -> m (IterContM m a b)) -> m (IterContM m a b)
+yieldM y next = pure (IterContM (Just y, next))
+
+skipM :: Monad m => (a -> m (IterContM m a b)) -> m (IterContM m a b)
+skipM next = pure (IterContM (Nothing, next))
+
+-- | Gives a value or none for each value, and chooses what is done with the next.
+--
+-- > filter p t = metamorph go t where go x = if p x then yield x go else skip go
+metamorph :: Monad m => (a -> IterCont a b) -> Topic m a -> Topic m b
+metamorph f t = Topic $ do
+  (x, rest) <- runTopic t
+  let IterCont (y, next) = f x
+  given y (metamorph next rest)
+
+metamorphM :: Monad m => (a -> m (IterContM m a b)) -> Topic m a -> Topic m b
+metamorphM f t = Topic $ do
+  (x, rest) <- runTopic t
+  IterContM (y, next) <- f x
+  given y (metamorphM next rest)
+
+-- | Two of them along one topic: what the first gives for a value, then what the second gives.
+bimetamorph :: Monad m => (a -> IterCont a b) -> (a -> IterCont a b) -> Topic m a -> Topic m b
+bimetamorph f g t = Topic $ do
+  (x, rest) <- runTopic t
+  let (IterCont (y, f'), IterCont (z, g')) = (f x, g x)
+  given y (Topic (given z (bimetamorph f' g' rest)))
+
+bimetamorphM :: Monad m => (a -> m (IterContM m a b)) -> (a -> m (IterContM m a b)) -> Topic m a -> Topic m b
+bimetamorphM f g t = Topic $ do
+  (x, rest) <- runTopic t
+  IterContM (y, f') <- f x
+  IterContM (z, g') <- g x
+  given y (Topic (given z (bimetamorphM f' g' rest)))
+
+-- | The same, with what each of them gives told apart.
+bimetamorphE :: Monad m => (a -> IterCont a b) -> (a -> IterCont a c) -> Topic m a -> Topic m (Either b c)
+bimetamorphE f g = bimetamorph (fmap Left . f) (fmap Right . g)
+
+bimetamorphME :: Monad m => (a -> m (IterContM m a b)) -> (a -> m (IterContM m a c)) -> Topic m a -> Topic m (Either b c)
+bimetamorphME f g = bimetamorphM (fmap (fmap Left) . f) (fmap (fmap Right) . g)
+
+-- | This value, if it is one, before the topic.
+given :: Monad m => Maybe b -> Topic m b -> m (b, Topic m b)
+given y rest = maybe (runTopic rest) (\v -> pure (v, rest)) y
 
 -- | Runs the actions that the topic gives.
 join :: Monad m => Topic m (m a) -> Topic m a
@@ -232,15 +298,24 @@ consecutive t = Topic (runTopic t >>= \(x, rest) -> runTopic (go x rest))
   where
     go x rest = Topic (runTopic rest >>= \(y, more) -> pure ((x, y), go y more))
 
--- | The newest @n@ values, oldest first; starts when there are so many.
-slidingWindow :: Monad m => Int -> Topic m a -> Topic m [a]
-slidingWindow n t = Topic (splitAt (n - 1) t >>= \(xs, rest) -> runTopic (go xs rest))
+-- | The newest @n@ values as one, the oldest first; starts when there are so many.
+--
+-- > slidingWindow 2 (fmap pure t) = the lists of two neighbours
+slidingWindow :: (Monad m, Monoid a) => Int -> Topic m a -> Topic m a
+slidingWindow n = fmap mconcat . windows n
+
+-- | The sum of the newest @n@ values.
+slidingWindowG :: (Monad m, Num a) => Int -> Topic m a -> Topic m a
+slidingWindowG n = fmap sum . windows n
+
+windows :: Monad m => Int -> Topic m a -> Topic m [a]
+windows n t = Topic (splitAt (n - 1) t >>= \(xs, rest) -> runTopic (go xs rest))
   where
     go xs rest = Topic (runTopic rest >>= \(x, more) -> let w = xs ++ [x] in pure (w, go (P.drop 1 w) more))
 
--- | Every @n@th value, from the first.
+-- | Leaves out @n@ values before each that it gives.
 subsample :: Monad m => Int -> Topic m a -> Topic m a
-subsample n t = Topic (runTopic t >>= \(x, rest) -> pure (x, subsample n (drop (n - 1) rest)))
+subsample n t = Topic (runTopic (drop n t) >>= \(x, rest) -> pure (x, subsample n rest))
 
 -- | > finiteDifference f t = zipWith f t (tail t)
 finiteDifference :: Monad m => (a -> a -> b) -> Topic m a -> Topic m b
@@ -279,9 +354,15 @@ filterBy predicates t = Topic $ do
 gate :: Applicative m => Topic m a -> Topic m b -> Topic m a
 gate t ticks = const <$> t <*> ticks
 
+-- | Changes a part of each value: how to take it out, how to put the new one back, and what makes the function that changes it.
+topicOn :: Monad m => (a -> b) -> (a -> c -> d) -> m (b -> m c) -> Topic m a -> Topic m d
+topicOn part back changing t = Topic $ do
+  change <- changing
+  runTopic (mapM (\x -> back x <$> change (part x)) t)
+
 -- | Prints every value as it passes.
-showTopic :: (MonadIO m, Show a) => Topic m a -> Topic m a
-showTopic = mapM (\x -> liftIO (print x) >> pure x)
+showTopic :: (MonadIO m, Show a) => Topic m a -> Topic m ()
+showTopic = mapM (liftIO . print)
 
 -- | The same topic in another monad.
 hoist :: Functor n => (forall x. m x -> n x) -> Topic m a -> Topic n a

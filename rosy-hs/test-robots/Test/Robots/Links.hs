@@ -36,6 +36,10 @@ tests ready = localOption (mkTimeout 60000000) . withResource (newIORef []) prin
            testGroup
              "serial alone"
              [ story ready serial "noise, cut and corrupted packets are passed over, and a pulled cable is found again" (pulledCable times),
+               story ready serial "a cable that is pulled in a turn is found again, and the robot stands" pulledInATurn,
+               story ready serial "a base that would stop by itself does so when the program stands still" (stoodStill times),
+               story ready serial "a base that answers no question is driven all the same" mute,
+               story ready serial "firmware that speaks another protocol is left alone" otherFirmware,
                story ready serial "a base that would stop by itself does so when the cable is pulled" (pulledFromFirmware times)
              ]
          ]
@@ -90,12 +94,13 @@ stories =
 
 -- | A program of its own process, from when the robot moves.
 driving :: Rig -> String -> String -> (Peer -> IO a) -> IO a
-driving r safety name act = do
-  streaming r
+driving r safety name act = streaming r >> asProgram r safety name (\p -> sees r "movement" (moves r) >> act p)
+
+-- | A program of its own process.
+asProgram :: Rig -> String -> String -> (Peer -> IO a) -> IO a
+asProgram r safety name act = do
   self <- getExecutablePath
-  withProgram (environment r) "/bin/sh" ["-c", "exec \"$@\" 2>&1", "sh", self, "--drive", url r ++ "?safety=" ++ safety ++ options r, name] $ \p -> do
-    sees r "movement" (moves r)
-    act p
+  withProgram (environment r) "/bin/sh" ["-c", "exec \"$@\" 2>&1", "sh", self, "--drive", url r ++ "?safety=" ++ safety ++ options r, name] act
 
 -- | What happens, and how long the robot drives on, by its own clock: until it is told to stand or its watchdog says so. It
 -- is printed beside what is allowed and not judged, because this machine may be busy.
@@ -164,6 +169,45 @@ pulledCable times r = driving r "off" "steady" $ \p -> do
   signal p "TERM"
   sees r "a stop" (stands r)
   exits p 0
+
+pulledInATurn :: Rig -> IO ()
+pulledInATurn r = asProgram r "off" "turns" $ \p -> do
+  sees r "a turn" (== "control 0.000 1.000 115 1")
+  say (robot r) "unplug"
+  _ <- hearsWhere p "that it is lost" ("is lost" `isInfixOf`)
+  say (robot r) "plug"
+  hearsWhere (robot r) "a stop before anything else" ("first " `isPrefixOf`) >>= (@?= "first 0.000 0.000")
+  sees r "the turn again, because the program says so ten times a second" (== "control 0.000 1.000 115 1")
+  signal p "TERM"
+  exits p 0
+
+-- | As when the computer sleeps.
+stoodStill :: IO Times -> Rig -> IO ()
+stoodStill times r = driving r "off" "steady" $ \p -> do
+  say (robot r) "timeout 0.6"
+  standsAfter times r "a sleeping computer, the same firmware" (signal p "STOP")
+  signal p "CONT"
+  sees r "movement again" (moves r)
+  signal p "TERM"
+  exits p 0
+
+mute :: Rig -> IO ()
+mute r = do
+  say (robot r) "mute"
+  driving r "off" "steady" $ \p -> do
+    sees r "a question" (== "versions asked")
+    sees r "the same question again" (== "versions asked")
+    signal p "TERM"
+    sees r "a stop" (stands r)
+    exits p 0
+
+otherFirmware :: Rig -> IO ()
+otherFirmware r = do
+  say (robot r) "firmware 2"
+  asProgram r "off" "steady" $ \p -> do
+    _ <- hearsWhere p "why it is not driven" ("its firmware 2.2.0 speaks another protocol" `isInfixOf`)
+    signal p "TERM"
+    exits p 0
 
 -- | Some firmware may have a timeout as kobuki_node has. Then it stops the base.
 pulledFromFirmware :: IO Times -> Rig -> IO ()

@@ -12,6 +12,7 @@ import Rosy.Program (Generic, Value)
 byName :: String -> IO ()
 byName n = case n of
   "steady" -> simulate steady
+  "turns" -> simulate (Velocity 0 1)
   "lights" -> simulate (steady, lights)
   "fails" -> simulate (steady, failing)
   "hangs" -> simulate (steady, hanging)

@@ -39,6 +39,7 @@ import System.Exit (ExitCode (..))
 import System.IO (hFlush, stdout)
 import System.Posix.Process (getProcessID)
 import System.Timeout (timeout)
+import Test.Ros.Hostile
 import Test.Ros.Peer
 import Test.Tasty
 import Test.Tasty.HUnit
@@ -61,6 +62,9 @@ tests = withResource acquire release $ \ready ->
       story ready "parameters are shared, and changes are told" parameters,
       story ready "names are remapped, moved and given on the command line" remapped,
       story ready "what it logs is on /rosout with its place" logs,
+      story ready "callers that say nothing, garbage or too much do not end it" strangeCallers,
+      story ready "subscribers that say nothing, garbage or too much do not end it" strangeSubscribers,
+      story ready "publishers that say nothing, garbage or too much do not end it, and it hears the others" strangePublishers,
       story ready "a subscriber of another type is refused and told why" otherType,
       story ready "one topic with two types in one node is refused" twoTypes,
       story ready "a handler that fails ends the node" handlerFails,
@@ -119,9 +123,10 @@ drivesABase ros = withPeer ros "mobile_base" $ \base -> do
     awaitPublishers "/mobile_base/events/bumper" 1
     awaitPublishers "/odom" 1
     liftIO $ do
-      mapM_ (say base) ["connected /odom 1", "connected /mobile_base/events/bumper 1"]
-      void (hears base "connected /mobile_base/events/bumper")
-      waitFor base "/mobile_base/events/bumper {\"bumper\": 1, \"state\": 1}" "got /mobile_base/commands/led1 {\"value\": 3}"
+      mapM_ (say base) ["connected /odom 1", "connected /mobile_base/events/bumper 1", "listening /mobile_base/commands/led1", "listening /mobile_base/commands/velocity"]
+      void (hears base "listening /mobile_base/commands/velocity")
+      say base "send /mobile_base/events/bumper {\"bumper\": 1, \"state\": 1}"
+      void (hears base "got /mobile_base/commands/led1 {\"value\": 3}")
       say base "send /mobile_base/events/bumper {\"bumper\": 1, \"state\": 0}"
       void (hears base "got /mobile_base/commands/led1 {\"value\": 0}")
       say base "send /odom {\"header\": {\"frame_id\": \"odom\"}, \"child_frame_id\": \"base_footprint\", \"twist\": {\"twist\": {\"linear\": {\"x\": 0.25}}}}"
@@ -129,10 +134,6 @@ drivesABase ros = withPeer ros "mobile_base" $ \base -> do
   where
     faster :: Odometry -> Twist
     faster o = forward (o ^. Odometry.twist . Covariance.twist . linear . Vector3.x + 0.5)
-    -- The base's own subscription may connect after ours has: say it until it is answered.
-    waitFor base what answer = do
-      say base ("send " ++ what)
-      void (hears base answer)
 
 earlyAndLate :: Ros -> IO ()
 earlyAndLate ros = withPeer ros "early" $ \early -> do
@@ -299,8 +300,10 @@ printsATopic ros = withPeer ros "mobile_base" $ \base -> do
 fuses :: Ros -> IO ()
 fuses ros = withPeer ros "mobile_base" $ \base -> do
   mapM_ (say base) ["pub /odom nav_msgs/Odometry latch", "pub /scan sensor_msgs/LaserScan latch", "sub /cmd_vel geometry_msgs/Twist"]
-  scanned base "0.8"
   withProgram ros "ros-fuse" ["_top_speed:=0.3"] $ \_ -> do
+    say base "listening /cmd_vel"
+    _ <- hears base "listening"
+    scanned base "0.8"
     void (hears base "got /cmd_vel {\"linear\": {\"x\": 0.22")
     scanned base "0.4"
     void (hears base "got /cmd_vel {\"linear\": {\"x\": 0.12")

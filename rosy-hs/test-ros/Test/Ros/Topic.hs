@@ -40,13 +40,23 @@ pureOnes =
       law "drop" (T.drop 4) (drop 4),
       law "dropWhile" (T.dropWhile (< 7)) (dropWhile (< 7)),
       law "consecutive" T.consecutive (\xs -> zip xs (tail xs)),
-      law "slidingWindow" (T.slidingWindow 3) (\xs -> [take 3 (drop i xs) | i <- [0 ..]]),
-      law "subsample" (T.subsample 3) (\xs -> [xs !! i | i <- [0, 3 ..]]),
+      law "slidingWindow" (T.slidingWindow 3 . fmap pure) (\xs -> [take 3 (drop i xs) | i <- [0 ..]]),
+      law "slidingWindowG" (T.slidingWindowG 3) (\xs -> [sum (take 3 (drop i xs)) | i <- [0 ..]]),
+      law "subsample" (T.subsample 3) (\xs -> [xs !! i | i <- [3, 7 ..]]),
+      law "topicOn" (T.topicOn (`div` 2) (,) (pure (pure . (* 10)))) (map (\x -> (x, x `div` 2 * 10))),
       law "concats" (T.concats . fmap (\x -> replicate (x `mod` 3) x)) (concatMap (\x -> replicate (x `mod` 3) x)),
       law "catMaybes" (T.catMaybes . fmap (\x -> if odd x then Just x else Nothing)) (filter odd),
       law "finiteDifference" (T.finiteDifference subtract . fmap (^ (2 :: Int))) (\xs -> zipWith (-) (tail (map (^ (2 :: Int)) xs)) (map (^ (2 :: Int)) xs)),
       law "cons" (T.cons 9) (9 :),
-      law "metamorph" (T.metamorph (\s x -> (s + x, x)) 0) (\xs -> zipWith (+) (0 : xs) xs),
+      law "mapAccum" (T.mapAccum (\s x -> (s + x, x)) 0) (\xs -> zipWith (+) (0 : xs) xs),
+      law "metamorph" (T.metamorph everyOther) (\xs -> [xs !! i | i <- [0, 2 ..]]),
+      law "metamorphM" (T.metamorphM (Identity . effectful . everyOther)) (\xs -> [xs !! i | i <- [0, 2 ..]]),
+      law "bimetamorph" (T.bimetamorph everyOther (each (* 2))) (concatMap (\x -> [x | even x] ++ [x * 2])),
+      law "bimetamorphE" (T.bimetamorphE everyOther (each show)) (concatMap (\x -> [Left x | even x] ++ [Right (show x)])),
+      law "bimetamorphME" (T.bimetamorphME (Identity . effectful . everyOther) (Identity . effectful . each show)) (concatMap (\x -> [Left x | even x] ++ [Right (show x)])),
+      law "repeatM and join" (T.join . fmap pure) id,
+      law "unfold" (const (T.unfold (\n -> Identity (n * n, n + 1)) 0)) (map (^ (2 :: Int))),
+      testCase "force waits for the first value and keeps it" $ ten (runIdentity (T.force numbers)) @?= [0 .. 9],
       law "gate" (\t -> T.gate t (T.repeat ())) id,
       law "filterBy" (T.filterBy (T.repeat even)) (filter even),
       testCase "break stops before the value and keeps it" $
@@ -72,6 +82,9 @@ pureOnes =
       testCase "a list ends in its last value" $ ten (T.fromList "abc") @?= "abcccccccc"
     ]
   where
+    everyOther x = T.yield x (\_ -> T.skip everyOther)
+    each f x = T.yield (f x) (each f)
+    effectful (T.IterCont (y, next)) = T.IterContM (y, Identity . effectful . next)
     law :: (Eq b, Show b) => String -> (Topic Identity Int -> Topic Identity b) -> ([Int] -> [b]) -> TestTree
     law name onTopic onList = testCase name $ ten (onTopic numbers) @?= take 10 (onList [0 ..])
 
@@ -142,6 +155,23 @@ shared =
         case readers of
           [a, b] -> concurrently (T.take 500 a) (T.take 500 b) >>= (@?= ([0 .. 499], [0 .. 499]))
           _ -> assertFailure "two readers were asked for",
+      testCase "teeEager: both readers see everything, and nobody needs to read for it to be pulled" $ do
+        pulled <- newEmptyMVar
+        (a, b) <- teeEager (T.repeatM (takeMVar pulled))
+        mapM_ (putMVar pulled) [0 .. 9 :: Int]
+        (,) <$> T.take 10 b <*> T.take 10 a >>= (@?= ([0 .. 9], [0 .. 9])),
+      testCase "forkTopic: a source in a thread of its own, in order" $ do
+        source <- newIORef (0 :: Int)
+        t <- forkTopic (T.repeatM (atomicModifyIORef' source (\n -> (n + 1, n))))
+        T.take 100 t >>= (@?= [0 .. 99]),
+      testCase "interruptible: a new list takes the place of what is left" $ do
+        lists <- newEmptyMVar
+        out <- newEmptyMVar
+        withAsync (T.mapM_ (putMVar out) (interruptible (T.repeatM (takeMVar lists)))) $ \_ -> do
+          putMVar lists (Just 'a')
+          takeMVar out >>= (@?= 'a')
+          putMVar lists (Just 'b')
+          takeMVar out >>= (@?= 'b'),
       testCase "share: a late reader begins where the topic stands" $ do
         source <- newIORef (0 :: Int)
         t <- share (T.repeatM (atomicModifyIORef' source (\n -> (n + 1, n))))
@@ -154,10 +184,10 @@ shared =
         (,) <$> T.take 3 evens <*> T.take 3 odds >>= (@?= ([0, 2, 4], [1, 3, 5])),
       testCase "a rate limit gives the first value at once and loses none" $
         T.take 3 (topicRate 1000 (T.fromList [1 :: Int, 2, 3])) >>= (@?= [1, 2, 3]),
-      testCase "topicOn: the newest value at each tick" $ do
+      testCase "newestOn: the newest value at each tick" $ do
         ticks <- newEmptyMVar
         values <- newEmptyMVar
-        let t = topicOn (T.repeatM (takeMVar values)) (T.repeatM (takeMVar ticks))
+        let t = newestOn (T.repeatM (takeMVar values)) (T.repeatM (takeMVar ticks))
         out <- newEmptyMVar
         withAsync (T.mapM_ (putMVar out) t) $ \_ -> do
           putMVar values 'a'

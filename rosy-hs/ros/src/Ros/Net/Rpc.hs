@@ -207,6 +207,10 @@ accepting listener serve = do
   forever (mask_ (accept listener >>= \(s, _) -> forkIOWithUnmask (child s) `onException` close s))
     `finally` (readMVar open >>= mapM_ killThread . Map.keys)
 
+-- | The most that a caller may say, bytes. Calls to a node are lists of topics and addresses; a megabyte is a parameter of the largest robots.
+maxCall :: Int
+maxCall = 1024 * 1024
+
 -- | Answers calls until it is cancelled.
 serveCalls :: Socket -> (Call -> IO Answer) -> IO ()
 serveCalls listener answer = accepting listener (`loop` B.empty)
@@ -217,6 +221,7 @@ serveCalls listener answer = accepting listener (`loop` B.empty)
         sendAll s (ok (keepsAlive top) (encodeAnswer reply))
         when (keepsAlive top) (loop s behind)
       Bad _ -> sendAll s refusal
+      More _ | B.length seen > maxCall -> sendAll s refusal
       More top -> do
         when (maybe False wantsContinue top && B.length seen < maxHead) (sendAll s "HTTP/1.1 100 Continue\r\n\r\n")
         more <- recv s 65536

@@ -34,7 +34,10 @@ import Control.Concurrent.STM
 import Control.Exception
 import Control.Monad (unless, void)
 import Data.ByteString (ByteString)
+import qualified Data.ByteString as B
 import qualified Data.Map.Strict as Map
+import qualified Data.Text as T
+import qualified Data.Text.Encoding as T
 import Data.Word (Word32)
 import Network.Socket (Socket)
 import Ros.Names (Naming (..))
@@ -43,7 +46,7 @@ import Ros.Net.Rpc (Uri)
 import Ros.Net.Tcpros (Offer)
 import Ros.Net.XmlRpc (Value)
 import Ros.Queue (Queue)
-import System.IO (hPutStrLn, stderr)
+import System.IO (stderr)
 
 data Core = Core
   { coreNaming :: Naming,
@@ -177,4 +180,4 @@ stopAll core = do
 
 -- | For the person at the terminal.
 complain :: Core -> String -> IO ()
-complain core message = hPutStrLn stderr (ownName (coreNaming core) ++ ": " ++ message)
+complain core message = B.hPut stderr (T.encodeUtf8 (T.pack (ownName (coreNaming core) ++ ": " ++ message ++ "\n")))

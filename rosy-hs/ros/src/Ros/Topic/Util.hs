@@ -17,6 +17,7 @@ module Ros.Topic.Util
 
     -- * One topic as several
     tee,
+    teeEager,
     fan,
     share,
     partition,
@@ -24,7 +25,8 @@ module Ros.Topic.Util
     -- * Time
     topicRate,
     interruptible,
-    topicOn,
+    forkTopic,
+    newestOn,
 
     -- * A topic as a list
     toList,
@@ -44,7 +46,9 @@ import Control.Concurrent.MVar (MVar, modifyMVar, newMVar)
 import Control.Concurrent.STM
 import Control.Exception (BlockedIndefinitelyOnMVar (..), BlockedIndefinitelyOnSTM (..), Handler (..), SomeException, catches, fromException, throwIO, try)
 import Control.Monad (void)
+import Control.Monad.IO.Class (MonadIO (..))
 import Data.Bifunctor (bimap)
+import qualified Data.Foldable as Foldable
 import Data.IORef (atomicModifyIORef', newIORef, readIORef)
 import Data.Maybe (fromMaybe)
 import Ros.Rate (rateLimiter)
@@ -76,8 +80,10 @@ interleave sources = Topic $ do
   found <- newTBQueueIO (fromIntegral (ahead * max 1 (length sources)))
   mapM_ (forkIO . feed found) sources
   runTopic (taking found)
-  where
-    taking found = Topic.mapM (either throwIO pure) (Topic.repeatM (atomically (readTBQueue found)))
+
+-- | What was fed into the queue; an exception of the source is thrown here.
+taking :: TBQueue (Either SomeException a) -> Topic IO a
+taking found = Topic.mapM (either throwIO pure) (Topic.repeatM (atomically (readTBQueue found)))
 
 -- | Pulls for ever. Ends quietly when the reader is gone, since then the queue can never empty, and when the source
 -- can never speak again: in both cases the runtime says so. Any other exception of the source goes to the reader.
@@ -97,7 +103,7 @@ feed found = quietly . go
 -- | Pairs in which both values are new. The later one of the two decides when; of the side that came first,
 -- the newest value counts, and older ones are forgotten.
 bothNew :: Topic IO a -> Topic IO b -> Topic IO (a, b)
-bothNew l r = Topic.catMaybes (Topic.metamorph stepBothNew neitherNew (l <+> r))
+bothNew l r = Topic.catMaybes (Topic.mapAccum stepBothNew neitherNew (l <+> r))
 
 -- | What 'bothNew' remembers: the newest value of the side that came first.
 data BothNew a b = Neither | OneNew (Either a b)
@@ -112,7 +118,7 @@ stepBothNew _ new = (Nothing, OneNew new)
 
 -- | After both have spoken once: a pair for every value of either, with the other's newest.
 everyNew :: Topic IO a -> Topic IO b -> Topic IO (a, b)
-everyNew l r = Topic.catMaybes (Topic.metamorph stepEveryNew noneYet (l <+> r))
+everyNew l r = Topic.catMaybes (Topic.mapAccum stepEveryNew noneYet (l <+> r))
 
 -- | What 'everyNew' remembers: the newest value of each side.
 data EveryNew a b = EveryNew (Maybe a) (Maybe b)
@@ -128,7 +134,7 @@ stepEveryNew (EveryNew x y) new = ((,) <$> x' <*> y', EveryNew x' y')
 
 -- | A value of the left, then one of the right: pairs of the newest left and the first right after it.
 firstThenSecond :: Topic IO a -> Topic IO b -> Topic IO (a, b)
-firstThenSecond l r = Topic.catMaybes (Topic.metamorph step Nothing (l <+> r))
+firstThenSecond l r = Topic.catMaybes (Topic.mapAccum step Nothing (l <+> r))
   where
     step _ (Left x) = (Nothing, Just x)
     step (Just x) (Right y) = (Just (x, y), Nothing)
@@ -138,6 +144,17 @@ firstThenSecond l r = Topic.catMaybes (Topic.metamorph step Nothing (l <+> r))
 -- values waiting. What both have read is forgotten.
 tee :: Topic IO a -> IO (Topic IO a, Topic IO a)
 tee t = (\shared -> (shared, shared)) <$> remembered t
+
+-- | As 'tee', and the values are pulled as soon as there are any, also when nobody reads: the oldest wait when there are many.
+teeEager :: Topic IO a -> IO (Topic IO a, Topic IO a)
+teeEager t = forkTopic t >>= tee
+
+-- | Pulls in a thread of its own, from now on, so that the source keeps its own rhythm.
+forkTopic :: Topic IO a -> IO (Topic IO a)
+forkTopic t = do
+  found <- newTBQueueIO (fromIntegral ahead)
+  void (forkIO (feed found t))
+  pure (taking found)
 
 -- | As many readers as asked for.
 fan :: Int -> Topic IO a -> IO [Topic IO a]
@@ -175,17 +192,17 @@ partition :: (a -> Bool) -> Topic IO a -> IO (Topic IO a, Topic IO a)
 partition p t = bimap (Topic.filter p) (Topic.filter (not . p)) <$> tee t
 
 -- | At most @hz@ values a second: the first at once, each later one no earlier than its turn.
-topicRate :: Double -> Topic IO a -> Topic IO a
+topicRate :: MonadIO m => Double -> Topic m a -> Topic m a
 topicRate hz t = Topic $ do
-  pause <- rateLimiter hz (pure ())
-  let go u = Topic (pause >> runTopic u >>= \(x, rest) -> pure (x, go rest))
+  pause <- liftIO (rateLimiter hz (pure ()))
+  let go u = Topic (liftIO pause >> runTopic u >>= \(x, rest) -> pure (x, go rest))
   runTopic (go t)
 
 -- | The values of lists that arrive; a new list takes the place of what is left of the one before.
-interruptible :: Topic IO [a] -> Topic IO a
+interruptible :: Foldable t => Topic IO (t a) -> Topic IO a
 interruptible lists = Topic $ do
   latest <- newEmptyTMVarIO
-  void (forkIO (gather latest lists))
+  void (forkIO (gather latest (fmap Foldable.toList lists)))
   let next xs = Topic $ do
         newer <- atomically (case xs of [] -> Just <$> takeTMVar latest; _ -> tryTakeTMVar latest)
         case fromMaybe (Right xs) newer of
@@ -204,8 +221,8 @@ toList :: Topic IO a -> IO [a]
 toList t = unsafeInterleaveIO (runTopic t >>= \(x, rest) -> (x :) <$> toList rest)
 
 -- | The newest value of the topic at every value of the other.
-topicOn :: Topic IO a -> Topic IO b -> Topic IO (a, b)
-topicOn t ticks = Topic.catMaybes (Topic.metamorph step Nothing (t <+> ticks))
+newestOn :: Topic IO a -> Topic IO b -> Topic IO (a, b)
+newestOn t ticks = Topic.catMaybes (Topic.mapAccum step Nothing (t <+> ticks))
   where
     step _ (Left x) = (Nothing, Just x)
     step x (Right y) = (fmap (,y) x, x)
