@@ -299,9 +299,9 @@ printsATopic ros = withPeer ros "mobile_base" $ \base -> do
 -- | It drives at 0.2 m/s, and has 0.5 m more than it wants to keep: half of the change towards 0.25 m/s. Then only 0.1 m.
 fuses :: Ros -> IO ()
 fuses ros = withPeer ros "mobile_base" $ \base -> do
-  mapM_ (say base) ["pub /odom nav_msgs/Odometry latch", "pub /scan sensor_msgs/LaserScan latch", "sub /cmd_vel geometry_msgs/Twist"]
+  mapM_ (say base) ["pub /odom nav_msgs/Odometry", "pub /scan sensor_msgs/LaserScan", "sub /cmd_vel geometry_msgs/Twist"]
   withProgram ros "ros-fuse" ["_top_speed:=0.3"] $ \_ -> do
-    say base "listening /cmd_vel"
+    mapM_ (say base) ["connected /odom 1", "connected /scan 1", "listening /cmd_vel"]
     _ <- hears base "listening"
     scanned base "0.8"
     void (hears base "got /cmd_vel {\"linear\": {\"x\": 0.22")
