@@ -20,6 +20,36 @@ function seen(text: string): {problems: string[]; types: string[]} {
   }
 }
 
+describe("what only GHC can judge is never called wrong", () => {
+  test.each([
+    [
+      "a synonym with variables of its own",
+      "type Handler e = forall a. e a -> a\n\ntype Two e = (Handler e, Int)\n\nwith :: Handler Maybe -> Maybe Int -> Int\nwith h e = h e\n\nboth :: Two Maybe -> Int\nboth (_, n) = n",
+    ],
+    [
+      "the methods of a class at types of their own",
+      'data Mode = Go | Stop\n\ninstance Show Mode where\n  show Go = "go"\n  show Stop = show (1 + 2)',
+    ],
+    [
+      "a class of one's own, and what it needs",
+      "class Shape a where\n  area :: a -> Double\n  area = const 0\n\nnewtype Circle = Circle Double\n\ninstance Shape Circle where\n  area (Circle r) = pi * square r\n    where\n      square x = x * x\n\nbig :: Shape a => a -> Bool\nbig s = area s > 1",
+    ],
+    [
+      "many branches, and a function that looks at its input",
+      "f :: Double -> LedColor\nf d = if | d < 1 -> Red\n         | Just e <- Just d, e < 2 -> Orange\n         | otherwise -> Green\n\ng :: Maybe Int -> Int\ng = \\case\n  Just n -> n\n  Nothing -> 0",
+    ],
+  ])("%s", (_, text) => {
+    expect(seen(text).problems).toEqual([])
+  })
+
+  test("but what is wrong inside of a method or a branch is", () => {
+    expect(
+      seen('data M = M\n\ninstance Show M where\n  show M = if \'a\' then "x" else "y"').problems,
+    ).toHaveLength(1)
+    expect(seen("f :: Int -> Int\nf d = if | d -> 1\n         | otherwise -> 2").problems).toHaveLength(1)
+  })
+})
+
 describe("names that text brings into scope", () => {
   test.each([
     ["a module that Rosy allows", "import Data.Char\n\nf x = toUpper x", "f :: Char -> Char"],
@@ -59,10 +89,11 @@ describe("names that text brings into scope", () => {
       "data E a where\n  N :: Int -> E Int\n\nf :: E a -> a\nf (N n) = n + 1",
       "f :: E a -> a",
     ],
+    ["a function that is kept as text", "f x = map (,1) (words x)", "f :: String -> [a]"],
     [
-      "a function that is kept as text",
-      "f x = map (\\case\n  1 -> 'a'\n  _ -> 'b') (words x)",
-      "f :: String -> [a]",
+      "a function that looks at its input",
+      "f x = map (\\case\n  \"one\" -> 'a'\n  _ -> 'b') (words x)",
+      "f :: String -> String",
     ],
     [
       "an operator",

@@ -4,6 +4,7 @@ import type {Alternative, Declaration, Expr, Pattern, Statement} from "../model/
 import type {Extra} from "../saved.ts"
 import type {Family, Row} from "../shape.ts"
 import {perLanguage, words} from "../words/index.ts"
+import type {Part} from "./rightside.ts"
 import {partMenu, partOf, pressPart, readRight, rightRows, savedPart, writeRight} from "./rightside.ts"
 import type {BlockSpec} from "./spec.ts"
 import {noButtons, objectsIn, textIn} from "./spec.ts"
@@ -40,15 +41,53 @@ const ifBlock: BlockSpec = {
   },
 }
 
+/// An `if` of many branches.
+const branches: BlockSpec = {
+  type: "branches",
+  shape(extra) {
+    const part = branchesOf(extra)
+    return {
+      family: "choice",
+      connects: {as: "expression"},
+      rows: rightRows(0, part, words.choices.thenWord, words.choices.result, ""),
+      tooltip: words.choices.takesTheFirstThatHolds,
+      aria: words.choices.theFirstThatHolds,
+      menu: partMenu(0, part, "").filter(({action}) => !action.startsWith("where")),
+    }
+  },
+  press: (extra, action) => savedPart(pressPart(branchesOf(extra), action.split(".")[0] ?? "")),
+  meaning: {
+    as: "expression",
+    read(r) {
+      const {body} = readRight(r, 0, branchesOf(r.extra))
+      return {kind: "branches", branches: Array.isArray(body) ? body : [], from: r.from}
+    },
+    write(e) {
+      if (e.kind !== "branches") return undefined
+      const right = writeRight(0, {kind: "right", body: e.branches, where: []})
+      return right && {extra: savedPart(right.part), sockets: right.sockets, stacks: right.stacks}
+    },
+  },
+}
+
+/// There is always one branch.
+function branchesOf(extra: Extra): Part {
+  const part = partOf(extra)
+  return {...part, guards: Math.max(1, part.guards), where: false}
+}
+
+/// With `lambda`, what it looks at is its input: a function.
 const caseBlock: BlockSpec = {
   type: "case",
   shape(extra) {
     const alternatives = alternativesOf(extra)
     const rows: Row[] = [
-      [
-        {kind: "label", text: words.choices.lookAt},
-        {kind: "socket", name: "X", sort: "expression", aria: words.choices.whatToLookAt},
-      ],
+      extra.lambda === true
+        ? [{kind: "label", text: words.choices.lookAtTheInput}]
+        : [
+            {kind: "label", text: words.choices.lookAt},
+            {kind: "socket", name: "X", sort: "expression", aria: words.choices.whatToLookAt},
+          ],
     ]
     for (const [i, a] of alternatives.entries()) {
       rows.push([
@@ -92,22 +131,23 @@ const caseBlock: BlockSpec = {
   },
   meaning: {
     as: "expression",
-    read: r => ({
-      kind: "case",
-      scrutinee: r.expr("X"),
-      alternatives: alternativesOf(r.extra).map((a, i): Alternative => {
+    read(r) {
+      const scrutinee = r.extra.lambda === true ? undefined : r.expr("X")
+      const alternatives = alternativesOf(r.extra).map((a, i): Alternative => {
         return {
           kind: "alternative",
           pattern: r.pattern(`P${i}`),
           right: readRight(r, i, partOf(a)),
           from: r.from,
         }
-      }),
-      from: r.from,
-    }),
+      })
+      return scrutinee === undefined
+        ? {kind: "lambda-case", alternatives, from: r.from}
+        : {kind: "case", scrutinee, alternatives, from: r.from}
+    },
     write(e) {
-      if (e.kind !== "case" || e.alternatives.length === 0) return undefined
-      const sockets: {[input: string]: Expr | Pattern} = {X: e.scrutinee}
+      if ((e.kind !== "case" && e.kind !== "lambda-case") || e.alternatives.length === 0) return undefined
+      const sockets: {[input: string]: Expr | Pattern} = e.kind === "case" ? {X: e.scrutinee} : {}
       const stacks: {[input: string]: readonly (Declaration | Statement)[]} = {}
       const alternatives: Extra[] = []
       for (const [i, a] of e.alternatives.entries()) {
@@ -118,7 +158,8 @@ const caseBlock: BlockSpec = {
         Object.assign(stacks, right.stacks)
         alternatives.push(savedPart(right.part))
       }
-      return {extra: {alternatives}, sockets, stacks}
+      const lambda = e.kind === "lambda-case" ? {lambda: true} : {}
+      return {extra: {...lambda, alternatives}, sockets, stacks}
     },
   },
 }
@@ -247,4 +288,4 @@ const negate: BlockSpec = {
   },
 }
 
-export const choiceBlocks: readonly BlockSpec[] = [ifBlock, caseBlock, infix, negate]
+export const choiceBlocks: readonly BlockSpec[] = [ifBlock, branches, caseBlock, infix, negate]

@@ -356,4 +356,39 @@ const definePattern: BlockSpec = {
   },
 }
 
-export const definitions: readonly BlockSpec[] = [main, define, definePattern]
+/// A class, or how a type belongs to one. What stands before `where` is text; the definitions are blocks.
+const instance: BlockSpec = {
+  type: "instance",
+  shape: extra => ({
+    family: "own",
+    connects: {as: "definition"},
+    rows: [
+      [
+        {
+          kind: "text",
+          key: "head",
+          value: textIn(extra, "head", words.definitions.exampleInstance),
+          aria: words.definitions.classAndType,
+        },
+        {kind: "label", text: words.answers.where},
+      ],
+      [{kind: "stack", name: "D", sort: "definition", aria: words.definitions.whatTheTypeCanDo}],
+    ],
+    tooltip: words.definitions.saysHowATypeBelongsToAClass,
+    aria: words.definitions.classAndType,
+  }),
+  press: extra => extra,
+  meaning: {
+    as: "definition",
+    read: r => ({
+      kind: "instance",
+      head: textIn(r.extra, "head", words.definitions.exampleInstance).trim(),
+      declarations: r.definitions("D"),
+      from: r.from,
+    }),
+    write: d =>
+      d.kind === "instance" ? {extra: {head: d.head}, sockets: {}, stacks: {D: d.declarations}} : undefined,
+  },
+}
+
+export const definitions: readonly BlockSpec[] = [main, define, definePattern, instance]

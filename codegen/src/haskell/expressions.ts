@@ -1,6 +1,6 @@
 /// Prints expressions and statements, with no more brackets than Haskell's fixities ask for.
 
-import type {Alternative, Declaration, Expr, FieldValue, Statement} from "../model/tree.ts"
+import type {Alternative, Declaration, Expr, FieldValue, Guarded, Statement} from "../model/tree.ts"
 import {unreachable} from "../model/tree.ts"
 import type {Doc} from "./doc.ts"
 import {
@@ -37,6 +37,7 @@ export interface Context {
   readonly fixities: Fixities
   readonly declarations: (ds: readonly Declaration[]) => Doc
   readonly alternative: (a: Alternative) => Doc
+  readonly branches: (branches: readonly Guarded[]) => Doc
 }
 
 export function printExpr(e: Expr, context: Context): Doc {
@@ -49,6 +50,8 @@ export function hangs(e: Expr): boolean {
     case "do":
       return e.statements.length > 0
     case "case":
+    case "lambda-case":
+    case "branches":
       return true
     case "infix":
       return e.op === "$" && hangs(e.right)
@@ -101,17 +104,12 @@ function exprBody(e: Expr, context: Context): Doc {
         hangs(e.condition) ? tighter(e.condition, 0, context) : printExpr(e.condition, context),
         nest([line, "then ", printExpr(e.yes, context), line, "else ", printExpr(e.no, context)]),
       ])
+    case "branches":
+      return e.branches.length === 0 ? "_" : ["if", context.branches(e.branches)]
     case "case":
-      return [
-        "case ",
-        tighter(e.scrutinee, 0, context),
-        " of",
-        nest(
-          e.alternatives.length === 0
-            ? [hardline, "_ -> _"]
-            : e.alternatives.map(a => [hardline, context.alternative(a)]),
-        ),
-      ]
+      return ["case ", tighter(e.scrutinee, 0, context), " of", alternatives(e.alternatives, context)]
+    case "lambda-case":
+      return ["\\case", alternatives(e.alternatives, context)]
     case "let":
       if (e.declarations.length === 0) return printExpr(e.body, context)
       return group([
@@ -182,6 +180,10 @@ function exprBody(e: Expr, context: Context): Doc {
     default:
       return unreachable(e)
   }
+}
+
+function alternatives(all: readonly Alternative[], context: Context): Doc {
+  return nest(all.length === 0 ? [hardline, "_ -> _"] : all.map(a => [hardline, context.alternative(a)]))
 }
 
 /// `f $ do …`: what comes after it would become part of its last line.
@@ -350,7 +352,8 @@ function isOperandOf(child: Expr, mine: Fixity, side: "left" | "right", context:
 function isOpen(e: Expr): boolean {
   const inner = transparent(e)
   return (
-    ["lambda", "if", "case", "let", "do"].includes(inner.kind) && fixityOfExpr(inner, emptyContext) === "open"
+    ["lambda", "if", "branches", "case", "lambda-case", "let", "do"].includes(inner.kind) &&
+    fixityOfExpr(inner, emptyContext) === "open"
   )
 }
 
@@ -379,9 +382,12 @@ function fixityOfExpr(e: Expr, context: {fixities: Fixities}): Fixity | "atom" |
     case "lambda":
     case "if":
     case "case":
+    case "lambda-case":
     case "let":
     case "typed":
       return "open"
+    case "branches":
+      return e.branches.length === 0 ? "atom" : "open"
     case "do":
       return e.statements.length === 0 ? "atom" : "open"
     case "raw":

@@ -13,6 +13,7 @@ import type {
   DataDeclaration,
   Declaration,
   Expr,
+  Guarded,
   Node,
   Pattern,
   Program,
@@ -101,6 +102,7 @@ function makeContext(fixities: ReadonlyMap<string, Fixity>): Context {
         hardline,
       ),
     alternative: a => printAlternative(a, context),
+    branches: all => printBranches(all, "->", context),
   }
   return context
 }
@@ -126,6 +128,10 @@ function declarationBody(d: Declaration, context: Context): Doc {
         ["type ", join([constructorName(d.name), ...d.parameters.map(variableName)], " "), " ="],
         nest([line, printType(d.type)]),
       ])
+    case "instance":
+      return d.declarations.length === 0
+        ? d.head
+        : [d.head, " where", nest([hardline, context.declarations(d.declarations)])]
     case "raw-declaration":
       return lines(d.text.trim() === "" ? "-- (nothing yet)" : d.text)
     default:
@@ -175,30 +181,34 @@ function printBody(right: RightSide, sign: string, context: Context): Doc {
   const body = right.body
   if (isGuards(body)) {
     if (body.length === 0) return ` ${sign} _`
-    return nest(
-      body.map(g => [
-        hardline,
-        mark(g, [
-          "| ",
-          g.guards.length === 0
-            ? "otherwise"
-            : group(
-                align(
-                  join(
-                    g.guards.map(s => printCondition(s, sign, context)),
-                    [",", line],
-                  ),
-                ),
-              ),
-          hangs(g.body)
-            ? [` ${sign} `, printExpr(g.body, context)]
-            : group([` ${sign}`, nest([line, printExpr(g.body, context)])]),
-        ]),
-      ]),
-    )
+    return printBranches(body, sign, context)
   }
   if (hangs(body)) return [` ${sign} `, printExpr(body, context)]
   return group([` ${sign}`, nest([line, printExpr(body, context)])])
+}
+
+function printBranches(branches: readonly Guarded[], sign: string, context: Context): Doc {
+  return nest(
+    branches.map(g => [
+      hardline,
+      mark(g, [
+        "| ",
+        g.guards.length === 0
+          ? "otherwise"
+          : group(
+              align(
+                join(
+                  g.guards.map(s => printCondition(s, sign, context)),
+                  [",", line],
+                ),
+              ),
+            ),
+        hangs(g.body)
+          ? [` ${sign} `, printExpr(g.body, context)]
+          : group([` ${sign}`, nest([line, printExpr(g.body, context)])]),
+      ]),
+    ]),
+  )
 }
 
 function isGuards(body: RightSide["body"]): body is Exclude<RightSide["body"], {readonly kind: string}> {
@@ -254,6 +264,10 @@ function printConstructor(c: Constructor): Doc {
 /// The names a program's top level defines, in order; used to keep layout and text together.
 export function topNames(program: Program): string[] {
   return program.declarations.map(d =>
-    d.kind === "binding" ? (boundBy(d.pattern)[0] ?? "_") : d.kind === "raw-declaration" ? "_" : d.name,
+    d.kind === "binding"
+      ? (boundBy(d.pattern)[0] ?? "_")
+      : d.kind === "raw-declaration" || d.kind === "instance"
+        ? "_"
+        : d.name,
   )
 }

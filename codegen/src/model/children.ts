@@ -35,6 +35,12 @@ export function childrenOf(node: Node): readonly Node[] {
       return [...node.parameters, node.body]
     case "if":
       return [node.condition, node.yes, node.no]
+    case "instance":
+      return node.declarations
+    case "branches":
+      return node.branches
+    case "lambda-case":
+      return node.alternatives
     case "case":
       return [node.scrutinee, ...node.alternatives]
     case "alternative":

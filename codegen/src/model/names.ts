@@ -39,6 +39,7 @@ export function definedBy(declaration: Declaration): string[] {
       return boundBy(declaration.pattern)
     case "data":
     case "synonym":
+    case "instance":
     case "raw-declaration":
       return []
     default:
@@ -69,9 +70,15 @@ export function nameOf(declaration: Declaration): string {
       return declaration.name
     case "binding":
       return boundBy(declaration.pattern)[0] ?? "_"
+    case "instance":
+      return wordOf(declaration.head)
     case "raw-declaration":
-      return /^\s*(?:(?:data|newtype|type|class|instance)\s+)?([\w'.]+)/.exec(declaration.text)?.[1] ?? "_"
+      return wordOf(declaration.text)
     default:
       return unreachable(declaration)
   }
+}
+
+function wordOf(text: string): string {
+  return /^\s*(?:(?:data|newtype|type|class|instance)\s+)?([\w'.]+)/.exec(text)?.[1] ?? "_"
 }

@@ -33,6 +33,7 @@ export type Declaration =
   | PatternBinding
   | DataDeclaration
   | SynonymDeclaration
+  | InstanceDeclaration
   | RawDeclaration
 
 /// A function with its equations, or a constant: one equation without patterns.
@@ -93,6 +94,14 @@ export interface SynonymDeclaration extends Made, Remarked {
   readonly type: TypeText
 }
 
+/// How a type belongs to a class, or the class itself with what its types have in common.
+export interface InstanceDeclaration extends Made, Remarked {
+  readonly kind: "instance"
+  /// All that stands before `where`, on one line: `instance Show a => Show (Box a)`.
+  readonly head: string
+  readonly declarations: readonly Declaration[]
+}
+
 /// Haskell that blocks cannot say, kept to the letter.
 export interface RawDeclaration extends Made, Remarked {
   readonly kind: "raw-declaration"
@@ -123,7 +132,11 @@ export type Expr = Made &
     | {readonly kind: "section"; readonly op: string; readonly side: "left" | "right"; readonly operand: Expr}
     | {readonly kind: "lambda"; readonly parameters: readonly Pattern[]; readonly body: Expr}
     | {readonly kind: "if"; readonly condition: Expr; readonly yes: Expr; readonly no: Expr}
+    /// `if | first -> … | second -> …`: an `if` of many branches.
+    | {readonly kind: "branches"; readonly branches: readonly Guarded[]}
     | {readonly kind: "case"; readonly scrutinee: Expr; readonly alternatives: readonly Alternative[]}
+    /// `\case`: a function that looks at its input at once.
+    | {readonly kind: "lambda-case"; readonly alternatives: readonly Alternative[]}
     | {readonly kind: "let"; readonly declarations: readonly Declaration[]; readonly body: Expr}
     | {readonly kind: "do"; readonly statements: readonly Statement[]}
     | {readonly kind: "tuple"; readonly items: readonly Expr[]}

@@ -1,6 +1,6 @@
 /// Where names are used, and which binder each use means.
 
-import type {Clause, Declaration, Expr, Pattern, RightSide, Statement} from "./tree.ts"
+import type {Clause, Declaration, Expr, Guarded, Pattern, RightSide, Statement} from "./tree.ts"
 import {unreachable} from "./tree.ts"
 
 /// What brings a name into scope: a pattern that names something, or a definition.
@@ -88,6 +88,8 @@ function use(name: string, node: Expr, scope: Scope, uses: Use[]): void {
 function visitDeclaration(d: Declaration, scope: Scope, uses: Use[]): void {
   if (d.kind === "function") for (const c of d.clauses) visitClause(c, scope, uses)
   else if (d.kind === "binding") visitRight(d.right, scope, uses)
+  // A method's name is its class's: nothing here binds it.
+  else if (d.kind === "instance") for (const inner of d.declarations) visitDeclaration(inner, scope, uses)
 }
 
 function visitClause(c: Clause, scope: Scope, uses: Use[]): void {
@@ -99,7 +101,11 @@ function visitRight(right: RightSide, outer: Scope, uses: Use[]): void {
   for (const d of right.where) visitDeclaration(d, scope, uses)
   const body = right.body
   if (!Array.isArray(body)) visit(body as Expr, scope, uses)
-  else for (const g of body) visitStatements(g.guards, scope, uses, inner => visit(g.body, inner, uses))
+  else visitBranches(body, scope, uses)
+}
+
+function visitBranches(branches: readonly Guarded[], scope: Scope, uses: Use[]): void {
+  for (const g of branches) visitStatements(g.guards, scope, uses, inner => visit(g.body, inner, uses))
 }
 
 function visitStatements(
@@ -148,8 +154,12 @@ function visit(e: Expr, scope: Scope, uses: Use[]): void {
       visit(e.yes, scope, uses)
       visit(e.no, scope, uses)
       return
+    case "branches":
+      visitBranches(e.branches, scope, uses)
+      return
     case "case":
-      visit(e.scrutinee, scope, uses)
+    case "lambda-case":
+      if (e.kind === "case") visit(e.scrutinee, scope, uses)
       for (const a of e.alternatives) visitRight(a.right, plus(scope, bindersIn(a.pattern)), uses)
       return
     case "let": {

@@ -36,6 +36,7 @@ function readingOf(context: Context): Reading {
     context,
     declarations: around => readLocal(around, r),
     right: node => readRight(node, r),
+    branch: match => guarded(match, r),
   }
   return r
 }
@@ -45,8 +46,13 @@ function readLocal(around: Syntax, r: Reading): Declaration[] {
   const binds = child(around, "binds")
   if (binds === undefined) return []
   const keyword = around.children.find(c => !c.named && (c.type === "where" || c.type === "let"))
-  let from = keyword?.end ?? binds.start
-  return grouped(childrenIn(binds, "decl"), r.context).map(group => {
+  return readInner(childrenIn(binds, "decl"), keyword?.end ?? binds.start, r)
+}
+
+/// Definitions inside of others, each with the comments that stand beside it from a place on.
+function readInner(nodes: readonly Syntax[], start: number, r: Reading): Declaration[] {
+  let from = start
+  return grouped(nodes, r.context).map(group => {
     const range = over(group)
     const made = readGroup(group, r)
     const remark = r.context.takeComments(from, range.end)
@@ -125,8 +131,6 @@ function plainName(node: Syntax, context: Context): string {
 // --- Functions and bindings --------------------------------------------------------------------------------------
 
 const others: {readonly [type: string]: Cause} = {
-  class: "class",
-  instance: "instance",
   deriving_instance: "instance",
   fixity: "fixity",
   type_family: "family",
@@ -155,11 +159,33 @@ function readGroup(group: readonly Syntax[], r: Reading): Declaration | Cause {
     case "function":
     case "bind":
       return definition(group, r)
+    case "class":
+    case "instance":
+      return instance(first, r)
     case "top_splice":
       return r.context.of(first).startsWith("$") ? "template" : "broken"
     default:
       return others[first.type] ?? "declaration"
   }
+}
+
+/// A class or an instance whose parts are equations and signatures. What tells the compiler something has no place in the tree.
+function instance(node: Syntax, r: Reading): Declaration | Cause {
+  const {context} = r
+  const cause = node.type === "class" ? "class" : "instance"
+  const body = child(node, "declarations")
+  const where = node.children.find(c => c.type === "where")
+  if (context.of(node).includes("{-#")) return cause
+  const inner = body === undefined ? [] : childrenIn(body, "declaration")
+  const plain = ["function", "bind", "signature"]
+  if (body !== undefined && (where === undefined || namedChildren(body).some(c => !plain.includes(c.type))))
+    return cause
+  const head = {start: node.start, end: where?.start ?? node.end}
+  return context.at(node, {
+    kind: "instance",
+    head: context.typeText(head),
+    declarations: readInner(inner, where?.end ?? node.end, r),
+  })
 }
 
 function definition(group: readonly Syntax[], r: Reading): Declaration | Cause {

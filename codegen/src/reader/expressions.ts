@@ -4,7 +4,15 @@
 /// applications become flat. Round brackets leave no trace: the printer knows where Haskell needs them.
 
 import {isConstructorName, isConstructorOperator, isOperator, isVariableName} from "../haskell/lexemes.ts"
-import type {Alternative, Declaration, Expr, FieldValue, RightSide, Statement} from "../model/tree.ts"
+import type {
+  Alternative,
+  Declaration,
+  Expr,
+  FieldValue,
+  Guarded,
+  RightSide,
+  Statement,
+} from "../model/tree.ts"
 import type {Link} from "./chain.ts"
 import {resolve} from "./chain.ts"
 import type {Context} from "./context.ts"
@@ -20,6 +28,7 @@ export interface Reading {
   readonly context: Context
   readonly declarations: (around: Syntax) => readonly Declaration[]
   readonly right: (node: Syntax) => RightSide
+  readonly branch: (match: Syntax) => Guarded
 }
 
 export function readExpr(node: Syntax, r: Reading): Expr {
@@ -115,10 +124,14 @@ function make(node: Syntax, r: Reading): Expr | Cause {
     }
     case "record":
       return record(node, r)
-    case "lambda_case":
+    case "lambda_case": {
+      const alternatives = alternativesOf(node, r)
+      return alternatives === undefined ? "lambdaCase" : at({kind: "lambda-case", alternatives})
+    }
+    case "lambda_cases":
       return "lambdaCase"
     case "multi_way_if":
-      return "multiWayIf"
+      return at({kind: "branches", branches: childrenIn(node, "match").map(r.branch)})
     default:
       return "expression"
   }
@@ -309,14 +322,20 @@ function lambda(node: Syntax, r: Reading): Expr | Cause {
 
 function caseOf(node: Syntax, r: Reading): Expr | Cause {
   const scrutinee = namedChildren(node).find(c => c.field === undefined)
-  const alternatives = child(node, "alternatives")
   if (scrutinee === undefined) return "expression"
+  const alternatives = alternativesOf(node, r)
+  if (alternatives === undefined) return "expression"
+  return r.context.at(node, {kind: "case", scrutinee: readExpr(scrutinee, r), alternatives})
+}
+
+function alternativesOf(node: Syntax, r: Reading): Alternative[] | undefined {
+  const alternatives = child(node, "alternatives")
   const all = alternatives === undefined ? [] : childrenIn(alternatives, "alternative")
   if (all.length === 0) r.context.whole = "broken"
   const read: Alternative[] = []
   for (const a of all) {
     const pattern = child(a, "pattern")
-    if (pattern === undefined) return "expression"
+    if (pattern === undefined) return undefined
     read.push(
       r.context.at(a, {
         kind: "alternative",
@@ -325,7 +344,7 @@ function caseOf(node: Syntax, r: Reading): Expr | Cause {
       } as const),
     )
   }
-  return r.context.at(node, {kind: "case", scrutinee: readExpr(scrutinee, r), alternatives: read})
+  return read
 }
 
 function range(node: Syntax, r: Reading): Expr | Cause {

@@ -233,6 +233,7 @@ function namesOf(d: Declaration, guessed: string): readonly string[] {
       return [d.name]
     case "binding":
       return boundBy(d.pattern)
+    case "instance":
     case "raw-declaration":
       return guessed === "" ? [] : [guessed]
   }
@@ -253,7 +254,7 @@ export function expressionsIn(d: Declaration): {
 }
 
 const expressionKinds = new Set(
-  "variable constructor-name number string character apply infix negate section lambda if case let do tuple list range comprehension typed record update hole raw".split(
+  "variable constructor-name number string character apply infix negate section lambda if branches case lambda-case let do tuple list range comprehension typed record update hole raw".split(
     " ",
   ),
 )

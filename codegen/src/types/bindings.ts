@@ -8,6 +8,7 @@ import type {
   Declaration,
   Expr,
   FunctionDeclaration,
+  InstanceDeclaration,
   Pattern,
   PatternBinding,
   RightSide,
@@ -22,7 +23,7 @@ import type {Wanted} from "./problems.ts"
 import type {Scope} from "./scope.ts"
 import type {Rigid} from "./solve.ts"
 import {simplify} from "./solve.ts"
-import {beyond, mono} from "./state.ts"
+import {mono} from "./state.ts"
 import type {Meta, Scheme, Type} from "./type.ts"
 import {asFunction, bool, fun, metasIn, rigidsIn, substitute, variablesIn} from "./type.ts"
 
@@ -84,6 +85,23 @@ export abstract class Bindings extends Patterns {
     return scope
   }
 
+  /// Methods have the types that their class gives them, which only GHC knows; what stands inside goes together all the same.
+  protected methods(d: InstanceDeclaration, outer: Scope): void {
+    const before = this.wanted
+    for (const method of d.declarations) {
+      this.level++
+      const scope = outer.inner()
+      const type = this.unknown()
+      if (method.kind === "function") this.clauses(method, type, scope)
+      if (method.kind === "binding") {
+        this.pattern(method.pattern, type, scope)
+        this.rightSide(method.right, type, scope)
+      }
+      this.level--
+    }
+    this.wanted = before
+  }
+
   protected component(
     members: readonly Declaration[],
     signatures: ReadonlyMap<Declaration, Scheme>,
@@ -96,7 +114,7 @@ export abstract class Bindings extends Patterns {
     if (members.length === 1 && only?.kind === "function" && signature !== undefined)
       this.checkSigned(only, signature, scope, top)
     else this.inferTogether(members, scope, top)
-    if (!members.some(d => d.kind === "function" && beyond(d.signature?.text ?? ""))) return
+    if (!members.some(d => d.kind === "function" && this.beyond(d.signature?.text ?? ""))) return
     this.problems.length = problems
     this.wanted = wanted
     for (const d of members) {

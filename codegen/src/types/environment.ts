@@ -60,6 +60,8 @@ export interface Environment {
   readonly instances: Lookup<Lookup<Instance | "none">>
   /// Fields of the program's own types: no definition can have such a name.
   readonly fields?: ReadonlySet<string>
+  /// Names for types with variables of their own inside, which are GHC's to judge.
+  readonly ranked?: ReadonlySet<string>
   /// Any name may come from a module that nobody told us about.
   readonly open?: boolean
   /// What may stand before the dot of a name.
@@ -87,6 +89,7 @@ export interface Growing {
   needs: Set<string>
   instances: Table<Table<Instance | "none">>
   fields?: ReadonlySet<string>
+  ranked?: ReadonlySet<string>
   open?: boolean
   qualifiers?: ReadonlySet<string>
   written?: ReadonlySet<string>

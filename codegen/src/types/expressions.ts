@@ -1,7 +1,7 @@
 /// The types of expressions and of the steps of a `do`.
 
 import {isFractionalLiteral} from "../haskell/lexemes.ts"
-import type {Expr, Statement} from "../model/tree.ts"
+import type {Alternative, Expr, Statement} from "../model/tree.ts"
 import {unreachable} from "../model/tree.ts"
 import {Bindings} from "./bindings.ts"
 import {expand} from "./environment.ts"
@@ -77,15 +77,19 @@ export class Expressions extends Bindings {
         this.check(e.yes, type, scope)
         this.check(e.no, type, scope)
         return
+      case "branches":
+        for (const g of e.branches) this.check(g.body, type, this.guards(g.guards, scope))
+        return
       case "case": {
         const scrutinee = this.fresh()
         this.check(e.scrutinee, scrutinee, scope)
-        for (const a of e.alternatives) {
-          this.distinct([a.pattern])
-          const inner = scope.inner()
-          this.pattern(a.pattern, scrutinee, inner)
-          this.rightSide(a.right, type, inner)
-        }
+        this.alternatives(e.alternatives, scrutinee, type, scope)
+        return
+      }
+      case "lambda-case": {
+        const [from, to] = [this.fresh(), this.fresh()]
+        this.same(type, fun(from, to), e)
+        this.alternatives(e.alternatives, from, to, scope)
         return
       }
       case "let":
@@ -142,6 +146,15 @@ export class Expressions extends Bindings {
         return
       default:
         unreachable(e)
+    }
+  }
+
+  private alternatives(all: readonly Alternative[], of: Type, type: Type, scope: Scope): void {
+    for (const a of all) {
+      this.distinct([a.pattern])
+      const inner = scope.inner()
+      this.pattern(a.pattern, of, inner)
+      this.rightSide(a.right, type, inner)
     }
   }
 

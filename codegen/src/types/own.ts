@@ -3,7 +3,7 @@
 import type {DataDeclaration, SynonymDeclaration} from "../model/tree.ts"
 import type {Environment, Growing, Instance, Lookup, Table} from "./environment.ts"
 import {addData, addInstance, expand, Layer} from "./environment.ts"
-import {parseType} from "./parse.ts"
+import {beyond, parseType} from "./parse.ts"
 import {reduce} from "./solve.ts"
 import type {Type} from "./type.ts"
 import {app, con} from "./type.ts"
@@ -46,6 +46,7 @@ export function withTypes(
     open: base.open ?? false,
     qualifiers: base.qualifiers ?? new Set<string>(),
     written,
+    ranked: rankedIn(declarations),
   }
   for (const d of declarations) {
     env.hidden.delete(d.name)
@@ -78,6 +79,16 @@ export function withTypes(
   }
   dropUnderivable(env, declarations)
   return env
+}
+
+/// Names for types with variables of their own inside, also by way of another such name.
+function rankedIn(declarations: readonly (DataDeclaration | SynonymDeclaration)[]): ReadonlySet<string> {
+  const ranked = new Set<string>()
+  for (let before = -1; before < ranked.size; ) {
+    before = ranked.size
+    for (const d of declarations) if (d.kind === "synonym" && beyond(d.type.text, ranked)) ranked.add(d.name)
+  }
+  return ranked
 }
 
 /// A type cannot be compared when something it is made of cannot. Taking one away may take others with it.

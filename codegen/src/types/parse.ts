@@ -155,3 +155,9 @@ class Parser {
     return true
   }
 }
+
+/// Whether a type has variables of its own inside, or a name that stands for such a type.
+export function beyond(text: string, ranked: ReadonlySet<string> = new Set()): boolean {
+  if (/(?<![\p{L}\p{N}_'])forall(?![\p{L}\p{N}_'])|∀/u.test(text)) return true
+  return ranked.size > 0 && (text.match(/[\p{L}_][\p{L}\p{N}_']*/gu) ?? []).some(name => ranked.has(name))
+}

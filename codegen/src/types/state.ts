@@ -3,7 +3,7 @@
 import type {Declaration, Expr, Node, Origin} from "../model/tree.ts"
 import type {Environment} from "./environment.ts"
 import {expand} from "./environment.ts"
-import {parseScheme} from "./parse.ts"
+import {beyond, parseScheme} from "./parse.ts"
 import type {TypeProblem, Wanted} from "./problems.ts"
 import {Scope} from "./scope.ts"
 import {unify} from "./solve.ts"
@@ -12,11 +12,6 @@ import {asFunction, con, funs, listOf, prune, substitute, tupleOf} from "./type.
 
 /// Types and classes as they are written without a module's name before them.
 const unqualifiedNames = /(?<![\p{L}\p{N}_'.])\p{Lu}[\p{L}\p{N}_']*(?![\p{L}\p{N}_'.])/gu
-
-/// A type with variables of its own inside, which is GHC's to judge.
-export function beyond(text: string): boolean {
-  return /(?<![\p{L}\p{N}_'])forall(?![\p{L}\p{N}_'])|∀/u.test(text)
-}
 
 export class State {
   protected found = new Map<Node, Type>()
@@ -53,12 +48,17 @@ export class State {
     return {kind: "meta", id: this.count++, level: this.level, is: undefined}
   }
 
+  /// A type with variables of its own inside, which is GHC's to judge.
+  protected beyond(text: string): boolean {
+    return beyond(text, this.env.ranked)
+  }
+
   // --- Types as they are written -----------------------------------------------------------------------------------
 
   protected signature(text: string, node: Node): Scheme | undefined {
-    const scheme = parseScheme(text)
+    const scheme = this.beyond(text) ? undefined : parseScheme(text)
     if (scheme === undefined) {
-      if (text.trim() !== "" && !beyond(text)) this.problems.push({kind: "bad-signature", node, text})
+      if (text.trim() !== "" && !this.beyond(text)) this.problems.push({kind: "bad-signature", node, text})
       return undefined
     }
     this.knownTypes(scheme.type, node)

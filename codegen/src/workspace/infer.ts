@@ -5,7 +5,8 @@ import {socketKey} from "../api.ts"
 import {blockView} from "../blocks/language.ts"
 import type {ReadWorkspace} from "../blocks/read.ts"
 import {chain, readWorkspace} from "../blocks/read.ts"
-import type {Declaration, Node, Origin, RawDeclaration} from "../model/tree.ts"
+import {printDeclarationAlone} from "../haskell/print.ts"
+import type {Declaration, InstanceDeclaration, Node, Origin, RawDeclaration} from "../model/tree.ts"
 import type {SavedBlock, SavedWorkspace} from "../saved.ts"
 import {withTexts} from "../types/brought.ts"
 import type {Environment} from "../types/environment.ts"
@@ -35,7 +36,7 @@ export function solve(workspace: SavedWorkspace): Solved {
 export function solveRead(read: ReadWorkspace, watch?: Origin, memo?: Memo): Solved {
   const declarations = read.program.declarations
   const types = declarations.filter(d => d.kind === "data" || d.kind === "synonym")
-  const raw = declarations.flatMap(d => (d.kind === "raw-declaration" ? [d] : []))
+  const raw = declarations.filter(d => d.kind === "raw-declaration" || d.kind === "instance")
   const world = [...types, ...raw].map(d => memo?.numberOf(d)).join(" ") + (read.header ?? "")
   const known = memo?.worlds.get(world)
   // What a program's types must derive is found anew each time.
@@ -57,14 +58,14 @@ export function solveRead(read: ReadWorkspace, watch?: Origin, memo?: Memo): Sol
 }
 
 /// The library with what text brings into scope; most programs have no such text.
-function inText(header: string, raw: readonly RawDeclaration[]): Environment {
+function inText(header: string, raw: readonly (RawDeclaration | InstanceDeclaration)[]): Environment {
   return header === "" && raw.length === 0
     ? library
     : withTexts(
         library,
         readTexts(
           header,
-          raw.map(d => d.text),
+          raw.map(d => (d.kind === "raw-declaration" ? d.text : printDeclarationAlone(d))),
         ),
       )
 }

@@ -245,6 +245,8 @@ const numbers = perLanguage((): readonly ToolboxItem[] => [
 const decide = perLanguage((): readonly ToolboxItem[] => [
   item(words.toolbox.ifThenElse, make("if")),
   item(words.toolbox.lookAtAValueAndChooseCase, make("case", {alternatives: [{}, {}]})),
+  item(words.toolbox.theFirstThatHolds, make("branches", {guards: 2, otherwise: true})),
+  item(words.toolbox.aFunctionThatLooksAtItsInput, make("case", {lambda: true, alternatives: [{}, {}]})),
   item(words.toolbox.compare, infix(">")),
   item(words.toolbox.equal, infix("==")),
   item(words.toolbox.and, infix("&&")),
@@ -281,6 +283,7 @@ const types = perLanguage((): readonly ToolboxItem[] => [
       ],
     }),
   ),
+  item(words.toolbox.howATypeBelongsToAClass, make("instance", {head: "instance Show Mode"})),
   item(words.toolbox.valueOfAType, make("typed", {type: "Double"})),
   item(
     words.toolbox.aTaskWithAStart,

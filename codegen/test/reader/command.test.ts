@@ -27,10 +27,10 @@ describe("to-blocks", () => {
   )
 
   test("says what stays as text, and why", () => {
-    const made = toBlocks("p", utf8("class A a where\n  f :: a\n"), reader)
+    const made = toBlocks("p", utf8("type family A a\n"), reader)
     expect(made.status).toBe(0)
     expect(made.err).toBe(
-      "“class A a where” stays as text. A class describes many types at once. Blocks have no shape for it.",
+      "“type family A a” stays as text. Types that are computed from types. Blocks have no shape for them.",
     )
   })
 

@@ -58,7 +58,9 @@ const callable = new Set<Expr["kind"]>([
   "section",
   "lambda",
   "if",
+  "branches",
   "case",
+  "lambda-case",
   "let",
   "infix",
 ])
@@ -115,6 +117,18 @@ const kinds = fc.letrec<Kinds>(loose => {
           kind: "case",
           scrutinee,
           alternatives: all.map(([pattern, right]) => ({kind: "alternative", pattern, right})),
+        }),
+      ),
+      few(fc.tuple(p, tie("right"))).map(
+        (all): Expr => ({
+          kind: "lambda-case",
+          alternatives: all.map(([pattern, right]) => ({kind: "alternative", pattern, right})),
+        }),
+      ),
+      few(fc.tuple(conditions(guard), e)).map(
+        (all): Expr => ({
+          kind: "branches",
+          branches: all.map(([guards, body]) => ({kind: "guarded", guards, body})),
         }),
       ),
       fc
@@ -262,9 +276,29 @@ const ownType: fc.Arbitrary<Declaration> = fc
     }),
   )
 
+const instance: fc.Arbitrary<Declaration> = fc
+  .tuple(
+    fc.constantFrom("instance Show Mode", "instance Eq a => Eq (Box a)", "class Shape a"),
+    fc.array(kinds.declaration, {maxLength: 2}),
+  )
+  .map(
+    ([head, all]): Declaration => ({
+      kind: "instance",
+      head,
+      declarations: renamed(all.filter(d => d.kind === "function")),
+    }),
+  )
+
 export const wellFormed: fc.Arbitrary<Program> = fc
-  .array(fc.oneof({weight: 4, arbitrary: kinds.declaration}, {weight: 1, arbitrary: ownType}), {
-    minLength: 1,
-    maxLength: 3,
-  })
+  .array(
+    fc.oneof(
+      {weight: 4, arbitrary: kinds.declaration},
+      {weight: 1, arbitrary: ownType},
+      {weight: 1, arbitrary: instance},
+    ),
+    {
+      minLength: 1,
+      maxLength: 3,
+    },
+  )
   .map(all => structuredClone({kind: "program" as const, declarations: renamed(all)}))

@@ -33,6 +33,10 @@ export const blocks: Pick<
     removeTheLastCase: "den letzten Fall wegnehmen",
     looksAtAValueAndTakes:
       "Schaut auf einen Wert und nimmt den ersten Fall, der passt. Beispiel: schau auf mode, wenn es ist Go, dann Velocity 0.5 0.",
+    takesTheFirstThatHolds:
+      "Nimmt den ersten Zweig, dessen Bedingung gilt. Beispiel: wenn abstand < 0.3, dann Red, sonst Green.",
+    theFirstThatHolds: "der erste Zweig, der gilt",
+    lookAtTheInput: "schau auf die Eingabe",
     lookAtAValueAndChoose: "auf einen Wert schauen und wählen",
     case2: n => `, Fall ${n}`,
     computesWithTwoNumbers: "Rechnet mit zwei Zahlen. Beispiel: vl + 0.5.",
@@ -57,6 +61,11 @@ export const blocks: Pick<
     minus: "minus",
   },
   definitions: {
+    exampleInstance: "instance Show Mode",
+    classAndType: "Klasse und Typ",
+    whatTheTypeCanDo: "was der Typ kann",
+    saysHowATypeBelongsToAClass:
+      "Sagt, wie ein Typ zu einer Klasse gehört. Beispiel: instance Show Mode wobei show Go ist „go“.",
     when: "wenn",
     send: "sende",
     whatToSend: "was gesendet wird",

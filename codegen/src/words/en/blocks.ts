@@ -19,6 +19,10 @@ export const blocks = {
     removeTheLastCase: "remove the last case",
     looksAtAValueAndTakes:
       "Looks at a value and takes the first case that matches. Example: look at mode, when Go then Velocity 0.5 0.",
+    takesTheFirstThatHolds:
+      "Takes the first branch whose condition holds. Example: if distance < 0.3 then Red, otherwise Green.",
+    theFirstThatHolds: "the first branch that holds",
+    lookAtTheInput: "look at the input",
     lookAtAValueAndChoose: "look at a value and choose",
     case2: (n: number) => `, case ${n}`,
     computesWithTwoNumbers: "Computes with two numbers. Example: vl + 0.5.",
@@ -41,6 +45,11 @@ export const blocks = {
     minus: "minus",
   },
   definitions: {
+    exampleInstance: "instance Show Mode",
+    classAndType: "class and type",
+    whatTheTypeCanDo: "what the type can do",
+    saysHowATypeBelongsToAClass:
+      "Says how a type belongs to a class. Example: instance Show Mode where show Go is “go”.",
     when: "when",
     send: "send",
     whatToSend: "what to send",
