@@ -70,9 +70,30 @@ export class Words extends Blockly.FieldLabel {
   }
 }
 
+/// A field of one line that is typed into.
+class Line extends Blockly.FieldTextInput {
+  protected override updateSize_(margin?: number): void {
+    const {size, inset, width} = sizeOf(this, this.textElement_, this.borderRect_, margin)
+    this.size_ = size
+    this.positionTextElement_(inset, width)
+    this.positionBorderRect_()
+  }
+
+  override isSerializable(): boolean {
+    return false
+  }
+
+  // Blockly names the field, and not the input that is laid over it while it is open.
+  protected override widgetCreate_(): HTMLInputElement | HTMLTextAreaElement {
+    const input = super.widgetCreate_()
+    input.setAttribute("aria-label", this.getAriaTypeName() ?? "")
+    return input
+  }
+}
+
 /// @internal The type in a definition's header: the inferred one until the learner writes another; an empty one is
 /// inferred again.
-export class Signature extends Blockly.FieldTextInput {
+export class Signature extends Line {
   /// Characters; Blockly cuts off after 50.
   override maxDisplayLength = 120
   readonly key: string
@@ -83,17 +104,6 @@ export class Signature extends Blockly.FieldTextInput {
     super(value, undefined, {spellcheck: false, ariaTypeName: aria})
     this.key = key
     this.actions = actions
-  }
-
-  protected override updateSize_(margin?: number): void {
-    const {size, inset, width} = sizeOf(this, this.textElement_, this.borderRect_, margin)
-    this.size_ = size
-    this.positionTextElement_(inset, width)
-    this.positionBorderRect_()
-  }
-
-  override isSerializable(): boolean {
-    return false
   }
 
   /// Shows a type without telling anyone.
@@ -133,7 +143,7 @@ export class Signature extends Blockly.FieldTextInput {
 }
 
 /// @internal Text, numbers and types.
-export class Entry extends Blockly.FieldTextInput {
+export class Entry extends Line {
   readonly key: string
   protected readonly actions: FieldActions
   private readonly kind: "text" | "number" | "type"
@@ -152,17 +162,6 @@ export class Entry extends Blockly.FieldTextInput {
     this.actions = actions
     this.setSpellcheck(false)
     this.live = true
-  }
-
-  protected override updateSize_(margin?: number): void {
-    const {size, inset, width} = sizeOf(this, this.textElement_, this.borderRect_, margin)
-    this.size_ = size
-    this.positionTextElement_(inset, width)
-    this.positionBorderRect_()
-  }
-
-  override isSerializable(): boolean {
-    return false
   }
 
   protected override doClassValidation_(text?: unknown): string | null {
@@ -255,7 +254,7 @@ export class Menu extends Blockly.FieldDropdown {
 const pullDistance = 3
 
 /// @internal A name that its block brings into scope. Click to rename, drag to take a reference out.
-export class Binder extends Blockly.FieldTextInput {
+export class Binder extends Line {
   readonly key: string
   private readonly actions: FieldActions
   private readonly ofType: boolean
@@ -266,17 +265,6 @@ export class Binder extends Blockly.FieldTextInput {
     this.key = key
     this.actions = actions
     this.ofType = ofType
-  }
-
-  protected override updateSize_(margin?: number): void {
-    const {size, inset, width} = sizeOf(this, this.textElement_, this.borderRect_, margin)
-    this.size_ = size
-    this.positionTextElement_(inset, width)
-    this.positionBorderRect_()
-  }
-
-  override isSerializable(): boolean {
-    return false
   }
 
   /// Shows a name without telling anyone: the rename has been made already, or refused.

@@ -104,6 +104,15 @@ class Constants extends Blockly.zelos.ConstantProvider {
   }
 }
 
+/// What a socket or the end of a stack is called; the end of a stack that stands free is no place to fill.
+function placeName(connection: Blockly.RenderedConnection): string | undefined {
+  const input = connection.getParentInput()
+  if (input !== null) return input.getAriaLabelText() ?? Blockly.Msg.INPUT_LABEL_EMPTY
+  const around = connection.getSourceBlock().getTopStackBlock().previousConnection?.targetConnection
+  const stack = around?.getParentInput()?.getAriaLabelText()
+  return stack == null ? undefined : Blockly.Msg.INPUT_LABEL_END_STATEMENT?.replace("%1", stack)
+}
+
 /// Adds to a block's picture what zelos has not: a ring around memory, hints in empty sockets.
 class Picture extends Blockly.zelos.PathObject {
   private ring: SVGElement | undefined
@@ -137,6 +146,23 @@ class Picture extends Blockly.zelos.PathObject {
       text.remove()
       this.hints.delete(name)
     }
+  }
+
+  /// Blockly names a place when the keyboard comes to it. Who explores with a finger or a reading cursor hears the empty
+  /// ones too, and nothing of those that are none.
+  override addConnectionHighlight(
+    ...drawn: Parameters<Blockly.zelos.PathObject["addConnectionHighlight"]>
+  ): SVGElement {
+    const place = super.addConnectionHighlight(...drawn)
+    const [connection] = drawn
+    const empty = connection.isSuperior() && connection.targetBlock() === null
+    const name = empty ? placeName(connection) : undefined
+    if (name === undefined) place.setAttribute("aria-hidden", "true")
+    else {
+      place.removeAttribute("aria-hidden")
+      place.setAttribute("aria-label", name)
+    }
+    return place
   }
 
   /// The second line of memory and Maybe: a wider copy behind the block.

@@ -6,6 +6,9 @@
 /// How much darker an empty socket is than its block; words stand in it.
 export const socketShade = {light: 0.19, dark: 0.2} as const
 
+/// Pixels of the bar that search and level stand in where the page is narrow.
+const barHeight = 50
+
 export const styleSheet = `
 :where(.rosyBlocks) { position: relative; height: 100%; }
 .rosyBlocks { overflow: hidden; container: blocks / inline-size; --on-block: #ffffff; --socket: rgb(0 0 0 / ${socketShade.light}); }
@@ -121,13 +124,19 @@ export const styleSheet = `
 .rosyBlocks .blocklyWarningIcon .blocklyIconSymbol { fill: #ffffff; }
 .rosyBlocks .blocklyIconGroup:not(:hover):not(:focus) { opacity: 1; }
 
-/* On a phone the toolbox is its swatches; its words are still there for a screen reader. */
+/* On a phone the toolbox is its swatches; its words are still there for a screen reader. Search and level are a bar over
+   all of it: the bar is placed in the toolbox, and what scrolls is only its list, so that nothing cuts the bar off. */
 @container blocks (max-width: 560px) {
-  .rosyBlocks .blocklyToolbox { width: 54px; min-width: 0; padding: 8px 5px; }
+  .rosyBlocks > .injectionDiv { height: calc(100% - ${barHeight}px); margin-top: ${barHeight}px; overflow: visible; }
+  .rosyBlocks .blocklyToolbox { width: 54px; min-width: 0; padding: 0; overflow: visible; }
+  .rosyBlocks .blocklyToolbox > .blocklyToolboxCategoryGroup { flex-wrap: nowrap; height: 100%; box-sizing: border-box; padding: 6px 5px; overflow: hidden auto; scrollbar-width: none; }
   .rosyBlocks .blocklyToolboxCategory { padding: 13px 12px !important; }
   .rosyBlocks .blocklyToolboxCategoryLabel { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
-  .rosyBlocks .rosyLevel { display: none; }
-  .rosyBlocks .blocklyToolboxCategoryContainer:has(.rosySearch) { display: none; }
+  .rosyBlocks .blocklyToolboxCategoryContainer:has(.rosySearch) { position: absolute; inset-inline-start: 0; top: -${barHeight}px; width: 100cqw; height: ${barHeight}px; box-sizing: border-box; display: flex; align-items: center; gap: 6px; padding: 0 8px; background: var(--paper); border-bottom: 1px solid var(--line); }
+  .rosyBlocks .rosySearchRow { flex: 1; min-width: 0; margin: 0; padding: 0 !important; }
+  .rosyBlocks .rosySearch { padding: 9px 10px; font-size: 16px; }
+  .rosyBlocks .rosyLevel { padding: 0; font-size: 0; }
+  .rosyBlocks .rosyLevel select { font-size: 14px; padding: 10px 2px; max-width: 9.5em; }
 }
 
 .rosyRefusal { position: absolute; z-index: 100; max-width: 300px; background: var(--ink); color: var(--paper); border-radius: 8px; padding: 7px 11px; font: 400 13.5px/1.4 Inter, system-ui, sans-serif; pointer-events: none; box-shadow: 0 4px 18px #0003; }

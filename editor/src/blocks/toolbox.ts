@@ -385,6 +385,12 @@ class Search extends Blockly.ToolboxCategory {
 }
 
 class Toolbox extends Blockly.Toolbox {
+  protected override createContentsContainer_(): HTMLDivElement {
+    const contents = super.createContentsContainer_()
+    contents.setAttribute("aria-label", words.blocks.toolbox)
+    return contents
+  }
+
   override onTreeFocus(node: Blockly.IFocusableNode, from: Blockly.IFocusableTree | null): void {
     afterFocus(node, () => super.onTreeFocus(node, from))
   }
@@ -398,11 +404,11 @@ export function registerToolbox(): void {
   registry.register(registry.Type.TOOLBOX_ITEM, searchKind, Search, true)
 }
 
-/// Puts the cursor into the search field; where a phone has no room for it, the keyboard goes to the categories.
+/// Puts the cursor into the search field.
 export function focusSearch(workspace: Blockly.WorkspaceSvg): void {
-  const toolbox = workspace.getToolbox()
-  const item = toolbox?.getToolboxItems().find(found => found instanceof Search)
-  const shown = item instanceof Search && item.getFocusableElement().getClientRects().length > 0
-  if (shown) Blockly.getFocusManager().focusNode(item)
-  else if (toolbox) Blockly.getFocusManager().focusTree(toolbox)
+  const item = workspace
+    .getToolbox()
+    ?.getToolboxItems()
+    .find(found => found instanceof Search)
+  if (item !== undefined) Blockly.getFocusManager().focusNode(item as Search)
 }

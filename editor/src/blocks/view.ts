@@ -151,6 +151,9 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   host.classList.add("rosyBlocks")
   const refusal = new RefusalLine(host)
   let level: Level = options.level ?? "reactions"
+  Blockly.Scrollbar.scrollbarThickness = window.matchMedia("(hover: none)").matches
+    ? barsFor.finger
+    : barsFor.mouse
   const workspace = Blockly.inject(host, {
     renderer: rendererName,
     theme: blocklyThemes.get(options.tone)!,
@@ -175,6 +178,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       scaleSpeed: 1.15,
     },
   })
+  workspace.getInjectionDiv().setAttribute("aria-label", words.blocksPane)
   const marks = new Marks(workspace)
   const away = hideFarBlocks(workspace, host)
   const freeFocus = keepFocus(workspace)
@@ -459,6 +463,9 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     },
   }
 }
+
+/// Pixels of a scroll bar with the space around it, which is 5. Fingers move the workspace itself: to them it only shows where they are.
+const barsFor = {mouse: 15, finger: 11} as const
 
 /// What words on blocks are set in (`theme.ts`, `style.ts`).
 const fonts = ['600 14px "Inter"', '700 14px "Inter"', '500 12px "Inter"', '500 12px "JetBrains Mono"']

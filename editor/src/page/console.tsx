@@ -3,7 +3,7 @@
 import type {VNode} from "preact"
 import {useLayoutEffect, useRef} from "preact/hooks"
 import type {ConsoleLine} from "../state/room.ts"
-import {words} from "../words/index.ts"
+import {measures, words} from "../words/index.ts"
 import {usePage} from "./pick.ts"
 
 export function ConsolePanel(): VNode {
@@ -26,7 +26,7 @@ export function ConsolePanel(): VNode {
       {lines.map((line, i) => (
         // Lines are only added at the end, so their place names them.
         <p key={i} class={`line ${line.kind}`}>
-          <span class="when">{line.time.toFixed(2)}</span>
+          <span class="when">{measures.fixed(line.time, 2)}</span>
           <LineText line={line} />
           {line.count > 1 && <span class="quiet">{words.times(line.count)}</span>}
         </p>

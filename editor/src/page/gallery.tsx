@@ -3,7 +3,7 @@
 import type {VNode} from "preact"
 import {useState} from "preact/hooks"
 import type {Example} from "../state/page.ts"
-import {words} from "../words/index.ts"
+import {measures, words} from "../words/index.ts"
 import {Dialog} from "./dialog.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {Said} from "./said.tsx"
@@ -91,9 +91,7 @@ function KeptPrograms(): VNode | null {
           <li key={program.id}>
             <button type="button" class="item" onClick={() => desk.openKept(program.id)}>
               <span>{program.name === "" ? words.unnamed : program.name}</span>
-              <span class="quiet">
-                {new Date(program.at).toLocaleString(undefined, {dateStyle: "medium", timeStyle: "short"})}
-              </span>
+              <span class="quiet">{measures.moment(new Date(program.at))}</span>
             </button>
           </li>
         ))}

@@ -7,7 +7,7 @@ import type {Hand} from "../state/messages.ts"
 import {readout} from "../state/next.ts"
 import {goalsOf} from "../state/room.ts"
 import {isActive} from "../state/run.ts"
-import {words} from "../words/index.ts"
+import {measures, words} from "../words/index.ts"
 import {CanvasBorder} from "./border.tsx"
 import {ChartsPanel} from "./charts.tsx"
 import {ConsolePanel} from "./console.tsx"
@@ -140,9 +140,10 @@ function RobotChoice(): VNode | null {
   )
 }
 
-/// The robot in words and numbers, for screen readers (read when asked for) and for tests.
-/// The sides of the robot that feel something, as words.
+/// The sides of the robot that feel something as words, numbers as the language writes them.
 function inWords(value: string): string {
+  const digits = /^-?\d+\.(\d+)$/.exec(value)?.[1]?.length
+  if (digits !== undefined) return measures.fixed(Number(value), digits)
   const sides: Readonly<Record<string, string>> = words.sides
   return value
     .split(" ")
@@ -150,6 +151,7 @@ function inWords(value: string): string {
     .join(" ")
 }
 
+/// The robot in words and numbers, for screen readers (read when asked for) and for tests.
 function Readout(): VNode {
   const readoutNames: Readonly<Record<string, string>> = words.readout
   const values = usePage(s => JSON.stringify(readout(s)))
@@ -242,7 +244,7 @@ function Goals(): VNode | null {
           <span aria-hidden="true">{goal.state === "done" ? "✓" : goal.state === "missed" ? "✗" : "○"}</span>
           {goal.title === "" ? goalTitle(goal.kind) : goal.title}
           <span class="hidden-text">{words.goalStates[goal.state]}</span>
-          {goal.time !== null && <span class="quiet">{goal.time.toFixed(1)} s</span>}
+          {goal.time !== null && <span class="quiet">{measures.seconds(goal.time, 1)}</span>}
         </li>
       ))}
     </ul>

@@ -4,7 +4,7 @@ import type {VNode} from "preact"
 import type {Frame} from "../state/messages.ts"
 import {ledNames, shownFrame} from "../state/room.ts"
 import {quantities, remembered} from "../state/values.ts"
-import {words} from "../words/index.ts"
+import {measures, words} from "../words/index.ts"
 import {usePage} from "./pick.ts"
 import {quantityName} from "./sentences.ts"
 
@@ -46,12 +46,12 @@ export function SensorsPanel(): VNode {
 
 /// Name, value, and whether it is something to notice.
 function rows(frame: Frame): readonly (readonly [string, string, boolean])[] {
-  const time = [words.time, `${frame.time.toFixed(2)} s`, false] as const
+  const time = [words.time, measures.seconds(frame.time, 2), false] as const
   const sensed = quantities.map(q => {
     const value = q.of(frame) ?? 0
     const found = Object.entries(words.senses).find(([kind]) => q.key.startsWith(kind))
     const [yes, no] = found?.[1] ?? ["", ""]
-    const text = found === undefined ? `${value.toFixed(3)} ${q.unit}` : value === 1 ? yes : no
+    const text = found === undefined ? `${measures.fixed(value, 3)} ${q.unit}` : value === 1 ? yes : no
     return [quantityName(q.key), text, found !== undefined && value === 1] as const
   })
   const led = (n: number, value: number) => [words.led(n), ledNames[value] ?? "Black", value > 0] as const

@@ -4,6 +4,7 @@ import type {VNode} from "preact"
 import {useLayoutEffect, useRef} from "preact/hooks"
 import type {Curve} from "../room/chart.ts"
 import type {Quantity} from "../state/values.ts"
+import {measures} from "../words/index.ts"
 import {usePage} from "./pick.ts"
 import {quantityName} from "./sentences.ts"
 
@@ -50,7 +51,7 @@ export function Strip(props: {
 
 /// So many digits, or more where a whole number would hide what the value is.
 function told(value: number, digits: number): string {
-  return Number.isInteger(value) ? value.toFixed(digits) : value.toFixed(Math.max(digits, 3))
+  return measures.fixed(value, Number.isInteger(value) ? digits : Math.max(digits, 3))
 }
 
 /// Seconds between two lines, the smallest that gives no more than eight.
@@ -110,7 +111,7 @@ function draw(canvas: HTMLCanvasElement, curve: Curve, at: number | null): void 
     [curve.high, 12],
     [curve.low, h - 4],
   ] as const) {
-    const text = String(+value.toFixed(2))
+    const text = measures.short(value, 2)
     ctx.strokeText(text, 4, place)
     ctx.fillText(text, 4, place)
   }

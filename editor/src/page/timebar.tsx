@@ -5,7 +5,7 @@ import type {Speed} from "../state/messages.ts"
 import {spanOfTime} from "../state/recording.ts"
 import {isUntouched} from "../state/room.ts"
 import {isActive} from "../state/run.ts"
-import {words} from "../words/index.ts"
+import {measures, words} from "../words/index.ts"
 import {AgainIcon, GoIcon, PauseIcon, ResetIcon, StepIcon} from "./icons.tsx"
 import {useDesk, usePage} from "./pick.ts"
 
@@ -86,7 +86,7 @@ function LookBack(): VNode {
         type="range"
         class="lookback"
         aria-label={words.lookBack}
-        aria-valuetext={`${at.toFixed(2)} s`}
+        aria-valuetext={measures.seconds(at, 2)}
         title={words.lookBack}
         style={{"--part": `${part}%`}}
         min={from}
@@ -100,7 +100,7 @@ function LookBack(): VNode {
         }}
       />
       <span class="clock" title={words.clock} data-testid="clock">
-        {at.toFixed(fine ? 2 : 1)} s
+        {measures.seconds(at, fine ? 2 : 1)}
       </span>
     </>
   )
@@ -122,7 +122,7 @@ function SpeedChoice(): VNode {
     >
       {speeds.map(s => (
         <option key={s} value={String(s)}>
-          {s === "max" ? words.fastest : `${s}×`}
+          {s === "max" ? words.fastest : `${measures.short(s, 2)}×`}
         </option>
       ))}
     </select>

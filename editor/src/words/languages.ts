@@ -39,7 +39,7 @@ export function languageFor(search: string, chosen: string | null, read: readonl
 export function use(language: Spoken): Promise<void> | undefined {
   if (language === "en") return undefined
   return fetched[language]().then(table => {
-    speak(table.page)
+    speak(table.page, table.measures)
     speakOnBlocks(table.blocks)
     document.documentElement.lang = table.tag
     document.documentElement.dir = table.direction

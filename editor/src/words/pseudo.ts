@@ -4,6 +4,7 @@
 import {en as onBlocks} from "@rosy/codegen/words/en"
 import * as blockly from "blockly/msg/en"
 import {en} from "./en/index.ts"
+import {measuresOf} from "./measures.ts"
 import type {Table} from "./table.ts"
 
 /// Around the pieces that a sentence is given, while it is being disguised: they are the program's, and stay.
@@ -18,8 +19,9 @@ function withAccents(text: string): string {
   return `${[...text].map(letter => accents.get(letter) ?? letter).join("")}${long}`
 }
 
-/// Every word is drawn from right to left (Unicode's "right-to-left override").
-const fromTheRight = (text: string) => text.replace(/[^\s$%]+/g, word => `\u202e${word}\u202c`)
+/// Every word is drawn from right to left (Unicode's "right-to-left override"); numbers are not, in any language.
+const fromTheRight = (text: string) =>
+  text.replace(/[^\s$%\d]*\p{L}[^\s$%]*/gu, word => `\u202e${word}\u202c`)
 
 /// What is no word in a sentence: the pieces it was given, and where Blockly puts its own.
 const fixed = new RegExp(`(${open}[^${close}]*${close}|%\\{[^}]*\\}|%\\d|\\$)`)
@@ -52,6 +54,7 @@ const table = (tag: string, direction: Table["direction"], disguise: (text: stri
   tag,
   direction,
   page: {...inDisguise(en, disguise), blockly: inDisguise(english, disguise)},
+  measures: measuresOf("en"),
   blocks: inDisguise(onBlocks, disguise),
 })
 

@@ -1,7 +1,7 @@
 /// The block view in the system's Chromium, for tests that need hands: a served page and a few gestures.
 
 import {fileURLToPath} from "node:url"
-import {type Browser, chromium, type Page} from "playwright-core"
+import {type Browser, type BrowserContextOptions, type CDPSession, chromium, type Page} from "playwright-core"
 import {createServer, type ViteDevServer} from "vite"
 
 export interface Stage {
@@ -10,6 +10,8 @@ export interface Stage {
   open(query?: string): Promise<Page>
   /// A page that no other story has.
   openOwn(query?: string): Promise<Page>
+  /// A page on a phone or a tablet, of the width given.
+  openForFingers(query: string, width: number): Promise<Page>
   close(): Promise<void>
 }
 
@@ -31,8 +33,12 @@ export async function openStage(): Promise<Stage> {
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"],
   })
-  const openOwn = async (query = "") => {
-    const context = await browser.newContext({viewport: {width: 1100, height: 800}, reducedMotion: "reduce"})
+  const openWith = async (query: string, options: BrowserContextOptions) => {
+    const context = await browser.newContext({
+      viewport: {width: 1100, height: 800},
+      reducedMotion: "reduce",
+      ...options,
+    })
     const page = await context.newPage()
     page.on("pageerror", error => {
       throw error
@@ -41,9 +47,12 @@ export async function openStage(): Promise<Stage> {
     await page.waitForFunction("window.blocks !== undefined && document.fonts.status === 'loaded'")
     return page
   }
+  const openOwn = (query = "") => openWith(query, {})
   const pages = new Map<string, Page>()
   return {
     openOwn,
+    openForFingers: (query, width) =>
+      openWith(query, {viewport: {width, height: 800}, hasTouch: true, isMobile: true}),
     async open(query = "") {
       const known = pages.get(query)
       if (known === undefined) {
@@ -103,6 +112,42 @@ export async function drag(page: Page, from: Spot, to: Spot, hold = false): Prom
   await page.mouse.move(to.x, to.y, {steps: 8})
   if (!hold) await page.mouse.up()
 }
+
+/// One finger on the glass.
+export class Finger {
+  private readonly session: CDPSession
+
+  private constructor(session: CDPSession) {
+    this.session = session
+  }
+
+  static async on(page: Page): Promise<Finger> {
+    return new Finger(await page.context().newCDPSession(page))
+  }
+
+  async down(at: Spot): Promise<void> {
+    await this.session.send("Input.dispatchTouchEvent", {type: "touchStart", touchPoints: [at]})
+  }
+
+  async move(to: Spot): Promise<void> {
+    await this.session.send("Input.dispatchTouchEvent", {type: "touchMove", touchPoints: [to]})
+  }
+
+  async up(): Promise<void> {
+    await this.session.send("Input.dispatchTouchEvent", {type: "touchEnd", touchPoints: []})
+  }
+
+  async drag(from: Spot, to: Spot): Promise<void> {
+    await this.down(from)
+    for (let step = 1; step <= fingerSteps; step++) {
+      const part = step / fingerSteps
+      await this.move({x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part})
+    }
+    await this.up()
+  }
+}
+
+const fingerSteps = 8
 
 /// Waits until Blockly has drawn, told its events, and the view has answered.
 export async function settled(page: Page): Promise<void> {

@@ -7,6 +7,7 @@ import {measuresOf} from "../measures.ts"
 const {count} = measuresOf("de")
 
 export const blocks: Words["blocks"] = {
+  toolbox: "Werkzeugkasten",
   search: "Blöcke suchen",
   searchHint: "Blöcke suchen  /",
   level: "Stufe:",

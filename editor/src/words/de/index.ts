@@ -1,6 +1,7 @@
 /// German, as one speaks to somebody of twelve years. Haskell's words and the robot's stay English.
 
 import {de} from "@rosy/codegen/words/de"
+import {measuresOf} from "../measures.ts"
 import type {Table} from "../table.ts"
 import {blockly, blocks} from "./blocks.ts"
 import {page} from "./page.ts"
@@ -10,5 +11,6 @@ export const german: Table = {
   tag: "de",
   direction: "ltr",
   page: {...page, blocks, world, blockly},
+  measures: measuresOf("de"),
   blocks: de,
 }

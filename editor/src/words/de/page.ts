@@ -3,7 +3,7 @@
 import type {Words} from "../index.ts"
 import {measuresOf} from "../measures.ts"
 
-const {fixed, count} = measuresOf("de")
+const {fixed, seconds, count} = measuresOf("de")
 
 export const page: Omit<Words, "blocks" | "world" | "blockly"> = {
   rosy: "Rosy",
@@ -136,7 +136,7 @@ export const page: Omit<Words, "blocks" | "world" | "blockly"> = {
   writeType: signature => `Den Typ hinschreiben: ${signature}`,
   compilerSays: "Was der Übersetzer gesagt hat",
   givenInputs: "Es bekam",
-  atTime: seconds => `bei ${fixed(seconds, 2)} s`,
+  atTime: time => `bei ${seconds(time, 2)}`,
   close: "Schließen",
   newProgram: "Neues Programm",
   openFile: "Datei öffnen …",

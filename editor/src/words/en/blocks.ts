@@ -5,6 +5,7 @@ import {measuresOf} from "../measures.ts"
 const {count} = measuresOf("en")
 
 export const blocks = {
+  toolbox: "Toolbox",
   search: "Search blocks",
   searchHint: "Search blocks  /",
   level: "Level:",

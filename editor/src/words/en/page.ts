@@ -2,7 +2,7 @@
 
 import {measuresOf} from "../measures.ts"
 
-const {fixed, count} = measuresOf("en")
+const {fixed, seconds, count} = measuresOf("en")
 
 export const page = {
   rosy: "Rosy",
@@ -138,7 +138,7 @@ export const page = {
   writeType: (signature: string) => `Write its type: ${signature}`,
   compilerSays: "What the compiler said",
   givenInputs: "It was given",
-  atTime: (seconds: number) => `at ${fixed(seconds, 2)} s`,
+  atTime: (time: number) => `at ${seconds(time, 2)}`,
   close: "Close",
   newProgram: "New program",
   openFile: "Open a file…",
