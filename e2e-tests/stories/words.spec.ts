@@ -94,6 +94,11 @@ test("every word of the page is in a table of words", async ({page}) => {
     await page.keyboard.press("Escape")
   }
 
+  await page.keyboard.press("F1")
+  await expect(page.locator("dialog[open] kbd").first()).toBeVisible()
+  await look("the keys")
+  await page.keyboard.press("Escape")
+
   await page.locator(".topbar .examples, .topbar button").first().click()
   await expect(page.locator("dialog[open] li").first()).toBeVisible()
   await look("the examples")

@@ -12,6 +12,8 @@ export interface MenuActions {
   canUndo(): boolean
   canRedo(): boolean
   zoomToFit(): void
+  /// Looks closer, or from further away.
+  zoom(closer: boolean): void
   /// Whether a block lies out of sight of the others.
   hasStrays(): boolean
   bringStraysHome(): void
@@ -90,6 +92,7 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
   )
 
   commentAtOnce()
+  zoomKeys(actions)
 
   const {registry: keys} = Blockly.ShortcutRegistry
   const {KeyCodes} = Blockly.utils
@@ -151,6 +154,30 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
       return true
     },
   })
+}
+
+/// The keys of the zoom buttons, the same as in the room.
+function zoomKeys(actions: () => MenuActions | undefined): void {
+  const {registry: keys} = Blockly.ShortcutRegistry
+  const {KeyCodes} = Blockly.utils
+  const shifted = (code: number) => keys.createSerializedKey(code, [KeyCodes.SHIFT])
+  const zooms: readonly [string, (number | string)[], (view: MenuActions) => void][] = [
+    ["rosyZoomIn", [KeyCodes.EQUALS, shifted(KeyCodes.EQUALS), KeyCodes.NUM_PLUS], view => view.zoom(true)],
+    ["rosyZoomOut", [KeyCodes.DASH, KeyCodes.NUM_MINUS], view => view.zoom(false)],
+    ["rosyFit", [KeyCodes.ZERO, KeyCodes.NUM_ZERO], view => view.zoomToFit()],
+  ]
+  for (const [name, keyCodes, act] of zooms) {
+    keys.register({
+      name,
+      keyCodes,
+      preconditionFn: workspace => !workspace.isDragging(),
+      callback: () => {
+        const view = actions()
+        if (view !== undefined) act(view)
+        return view !== undefined
+      },
+    })
+  }
 }
 
 /// A comment that was asked for is open to be written; Blockly only puts its icon on the block.

@@ -325,6 +325,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     menus: {
       ...history,
       zoomToFit: () => workspace.zoomToFit(),
+      zoom: closer => workspace.zoomCenter(closer ? 1 : -1),
       hasStrays: () => straysOf(workspace).length > 0,
       bringStraysHome: () => bringHome(workspace),
       focusSearch: () => focusSearch(workspace),

@@ -35,6 +35,7 @@ import {words} from "../words/index.ts"
 import {openAutosave} from "./autosave.ts"
 import {openCompletions} from "./completions.ts"
 import {drawParts} from "./draw.ts"
+import {keySections} from "./keys.ts"
 import {merged} from "./merge.ts"
 import {
   analysed,
@@ -303,6 +304,7 @@ export function openDesk(address: string): Desk {
     undo,
     redo,
     save: saveFile,
+    help: () => store.dispatch({kind: "dialog", dialog: "keys"}),
   })
   session = openSession(address, {
     heard(message) {
@@ -480,6 +482,7 @@ export function openDesk(address: string): Desk {
     },
     undo,
     redo,
+    keys: keySections,
     mend,
     speak(language) {
       chooseLanguage(language)

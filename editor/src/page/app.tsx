@@ -18,6 +18,7 @@ import {RegionBorder} from "./border.tsx"
 import {BottomBar} from "./bottombar.tsx"
 import {GalleryDialog} from "./gallery.tsx"
 import {RegionHead} from "./grip.tsx"
+import {KeysDialog} from "./keys.tsx"
 import {NoticeBar} from "./notice.tsx"
 import {useDesk, usePage} from "./pick.ts"
 import {RobotBar} from "./robotbar.tsx"
@@ -63,6 +64,7 @@ export function App(): VNode {
       <GalleryDialog />
       <WorldEditorDialog />
       <RobotsDialog />
+      <KeysDialog />
     </div>
   )
 }

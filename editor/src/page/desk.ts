@@ -2,6 +2,7 @@
 
 import type {Kept} from "../run/storage.ts"
 import type {Fix} from "../state/fixes.ts"
+import type {KeySection} from "../state/keys.ts"
 import type {Finding} from "../state/program.ts"
 import type {Store} from "../store.ts"
 
@@ -35,6 +36,8 @@ export interface Desk {
   film(going: boolean): void
   undo(): void
   redo(): void
+  /// The keys that the page listens to.
+  keys(): readonly KeySection[]
   /// Mends the program, in one step.
   mend(fix: Fix): void
   /// Lays the text out anew, without losing anything.

@@ -74,6 +74,7 @@ function MenuItems({close}: {close: () => void}): VNode {
         </a>
       )}
       {item(words.format, desk.format)}
+      {item(words.keys.menu, () => desk.store.dispatch({kind: "dialog", dialog: "keys"}))}
       <hr />
       <p class="label">{words.theme}</p>
       <Segments

@@ -1,6 +1,7 @@
 /// Hands in the room: take the robot and put it elsewhere, turn it, push things, move the view, look closer. With
 /// mouse, touch and keyboard. Says what was wanted; what becomes of it is decided elsewhere.
 
+import {isChord, type Keys} from "../state/keys.ts"
 import {type Camera, toRoom} from "./camera.ts"
 import type {Pose} from "./motion.ts"
 import {type Thing, thingAt} from "./things.ts"
@@ -31,6 +32,21 @@ export interface GestureHost {
   /// The view is to go with the robot, or to stay again.
   followed(): void
 }
+
+export const roomKeys = {
+  hands: ["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"],
+  turnLeft: [","],
+  turnRight: ["."],
+  thing: ["b"],
+  robot: ["Escape"],
+  follow: ["f"],
+  closer: ["+"],
+  further: ["-"],
+  whole: ["0"],
+} as const satisfies Keys
+
+type RoomKey = keyof typeof roomKeys
+type Acts = Partial<Record<RoomKey, (key: string) => void>>
 
 /// From the robot's middle to the handle that turns it, m.
 export const handleReach = 0.32
@@ -175,17 +191,18 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
 
   canvas.addEventListener("keydown", event => {
     const middle = {x: canvas.clientWidth / 2, y: canvas.clientHeight / 2}
-    const moves: Record<string, () => void> = {
-      "+": () => host.zoomed(1.25, middle.x, middle.y),
-      "-": () => host.zoomed(0.8, middle.x, middle.y),
-      "0": () => host.fitted(),
-      f: () => host.followed(),
+    const acts: Acts = {
+      closer: () => host.zoomed(1.25, middle.x, middle.y),
+      further: () => host.zoomed(0.8, middle.x, middle.y),
+      whole: () => host.fitted(),
+      follow: () => host.followed(),
       ...keyHands(host),
     }
-    const move = event.ctrlKey || event.metaKey || event.altKey ? undefined : moves[event.key]
-    if (move === undefined) return
+    const wanted = Object.entries(roomKeys).find(([, chords]) => chords.some(chord => isChord(event, chord)))
+    const act = wanted === undefined ? undefined : acts[wanted[0] as RoomKey]
+    if (act === undefined) return
     event.preventDefault()
-    move()
+    act(event.key)
   })
 }
 
@@ -195,7 +212,7 @@ export function handleOf(robot: Pose): Spot {
 }
 
 /// What the keys do to what they hold: the robot, or with `b` one thing after the other.
-function keyHands(host: GestureHost): Record<string, () => void> {
+function keyHands(host: GestureHost): Acts {
   const robot = host.robot()
   const things = host.things()
   const held = host.held()
@@ -209,13 +226,20 @@ function keyHands(host: GestureHost): Record<string, () => void> {
   }
   const next = held === null ? 0 : held + 1
   return {
-    ArrowUp: put(0, keyStep, 0),
-    ArrowDown: put(0, -keyStep, 0),
-    ArrowLeft: put(-keyStep, 0, 0),
-    ArrowRight: put(keyStep, 0, 0),
-    ",": put(0, 0, keyTurn),
-    ".": put(0, 0, -keyTurn),
-    b: () => host.holds(next < things.length ? next : null),
-    Escape: () => host.holds(null),
+    hands: key => {
+      const [x, y] = directions[key] ?? [0, 0]
+      put(x * keyStep, y * keyStep, 0)()
+    },
+    turnLeft: put(0, 0, keyTurn),
+    turnRight: put(0, 0, -keyTurn),
+    thing: () => host.holds(next < things.length ? next : null),
+    robot: () => host.holds(null),
   }
+}
+
+const directions: Readonly<Record<string, readonly [x: number, y: number]>> = {
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
 }

@@ -1,5 +1,6 @@
 /// What the window tells: its size, the system's colours, and the keys that work everywhere.
 
+import {isChord, type Keys} from "../state/keys.ts"
 import type {Size} from "../state/page.ts"
 
 /// Widths in CSS pixels at which the page changes: below the first one region at a time, below the second two.
@@ -35,7 +36,17 @@ export function addressNames(example: string | null): void {
   window.history.replaceState(null, "", address)
 }
 
-export interface Keys {
+/// The keys that work everywhere.
+export const pageKeys = {
+  run: ["Mod-Enter"],
+  stop: ["Space"],
+  undo: ["Mod-z"],
+  redo: ["Mod-y", "Mod-Shift-z"],
+  save: ["Mod-s"],
+  help: ["?", "F1"],
+} as const satisfies Keys
+
+export interface KeyActs {
   /// Space, wherever nobody types: stops a real robot that drives, or does nothing.
   emergency(): boolean
   /// Space, where it does nothing else.
@@ -45,6 +56,8 @@ export interface Keys {
   undo(): void
   redo(): void
   save(): void
+  /// Shows the keys there are.
+  help(): void
 }
 
 /// Whether a key press belongs to what has the focus: text, a control, or a block of the workspace.
@@ -74,18 +87,22 @@ function isTextField(target: EventTarget | null): boolean {
   return target instanceof Element && target.closest("input, textarea") !== null
 }
 
-/// What a key with Ctrl (Cmd on a Mac) means everywhere on the page; `null` when it means nothing here.
-function commandOf(event: KeyboardEvent, keys: Keys): (() => void) | null {
-  if (!(event.ctrlKey || event.metaKey) || event.altKey) return null
-  const key = event.key.toLowerCase()
-  if (key === "enter") return keys.run
-  if (key === "s") return keys.save
+/// What a key means everywhere on the page; `null` when it means nothing here.
+function commandOf(event: KeyboardEvent, acts: KeyActs): (() => void) | null {
+  const is = (name: keyof typeof pageKeys) => pageKeys[name].some(chord => isChord(event, chord))
+  if (is("run")) return acts.run
+  if (is("save")) return acts.save
+  if (is("help")) {
+    // Somebody who types writes a `?`; and over a dialog no other opens.
+    const writes = event.key.length === 1 && isTyping(event.target)
+    return writes || document.querySelector("dialog[open]") !== null ? null : acts.help
+  }
   if (isTextField(event.target)) return null
-  if (key === "y" || (key === "z" && event.shiftKey)) return keys.redo
-  return key === "z" ? keys.undo : null
+  if (is("redo")) return acts.redo
+  return is("undo") ? acts.undo : null
 }
 
-export function watchKeys(keys: Keys): void {
+export function watchKeys(keys: KeyActs): void {
   // Before anybody else hears of them: the program has one history, and the workspace and the text editor would use
   // their own, or make something else of the same keys.
   window.addEventListener(

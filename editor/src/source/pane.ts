@@ -21,6 +21,7 @@ import {type Carried, showCarried} from "./carried.ts"
 import {colours, programShown} from "./colours.ts"
 import {difference} from "./difference.ts"
 import {type Explainer, explain} from "./explain.ts"
+import {ownKeys} from "./keys.ts"
 import {knowledge, setTold, type Told} from "./known.ts"
 import {layout} from "./layout.ts"
 import {marks, type Range, setGlowing, setLinked} from "./marks.ts"
@@ -132,9 +133,9 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
         renaming(options.renamer),
         EditorState.phrases.of(options.phrases),
         keymap.of([
-          {key: "Mod-.", run: mendHere},
+          {key: ownKeys.mend, run: mendHere},
           renameKey,
-          {key: "Shift-Alt-f", run: () => (options.format(), true)},
+          {key: ownKeys.format, run: () => (options.format(), true)},
           ...closeBracketsKeymap,
           ...searchKeymap,
           ...lintKeymap,

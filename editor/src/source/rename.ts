@@ -2,6 +2,7 @@
 
 import {type Extension, StateEffect, StateField} from "@codemirror/state"
 import {type EditorView, type KeyBinding, type Panel, showPanel} from "@codemirror/view"
+import {ownKeys} from "./keys.ts"
 import {tokens} from "./lexer.ts"
 
 export interface Renamer {
@@ -34,7 +35,7 @@ export function renaming(renamer: Renamer): Extension {
 }
 
 export const renameKey: KeyBinding = {
-  key: "F2",
+  key: ownKeys.rename,
   run(view) {
     const {head} = view.state.selection.main
     const text = view.state.doc.toString()

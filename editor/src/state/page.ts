@@ -106,7 +106,7 @@ export interface PageState {
   readonly selectedIn: "blocks" | "haskell"
   readonly welcome: "fresh" | "ran" | "over"
   readonly gallery: Gallery
-  readonly dialog: "gallery" | "rooms" | "menu" | "sight" | "robots" | "arrange" | null
+  readonly dialog: "gallery" | "rooms" | "menu" | "sight" | "robots" | "arrange" | "keys" | null
   /// The rooms of the service, for their gallery; `null` until they have been read.
   readonly rooms: readonly World[] | null
   readonly notice: Notice | null

@@ -1,6 +1,8 @@
 /// Stories of hands on blocks, with a small language, in a real browser.
 
 import {afterAll, beforeAll, describe, expect, test} from "vitest"
+import {german} from "../../src/words/de/index.ts"
+import {en} from "../../src/words/en/index.ts"
 import {drag, grip, openStage, type Stage, settled, socket, tree} from "./browser.ts"
 
 let stage: Stage
@@ -180,6 +182,20 @@ describe("by keyboard alone", () => {
     await press(page, "Enter", "Enter", "Enter")
     expect(await tree(page)).toEqual([{just: {V: {sound: {}}}}])
   })
+})
+
+test("every key of the blocks is told on the page of keys, in every language", async () => {
+  const page = await stage.open("small")
+  const names = await page.evaluate(() =>
+    Object.keys(window.Blockly.ShortcutRegistry.registry.getRegistry()).filter(
+      name => window.Blockly.ShortcutRegistry.registry.getKeyCodesByShortcutName(name).length > 0,
+    ),
+  )
+  // One history for blocks and text: its keys are the page's. The last two do in the toolbox what two others do here.
+  const elsewhere = ["undo", "redo", "jump_to_previous_page", "jump_to_next_page"]
+  for (const words of [en, german.page]) {
+    expect([...Object.keys(words.keys.blocks), ...elsewhere].sort()).toEqual([...names, "moveFreely"].sort())
+  }
 })
 
 test("what is copied in one tab is pasted in another, open or not", async () => {

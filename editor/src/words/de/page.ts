@@ -5,7 +5,7 @@ import {measuresOf} from "../measures.ts"
 
 const {fixed, seconds, count} = measuresOf("de")
 
-export const page: Omit<Words, "blocks" | "world" | "blockly"> = {
+export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
   rosy: "Rosy",
   run: "Start",
   stop: "Stopp",
