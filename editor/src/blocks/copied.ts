@@ -11,12 +11,18 @@ export interface SharedClipboard {
   onOther(listener: (text: string) => void): () => void
 }
 
+export interface Sharing {
+  /// Something was copied without the keys.
+  give(): void
+  stop(): void
+}
+
 /// Keeps Blockly's clipboard and the shared one the same. `loads` says whether a block from elsewhere can be had here.
 export function shareCopies(
   workspace: Blockly.WorkspaceSvg,
   shared: SharedClipboard,
   loads: (block: SavedBlock) => boolean,
-): () => void {
+): Sharing {
   let known = ""
   const take = (text: string | null) => {
     const data = text === null ? undefined : copyOf(text)
@@ -38,9 +44,12 @@ export function shareCopies(
   window.addEventListener("keydown", heard, {capture: true})
   take(shared.read())
   const stop = shared.onOther(take)
-  return () => {
-    stop()
-    window.removeEventListener("keydown", heard, {capture: true})
+  return {
+    give,
+    stop() {
+      stop()
+      window.removeEventListener("keydown", heard, {capture: true})
+    },
   }
 }
 

@@ -18,6 +18,8 @@ export interface MenuActions {
   hasStrays(): boolean
   bringStraysHome(): void
   focusSearch(): void
+  /// A block was copied from its menu.
+  copied(): void
 }
 
 /// Tidying moves what the learner has placed; switching blocks off and laying them out differently mean nothing in
@@ -91,6 +93,7 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
     view => view.bringStraysHome(),
   )
 
+  copyAndPaste(actions)
   commentAtOnce()
   zoomKeys(actions)
 
@@ -101,9 +104,14 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
   // Home and End of a block, Page up and down of a stack, Ctrl+Home and Ctrl+End of them all.
   Blockly.ShortcutItems.registerNavigationShortcuts()
   const menu = Blockly.ShortcutItems.names.MENU
-  keys.removeAllKeyMappings(menu)
-  keys.addKeyMapping(keys.createSerializedKey(KeyCodes.F10, [Blockly.utils.KeyCodes.SHIFT]), menu)
-  keys.addKeyMapping(KeyCodes.CONTEXT_MENU, menu)
+  keys.unregister(menu)
+  keys.register({
+    name: menu,
+    keyCodes: [keys.createSerializedKey(KeyCodes.F10, [KeyCodes.SHIFT]), KeyCodes.CONTEXT_MENU],
+    displayText: () => Blockly.Msg.SHORTCUTS_SHOW_CONTEXT_MENU!,
+    preconditionFn: workspace => !workspace.isDragging(),
+    callback: (_, event) => openMenu(event),
+  })
   // T goes to the category that was used last in Blockly; ours always goes to the search, which knows what fits.
   keys.unregister(Blockly.ShortcutItems.names.FOCUS_TOOLBOX)
   keys.register({
@@ -152,6 +160,56 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
       Blockly.keyboardNavigationController.setIsActive(true)
       Blockly.getFocusManager().focusNode(next)
       return true
+    },
+  })
+}
+
+/// The menu of what the keyboard is on. A field has that of its block, and where the keyboard is on all blocks it is theirs: in
+/// Blockly neither has one.
+function openMenu(event: Event): boolean {
+  const node = Blockly.getFocusManager().getFocusedNode()
+  const owner =
+    node === null || "showContextMenu" in node
+      ? node
+      : node instanceof Blockly.Field
+        ? node.getSourceBlock()
+        : Blockly.getFocusManager().getFocusedTree()
+  if (owner === null || !("showContextMenu" in owner)) return false
+  Blockly.keyboardNavigationController.setIsActive(true)
+  ;(owner as Blockly.IContextMenu).showContextMenu(event)
+  Blockly.ContextMenu.getMenu()?.highlightNext()
+  return true
+}
+
+/// Copying for those who have no keys at hand. What is pasted lies where the menu was opened.
+function copyAndPaste(actions: () => MenuActions | undefined): void {
+  const {registry: menus, ScopeType} = Blockly.ContextMenuRegistry
+  menus.register({
+    id: "rosyCopy",
+    weight: 1.5,
+    scopeType: ScopeType.BLOCK,
+    displayText: () => words.blocks.copy,
+    associatedKeyboardShortcut: "copy",
+    preconditionFn: ({block}) => (block === undefined || block.isInFlyout ? "hidden" : "enabled"),
+    callback: ({block}) => {
+      if (block === undefined) return
+      Blockly.clipboard.copy(block)
+      actions()?.copied()
+    },
+  })
+  menus.register({
+    id: "rosyPaste",
+    weight: 2.5,
+    scopeType: ScopeType.WORKSPACE,
+    displayText: () => words.blocks.paste,
+    associatedKeyboardShortcut: "paste",
+    preconditionFn: () => (Blockly.clipboard.getLastCopiedData() === null ? "disabled" : "enabled"),
+    callback: ({workspace}, opened, _, at) => {
+      const copy = Blockly.clipboard.getLastCopiedData()
+      if (workspace === undefined || copy === null) return
+      if (opened instanceof KeyboardEvent) Blockly.clipboard.paste(copy, workspace)
+      else
+        Blockly.clipboard.paste(copy, workspace, Blockly.utils.svgMath.screenToWsCoordinates(workspace, at))
     },
   })
 }

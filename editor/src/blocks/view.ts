@@ -329,6 +329,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       hasStrays: () => straysOf(workspace).length > 0,
       bringStraysHome: () => bringHome(workspace),
       focusSearch: () => focusSearch(workspace),
+      copied: () => sharing?.give(),
     },
     renamed: (block, key, wanted) => {
       const answer = language.rename(saveBlocks(workspace), block.id, key, wanted.trim())
@@ -363,7 +364,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   }
 
   const indoors = options.outside && letFallOutside(workspace, options.outside, id => made.has(id))
-  const unshare = options.clipboard && shareCopies(workspace, options.clipboard, loads)
+  const sharing = options.clipboard && shareCopies(workspace, options.clipboard, loads)
   const zoom = zoomButtons(host, workspace)
   const observer = new ResizeObserver(() => Blockly.svgResize(workspace))
   observer.observe(host)
@@ -449,7 +450,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     resize: () => Blockly.svgResize(workspace),
     dispose() {
       observer.disconnect()
-      unshare?.()
+      sharing?.stop()
       indoors?.()
       marks.dispose()
       away.dispose()

@@ -23,6 +23,8 @@ export const blocks: Words["blocks"] = {
   found: n => count(n, {one: "1 Block gefunden", other: n => `${n} Blöcke gefunden`}),
   undo: "Rückgängig",
   redo: "Wiederholen",
+  copy: "Kopieren",
+  paste: "Einfügen",
   showAll: "Alle Blöcke zeigen",
   strays: "Verirrte Blöcke heimholen",
   nextEmpty: "Nächster leerer Platz",

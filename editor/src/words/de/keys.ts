@@ -85,7 +85,7 @@ export const keys: Words["keys"] = {
     information: "Sagen, wo du bist",
     extended_information: "Mehr darüber sagen",
     toggle_screenreader: "Hilfe für Vorleseprogramme, an und aus",
-    focus_workspace: "Vom Werkzeugkasten zu den Blöcken",
+    focus_workspace: "Zu den Blöcken und zum Menü von allen",
     next_heading: headings,
     previous_heading: headings,
     rosyZoomIn: "Größer",

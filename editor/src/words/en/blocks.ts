@@ -21,6 +21,8 @@ export const blocks = {
   found: (n: number) => count(n, {one: "1 block found", other: n => `${n} blocks found`}),
   undo: "Undo",
   redo: "Redo",
+  copy: "Copy",
+  paste: "Paste",
   showAll: "Show all blocks",
   strays: "Bring stray blocks home",
   nextEmpty: "Next empty place",

@@ -86,7 +86,7 @@ export const keys = {
     information: "Say where you are",
     extended_information: "Say more about it",
     toggle_screenreader: "Help for screen readers, on and off",
-    focus_workspace: "From the toolbox to the blocks",
+    focus_workspace: "To the blocks, and to the menu of them all",
     next_heading: headings,
     previous_heading: headings,
     rosyZoomIn: "Zoom in",
