@@ -2,11 +2,8 @@
 /// stray home, undo and redo, zoom.
 
 import type {Page} from "playwright-core"
-import {afterAll, beforeAll, describe, expect, test, vi} from "vitest"
+import {afterAll, beforeAll, describe, expect, test} from "vitest"
 import {Finger, grip, openStage, type Spot, type Stage, settled, tree} from "./browser.ts"
-
-// A browser on a busy machine is slow; a story that hangs still ends.
-vi.setConfig({testTimeout: 120_000, hookTimeout: 120_000})
 
 let stage: Stage
 beforeAll(async () => {

@@ -1,11 +1,8 @@
 /// What a screen reader finds: the browser's own tree of names and roles, over all kinds of blocks of the real language.
 
 import type {Page} from "playwright-core"
-import {afterAll, beforeAll, expect, test, vi} from "vitest"
+import {afterAll, beforeAll, expect, test} from "vitest"
 import {drag, grip, openStage, type Stage, settled, socket} from "./browser.ts"
-
-// A browser on a busy machine is slow; a story that hangs still ends.
-vi.setConfig({testTimeout: 120_000, hookTimeout: 120_000})
 
 let stage: Stage
 beforeAll(async () => {

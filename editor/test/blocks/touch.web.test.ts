@@ -1,11 +1,8 @@
 /// Stories of fingers on blocks: a phone, with the real language.
 
 import type {Page} from "playwright-core"
-import {afterAll, beforeAll, expect, test, vi} from "vitest"
+import {afterAll, beforeAll, expect, test} from "vitest"
 import {Finger, openStage, type Stage, settled, tree} from "./browser.ts"
-
-// A browser on a busy machine is slow; a story that hangs still ends.
-vi.setConfig({testTimeout: 120_000, hookTimeout: 120_000})
 
 /// CSS pixels.
 const phone = 390
