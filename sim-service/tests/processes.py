@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 from pathlib import Path
 
-__all__ = ["alive", "below", "descriptors", "named", "resident"]
+__all__ = ["alive", "below", "called", "descriptors", "named", "resident"]
 
 
 def below(pid: int) -> set[int]:
@@ -36,6 +36,13 @@ def resident(pid: int) -> int:
         lines = Path(f"/proc/{pid}/status").read_text().splitlines()
         return int(next(line for line in lines if line.startswith("VmRSS:")).split()[1])
     return 0
+
+
+def called(pid: int) -> str:
+    """The name of a process; empty when it is gone."""
+    with contextlib.suppress(FileNotFoundError, ProcessLookupError):
+        return Path(f"/proc/{pid}/comm").read_text().strip()
+    return ""
 
 
 def named(pids: set[int], name: str) -> set[int]:

@@ -33,7 +33,7 @@ from rosy_sim.worker.pulse import inside
 
 from .mutants import texts
 from .ports import kept_port
-from .processes import alive, below, descriptors, named, resident
+from .processes import alive, below, called, descriptors, named, resident
 from .test_app import Page, opened
 
 pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]
@@ -44,6 +44,9 @@ SEED = int(os.environ.get("ROSY_SEED", "1"))
 
 AT_ONCE = 8
 """Requests under way at the same time."""
+
+CHECKING = 2
+"""Children that answer questions, at most (rosy-hs/worker, --checks)."""
 
 ROOM_TO_REMEMBER = 24
 """What the worker's memory may grow by until it remembers as much as it may (4 MB of answers), MB."""
@@ -115,12 +118,17 @@ async def first_step(link: socket.socket) -> None:
 
 
 def counts(worker: Worker) -> dict[str, int]:
-    """What must not grow. The worker's memory is its own: its children come and go."""
+    """
+    What must not grow. Children that check come and go, each with a descriptor in the worker: they are counted by
+    themselves, and the worker's memory without theirs.
+    """
     assert worker.pid is not None
-    own = inside(worker.pid)
+    own, everybody = inside(worker.pid), below(os.getpid())
+    checking = sum(called(pid) == "rosy-check" for pid in everybody)
     return {
-        "processes": len(below(os.getpid())),
-        "descriptors of the worker": descriptors(own),
+        "processes": len(everybody) - checking,
+        "processes that check": checking,
+        "descriptors of the worker": descriptors(own) - checking,
         "memory of the worker, MB": resident(own) // 1024,
         "descriptors here": descriptors(os.getpid()),
     }
@@ -173,6 +181,7 @@ def test_no_text_crashes_or_hangs_the_worker_or_leaves_anything_behind() -> None
         # A third of the mutants are meant to be programs still; a fifth is the least that tries the running of them.
         assert ran >= TEXTS // 5
         assert after["processes"] <= before["processes"]
+        assert after["processes that check"] <= CHECKING
         assert after["descriptors of the worker"] <= before["descriptors of the worker"]
         assert after["descriptors here"] <= before["descriptors here"]
         # What it remembers is bounded; once that is full, it grows no more.

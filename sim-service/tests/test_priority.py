@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import os
 import socket
-from pathlib import Path
 
 import pytest
 
@@ -13,7 +12,7 @@ from rosy_sim.config import discover
 from rosy_sim.wire.worker import Started
 from rosy_sim.worker.pulse import inside
 
-from .processes import below
+from .processes import below, called
 from .test_endurance import DRIVE, PATIENT, warm
 
 pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]
@@ -22,11 +21,6 @@ pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason
 def niceness(pid: int) -> int:
     """Higher gives way to lower. getpriority(2)."""
     return os.getpriority(os.PRIO_PROCESS, pid)
-
-
-def called(pid: int) -> str:
-    """The name of a process."""
-    return Path(f"/proc/{pid}/comm").read_text().strip()
 
 
 def test_a_program_gives_way_to_the_service_to_its_worker_and_to_checks() -> None:
