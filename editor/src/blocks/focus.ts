@@ -45,32 +45,12 @@ const still = 5
 /// Chooses the empty socket that is clicked, and not only its block, and has what fits there offered to a mouse: to a finger the
 /// search would bring up a keyboard over half of the page. Answers how to stop.
 export function chooseByClick(workspace: Blockly.WorkspaceSvg, offer: () => void): () => void {
-  const host = workspace.getInjectionDiv()
-  const stop = new AbortController()
-  let down: PointerEvent | undefined
-  host.addEventListener(
-    "pointerdown",
-    event => {
-      down = event
-    },
-    {capture: true, signal: stop.signal},
-  )
-  host.addEventListener(
-    "click",
-    event => {
-      if (
-        down === undefined ||
-        Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) > still
-      )
-        return
-      const socket = event.target instanceof Element ? socketUnder(workspace, event.target) : undefined
-      if (!socket?.canBeFocused()) return
-      Blockly.getFocusManager().focusNode(socket)
-      if (down.pointerType === "mouse") offer()
-    },
-    {signal: stop.signal},
-  )
-  return () => stop.abort()
+  return onStill(workspace, "click", (event, down) => {
+    const socket = event.target instanceof Element ? socketUnder(workspace, event.target) : undefined
+    if (!socket?.canBeFocused()) return
+    Blockly.getFocusManager().focusNode(socket)
+    if (down.pointerType === "mouse") offer()
+  })
 }
 
 /// A block of the toolbox that is clicked, and not dragged, goes where Enter would put it: into the place that is chosen, or
@@ -78,6 +58,27 @@ export function chooseByClick(workspace: Blockly.WorkspaceSvg, offer: () => void
 export function takeByClick(
   workspace: Blockly.WorkspaceSvg,
   put: (block: Blockly.serialization.blocks.State) => void,
+): () => void {
+  return onStill(workspace, "pointerup", (event, down) => {
+    const shelf = workspace.getFlyout()?.getWorkspace()
+    if (down.button !== 0 || shelf === undefined) return
+    const picture =
+      event.target instanceof Element && event.target.closest(".blocklyFlyout .blocklyDraggable")
+    const id = picture instanceof Element ? picture.getAttribute("data-id") : null
+    const block = id === null ? null : shelf.getBlockById(id)
+    if (block === null || !block.isEnabled()) return
+    const saved = Blockly.serialization.blocks.save(block.getRootBlock(), {saveIds: false})
+    shelf.cancelCurrentGesture()
+    workspace.cancelCurrentGesture()
+    if (saved !== null) put(saved)
+  })
+}
+
+/// Hears where a pointer came up that has not moved, before Blockly does when it is a `pointerup`. Answers how to stop.
+function onStill(
+  workspace: Blockly.WorkspaceSvg,
+  kind: "click" | "pointerup",
+  heard: (event: MouseEvent, down: PointerEvent) => void,
 ): () => void {
   const host = workspace.getInjectionDiv()
   const stop = new AbortController()
@@ -90,22 +91,13 @@ export function takeByClick(
     {capture: true, signal: stop.signal},
   )
   host.addEventListener(
-    "pointerup",
+    kind,
     event => {
-      const shelf = workspace.getFlyout()?.getWorkspace()
-      if (down === undefined || down.button !== 0 || shelf === undefined) return
-      if (Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) > still) return
-      const picture =
-        event.target instanceof Element && event.target.closest(".blocklyFlyout .blocklyDraggable")
-      const id = picture instanceof Element ? picture.getAttribute("data-id") : null
-      const block = id === null ? null : shelf.getBlockById(id)
-      if (block === null || !block.isEnabled()) return
-      const saved = Blockly.serialization.blocks.save(block.getRootBlock(), {saveIds: false})
-      shelf.cancelCurrentGesture()
-      workspace.cancelCurrentGesture()
-      if (saved !== null) put(saved)
+      if (down === undefined) return
+      const moved = Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY)
+      if (moved <= still) heard(event, down)
     },
-    {capture: true, signal: stop.signal},
+    {capture: kind === "pointerup", signal: stop.signal},
   )
   return () => stop.abort()
 }

@@ -1,7 +1,7 @@
 /// A small picture for each tool of the world editor: the thing as the room shows it.
 
 import type {VNode} from "preact"
-import type {Tool} from "../worlds/editor.ts"
+import type {Tool} from "../worlds/making.ts"
 
 const stroke = {fill: "none", stroke: "currentColor", "stroke-width": 1.8, "stroke-linecap": "round"} as const
 const dashed = {...stroke, "stroke-width": 1.6, "stroke-dasharray": "2.6 2.4"} as const

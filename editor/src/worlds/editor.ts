@@ -1,6 +1,7 @@
 /// The world editor as a value: the world being drawn, what is chosen, what the hand is doing, and everything that can
 /// be undone. A pointer and the keyboard's cross-hair say the same three things: down, move, up. Pure.
 
+import {finished, isGoal, make, makeUsual, paintLine, point, type Tool, tileOf, withPoint} from "./making.ts"
 import {
   doubled,
   exists,
@@ -12,34 +13,13 @@ import {
   painted,
   partAt,
   pulled,
-  put,
   removed,
   resized,
   samePart,
-  smallest,
   turned,
 } from "./parts.ts"
 import {clamp, gridStep, gridTurn, onGrid, tidy} from "./plane.ts"
-import {defaultMass, limits, type Spot, type World, type WorldGoal} from "./world.ts"
-
-export const tools = [
-  "choose",
-  "wall",
-  "box",
-  "crate",
-  "round",
-  "drum",
-  "solid",
-  "hole",
-  "floor",
-  "reach",
-  "touch",
-  "avoid",
-  "visit",
-  "lap",
-  "draw",
-] as const
-export type Tool = (typeof tools)[number]
+import type {Spot, World, WorldGoal} from "./world.ts"
 
 type Gesture =
   | {readonly kind: "move"; readonly part: Part; readonly from: Spot}
@@ -278,17 +258,6 @@ function up(editor: WorldEditor): WorldEditor {
   return gesture.kind === "make" ? {...done, tool: "choose"} : done
 }
 
-/// A shape of one point is none yet; it gets a second one beside it.
-function finished(world: World): World {
-  const goals = world.goals.map((goal): WorldGoal => {
-    const [first] = goal.kind === "draw" ? goal.points : []
-    if (goal.kind !== "draw" || first === undefined || goal.points.length > 1) return goal
-    const beside = first[0] + 0.5 <= world.size[0] ? first[0] + 0.5 : Math.max(0, first[0] - 0.5)
-    return {...goal, points: [first, [tidy(beside), first[1]]]}
-  })
-  return {...world, goals}
-}
-
 // The cross-hair
 
 function step(editor: WorldEditor, dx: number, dy: number, fine: boolean): WorldEditor {
@@ -304,110 +273,10 @@ function step(editor: WorldEditor, dx: number, dy: number, fine: boolean): World
 
 const middle = (world: World): Spot => [onGrid(world.size[0] / 2), onGrid(world.size[1] / 2)]
 
-// Making things
-
-const tileOf = {solid: "#", hole: "O", floor: "."} as const
-const isGoal = (tool: Tool) => ["reach", "touch", "avoid", "lap"].includes(tool)
-
-const point = (editor: WorldEditor, at: Spot): Spot => {
-  const [width, height] = editor.world.size
-  const [x, y] = editor.snap ? [onGrid(at[0]), onGrid(at[1])] : [tidy(at[0]), tidy(at[1])]
-  return [clamp(x, 0, width), clamp(y, 0, height)]
-}
-
-interface Made {
-  readonly world: World
-  readonly part: Part
-}
-
-/// The base with a new thing from one place to another.
-function make(editor: WorldEditor, from: Spot, to: Spot): Made {
-  const {base, tool} = editor
-  const [a, b] = [point(editor, from), point(editor, to)]
-  const reach = tidy(Math.max(smallest, Math.hypot(b[0] - a[0], b[1] - a[1])))
-  const movable = tool === "crate" || tool === "drum"
-  const about = {title: "", within: null}
-  switch (tool) {
-    case "wall":
-      return addWall(base, a, b)
-    case "box":
-    case "crate": {
-      const [w, h] = [Math.max(smallest, Math.abs(b[0] - a[0])), Math.max(smallest, Math.abs(b[1] - a[1]))]
-      const [x, y] = [tidy((a[0] + b[0]) / 2), tidy((a[1] + b[1]) / 2)]
-      const box = {x, y, w: tidy(w), h: tidy(h), theta: 0, movable, mass: defaultMass}
-      return {world: {...base, boxes: [...base.boxes, box]}, part: {kind: "box", index: base.boxes.length}}
-    }
-    case "lap":
-      return addGoal(base, {...about, kind: "lap", from: a, to: b, laps: 1})
-    case "reach":
-    case "touch":
-      return addGoal(base, {...about, kind: tool, x: a[0], y: a[1], r: reach})
-    case "avoid":
-      return addGoal(base, {...about, kind: "avoid", what: "place", x: a[0], y: a[1], r: reach})
-    default: {
-      const round = {x: a[0], y: a[1], r: reach, movable, mass: defaultMass}
-      return {
-        world: {...base, rounds: [...base.rounds, round]},
-        part: {kind: "round", index: base.rounds.length},
-      }
-    }
-  }
-}
-
-function addWall(world: World, from: Spot, to: Spot): Made {
-  return {
-    world: {...world, walls: [...world.walls, {from, to}]},
-    part: {kind: "wall", index: world.walls.length},
-  }
-}
-
-function addGoal(world: World, goal: WorldGoal): Made {
-  return {world: {...world, goals: [...world.goals, goal]}, part: {kind: "goal", index: world.goals.length}}
-}
-
-/// A thing of the usual size around a place: half a metre of wall to each side, a box of 40 cm, a post of 15 cm.
-function makeUsual(editor: WorldEditor, at: Spot): Made {
-  const [x, y] = point(editor, at)
-  switch (editor.tool) {
-    case "wall":
-    case "lap":
-      return make(editor, [x - 0.5, y], [x + 0.5, y])
-    case "box":
-    case "crate":
-      return make(editor, [x - 0.2, y - 0.2], [x + 0.2, y + 0.2])
-    case "reach":
-    case "touch":
-    case "avoid":
-      return make(editor, at, [x + 0.3, y])
-    default:
-      return make(editor, at, [x + 0.2, y])
-  }
-}
-
-/// A goal of several points with one more; `null` when the part is none or is full.
-function withPoint(world: World, part: Part, tool: "visit" | "draw", at: Spot): World | null {
-  const goal = part.kind === "goal" ? world.goals[part.index] : undefined
-  if (part.kind !== "goal" || goal === undefined || goal.kind !== tool || goal.points.length >= limits.points)
-    return null
-  return {...world, goals: put(world.goals, part.index, {...goal, points: [...goal.points, at]})}
-}
-
 /// Whether a tool goes on with what is chosen: points are added to a goal of several points.
 function continues(editor: WorldEditor, tool: Tool): boolean {
   const {chosen, world} = editor
   return chosen?.kind === "goal" && world.goals[chosen.index]?.kind === tool
-}
-
-function paintLine(world: World, from: Spot, to: Spot, tile: "#" | "." | "O"): World {
-  const pieces = Math.max(1, Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) / (world.tile / 3)))
-  let now = world
-  for (let i = 0; i <= pieces; i += 1)
-    now = painted(
-      now,
-      [from[0] + ((to[0] - from[0]) * i) / pieces, from[1] + ((to[1] - from[1]) * i) / pieces],
-      tile,
-    )
-  return now
 }
 
 /// A pointer that reaches far still takes the nearest handle.
