@@ -1,5 +1,5 @@
 {-# LANGUAGE PackageImports #-}
 import "base" System.IO.Unsafe (unsafePerformIO)
-import "ghc" GHC (runGhc)
+import "process" System.Process (system)
 
 main = simulate (Say (unsafePerformIO (Prelude.readFile "CANARY")))
