@@ -62,10 +62,11 @@ import Rosy.Worker.Ghc.Describe
 import Rosy.Worker.Ghc.Names (leaves)
 import Rosy.Worker.Ghc.Read
 import Rosy.Worker.Ghc.Report
+import Rosy.Worker.Ghc.Twice
 import Rosy.Worker.Ghc.Types
 import Rosy.Worker.Ghc.Warm
 import Rosy.Worker.Place (Columns, columnsOf)
-import Rosy.Worker.Problem (Declaration, Function, Place (..), Problem, Severity (..), Typed, isError, problemNowhere)
+import Rosy.Worker.Problem (Declaration, Function, Place (..), Problem (severity), Severity (..), Typed, isError, problemAt, problemNowhere)
 import Rosy.Worker.Raw (Outline (..), Raw (..), noOutline)
 import Unsafe.Coerce (unsafeCoerce)
 
@@ -186,12 +187,13 @@ check aim session flags columns source (L at parsed) warnings = do
   let found = warnings ++ map (fromMessage flags columns) (bagToList failed ++ bagToList warned)
       bad = any ((== Error) . gravity)
       mains = [() | ("main", _) <- placed]
+      twice = [(problemAt s "second-simulate" "A program simulates once, and this is the second time." "Put all functions into one: simulate (f, g); tasks follow one another in a do.") {severity = Warning} | Just s <- [secondSimulate parsed >>= placeOf columns]]
       noMain = [problemNowhere "no-main" "The program does not say what the robot should do." "Add a line that starts with: main = simulate" | null mains]
       whole raws tcg next =
         let describe spelling = describeFunctions flags spelling (map Text.pack (concatMap leaves (controllers added))) tcg
             connections = describe AsWritten
             known = outlined {connectedTo = connections, spelledOut = describe SpelledOut}
-         in Analysis noMain raws known (describeDeclarations flags placed tcg) connections (typesAt (showType flags) (placeOf columns) (derivedPlaces parsed) tcg) next
+         in Analysis (noMain ++ twice) raws known (describeDeclarations flags placed tcg) connections (typesAt (showType flags) (placeOf columns) (derivedPlaces parsed) tcg) next
   case outcome of
     Nothing -> pure (Analysis noMain found outlined [] [] [] Nothing)
     Just tcg

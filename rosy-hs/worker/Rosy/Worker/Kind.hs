@@ -68,6 +68,9 @@ withoutEchoes ps = nubBy (\x y -> place x == place y && kind x == kind y) (filte
         || kind p == "type-mismatch" && any (\q -> kind q == "calculation" && sameLine p q) ps
         || kind p == "ambiguous-type" && any (sameLine p) (at p "missing-controller")
         || kind p == "ambiguous-type" && any ((< place p) . place) (at p "type-mismatch")
+        || kind p `elem` ["type-mismatch", "missing-argument", "memory-types"] && any (sameLine p) (at p "operator")
+        || kind p == "missing-argument" && any (sameLine p) (at p "arguments-with-commas" ++ at p "negative-number")
+        || kind p == "main-type" && any ((< place p) . place) (at p "main-type")
     sameLine p q = fmap (line . start) (place p) == fmap (line . start) (place q)
 
 -- | The kind and the sentences for one message.
@@ -123,8 +126,13 @@ explain outline raw = case reason raw of
             (if Text.null owner then "This says nothing about some cases." else quoted owner <> " says nothing about some cases.")
             ( case missing of
                 [] -> "Add an equation for what is left."
-                m : _ -> "Add one for " <> quoted m <> (if more > 0 then ", and for " <> number more <> " more." else ".")
+                [m] | anything m, guarded -> "Add a last line: | otherwise = …"
+                m : _ -> "Add one for " <> quoted (plainPattern m) <> (if more > 0 then ", and for " <> number more <> " more." else ".")
             )
+
+    -- Nothing of it is looked at, so it is a guard that is missing.
+    anything m = all (== "_") (drop 1 (Text.words m))
+    guarded = maybe False (\s -> any (("|" `Text.isPrefixOf`) . Text.stripStart) (take (line (end s) - line (start s) + 1) (drop (line (start s) - 1) (Text.lines (text outline))))) (region raw)
 
     -- Messages about the form of a program, which have no types in them.
     shape
@@ -148,6 +156,8 @@ explain outline raw = case reason raw of
       | saying "Expected a type, but" || saying "Expected a constraint" = Just (problem "type-argument" (quoted firstName <> " cannot stand in this place of a type.") (if maybe False (Text.isInfixOf "=>" . lineOf) (region raw) then "Between what a function takes and what it gives stands ->." else "Check the type for a missing arrow or bracket."))
       | saying "Parse error in pattern" || saying "Pattern syntax in expression" = Just (problem "pattern" "This cannot stand on the left of an equals sign." "Write names, constructors and _ there, each with brackets around it if it has parts.")
       | saying "Illegal" || saying "Perhaps you intended to use" || saying "Perhaps you meant to use" = Just (problem "extension" "This needs a language extension that is not switched on." "There is nearly always a simpler way to say it.")
+      | saying "method of class" = Just (problem "unknown-method" (maybe "This class" quoted (listToMaybe (drop 1 names)) <> " has nothing called " <> quoted firstName <> ".") "Write one of the names that stand in the class.")
+      | saying "newtype must have exactly one" = Just (problem "newtype" "A newtype holds exactly one value." "For more than one, write data.")
       | saying "No explicit implementation" = Just (problem "missing-method" "This instance is not complete." "Define its functions as well.")
       | saying "Duplicate instance declarations" = Just (problem "duplicate" "Rosy has done this for you already." "Remove this instance.")
       | saying "does not export" = Just (problem "not-in-scope" ("The module " <> quoted firstName <> " has no " <> maybe "such name" quoted (listToMaybe (drop 1 names)) <> ".") "Check its spelling.")
@@ -160,8 +170,11 @@ explain outline raw = case reason raw of
       | "No module named" `Text.isInfixOf` everything,
         qualifier <- fromMaybe "" (listToMaybe (drop 1 names)) =
         problem "not-in-scope" (quoted qualifier <> " is not imported.") (importHint qualifier)
-      | "type constructor or class" `Text.isPrefixOf` rest = problem "not-in-scope" ("There is no type called " <> quoted firstName <> ".") (nearMiss everything firstName)
+      | "type constructor or class" `Text.isPrefixOf` rest = problem "not-in-scope" ("There is no type called " <> quoted firstName <> ".") (fromMaybe (if amongValues then "If it is one more value of this type, write | in front of it." else nearMiss everything firstName) (foreignName firstName))
       | otherwise = problem "not-in-scope" ("There is nothing called " <> quoted firstName <> ".") (fromMaybe (nearMiss everything firstName) (foreignName firstName))
+
+    -- As in: data Mode = Go Stop
+    amongValues = null (nearMisses everything firstName) && "data" `elem` take 1 (Text.words (maybe "" lineOf (region raw))) && "=" `Text.isInfixOf` before
 
     patternArguments c =
       let counts = mapMaybe readNumber (Text.words (fromMaybe "" (after "should have" said)))
@@ -181,6 +194,18 @@ looseParts l = or (zipWith (\w next -> isConstructor w && next /= "=") ws (drop 
   where
     ws = drop 1 (Text.words (fst (Text.breakOn " = " l)))
     isConstructor w = maybe False (isUpper . fst) (Text.uncons w)
+
+-- | A missing pattern without the brackets that a pair does not need: @((A b), (C d))@ is @(A b, C d)@.
+plainPattern :: Text -> Text
+plainPattern m = case Text.stripPrefix "(" m >>= Text.stripSuffix ")" of
+  Just inside | "," `Text.isInfixOf` inside -> "(" <> Text.intercalate ", " (map bare (parts (0 :: Int) "" (Text.unpack inside))) <> ")"
+  _ -> m
+  where
+    parts _ acc [] = [Text.strip acc]
+    parts n acc (c : cs)
+      | c == ',', n == 0 = Text.strip acc : parts 0 "" cs
+      | otherwise = parts (if c == '(' then n + 1 else if c == ')' then n - 1 else n) (Text.snoc acc c) cs
+    bare t = fromMaybe t (Text.stripPrefix "(" t >>= Text.stripSuffix ")" >>= \inner -> if Text.any (`elem` ("()," :: String)) inner then Nothing else Just inner)
 
 readNumber :: Text -> Maybe Int
 readNumber "none" = Just 0

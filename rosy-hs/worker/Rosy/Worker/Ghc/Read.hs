@@ -111,7 +111,7 @@ say columns s k m h = maybe (problemNowhere k m h) (\p -> problemAt p k m h) (pl
 
 -- | All that no program may have in it, whatever its types are.
 refusalsIn :: Columns -> Text -> HsModule -> [Problem]
-refusalsIn columns source parsed = importRefusals columns parsed ++ declarationRefusals columns parsed ++ nameRefusals columns (linesWith refusedNames source) parsed
+refusalsIn columns source parsed = importRefusals columns parsed ++ declarationRefusals columns source parsed ++ nameRefusals columns (linesWith refusedNames source) parsed
 
 -- | Imports that neither our list nor Safe Haskell trusts. The list has modules that Safe Haskell cannot judge, Rosy among them.
 unsafeImports :: HscEnv -> Columns -> HsModule -> IO [Problem]
@@ -146,12 +146,19 @@ linesWith words' source = \case
     found = IntSet.fromDistinctAscList [n | any (`Text.isInfixOf` source) words', (n, l) <- zip [1 ..] (Text.lines source), any (`Text.isInfixOf` l) words']
 
 -- | Declarations that have no place in a robot program, whatever the extensions say.
-declarationRefusals :: Columns -> HsModule -> [Problem]
-declarationRefusals columns parsed = concatMap refusal (hsmodDecls parsed)
+declarationRefusals :: Columns -> Text -> HsModule -> [Problem]
+declarationRefusals columns source parsed = concatMap refusal (hsmodDecls parsed)
   where
+    lineAt s = case s of
+      RealSrcSpan r _ -> Text.concat (take 1 (drop (srcSpanStartLine r - 1) (Text.lines source)))
+      UnhelpfulSpan _ -> Text.empty
+    noDefinition ws = case ws of
+      f : ":" : _ -> ("Two colons stand between a name and its type.", "Write: " <> f <> " :: …")
+      w : _ | w `elem` ["def", "function", "func", "fun", "var", "const", "void"] -> ("‘" <> w <> "’ means nothing in Haskell.", "A definition is a name, an equals sign and a value: move = Velocity 0.5 0.")
+      _ -> ("This line has no equals sign.", "A definition is a name, an equals sign and a value: move = Velocity 0.5 0.")
     refusal (L s d) = case d of
       ForD {} -> [say columns s "foreign" "A program cannot call functions of other languages." "A robot program is all Haskell."]
-      SpliceD {} -> [say columns s "missing-equals" "This line has no equals sign." "A definition is a name, an equals sign and a value: move = Velocity 0.5 0."]
+      SpliceD {} -> [uncurry (say columns s "missing-equals") (noDefinition (Text.words (lineAt s)))]
       RuleD {} -> [say columns s "pragma" "A program cannot change how it is compiled." "Remove these rules."]
       AnnD {} -> [say columns s "pragma" "A program cannot change how it is compiled." "Remove this annotation."]
       _ -> []

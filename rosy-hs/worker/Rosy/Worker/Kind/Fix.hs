@@ -18,6 +18,7 @@ import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Rosy.Worker.Kind.Imports (importFor, moduleOf)
+import Rosy.Worker.Kind.Nouns (loops, spelling)
 import Rosy.Worker.Kind.Tokens (Token (..), scan, upTo)
 import Rosy.Worker.Kind.Words
 import Rosy.Worker.Problem
@@ -26,7 +27,7 @@ import Rosy.Worker.Raw
 -- | The ways to mend a problem, the likeliest first.
 fixesFor :: Outline -> Raw -> Problem -> [Fix]
 fixesFor outline raw p = case (kind p, place p) of
-  ("not-in-scope", Just s) -> map (spelled s) (take 3 (nearMisses everything (textAt source s))) ++ imports s
+  ("not-in-scope", Just s) -> map (spelled s) (take 3 (maybe (if textAt source s `elem` loops then [] else nearMisses everything (textAt source s)) pure (spelling (textAt source s)))) ++ imports s
   ("missing-definition", Just s) -> map (spelled s) (take 1 (nearMisses everything (textAt source s))) ++ equation s
   ("hole", Just s) -> [Fix ("Fill in " <> n) [Edit s n] | n <- fitting]
   ("missing-cases", Just s) -> cases s
@@ -35,7 +36,13 @@ fixesFor outline raw p = case (kind p, place p) of
   ("missing-just", Just s) -> [Fix "Write Just in front" [Edit s ("Just " <> bracketed (textAt source s))]]
   ("negative-number", Just s) -> negative s
   ("comparison", Just s) -> [Fix "Compare with ==" [Edit s "=="]]
-  ("missing-arrow", Just s) -> [Fix "Write an arrow" [Edit s "->"]]
+  ("missing-arrow", Just s) -> [Fix "Write an arrow" [Edit s (if textAt source s == "," then " ->" else "->")]]
+  ("missing-colon", Just s) -> [Fix "Write two colons" [Edit s "::"]]
+  ("field-value", Just s) -> [Fix "Write =" [Edit s "="]]
+  ("definition", Just s) -> [Fix "Write =" [Edit s "="]]
+  ("comment", Just s) -> [Fix "Write --" [Edit s "--"]]
+  ("missing-where", Just s) -> [Fix "Add where" [Edit (nothingAt (end s)) " where"]]
+  ("word", Just s) | textAt source s `elem` ["elif", "elsif", "elseif"] -> [Fix "Write else if" [Edit s "else if"]]
   ("character", Just s) -> [Fix ("Write " <> good) [Edit s good] | Just good <- [lookup (textAt source s) plain]]
   ("tab", _) -> [Fix "Write spaces for all tabs" tabs | not (null tabs)]
   _ -> []

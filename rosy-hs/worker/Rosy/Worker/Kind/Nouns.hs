@@ -9,6 +9,8 @@ module Rosy.Worker.Kind.Nouns
     typeOfValue,
     exampleOf,
     foreignName,
+    spelling,
+    loops,
 
     -- * What to do about it
     isNumber,
@@ -43,6 +45,7 @@ writtenAs t = lookup t table
         ("Wheel", "Write it with both its parts, for example: (Wheel LeftWheel Air)."),
         ("Button", "Write it with both its parts, for example: (Button Button0 Pressed)."),
         ("Velocity", "Write it with both its parts, for example: (Velocity 0.5 0)."),
+        ("Clock", "Take it apart with a pattern: (Clock h m s ms)."),
         ("Position", "Write it with both its parts, for example: (Position x y).")
       ]
 
@@ -95,6 +98,8 @@ foreignName :: Text -> Maybe Text
 foreignName n
   | Just ours <- lookup n operators = Just ("In Haskell this is written " <> ours <> ".")
   | n `elem` ["Blue", "Yellow", "White", "Purple", "Pink", "Off"] = Just "A light can be Black, which is off, Green, Orange or Red."
+  | Just ours <- spelling n = Just ("In Haskell this is written " <> ours <> ".")
+  | n `elem` loops = Just "Functions fire again and again by themselves; to repeat a task, write forever or replicateM_ 4."
   | n == "Main" = Just "A program starts at main, with a small letter."
   | n `elem` ["O", "o"] = Just "If the number is meant, write 0."
   | n `elem` ["true", "false", "TRUE", "FALSE"] = Just "Write True or False."
@@ -103,13 +108,21 @@ foreignName n
   where
     operators = [("!=", "/="), ("<>=", ">="), ("=<", "<="), ("=>", ">="), ("===", "=="), ("&", "&&"), ("and", "&&"), ("or", "||"), ("%", "with the word mod"), ("//", "with the word div"), ("+=", "with a new value: Memory (n + 1)"), ("-=", "with a new value: Memory (n - 1)"), ("++=", "with a new value"), ("elif", "else if"), ("elseif", "else if"), ("print", "with Say")]
 
+-- | How a name of other languages is spelled here.
+spelling :: Text -> Maybe Text
+spelling n = lookup n [("Number", "Double"), ("Num", "Double"), ("Boolean", "Bool"), ("Str", "String"), ("Text", "String"), ("PI", "pi"), ("Pi", "pi"), ("Void", "()")]
+
+-- | What other languages call their loops.
+loops :: [Text]
+loops = ["for", "while", "loop"]
+
 -- | What to do when a number stands where this is needed.
 numberHint :: Type -> Text
 numberHint t
   | "Task" `Text.isPrefixOf` t = "To give a name to a value in a task, write: let x = 3."
   | t == "Bool" = "Write True or False."
   | t == "String" = "Put it in quotation marks, or turn it into a text with show."
-  | otherwise = "Check which value belongs here."
+  | otherwise = fromMaybe "Check which value belongs here." (writtenAs t)
 
 -- | Whether it is one of the types of numbers.
 isNumber :: Type -> Bool

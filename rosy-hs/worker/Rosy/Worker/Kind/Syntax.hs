@@ -11,11 +11,12 @@ module Rosy.Worker.Kind.Syntax
   )
 where
 
-import Data.Char (isDigit, isLower, isSpace)
+import Data.Char (isAlpha, isDigit, isLower, isSpace)
 import Data.List (find)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Rosy.Worker.Kind.Habits
 import Rosy.Worker.Kind.Tokens
 import Rosy.Worker.Kind.Words
 import Rosy.Worker.Problem
@@ -48,6 +49,7 @@ explainSyntax source said spot = fromMaybe fallback (listToMaybe (concat finding
             not (Text.null c)
         ],
         brackets found,
+        habits source found current at,
         [ problemAt (spanning t) "capital" (quoted (word t) <> " is written with a small letter.") ("Write: " <> Text.toLower (word t) <> ".")
           | t : _ <- [current],
             Text.toLower (word t) `elem` reserved,
@@ -59,7 +61,7 @@ explainSyntax source said spot = fromMaybe fallback (listToMaybe (concat finding
             z : _ <- [drop 1 (dropWhile ((< at) . from) found)],
             all (Text.all isDigit . word) [x, z]
         ],
-        [ problemAt (spanning t) "missing-arrow" "Two colons stand between a name and its type." ("Write: " <> word f <> " :: …")
+        [ problemAt (spanning t) "missing-colon" "Two colons stand between a name and its type." ("Write: " <> word f <> " :: …")
           | (f, t) <- take 1 (zip current (drop 1 current)) ++ [(f, t) | f : _ <- [reverse current], Just t <- [here]],
             word t == ":"
         ],
@@ -120,7 +122,7 @@ explainSyntax source said spot = fromMaybe fallback (listToMaybe (concat finding
             not (null (missing words')),
             Just t <- [here]
         ],
-        [ problemAt (spanning t) "bracket" "Several things together need brackets around them." "Write: (first, second)."
+        [ problemAt (spanning t) "missing-brackets" "Several things together need brackets around them." "Write: (first, second)."
           | given == Just ",",
             null (missing words'),
             Just t <- [here]
@@ -192,7 +194,8 @@ explainSyntax source said spot = fromMaybe fallback (listToMaybe (concat finding
         [ problemAt (spanning t) "syntax" (quoted (word t) <> " has nothing that it belongs to.") ("Check the lines before it for the " <> partner (word t) <> ".")
           | Just t <- [here],
             word t `elem` ["then", "else", "of", "in"]
-        ]
+        ],
+        slips found at
       ]
     fallback = case here of
       Just t -> problemAt (spanning t) "syntax" ("The program cannot be understood from " <> quoted (word t) <> " on.") "Something before it is missing, too much, or in the wrong column."
@@ -282,7 +285,7 @@ inBlock opener source at = case dropWhile ((>= indent here) . indent) (filter (n
     above = reverse (take (line at - 1) ls)
     here = fromMaybe "" (listToMaybe (drop (line at - 1) ls))
     indent = Text.length . Text.takeWhile isSpace
-    lastWord = listToMaybe . reverse . Text.words
+    lastWord = fmap (Text.takeWhileEnd isAlpha) . listToMaybe . reverse . Text.words
 
 -- | Whether the line before ends with @of@.
 afterOf :: Text -> Place -> Bool

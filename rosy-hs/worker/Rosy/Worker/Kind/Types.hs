@@ -12,12 +12,13 @@ module Rosy.Worker.Kind.Types
 where
 
 import Control.Applicative ((<|>))
-import Data.Char (isAlphaNum, isLower)
+import Data.Char (isAlphaNum, isLower, isSpace)
 import Data.List (find)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Rosy.Worker.Kind.Nouns
+import Rosy.Worker.Kind.Slips
 import Rosy.Worker.Kind.Words
 import Rosy.Worker.Problem
 import Rosy.Worker.Raw
@@ -118,8 +119,11 @@ unclear outline problem = case find (any isOpen . (\f -> inputs f ++ outputs f))
   Just f ->
     let p = problem "ambiguous-type" (quoted (called f) <> " does not say what it senses or gives.") ("Write its type above it, for example: " <> called f <> " :: Bumper -> Maybe Sound.")
      in p {function = Just (called f), place = lookup (called f) (bindings outline) <|> place p}
+  Nothing | Just w <- looseForever -> problem "too-many-arguments" "‘forever’ takes only what stands right behind it." ("Put brackets around the task: forever (" <> w <> ").")
   Nothing -> problem "ambiguous-type" "This does not say what it senses or gives." "Write its type above it, for example: f :: Bumper -> Maybe Sound."
   where
+    -- forever say "x"
+    looseForever = listToMaybe [rest | l <- Text.lines (text outline), Just more <- [after "forever " l], let rest = Text.strip (Text.takeWhile (`notElem` (")" :: String)) more), w : _ : _ <- [Text.words rest], maybe False (isLower . fst) (Text.uncons w), w /= "do", not ("$" `Text.isInfixOf` rest)]
     isOpen = any (maybe False (isLower . fst) . Text.uncons) . atoms
 
 -- * A type cannot do something
@@ -131,10 +135,12 @@ explainInstance outline raw problem c t user
   | c == "Typeable", isOpenType t = problem "ambiguous-type" "This task has no end: none of its functions gives Done." "Give Done () when it is over; if it goes on for ever, say so: (task start go :: Task ())."
   | c == "Sensor", Just (f, _) <- culprit inputs, any ("Task" `Text.isPrefixOf`) (outputs f) = problem "missing-argument" (quoted (called f) <> " needs a value before it is a task.") ("Give it one: simulate (" <> called f <> " …).")
   | c == "Enum", t == "String" = problem "calculation" "Here numbers are counted, but texts are needed." "Turn each number into a text with show: (say . show)."
+  | c == "Sensor", Just (f, _) <- culprit inputs, Just (k, s) <- halfBuilt outline (called f) = (problem "missing-argument" (quoted k <> " needs another value: " <> a t <> ".") "Add what is missing.") {function = Just (called f), place = Just s}
   | c == "Sensor" = blaming inputs (problem "not-a-sensor" (who "takes" <> a t <> ", which the robot cannot sense.") sensorHint)
   | c == "Command", "Task" `Text.isPrefixOf` t, any isOpenType (drop 1 (atoms t)) = problem "missing-controller" "‘task’ needs two things: how it starts, and what it does." "If nothing is to be done first, write: task () f."
+  | c == "Command", "Task" `Text.isPrefixOf` t, "replicate " `Text.isInfixOf` here = problem "controller-needed" "This is a list of tasks, and a list is not one after the other." "To do a task several times, write replicateM_ instead of replicate."
   | c == "Command", "Task" `Text.isPrefixOf` t = blaming outputs (problem "controller-needed" (owner <> " is a task, but here a function for the robot is needed.") "Simulate the task alone, or put it into another task with do.")
-  | c == "Command", "IO" `Text.isPrefixOf` t = problem "not-a-command" "Only main may be an IO action." "Give a command instead, for example Say to show a text."
+  | c == "Command", "IO" `Text.isPrefixOf` t = problem "not-a-command" "This is for the computer, not for the robot." "To show a text, give Say; in a task, write say."
   | c `elem` ["Command", "Controller"], shown == "String" = blaming outputs (problem "not-a-command" (who "gives" <> "a ‘String’, which is not a command.") "To show a text, write Say in front of it.")
   | c `elem` ["Command", "Controller", "Runnable"] = blaming outputs (problem "not-a-command" (who "gives" <> a t <> ", which is not a command.") commandHint)
   | c == "Default" = problem "not-memorable" ("A " <> quoted t <> " cannot be remembered.") "Memory holds numbers, texts, lists, and types of your own."
@@ -151,8 +157,9 @@ explainInstance outline raw problem c t user
   | c `elem` ["Num", "Fractional"], "literal" `Text.isInfixOf` whole = problem "type-mismatch" ("A number stands where " <> a t <> " is needed.") (numberHint t)
   | c `elem` ["Num", "Fractional", "Floating"] = problem "calculation" ("With " <> a t <> " one cannot calculate.") (if t `elem` ["Velocity", "Position", "Pose"] then "Take its numbers out with a pattern, as in (Velocity v w), and put them together again." else if "Memory" `Text.isPrefixOf` t then "Take out what it holds with a pattern: (Memory n)." else if Text.null user then "Check which value was meant." else quoted user <> " works on numbers only.")
   | c `elem` ["Monad", "Applicative", "Functor", "MonadFail", "Foldable", "Traversable"] = problem "type-mismatch" (quoted t <> " cannot be used with " <> quoted user <> ".") "Check which value was meant."
-  | otherwise = problem "type-mismatch" (a' t <> " cannot be used with " <> quoted user <> ".") "Check which value was meant."
+  | otherwise = problem "type-mismatch" (a' t <> " cannot be used with " <> quoted user <> ".") (if ("class " <> c) `Text.isInfixOf` text outline then "Say what it does for it: declare it for " <> quoted t <> " as well." else "Check which value was meant.")
   where
+    here = maybe "" (\s -> Text.concat (take 1 (drop (line (start s) - 1) (Text.lines (text outline))))) (region raw)
     isOpenType = maybe False (isLower . fst) . Text.uncons
     whole = flat (Text.unwords (important raw))
     shown = if t == "Char" then "String" else t
@@ -201,6 +208,7 @@ explainMismatch outline raw problem needed given
   | Just u <- user, u `elem` ["task", "taskWith"] = problem "done-type" ("The task ends with " <> a needed <> ", but its Done carries " <> a given <> ".") (if needed == "String" then "Make both the same, or turn what it ends with into a text with show." else "Make both the same type.")
   | "IO" == firstAtom needed, "IO action ‘main’" `Text.isInfixOf` whole = problem "main-type" "‘main’ must say what to do with the robot." ("Write: main = simulate " <> mainBody <> ".")
   | "Occurs check" `Text.isInfixOf` said || isVariable needed && needed `elem` Text.words given || isVariable given && given `elem` Text.words needed = problem "infinite-type" "This would have to contain itself." "Check the brackets, and whether a function is given to itself by accident."
+  | Just p <- slip outline raw problem needed given = p
   | Just (f, taken, has) <- tooMany = tooManyArguments f taken has
   | Just f <- equationsTooLong = problem "argument-count" (quoted f <> " takes more than its type says.") ("Add to the type what it takes: " <> f <> " :: Bumper -> " <> lastOf needed <> ".")
   | "m" == firstAtom given, Just w <- firstOf' source, w `elem` ["return", "pure"] = problem "type-mismatch" ("A function gives its value without ‘" <> w <> "’.") ("Remove ‘" <> w <> "’.")
@@ -208,7 +216,7 @@ explainMismatch outline raw problem needed given
   | needed == "Maybe " <> bracketIfNeeded given = problem "missing-just" ("This always gives " <> a given <> ", but the type says that it may be missing.") ("Write Just in front of it" <> example "Just" <> ".")
   | given == "Maybe " <> bracketIfNeeded needed || "Maybe" == firstAtom given && "Maybe" /= firstAtom needed = problem "unexpected-maybe" ("This may be nothing, but " <> a needed <> " is needed.") ("Write the type as Maybe " <> bracketIfNeeded needed <> ", or give a value in every case.")
   | "Memory" == firstAtom needed, "Memory" /= firstAtom given, not (isFunction given) = problem "missing-memory" ("This is " <> a given <> ", but " <> a needed <> " is needed.") ("Write Memory in front of the value" <> example "Memory" <> ".")
-  | "Memory" == firstAtom given, firstOf' source == Just "Memory" = problem "memory-as-value" ("This is a whole Memory, but the type says " <> quoted needed <> ".") ("Write the type as " <> given <> ".")
+  | "Memory" == firstAtom given, "Memory" /= firstAtom needed, firstOf' source == Just "Memory" = problem "memory-as-value" ("This is a whole Memory, but the type says " <> quoted needed <> ".") ("Write the type as " <> given <> ".")
   | "Memory" == firstAtom given, "Memory" /= firstAtom needed = problem "memory-as-value" ("This is a whole Memory, but the " <> quoted needed <> " in it is needed.") "Take it out with a pattern: (Memory x) instead of x."
   | "Memory" == firstAtom needed, "Memory" == firstAtom given = problem "memory-types" ("This memory holds " <> a (inner given) <> ", but one with " <> a (inner needed) <> " is needed.") "Each memory has one type: use the same everywhere."
   | "Task" == firstAtom needed, "Task" == firstAtom given = problem "task-result" ("This task ends with " <> a (stripBrackets (inner given)) <> ", but one that ends with " <> a (stripBrackets (inner needed)) <> " is needed.") (if stripBrackets (inner needed) == "()" then "If its result is not needed, write" <> maybe " void in front of it" (\s -> " void (" <> s <> ")") source <> "." else "The last line of a task gives its result.")
@@ -259,13 +267,19 @@ explainMismatch outline raw problem needed given
             Nothing -> p
 
     mainBody = case source of
-      _ | Just l <- mainLine, not ("simulate" `Text.isInfixOf` l), Text.length l < 40 -> l
+      _ | Just l <- mainLine, not ("simulate" `Text.isInfixOf` l), Text.length l < 40 -> asArgument l
       _ -> "f"
+    asArgument l
+      | "do" `elem` take 1 (Text.words l) = "$ " <> l
+      | Text.any isSpace l && not ("(" `Text.isPrefixOf` l) && not ("[" `Text.isPrefixOf` l) = "(" <> l <> ")"
+      | otherwise = l
     mainLine = fmap (Text.strip . Text.drop 1) (listToMaybe [snd (Text.breakOn "=" l) | l <- Text.lines (text outline), "main" `elem` take 1 (Text.words l)])
 
     appliedTooLittle = listToMaybe . quotes =<< after "Probable cause:" whole
     missingArgument f
       | f `elem` ["return", "pure"] = problem "missing-argument" (quoted f <> " needs the value that it gives.") ("If there is none, write: " <> f <> " ().")
+      | f == "call" = problem "missing-argument" "‘call’ needs two things: a task, and what to do with it." "Write callOptions behind the task."
+      | not (null missing), any isVariable missing = problem "missing-argument" (quoted f <> " needs " <> (if length missing == 1 then "another value." else number (length missing) <> " more values.")) "Add what is missing."
       | not (null missing) = problem "missing-argument" (quoted f <> " needs " <> (if length missing == 1 then "another value: " else number (length missing) <> " more values: ") <> Text.intercalate ", then " (map a missing) <> ".") "Add what is missing."
       | otherwise = problem "missing-argument" (quoted f <> " needs more values than it is given.") "Add what is missing."
       where
@@ -281,6 +295,7 @@ explainMismatch outline raw problem needed given
       | overLines = problem "indentation" "The next line seems to go on with this one." "Lines of one block begin in the same column."
       | f == "simulate" = problem "too-many-arguments" "‘simulate’ takes one thing only." "Put several functions into brackets with commas: simulate (f, g)."
       | Just so <- lookup f [("once", "one thing only"), ("task", "two things"), ("taskWith", "two things"), ("call", "two things")] = problem "too-many-arguments" (quoted f <> " takes " <> so <> ".") "Put brackets around what belongs together, for example: once (Velocity 0.5 0)."
+      | "none" == has, Just s <- source, "simulate" `elem` Text.words (maybe "" lineAt (region raw)), not (Text.any (`elem` ("()" :: String)) s) = problem "too-many-arguments" (quoted f <> " takes no values, but is given " <> taken <> ".") ("If these are several functions, put commas between them: (" <> Text.intercalate ", " (Text.words s) <> ").")
       | "none" == has || "has none" `Text.isInfixOf` whole = problem "too-many-arguments" (quoted f <> " takes no values, but is given " <> taken <> ".") "Remove what is too much, or check the brackets."
       | otherwise = problem "too-many-arguments" (quoted f <> " is given " <> taken <> " values, which is too many.") "Remove what is too much, or put brackets around what belongs together."
     overLines = maybe False (\s -> line (start s) < line (end s)) (region raw) && "do" `Text.isInfixOf` whole

@@ -1,0 +1,3 @@
+go :: Bumper -> Call
+go _ = call (wait 1)
+main = simulate go

@@ -1,0 +1,3 @@
+main = simulate (do
+  call (wait 1) callOptions
+  wait 3)

@@ -1,0 +1,5 @@
+go :: Bumper -> Sound
+go b = case b
+  Bumper _ Pressed -> ErrorSound
+  _ -> OnSound
+main = simulate go

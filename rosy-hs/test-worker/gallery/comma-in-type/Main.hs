@@ -1,0 +1,3 @@
+go :: Bumper, Velocity -> Velocity
+go _ v = v
+main = simulate go

@@ -1,0 +1,2 @@
+# my program
+main = simulate (Velocity 0.5 0)

@@ -1,0 +1,2 @@
+go = Velocity 0.5
+main = simulate go

@@ -1,0 +1,4 @@
+plan = do
+    wait 1
+  say "a"
+main = simulate plan

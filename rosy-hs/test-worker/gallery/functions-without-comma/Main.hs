@@ -1,0 +1,4 @@
+go = Velocity 0.5 0
+play :: Bumper -> Sound
+play _ = ErrorSound
+main = simulate (go play)

@@ -1,0 +1,2 @@
+main :: Velocity
+main = simulate (Velocity 0.5 0)

@@ -1,0 +1,2 @@
+newtype Pair = Pair Int Int
+main = simulate (Velocity 0 0)

@@ -1,0 +1,3 @@
+add :: Number -> Number
+add x = x + 1
+main = simulate (Velocity (add 1) 0)

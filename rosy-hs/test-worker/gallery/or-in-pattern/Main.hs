@@ -1,0 +1,4 @@
+go :: Bumper -> Sound
+go (Bumper (LeftBumper | RightBumper) _) = ErrorSound
+go _ = OnSound
+main = simulate go

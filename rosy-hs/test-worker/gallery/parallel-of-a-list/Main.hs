@@ -1,0 +1,1 @@
+main = simulate (parallel [wait 1, wait 2])

@@ -1,0 +1,1 @@
+main = simulate (replicate 4 (say "x"))

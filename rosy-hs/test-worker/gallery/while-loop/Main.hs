@@ -1,0 +1,2 @@
+go = while True (Velocity 1 0)
+main = simulate go
