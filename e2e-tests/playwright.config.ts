@@ -23,6 +23,7 @@ export default defineConfig({
     viewport: {width: 1440, height: 900},
     trace: "retain-on-failure",
     launchOptions: {
+      timeout: 240_000,
       executablePath: process.env["ROSY_CHROMIUM"] ?? "/usr/bin/chromium",
       args: [
         "--no-sandbox",

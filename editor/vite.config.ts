@@ -53,8 +53,8 @@ export default defineConfig({
   // The limit is for what hangs; a slow machine needs its time.
   test: {
     environment: "node",
-    testTimeout: 120_000,
-    hookTimeout: 120_000,
+    testTimeout: 600_000,
+    hookTimeout: 600_000,
     include: ["test/**/*.test.ts", "test/**/*.test.tsx"],
   },
 })

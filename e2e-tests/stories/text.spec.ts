@@ -88,7 +88,8 @@ test("undo and redo walk through the edits of both views in their order", async 
   await expect(learner.haskell()).toContainText("vl + 0.25")
   const second = await learner.haskellText()
   await learner.findsInHaskell("ErrorSound")
-  await page.keyboard.type("OnSound")
+  // At once: a pause between two letters would begin another step.
+  await page.keyboard.insertText("OnSound")
   await expect(learner.haskell()).toContainText("Just OnSound")
   await expect(learner.definition("play").getByText("OnSound")).toBeVisible()
   const third = await learner.haskellText()
@@ -189,8 +190,8 @@ test("a problem is mended with a button, in one step that undo takes back", asyn
   const before = await learner.haskellText()
   await page.getByRole("button", {name: "Add a case for everything else"}).click()
   await expect(learner.haskell()).toContainText("play _ = _")
-  // The open place is selected: what is typed goes there.
-  await page.keyboard.type("Nothing")
+  // The open place is selected: what is typed goes there. A pause between two letters would begin another step.
+  await page.keyboard.insertText("Nothing")
   await expect(learner.haskell()).toContainText("play _ = Nothing")
   await expect(page.getByTestId("problems")).toContainText("No problems.")
   await page.keyboard.press("Control+z")

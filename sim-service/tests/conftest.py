@@ -20,6 +20,12 @@ from rosy_sim.world.world import World
 
 from .fake_program import play
 
+PATIENCE = 240.0
+"""For what hangs, s: a machine that is slow or stands still for a while is waited for."""
+
+UNHURRIED: dict[str, Any] = {"open_timeout": PATIENCE, "ping_interval": None}
+"""Of a WebSocket to a service of this machine; by itself it gives up after ten seconds."""
+
 FAKE_WORKER = Path(__file__).with_name("fake_worker.py")
 
 # How long a busy machine takes for an example says nothing about it.
@@ -47,7 +53,7 @@ def hall(**more: object) -> World:
 @pytest.fixture
 def limits() -> Limits:
     """Long enough for a busy machine, but for `stop`, which ends well either way."""
-    return Limits(settle=20.0, ready=20.0, stop=0.3, gone=20.0, compile=60.0, worker_ready=60.0)
+    return Limits(settle=60.0, ready=60.0, stop=0.3, gone=60.0, compile=PATIENCE, worker_ready=PATIENCE)
 
 
 @pytest.fixture

@@ -20,6 +20,7 @@ import pytest
 from rosy_sim.app import Service
 from rosy_sim.drivers import drivers
 
+from .conftest import PATIENCE
 from .ports import kept_port
 from .test_app import Page
 
@@ -63,9 +64,9 @@ class Robot:
         self.process.stdin.write((" ".join(words) + "\n").encode())
 
     async def says(self, wanted: Callable[[str], bool]) -> str:
-        """The next line that fits; waits at most a minute."""
+        """The next line that fits; waits long for it."""
         assert self.process.stdout is not None
-        async with asyncio.timeout(60):
+        async with asyncio.timeout(PATIENCE):
             while True:
                 line = (await self.process.stdout.readline()).decode().strip()
                 assert line or not self.process.stdout.at_eof(), self.said

@@ -21,6 +21,8 @@ from rosy_sim.outbox import Outbox
 from rosy_sim.wire.link import Kept
 from rosy_sim.wire.page import Frame
 
+from .conftest import PATIENCE, UNHURRIED
+
 Message = dict[str, Any]
 
 
@@ -35,8 +37,8 @@ class Page:
         await self.socket.send(json.dumps({"op": op, **fields}))
 
     async def until(self, wanted: Callable[[Message], bool]) -> Message:
-        """The next message that fits; waits at most a minute."""
-        async with asyncio.timeout(60):
+        """The next message that fits."""
+        async with asyncio.timeout(PATIENCE):
             while True:
                 message: Message = json.loads(await self.socket.recv())
                 self.seen.append(message)
@@ -58,7 +60,7 @@ async def serving(config: Config) -> AsyncIterator[tuple[str, Service]]:
         uvicorn.Config(app, port=0, log_level="error", ws="websockets-sansio", timeout_graceful_shutdown=1)
     )
     task = asyncio.create_task(server.serve())
-    async with asyncio.timeout(60):
+    async with asyncio.timeout(PATIENCE):
         while not server.started:
             await asyncio.sleep(0.005)
     port = server.servers[0].sockets[0].getsockname()[1]
@@ -72,8 +74,12 @@ async def serving(config: Config) -> AsyncIterator[tuple[str, Service]]:
 @asynccontextmanager
 async def opened(address: str, **options: Any) -> AsyncIterator[Page]:
     # A page that has stopped reading cannot say goodbye; nobody waits long for it.
-    async with connect(f"ws://{address}/api/session", **{"close_timeout": 1, **options}) as socket:
+    async with connect(f"ws://{address}/api/session", **{**UNHURRIED, "close_timeout": 1, **options}) as socket:
         yield Page(socket)
+
+
+def _asking(address: str) -> httpx.AsyncClient:
+    return httpx.AsyncClient(base_url=f"http://{address}", timeout=PATIENCE)
 
 
 def story(play: Callable[[Page, Service], Awaitable[None]], config: Config) -> None:
@@ -361,7 +367,7 @@ def test_a_page_that_reads_nothing_is_let_go_and_harms_nobody(config: Config) ->
                     break
             await page.send("run", run=1, source="done@2", speed="max")
             assert (await page.ended(1))["ended"] == "done"
-            async with asyncio.timeout(60):
+            async with asyncio.timeout(PATIENCE):
                 while len(service.sessions) > 1:
                     await asyncio.sleep(0.01)
 
@@ -405,7 +411,7 @@ def test_the_http_api(config: Config) -> None:
     (config.examples / "README.md").write_text("| example | shows |\n|---|---|\n| `move` | x |\n| `back` | y |\n")
 
     async def tell() -> None:
-        async with serving(config) as (address, service), httpx.AsyncClient(base_url=f"http://{address}") as client:
+        async with serving(config) as (address, service), _asking(address) as client:
             assert (await client.get("/api/examples")).json() == [
                 {"name": "move", "title": "Move", "teaches": "Drives ahead. For ever."},
                 {"name": "back", "title": "back", "teaches": ""},

@@ -24,6 +24,7 @@ import pytest
 from rosy_sim.config import Config, Limits, discover
 from rosy_sim.worker.launch import uses_sandbox
 
+from .conftest import PATIENCE as HANG
 from .processes import below
 from .test_app import Page, opened, serving
 
@@ -152,7 +153,7 @@ async def attack(column: Column, programs: dict[str, str], aimed: Target) -> dic
         # Nobody else noticed, and nothing is left.
         await bystander.send("check", id=1, source="main = pure ()\n")
         assert (await bystander.op("checked"))["problems"] == []
-        async with asyncio.timeout(30):
+        async with asyncio.timeout(HANG):
             while service.places.taken or not children(before):
                 await asyncio.sleep(0.01)
     return outcomes

@@ -17,7 +17,7 @@ import pytest
 from rosy_sim.cli import _parser, main
 from rosy_sim.reach import is_everybody, own_addresses
 
-from .conftest import FAKE_WORKER
+from .conftest import FAKE_WORKER, PATIENCE
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -42,7 +42,7 @@ def environment(tmp_path: Path) -> dict[str, str]:
 def rosy(environment: dict[str, str], *arguments: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [sys.executable, "-m", "rosy_sim", *map(str, arguments)],
-        env=environment, capture_output=True, text=True, timeout=120, check=False, cwd=environment["ROSY_ROOT"],
+        env=environment, capture_output=True, text=True, timeout=PATIENCE, check=False, cwd=environment["ROSY_ROOT"],
     )  # fmt: skip
 
 
@@ -254,12 +254,12 @@ def test_a_signal_ends_the_service_and_its_worker(sent: int, environment: dict[s
     ) as service:  # fmt: skip
         assert service.stdout is not None
         address = service.stdout.readline().split(" at ")[1].split()[0]
-        health = httpx.get(f"{address}api/health").json()
+        health = httpx.get(f"{address}api/health", timeout=PATIENCE).json()
         assert health["sessions"] == 0
         children = Path(f"/proc/{service.pid}/task/{service.pid}/children").read_text().split()
         assert children
         service.send_signal(sent)
-        assert service.wait(60) == 0
+        assert service.wait(PATIENCE) == 0
     assert not any(Path(f"/proc/{child}").exists() for child in children)
 
 
@@ -275,7 +275,7 @@ def test_the_help_of_a_command_names_what_it_takes_and_nothing_else(command: str
 def test_a_program_comes_from_standard_input(environment: dict[str, str]) -> None:
     done = subprocess.run(
         [sys.executable, "-m", "rosy_sim", "check", "-"],
-        env=environment, input="drive:0.5", capture_output=True, text=True, timeout=120, check=False,
+        env=environment, input="drive:0.5", capture_output=True, text=True, timeout=PATIENCE, check=False,
     )  # fmt: skip
     assert (done.returncode, done.stdout, done.stderr) == (0, "-: no problems.\n", "")
 

@@ -22,6 +22,7 @@ from rosy_sim.config import Config, discover
 from rosy_sim.drivers import emergency_stop
 from rosy_sim.session import Session
 
+from .conftest import PATIENCE, UNHURRIED
 from .robot_rig import LIMIT, Rig, Robot, kobuki, rosbridge, rospy
 from .test_app import Page, opened, serving
 
@@ -147,7 +148,7 @@ class Simulated:
 
     async def stands(self) -> None:
         """It is slower than it was told to be: somebody has told it to stand."""
-        async with asyncio.timeout(60):
+        async with asyncio.timeout(PATIENCE):
             while self.session.world.v > 0.19 and not self.session.closed.is_set():
                 await asyncio.sleep(0.001)
 
@@ -188,7 +189,7 @@ def test_the_simulated_robot_stands_without_its_ros_client(closed: bool, config:
             path = f"ws://{rig.address}/rosbridge/{robot.session.id}"
             twist = {"linear": {"x": 0.2}, "angular": {"z": 0.0}}
             message = {"op": "publish", "topic": "/mobile_base/commands/velocity", "msg": twist}
-            async with connect(path, max_queue=None) as client:
+            async with connect(path, max_queue=None, **UNHURRIED) as client:
                 await client.send('{"op":"subscribe","topic":"/odom"}')
                 await client.send(json.dumps(message))
                 await robot.drives()

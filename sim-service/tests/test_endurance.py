@@ -31,6 +31,7 @@ from rosy_sim.wire.worker import Started
 from rosy_sim.worker.client import Worker
 from rosy_sim.worker.pulse import inside
 
+from .conftest import PATIENCE
 from .mutants import texts
 from .ports import kept_port
 from .processes import alive, below, called, descriptors, named, resident
@@ -217,13 +218,13 @@ class Fort:
 
     async def ready(self) -> None:
         """Until it answers and its worker is warm."""
-        async with asyncio.timeout(120):
+        async with asyncio.timeout(PATIENCE):
             while await asyncio.to_thread(self._state) != "ready":
                 await asyncio.sleep(0.02)
 
     def _state(self) -> str:
         try:
-            with urllib.request.urlopen(f"http://{self.address}/api/health", timeout=10) as answer:
+            with urllib.request.urlopen(f"http://{self.address}/api/health", timeout=PATIENCE) as answer:
                 return str(json.load(answer)["worker"])
         except (OSError, ValueError):
             return "away"
@@ -241,7 +242,7 @@ class Fort:
 
 async def gone(pids: set[int]) -> None:
     """Until none of these processes is left."""
-    async with asyncio.timeout(30):
+    async with asyncio.timeout(PATIENCE):
         while alive(pids):
             await asyncio.sleep(0.01)
 

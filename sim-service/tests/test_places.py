@@ -13,6 +13,7 @@ from rosy_sim.app import Service
 from rosy_sim.config import Config
 from rosy_sim.places import Places
 
+from .conftest import PATIENCE
 from .test_app import Page, opened, serving
 
 DRIVE = "drive:0.5"
@@ -34,7 +35,7 @@ def played(config: Config, pages: int, play: Callable[[list[Page], Service], Awa
             finally:
                 for one in opening:
                     await one.__aexit__(None, None, None)
-            async with asyncio.timeout(20):
+            async with asyncio.timeout(PATIENCE):
                 while service.places.taken:
                     await asyncio.sleep(0.005)
 

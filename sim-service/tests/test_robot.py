@@ -15,6 +15,7 @@ from rosy_sim.errors import BadInput
 from rosy_sim.native import run_natively
 from rosy_sim.worker.blocking import BlockingWorker
 
+from .conftest import PATIENCE
 from .test_app import Page, opened, serving
 
 SPEAKER = discover().speaker
@@ -42,7 +43,7 @@ def test_a_program_drives_a_robot_until_it_bumps_and_is_done(config: Config, cap
 
     service = threading.Thread(target=asyncio.run, args=(serve(),))
     service.start()
-    address = robots.get(timeout=60)
+    address = robots.get(timeout=PATIENCE)
     try:
         assert drive("drive:0.5 bump led:2@3 say:hi@4 done@100") == 0
         *said, last = capfd.readouterr().out.splitlines()

@@ -23,6 +23,7 @@ from rosy_sim.config import Config
 from rosy_sim.wire.rosbridge import MAX_SUBSCRIPTIONS, BridgeClient
 from rosy_sim.world.events import Led, Velocity
 
+from .conftest import PATIENCE, UNHURRIED
 from .test_app import opened, serving
 
 BUMPER = "/mobile_base/events/bumper"
@@ -147,7 +148,7 @@ def test_a_hostile_client_harms_nobody(config: Config) -> None:
     async def tell() -> None:
         async with serving(config) as (address, service), opened(address) as page:
             hello = await page.op("hello")
-            async with connect(f"ws://{address}/rosbridge/{hello['session']}") as ros:
+            async with connect(f"ws://{address}/rosbridge/{hello['session']}", **UNHURRIED) as ros:
                 for text in ("", "{", "[" * 50_000, '{"op":"publish"}', '{"op":"subscribe","topic":7}', "\x00"):
                     await ros.send(text)
                 await ros.send('{"op":"subscribe","topic":"/odom"}')
@@ -190,7 +191,7 @@ def nonsense(dice: random.Random, depth: int = 0) -> Any:
 async def pester(address: str, session: str, seed: int) -> None:
     """Nonsense in frames of both kinds; some of it cut short."""
     dice = random.Random(seed)
-    async with connect(f"ws://{address}/rosbridge/{session}", close_timeout=1) as ros:
+    async with connect(f"ws://{address}/rosbridge/{session}", close_timeout=1, **UNHURRIED) as ros:
         for _ in range(100):
             text = json.dumps({"op": dice.choice(WORDS[:6]), **{f: nonsense(dice) for f in dice.sample(FIELDS[1:], 5)}})
             whole = text if dice.random() < 0.8 else text[: dice.randrange(len(text))]
@@ -206,17 +207,17 @@ def test_a_crowd_of_hostile_clients_harms_nobody(config: Config, seed: int) -> N
             session = (await page.op("hello"))["session"]
             path = f"ws://{address}/rosbridge/{session}"
             async with contextlib.AsyncExitStack() as stack:
-                good = await stack.enter_async_context(connect(path, max_queue=None, close_timeout=1))
+                good = await stack.enter_async_context(connect(path, max_queue=None, close_timeout=1, **UNHURRIED))
                 await good.send('{"op":"subscribe","topic":"/odom"}')
-                deaf = await stack.enter_async_context(connect(path, max_queue=1, close_timeout=1))
+                deaf = await stack.enter_async_context(connect(path, max_queue=1, close_timeout=1, **UNHURRIED))
                 for _ in range(100):
                     await deaf.send('{"op":"call_service","service":"/rosapi/topics"}')
                 await deaf.send('{"op":"subscribe","topic":"/odom"}')
                 await asyncio.gather(*[pester(address, session, 100 * seed + i) for i in range(4)])
                 for _ in range(MAX_CLIENTS - 2):
-                    await stack.enter_async_context(connect(path, close_timeout=1))
+                    await stack.enter_async_context(connect(path, close_timeout=1, **UNHURRIED))
                 with pytest.raises(InvalidStatus):
-                    await connect(path)
+                    await connect(path, **UNHURRIED)
                 await other.send("run", run=1, source="drive:0.5 done@50", speed="max")
                 assert (await other.ended(1))["ended"] == "done"
                 await page.send("run", run=1, source="drive:0.5 done@50", speed="max")
@@ -254,7 +255,7 @@ def test_roslibpy_lists_drives_and_hears_the_bumper(config: Config) -> None:
 
 def _teleoperate(host: str, port: int, session: str, result: dict[str, Any]) -> None:
     ros = roslibpy.Ros(f"ws://{host}:{port}/rosbridge/{session}")
-    ros.run(timeout=60)
+    ros.run(timeout=PATIENCE)
     result["topics"] = len(ros.get_topics())
     online, bump = threading.Event(), threading.Event()
 
@@ -268,7 +269,7 @@ def _teleoperate(host: str, port: int, session: str, result: dict[str, Any]) -> 
     roslibpy.Topic(ros, BUMPER, "kobuki_msgs/BumperEvent").subscribe(lambda msg: heard("bump", bump, msg))
     roslibpy.Topic(ros, "/mobile_base/commands/led1", "kobuki_msgs/Led").publish(roslibpy.Message({"value": 3}))
     try:
-        roslibpy.Service(ros, "/fly", "std_srvs/Empty").call(roslibpy.ServiceRequest(), timeout=60)
+        roslibpy.Service(ros, "/fly", "std_srvs/Empty").call(roslibpy.ServiceRequest(), timeout=PATIENCE)
     except ServiceException as error:
         result["error"] = str(error)
     velocity = roslibpy.Topic(ros, "/mobile_base/commands/velocity", "geometry_msgs/Twist")
@@ -276,5 +277,5 @@ def _teleoperate(host: str, port: int, session: str, result: dict[str, Any]) -> 
         velocity.publish(roslibpy.Message({"linear": {"x": 0.7, "y": 0, "z": 0}, "angular": {"x": 0, "y": 0, "z": 0}}))
         if bump.wait(0.1):
             break
-    online.wait(60)
+    online.wait(PATIENCE)
     ros.terminate()

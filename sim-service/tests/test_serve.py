@@ -16,6 +16,8 @@ from rosy_sim.config import Config, discover
 from rosy_sim.errors import BadInput
 from rosy_sim.worker.launch import _sandbox, sandbox_fault
 
+from .conftest import PATIENCE
+
 NOBODY = "65534"
 """The user and the group that own nothing on a Debian system."""
 
@@ -45,7 +47,12 @@ def test_a_kernel_that_forbids_namespaces_is_noticed() -> None:
     command = [sys.executable, "-m", "rosy_sim", "serve", "--no-browser", "--port", "0", "--host", "0.0.0.0"]
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).resolve().parents[1])}
     done = subprocess.run(
-        [*unable, forbid, "sh", *command], env=environment, capture_output=True, text=True, check=False, timeout=60
+        [*unable, forbid, "sh", *command],
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=PATIENCE,
     )
     assert done.returncode != 0
     assert "Programs cannot be locked in on this machine (bwrap: Creating new namespace failed" in done.stderr

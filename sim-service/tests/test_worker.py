@@ -19,6 +19,8 @@ from rosy_sim.worker.blocking import BlockingWorker
 from rosy_sim.worker.client import State, Worker
 from rosy_sim.worker.launch import launch
 
+from .conftest import PATIENCE
+
 
 def keeping(play: Callable[[Worker, list[State]], Awaitable[None]], config: Config) -> None:
     """Keep a worker while a story is told; afterwards nothing of it is left."""
@@ -28,7 +30,7 @@ def keeping(play: Callable[[Worker, list[State]], Awaitable[None]], config: Conf
         worker = Worker(config, states.append)
         keeper = asyncio.create_task(worker.run())
         try:
-            async with asyncio.timeout(60):
+            async with asyncio.timeout(PATIENCE):
                 await play(worker, states)
         finally:
             keeper.cancel()

@@ -1,6 +1,7 @@
 /// Borders that are dragged, or moved with the arrow keys; where they are is remembered.
 
 import type {CSSProperties, JSX, VNode} from "preact"
+import {useRef} from "preact/hooks"
 import {type Divider, leastShare, mostShare, resized, stepOfShare} from "../state/arrangement.ts"
 import {words} from "../words/index.ts"
 import {useDesk, usePage} from "./pick.ts"
@@ -20,7 +21,13 @@ interface Shared {
 }
 
 function Border({share, least, most, step, split, label, style, move, whole}: Shared): VNode {
-  const to = (next: number) => move(Math.min(most, Math.max(least, next)))
+  // Keys come faster than pictures: the next step begins where the last one led, drawn or not.
+  const now = useRef(share)
+  now.current = share
+  const to = (next: number) => {
+    now.current = Math.min(most, Math.max(least, next))
+    move(now.current)
+  }
   const onPointerDown = (down: JSX.TargetedPointerEvent<HTMLDivElement>) => {
     const bar = down.currentTarget
     const {start, length} = whole(bar)
@@ -44,8 +51,8 @@ function Border({share, least, most, step, split, label, style, move, whole}: Sh
         : isMirrored(event.currentTarget)
           ? ["ArrowRight", "ArrowLeft"]
           : ["ArrowLeft", "ArrowRight"]
-    if (event.key === grows) to(share + step)
-    else if (event.key === shrinks) to(share - step)
+    if (event.key === grows) to(now.current + step)
+    else if (event.key === shrinks) to(now.current - step)
     else if (event.key === "Home") to(least)
     else if (event.key === "End") to(most)
     else return

@@ -29,7 +29,9 @@ export async function openStage(): Promise<Stage> {
   await server.listen()
   const address = server.resolvedUrls?.local[0]
   if (address === undefined) throw new Error("expected the page to be served, found no address")
+  // Nothing here has a limit of its own: the test's is for what hangs.
   const browser: Browser = await chromium.launch({
+    timeout: 0,
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"],
   })
@@ -39,6 +41,7 @@ export async function openStage(): Promise<Stage> {
       reducedMotion: "reduce",
       ...options,
     })
+    context.setDefaultTimeout(0)
     const page = await context.newPage()
     page.on("pageerror", error => {
       throw error

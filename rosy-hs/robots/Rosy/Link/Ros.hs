@@ -41,7 +41,6 @@ import Rosy.Core (Action (..), Message (..), Odometry (..))
 import Rosy.Robot
 import Rosy.Robots.Base
 import Rosy.Robots.Target (Profile (..))
-import System.Timeout (timeout)
 
 withRos :: Settings -> String -> Profile -> (Base -> IO a) -> IO a
 withRos settings name p use = withNodeIn settings "rosy" $ do
@@ -83,7 +82,7 @@ withRos settings name p use = withNodeIn settings "rosy" $ do
       watch = do
         atomically (readTVar present >>= check)
         before <- readTVarIO count
-        came <- timeout silence (atomically (readTVar count >>= check . (/= before)))
+        came <- patiently silence (atomically (readTVar count >>= check . (/= before)))
         when (isNothing came) . atomically $ do
           writeTVar present False
           heard hearing (Gone "nothing was heard of it for a second")

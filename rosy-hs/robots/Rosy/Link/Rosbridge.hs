@@ -93,7 +93,7 @@ keepConnected host port path profile hearing outgoing sending connected = go fir
           -- Only a robot that was there can fall silent.
           watch = do
             before <- readTVarIO lastWords
-            came <- timeout silence (atomically (readTVar lastWords >>= check . (/= before)))
+            came <- patiently silence (atomically (readTVar lastWords >>= check . (/= before)))
             known <- readIORef present
             lately <- readIORef missing
             if isNothing came && known

@@ -184,7 +184,7 @@ timeLimit = 0.6
 
 -- | What has come; nothing at the end of the line; none when nothing came for so long.
 readSome :: Fd -> IO (Maybe ByteString)
-readSome fd = timeout quiet (threadWaitRead fd) >>= traverse (const (B.createAndTrim 4096 (\p -> fromIntegral <$> fdReadBuf fd p 4096)))
+readSome fd = patiently quiet (threadWaitRead fd) >>= traverse (const (B.createAndTrim 4096 (\p -> fromIntegral <$> fdReadBuf fd p 4096)))
 
 -- | The base counts as silent after so long without a packet, microseconds: fifteen packets, half of the time after which
 -- it stops by itself. Upstream's driver says 0.1 s (kobuki.cpp: isAlive); a busy laptop oversleeps that.

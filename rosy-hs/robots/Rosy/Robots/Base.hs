@@ -12,6 +12,7 @@ module Rosy.Robots.Base
     heard,
     hearAll,
     hearNow,
+    patiently,
 
     -- * For people
     Notice (..),
@@ -22,6 +23,7 @@ where
 import Control.Concurrent.STM
 import Control.Monad (unless)
 import Rosy.Core (Action, Message (..))
+import System.Timeout (timeout)
 
 data Base = Base
   { -- | For people: @the robot at ws://pi:9090@.
@@ -75,6 +77,15 @@ hearNow (Hearing var) = do
   hs <- readTVar var
   unless (null hs) (writeTVar var [])
   pure (reverse hs)
+
+-- | Nothing when it does not come for so long, microseconds. The time is counted in slices: however long this computer itself stands
+-- still, as a busy or a sleeping one does, one slice passes, and what has come meanwhile is taken in the next.
+patiently :: Int -> IO a -> IO (Maybe a)
+patiently limit act = go slices
+  where
+    slices = 10 :: Int
+    go 0 = pure Nothing
+    go left = timeout (limit `div` slices) act >>= maybe (go (left - 1)) (pure . Just)
 
 -- | What a person wants to know of the way to the robot; the text is the reason, if one is known.
 data Notice

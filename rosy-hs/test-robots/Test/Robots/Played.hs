@@ -78,4 +78,4 @@ playing main' base known play = do
   soFar hands
 
 awaiting :: IO () -> IO ()
-awaiting act = timeout 20000000 act >>= maybe (assertFailure "the robot was not told") pure
+awaiting act = timeout 120000000 act >>= maybe (assertFailure "the robot was not told") pure

@@ -46,7 +46,7 @@ import Test.Tasty.HUnit
 
 tests :: TestTree
 tests = withResource acquire release $ \ready ->
-  localOption (mkTimeout 60000000) . testGroup "among real nodes" $
+  localOption (mkTimeout 300000000) . testGroup "among real nodes" $
     [ story ready "ROS's tools see it: list, info, ping, echo" toolsSeeIt,
       story ready "it drives a base: bumpers to LEDs, odometry to velocity" drivesABase,
       story ready "publishers may come before it and after it" earlyAndLate,

@@ -127,7 +127,7 @@ hears p start = hearsWhere p ("a line with " ++ show start) (\l -> take (length 
 -- | Waits for such a line.
 hearsWhere :: Peer -> String -> (String -> Bool) -> IO String
 hearsWhere p what wanted = do
-  found <- timeout 20000000 . atomically $ do
+  found <- timeout 120000000 . atomically $ do
     ls <- readTVar (peerLines p)
     case dropWhile (not . wanted) ls of
       [] -> retry
@@ -140,7 +140,7 @@ transcript p = reverse <$> readTVarIO (peerAll p)
 
 -- | Waits until all that it has said is so; whoever asserts then what it said tells what is wrong better than a time limit.
 awaitTranscript :: Peer -> ([String] -> Bool) -> IO ()
-awaitTranscript p wanted = void . timeout 20000000 . atomically $ readTVar (peerAll p) >>= check . wanted . reverse
+awaitTranscript p wanted = void . timeout 120000000 . atomically $ readTVar (peerAll p) >>= check . wanted . reverse
 
 -- | Like pulling its plug.
 killPeer :: Peer -> IO ()
