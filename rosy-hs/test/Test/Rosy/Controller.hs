@@ -80,6 +80,23 @@ events =
     testCase "one-sided views hear their side only" $
       commandsOf (\(BumperRight s) -> Say (show s)) [at 0.1 bump, at 0.2 (sensed (BumperMessage (Bumper RightBumper Released)))]
         @?= ["Say \"Released\""],
+    testCase "each of the eleven hears its own" $
+      commandsOf
+        ( (\(BumperLeft _) -> heardAs "LeftBumper", \(BumperCenter _) -> heardAs "CenterBumper", \(BumperRight _) -> heardAs "RightBumper"),
+          (\(CliffLeft _) -> heardAs "LeftCliff", \(CliffCenter _) -> heardAs "CenterCliff", \(CliffRight _) -> heardAs "RightCliff"),
+          (\(WheelLeft _) -> heardAs "LeftWheel", \(WheelRight _) -> heardAs "RightWheel"),
+          (\(ButtonZero _) -> heardAs "Button0", \(ButtonOne _) -> heardAs "Button1", \(ButtonTwo _) -> heardAs "Button2")
+        )
+        ( [at 0.1 (sensed (BumperMessage (Bumper side Pressed))) | side <- [minBound ..]]
+            ++ [at 0.1 (sensed (CliffMessage (Cliff side Hole))) | side <- [minBound ..]]
+            ++ [at 0.1 (sensed (WheelMessage (Wheel side Air))) | side <- [minBound ..]]
+            ++ [at 0.1 (sensed (ButtonMessage (Button number Pressed))) | number <- [minBound ..]]
+        )
+        @?= map
+          (\side -> "Say " ++ show side)
+          (map show [LeftBumper ..] ++ map show [LeftCliff ..] ++ map show [LeftWheel ..] ++ map show [Button0 ..]),
+    testCase "the robot's going on line and off is an event" $
+      commandsOf (\s -> Say (show (s :: RobotStatus))) [at 0.1 (sensed (StatusMessage s)) | s <- [Online, Offline]] @?= ["Say \"Online\"", "Say \"Offline\""],
     testCase "() is the tick, and an event" $
       told (\() (Velocity v _) -> Say (show v)) [at 0 ticked, at 0.02 (moving 1), at 0.04 (moving 2), at 0.1 ticked]
         @?= [(0.02, "Say \"1.0\""), (0.1, "Say \"2.0\"")],
@@ -93,6 +110,9 @@ nine (Bumper _ _, Velocity _ _, Position _ _, _, Pose _ _, _, Clock {}, Memory _
 bumpSound :: Bumper -> Maybe Sound
 bumpSound (Bumper _ Pressed) = Just ErrorSound
 bumpSound _ = Nothing
+
+heardAs :: String -> Say
+heardAs = Say
 
 states :: [TestTree]
 states =
