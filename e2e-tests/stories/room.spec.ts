@@ -252,7 +252,8 @@ test("the clock stands, makes single steps, goes on, and the run can be looked b
   const line = page.getByRole("slider", {name: "Look back in the run"})
   await line.fill("0.5")
   await expect(learner.status()).toHaveText("Looking back")
-  await until(learner.robot("time"), now => Math.abs(now - 0.5) < 0.021)
+  // The last picture until then: a busy machine does not get all fifty a second.
+  await until(learner.robot("time"), now => now < 0.521)
   await until(learner.robot("x"), then => then < x - 0.1)
   await learner.keeps("looking-back")
   await page.getByRole("button", {name: "Go on"}).click()
