@@ -101,10 +101,23 @@ slip outline raw problem needed given = listToMaybe (concat [dotted, commas, unf
       ]
 
     tasks
+      | isFunction given, isFunction needed, w : _ <- filter (`elem` ["when", "unless"]) (Text.words line'), "()" `elem` map (last . splitArrows) [given, needed] = [(problem "too-many-arguments" (quoted w <> " takes two things: a condition and a task.") ("Put brackets around the task: " <> w <> " c (say \"yes\").")) {place = wordPlace w}]
+      | source == Just "say", isFunction needed, input : _ <- splitArrows needed, input /= "String" = [problem "type-mismatch" ("‘say’ takes a text, but here it is given " <> a input <> ".") "Turn it into a text first: say . show."]
+      | headOf given == "Task", isFunction needed, last (splitArrows needed) `elem` ["res", "see"] = [problem "controller-needed" "This is a task, but here is the place of a function that gives a command." "Write for example: \\_ -> Say \"done\"."]
+      | openEnded, given `elem` ["Velocity", "Led1", "Led2", "Sound", "Say"] = [problem "task-needed" ("A task is needed here, but this is " <> a given <> ".") ("Turn a command into a task with once" <> maybe "" (\s -> ": once " <> argument s) source <> ".")]
       | headOf needed /= "Task" = []
+      | given == "String" = [problem "task-needed" "A task is needed here, but this is a text." ("To show it, write say in front of it" <> maybe "" (": say " <>) source <> ".")]
       | "[Task" `Text.isPrefixOf` given = [problem "task-needed" "One task is needed here, but this is a list of them." "Take them out of the list; sequence_ makes one task of a list."]
       | given == "Call" = [problem "task-needed" "A task is needed here, but this is a ‘Call’." "In a task, write the called task itself, without call."]
       | otherwise = []
+
+    -- f a, where nothing says more.
+    openEnded = length (atoms needed) == 2 && maybe False (isLower . fst) (Text.uncons (headOf needed)) && not (isFunction needed)
+    line' = maybe "" lineAt (region raw)
+    wordPlace w = do
+      s <- region raw
+      let from = Text.length (fst (Text.breakOn (w <> " ") line')) + 1
+      Just (Span (Place (line (start s)) from) (Place (line (start s)) (from + Text.length w)))
 
 -- | The names on both sides of each dot of a line that touches both, and where that begins and ends.
 dots :: Text -> [(Text, Text, Int, Int)]

@@ -293,6 +293,7 @@ explainMismatch outline raw problem needed given
       Just (Text.takeWhile (/= '’') rest, taken, fromMaybe "none" (between "has only" "|" (Text.replace " In " "|" rest)))
     tooManyArguments f taken has
       | overLines = problem "indentation" "The next line seems to go on with this one." "Lines of one block begin in the same column."
+      | f == "simulate", Just s <- source, t : v : _ <- drop 1 (Text.words s), Text.all (`elem` ("0123456789.\"" :: String)) (Text.take 1 v) = problem "too-many-arguments" "‘simulate’ takes one thing only." ("Put brackets around what belongs together: simulate (" <> Text.unwords [t, v] <> ").")
       | f == "simulate" = problem "too-many-arguments" "‘simulate’ takes one thing only." "Put several functions into brackets with commas: simulate (f, g)."
       | Just so <- lookup f [("once", "one thing only"), ("task", "two things"), ("taskWith", "two things"), ("call", "two things")] = problem "too-many-arguments" (quoted f <> " takes " <> so <> ".") "Put brackets around what belongs together, for example: once (Velocity 0.5 0)."
       | "none" == has, Just s <- source, "simulate" `elem` Text.words (maybe "" lineAt (region raw)), not (Text.any (`elem` ("()" :: String)) s) = problem "too-many-arguments" (quoted f <> " takes no values, but is given " <> taken <> ".") ("If these are several functions, put commas between them: (" <> Text.intercalate ", " (Text.words s) <> ").")

@@ -1,0 +1,1 @@
+main = simulate (mapM say ["a", "b"] >> "c")

@@ -1,0 +1,3 @@
+main = simulate $ do
+  say "a"
+  when True say "b"
