@@ -125,6 +125,68 @@ test("every word of the page is in a table of words", async ({page}) => {
   await expect(page.locator("dialog[open]")).toHaveCount(0)
 })
 
+test("real robots, and all that the page has to say by itself, are in a table of words", async ({page}) => {
+  test.setTimeout(120_000)
+  const robot = {name: "Kitchen", holder: null, yours: true}
+  const held = {
+    op: "robot",
+    name: "Kitchen",
+    link: "connected",
+    why: "",
+    safety: true,
+    backing: false,
+    stopped: false,
+    max_speed: 0.5,
+    max_turn: 2,
+  }
+  // What a service with robots, or in trouble, would say besides.
+  let say: (message: object) => void = () => {}
+  await page.routeWebSocket(/\/api\//, socket => {
+    socket.connectToServer()
+    say = message => socket.send(JSON.stringify(message))
+  })
+  // A link that leads nowhere.
+  await page.goto("/?example=nowhere&lang=en-XA")
+  await expect(new Learner(page).haskell()).toContainText("simulate")
+  await expect(page.getByTestId("notice")).toBeVisible()
+  const own = new Set([...(await kept(page)), "Kitchen", "nowhere"])
+  const look = (where: string) => speaksNoEnglish(page, where, own)
+  await look("an example that is not there")
+  await page.getByTestId("notice").getByRole("button").click()
+
+  for (const state of ["restarting", "starting"]) {
+    say({op: "worker", state})
+    await expect(page.getByTestId("link")).toHaveCount(1)
+    await look(`the worker, ${state}`)
+  }
+  say({op: "worker", state: "ready"})
+  await expect(page.getByTestId("link")).toHaveCount(0)
+
+  say({op: "robots", locked: true, robots: []})
+  await page.getByTestId("robot-choice").click()
+  await look("robots behind a code")
+  say({op: "robots", locked: false, robots: [{...robot, yours: false}]})
+  await expect(page.getByTestId("robot Kitchen")).toBeVisible()
+  await look("robots to choose from")
+  await page.keyboard.press("Escape")
+  say({op: "robots", locked: false, robots: [robot]})
+  for (const now of [
+    {link: "connecting"},
+    {},
+    {backing: true},
+    {safety: false},
+    {stopped: true},
+    {link: "lost"},
+  ]) {
+    say({...held, ...now})
+    await expect(page.getByTestId("robotbar")).toBeVisible()
+    await look(`the robot, ${JSON.stringify(now)}`)
+  }
+  say({...held, link: "gone"})
+  await expect(page.getByTestId("notice")).toBeVisible()
+  await look("the robot is gone")
+})
+
 test("from right to left a program is built by hand and runs", async ({page}) => {
   const learner = new Learner(page)
   await page.goto("/?example=accelerate&lang=ar-XB")

@@ -201,13 +201,21 @@ export function openDesk(address: string): Desk {
       openText(name, answer.value, welcome, null, again)
       if (named) addressNames(name)
     } else store.dispatch({kind: "notice", notice: {kind: "example-missing", name}})
+    return answer.kind === "there"
   }
-  const openFirst = () => {
-    const wanted = wantedExample()
+  const openUsual = async () => {
     const last = shelf.current()
-    if (wanted !== null) void openExample(wanted, wanted === firstExample, true, true)
-    else if (last !== null) openText(words.yourProgram, last.text, false, last.id, true)
-    else void openExample(firstExample, true, false, true)
+    if (last !== null) openText(words.yourProgram, last.text, false, last.id, true)
+    else await openExample(firstExample, true, false, true)
+  }
+  const openFirst = async () => {
+    const wanted = wantedExample()
+    if (wanted === null) return openUsual()
+    if (await openExample(wanted, wanted === firstExample, true, true)) return
+    // A link that leads nowhere: the page is there all the same, and says so.
+    const {notice} = store.now
+    await openUsual()
+    store.dispatch({kind: "notice", notice})
   }
 
   const cursorMoved = (offset: number) => {
@@ -317,7 +325,7 @@ export function openDesk(address: string): Desk {
   void fetchReader().then(found => {
     reader = found
     source?.setEditable(found !== null)
-    if (found !== null) openFirst()
+    if (found !== null) void openFirst()
     else store.dispatch({kind: "notice", notice: {kind: "no-reader"}})
   })
   void fetchWorlds().then(w => w.kind === "there" && store.dispatch({kind: "worlds-listed", worlds: w.value}))

@@ -40,7 +40,8 @@ export function classOf(token: Token, word: string, {role, family}: Known = noth
     case "hole":
       return "hs-hole"
     case "operator":
-      return null
+      // A browser would break a line after its dash.
+      return word.length > 1 && word.includes("-") ? "hs-arrow" : null
     case "type":
     case "name":
       return classOfName(token.kind, word, role, family)

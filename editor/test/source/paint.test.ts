@@ -21,7 +21,7 @@ function colours(text: string): readonly string[] {
   return tokens(text).flatMap(token => {
     const word = text.slice(token.start, token.end)
     const name = classOf(token, word, palette.at(token.start, word))
-    return token.kind === "comment" || token.kind === "keyword" || name === null
+    return ["comment", "keyword", "operator"].includes(token.kind) || name === null
       ? []
       : [`${word} ${name.replaceAll("hs-", "")}`]
   })
