@@ -29,6 +29,9 @@ from .worker.launch import sandbox_fault
 
 __all__ = ["serve"]
 
+_ASKED_TWICE = 130
+"""Exit status of what Ctrl-C ended, as shells count it: 128 and SIGINT."""
+
 _NICE = -5
 """Priority of the service, and of the worker it starts; 0 is everybody's. setpriority(2)."""
 
@@ -98,7 +101,9 @@ class _Server(uvicorn.Server):
                 loop.remove_signal_handler(number)
 
     def _asked_to_end(self) -> None:
-        self.force_exit = self.should_exit
+        if self.should_exit:
+            # Asked again: at once. What drives or compiles ends with this process's pipes.
+            os._exit(_ASKED_TWICE)
         self.should_exit = True
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:

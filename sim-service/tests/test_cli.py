@@ -263,6 +263,21 @@ def test_a_signal_ends_the_service_and_its_worker(sent: int, environment: dict[s
     assert not any(Path(f"/proc/{child}").exists() for child in children)
 
 
+def test_who_asks_twice_gets_no_traceback_of_the_service(environment: dict[str, str]) -> None:
+    with subprocess.Popen(
+        [sys.executable, "-m", "rosy_sim", "serve", "--no-browser", "--port", "0"],
+        env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    ) as service:  # fmt: skip
+        assert service.stdout is not None
+        assert service.stderr is not None
+        service.stdout.readline()
+        service.send_signal(signal.SIGINT)
+        service.send_signal(signal.SIGINT)
+        # Two at one instant are one.
+        assert service.wait(60) in (0, 130)
+        assert "asyncio" not in service.stderr.read()
+
+
 @pytest.mark.parametrize("command", ["start", "check", "run", "build"])
 def test_the_help_of_a_command_names_what_it_takes_and_nothing_else(command: str) -> None:
     text = (ROOT.parent / "scripts" / "help" / f"{command}.txt").read_text()
