@@ -6,6 +6,15 @@ import type {Type} from "../../src/types/type.ts"
 import {asFunction, spine} from "../../src/types/type.ts"
 import type {Dice} from "./random.ts"
 
+/// Types of functions in a `where` or `let`, as somebody who knows types writes them there.
+const localTypes = [
+  "Double -> Double",
+  "a -> a",
+  "Bool -> Maybe Velocity",
+  "Show a => a -> String",
+  "Int -> [Int]",
+]
+
 /// A constructor of the program's own or the library's.
 export interface Made {
   readonly con: string
@@ -132,10 +141,11 @@ export class Maker {
         }),
       ],
       [
-        depth > 1 ? 0 : 2,
+        depth > 2 ? 0 : 2,
         () => {
           const inner = this.localDefinitions(depth + 1)
-          return {extra: {where: true}, inputs: i => ({[`W${i}`]: inner})}
+          const guards = this.dice.once(3) ? {guards: 1, otherwise: true} : {}
+          return {extra: {...guards, where: true}, inputs: i => ({[`W${i}`]: inner})}
         },
       ],
     ])()
@@ -154,7 +164,16 @@ export class Maker {
         {},
         {P: this.block("pattern_tuple", {items: 2}, {I0: this.named(), I1: this.named()})},
       )
+    if (this.dice.once(8)) return this.drawn()
+    if (this.dice.once(8))
+      return this.definition(this.name(), 1, 1, {signature: this.dice.pick(localTypes)}, depth)
     return this.definition(this.name(), this.dice.pick([0, 0, 1, 1, 2]), 1, {}, depth)
+  }
+
+  /// A number of chance, and the source to draw from next.
+  private drawn(): SavedBlock {
+    const pair = this.block("pattern_tuple", {items: 2}, {I0: this.named(), I1: this.named()})
+    return this.block("define_pattern", {}, {P: pair, E0_0: this.call("randomR", 2)})
   }
 
   definition(name: string, arity: number, equations: number, extra: Extra = {}, depth = 0): SavedBlock {

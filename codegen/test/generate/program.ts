@@ -33,6 +33,9 @@ export function sizeOf(seed: number): number {
   return dice.once(10) ? 60 + dice.below(71) : 5 + dice.below(40)
 }
 
+/// Names for types, and what they stand for.
+const synonyms = {Speed: "Double", "Pair a": "(a, a)", Heard: "Either Bumper Cliff"}
+
 /// An empty socket or stack.
 interface Empty {
   readonly block: BlockId
@@ -50,6 +53,8 @@ class Generator {
   private workspace: SavedWorkspace = newWorkspace()
   private empties: Empty[] = []
   private count = 0
+  /// Its synonyms, as signatures write them.
+  private readonly called: string[] = []
 
   constructor(seed: number, size: number) {
     this.dice = new Dice(seed)
@@ -62,7 +67,14 @@ class Generator {
     const {make, dice} = this
     const tops: SavedBlock[] = []
     if (this.size > 8) for (let i = dice.pick([0, 0, 1, 1, 2]); i > 0; i--) tops.push(this.dataType(`T${i}`))
-    if (dice.once(6)) tops.push(make.block("synonym", {name: "Speed", type: "Double"}))
+    for (const [name, of] of Object.entries(synonyms))
+      if (dice.once(6)) {
+        const [head = "", ...parameters] = name.split(" ")
+        tops.push(
+          make.block("synonym", {name: head, type: of, ...(parameters.length > 0 ? {parameters} : {})}),
+        )
+        this.called.push([head, ...parameters.map(() => "Double")].join(" "))
+      }
     const functions = Math.max(1, Math.min(12, Math.round(this.size / 24) + dice.below(2)))
     for (let i = 0; i < functions; i++) tops.push(this.topLevel(`f${i}`))
     const most = dice.once(12) ? 9 : Math.min(3, functions)
@@ -87,8 +99,7 @@ class Generator {
       "Maybe Sound",
       "LedColor",
       "[Int]",
-      ...parameters,
-      ...parameters,
+      ...parameters.flatMap(p => [p, p, `Maybe ${p}`, `[${p}]`, `(${p}, Int)`]),
     ]
     const named = dice.once(3)
     const constructors = Array.from({length: 1 + dice.below(dice.once(5) ? 5 : 3)}, (_, i) => {
@@ -117,7 +128,8 @@ class Generator {
   /// Most definitions of real programs have a type of their own.
   private topLevel(name: string): SavedBlock {
     const {make, dice} = this
-    const own = [...new Set(make.own.map(c => [c.of, ...c.parameters.map(() => "Double")].join(" ")))]
+    const types = make.own.map(c => [c.of, ...c.parameters.map(() => "Double")].join(" "))
+    const own = [...new Set([...types, ...this.called])]
     const comment = dice.once(8) ? {icons: {comment: {text: dice.pick(["what it does", "two\nlines"])}}} : {}
     if (dice.once(5)) return {...make.definition(name, dice.below(3), 1 + dice.below(2)), ...comment}
     const {text, arity} = signatureFor(dice, own)

@@ -3,12 +3,12 @@
 import type {Dice} from "./random.ts"
 
 const sensors =
-  `Bumper|Cliff|Wheel|Button|BumperLeft|Velocity|Position|Orientation|Pose|Clock|Memory Bool|Memory Int|Param Double|Seconds|StdGen|Either Bumper Wheel|(Velocity, Bumper)|(Bumper, Memory Int)|Maybe Velocity|Bool|()`.split(
+  `Bumper|Cliff|Wheel|Button|BumperLeft|CliffCenter|WheelRight|ButtonOne|RobotStatus|Velocity|Position|Orientation|Pose|Clock|Memory Bool|Memory Int|Param Double|Seconds|StdGen|Memory (Maybe Int)|(Clock, Memory Int)|Either Bumper Wheel|(Velocity, Bumper)|(Bumper, Memory Int)|Maybe Velocity|Bool|()`.split(
     "|",
   )
 
 const commands =
-  `Velocity|Led1|Led2|Sound|Maybe Sound|(Led1, Led2)|Either Velocity Sound|Memory Bool|Memory Int|[Say]|Say|Param Double|Maybe Velocity|(Velocity, Maybe Led1)|()`.split(
+  `Velocity|Led1|Led2|Sound|Maybe Sound|(Led1, Led2)|Either Velocity Sound|Memory Bool|Memory Int|[Say]|Say|Param Double|Maybe Velocity|(Velocity, Maybe Led1)|Either Velocity (Memory Int)|Memory (Maybe Int)|Never|()`.split(
     "|",
   )
 
@@ -31,6 +31,11 @@ const general: readonly {readonly text: string; readonly arity: number}[] = [
   {text: "Maybe a -> a -> a", arity: 2},
   {text: "[a] -> Int", arity: 1},
   {text: "Integral a => a -> a", arity: 1},
+  {text: "(Random a, RandomGen g) => (a, a) -> g -> a", arity: 2},
+  {text: "Default a => a -> Memory a", arity: 1},
+  {text: "Monad m => m a -> m (a, a)", arity: 1},
+  {text: "(Command a, Typeable b) => a -> b -> Task ()", arity: 2},
+  {text: "Foldable t => t a -> Int", arity: 1},
 ]
 
 export function signatureFor(
@@ -39,9 +44,18 @@ export function signatureFor(
 ): {readonly text: string; readonly arity: number} {
   if (dice.once(9)) return dice.pick(general)
   if (dice.once(5)) {
-    const result = dice.pick(["()", "()", "Double", "Bool", "Maybe Bumper", ...own])
+    const result = dice.pick([
+      "()",
+      "()",
+      "Double",
+      "Bool",
+      "Maybe Bumper",
+      "(Double, Bool)",
+      "Either Bool Int",
+      ...own,
+    ])
     const input = dice.pick(["Double", "Int", "String", "Task ()", ...own])
-    const task = `Task ${result.includes(" ") ? `(${result})` : result}`
+    const task = `Task ${/^[^(].* /.test(result) ? `(${result})` : result}`
     return dice.once(2) ? {text: task, arity: 0} : {text: `${input} -> ${task}`, arity: 1}
   }
   const reaction = !dice.once(3)

@@ -1,7 +1,7 @@
 /// Blocks that may go into a socket of some type: likely ones, and now and then any at all.
 
 import {choices} from "../../src/blocks/vocabulary.ts"
-import type {SavedBlock} from "../../src/index.ts"
+import type {Extra, SavedBlock} from "../../src/index.ts"
 import type {Type} from "../../src/types/type.ts"
 import {asFunction, con, prune, showType, spine, substitute, variablesIn} from "../../src/types/type.ts"
 import type {Made, Maker} from "./blocks.ts"
@@ -72,6 +72,7 @@ export class Values {
     return dice.weighed<() => SavedBlock>([
       [3, () => make.block("if")],
       [2, () => this.caseOf()],
+      [1, () => make.block("branches", {guards: 1 + dice.below(2), otherwise: true})],
       [2, () => make.block("let", {}, {D: make.localDefinitions(1)})],
       [1, () => make.block("apply", {args: 1 + dice.below(2)})],
       [1, () => make.block("apply", {args: 1}, {F: make.block("lambda", {inputs: 1}, {P0: make.named()})})],
@@ -81,11 +82,11 @@ export class Values {
     ])()
   }
 
-  private caseOf(): SavedBlock {
+  private caseOf(extra: Extra = {}): SavedBlock {
     const {make} = this
     const parts = Array.from({length: 1 + make.dice.below(make.dice.once(5) ? 5 : 3)}, () => make.equation(2))
     const inputs = Object.assign({}, ...parts.map((p, i) => p.inputs(i))) as {[name: string]: SavedBlock}
-    return make.block("case", {alternatives: parts.map(p => p.extra)}, inputs)
+    return make.block("case", {...extra, alternatives: parts.map(p => p.extra)}, inputs)
   }
 
   private update(): SavedBlock {
@@ -242,13 +243,32 @@ export class Values {
       if (small) return this.least(wanted, [])
       return dice.weighed<() => SavedBlock>([
         [3, () => make.block("do", {}, {S: make.steps(0)})],
-        [3, () => this.throughLibrary(wanted)],
+        [2, () => this.throughLibrary(wanted)],
+        [3, () => this.task()],
       ])()
     }
     const made = make.constructorsOf(head.name)
     if (made.length === 0) return this.throughLibrary(wanted)
     const leaves = made.filter(c => c.fields.length === 0)
     return this.construct(dice.pick(small && leaves.length > 0 ? leaves : made), small)
+  }
+
+  /// Tasks of Rosy's own, with all they are told.
+  private task(): SavedBlock {
+    const {make} = this
+    const options = () => {
+      const fields = ["starting", "stopped"]
+      return make.block("record", {con: "TaskOptions", fields})
+    }
+    return make.dice.pick<() => SavedBlock>([
+      () => make.call("once", 1),
+      () => make.call("task", 2),
+      () => make.block("name", {name: "taskWith", args: 2, fn: true}, {A0: options()}),
+      () => make.call("race", 2),
+      () => make.call("parallel", 2),
+      () => make.call("forever", 1),
+      () => make.call("replicateM_", 2),
+    ])()
   }
 
   private list(item: Type, small: boolean): SavedBlock {
@@ -280,6 +300,7 @@ export class Values {
     if (small) return this.least(wanted, []) ?? lambda()
     return dice.weighed<() => SavedBlock>([
       [4, lambda],
+      [1, () => this.caseOf({lambda: true})],
       [
         2,
         () =>
@@ -307,6 +328,32 @@ export class Values {
           }),
       ],
     ])()
+  }
+
+  /// A small task with this result, of Rosy's own.
+  private leastTask(result: Type, known: readonly Known[], depth: number): SavedBlock | undefined {
+    const {make} = this
+    const {head, args} = spine(result)
+    if (head.kind !== "con") return undefined
+    const light = () => {
+      const value = make.dice.pick(["Red", "Green", "Black"])
+      const colour = make.block("choice", {of: "LedColor", value})
+      return make.block("construct", {con: "Led1", args: 1}, {A0: colour})
+    }
+    if (head.name === "()") return make.block("name", {name: "once", args: 1, fn: true}, {A0: light()})
+    const both = {Either: "race", "(,)": "parallel"}[head.name]
+    const [left, right] = args.map(type =>
+      this.least({kind: "app", fn: con("Task"), arg: type}, known, depth + 1),
+    )
+    if (both !== undefined && left !== undefined && right !== undefined)
+      return make.block("name", {name: both, args: 2, fn: true}, {A0: left, A1: right})
+    const done = this.least({kind: "app", fn: con("Done"), arg: result}, known, depth + 1)
+    const calls = make.block(
+      "name",
+      {name: "task", args: 2, fn: true},
+      {A0: light(), ...(done && {A1: done})},
+    )
+    return done && calls
   }
 
   /// The smallest value of a type with nothing left open, or `undefined` where none is known.
@@ -339,6 +386,11 @@ export class Values {
     if (f !== undefined) {
       const result = this.least(f.to, known, depth + 1)
       return result && make.block("name", {name: "const", args: 1}, {A0: result})
+    }
+    const [result] = args
+    if (head.name === "Task" && result !== undefined && make.dice.once(2)) {
+      const rosy = this.leastTask(result, known, depth)
+      if (rosy !== undefined) return rosy
     }
     if (head.name === "Task" || head.name === "IO") {
       const [inner] = all(args) ?? []
