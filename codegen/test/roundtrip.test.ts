@@ -31,7 +31,7 @@ function kinds(workspace: SavedWorkspace): {[type: string]: number} {
     if (!silent.has(type) && !type.startsWith("step_") && type !== "name")
       counted[type] = (counted[type] ?? 0) + 1
   }
-  return counted
+  return Object.fromEntries(Object.entries(counted).filter(([, count]) => count !== 0))
 }
 
 test("blocks to text to blocks to text is the same text and as many blocks of each kind", () => {
