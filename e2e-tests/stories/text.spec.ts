@@ -361,6 +361,12 @@ test("what is no program is refused with a sentence; text from elsewhere opens a
   await expect(notice).toContainText("program.py is not a program.")
   await opens("huge.hs", "x = 1 -- and so on\n".repeat(250_000))
   await expect(notice).toContainText("huge.hs is too large.")
+  await learner.haskell().evaluate(pane => {
+    const clipboardData = new DataTransfer()
+    clipboardData.setData("text/plain", "x = 1 -- and so on\n".repeat(20_000))
+    pane.dispatchEvent(new ClipboardEvent("paste", {clipboardData, bubbles: true, cancelable: true}))
+  })
+  await expect(notice).toContainText("The pasted text is too large.")
   await opens("picture.hs", new Uint8Array([0x89, 0x50, 0x4e, 0x47, 0xff, 0xfe]))
   await expect(notice).toContainText("picture.hs does not hold text.")
   await expect.poll(() => learner.haskellText()).toBe(before)

@@ -3,8 +3,12 @@
 import fc from "fast-check"
 import {beforeAll, describe, expect, test} from "vitest"
 import type {Module, Reader} from "../../src/reader/index.ts"
+import {openView, syncBlocks, workspaceOf} from "../../src/reader/index.ts"
 import {mutate, mutations} from "./mutations.ts"
 import {corpus, testReader} from "./open.ts"
+
+// More to look for what was never seen: `RUNS=20000 npx vitest run test/reader/lossless.test.ts`.
+const runs = Number(process.env.RUNS ?? 500)
 
 let reader: Reader
 beforeAll(async () => {
@@ -35,9 +39,32 @@ describe("the pieces of a program are the program", () => {
       fc.property(fc.constantFrom(...corpus), mutations, (program, changes) => {
         expectLossless(reader.read(mutate(program.text, changes)))
       }),
-      {numRuns: 600},
+      {numRuns: runs},
     )
-  })
+  }, 1_200_000)
+
+  test("and after it, text to blocks and back is the same, also when a block is moved and a comment is written", () => {
+    fc.assert(
+      fc.property(fc.constantFrom(...corpus), mutations, fc.nat(50), (program, changes, which) => {
+        const view = openView(reader, mutate(program.text, changes))
+        expect(view.text).toBe(mutate(program.text, changes))
+        const workspace = structuredClone(workspaceOf(view))
+        const top = workspace.blocks.blocks[which % Math.max(1, workspace.blocks.blocks.length)]
+        if (top === undefined) return
+        top.x = 5000
+        expect(syncBlocks(reader, view, workspace).text).toBe(view.text)
+        top.icons = {comment: {text: "a remark"}}
+        const after = syncBlocks(reader, view, workspace).text
+        const shown = view.declarations.find(d => d.block.id === top.id)
+        const piece = shown === undefined ? undefined : view.module.pieces[shown.piece]
+        if (piece === undefined) return
+        // What stands outside of the edited definition is there, byte for byte.
+        expect(after.startsWith(view.text.slice(0, piece.start))).toBe(true)
+        expect(after.endsWith(view.text.slice(piece.end))).toBe(true)
+      }),
+      {numRuns: Math.ceil(runs / 4)},
+    )
+  }, 1_200_000)
 
   test("also when it is not Haskell", () => {
     fc.assert(
@@ -47,7 +74,7 @@ describe("the pieces of a program are the program", () => {
           expectLossless(reader.read(text))
         },
       ),
-      {numRuns: 400},
+      {numRuns: Math.max(300, Math.ceil(runs / 4))},
     )
     for (const text of [
       "",

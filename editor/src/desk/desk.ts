@@ -406,6 +406,8 @@ export function openDesk(address: string): Desk {
           words: {label: words.newName, rename: words.rename},
         },
         phrases: words.editor,
+        longest: longestProgram,
+        tooLong: () => store.dispatch({kind: "notice", notice: {kind: "too-large", name: words.pastedText}}),
         format,
         explainer: {about: explanations.about, more: words.readMore},
         cursorMoved,

@@ -15,7 +15,7 @@ import {
 } from "@codemirror/autocomplete"
 import {type Extension, Prec} from "@codemirror/state"
 import {type Command, keymap} from "@codemirror/view"
-import type {KnownName} from "@rosy/codegen"
+import {type KnownName, preludeNames} from "@rosy/codegen"
 import type {Fitting} from "../state/messages.ts"
 import {known, told} from "./known.ts"
 import {tokens} from "./lexer.ts"
@@ -35,21 +35,34 @@ const keywordOptions: readonly Completion[] = "case data do else if in let newty
   .split(" ")
   .map(label => ({label, type: "keyword", boost: -20}))
 
+/// The Prelude's names that no program of a learner wants: they read and write files and the terminal, fail, or look inside of numbers.
+/// Offered last, after everything else.
+const obscure = new Set(
+  (
+    "appendFile asTypeOf decodeFloat encodeFloat errorWithoutStackTrace exponent floatDigits floatRadix floatRange getChar " +
+    "getContents getLine interact ioError isDenormalized isIEEE isInfinite isNaN isNegativeZero lex mapAndUnzipM mfilter print " +
+    "putChar putStr putStrLn readFile readIO readList readLn readParen reads readsPrec scaleFloat seq showChar showList " +
+    "showParen showString shows showsPrec significand undefined userError writeFile error"
+  ).split(" "),
+)
+const prelude = new Set(preludeNames().map(n => n.name))
+
+/// Rosy's own names before the Prelude's.
 const knownOptions: readonly Completion[] = known.map(n => ({
   label: n.name,
   detail: n.kind === "type" ? "type" : n.type,
   type: kinds[n.kind],
-  boost: -10,
+  boost: obscure.has(n.name) ? -60 : prelude.has(n.name) ? -14 : -10,
 }))
 
-/// What can stand there as it is comes before what needs an input first; within each, in the compiler's order. (CodeMirror sorts by how well the letters fit, then by
+/// What can stand there as it is comes before what needs an input first, and what hardly anybody wants last; within each, in the compiler's order. (CodeMirror sorts by how well the letters fit, then by
 /// boosts from -99 to 99, then by `sortText`.)
 export function ranked(names: readonly Fitting[]): readonly Completion[] {
   return names.map(({name, type, takes}, i) => ({
     label: name,
     detail: type,
     type: /^\p{Lu}/u.test(name) ? "class" : "function",
-    boost: takes === 0 ? 60 : 45 - 2 * Math.min(takes, 10),
+    boost: obscure.has(name) ? -60 : takes === 0 ? 60 : 45 - 2 * Math.min(takes, 10),
     sortText: String(i).padStart(4, "0"),
   }))
 }

@@ -73,6 +73,9 @@ export interface SourceOptions {
   readonly renamer: Renamer
   /// CodeMirror's own words, for its search and its lists.
   readonly phrases: {readonly [phrase: string]: string}
+  /// Letters that a program has at most, and what happens instead when somebody puts in more.
+  readonly longest: number
+  tooLong(): void
   /// The learner wants the text laid out anew.
   format(): void
   /// The learner moved the cursor, to this offset.
@@ -144,6 +147,14 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
           // Whoever wants to leave after all presses Escape first; other uses of Escape go on.
           {key: "Escape", run: () => (writing = false)},
         ]),
+        // What is longer than a program may be costs the page minutes; it is refused as a whole, and nothing is cut.
+        EditorState.changeFilter.of(change => {
+          const {newDoc, startState} = change
+          const fits = newDoc.length <= options.longest || newDoc.length <= startState.doc.length
+          if (fits || change.annotation(fromPage) === true) return true
+          options.tooLong()
+          return false
+        }),
         // Tabs and foreign line ends become what the rest of the program has.
         EditorState.tabSize.of(8),
         EditorView.clipboardInputFilter.of(text => text.replaceAll("\t", "        ")),

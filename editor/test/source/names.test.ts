@@ -32,6 +32,16 @@ describe("what completion offers first", () => {
       ],
       ["Wild", "Calm", "id"],
     ],
+    [
+      "where anything fits: what hardly anybody wants is last",
+      [
+        {name: "errorWithoutStackTrace", type: "[Char] -> a", takes: 1},
+        {name: "undefined", type: "a", takes: 0},
+        {name: "head", type: "[a] -> a", takes: 1},
+        {name: "foldr", type: "(a -> b -> b) -> b -> t a -> b", takes: 3},
+      ],
+      ["head", "foldr", "errorWithoutStackTrace", "undefined"],
+    ],
     ["where nothing fits", [], []],
   ] as const)("%s", (_, names, expected) => {
     expect(shown(names)).toEqual(expected)

@@ -106,6 +106,7 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
   noProblems: "Keine Probleme.",
   times: n => `×${n}`,
   plays: "spielt",
+  pastedText: "Der eingefügte Text",
   newName: old => `Neuer Name für ${old}`,
   rename: "Umbenennen",
   format: "Das Haskell ordentlich setzen",

@@ -107,6 +107,7 @@ export const page = {
   noProblems: "No problems.",
   times: (n: number) => `×${n}`,
   plays: "plays",
+  pastedText: "The pasted text",
   newName: (old: string) => `New name for ${old}`,
   rename: "Rename",
   format: "Lay out the Haskell",
