@@ -447,7 +447,7 @@ advance left program = case program of
       Returned v -> advance (left - 1) (k (InLeft v))
       _ -> advance (left - 1) b >>= \y -> against (left - 1) x y k
 
--- | A command given once is no task: nothing may end there.
+-- | A command given once is no task: nothing may end there, and what it calls has nobody to call it.
 afterOnce :: Int -> Program -> [Given] -> Doing Running
 afterOnce left rest outputs = dones noType outputs >> advance (left - 1) rest
 

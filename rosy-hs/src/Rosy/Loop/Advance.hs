@@ -132,10 +132,11 @@ install left scope born spec k = do
   called <- startCalls (left - 1) scope
   pure (Working scope (map (liven born) (specFunctions spec)) called spec k)
 
--- | A command given once is no task: nothing may end there.
+-- | A command given once is no task: nothing may end there, and what it calls has nobody to call it.
 afterOnce :: Int -> ScopeId -> Program r -> Step (Running r)
 afterOnce left scope rest = do
   over <- takeEnding
+  change (\w -> w {begun = []})
   forget scope
   case over >>= ofDone of
     Just given -> wrongEnd given "nothing: it is not in a task"

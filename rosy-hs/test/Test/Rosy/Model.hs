@@ -433,7 +433,7 @@ aTask manners depth
   | otherwise =
     frequency
       [ (5, aLeaf),
-        (1, AOnce <$> aFunction manners False 0 "once" <*> aTask manners (depth - 1)),
+        (1, AOnce <$> aFunction manners False (min 1 depth) "once" <*> aTask manners (depth - 1)),
         (2, AWait <$> elements [0, 20, 20, 40] <*> aTask manners (depth - 1)),
         (2, ABoth <$> aTask manners (depth - 1) <*> aTask manners (depth - 1) <*> aTask manners (depth - 1)),
         (2, AFirst <$> aTask manners (depth - 1) <*> aTask manners (depth - 1) <*> aTask manners (depth - 1))

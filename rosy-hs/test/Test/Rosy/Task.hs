@@ -168,6 +168,9 @@ calls =
   [ testCase "a called task runs beside its caller" $
       commandsOf (\(Button _ _) -> call (once (Led1 Red) >> task () (\(Bumper _ _) -> (Led2 Red, Done ()))) quiet) [at 0 push, at 0.1 bump, at 0.2 bump]
         @?= ["Led1 Red", "Led2 Red"],
+    testCase "what is called in once has no caller, and no later task takes it over" $
+      commandsOf (once (call (once (Led1 Red)) quiet) >> task (Led2 Green) (\(Bumper _ _) -> Done ())) [at 0 ticked, at 0.1 bump]
+        @?= ["Led2 Green"],
     testCase "its end is answered" $
       commandsOf (\(Button _ _) -> call (task () (\(Bumper s _) -> Done s)) callOptions {onEnd = Say . show}) [at 0 push, at 0.1 bump]
         @?= ["Say \"LeftBumper\""],
