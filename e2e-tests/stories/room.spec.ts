@@ -204,8 +204,6 @@ test("hands take the robot, turn it, press and lift it, and push a box, while it
   const learner = new Learner(page)
   await learner.opens("move")
   await chooses(page, "A room full of boxes")
-  // So slow that it is still where it was seen when a hand comes.
-  await learner.changesNumber("0.5", "0.05")
   await page.getByRole("combobox", {name: "Speed"}).selectOption("0.1")
   await learner.runs()
   await expect(learner.status()).toHaveText("Running")
