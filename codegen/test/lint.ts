@@ -114,6 +114,6 @@ function hintsOn(candidates: readonly Candidate[], content: Map<string, number>)
 function keptBrackets({hint, from}: Hint): boolean {
   return (
     /bracket/i.test(hint) &&
-    (/\b(?:case|let|do)\b/.test(from) || /^\((?:[\p{Lu}]\w*\)$|subtract )/u.test(from))
+    (/\b(?:case|let|do)\b|\bif \|/.test(from) || /^\((?:[\p{Lu}]\w*\)$|subtract )/u.test(from))
   )
 }
