@@ -4,11 +4,13 @@ import fc from "fast-check"
 import {beforeAll, describe, expect, test} from "vitest"
 import type {Module, Reader} from "../../src/reader/index.ts"
 import {openView, syncBlocks, workspaceOf} from "../../src/reader/index.ts"
-import {mutate, mutations} from "./mutations.ts"
+import {mutate, rareMutations} from "./mutations.ts"
 import {corpus, testReader} from "./open.ts"
 
 // More to look for what was never seen: `RUNS=20000 npx vitest run test/reader/lossless.test.ts`.
 const runs = Number(process.env.RUNS ?? 500)
+// The same cases in every regular run; many are other ones each time.
+const seeded = process.env.RUNS === undefined ? {seed: 1} : {}
 
 let reader: Reader
 beforeAll(async () => {
@@ -36,16 +38,16 @@ describe("the pieces of a program are the program", () => {
 
   test("after any small change to it", () => {
     fc.assert(
-      fc.property(fc.constantFrom(...corpus), mutations, (program, changes) => {
+      fc.property(fc.constantFrom(...corpus), rareMutations, (program, changes) => {
         expectLossless(reader.read(mutate(program.text, changes)))
       }),
-      {numRuns: runs},
+      {numRuns: runs, ...seeded},
     )
   }, 1_200_000)
 
   test("and after it, text to blocks and back is the same, also when a block is moved and a comment is written", () => {
     fc.assert(
-      fc.property(fc.constantFrom(...corpus), mutations, fc.nat(50), (program, changes, which) => {
+      fc.property(fc.constantFrom(...corpus), rareMutations, fc.nat(50), (program, changes, which) => {
         const view = openView(reader, mutate(program.text, changes))
         expect(view.text).toBe(mutate(program.text, changes))
         const workspace = structuredClone(workspaceOf(view))
@@ -62,7 +64,7 @@ describe("the pieces of a program are the program", () => {
         expect(after.startsWith(view.text.slice(0, piece.start))).toBe(true)
         expect(after.endsWith(view.text.slice(piece.end))).toBe(true)
       }),
-      {numRuns: Math.ceil(runs / 4)},
+      {numRuns: Math.ceil(runs / 4), ...seeded},
     )
   }, 1_200_000)
 

@@ -56,7 +56,11 @@ const snippets = [
   "#-}",
   "$(",
   "[|",
-  // Comments of every kind, in places of every kind.
+] // prettier-ignore
+
+/// More of the same, in forms and places that nobody types by accident.
+const rare = [
+  // Comments of every kind.
   "{- a {- nested -} one -}",
   "{- over\n   two lines -}",
   " -- | for Haddock\n",
@@ -104,17 +108,21 @@ export interface Mutation {
 }
 
 /// Up to a few small changes at random places; a place is a share of the text's length.
-export const mutations: fc.Arbitrary<readonly Mutation[]> = fc.array(
-  fc.record({
-    at: fc.double({min: 0, max: 1, noNaN: true}),
-    remove: fc.oneof({weight: 3, arbitrary: fc.constant(0)}, fc.integer({min: 1, max: 12})),
-    insert: fc.oneof(
-      {weight: 1, arbitrary: fc.constant("")},
-      {weight: 3, arbitrary: fc.constantFrom(...snippets)},
-    ),
-  }),
-  {minLength: 1, maxLength: 4},
-)
+const mutationsWith = (all: readonly string[]): fc.Arbitrary<readonly Mutation[]> =>
+  fc.array(
+    fc.record({
+      at: fc.double({min: 0, max: 1, noNaN: true}),
+      remove: fc.oneof({weight: 3, arbitrary: fc.constant(0)}, fc.integer({min: 1, max: 12})),
+      insert: fc.oneof(
+        {weight: 1, arbitrary: fc.constant("")},
+        {weight: 3, arbitrary: fc.constantFrom(...all)},
+      ),
+    }),
+    {minLength: 1, maxLength: 4},
+  )
+
+export const mutations = mutationsWith(snippets)
+export const rareMutations = mutationsWith([...snippets, ...rare])
 
 export function mutate(text: string, all: readonly Mutation[]): string {
   return all.reduce((t, m) => {
