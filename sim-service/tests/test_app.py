@@ -74,8 +74,15 @@ async def serving(config: Config) -> AsyncIterator[tuple[str, Service]]:
 @asynccontextmanager
 async def opened(address: str, **options: Any) -> AsyncIterator[Page]:
     # A page that has stopped reading cannot say goodbye; nobody waits long for it.
-    async with connect(f"ws://{address}/api/session", **{**UNHURRIED, "close_timeout": 1, **options}) as socket:
+    socket = await connect(f"ws://{address}/api/session", **{**UNHURRIED, "close_timeout": 1, **options})
+    try:
         yield Page(socket)
+    finally:
+        try:
+            await socket.close()
+        finally:
+            # Whoever is called off during the goodbye would leave the connection open.
+            socket.transport.abort()
 
 
 def _asking(address: str) -> httpx.AsyncClient:
