@@ -97,9 +97,10 @@ function commandOf(event: KeyboardEvent, acts: KeyActs): (() => void) | null {
     const writes = event.key.length === 1 && isTyping(event.target)
     return writes || document.querySelector("dialog[open]") !== null ? null : acts.help
   }
-  if (isTextField(event.target)) return null
-  if (is("redo")) return acts.redo
-  return is("undo") ? acts.undo : null
+  if (isTextField(event.target) || !(is("undo") || is("redo"))) return null
+  // What a dialog stands before stays as it is; the world editor has a history of its own.
+  if (document.querySelector("dialog[open]:not(.world-editor)") !== null) return () => {}
+  return is("redo") ? acts.redo : acts.undo
 }
 
 export function watchKeys(keys: KeyActs): void {
