@@ -37,10 +37,11 @@ async function contentOf(file: File): Promise<string | null> {
     : textIn(await file.arrayBuffer())
 }
 
-/// UTF-8 to the last byte, a byte order mark included, or `null`.
+/// UTF-8 to the last byte, a byte order mark included, or `null`. What has a NUL was not written as text.
 export function textIn(bytes: ArrayBuffer): string | null {
   try {
-    return new TextDecoder("utf-8", {fatal: true, ignoreBOM: true}).decode(bytes)
+    const text = new TextDecoder("utf-8", {fatal: true, ignoreBOM: true}).decode(bytes)
+    return text.includes("\0") ? null : text
   } catch {
     return null
   }
