@@ -44,7 +44,7 @@ function Examples(): VNode {
   )
 }
 
-/// One line of what it teaches; the rest when it is asked for.
+/// The first sentence of what it teaches; the rest when it is asked for.
 function ExampleCard({example, current}: {example: Example; current: boolean}): VNode {
   const desk = useDesk()
   const [whole, setWhole] = useState(false)
