@@ -93,7 +93,8 @@ export const styleSheet = `
 .rosyBlocks .rosyLevel select option { background: var(--paper); color: var(--ink); }
 .rosyBlocks .rosyLevel select:focus-visible { outline: 2px solid var(--focus); }
 .rosyBlocks .blocklyFlyoutBackground { fill: var(--paper); fill-opacity: 1; }
-.rosyBlocks .blocklyFlyout { border-inline-end: 1px solid var(--line); }
+.rosyBlocks .blocklyFlyout { border-inline-end: 1px solid var(--line); z-index: 40; }
+.rosyBlocks .blocklyFlyoutScrollbar { z-index: 45; }
 .rosyBlocks .blocklyFlyoutLabelText { fill: var(--ink-2) !important; font: 550 13px Inter, system-ui, sans-serif !important; }
 .rosyBlocks .blocklyFlyoutLabelBackground { opacity: 0; }
 
