@@ -17,13 +17,18 @@ export function allFindings(
   const found = believed(state)
   const holes = found.filter(f => f.kind === "hole")
   const told = compiler.filter(f => !holes.some(h => h.block === f.block || overlap(h, f)))
-  const blocks = found.filter(f => f.kind === "hole" || !told.some(t => overlap(t, f)))
+  const blocks = found.filter(f => f.kind === "hole" || !told.some(t => overlap(t, f) || missSame(t, f)))
   const all = [...run, ...blocks, ...told]
   return [...all.filter(f => f.severity === "error"), ...all.filter(f => f.severity === "warning")]
 }
 
 function overlap({range: a}: Finding, {range: b}: Finding): boolean {
   return a !== null && b !== null && a.start < b.end && b.start < a.end
+}
+
+/// What is missing has no place in the text: the kind tells that it is the same.
+function missSame(a: Finding, b: Finding): boolean {
+  return a.kind === b.kind && a.range === null && b.range === null
 }
 
 export function problemCount(state: PageState): number {
