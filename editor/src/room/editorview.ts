@@ -5,6 +5,7 @@ import type {WorldEdit, WorldEditor} from "../worlds/editor.ts"
 import {handlesOf, type Part} from "../worlds/parts.ts"
 import {type Box, placesOf, type Spot, type World, wallThickness} from "../worlds/world.ts"
 import {type Camera, type Look, lookAt, pan, toRoom, zoom} from "./camera.ts"
+import {worldKey} from "./editorkeys.ts"
 import {type Palette, readPalette} from "./palette.ts"
 import {drawRobot} from "./robot.ts"
 import {drawThings, drawWorld} from "./world.ts"
@@ -258,52 +259,14 @@ function watchHands(canvas: HTMLCanvasElement, host: HandsHost): void {
   )
 
   canvas.addEventListener("keydown", event => {
-    const edit = keyEdit(event)
-    const {clientWidth: w, clientHeight: h} = canvas
-    const view: Record<string, () => void> = {
-      "+": () => host.zoomed(1.25, w / 2, h / 2),
-      "-": () => host.zoomed(0.8, w / 2, h / 2),
-      "0": () => host.fitted(),
-    }
-    const act =
-      edit !== null ? () => host.edited(edit) : event.ctrlKey || event.metaKey ? undefined : view[event.key]
-    if (act === undefined) return
+    const wanted = worldKey(event)
+    if (wanted === null) return
     event.preventDefault()
     event.stopPropagation()
-    act()
+    const {clientWidth: w, clientHeight: h} = canvas
+    if (wanted.kind === "closer") host.zoomed(1.25, w / 2, h / 2)
+    else if (wanted.kind === "further") host.zoomed(0.8, w / 2, h / 2)
+    else if (wanted.kind === "whole") host.fitted()
+    else host.edited(wanted)
   })
-}
-
-const arrows: Readonly<Record<string, Spot>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, 1],
-  ArrowDown: [0, -1],
-}
-
-/// What a key on the canvas means; `null` for what is no edit.
-function keyEdit(event: KeyboardEvent): WorldEdit | null {
-  const fine = event.shiftKey
-  const arrow = arrows[event.key]
-  if (event.ctrlKey || event.metaKey || event.altKey)
-    return event.key.toLowerCase() === "d" && !event.altKey ? {kind: "duplicate"} : null
-  if (arrow !== undefined) return {kind: "step", dx: arrow[0], dy: arrow[1], fine}
-  switch (event.key) {
-    case "Enter":
-    case " ":
-      return {kind: "press"}
-    case "Delete":
-    case "Backspace":
-      return {kind: "delete"}
-    case "Escape":
-      return {kind: "cancel"}
-    case ",":
-    case "<":
-      return {kind: "turn", steps: 1, fine}
-    case ".":
-    case ">":
-      return {kind: "turn", steps: -1, fine}
-    default:
-      return null
-  }
 }

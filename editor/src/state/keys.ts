@@ -30,8 +30,9 @@ export function isChord(press: KeyPress, chord: string): boolean {
   const keys = keysOf(chord)
   const key = keys[keys.length - 1] ?? ""
   const wants = (name: string) => keys.slice(0, -1).includes(name)
+  const pressed = press.key === " " ? "Space" : press.key
   return (
-    press.key.toLowerCase() === key.toLowerCase() &&
+    pressed.toLowerCase() === key.toLowerCase() &&
     (press.ctrlKey || press.metaKey) === (wants("Mod") || wants("Ctrl")) &&
     press.altKey === wants("Alt") &&
     // Whether a sign needs Shift is for the keyboard to say.

@@ -1,16 +1,18 @@
 /// The page of keys tells of every key, in every language.
 
 import {expect, test} from "vitest"
+import {worldKeys} from "../../src/room/editorkeys.ts"
 import {roomKeys} from "../../src/room/gestures.ts"
 import {pageKeys} from "../../src/run/window.ts"
 import {textKeys} from "../../src/source/keys.ts"
 import {german} from "../../src/words/de/index.ts"
 import {en} from "../../src/words/en/index.ts"
 
-test("each key of the page, the text and the room is told, and nothing else", () => {
+test("each key of the page, the text, the room and the world editor is told, and nothing else", () => {
   for (const {keys} of [en, german.page]) {
     expect(Object.keys(keys.page)).toEqual(expect.arrayContaining(Object.keys(pageKeys)))
     expect(Object.keys(keys.room).sort()).toEqual(Object.keys(roomKeys).sort())
+    expect(Object.keys(keys.world).sort()).toEqual(Object.keys(worldKeys).sort())
     expect(Object.keys(keys.text).sort()).toEqual(Object.keys(textKeys).sort())
   }
 })

@@ -12,6 +12,7 @@ const step = "Beim Verschieben: zum nächsten Platz, der passt"
 const view = "Den Ausschnitt verschieben"
 const headings = "Im Werkzeugkasten: nächste und vorige Überschrift"
 const lines = "Die Zeile nach oben oder unten schieben"
+const spins = "Drehen, was ausgewählt ist; mit Umschalt ein wenig"
 
 export const keys: Words["keys"] = {
   title: "Tasten",
@@ -117,6 +118,18 @@ export const keys: Words["keys"] = {
     thing: "Stattdessen etwas zum Schieben nehmen",
     robot: "Wieder den Roboter nehmen",
     follow: "Dem Roboter folgen",
+    closer: "Näher",
+    further: "Weiter weg",
+    whole: "Den ganzen Raum",
+  },
+  world: {
+    step: "Verschieben, was ausgewählt ist, oder das Fadenkreuz; mit Umschalt ein wenig",
+    turnLeft: spins,
+    turnRight: spins,
+    press: "Eine Zeichnung beginnen und beenden",
+    duplicate: "Noch eins davon",
+    delete: "Wegnehmen, was ausgewählt ist",
+    cancel: "Es loslassen",
     closer: "Näher",
     further: "Weiter weg",
     whole: "Den ganzen Raum",

@@ -13,6 +13,7 @@ const headings = "In the toolbox: next and previous heading"
 const hands = "Move the robot"
 const turns = "Turn it"
 const lines = "Move the line up or down"
+const spins = "Turn what is chosen; with Shift a little"
 
 export const keys = {
   title: "Keys",
@@ -118,6 +119,18 @@ export const keys = {
     thing: "Take a thing to push instead",
     robot: "Take the robot again",
     follow: "Follow the robot",
+    closer: "Closer",
+    further: "Further away",
+    whole: "All of the room",
+  },
+  world: {
+    step: "Move what is chosen, or the cross-hair; with Shift a little",
+    turnLeft: spins,
+    turnRight: spins,
+    press: "Begin a drawing, and end it",
+    duplicate: "One more of what is chosen",
+    delete: "Take away what is chosen",
+    cancel: "Let go of it",
     closer: "Closer",
     further: "Further away",
     whole: "All of the room",
