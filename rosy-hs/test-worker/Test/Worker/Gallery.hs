@@ -78,7 +78,7 @@ judged start name = do
       expected <- eitherDecodeFileStrict' file
       either assertFailure (@?= answer) expected
 
--- | Each fix, done, leaves the program without the problem that it is for.
+-- | Each fix, done, leaves the program without the problem that it is for, and with no error of a kind that it had not before.
 mended :: IO Worker -> FilePath -> Assertion
 mended start name = do
   worker <- start
@@ -92,12 +92,18 @@ mended start name = do
         assertBool
           (Text.unpack (text "title" fix <> " leaves the problem:\n" <> now))
           (about problem `notElem` map about left)
+        let new = [p | p <- left, text "severity" p == "error", text "kind" p `notElem` (["hole" | leavesHole fix] ++ map (text "kind") problems)]
+        assertBool
+          (Text.unpack (text "title" fix <> " brings another error: " <> Text.unwords [text "kind" p <> ": " <> text "message" p | p <- new] <> "\n" <> now))
+          (null new)
       | problem <- problems,
         fix <- elements (field "fixes" problem)
     ]
   where
     -- The same mistake may be made again elsewhere.
     about p = (text "kind" p, text "message" p, field "start" p)
+    -- What is still to be chosen is a hole, and is said to be one.
+    leavesHole fix = any (Text.isInfixOf "_" . text "text") (elements (field "edits" fix))
 
 -- | A text after edits, done from its end.
 edited :: [Value] -> Text -> Text

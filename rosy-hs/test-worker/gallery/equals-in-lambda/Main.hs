@@ -1,1 +1,4 @@
-main = simulate (\b = ErrorSound)
+main = simulate (\b = play b)
+
+play :: Bumper -> Sound
+play _ = ErrorSound

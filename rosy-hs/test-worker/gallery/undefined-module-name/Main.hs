@@ -1,3 +1,3 @@
 main = simulate move
 
-move = Velocity (Map.size m) 0
+move = Velocity (fromIntegral (Map.size Map.empty)) 0

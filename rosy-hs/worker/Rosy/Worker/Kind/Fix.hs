@@ -117,8 +117,22 @@ fixesFor outline raw p = case (kind p, place p) of
             Just t
               | "never closed" `Text.isInfixOf` message p -> [Fix ("Add " <> closing here) [Edit (nothingAt (closingPlace t (dropWhile ((<= from t) . from) found))) (closing here)]]
               | Just wanted <- listToMaybe (quotes (hint p)), "closes a bracket" `Text.isInfixOf` message p -> [Fix ("Write " <> wanted) [Edit s wanted]]
-              | otherwise -> [Fix "Remove it" [Edit s ""]]
+              | otherwise -> [Fix "Remove it" [Edit s ""] | complete (takeWhile ((< from t) . from) found)]
             Nothing -> []
+
+    -- Whether a definition may end behind these: with a value, and without a comma outside of brackets, which asks for the opening one.
+    complete before = case reverse before of
+      t : _ -> (Text.all isNamed (word t) || word t `elem` [")", "]", "}", "\""]) && not (loose (0 :: Int) (reverse before))
+      [] -> False
+    isNamed c = isAlphaNum c || c `elem` ("_'" :: String)
+    -- From the last token back to the one at the left edge.
+    loose _ [] = False
+    loose n (t : ts)
+      | n == 0, word t == "," = True
+      | column (from t) == 1 = False
+      | word t `elem` [")", "]", "}"] = loose (n + 1) ts
+      | word t `elem` ["(", "[", "{"] = loose (n - 1) ts
+      | otherwise = loose n ts
 
 -- | The names that GHC thinks may have been meant instead of one.
 nearMisses :: Text -> Text -> [Text]
