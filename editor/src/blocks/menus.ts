@@ -18,6 +18,7 @@ export interface MenuActions {
   hasStrays(): boolean
   bringStraysHome(): void
   focusSearch(): void
+  offerBlocks(): void
   /// A block was copied from its menu.
   copied(): void
 }
@@ -140,7 +141,7 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
       if (view === undefined) return false
       event.preventDefault()
       Blockly.keyboardNavigationController.setIsActive(true)
-      view.focusSearch()
+      view.offerBlocks()
       return true
     },
   })

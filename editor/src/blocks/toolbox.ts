@@ -303,6 +303,13 @@ class Search extends Blockly.ToolboxCategory {
     void Blockly.renderManagement.finishQueuedRenders().then(() => this.match())
   }
 
+  /// Offers what fits the chosen place: what was searched before was for another.
+  offer(): void {
+    if (this.field !== undefined) this.field.value = ""
+    if (Blockly.getFocusManager().getFocusedNode() === this) this.match()
+    else Blockly.getFocusManager().focusNode(this)
+  }
+
   /// The choice of a level: it filters and orders what is offered, and locks nothing.
   private levels(): HTMLElement {
     const label = document.createElement("label")
@@ -406,9 +413,18 @@ export function registerToolbox(): void {
 
 /// Puts the cursor into the search field.
 export function focusSearch(workspace: Blockly.WorkspaceSvg): void {
-  const item = workspace
+  const field = searchOf(workspace)
+  if (field !== undefined) Blockly.getFocusManager().focusNode(field)
+}
+
+/// Puts the cursor into the search field, which offers what fits the chosen place.
+export function offerBlocks(workspace: Blockly.WorkspaceSvg): void {
+  searchOf(workspace)?.offer()
+}
+
+function searchOf(workspace: Blockly.WorkspaceSvg): Search | undefined {
+  return workspace
     .getToolbox()
     ?.getToolboxItems()
-    .find(found => found instanceof Search)
-  if (item !== undefined) Blockly.getFocusManager().focusNode(item as Search)
+    .find(item => item instanceof Search)
 }

@@ -41,7 +41,7 @@ import {chosenBlock, chosenPlace, chosenPlaces, nameItem, scopeItems, suggest} f
 import {bringHome, inSight, straysOf} from "./sight.ts"
 import {styleSheet} from "./style.ts"
 import {themes} from "./theme.ts"
-import {focusSearch, registerToolbox, scopeKey, setNearby, toolboxInfo} from "./toolbox.ts"
+import {focusSearch, offerBlocks, registerToolbox, scopeKey, setNearby, toolboxInfo} from "./toolbox.ts"
 import {forgetWidths, rememberWidths} from "./widths.ts"
 
 export interface BlocksOptions {
@@ -182,7 +182,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   const marks = new Marks(workspace)
   const away = hideFarBlocks(workspace, host)
   const freeFocus = keepFocus(workspace)
-  const stopChoosing = chooseByClick(workspace, () => focusSearch(workspace))
+  const stopChoosing = chooseByClick(workspace, () => offerBlocks(workspace))
   const changeListeners = new Set<(change: BlocksChange) => void>()
   const selectListeners = new Set<(block: BlockId | undefined) => void>()
   const session = language.session()
@@ -329,6 +329,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       hasStrays: () => straysOf(workspace).length > 0,
       bringStraysHome: () => bringHome(workspace),
       focusSearch: () => focusSearch(workspace),
+      offerBlocks: () => offerBlocks(workspace),
       copied: () => sharing?.give(),
     },
     renamed: (block, key, wanted) => {
