@@ -21,6 +21,7 @@ export default defineConfig({
   use: {
     baseURL: `http://127.0.0.1:${port}`,
     viewport: {width: 1440, height: 900},
+    actionTimeout: 120_000,
     trace: "retain-on-failure",
     launchOptions: {
       timeout: 240_000,

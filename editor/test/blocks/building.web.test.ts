@@ -84,10 +84,16 @@ describe("by mouse", () => {
     const box = (await offered("move").boundingBox())!
     await page.mouse.click(box.x + 12, box.y + box.height - 6)
     await settled(page)
+    // What was searched before was for another place.
+    await page.getByRole("searchbox").fill("bumper")
+    await offered("bumper").waitFor()
+    await page.mouse.click(1060, 700)
+    await settled(page)
     const gap = await socket(page, "main", "R0")
     await page.mouse.click(gap.x + 8, gap.y + 6)
     await settled(page)
     await page.getByText("Fits here").waitFor()
+    expect(await page.getByRole("searchbox").inputValue()).toBe("")
     await offered("move").click({position: {x: 8, y: 8}})
     await settled(page)
     expect((await keys.haskell()).trim()).toBe(example("move"))
