@@ -96,8 +96,8 @@ def connected(topic, count):
 
 
 def listening(topic):
-    """Says so when somebody who publishes this is connected."""
-    while subscribers[topic].get_num_connections() < 1:
+    """Says so when somebody who publishes this has answered. rospy counts a connection before it has begun to connect."""
+    while not any(connection.header for connection in subscribers[topic].impl.connections):
         time.sleep(0.005)
     say("listening", topic)
 

@@ -88,10 +88,10 @@ publish (Publisher _ p) message = do
         idle <- isIdle o
         if idle then Just o <$ writeTVar (outletBusy o) True else Nothing <$ push (outletQueue o) bytes
     forM_ free $ \o -> do
-      n <- sendAtOnce (outletSocket o) bytes
+      sent <- sendAtOnce (outletSocket o) bytes
       atomically $ do
-        writeTVar (outletRest o) (B.drop n bytes)
-        counted o (if n == B.length bytes then 1 else 0) n
+        writeTVar (outletRest o) (B.drop sent bytes)
+        counted o (if sent == B.length bytes then 1 else 0) sent
         writeTVar (outletBusy o) False
 
 -- | Nothing is under way to the subscriber, nothing waits.
@@ -136,20 +136,21 @@ serveSubscriber core s = readHeader noBytes >>= maybe (pure ()) answer
             pure (theirs, p)
       case agreed of
         Left why -> sendAll s (frame (encodeFields (errorFields why)))
-        Right (theirs, p) -> do
-          sendAll s (frame (encodeFields (publisherFields (pubLatched p) (pubOffer p))))
-          deliver core s p (fromMaybe "?" (lookup "callerid" theirs))
+        Right (theirs, p) -> deliver core s p (fromMaybe "?" (lookup "callerid" theirs))
 
 -- | A subscriber's header is a few hundred bytes and a message definition.
 maxHeader :: Int
 maxHeader = 1024 * 1024
 
+-- | Answers a subscriber that was accepted, and sends it what is published until it leaves. It has its place before
+-- it is answered: once it knows that it is connected, nothing that is published passes it by.
 deliver :: Core -> Socket -> Publication -> String -> IO ()
 deliver core s p peer = do
   n <- freshId core
   bound <- readTVarIO (pubBound p)
-  outlet <- Outlet peer s <$> newQueue bound <*> newTVarIO False <*> newTVarIO B.empty <*> newTVarIO (0, 0)
+  outlet <- Outlet peer s <$> newQueue bound <*> newTVarIO True <*> newTVarIO B.empty <*> newTVarIO (0, 0)
   let idle = writeTVar (outletBusy outlet) False
+      answer = sendAll s (frame (encodeFields (publisherFields (pubLatched p) (pubOffer p)))) `finally` atomically idle
       -- What the system did not take at once, and what has been published since.
       writer = do
         mask $ \restore -> do
@@ -171,7 +172,7 @@ deliver core s p peer = do
   atomically $ do
     readTVar (pubLast p) >>= mapM_ (push (outletQueue outlet))
     modifyTVar' (pubOutlets p) (Map.insert n outlet)
-  race_ (void writer) untilClosed `finally` leave
+  (answer >> race_ (void writer) untilClosed) `finally` leave
 
 -- | All that was published has left this program.
 drained :: Core -> STM Bool
