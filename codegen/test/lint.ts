@@ -18,7 +18,7 @@ import {batch, candidate} from "./soundness.ts"
 /// ones in better words. Every other hint fails, also one that nobody has thought of here. (DECISIONS.md says why.)
 const aboutContent: {readonly [fault: string]: RegExp} = {
   "what is known is asked or computed":
-    /^(?:Evaluate|Short-circuited .*|(?:Take|Drop) on a .*|Length always .*|Redundant (?:if|multi-way if|case|True guards|as-pattern|==|\/=|not))$/,
+    /^(?:Evaluate|Short-circuited .*|(?:Take|Drop) on a .*|Using \w+ on tuple|Length always .*|Redundant (?:if|multi-way if|case|True guards|as-pattern|==|\/=|not))$/,
   "a function is spelled out that has a name, or a name is missing that it could do without":
     /^(?:Use (?:const|id|tuple-section|lambda-case|section|\.)|Eta reduce|Collapse lambdas|Avoid lambda.*|Redundant (?:lambda|section))$/,
   "a call does nothing":
