@@ -55,8 +55,8 @@ class Bridge:
         self._latched: dict[str, Event] = {}
         self._seq = 0
 
-    def __bool__(self) -> bool:
-        return bool(self._clients)
+    def __len__(self) -> int:
+        return len(self._clients)
 
     @property
     def full(self) -> bool:

@@ -24,7 +24,7 @@ from .conftest import PATIENCE
 from .ports import kept_port
 from .test_app import Page
 
-__all__ = ["LIMIT", "Rig", "Robot", "kobuki", "rosbridge", "rospy"]
+__all__ = ["LIMIT", "Rig", "Robot", "kobuki", "looking", "rosbridge", "rospy"]
 
 LIMIT = 0.7
 """Within so many s a robot that nobody drives any more stands."""
@@ -193,6 +193,23 @@ def _ros_in(folder: Path) -> None:
         pytest.skip(made.stdout.strip() or "ROS 1 cannot be installed")
 
 
+async def _look(page: Page) -> None:
+    with contextlib.suppress(Exception):
+        while True:
+            await page.send("alive")
+            await asyncio.sleep(0.1)
+
+
+@asynccontextmanager
+async def looking(page: Page) -> AsyncIterator[None]:
+    """The person at the page looks at the robot, as long as there is a page."""
+    look = asyncio.create_task(_look(page))
+    try:
+        yield
+    finally:
+        look.cancel()
+
+
 class Rig:
     """A service with one robot, called Kitchen, and a page that knows the code."""
 
@@ -224,14 +241,7 @@ class Rig:
 
     def looks(self) -> None:
         """The person at the page looks at the robot."""
-
-        async def look() -> None:
-            with contextlib.suppress(Exception):
-                while True:
-                    await self.page.send("alive")
-                    await asyncio.sleep(0.1)
-
-        self._looking = self._looking or asyncio.create_task(look())
+        self._looking = self._looking or asyncio.create_task(_look(self.page))
 
     async def pressed(self) -> None:
         """Somebody touches the robot."""

@@ -46,10 +46,25 @@ class Page:
                     return message
 
     async def op(self, op: str, **fields: Any) -> Message:
-        return await self.until(lambda m: m["op"] == op and all(m.get(k) == v for k, v in fields.items()))
+        return await self.until(_like({"op": op, **fields}))
+
+    async def all_of(self, *wanted: Message) -> list[Message]:
+        """One message for each of these, in whatever order they come: of what happens at the same time."""
+        found: list[Message | None] = [None] * len(wanted)
+        while None in found:
+            message = await self.until(lambda _: True)
+            fits = [_like(one)(message) and found[i] is None for i, one in enumerate(wanted)]
+            if True in fits:
+                found[fits.index(True)] = message
+        return [message for message in found if message is not None]
 
     async def ended(self, run: int) -> Message:
         return await self.op("state", run=run, state="ended")
+
+
+def _like(wanted: Message) -> Callable[[Message], bool]:
+    """Whether a message has these fields."""
+    return lambda message: all(message.get(key) == value for key, value in wanted.items())
 
 
 @asynccontextmanager

@@ -150,12 +150,12 @@ async def attack(column: Column, programs: dict[str, str], aimed: Target) -> dic
         for hungry in (True, False):
             names = [name for name in programs if name.startswith("memory") == hungry]
             outcomes |= zip(names, await asyncio.gather(*(one(address, programs[name]) for name in names)), strict=True)
-        # Nobody else noticed, and nothing is left.
-        await bystander.send("check", id=1, source="main = pure ()\n")
-        assert (await bystander.op("checked"))["problems"] == []
+        # Nothing is left, and nobody else noticed.
         async with asyncio.timeout(HANG):
             while service.places.taken or not children(before):
                 await asyncio.sleep(0.01)
+        await bystander.send("check", id=1, source="main = pure ()\n")
+        assert (await bystander.op("checked"))["problems"] == []
     return outcomes
 
 

@@ -135,16 +135,26 @@ def counts(worker: Worker) -> dict[str, int]:
     }
 
 
-async def settled(worker: Worker) -> dict[str, int]:
-    """The counts once nothing changes any more."""
-    before = counts(worker)
-    for _ in range(200):
-        await asyncio.sleep(0.02)
-        now = counts(worker)
-        if now == before:
-            return now
-        before = now
-    return before
+async def at_rest(worker: Worker) -> dict[str, int]:
+    """The counts once no children are left but those that check."""
+    assert worker.pid is not None
+    own = inside(worker.pid)
+    async with asyncio.timeout(PATIENCE):
+        while any(called(pid) != "rosy-check" for pid in below(own)):
+            await asyncio.sleep(0.02)
+    return counts(worker)
+
+
+async def at_rest_again(worker: Worker, before: dict[str, int]) -> dict[str, int]:
+    """The counts once they are no larger than before; what has ended may not be buried yet. Or what they stay at."""
+    most = {**before, "processes that check": CHECKING, "memory of the worker, MB": sys.maxsize}
+    now = counts(worker)
+    with contextlib.suppress(TimeoutError):
+        async with asyncio.timeout(PATIENCE):
+            while any(now[what] > most[what] for what in most):
+                await asyncio.sleep(0.02)
+                now = counts(worker)
+    return now
 
 
 def test_no_text_crashes_or_hangs_the_worker_or_leaves_anything_behind() -> None:
@@ -172,10 +182,10 @@ def test_no_text_crashes_or_hangs_the_worker_or_leaves_anything_behind() -> None
             await asyncio.gather(*(checked_and_run(worker, name, source) for name, source in first_ones))
             # The one in waiting would come at some moment in between.
             await worker.spare_warm()
-            before = await settled(worker)
+            before = await at_rest(worker)
             began = time.monotonic()
             await asyncio.gather(*(some() for _ in range(AT_ONCE)))
-            after = await settled(worker)
+            after = await at_rest_again(worker, before)
             assert worker.pid == first, "the worker died"
         print(f"\n{2 * TEXTS} texts checked and run in {time.monotonic() - began:.0f} s; {ran} of them were programs")
         print(f"before: {before}\nafter:  {after}\nmemory at each tenth of the way, MB: {memory}")

@@ -21,7 +21,8 @@ from rosy_sim.errors import BadInput
 from rosy_sim.fleet import Fleet
 from rosy_sim.roster import configured
 
-from .robot_rig import LIMIT, Rig, Robot, kobuki
+from .conftest import PATIENCE
+from .robot_rig import LIMIT, Rig, Robot, kobuki, looking
 from .test_app import opened, serving
 
 pytestmark = pytest.mark.skipif(discover().speaker is None, reason="rosy-robot is not built")
@@ -77,7 +78,7 @@ def test_a_program_drives_the_robot_and_the_page_sees_it(config: Config, tmp_pat
         await rig.drives("drive:0.2 led:2@3 say:hi@4 sound:4@5")
         assert (await rig.page.op("said"))["text"] == "hi"
         assert (await rig.page.op("sound"))["sound"] == 4
-        frame = await rig.page.until(lambda m: m["op"] == "frame" and m["x"] > 0.02)
+        frame = await rig.page.until(lambda m: m["op"] == "frame" and m["x"] > 0.15)
         assert frame["run"] == 1
         assert frame["led1"] == 2
         assert 0.15 < frame["v"] < 0.25
@@ -90,8 +91,9 @@ def test_a_program_drives_the_robot_and_the_page_sees_it(config: Config, tmp_pat
         await rig.page.send("stop")
         await rig.robot.stands()
         assert (await rig.page.ended(1))["ended"] == "stopped"
+        # Where the next one begins is the origin again.
         await rig.drives("drive:0.2", run=2)
-        assert (await rig.page.op("frame", run=2))["x"] < 0.1
+        await rig.page.until(lambda m: m["op"] == "frame" and m["run"] == 2 and abs(m["x"]) < 0.1)
 
     story(tell, config, tmp_path)
 
@@ -223,10 +225,11 @@ def test_the_robot_stands_when_the_service_is_killed(tmp_path: Path) -> None:
             await page.send("take", robot="Kitchen", who="Anna")
             await page.op("robot", link="connected")
             await page.send("run", run=1, source="drive:0.2", speed=1)
-            await robot.moves(0.2)
-            await robot.marked()
-            process.kill()
-            print(f"service killed: stood after {await robot.stands()} s (allowed: {LIMIT} s)")
+            async with looking(page):
+                await robot.moves(0.2)
+                await robot.marked()
+                process.kill()
+                print(f"service killed: stood after {await robot.stands()} s (allowed: {LIMIT} s)")
 
     asyncio.run(play())
 
@@ -310,13 +313,20 @@ def test_fifty_runs_leave_no_descriptor_open(config: Config, tmp_path: Path) -> 
     async def tell(rig: Rig) -> None:
         await rig.takes()
         rig.looks()
-        counts: set[tuple[int, int]] = set()
-        for run in range(1, 51):
-            await rig.page.send("run", run=run, source="drive:0.1 done@1", speed=1)
-            assert (await rig.page.ended(run))["ended"] == "done"
-            counts.add((len(descriptors(os.getpid())), len(descriptors(rig.driver))))
-        ours, theirs = zip(*counts, strict=True)
-        assert max(theirs) - min(theirs) <= 2, counts
-        assert max(ours) - min(ours) <= 4, counts
+
+        async def driven(runs: range) -> None:
+            for run in runs:
+                await rig.page.send("run", run=run, source="drive:0.1 done@1", speed=1)
+                assert (await rig.page.ended(run))["ended"] == "done"
+
+        # The worker in waiting would come at some moment in between.
+        await rig.service.worker.spare_warm()
+        await driven(range(1, 2))
+        ours, theirs = len(descriptors(os.getpid())), len(descriptors(rig.driver))
+        await driven(range(2, 52))
+        # What the last one had may still be closing.
+        async with asyncio.timeout(PATIENCE):
+            while len(descriptors(os.getpid())) > ours or len(descriptors(rig.driver)) > theirs:
+                await asyncio.sleep(0.01)
 
     story(tell, config, tmp_path)

@@ -3,7 +3,8 @@
 -- Description : Saying on this machine who drives which robot, so that any other terminal can stop it.
 --
 -- A file per process in a folder of the user's, named by the process's number, with the robot's address in it, locked as
--- long as the process lives. @./rosy estop@ reads the folder and signals who holds a lock (sim-service, estop.py). A folder that
+-- long as the process lives. It gets that name when all of this is so: whoever looks clears files away that nobody has locked.
+-- @./rosy estop@ reads the folder and signals who holds a lock (sim-service, estop.py). A folder that
 -- cannot be had is no reason not to drive: Ctrl-C and the page still stop the robot.
 module Rosy.Robots.Announce
   ( announced,
@@ -17,7 +18,7 @@ import qualified Data.ByteString.Char8 as C
 import System.Directory (createDirectoryIfMissing, removeFile)
 import System.Environment (lookupEnv)
 import System.IO (SeekMode (..))
-import System.Posix.Files (ownerModes, setFileMode)
+import System.Posix.Files (ownerModes, rename, setFileMode)
 import System.Posix.IO
 import System.Posix.Process (getProcessID)
 import System.Posix.Types (Fd)
@@ -39,11 +40,14 @@ announced address act = bracket (try announce) withdraw (const act)
       place <- folder
       createDirectoryIfMissing True place
       setFileMode place ownerModes
-      name <- (\pid -> place ++ "/" ++ show pid) <$> getProcessID
-      fd <- openFd name ReadWrite (Just 0o600) defaultFileFlags {trunc = True}
+      process <- show <$> getProcessID
+      let name = place ++ "/" ++ process
+          unfinished = place ++ "/." ++ process
+      fd <- openFd unfinished ReadWrite (Just 0o600) defaultFileFlags {trunc = True}
       setFdOption fd CloseOnExec True
       setLock fd (WriteLock, AbsoluteSeek, 0, 0)
       void (fdWrite fd (C.unpack (C.pack address)))
+      rename unfinished name
       pure (name, fd)
     withdraw :: Either IOException (FilePath, Fd) -> IO ()
     withdraw made = case made of
