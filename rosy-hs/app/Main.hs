@@ -14,7 +14,7 @@
 -- Ctrl-C and the system's request stop the robot at once and the program in good order. SIGUSR1 is the emergency stop.
 module Main (main) where
 
-import Control.Concurrent (forkIO, threadDelay)
+import Control.Concurrent (forkIO)
 import Control.Concurrent.STM
 import Control.Exception (finally)
 import Control.Monad (forM_, unless, void)
@@ -29,7 +29,7 @@ import Network.Socket (Socket, mkSocket, recvFd)
 import Rosy.Robot (Orientation (..), Position (..))
 import Rosy.Robots.Announce (announced)
 import Rosy.Robots.Base (Base (..))
-import Rosy.Robots.Drive (endings, onSignals, withBase)
+import Rosy.Robots.Drive (endings, later, onSignals, withBase)
 import Rosy.Robots.Guard
 import Rosy.Robots.Hold
 import Rosy.Robots.Serve
@@ -72,9 +72,7 @@ driveOnce address fd limit = do
   began <- getMonotonicTime
   stopWanted <- newTVarIO False
   guarded <- newTVarIO (newGuard (targetLimits target) (targetSafety target))
-  forM_ [s | [t] <- [limit], (s, "") <- reads t] $ \s ->
-    -- A thread's delay is counted in an Int of microseconds: a week fits.
-    forkIO (threadDelay (ceiling (s * 1e6 :: Double)) >> atomically (writeTVar stopWanted True))
+  forM_ [s | [t] <- [limit], (s, "") <- reads t] (`later` atomically (writeTVar stopWanted True))
   pace <- realPace
   served <- announced address . withBase target $ \base -> do
     let standing = atomically (stateTVar guarded halting) >>= mapM_ (tell base)

@@ -2,7 +2,7 @@
 -- Module      : Main
 -- Description : rosy-build: the compiler behind ./rosy build.
 --
--- @rosy-build LIBDIR PACKAGE-DB UNITS SCRATCH PROGRAM LAUNCHER BINARY@; the units are separated by commas. ./rosy build calls it,
+-- @rosy-build LIBDIR PACKAGE-DB UNITS SCRATCH PROGRAM HOME BINARY@; the units are separated by commas. ./rosy build calls it,
 -- after the worker has checked the program.
 module Main (main) where
 
@@ -15,13 +15,13 @@ main :: IO ()
 main = do
   given <- getArgs
   case given of
-    [libdir, database, units', scratch', source', launcher', binary'] -> do
-      outcome <- compile (Order libdir database (commas units') scratch' source' launcher' binary')
+    [libdir, database, units', scratch', source', home', binary'] -> do
+      outcome <- compile (Order libdir database (commas units') scratch' source' home' binary')
       case outcome of
         Built -> pure ()
         NotMain name -> die ("This program is called " ++ name ++ ", and only Main can be built. Write in its first line: module Main where")
         NotBuilt -> hPutStrLn stderr "GHC could not build this program." >> exitWith (ExitFailure 2)
-    _ -> die "rosy-build LIBDIR PACKAGE-DB UNITS SCRATCH PROGRAM LAUNCHER BINARY"
+    _ -> die "rosy-build LIBDIR PACKAGE-DB UNITS SCRATCH PROGRAM HOME BINARY"
 
 commas :: String -> [String]
 commas s = case break (== ',') s of

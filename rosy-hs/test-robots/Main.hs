@@ -7,6 +7,7 @@ import Rosy.Robots.Drive (drive)
 import Rosy.Robots.Target (explainTargetError, readTarget)
 import System.Environment (getArgs)
 import System.Exit (die, exitWith)
+import qualified Test.Robots.Built
 import qualified Test.Robots.Guard
 import Test.Robots.Kobuki (anHour)
 import qualified Test.Robots.Kobuki
@@ -33,6 +34,7 @@ suite =
     [ Test.Robots.Kobuki.tests,
       Test.Robots.Guard.tests,
       Test.Robots.Target.tests,
+      Test.Robots.Built.tests,
       Test.Robots.Telemetry.tests,
       withReady (\ready -> testGroup "robots that are not" [Test.Robots.Links.tests ready, Test.Robots.Same.tests ready])
     ]

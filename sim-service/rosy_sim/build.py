@@ -14,6 +14,9 @@ from .errors import BadInput, WorkerMissing
 
 __all__ = ["build_program", "is_native"]
 
+_ARCHIVES = ("libgmp.a", "libffi.a", "libz.a")
+"""Libraries that a robot's computer need not have. Not the C library: how it looks up hosts depends on its version."""
+
 
 def build_program(root: Path, source: str, output: Path) -> int:
     """
@@ -33,9 +36,9 @@ def build_program(root: Path, source: str, output: Path) -> int:
         scratch = Path(folder)
         program, binary = scratch / "Main.hs", scratch / "program"
         program.write_text(source, encoding="utf-8")
-        launcher = root / "rosy-hs" / "builder" / "RosyLauncher.hs"
+        _bring_archives(scratch)
         units = f"{robots.stem.removesuffix('-robots')},{robots.stem}"
-        places = [_libdir(), robots.parent, units, scratch, program, launcher, binary]
+        places = [_libdir(), robots.parent, units, scratch, program, root, binary]
         status = subprocess.run([builder, *map(str, places)], check=False).returncode
         if status == 0:
             _deliver(binary, output)
@@ -61,8 +64,21 @@ def _deliver(binary: Path, output: Path) -> None:
         raise BadInput(f"{output} cannot be written: {error.strerror}.") from error
 
 
+def _bring_archives(folder: Path) -> None:
+    """What the linker finds there as an archive and not as a shared library becomes a part of the file."""
+    for name in _ARCHIVES:
+        archive = Path(_said_by("gcc", f"-print-file-name={name}"))
+        # A bare name comes back where the system has none; then the shared library is taken.
+        if archive.is_absolute():
+            (folder / name).symlink_to(archive)
+
+
 def _libdir() -> str:
-    return subprocess.run(["ghc", "--print-libdir"], capture_output=True, check=True, text=True).stdout.strip()
+    return _said_by("ghc", "--print-libdir")
+
+
+def _said_by(*command: str) -> str:
+    return subprocess.run(command, capture_output=True, check=True, text=True).stdout.strip()
 
 
 def _newest(root: Path, pattern: str) -> Path | None:

@@ -113,7 +113,7 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("--world")
     run.add_argument("--seconds", type=float)
     run.add_argument("--seed", type=int)
-    run.add_argument("--speed", default="max")
+    run.add_argument("--speed")
     run.add_argument("--trace", type=Path)
     run.add_argument("--input", type=Path)
     run.add_argument("--robot")
@@ -193,7 +193,7 @@ def _drive(config: Config, program: ProgramFile, options: argparse.Namespace) ->
     """A real robot: only the time of a run can be chosen."""
     from .native import run_natively
 
-    for name in ("world", "trace", "input"):
+    for name in ("world", "seed", "speed", "trace", "input"):
         if getattr(options, name) is not None:
             raise BadInput(f"--{name} is for the simulator; a real robot cannot have it.")
     seconds = MAX_SECONDS if options.seconds is None else _seconds(options.seconds)
@@ -269,8 +269,8 @@ def _seconds(wanted: float | None) -> float:
     return wanted
 
 
-def _speed(wanted: str) -> float | None:
-    if wanted == "max":
+def _speed(wanted: str | None) -> float | None:
+    if wanted is None or wanted == "max":
         return None
     try:
         speed = float(wanted)

@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import functools
+import json
+import os
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -25,15 +29,22 @@ pytestmark = [
 ]
 
 
-def built(name: str, folder: Path) -> Path:
-    binary = folder / name
-    assert main(["build", str(ROOT / "examples" / name / "Main.hs"), "-o", str(binary)]) == 0
-    return binary
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
+    """An example as a native program, built when the first test asks for it."""
+
+    @functools.cache
+    def build(name: str) -> Path:
+        binary = tmp_path_factory.mktemp("built") / name
+        assert main(["build", str(ROOT / "examples" / name / "Main.hs"), "-o", str(binary)]) == 0
+        return binary
+
+    return build
 
 
 @pytest.mark.parametrize("name", ["accelerateAndPlay", "randomWalk"])
-def test_a_built_program_drives_a_robot(name: str, tmp_path: Path, config: Config) -> None:
-    binary = built(name, tmp_path)
+def test_a_built_program_drives_a_robot(name: str, built: Callable[[str], Path], config: Config) -> None:
+    binary = built(name)
 
     async def tell() -> None:
         async with serving(config) as (address, _), opened(address) as page:
@@ -51,26 +62,45 @@ def test_a_built_program_drives_a_robot(name: str, tmp_path: Path, config: Confi
     asyncio.run(tell())
 
 
-def test_without_a_robot_it_says_how_to_name_one(tmp_path: Path) -> None:
-    said = subprocess.run([built("randomWalk", tmp_path)], capture_output=True, text=True, check=False)
-    assert said.returncode == 1
-    assert said.stderr.startswith("This program drives a robot; say which one: randomWalk --robot ws://HOST:9090")
+def test_it_drives_for_as_long_as_it_is_told(built: Callable[[str], Path], config: Config) -> None:
+    binary = built("move")
+
+    async def tell() -> None:
+        async with serving(config) as (address, _), opened(address) as page:
+            hello = await page.op("hello")
+            robot = f"ws://{address}/rosbridge/{hello['session']}"
+            program = await asyncio.create_subprocess_exec(binary, "--robot", robot, "--seconds", "4")
+            await page.until(lambda m: m["op"] == "frame" and m["v"] > 0.1)
+            await page.until(lambda m: m["op"] == "frame" and m["v"] == 0)
+            assert await program.wait() == 0
+
+    asyncio.run(tell())
 
 
-def test_in_the_simulator_it_does_what_its_source_does(tmp_path: Path) -> None:
-    binary = built("randomWalk", tmp_path)
+def test_on_a_computer_without_rosy_it_says_what_it_can_do(built: Callable[[str], Path], tmp_path: Path) -> None:
+    binary = built("move")
+    elsewhere = {**os.environ, "ROSY_ROOT": str(tmp_path)}
+    for options in ([], ["--world", "room"]):
+        said = subprocess.run([binary, *options], capture_output=True, text=True, check=False, env=elsewhere)
+        assert said.returncode == 1
+        assert "Say which robot to drive: move --robot ws://HOST:9090" in said.stderr
+
+
+def test_in_the_simulator_it_does_what_its_source_does(built: Callable[[str], Path], tmp_path: Path) -> None:
+    binary = built("randomWalk")
     options = ["--world", "obstacles", "--seconds", "20", "--seed", "7"]
     hands = tmp_path / "hands.jsonl"
     hands.write_text('{"t": 2, "lift": "both"}\n{"t": 4, "lower": "both"}\n')
+    source = str(ROOT / "examples" / "randomWalk" / "Main.hs")
     traces: list[bytes] = []
-    for program in (str(binary), str(ROOT / "examples" / "randomWalk" / "Main.hs")):
+    for program in (["./rosy", "run", source], ["./rosy", "run", str(binary)], [str(binary)]):
         trace = tmp_path / f"{len(traces)}.jsonl"
-        assert main(["run", program, *options, "--input", str(hands), "--trace", str(trace)]) == 0
+        given = [*program, *options, "--input", str(hands), "--trace", str(trace)]
+        said = subprocess.run(given, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
+        assert json.loads(said.stdout)["ended"] == "time"
         traces.append(trace.read_bytes())
-    assert traces[0] == traces[1]
-    alone = subprocess.run([binary, *options], capture_output=True, text=True, check=False)
-    assert alone.returncode == 1
-    assert alone.stderr.strip().endswith(f"./rosy run {binary} {' '.join(options)}")
+    assert traces[0] == traces[1] == traces[2]
+    assert b'"Wheel' in traces[0], "hands lifted it"
 
 
 def test_a_program_with_a_mistake_is_not_built(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -199,7 +199,7 @@ def one_sentence(done: subprocess.CompletedProcess[str], status: int = 1) -> Non
         ["--world", "atlantis"], ["--world", "gone.json"], ["--seconds", "-1"], ["--seconds", "x"], ["--speed", "fast"],
         ["--speed", "0"], ["--seed", "x"], ["--input", "gone.jsonl"], ["--trace", "no/such/folder/t"], ["--fly"],
         ["--robot", "ws://127.0.0.1:9"], ["--robot", "http://x"], ["--robot", "ros"], ["--robot", "ws://x/?ros=3"],
-        ["--robot", "ws://127.0.0.1:9", "--world", "room"],
+        ["--robot", "ws://127.0.0.1:9", "--world", "room"], ["--robot", "ws://127.0.0.1:9", "--seed", "1"],
     ],
 )  # fmt: skip
 def test_a_bad_option_gives_one_sentence(options: list[str], here: Here, tmp_path: Path) -> None:

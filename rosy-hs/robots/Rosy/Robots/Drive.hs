@@ -7,6 +7,8 @@
 -- system's request. A program that does not listen any more is ended a second after that.
 module Rosy.Robots.Drive
   ( drive,
+    driveFor,
+    later,
     withBase,
     onSignals,
     endings,
@@ -49,7 +51,11 @@ withBase target use = case targetWay target of
 
 -- | Drives a robot with a program's @main@.
 drive :: Target -> IO () -> IO ExitCode
-drive target program = announced (targetAddress target) $ do
+drive = driveFor Nothing
+
+-- | 'drive', for so many seconds at most.
+driveFor :: Maybe Double -> Target -> IO () -> IO ExitCode
+driveFor seconds target program = announced (targetAddress target) $ do
   mapM_ (`hSetBuffering` LineBuffering) [stdout, stderr]
   ended <- newIORef EndedDone
   r <- newReins (newGuard (targetLimits target) (targetSafety target))
@@ -64,6 +70,7 @@ drive target program = announced (targetAddress target) $ do
             -- Code that allocates nothing cannot be interrupted.
             threadDelay patienceWithProgram
             exitImmediately (ExitFailure 2)
+    mapM_ (`later` stopping) seconds
     link <- realLink clock (targetPatience target) r base
     onSignals endings stopping (onLink link {end = \as e -> writeIORef ended e >> end link as e} program)
       `finally` halt r base
@@ -81,6 +88,10 @@ drive target program = announced (targetAddress target) $ do
 -- | A second, in microseconds: what a program that was asked to stop may still take (protocol/README.md, stop).
 patienceWithProgram :: Int
 patienceWithProgram = 1000000
+
+-- | In so many seconds. A thread's delay is counted in an Int of microseconds: a week fits.
+later :: Double -> IO () -> IO ()
+later seconds = void . forkIO . (threadDelay (ceiling (seconds * 1e6)) >>)
 
 -- | The signals that mean that a program is to end. The last is the emergency stop of @./rosy estop@.
 endings :: [Signal]

@@ -2,8 +2,8 @@
 -- Module      : Rosy.Worker.Ghc.Native
 -- Description : A program as machine code, linked with what drives a robot.
 --
--- In: a program that has passed the worker's check, and a module with the @main@ of the file to be made. Out: that file. What
--- Rosy adds to a program is added to its tree here too, as a plug-in of the compiler between reading and checking.
+-- In: a program that has passed the worker's check. Out: a native file, which begins in "Rosy.Robots.Built". What Rosy adds to a
+-- program is added to its tree here too, as a plug-in of the compiler between reading and checking.
 module Rosy.Worker.Ghc.Native
   ( Order (..),
     Outcome (..),
@@ -11,6 +11,7 @@ module Rosy.Worker.Ghc.Native
   )
 where
 
+import Control.Monad.IO.Class (liftIO)
 import GHC
 import GHC.Driver.Plugins (Plugin (..), PluginWithArgs (..), StaticPlugin (..), defaultPlugin, purePlugin)
 import GHC.Driver.Session (defaultFatalMessager, defaultFlushOut, xopt_set)
@@ -27,11 +28,11 @@ data Order = Order
     packageDatabase :: FilePath,
     -- | the language's and the robots' names in the database
     units :: [String],
-    -- | for what is made on the way
+    -- | for what is made on the way; libraries that lie there are taken before the system's
     scratch :: FilePath,
     source :: FilePath,
-    -- | the module 'launcherName'
-    launcher :: FilePath,
+    -- | where Rosy and its simulator are
+    home :: FilePath,
     binary :: FilePath
   }
 
@@ -45,6 +46,17 @@ data Outcome
 -- | Where the made file begins. The program itself stays @Main@, as in every other run.
 launcherName :: String
 launcherName = "RosyLauncher"
+
+launcherText :: Order -> String
+launcherText order =
+  unlines
+    [ "module " ++ launcherName ++ " (main) where",
+      "import qualified Control.Monad",
+      "import qualified Main",
+      "import qualified Rosy.Robots.Built",
+      "main :: IO ()",
+      "main = Rosy.Robots.Built.built " ++ show (home order) ++ " (Control.Monad.void Main.main)"
+    ]
 
 compile :: Order -> IO Outcome
 compile order = defaultErrorHandler defaultFatalMessager defaultFlushOut . runGhc (Just (compilerDirectory order)) $ do
@@ -60,7 +72,9 @@ compile order = defaultErrorHandler defaultFatalMessager defaultFlushOut . runGh
   case [n | m <- mgModSummaries graph, let n = moduleNameString (ms_mod_name m), n /= "Main"] of
     n : _ -> pure (NotMain n)
     [] -> do
-      start <- guessTarget (launcher order) Nothing
+      let launcher = scratch order ++ "/" ++ launcherName ++ ".hs"
+      liftIO (writeFile launcher (launcherText order))
+      start <- guessTarget launcher Nothing
       setTargets [program', start]
       done <- load LoadAllTargets
       pure (if succeeded done then Built else NotBuilt)
@@ -70,9 +84,9 @@ arguments :: Order -> [String]
 arguments order =
   ["-package-env", "-", "-no-user-package-db", "-hide-all-packages", "-package-db", packageDatabase order]
     ++ concat [["-package-id", u] | u <- units order]
-    ++ concat [["-package", p] | p <- ["base", "bytestring", "containers", "random"]]
+    ++ concat [["-package", p] | p <- ["base", "containers", "random"]]
     ++ ["-O1", "-threaded", "-fno-omit-yields", "-rtsopts=ignoreAll", "-w"]
-    ++ ["-main-is", launcherName, "-outputdir", scratch order, "-o", binary order]
+    ++ ["-main-is", launcherName, "-L" ++ scratch order, "-outputdir", scratch order, "-o", binary order]
 
 -- | What every program has.
 broughtNames :: Ghc Brought
