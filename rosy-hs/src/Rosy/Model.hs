@@ -6,15 +6,10 @@
 -- no cleverness. Where the page and the runtime ("Rosy.Loop") disagree with it, it is they who are wrong; the tests
 -- compare the runtime with 'meaning' on generated programs and happenings.
 --
--- The model is untyped: a type is a name, a value is a small tree, a function is its input, its name and what it gives.
+-- Read "Rosy.Model.Program" first: what a program is. Then "Rosy.Model.Firing": when a function fires, and what one firing does
+-- (rules 1 to 9). Here functions become tasks, and tasks a run (rules 8, 10 and 11).
 --
--- Two notions carry everything:
---
--- * An __arrival__ is a value that an input gets from one happening ('arrivals'). A function fires at each arrival of its input.
--- * A __turn__: an v'Either' has a turn for each of its sides, the left one first, so that a happening that
---   concerns both sides arrives twice. All members of an 'All' take their turns together.
---
--- A third one ends everything: an __ending__ ('Ending') stops whatever is going on at once, and only clean-ups follow it (rule 11).
+-- An __ending__ ('Ending') stops whatever is going on at once, and only clean-ups follow it (rule 11).
 module Rosy.Model
   ( -- * Programs
     Program (..),
@@ -37,115 +32,17 @@ module Rosy.Model
   )
 where
 
-import Control.Monad (foldM, unless, when)
-import Control.Monad.Trans.Class (lift)
-import Control.Monad.Trans.Except (ExceptT, runExceptT, throwE)
+import Control.Monad (foldM, unless)
+import Control.Monad.Trans.Except (runExceptT, throwE)
 import qualified Control.Monad.Trans.State.Strict as State
 import Data.Bifunctor (first)
 import Data.List (partition)
-import Data.Maybe (catMaybes, fromMaybe, isJust)
+import Data.Maybe (fromMaybe)
+import Rosy.Model.Firing
+import Rosy.Model.Program
 
 -- ---------------------------------------------------------------------------------------------
--- Programs
-
--- | The name of a type.
-type Type = String
-
--- | Enough values to tell things apart.
-data Value = Int Int | InLeft Value | InRight Value | Tuple [Value]
-  deriving (Eq, Ord, Show, Read)
-
--- | What a function takes.
-data Input
-  = -- | Every message or emitted value of the type. The tick is the event @"()"@.
-    Event Type
-  | -- | What odometry said last.
-    State
-  | -- | The memory of the task, of a type.
-    Memory Type
-  | -- | The memory of the program, of a type.
-    Param Type
-  | -- | The time, in milliseconds.
-    Time
-  | -- | The time as hours, minutes, seconds and milliseconds, round the clock.
-    Clock
-  | -- | A random generator of its own: the first one of the program is 0, the next one 1.
-    Chance
-  | -- | All of these: curried arguments, tuples.
-    All [Input]
-  | -- | Either, as it comes. @Maybe a@ is @Either a (Event "()")@.
-    Either Input Input
-  deriving (Eq, Show)
-
--- | What a function gives.
-data Output
-  = Command Value
-  | Write Type Value
-  | Share Type Value
-  | Emit Type Value
-  | -- | The type is that of the value.
-    Done Type Value
-  | Feedback Value
-  | Call Calling
-  | -- | Something that cannot be computed.
-    Fail
-
--- | A function of the program.
-data Function = Function
-  { name :: String,
-    input :: Input,
-    body :: Value -> [Output]
-  }
-
--- | Tasks in sequence and side by side, up to the value at the end.
-data Program
-  = Return Value
-  | Task Spec (Value -> Program)
-  | Once Function Program
-  | Wait Int Program
-  | Both Program Program (Value -> Program)
-  | First Program Program (Value -> Program)
-
--- | A task. A controller outside tasks is one without a start, and of a type that no 'Done' has.
-data Spec = Spec
-  { -- | The type of the value that it ends with.
-    ends :: Type,
-    start :: Maybe Function,
-    functions :: [Function],
-    stopped :: Maybe Function
-  }
-
--- | A task that is started beside its caller.
-data Calling = Calling
-  { called :: Program,
-    -- | Gives any output to cancel.
-    cancel :: Maybe Function,
-    feedback :: Value -> Maybe Function,
-    response :: Value -> Function
-  }
-
--- ---------------------------------------------------------------------------------------------
--- Time
-
--- | What an instant is about. Rule 1 calls the first an event; odometry refreshes the state. The last two come from outside, between
--- two instants: the program is told to stop, and the connection to the robot is lost.
-data Happening = Happens Type Value | Odometry Int | Tick | Stop | Loss
-  deriving (Eq, Show)
-
--- | What is heard of a program: 'Halt' is the command to stand still.
-data Said = Fired String | Commanded Value | Halt | Over Ending
-  deriving (Eq, Show)
-
--- | How a program ends. Two ways name the function that is to blame.
-data Ending
-  = Finished
-  | Stopped
-  | -- | Nobody hears the program any more. What stands between it and the robot must tell the robot to stop.
-    Lost
-  | Failed String
-  | -- | It gave a 'Done' of another type than its task's.
-    EndedWrongly String
-  deriving (Eq, Show)
+-- A run
 
 -- | What a program says, each at the time at which it says it. Time is counted in milliseconds. A program begins with the first thing
 -- that happens.
@@ -177,231 +74,9 @@ cleanUp = do
     mapM_ (runExceptT . atOnce youngest . snd) now
     cleanUp
 
--- ---------------------------------------------------------------------------------------------
--- The state of the world
-
-data World = World
-  { time :: Int,
-    odometry :: Maybe Int,
-    -- | By scope and type. Params have scope 'paramScope'.
-    memory :: [((Int, Type), Value)],
-    -- | Emitted and not delivered, each with its number.
-    queue :: [(Int, (Type, Value))],
-    emitted :: Int,
-    scopes :: Int,
-    -- | How many random generators were read.
-    chances :: Int,
-    -- | Newest first.
-    said :: [(Int, Said)],
-    fed :: [Value],
-    -- | What the live tasks do when they are stopped, by scope.
-    cleanups :: [(Int, Function)]
-  }
-
--- | What changes the world, and may end the program.
-type Doing = ExceptT Ending (State.State World)
-
-get :: Doing World
-get = lift State.get
-
-gets :: (World -> a) -> Doing a
-gets = lift . State.gets
-
-modify :: (World -> World) -> Doing ()
-modify = lift . State.modify
-
-paramScope :: Int
-paramScope = -1
-
 -- | Rules 8 and 10: rounds of user events, and steps of one task, in one instant.
 limit :: Int
 limit = 64
-
-passTime :: Int -> Doing ()
-passTime t = modify (\w -> w {time = t})
-
-say :: Said -> Doing ()
-say what = modify (\w -> w {said = (time w, what) : said w})
-
--- ---------------------------------------------------------------------------------------------
--- Inputs
-
--- | Something a function may notice: a happening, or the value of a user event with its number.
-data Occurrence = Outside Happening | Inside Int Type Value
-
--- | The value of an arrival, read in the task's scope when the function fires. 'needsState' arrivals wait for odometry (rule 5).
-data Arrival = Arrival {needsState :: Bool, readIn :: Int -> Doing Value}
-
--- | What each occurrence of a history brings to an input, turn by turn.
-arrivals :: Input -> [Occurrence] -> [[Maybe Arrival]]
-arrivals i history = case i of
-  Event t -> [[fmap (Arrival False . const . pure) (eventOf t o)] | o <- history]
-  State -> [[if isOdometry o then Just (level State) else Nothing] | o <- history] -- rule 2, and rule 4 inside Either
-  Either a b -> zipWith (++) (side InLeft a) (side InRight b) -- rule 4
-  All members -> case flatten members of
-    [] -> map (const [Nothing]) history
-    inputs -> joined inputs history
-  _ -> map (const [Nothing]) history -- rule 3
-  where
-    side f = map (map (fmap (\a -> a {readIn = fmap f . readIn a}))) . (`arrivals` history)
-
--- | All of these: once every event has an unused value; it takes the newest of each. Members without events are read.
-joined :: [Input] -> [Occurrence] -> [[Maybe Arrival]]
-joined members history = go (map (const Nothing) events) rows
-  where
-    events = filter isEvent members
-    rows = map padded (transposed (map (`arrivals` history) (if null events then members else events)))
-    padded columns = let n = maximum (1 : map length columns) in [map (at k) columns | k <- [0 .. n - 1]]
-    at k column = if k < length column then column !! k else Nothing
-    go _ [] = []
-    go unused (turnsOf : rest) = let (unused', out) = turns unused turnsOf in out : go unused' rest
-    turns unused [] = (unused, [])
-    turns unused (row : more)
-      | null events = fmap ((if null [() | Just _ <- row] then Nothing else Just (level (All members))) :) (turns unused more)
-      | otherwise =
-        let newest = zipWith newer row unused
-         in case sequence newest of
-              Just values -> fmap (Just (together values) :) (turns (map (const Nothing) unused) more)
-              Nothing -> fmap (Nothing :) (turns newest more)
-    newer (Just new) _ = Just new
-    newer Nothing old = old
-    together values = Arrival (any needsState parts) (\s -> Tuple <$> mapM (`readIn` s) parts)
-      where
-        parts = merge members values
-    merge (m : ms) values
-      | isEvent m, v : vs <- values = v : merge ms vs
-      | otherwise = level m : merge ms values
-    merge [] _ = []
-
--- | The history of each member, per occurrence.
-transposed :: [[a]] -> [[a]]
-transposed columns
-  | any null columns = []
-  | otherwise = map head columns : transposed (map tail columns)
-
--- | An 'All' in an 'All' is one 'All'.
-flatten :: [Input] -> [Input]
-flatten = concatMap (\i -> case i of All inner -> flatten inner; _ -> [i])
-
--- | Whether the input has values of its own in time: rules 1 to 4.
-isEvent :: Input -> Bool
-isEvent i = case i of
-  Event _ -> True
-  Either _ _ -> True
-  All members -> any isEvent members
-  _ -> False
-
--- | The current value of states and samples.
-level :: Input -> Arrival
-level i = case i of
-  State -> Arrival True (\_ -> gets (Int . fromMaybe 0 . odometry))
-  Memory t -> Arrival False (\s -> recall (s, t)) -- rule 7
-  Param t -> Arrival False (\_ -> recall (paramScope, t))
-  Time -> Arrival False (\_ -> gets (Int . time))
-  Clock -> Arrival False (\_ -> gets (Tuple . map Int . onTheClock . time))
-  Chance -> Arrival False (\_ -> Int <$> gets chances <* modify (\w -> w {chances = chances w + 1}))
-  All members -> Arrival (any (needsState . level) members) (\s -> Tuple <$> mapM ((`readIn` s) . level) (flatten members))
-  _ -> Arrival False (\_ -> pure (Tuple []))
-  where
-    recall key = gets (fromMaybe (Int 0) . lookup key . memory)
-    onTheClock t = [t `div` 3600000 `mod` 24, t `div` 60000 `mod` 60, t `div` 1000 `mod` 60, t `mod` 1000]
-
--- | Whether a level is refreshed by odometry.
-isState :: Input -> Bool
-isState = needsState . level
-
-eventOf :: Type -> Occurrence -> Maybe Value
-eventOf t o = case o of
-  Outside (Happens t' v) | t == t' -> Just v
-  Outside Tick | t == "()" -> Just (Tuple [])
-  Inside _ t' v | t == t' -> Just v
-  _ -> Nothing
-
-isOdometry :: Occurrence -> Bool
-isOdometry (Outside (Odometry _)) = True
-isOdometry _ = False
-
--- ---------------------------------------------------------------------------------------------
--- Functions
-
--- | A function with all that it could notice since it was born, newest first.
-data Live = Live {function :: Function, born :: Int, noticed :: [Occurrence], waits :: [Arrival]}
-
--- | A function begins to notice.
-live :: Int -> Function -> Live
-live b f = Live f b [] []
-
--- | What fires now, in order. An arrival that needs a state waits until there is one.
-due :: Occurrence -> World -> Live -> ([Arrival], Live)
-due o w l
-  | Inside number _ _ <- o, number < born l = ([], l)
-  | hasState = (waits l ++ new, l' {waits = []})
-  | otherwise = ([a | a <- new, not (needsState a)], l' {waits = waits l ++ [a | a <- new, needsState a]})
-  where
-    hasState = isJust (odometry w)
-    l' = l {noticed = o : noticed l}
-    i = case input (function l) of
-      All members -> All (flatten members)
-      other -> other
-    new
-      | isEvent i || isState i = catMaybes (last (arrivals i (reverse (noticed l'))))
-      | Outside Tick <- o = [level i]
-      | otherwise = []
-
--- | One transaction: read, compute, write, all at once (rule 6). A function that fails has done nothing, not even read (rule 11).
-fire :: Int -> Function -> Arrival -> Doing [Given]
-fire scope f a = do
-  before <- get
-  v <- readIn a scope
-  let outputs = body f v
-  when (or [True | Fail <- outputs]) (modify (const before) >> throwE (Failed (name f)))
-  say (Fired (name f))
-  mapM_ carryOut outputs
-  pure (map (Given (name f)) outputs)
-  where
-    carryOut out = case out of
-      Command v -> say (Commanded v) -- rule 9
-      Write t v -> remember (scope, t) v
-      Share t v -> remember (paramScope, t) v
-      Emit t v -> modify (\w -> w {queue = queue w ++ [(emitted w, (t, v))], emitted = emitted w + 1})
-      Feedback v -> modify (\w -> w {fed = fed w ++ [v]})
-      _ -> pure ()
-    remember key v = modify (\w -> w {memory = (key, v) : filter ((/= key) . fst) (memory w)})
-
--- | An output, and the function that gave it.
-data Given = Given String Output
-
--- | Fire all that is due, up to the first 'Done'.
-notice :: Int -> Occurrence -> Live -> Doing (Live, [Given])
-notice scope o l = do
-  w <- get
-  let (fires, l') = due o w l
-  outputs <- untilDone fires
-  pure (l', outputs)
-  where
-    untilDone [] = pure []
-    untilDone (a : as) = do
-      outputs <- fire scope (function l) a
-      if givesDone outputs then pure outputs else (outputs ++) <$> untilDone as
-
--- | The values that end a task of this type, if the first 'Done' fits it.
-dones :: Type -> [Given] -> Doing [Value]
-dones t outputs = case [(who, t', v) | Given who (Done t' v) <- outputs] of
-  [] -> pure []
-  (who, t', v) : _
-    | t' == t -> pure [v]
-    | otherwise -> throwE (EndedWrongly who)
-
-givesDone :: [Given] -> Bool
-givesDone outputs = or [True | Given _ (Done _ _) <- outputs]
-
--- | Fire if nothing has to be waited for.
-atOnce :: Int -> Function -> Doing (Maybe [Given])
-atOnce scope f = do
-  arrived <- gets (isJust . odometry)
-  if isEvent (input f) || (isState (input f) && not arrived)
-    then pure Nothing
-    else Just <$> fire scope f (level (input f))
 
 -- ---------------------------------------------------------------------------------------------
 -- Tasks (rule 10)
@@ -447,9 +122,13 @@ advance left program = case program of
       Returned v -> advance (left - 1) (k (InLeft v))
       _ -> advance (left - 1) b >>= \y -> against (left - 1) x y k
 
--- | A command given once is no task: nothing may end there, and what it calls has nobody to call it.
+-- | A command given once is no task: nothing may end there, and nothing may be called, for nobody stays to hear of it.
 afterOnce :: Int -> Program -> [Given] -> Doing Running
-afterOnce left rest outputs = dones noType outputs >> advance (left - 1) rest
+afterOnce left rest outputs = do
+  _ <- dones noType outputs
+  case [who | Given who (Call _) <- outputs] of
+    who : _ -> throwE (CalledInOnce who)
+    [] -> advance (left - 1) rest
 
 -- | A type that no value has.
 noType :: Type

@@ -28,6 +28,8 @@ data Fault
     NotANumber String
   | -- | A 'Rosy.Done' of another type than its task's; carries both types.
     WrongDone String String
+  | -- | A 'Rosy.call' in 'Rosy.once', which does not last: what it calls would be stopped at once.
+    CallInOnce
   | -- | The robot is gone.
     LinkLost String
   | -- | The other side said something that protocol/README.md does not have; carries the line.
@@ -116,6 +118,7 @@ faultSentence who = \case
   NotANumber what -> ("not-a-number", who ++ " gave a " ++ what ++ " that is not a number.", "It may have divided by zero.")
   WrongDone given wanted ->
     ("wrong-done", who ++ " ended the task with a value of type " ++ given ++ ".", "This task ends with " ++ wanted ++ ".")
+  CallInOnce -> ("call-in-once", who ++ " started a task, but nobody stays to wait for it.", "Write the task itself in place of once, or put it beside others with parallel.")
   LinkLost _ -> ("link-lost", "The connection to the robot was lost.", "Check that the robot is on, then run the program again.")
   Malformed line -> ("malformed", "The robot said something that Rosy does not understand.", take 200 line)
   RanBefore -> ("ran-before", "The program called simulate a second time.", "A program runs one robot once; put both controllers in one list.")

@@ -102,8 +102,10 @@ cleanUp link batch fired ending turn = case turn of
 endingOf :: Batch -> Outcome -> Ending
 endingOf batch outcome = case outcome of
   Finished -> EndedDone
-  EndedWrongly who given wanted ->
-    EndedError (problemFrom (Just who) [] (Just (batchTime batch)) (toException (WrongDone given wanted)))
+  EndedWrongly who given wanted -> failed who (WrongDone given wanted)
+  CalledInOnce who -> failed who CallInOnce
+  where
+    failed who fault = EndedError (problemFrom (Just who) [] (Just (batchTime batch)) (toException fault))
 
 -- | Inputs as text, each cut to a length that fits a message.
 showInputs :: [String] -> IO [String]

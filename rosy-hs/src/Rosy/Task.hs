@@ -17,6 +17,7 @@
 --   the person at the page), once; not when the task ends by its own 'Done'.
 -- * 'Feedback' reaches the nearest 'call' around the task whose 'onFeedback' takes that type.
 -- * 'Memory' that 'onFeedback' and 'onEnd' write, and a 'Done' that they give, are those of the caller.
+-- * 'once' does not last, so nobody would hear of a task that it calls: a 'call' there ends the program with an error.
 -- * One task may take 64 steps (tasks begun and ended) in one instant; then it goes on in the next.
 module Rosy.Task
   ( -- * What it is
@@ -112,7 +113,9 @@ within name t = Task anew
   where
     anew k = Within (functionName name) (runTask (t ()) k)
 
--- | Do it once, and go on.
+-- | Do it once, and go on. What it does may wait for what it takes.
+--
+-- > once (\(Button _ _) -> Led1 Green)
 once :: (Command c, Ends NotInATask c) => c -> Task ()
 once = onceNamed (Names [])
 

@@ -132,15 +132,17 @@ install left scope born spec k = do
   called <- startCalls (left - 1) scope
   pure (Working scope (map (liven born) (specFunctions spec)) called spec k)
 
--- | A command given once is no task: nothing may end there, and what it calls has nobody to call it.
+-- | A command given once is no task: nothing may end there, and nothing may be called, for nobody stays to hear of it.
 afterOnce :: Int -> ScopeId -> Program r -> Step (Running r)
 afterOnce left scope rest = do
   over <- takeEnding
+  called <- world begun
   change (\w -> w {begun = []})
   forget scope
-  case over >>= ofDone of
-    Just given -> wrongEnd given "nothing: it is not in a task"
-    Nothing -> advance (left - 1) rest
+  case over of
+    Just given | Just _ <- ofDone given -> wrongEnd given "nothing: it is not in a task"
+    Just (Given name _) | not (null called) -> Step (\w _ -> abandon (CalledInOnce (nameText name)) w)
+    _ -> advance (left - 1) rest
 
 -- | The task has ended: its functions are gone, its calls are stopped, the value is handed on (rule 10).
 finish :: Int -> ScopeId -> Given -> [Called] -> Spec end -> (end -> Program r) -> Step (Running r)

@@ -68,6 +68,8 @@ data Outcome
   = Finished
   | -- | A function gave a 'Rosy.Done' of another type than the task's: the function, the type, the task's type.
     EndedWrongly String String String
+  | -- | A function that is done with 'Rosy.once' called a task: the function.
+    CalledInOnce String
   deriving (Eq, Show)
 
 -- | What a step leaves for the outside, in order.

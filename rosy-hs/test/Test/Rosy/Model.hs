@@ -70,6 +70,7 @@ runtime p days = concatMap sayings <$> rehearse (cues days) (translated p)
       End "done" Nothing Nothing -> [Over Finished]
       End "stopped" Nothing Nothing -> [Over Stopped]
       End "error" (Just "wrong-done") (Just who) -> [Over (EndedWrongly who)]
+      End "error" (Just "call-in-once") (Just who) -> [Over (CalledInOnce who)]
       End "error" (Just "exception") (Just who) -> [Over (Failed who)]
       other -> error (show other)
 
@@ -397,7 +398,7 @@ aFunction manners inTask depth label = do
           ++ [(1, pure TFeedback) | inTask]
           ++ [(1, TCall <$> aTask manners {speaks = False} (depth - 1)) | depth > 0]
 
--- | Which bad things a program may do: emit events, and fail or give a 'Done' of another type than its task's.
+-- | Which bad things a program may do: emit events, and fail, give a 'Done' of another type than its task's or call in a 'Once'.
 data Manners = Manners {speaks :: Bool, fails :: Bool}
 
 -- | Whether an input takes an event.
@@ -433,7 +434,7 @@ aTask manners depth
   | otherwise =
     frequency
       [ (5, aLeaf),
-        (1, AOnce <$> aFunction manners False (min 1 depth) "once" <*> aTask manners (depth - 1)),
+        (1, AOnce <$> aFunction manners False (if fails manners then min 1 depth else 0) "once" <*> aTask manners (depth - 1)),
         (2, AWait <$> elements [0, 20, 20, 40] <*> aTask manners (depth - 1)),
         (2, ABoth <$> aTask manners (depth - 1) <*> aTask manners (depth - 1) <*> aTask manners (depth - 1)),
         (2, AFirst <$> aTask manners (depth - 1) <*> aTask manners (depth - 1) <*> aTask manners (depth - 1))

@@ -168,9 +168,10 @@ calls =
   [ testCase "a called task runs beside its caller" $
       commandsOf (\(Button _ _) -> call (once (Led1 Red) >> task () (\(Bumper _ _) -> (Led2 Red, Done ()))) quiet) [at 0 push, at 0.1 bump, at 0.2 bump]
         @?= ["Led1 Red", "Led2 Red"],
-    testCase "what is called in once has no caller, and no later task takes it over" $
-      commandsOf (once (call (once (Led1 Red)) quiet) >> task (Led2 Green) (\(Bumper _ _) -> Done ())) [at 0 ticked, at 0.1 bump]
-        @?= ["Led2 Green"],
+    testCase "once does not stay to hear of what it calls, so calling there is an error" $ do
+      let heard = hear (parallel guarded (once (\(Bumper _ _) -> (Led1 Orange, call (once (Led2 Red)) quiet)) >> say "next")) [at 0 bump]
+      concatMap heardCommands heard @?= ["Led1 Orange", "Led1 Red"]
+      heardEnd (last heard) @?= Just "CalledInOnce \"once\"",
     testCase "its end is answered" $
       commandsOf (\(Button _ _) -> call (task () (\(Bumper s _) -> Done s)) callOptions {onEnd = Say . show}) [at 0 push, at 0.1 bump]
         @?= ["Say \"LeftBumper\""],
