@@ -20,9 +20,9 @@ const aboutContent: {readonly [fault: string]: RegExp} = {
   "what is known is asked or computed":
     /^(?:Evaluate|Short-circuited .*|(?:Take|Drop) on a .*|Using \w+ on tuple|Length always .*|Redundant (?:if|multi-way if|case|True guards|as-pattern|==|\/=|not))$/,
   "a function is spelled out that has a name, or a name is missing that it could do without":
-    /^(?:Use (?:const|id|tuple-section|lambda-case|section|\.)|Eta reduce|Collapse lambdas|Avoid lambda.*|Redundant (?:lambda|section))$/,
+    /^(?:Use (?:const|id|\(,+\)|tuple-section|lambda-case|section|\.)|Eta reduce|Collapse lambdas|Avoid lambda.*|Redundant (?:lambda|section))$/,
   "a call does nothing":
-    /^Redundant (?:\$|id|flip|curry|uncurry|const|return|pure|negate|fmap|map|concat|reverse|list comprehension|either|maybe|void|when|fst|snd|seq|show|from\w+|to\w+|real\w+|take|drop|filter)$/,
+    /^Redundant (?:\$|<\$>|id|flip|curry|uncurry|const|return|pure|negate|fmap|map|concat|reverse|list comprehension|either|maybe|void|when|fst|snd|seq|show|from\w+|to\w+|real\w+|take|drop|filter)$/,
   "the library has a shorter word for several blocks":
     /^Use (?:[a-z]\w*_?|[!$&*+./:<=>^|-]+|list (?:literal|comprehension)(?: pattern)?|record patterns|newtype instead of data|Just|Left|Right)$/,
   "blocks stand in another order than they could":
