@@ -53,6 +53,7 @@ made() {
     robot) built rosy-robot ;;
     builder) built rosy-build ;;
     codegen) [ -f "$ROSY_ROOT/codegen/dist/cli.js" ] ;;
+    api-docs) [ -f "$ROSY_STATE/api-docs/Rosy.html" ] ;;
     page) [ -f "$ROSY_ROOT/editor/dist/index.html" ] ;;
   esac
 }

@@ -9,6 +9,7 @@ again. The rest is asked for each time, and sent only when it has changed.
 from __future__ import annotations
 
 import os
+import re
 
 from starlette.datastructures import Headers
 from starlette.responses import Response
@@ -21,6 +22,9 @@ _FOREVER = "public, max-age=31536000, immutable"
 """A year is what HTTP calls forever. RFC 9111, section 1.2.2; RFC 8246."""
 
 _ASK_FIRST = "no-cache"
+
+_NO_WEIGHT = re.compile(r"q=0(\.0*)?")
+"""Of a coding that is not to be sent."""
 
 
 class Pages(StaticFiles):
@@ -47,9 +51,12 @@ class Pages(StaticFiles):
 
 
 def _takes_gzip(scope: Scope) -> bool:
-    return any(
-        word.split(";")[0].strip() == "gzip" for word in Headers(scope=scope).get("accept-encoding", "").split(",")
-    )
+    """Whether gzip is named, and with another weight than none. RFC 9110, section 12.5.3."""
+    for named in Headers(scope=scope).get("accept-encoding", "").lower().split(","):
+        coding, *options = (part.replace(" ", "").replace("\t", "") for part in named.split(";"))
+        if coding == "gzip":
+            return not any(_NO_WEIGHT.fullmatch(option) for option in options)
+    return False
 
 
 def _stat(path: str) -> os.stat_result | None:

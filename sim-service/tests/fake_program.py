@@ -1,7 +1,8 @@
 """
 A program's end of the robot link, played from a script: well-behaved, late, garbled, lying or dead.
 
-A script is words; each is one behaviour, with ``@N`` for the step from which it holds:
+A script is words; each is one behaviour, with ``@N`` for the step in which it happens, or ``@touch`` for the one in
+which the robot is touched:
 
     drive:0.5   velocity every fifth step          say:hi@3    a Say in step 3
     turn:1.0    the turning part of it             sound:4@3   a sound in step 3
@@ -11,7 +12,6 @@ A script is words; each is one behaviour, with ``@N`` for the step from which it
     garble@N    sends what is no line              lie@N       settles another step
     flood@N     sends commands without end         long@N      sends a line without end
     deaf        ignores `stop`                     mute        never sends `ready`
-    brittle     ends with an error when touched
     drip        sends byte by byte             count       remembers the step, and tells it when asked
 """
 
@@ -26,16 +26,20 @@ from typing import Any
 
 TWIST = "/mobile_base/commands/velocity"
 
+TOUCH = -1
+"""The step in which the robot is touched, whenever that is."""
+
 
 class Script:
     """The words of a script."""
 
     def __init__(self, text: str) -> None:
+        self.touched = False
         self._words: dict[str, tuple[str, int]] = {}
         for word in text.split():
             body, _, step = word.partition("@")
             name, _, value = body.partition(":")
-            self._words[name] = (value, int(step) if step else 0)
+            self._words[name] = (value, TOUCH if step == "touch" else int(step) if step else 0)
 
     def has(self, name: str) -> bool:
         return name in self._words
@@ -44,7 +48,8 @@ class Script:
         return self._words.get(name, (default, 0))[0]
 
     def now(self, name: str, step: int) -> bool:
-        return name in self._words and self._words[name][1] == step
+        when = self._words[name][1] if name in self._words else None
+        return when == step or (when == TOUCH and self.touched)
 
 
 def publish(topic: str, msg: dict[str, Any]) -> dict[str, Any]:
@@ -62,7 +67,6 @@ class _Player:
     def __init__(self, link: socket.socket, script: Script) -> None:
         self.link, self.script = link, script
         self.backwards = False
-        self.broken = False
         self.trace = False
 
     def send(self, *messages: dict[str, Any]) -> None:
@@ -88,7 +92,7 @@ class _Player:
                 case "publish":
                     if message["topic"].endswith("bumper") and message["msg"]["state"] and self.script.has("bump"):
                         self.backwards = True
-                    self.broken = self.broken or (self.script.has("brittle") and "/events/b" in message["topic"])
+                    self.script.touched = self.script.touched or "/events/b" in message["topic"]
                 case "step":
                     if not self.step(message["step"], message.get("memory", False)):
                         return
@@ -119,7 +123,7 @@ class _Player:
         if script.now("done", step):
             self.send(*commands, self.velocity(0.0, 0.0), self.ended(how="done", fired=["script"]))
             return False
-        if script.now("error", step) or self.broken:
+        if script.now("error", step):
             problem = {
                 "severity": "error", "kind": "exception", "function": "move", "time": step / 50,
                 "message": "`move` divided by zero.", "hint": "", "ghc": "divide by zero",

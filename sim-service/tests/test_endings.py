@@ -86,7 +86,7 @@ async def _cable_is_pulled(rig: Rig) -> None:
 
 HAPPENINGS: list[tuple[Callable[[Rig], Awaitable[None]], str]] = [
     (_program_is_killed, "drive:0.2"),
-    (_program_fails, "drive:0.2 brittle"),
+    (_program_fails, "drive:0.2 error@touch"),
     (_page_is_closed, "drive:0.2"),
     (Rig.looks_away, "drive:0.2"),
     (_stop_is_pressed, "drive:0.2"),

@@ -40,8 +40,9 @@ def get(folder: Path, path: str, **headers: str) -> httpx.Response:
 GZIP = {"accept-encoding": "deflate, gzip;q=0.8"}
 
 
-def test_a_browser_gets_the_twin(built: Path) -> None:
-    answer = get(built, "/assets/index-B2D3HhZd.js", **GZIP)
+@pytest.mark.parametrize("taken", ["gzip", "deflate, gzip;q=0.8", "gzip; q=0.001, br;q=0"])
+def test_a_browser_gets_the_twin(taken: str, built: Path) -> None:
+    answer = get(built, "/assets/index-B2D3HhZd.js", **{"accept-encoding": taken})
     assert answer.text == TEXT
     assert answer.headers["content-encoding"] == "gzip"
     assert int(answer.headers["content-length"]) < len(TEXT) / 10
@@ -49,8 +50,9 @@ def test_a_browser_gets_the_twin(built: Path) -> None:
     assert answer.headers["vary"] == "Accept-Encoding"
 
 
-def test_who_takes_no_gzip_gets_the_file(built: Path) -> None:
-    answer = get(built, "/assets/index-B2D3HhZd.js")
+@pytest.mark.parametrize("taken", ["identity", "gzip;q=0", "br, GZIP ; Q=0.000, deflate", "x-gzip", ""])
+def test_who_takes_no_gzip_gets_the_file(taken: str, built: Path) -> None:
+    answer = get(built, "/assets/index-B2D3HhZd.js", **{"accept-encoding": taken})
     assert answer.text == TEXT
     assert "content-encoding" not in answer.headers
     assert answer.headers["vary"] == "Accept-Encoding"

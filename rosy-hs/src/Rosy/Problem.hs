@@ -14,6 +14,7 @@ module Rosy.Problem
     -- * What the learner reads
     Problem (..),
     problemFrom,
+    tooMuchMemory,
   )
 where
 
@@ -66,7 +67,11 @@ problemFrom function inputs time exception =
       problemInputs = inputs
     }
   where
-    (kind, message, hint) = sentence (fromMaybe "The program" function) exception
+    (kind, message, hint) = sentence (named function) exception
+
+-- | How sentences call a function, or whatever it was when no function was at work.
+named :: Maybe String -> String
+named = fromMaybe "The program"
 
 -- | Kind, message and hint.
 sentence :: String -> SomeException -> (String, String, String)
@@ -78,8 +83,8 @@ sentence who exception
     DivideByZero -> ("exception", who ++ " divided by zero.", "Check the number before dividing.")
     other -> ("exception", who ++ " computed a number that does not exist.", show other ++ ".")
   | Just async <- fromException exception = case async of
-    StackOverflow -> ("memory", who ++ " needed too much memory.", "It may call itself without end.")
-    HeapOverflow -> ("memory", who ++ " needed too much memory.", "It may build something without end.")
+    StackOverflow -> ("memory", memoryMessage who, "It may call itself without end.")
+    HeapOverflow -> ("memory", memoryMessage who, endless)
     _ -> ("stopped", "The program was stopped.", "")
   | Just NonTermination <- fromException exception =
     ("exception", who ++ " waits for its own answer.", "It may use a value to compute that same value.")
@@ -88,6 +93,16 @@ sentence who exception
   | Just (RecConError _) <- fromException exception = ("exception", who ++ " used a field that was never given a value.", "Give it one where the value is made.")
   | Just (ErrorCall text) <- fromException exception = errorSentence who (readable text)
   | otherwise = ("exception", who ++ " failed.", firstLine (readable (displayException exception)))
+
+-- | Message and hint for a program that has no memory left to say them itself. Takes the function at work.
+tooMuchMemory :: Maybe String -> (String, String)
+tooMuchMemory function = (memoryMessage (named function), endless)
+
+memoryMessage :: String -> String
+memoryMessage who = who ++ " needed too much memory."
+
+endless :: String
+endless = "It may build something without end."
 
 errorSentence :: String -> String -> (String, String, String)
 errorSentence who text

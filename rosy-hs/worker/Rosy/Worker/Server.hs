@@ -21,7 +21,6 @@ import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
 import Data.Sequence (Seq (..), (|>))
 import qualified Data.Sequence as Seq
 import Data.Text (Text)
@@ -29,6 +28,7 @@ import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8With)
 import Data.Text.Encoding.Error (lenientDecode)
 import GHC.Clock (getMonotonicTime)
+import Rosy.Problem (tooMuchMemory)
 import Rosy.Worker.Checkers
 import Rosy.Worker.Child
 import Rosy.Worker.Ghc (Session, compilerVersion)
@@ -341,10 +341,11 @@ tookTooLong = 24
 timeProblem :: Problem
 timeProblem = problemNowhere "time" "The program has computed for too long." "Press Run to start it again."
 
--- | The words of "Rosy.Problem", for a program that has no memory left to say them itself. Takes the function at work.
+-- | For a program that has no memory left to say it itself. Takes the function at work.
 memoryProblem :: Maybe Text -> Problem
-memoryProblem atWork =
-  (problemNowhere "memory" (fromMaybe "The program" atWork <> " needed too much memory.") "It may build something without end.") {function = atWork}
+memoryProblem atWork = (problemNowhere "memory" (Text.pack message) (Text.pack hint)) {function = atWork}
+  where
+    (message, hint) = tooMuchMemory (Text.unpack <$> atWork)
 
 -- | Why a compilation ended without an answer.
 compileProblem :: Bool -> Text -> Ended -> Problem
