@@ -17,7 +17,8 @@ import Test.Tasty.QuickCheck
 paged :: Int -> Int -> [Word8] -> ByteString.ByteString
 paged place size bytes = ByteString.take pageSize (ByteString.concat [word place, pad, word size, ByteString.pack bytes, ByteString.replicate pageSize 0])
   where
-    pad = ByteString.replicate (max 0 (place - 4)) 0
+    -- What lies behind the page is none of it: a place may be four thousand million bytes away.
+    pad = ByteString.replicate (max 0 (min pageSize place - 4)) 0
 
 word :: Int -> ByteString.ByteString
 word n = ByteString.pack [fromIntegral (n `div` 256 ^ i) | i <- [0 .. 3 :: Int]]
