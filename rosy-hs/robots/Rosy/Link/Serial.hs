@@ -153,8 +153,8 @@ converse fd wanted hearing sensing = do
         t <- getMonotonicTime
         known <- readIORef identified
         lastOutputs <- readIORef sentOutputs
-        (bytes, o) <- atomically $ do
-          (v, w, said) <- readTVar (wantedVelocity wanted)
+        (bytes, before, o) <- atomically $ do
+          velocity@(v, w, said) <- readTVar (wantedVelocity wanted)
           let fresh = t - said <= timeLimit
           o <- readTVar (wantedOutputs wanted)
           sounds <- flushTQueue (wantedSounds wanted)
@@ -164,9 +164,9 @@ converse fd wanted hearing sensing = do
                   ++ [outputs o | lastOutputs /= Just o]
                   ++ map soundSequence sounds
                   ++ [requestVersions | not known],
+              velocity,
               o
             )
-        before <- readTVarIO (wantedVelocity wanted)
         writeAll fd bytes
         writeIORef sentOutputs (Just o)
         atomically $ do
