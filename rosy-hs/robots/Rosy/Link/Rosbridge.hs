@@ -1,3 +1,5 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- |
 -- Module      : Rosy.Link.Rosbridge
 -- Description : A robot behind a rosbridge server.
@@ -14,9 +16,10 @@ import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (race, race_, withAsync)
 import Control.Concurrent.STM
 import Control.Exception (Handler (..), IOException, bracket, catches, finally)
-import Control.Monad (forM_, forever, unless, void, when)
+import Control.Monad (forM_, forever, void, when)
 import Data.IORef
 import Data.Maybe (isNothing)
+import Data.Text (Text)
 import Network.Socket (close)
 import qualified Network.WebSockets as WS
 import Ros.Net.Rpc (connectTo)
@@ -31,21 +34,19 @@ withRosbridge :: String -> Int -> String -> Profile -> (Base -> IO a) -> IO a
 withRosbridge host port path profile use = do
   hearing <- newHearing
   outgoing <- newTQueueIO
-  sending <- newTVarIO False
   connected <- newTVarIO False
   let base =
         Base
           { baseName = "the robot at ws://" ++ host ++ ":" ++ show port ++ path,
-            tell = \a -> atomically (readTVar connected >>= \c -> if c then writeTQueue outgoing a else pure ()),
+            tell = \a -> atomically (readTVar connected >>= \c -> if c then writeTQueue outgoing (Just a) else pure ()),
             hear = hearAll hearing
           }
-      -- What was told last, a stop, is to arrive: the base would notice the silence only 0.6 s later.
-      flush = timeout farewell . atomically $ do
-        c <- readTVar connected
-        e <- isEmptyTQueue outgoing
-        s <- readTVar sending
-        unless (not c || e && not s) retry
-  withAsync (keepConnected host port path profile hearing outgoing sending connected) $ \_ -> use base `finally` flush
+      -- What was told last, a stop, is to arrive: the base would notice the silence only 0.6 s later. The server answers a goodbye
+      -- behind it; a connection that is closed with odometry unread takes along what is still under way.
+      goodbye = timeout farewell $ do
+        atomically (readTVar connected >>= \c -> when c (writeTQueue outgoing Nothing))
+        atomically (readTVar connected >>= check . not)
+  withAsync (keepConnected host port path profile hearing outgoing connected) $ \_ -> use base `finally` goodbye
 
 -- | Half a second, in microseconds.
 farewell :: Int
@@ -55,8 +56,8 @@ farewell = 500000
 silence :: Int
 silence = 1000000
 
-keepConnected :: String -> Int -> String -> Profile -> Hearing -> TQueue Action -> TVar Bool -> TVar Bool -> IO ()
-keepConnected host port path profile hearing outgoing sending connected = go firstPause ""
+keepConnected :: String -> Int -> String -> Profile -> Hearing -> TQueue (Maybe Action) -> TVar Bool -> IO ()
+keepConnected host port path profile hearing outgoing connected = go firstPause ""
   where
     go pause said = do
       why <- (converse >> pure "the connection ended") `catches` [Handler (\e -> pure (reason (e :: IOException))), Handler (\e -> pure (ended (e :: WS.ConnectionException))), Handler (\(_ :: WS.HandshakeException) -> pure "what listens there is no rosbridge server")]
@@ -69,9 +70,10 @@ keepConnected host port path profile hearing outgoing sending connected = go fir
         forM_ (greeting profile) (WS.sendTextData c)
         atomically (writeTVar connected True)
         race_ (speak c) (listen c)
-    speak c = forever $ do
-      a <- atomically (readTQueue outgoing <* writeTVar sending True)
-      WS.sendTextData c (command profile a) `finally` atomically (writeTVar sending False)
+    speak c =
+      atomically (readTQueue outgoing) >>= \case
+        Just a -> WS.sendTextData c (command profile a) >> speak c
+        Nothing -> WS.sendClose c ("" :: Text) >> threadDelay farewell -- the answer ends the conversation
     listen c = do
       present <- newIORef False
       -- Somebody who waits has been told that the server has no odometry.
