@@ -3,8 +3,8 @@
 -- Description : A robot on ROS 1.
 --
 -- In: where the master is and what the base's topics are called. Out: a 'Base' while an action runs: the program is
--- a ROS node called @/rosy@. The robot is there when its odometry arrives, and lost when nobody publishes that any
--- more or it has been silent for a second. A newer node of the same name takes the robot over.
+-- a ROS node called @/rosy@. The robot is there when its odometry arrives and it listens to what it is told, and lost when
+-- nobody publishes odometry any more or it has been silent for a second. A newer node of the same name takes the robot over.
 module Rosy.Link.Ros
   ( withRos,
   )
@@ -51,22 +51,27 @@ withRos settings name p use = withNodeIn settings "rosy" $ do
       events topic understood = do
         arriving <- subscribe (prefix p ++ "/events/" ++ topic)
         runHandler_ (mapM_ (atomically . heard hearing . Heard) . understood) arriving
-      arrives o = atomically $ do
-        known <- swapTVar present True
-        unless known (heard hearing Here)
-        modifyTVar' count (+ 1)
-        heard hearing (Heard (OdometryMessage (odometryFrom o)))
+      arrives listening o = do
+        there <- readTVarIO present
+        unless there listening
+        atomically $ do
+          known <- swapTVar present True
+          unless known (heard hearing Here)
+          modifyTVar' count (+ 1)
+          heard hearing (Heard (OdometryMessage (odometryFrom o)))
   events "button" (\(ButtonEvent.ButtonEvent n s) -> fmap ButtonMessage (Button <$> nth n <*> nth' [Released, Pressed] s))
   events "bumper" (\(BumperEvent.BumperEvent n s) -> fmap BumperMessage (Bumper <$> nth n <*> nth' [Released, Pressed] s))
   events "cliff" (\(CliffEvent.CliffEvent n s _) -> fmap CliffMessage (Cliff <$> nth n <*> nth' [Floor, Hole] s))
   events "wheel_drop" (\(WheelDropEvent.WheelDropEvent n s) -> fmap WheelMessage (Wheel <$> nth n <*> nth' [Ground, Air] s))
   events "robot_state" (\(RobotStateEvent.RobotStateEvent s) -> StatusMessage <$> nth' [Offline, Online] s)
-  subscribe (odometryTopic p) >>= runHandler_ arrives
+  odometry <- subscribe (odometryTopic p)
   velocity <- publisher (velocityTopic p)
   led1 <- publisherWith kept (prefix p ++ "/commands/led1")
   led2 <- publisherWith kept (prefix p ++ "/commands/led2")
   sound <- publisher (prefix p ++ "/commands/sound")
   said <- publisher "/rosy/say"
+  -- The first sound of a program would be lost on a base whose odometry comes a moment before it has connected to ours.
+  nodeIO (\run -> run (runHandler_ (arrives (run (awaitListeners silence))) odometry))
   let base =
         Base
           { baseName = name,

@@ -44,6 +44,7 @@ module Ros.Node
 
     -- * Who is connected
     awaitSubscribers,
+    awaitListeners,
     awaitPublishers,
     isConnectedTo,
 
@@ -81,6 +82,7 @@ import Control.Exception (bracket, throwIO)
 import Control.Monad (void)
 import Control.Monad.IO.Class (MonadIO (..))
 import Control.Monad.Trans.Reader (ReaderT (..), ask, asks)
+import Data.Either (fromRight)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import Data.Time.Clock.POSIX (getPOSIXTime)
@@ -99,6 +101,7 @@ import Ros.Topic (Topic)
 import qualified Ros.Topic as Topic
 import System.IO (BufferMode (..), hSetBuffering, stderr, stdout)
 import System.Posix.Signals (Handler (..), installHandler, sigINT, sigTERM)
+import System.Timeout (timeout)
 
 -- | What a program does as a node.
 newtype Node a = Node (ReaderT Env IO a)
@@ -198,6 +201,18 @@ publisherWith options topic = do
 -- | Waits until so many subscribe.
 awaitSubscribers :: Publisher a -> Int -> Node ()
 awaitSubscribers p n = liftIO (atomically (subscriberCount p >>= check . (>= n)))
+
+-- | Waits until all whom the master knows to listen to this node's topics are connected, so that what is published next passes none
+-- of them by; for so many microseconds at most, because some of them may be gone.
+awaitListeners :: Int -> Node ()
+awaitListeners limit = do
+  core <- askCore
+  known <- Map.fromList . fromRight [] <$> liftIO (Master.allSubscribers (master core))
+  ours <- liftIO (readTVarIO (publications core))
+  let connected (nodes, p) = do
+        peers <- map outletPeer . Map.elems <$> readTVar (pubOutlets p)
+        check (all (`elem` peers) nodes)
+  liftIO (void (timeout limit (atomically (mapM_ connected (Map.intersectionWith (,) known ours)))))
 
 -- | Waits until so many publishers of the topic are connected.
 awaitPublishers :: TopicName -> Int -> Node ()

@@ -32,6 +32,7 @@ tests ready = localOption (mkTimeout 300000000) . withResource (newIORef []) pri
            testGroup
              "a cable is pulled between two computers"
              [story ready rig name (cutOff times) | (name, rig) <- [("rosbridge on ROS 1", rosbridge "1"), ("rosbridge on ROS 2", rosbridge "2"), ("ROS 1", rospy)]],
+           testGroup "ROS 1 alone" [story ready rospy "a sound that is played at once is heard by a base that begins to listen just then" singsAtOnce],
            testGroup "rosbridge alone" [story ready (rosbridge "1") "garbage is passed over, and a lost server is found again" (lostServer times)],
            testGroup
              "serial alone"
@@ -128,6 +129,13 @@ waiting address why = testCase address $ do
     _ <- hearsWhere p why (why `isInfixOf`)
     signal p "INT"
     exits p 0
+
+-- | The base's odometry arrives before all that it listens to is connected. The system says who will be.
+singsAtOnce :: Rig -> IO ()
+singsAtOnce r = do
+  prepared r
+  streaming r
+  asProgram r "off" "sings" $ \_ -> sees r "the sound" (== "got /mobile_base/commands/sound {\"value\": 5}")
 
 lostServer :: IO Times -> Rig -> IO ()
 lostServer times r = driving r "off" "steady" $ \p -> do

@@ -16,6 +16,7 @@ byName n = case n of
   "lights" -> simulate (steady, lights)
   "fails" -> simulate (steady, failing)
   "hangs" -> simulate (steady, hanging)
+  "sings" -> simulate (sings, steady)
   "done" -> simulate (task steady pressed)
   _ -> errorWithoutStackTrace ("no program is called " ++ n)
 
@@ -28,6 +29,12 @@ failing _ = error "the bumper broke me"
 
 hanging :: Bumper -> Led1
 hanging = hanging
+
+-- | Once, as soon as it knows where it is.
+sings :: Velocity -> Memory Bool -> Maybe (Memory Bool, Sound)
+sings _ (Memory sung)
+  | sung = Nothing
+  | otherwise = Just (Memory True, CleaningStartSound)
 
 pressed :: Bumper -> Done ()
 pressed _ = Done ()

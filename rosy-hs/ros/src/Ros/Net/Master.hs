@@ -21,6 +21,7 @@ module Ros.Net.Master
     subscribeParam,
     unsubscribeParam,
     getParamNames,
+    allSubscribers,
     ask,
   )
 where
@@ -100,6 +101,14 @@ getParamNames m = fmap names <$> ask m "getParamNames" []
   where
     names (VArray vs) = [n | VString n <- vs]
     names _ = []
+
+-- | Every topic that somebody listens to, with the names of those nodes.
+allSubscribers :: Master -> IO (Either RpcError [(String, [String])])
+allSubscribers m = fmap listed <$> ask m "getSystemState" []
+  where
+    listed v = case v of
+      VArray [_, VArray topics, _] -> [(topic, [n | VString n <- nodes]) | VArray [VString topic, VArray nodes] <- topics]
+      _ -> []
 
 self :: Master -> Value
 self = VString . showUri . callerUri
