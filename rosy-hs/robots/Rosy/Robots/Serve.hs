@@ -18,7 +18,7 @@ module Rosy.Robots.Serve
   )
 where
 
-import Control.Concurrent (threadDelay)
+import Control.Concurrent (threadDelay, threadWaitRead)
 import Control.Concurrent.STM
 import Control.Exception (IOException, try)
 import Control.Monad (forM_, unless, when)
@@ -30,7 +30,7 @@ import Data.IORef
 import Data.Text (Text)
 import Data.Time.Clock.POSIX (getPOSIXTime)
 import GHC.Clock (getMonotonicTime)
-import Network.Socket (Socket)
+import Network.Socket (Socket, withFdSocket)
 import Network.Socket.ByteString (recv)
 import Network.Socket.ByteString.Lazy (sendAll)
 import Rosy.Core (Action (..), Message (..), Odometry (..))
@@ -39,8 +39,8 @@ import Rosy.Robots.Base
 import Rosy.Robots.Guard
 import Rosy.Robots.Pipe
 import System.IO (hPutStrLn, stderr)
+import System.Posix.Types (Fd (..))
 import System.Random (randomRIO)
-import System.Timeout (timeout)
 
 -- | Who is told what happens; none of it may wait.
 data Witness = Witness
@@ -139,13 +139,15 @@ serve pace witness stopWanted patience guarded base socket = do
         case C.elemIndex '\n' bytes of
           Just i -> Right (B.take i bytes) <$ writeIORef unread (B.drop (i + 1) bytes)
           Nothing -> do
-            more <- timeout thinking (try (recv socket 65536))
-            case more of
+            some <- patiently thinking (withFdSocket socket (threadWaitRead . Fd))
+            case some of
               Nothing -> pure (Left IsStuck)
-              Just (Left e) -> Left IsDead <$ pure (e :: IOException)
-              Just (Right b)
-                | B.null b -> pure (Left IsDead)
-                | otherwise -> writeIORef unread (bytes <> b) >> line
+              Just () ->
+                try (recv socket 65536) >>= \case
+                  Left e -> Left IsDead <$ pure (e :: IOException)
+                  Right b
+                    | B.null b -> pure (Left IsDead)
+                    | otherwise -> writeIORef unread (bytes <> b) >> line
       -- Carries out what it wants until it has settled.
       listen = do
         heard' <- line
