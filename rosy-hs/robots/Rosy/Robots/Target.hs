@@ -115,7 +115,7 @@ withFile profile t = do
   foldM option begun (fromProfile ++ filter ((/= "profile") . fst) named)
   where
     -- Which ROS it is decides where the other options start from, wherever it is written.
-    startProfile os = if lookup "ros" os == Just "2" then kobukiRos2 else turtlebot2
+    startProfile os = if fmap (takeWhile (/= '.')) (lookup "ros" os) == Just "2" then kobukiRos2 else turtlebot2
 
 fromJson :: FilePath -> B.ByteString -> Either TargetError [(String, String)]
 fromJson file text = case Aeson.decodeStrict' text of

@@ -26,6 +26,8 @@ tests =
       testCase "a profile's options come first, those of the address win" $
         fmap (\t -> (targetLimits t, targetProfile t)) (withFile (Just "{\"max_speed\": 0.3, \"max_turn\": 1, \"ros\": \"2\"}") "ws://h?profile=x.json&max_speed=.2")
           @?= Right (Limits 0.2 1, kobukiRos2),
+      testCase "a profile's numbers may be numbers" $
+        fmap (\t -> (targetProfile t, targetPatience t)) (withFile (Just "{\"ros\": 2, \"patience\": 5}") "ws://h?profile=x.json") @?= Right (kobukiRos2, 5),
       testCase "what cannot be read is said" $ do
         readTarget "http://h" @?= Left (StrangeTarget "http://h")
         readTarget "ws://h:99999" @?= Left (StrangeTarget "ws://h:99999")
