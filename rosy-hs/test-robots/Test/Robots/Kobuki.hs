@@ -34,7 +34,14 @@ commands =
           golden "0.5 rad/s" (baseControl 0 0.5) "AA 55 06 01 04 39 00 01 00 3B",
           golden "0.1 m/s, 0.5 rad/s" (baseControl 0.1 0.5) "AA 55 06 01 04 9D 00 C8 00 56",
           golden "0.1 m/s, -0.5 rad/s" (baseControl 0.1 (-0.5)) "AA 55 06 01 04 9D 00 38 FF 59",
-          golden "-0.1 m/s, -0.4 rad/s" (baseControl (-0.1) (-0.4)) "AA 55 06 01 04 6E FF FA 00 68"
+          golden "-0.1 m/s, -0.4 rad/s" (baseControl (-0.1) (-0.4)) "AA 55 06 01 04 6E FF FA 00 68",
+          -- The outer wheel's speed and the radius, where the driver's formulas change.
+          testCase "the limits: 0.7 m/s and half a turn a second" $
+            map (uncurry wheelCommand) [(0.7, 0), (-0.7, 0), (0, pi), (0, -pi), (0.7, pi)] @?= [(700, 0), (-700, 0), (361, 1), (-361, 1), (1061, 222)],
+          testCase "so little of a turn that it is none, so little speed that it turns on the spot, a radius of a millimetre" $
+            map (uncurry wheelCommand) [(0.5, 0.00009), (0.00009, 0.5), (0.0005, 0.5)] @?= [(500, 0), (57, 1), (57, 1)],
+          testCase "a radius beyond 16 bits is the largest there is, as in the driver" $
+            map (uncurry wheelCommand) [(0.5, 0.001), (0.5, -0.001), (40, 0)] @?= [(500, 32767), (500, -32768), (32767, 0)]
         ],
       golden "LED 1 orange, power on" (outputs (withLed1 Orange powerOn)) "AA 55 04 0C 02 F0 03 F9",
       golden "the sound of a button" (soundSequence ButtonSound) "AA 55 03 04 01 03 05",
