@@ -22,9 +22,10 @@ import Ros.Kobuki_msgs.Led (Led (..))
 import Ros.Lens
 import Ros.Logging
 import Ros.Message (def)
+import Ros.Names (readArguments)
 import Ros.Nav_msgs.Odometry (Odometry)
 import qualified Ros.Nav_msgs.Odometry as Odometry
-import Ros.Net.Rpc (call, connectTo)
+import Ros.Net.Rpc (Uri (..), call, connectTo, readUri)
 import Ros.Net.Tcpros
 import Ros.Net.XmlRpc (Call (..))
 import Ros.Node
@@ -62,6 +63,8 @@ tests = withResource acquire release $ \ready ->
       story ready "the example that fuses two sensors slows down before a wall" fuses,
       story ready "parameters are shared, and changes are told" parameters,
       story ready "names are remapped, moved and given on the command line" remapped,
+      story ready "it tells the address it is given: ROS_HOSTNAME, ROS_IP, __hostname, __ip" ownAddress,
+      masterStory,
       story ready "what it logs is on /rosout with its place" logs,
       story ready "callers that say nothing, garbage or too much do not end it" strangeCallers,
       story ready "subscribers that say nothing, garbage or too much do not end it" strangeSubscribers,
@@ -353,6 +356,45 @@ remapped ros = withPeer ros "peer" $ \peer -> do
     liftIO (publish p (Ros.String "hi"))
     (,,) <$> getName <*> getNamespace <*> getArguments >>= \names -> liftIO (names @?= ("/elsewhere/renamed", "/elsewhere", ["plain"]))
     liftIO (void (hears peer "got /elsewhere/talk {\"data\": \"hi\"}"))
+
+-- | The master is told this address, a subscriber is sent there, and there it is heard.
+ownAddress :: Ros -> IO ()
+ownAddress ros = forM_ cases $ \(given, args, expected) -> withPeer ros "peer" $ \peer -> do
+  say peer "sub /n std_msgs/Int32"
+  withNodeIn (Settings (readArguments args) (given ++ without) "test") "us" $ do
+    p <- publisherWith publisherOptions {latched = True} "/n"
+    core <- askCore
+    liftIO $ do
+      publish p (Int32.Int32 1)
+      known <- call (rosMaster ros) (Call "lookupNode" [VString "/test", VString "/us"])
+      case known of
+        Right (VArray [VInt 1, _, VString uri]) -> fmap uriHost (readUri uri) @?= Just expected
+        other -> assertFailure (show other)
+      answer <- call (coreUri core) (Call "requestTopic" [VString "/test", VString "/n", VArray [VArray [VString "TCPROS"]]])
+      case answer of
+        Right (VArray [VInt 1, _, VArray [_, VString host, _]]) -> host @?= expected
+        other -> assertFailure (show other)
+      void (hears peer "got /n {\"data\": 1}")
+  where
+    without = filter ((`notElem` ["ROS_IP", "ROS_HOSTNAME"]) . fst) (rosEnvironment ros)
+    cases =
+      [ ([], [], "127.0.0.1"), -- the address by which the master is reached
+        ([("ROS_IP", "127.0.0.2")], [], "127.0.0.2"),
+        ([("ROS_HOSTNAME", "localhost"), ("ROS_IP", "127.0.0.2")], [], "localhost"),
+        ([("ROS_HOSTNAME", ""), ("ROS_IP", "127.0.0.2")], [], "127.0.0.2"),
+        ([("ROS_HOSTNAME", "localhost")], ["__ip:=127.0.0.3"], "127.0.0.3"),
+        ([("ROS_IP", "127.0.0.2")], ["__hostname:=localhost"], "localhost")
+      ]
+
+-- | Needs no master: a node waits for it.
+masterStory :: TestTree
+masterStory = testCase "it looks for the master where ROS_MASTER_URI or __master says, and refuses what is no address" $ do
+  forM_ [([], [], Uri "localhost" 11311), (at "http://127.0.0.1:1/", [], Uri "127.0.0.1" 1), (at "http://127.0.0.1:1", ["__master:=http://127.0.0.1:2"], Uri "127.0.0.1" 2)] $ \(given, args, expected) ->
+    withNodeIn (Settings (readArguments args) given "test") "us" (coreMaster <$> askCore) >>= (@?= expected)
+  forM_ ["ftp://robot", "http://:11311", "http://robot:99999"] $ \strange ->
+    try (withNodeIn (Settings (readArguments []) (at strange) "test") "us" (pure ())) >>= (@?= Left (StrangeMaster strange))
+  where
+    at uri = [("ROS_MASTER_URI", uri)]
 
 logs :: HasCallStack => Ros -> IO ()
 logs ros = withPeer ros "peer" $ \peer -> do

@@ -19,7 +19,6 @@ import Control.Concurrent.STM
 import Control.Exception
 import Control.Monad (forM, forM_, forever, unless, void)
 import Data.Either (fromRight)
-import Data.List (isPrefixOf)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes, fromMaybe, listToMaybe)
 import Network.Socket
@@ -51,7 +50,7 @@ withCore :: Settings -> String -> (Core -> IO a) -> IO a
 withCore settings name act = do
   uri <- maybe (throwIO (StrangeMaster address)) pure (readUri address)
   host <- hostFor settings uri
-  let onlyHere = "127." `isPrefixOf` host || host == "localhost"
+  let onlyHere = host `elem` ["127.0.0.1", "localhost"]
   withSocket onlyHere $ \calls callPort -> withSocket onlyHere $ \topics topicPort -> do
     core <-
       Core (nodeFullName (arguments settings) (set "ROS_NAMESPACE") name) uri (Uri host callPort) host topicPort (programName settings)
