@@ -67,6 +67,13 @@ def framed(payload):
     return b"\xaa\x55" + body + bytes([check])
 
 
+def tell(packet):
+    try:
+        os.write(master, packet)
+    except BlockingIOError:
+        pass  # nobody reads
+
+
 def move():
     global left, right, heading, stamp
     v, w = speed
@@ -185,9 +192,9 @@ def on_line(words):
         say("hushed")
     elif words[0] == "replay":
         replaying = True
-        os.write(master, bytes.fromhex(words[1]))
+        tell(bytes.fromhex(words[1]))
     elif words[0] == "nudge":
-        os.write(master, framed(NOTHING))
+        tell(framed(NOTHING))
     elif words[0] == "unplug":
         unplug()
         outputs = None
@@ -229,9 +236,6 @@ while True:
         watch()
         move()
         if master is not None and replaying:
-            os.write(master, framed(NOTHING))
+            tell(framed(NOTHING))
         elif master is not None and speaking:
-            try:
-                os.write(master, spoil(feedback()))
-            except BlockingIOError:
-                pass  # nobody reads
+            tell(spoil(feedback()))

@@ -180,7 +180,8 @@ def watchdog(topic):
             stand()
 
     def look(_event):
-        if last[0] is not None and time.monotonic() - last[0][0] > 0.6:
+        moved = last[0]  # messages come on another thread
+        if moved is not None and time.monotonic() - moved[0] > 0.6:
             last[0] = None
             say("watchdog")
             stand()

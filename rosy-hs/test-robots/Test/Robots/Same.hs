@@ -286,7 +286,7 @@ serialRobot r = do
             answers hands (length ms + fromEnum (n == 0))
             soFar hands >>= settled
             when (ticksAt n) (tick hands >> soFar hands >>= settled)
-    got <- reached r $ \base -> playing main' base False stream >>= \got -> got <$ settled got
+    got <- reached r $ \base -> playing main' base False (\hands -> attached r >> stream hands) >>= \got -> got <$ settled got
     sameAs name (concat got) e
     ls <- transcript (robot r)
     forM_ ["control", "led1", "led2", "sound"] $ \k ->

@@ -31,7 +31,7 @@ import Control.Monad (void)
 import Data.List (isInfixOf)
 import Network.Socket
 import Ros.Names (readArguments)
-import Ros.Net.Rpc (Uri (..), call, listenAnywhere)
+import Ros.Net.Rpc (Uri (..), call)
 import Ros.Net.XmlRpc (Call (..), Value (..))
 import Ros.Node (Settings (..))
 import System.Environment (getEnvironment)
@@ -58,8 +58,7 @@ withMaster folder act = restartable folder (\ros start -> start (act ros))
 
 -- | The second argument runs a master, always on the same port.
 restartable :: FilePath -> (Ros -> (forall b. IO b -> IO b) -> IO a) -> IO a
-restartable folder act = do
-  port <- freePort
+restartable folder act = withFreePort $ \port -> do
   inherited <- getEnvironment
   let uri = Uri "127.0.0.1" port
       ours = [("ROS_MASTER_URI", "http://127.0.0.1:" ++ show port), ("ROS_IP", "127.0.0.1"), ("ROS_HOME", folder ++ "/home"), ("PYTHONPATH", folder), ("PYTHONUNBUFFERED", "1")]
@@ -68,9 +67,13 @@ restartable folder act = do
       start inner = running env' "/usr/bin/rosmaster" ["--core", "-p", show port, "-w", "3"] (\_ -> awaitMaster uri >> inner)
   act (Ros uri env') start
 
--- | A port that was free a moment ago.
-freePort :: IO Int
-freePort = bracket (listenAnywhere True) (close . fst) (pure . snd)
+-- | A port that nobody else is given. It is bound here and not listened to: the system chooses it for nobody, and a master,
+-- which wants its address reused, may listen there.
+withFreePort :: (Int -> IO a) -> IO a
+withFreePort use = bracket (socket AF_INET Stream defaultProtocol) close $ \s -> do
+  setSocketOption s ReuseAddr 1
+  bind s (SockAddrInet 0 (tupleToHostAddress (127, 0, 0, 1)))
+  socketPort s >>= use . fromIntegral
 
 awaitMaster :: Uri -> IO ()
 awaitMaster uri = do
