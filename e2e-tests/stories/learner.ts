@@ -12,6 +12,7 @@ export class Learner {
   async opens(example: string): Promise<void> {
     await this.page.goto(`/?example=${example}`)
     await expect(this.haskell()).toContainText("simulate")
+    await expect(this.page.locator(".blocklyBlockCanvas > .blocklyDraggable").first()).toBeVisible()
     await expect(this.runButton()).toHaveText("Run")
   }
 

@@ -115,6 +115,8 @@ export function openDesk(address: string): Desk {
     room?.recolour()
     worldEditor?.recolour()
   }
+  /// Shows the text of the program as it is: at once, for what is typed before the next picture is typed into it.
+  const write = () => source?.setProgram(store.now.document.program)
   /// Shows the blocks of the document as it is.
   const follow = () => {
     const {document} = store.now
@@ -140,7 +142,10 @@ export function openDesk(address: string): Desk {
     if (state.worldEditor !== null) worldEditor?.draw(state.worldEditor)
   })
 
+  /// How many programs were wished for: one that comes when the learner has gone on to another comes too late.
+  let wishes = 0
   const show = (opened: OpenedProject, welcome: boolean, place: string | null, again = false) => {
+    wishes += 1
     autosave.opened(place, again)
     addressNames(null)
     typing.forget()
@@ -150,6 +155,8 @@ export function openDesk(address: string): Desk {
     const kept = reader === null || steps === null ? null : readSteps(reader, steps, document)
     const history = kept ?? emptyHistory
     store.dispatch({kind: "opened", opened: {name: project.name, world, document, history, welcome}})
+    write()
+    source?.setEditable(true)
     if (again) goBack()
   }
   /// Where the learner is in the program.
@@ -162,7 +169,6 @@ export function openDesk(address: string): Desk {
     const {program} = store.now.document
     const was = shelf.place()
     if (was === null || was.text !== codegen.hashOf(program.text)) return
-    source?.setProgram(program)
     source?.goTo(was)
     follow()
     blocks?.goTo(was)
@@ -196,7 +202,10 @@ export function openDesk(address: string): Desk {
     else openText(name, text, false, null)
   }
   const openExample = async (name: string, welcome: boolean, named = true, again = false) => {
+    wishes += 1
+    const wish = wishes
     const answer = await fetchExample(name)
+    if (wish !== wishes) return true
     if (answer.kind === "there") {
       openText(name, answer.value, welcome, null, again)
       if (named) addressNames(name)
@@ -238,6 +247,7 @@ export function openDesk(address: string): Desk {
     if (reader === null || text === store.now.document.program.text) return
     const document = withText(reader, store.now.document, text)
     store.dispatch({kind: "program-changed", document, by: "command", at: performance.now()})
+    write()
   }
   const mend = (fix: Fix) => {
     // What was typed in the meantime has moved the places that the fix is about.
@@ -246,7 +256,6 @@ export function openDesk(address: string): Desk {
     const now = store.now.document.program.text
     const still = movedFix(mover(text, now), fix)
     rewrite(mended(now, still))
-    source?.setProgram(store.now.document.program)
     source?.choose(whereToGoOn(still))
   }
   const format = () => {
@@ -261,13 +270,13 @@ export function openDesk(address: string): Desk {
     flush()
     store.dispatch({kind: "undo-pressed"})
     // What was typed and taken back within one picture leaves the program as it was drawn; the pane has it still.
-    source?.setProgram(store.now.document.program)
+    write()
   }
   const redo = () => {
     if (store.now.worldEditor !== null) return store.dispatch({kind: "world-edited", edit: {kind: "redo"}})
     flush()
     store.dispatch({kind: "redo-pressed"})
-    source?.setProgram(store.now.document.program)
+    write()
   }
   const run = () => {
     if (awaitsProgram(store.now)) return
@@ -324,8 +333,8 @@ export function openDesk(address: string): Desk {
   })
   void fetchReader().then(found => {
     reader = found
-    source?.setEditable(found !== null)
-    if (found !== null) void openFirst()
+    // Nobody writes where the first program is about to stand.
+    if (found !== null) void openFirst().then(() => source?.setEditable(true))
     else store.dispatch({kind: "notice", notice: {kind: "no-reader"}})
   })
   void fetchWorlds().then(w => w.kind === "there" && store.dispatch({kind: "worlds-listed", worlds: w.value}))
@@ -363,7 +372,6 @@ export function openDesk(address: string): Desk {
             const {text} = store.now.document.program
             const {from, to, insert, select} = putting(text, at, code)
             rewrite(text.slice(0, from) + insert + text.slice(to))
-            source?.setProgram(store.now.document.program)
             source?.choose(select)
           },
         },
@@ -382,6 +390,7 @@ export function openDesk(address: string): Desk {
         const document = withBlocks(reader, store.now.document, workspace, inference)
         if (document.workspace === workspace) shown = workspace
         store.dispatch({kind: "program-changed", document, by: "blocks", at: performance.now()})
+        write()
       })
       blocks.onSelect(block => store.dispatch({kind: "selected", block: block ?? null, in: "blocks"}))
     },
@@ -400,7 +409,6 @@ export function openDesk(address: string): Desk {
             const answer = renamed(store.now.document, offset, old, name)
             if (!answer.ok) return answer.why
             rewrite(answer.text)
-            source?.setProgram(store.now.document.program)
             return null
           },
           words: {label: words.newName, rename: words.rename},

@@ -158,6 +158,9 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
         // Tabs and foreign line ends become what the rest of the program has.
         EditorState.tabSize.of(8),
         EditorView.clipboardInputFilter.of(text => text.replaceAll("\t", "        ")),
+        // A browser puts its own cursor to the start of what comes into focus, and CodeMirror moves it from there a moment later. A letter that comes first is
+        // not to go astray.
+        EditorView.domEventObservers({focus: (_event, v) => v.focus()}),
         colours,
         marks,
         lintGutter(),
