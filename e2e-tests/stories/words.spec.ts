@@ -85,13 +85,16 @@ test("every word of the page is in a table of words", async ({page}) => {
     const at = page.locator(".blocklyBlockCanvas .blocklyFieldText").getByText(block, {exact: true}).first()
     if ((await at.count()) === 0) continue
     await at.click({button: "right"})
+    await expect(page.locator(".blocklyContextMenu")).toBeVisible()
     await look(`the menu of ${block}`)
     await page.keyboard.press("Escape")
   }
   for (const menu of await page.locator(".menu > button").all()) {
     await menu.click()
+    await expect(menu).toHaveAttribute("aria-expanded", "true")
     await look(`the menu ${await menu.getAttribute("title")}`)
     await page.keyboard.press("Escape")
+    await expect(menu).toHaveAttribute("aria-expanded", "false")
   }
 
   await page.keyboard.press("F1")
@@ -109,6 +112,7 @@ test("every word of the page is in a table of words", async ({page}) => {
   await page.locator("dialog[open] .pair button").first().click()
   for (const tool of await page.locator(".workshop .tools button").all()) {
     await tool.click()
+    await expect(tool).toHaveAttribute("aria-pressed", "true")
     await look(`the world editor: ${await tool.textContent()}`)
   }
   await page.locator(".workshop .things button").first().click()
@@ -119,6 +123,7 @@ test("every word of the page is in a table of words", async ({page}) => {
   await until(page.getByTestId("robot-speed"), v => v > 0.3)
   for (const tab of await page.getByRole("tab").all()) {
     await tab.click()
+    await expect(tab).toHaveAttribute("aria-selected", "true")
     await look(`${await tab.textContent()} while it runs`)
   }
   await page.getByTestId("run").click()

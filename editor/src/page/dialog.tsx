@@ -1,7 +1,7 @@
 /// A dialog over the page: a heading, a sentence below it, a button that closes, and what it is about.
 
 import type {ComponentChildren, VNode} from "preact"
-import {useEffect, useRef} from "preact/hooks"
+import {useLayoutEffect, useRef} from "preact/hooks"
 import type {PageState} from "../state/page.ts"
 import {words} from "../words/index.ts"
 import {CloseIcon} from "./icons.tsx"
@@ -19,7 +19,7 @@ export function Dialog({name, title, lead, children}: DialogProps): VNode {
   const {store} = useDesk()
   const open = usePage(s => s.dialog === name)
   const dialog = useRef<HTMLDialogElement>(null)
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (open) dialog.current?.showModal()
     else dialog.current?.close()
   }, [open])
@@ -33,7 +33,8 @@ export function Dialog({name, title, lead, children}: DialogProps): VNode {
       class={`gallery ${name}`}
       ref={dialog}
       aria-labelledby={`${name}-title`}
-      onClose={close}
+      // The browser tells later, also of what the page has closed itself and may have opened again since.
+      onClose={() => open && close()}
       onClick={event => event.target === event.currentTarget && close()}
       onKeyDown={event => event.stopPropagation()}
     >

@@ -1,6 +1,6 @@
 /// A small menu that its button opens: it closes with Escape, which gives the button the keyboard again, and with a press anywhere else.
 
-import {useEffect, useRef} from "preact/hooks"
+import {useLayoutEffect, useRef} from "preact/hooks"
 import type {PageState} from "../state/page.ts"
 import {useDesk, usePage} from "./pick.ts"
 
@@ -10,7 +10,7 @@ export function usePopup(name: Exclude<PageState["dialog"], null>) {
   const box = useRef<HTMLDivElement>(null)
   const button = useRef<HTMLButtonElement>(null)
   const toggle = (to: boolean) => store.dispatch({kind: "dialog", dialog: to ? name : null})
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (!open) return
     const close = () => store.dispatch({kind: "dialog", dialog: null})
     const onPointer = (event: PointerEvent) => {

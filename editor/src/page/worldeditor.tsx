@@ -1,7 +1,7 @@
 /// The world editor: tools on the left, the room in the middle, what is chosen on the right.
 
 import type {VNode} from "preact"
-import {useEffect, useLayoutEffect, useRef} from "preact/hooks"
+import {useLayoutEffect, useRef} from "preact/hooks"
 import {words} from "../words/index.ts"
 import type {WorldEdit} from "../worlds/editor.ts"
 import {tools} from "../worlds/making.ts"
@@ -17,7 +17,7 @@ export function WorldEditorDialog(): VNode {
   const {store} = useDesk()
   const open = usePage(s => s.worldEditor !== null)
   const dialog = useRef<HTMLDialogElement>(null)
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (open && dialog.current?.open === false) dialog.current.showModal()
     else if (!open) dialog.current?.close()
   }, [open])

@@ -2,7 +2,7 @@
 
 import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {afterAll, beforeAll, describe, expect, test} from "vitest"
-import {drag, openStage, type Stage, settled, socket} from "./browser.ts"
+import {drag, nameOf, openStage, type Stage, settled, simulateSocket, socket} from "./browser.ts"
 import {Keys} from "./keys.ts"
 
 let stage: Stage
@@ -19,16 +19,6 @@ function example(name: string): string {
     .filter(line => !line.startsWith("--"))
     .join("\n")
     .trim()
-}
-
-async function start(): Promise<Keys> {
-  const page = await stage.open("empty")
-  await page.evaluate(() => {
-    window.blocks.load(window.codegen.newWorkspace())
-    window.blocks.focus()
-  })
-  await settled(page)
-  return new Keys(page)
 }
 
 async function accelerate(keys: Keys): Promise<void> {
@@ -61,22 +51,20 @@ async function run(keys: Keys, ...names: readonly string[]): Promise<void> {
 
 describe("by mouse", () => {
   test("move: a ready function from the toolbox, its name dragged into simulate", async () => {
-    const keys = await start()
+    const keys = await Keys.onEmpty(stage)
     const {page} = keys
     await page.locator(".blocklyToolboxCategory", {hasText: "Tell the robot"}).click()
     const offered = page.locator(".blocklyFlyout .blocklyDraggable", {hasText: "move"}).first()
     const box = (await offered.boundingBox())!
     await drag(page, {x: box.x + 12, y: box.y + box.height - 6}, {x: 500, y: 320})
     await settled(page)
-    const name = (await page.getByRole("button", {name: "Edit name of the definition: move"}).boundingBox())!
-    const to = await socket(page, "main", "R0")
-    await drag(page, {x: name.x + 10, y: name.y + 8}, {x: to.x + 26, y: to.y + 6})
+    await drag(page, await nameOf(page, "move"), await simulateSocket(page))
     await settled(page)
     expect((await keys.haskell()).trim()).toBe(example("move"))
   })
 
   test("move by clicks alone: a ready function lies below the others, its name comes where it was asked for", async () => {
-    const keys = await start()
+    const keys = await Keys.onEmpty(stage)
     const {page} = keys
     await page.locator(".blocklyToolboxCategory", {hasText: "Tell the robot"}).click()
     const offered = (words: string) =>
@@ -140,21 +128,21 @@ test("a level filters and orders what the toolbox offers", async () => {
 
 describe("by keyboard alone", () => {
   test("move", async () => {
-    const keys = await start()
+    const keys = await Keys.onEmpty(stage)
     await keys.take("send always")
     await run(keys, "move")
     expect((await keys.haskell()).trim()).toBe(example("move"))
   })
 
   test("accelerate", async () => {
-    const keys = await start()
+    const keys = await Keys.onEmpty(stage)
     await accelerate(keys)
     await run(keys, "accelerate")
     expect((await keys.haskell()).trim()).toBe(example("accelerate"))
   })
 
   test("accelerateAndPlay", async () => {
-    const keys = await start()
+    const keys = await Keys.onEmpty(stage)
     await accelerate(keys)
     await keys.take("when the bumper is pressed")
     await keys.goTo("Edit name of the definition: onBump")
@@ -179,7 +167,7 @@ describe("by keyboard alone", () => {
   })
 
   test("a task of steps, with steps inside a step", async () => {
-    const keys = await start()
+    const keys = await Keys.onEmpty(stage)
     await keys.take("a task of several steps")
     await keys.press("ArrowDown", "ArrowDown")
     await keys.take("repeat a number of times")

@@ -1,7 +1,7 @@
 /// A learner without a mouse: only keys, and what a screen reader would say about where the focus is.
 
 import type {Page} from "playwright-core"
-import {settled} from "./browser.ts"
+import {type Stage, settled} from "./browser.ts"
 
 /// More steps than any story needs from one place of a block to another.
 const patience = 80
@@ -11,6 +11,17 @@ export class Keys {
 
   constructor(page: Page) {
     this.page = page
+  }
+
+  /// On a workspace with nothing but an empty `simulate`.
+  static async onEmpty(stage: Stage): Promise<Keys> {
+    const page = await stage.open("empty")
+    await page.evaluate(() => {
+      window.blocks.load(window.codegen.newWorkspace())
+      window.blocks.focus()
+    })
+    await settled(page)
+    return new Keys(page)
   }
 
   async press(...keys: readonly string[]): Promise<void> {

@@ -1,7 +1,7 @@
 /// Ready-made pieces from the toolbox drop in whole, by mouse, by keyboard and by finger: with the name in `simulate` it is a program.
 
 import {afterAll, beforeAll, expect, test} from "vitest"
-import {drag, openStage, type Spot, type Stage, settled, socket} from "./browser.ts"
+import {drag, nameOf, openStage, type Spot, type Stage, settled, simulateSocket} from "./browser.ts"
 import {Keys} from "./keys.ts"
 
 let stage: Stage
@@ -34,16 +34,6 @@ const pieces = [
   {found: "flash five times", called: "lightShow", text: lightShow},
 ] as const
 
-async function start(): Promise<Keys> {
-  const page = await stage.open("empty")
-  await page.evaluate(() => {
-    window.blocks.load(window.codegen.newWorkspace())
-    window.blocks.focus()
-  })
-  await settled(page)
-  return new Keys(page)
-}
-
 /// Where a block of the toolbox can be taken that the search finds first.
 async function finds(keys: Keys, words: string): Promise<Spot> {
   await keys.page.locator(".rosySearch").click()
@@ -56,31 +46,19 @@ async function finds(keys: Keys, words: string): Promise<Spot> {
   return {x: box.x + 9, y: box.y + 12}
 }
 
-/// Where the name on a definition's header can be taken.
-async function nameOf(keys: Keys, called: string): Promise<Spot> {
-  const name = keys.page.getByRole("button", {name: `Edit name of the definition: ${called}`})
-  const box = (await name.boundingBox())!
-  return {x: box.x + 10, y: box.y + 8}
-}
-
-async function simulate(keys: Keys): Promise<Spot> {
-  const to = await socket(keys.page, "main", "R0")
-  return {x: to.x + 26, y: to.y + 6}
-}
-
 const free: Spot = {x: 520, y: 320}
 
 test.each(pieces)("$called by mouse", async ({found, called, text}) => {
-  const keys = await start()
+  const keys = await Keys.onEmpty(stage)
   await drag(keys.page, await finds(keys, found), free)
   await settled(keys.page)
-  await drag(keys.page, await nameOf(keys, called), await simulate(keys))
+  await drag(keys.page, await nameOf(keys.page, called), await simulateSocket(keys.page))
   await settled(keys.page)
   expect(await keys.haskell()).toBe(text)
 })
 
 test.each(pieces)("$called by keyboard", async ({found, called, text}) => {
-  const keys = await start()
+  const keys = await Keys.onEmpty(stage)
   await keys.take(found)
   await keys.choose("simulate")
   await keys.goTo(/^what to run/)
@@ -89,7 +67,7 @@ test.each(pieces)("$called by keyboard", async ({found, called, text}) => {
 })
 
 test.each(pieces)("$called by finger", async ({found, called, text}) => {
-  const keys = await start()
+  const keys = await Keys.onEmpty(stage)
   const {page} = keys
   const fingers = await page.context().newCDPSession(page)
   const touch = (type: "touchStart" | "touchMove" | "touchEnd", at?: Spot) =>
@@ -108,6 +86,6 @@ test.each(pieces)("$called by finger", async ({found, called, text}) => {
     await settled(page)
   }
   await drags(await finds(keys, found), free)
-  await drags(await nameOf(keys, called), await simulate(keys))
+  await drags(await nameOf(page, called), await simulateSocket(page))
   expect(await keys.haskell()).toBe(text)
 })
