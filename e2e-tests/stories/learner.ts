@@ -121,6 +121,22 @@ export class Learner {
     await input.press("Enter")
   }
 
+  /// A step in the blocks of accelerateAndPlay; tells the Haskell before it and after.
+  async takesAStep(): Promise<readonly [string, string]> {
+    const before = await this.haskellText()
+    await this.changesNumber("0.5", "0.25")
+    await expect(this.haskell()).toContainText("vl + 0.25")
+    return [before, await this.haskellText()]
+  }
+
+  /// Does the same again and again, and comes by these texts.
+  async comesBy(act: () => Promise<void>, ...texts: readonly string[]): Promise<void> {
+    for (const text of texts) {
+      await act()
+      await expect.poll(() => this.haskellText()).toBe(text)
+    }
+  }
+
   async deletesNumber(shown: string): Promise<void> {
     await this.number(shown).click()
     await this.page.keyboard.press("Escape")

@@ -12,13 +12,25 @@ async function faults(page: Page): Promise<readonly string[]> {
   return violations.flatMap(({id, nodes}) => nodes.map(node => `${id}: ${node.target.join(" ")}`))
 }
 
+/// Buttons of an open dialog whose words stick out of them.
+function spilling(page: Page): Promise<readonly string[]> {
+  return page
+    .locator("dialog[open] button")
+    .evaluateAll(buttons =>
+      buttons.filter(one => one.scrollWidth > one.clientWidth + 1).map(one => one.textContent ?? ""),
+    )
+}
+
 for (const colorScheme of ["light", "dark"] as const) {
   test(`nothing on the page is hard to see or without a name, in ${colorScheme} colours`, async ({page}) => {
     await page.emulateMedia({colorScheme, reducedMotion: "reduce"})
     const learner = new Learner(page)
     await learner.opens("accelerateAndPlay")
     await expect(page.locator(".blocklyBlockCanvas .blocklyDraggable").first()).toBeVisible()
-    const look = async (where: string) => expect(await faults(page), where).toEqual([])
+    const look = async (where: string) => {
+      expect(await faults(page), where).toEqual([])
+      expect(await spilling(page), where).toEqual([])
+    }
     await look("the page")
     await page.locator(".blocklyToolboxCategory").nth(2).click()
     await look("the toolbox")
@@ -35,6 +47,8 @@ for (const colorScheme of ["light", "dark"] as const) {
     await look("the keys")
     await page.keyboard.press("Escape")
     await page.locator(".room-choice").click()
+    await expect(page.locator("dialog[open] li").first()).toBeVisible()
+    await look("the rooms")
     await page.locator("dialog[open] .pair button").first().click()
     await look("the world editor")
     await page.locator(".workshop-bar button.plain").last().click()

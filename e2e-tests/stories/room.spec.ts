@@ -208,14 +208,14 @@ test("hands take the robot, turn it, press and lift it, and push a box, while it
   await learner.runs()
   await expect(learner.status()).toHaveText("Running")
   const floor = new Floor(page, [6, 5])
-  await floor.drags([1, 2.5], [2, 4])
+  // It drives all the while.
+  const place = async () =>
+    [Number(await learner.robot("x").textContent()), Number(await learner.robot("y").textContent())] as const
+  await floor.drags(await place(), [2, 4])
   await until(learner.robot("y"), y => y > 3.8)
   await until(learner.robot("x"), x => x > 1.8)
   // The handle in front of the robot turns it.
-  const [x, y] = [
-    Number(await learner.robot("x").textContent()),
-    Number(await learner.robot("y").textContent()),
-  ]
+  const [x, y] = await place()
   await floor.drags([x + 0.33, y], [x, y + 0.5])
   await until(learner.robot("heading"), angle => angle > 60 && angle < 120)
   // A drum is pushed against the robot from its right; its bumper feels it.

@@ -83,10 +83,7 @@ test("a comment survives an edit of another definition in blocks", async ({page}
 test("undo and redo walk through the edits of both views in their order", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("accelerateAndPlay")
-  const first = await learner.haskellText()
-  await learner.changesNumber("0.5", "0.25")
-  await expect(learner.haskell()).toContainText("vl + 0.25")
-  const second = await learner.haskellText()
+  const [first, second] = await learner.takesAStep()
   await learner.findsInHaskell("ErrorSound")
   // At once: a pause between two letters would begin another step.
   await page.keyboard.insertText("OnSound")
@@ -96,89 +93,14 @@ test("undo and redo walk through the edits of both views in their order", async 
   await learner.changesNumber("0.25", "0.75")
   await expect(learner.haskell()).toContainText("vl + 0.75")
   const fourth = await learner.haskellText()
-  for (const text of [third, second, first]) {
-    await page.getByRole("button", {name: "Undo"}).click()
-    await expect.poll(() => learner.haskellText()).toBe(text)
-  }
-  await expect(page.getByRole("button", {name: "Undo"})).toBeDisabled()
+  const undo = page.getByRole("button", {name: "Undo"})
+  await learner.comesBy(() => undo.click(), third, second, first)
+  await expect(undo).toBeDisabled()
   await expect(learner.number("0.5")).toBeVisible()
-  for (const text of [second, third, fourth]) {
-    await page.getByRole("button", {name: "Redo"}).click()
-    await expect.poll(() => learner.haskellText()).toBe(text)
-  }
+  const redo = page.getByRole("button", {name: "Redo"})
+  await learner.comesBy(() => redo.click(), second, third, fourth)
   await expect(learner.definition("play").getByText("OnSound")).toBeVisible()
   await expect(learner.number("0.75")).toBeVisible()
-})
-
-test("a reload in the middle of a word loses nothing", async ({page}) => {
-  const learner = new Learner(page)
-  await learner.opens("accelerateAndPlay")
-  await learner.findsInHaskell("Velocity (vl + 0.5) va")
-  await page.keyboard.type("Velocity (vl + 0.5")
-  // The bracket that closed by itself.
-  await page.keyboard.press("Delete")
-  const text = await learner.haskellText()
-  expect(text).toContain("= Velocity (vl + 0.5\n")
-  await page.goto("/")
-  await expect.poll(() => learner.haskellText()).toBe(text)
-  await expect(learner.dimmed()).toHaveCount(1)
-  await expect(learner.definition("accelerate")).toBeVisible()
-})
-
-test("after a reload the cursor is where it was, and undo and redo go on", async ({page}) => {
-  const learner = new Learner(page)
-  await learner.opens("accelerateAndPlay")
-  const first = await learner.haskellText()
-  await learner.changesNumber("0.5", "0.25")
-  await expect(learner.haskell()).toContainText("vl + 0.25")
-  const second = await learner.haskellText()
-  await learner.findsInHaskell("ErrorSound")
-  await page.keyboard.insertText("OnSound")
-  // Typed and taken back within one picture.
-  await page.keyboard.press("Control+z")
-  await expect.poll(() => learner.haskellText()).toBe(second)
-  await page.reload()
-  await expect.poll(() => learner.haskellText()).toBe(second)
-  await expect(learner.haskell()).toBeFocused()
-  await page.keyboard.press("Control+Shift+z")
-  await expect(learner.haskell()).toContainText("Just OnSound")
-  const third = await learner.haskellText()
-  await page.keyboard.insertText("e")
-  await expect(learner.haskell()).toContainText("Just OnSounde")
-  for (const text of [third, second, first]) {
-    await page.keyboard.press("Control+z")
-    await expect.poll(() => learner.haskellText()).toBe(text)
-  }
-  await expect(learner.number("0.5")).toBeVisible()
-  await expect(page.getByRole("button", {name: "Undo"})).toBeDisabled()
-})
-
-test("a page that crashes has kept what was typed", async ({page, context}) => {
-  const learner = new Learner(page)
-  await learner.opens("accelerateAndPlay")
-  await learner.findsInHaskell("ErrorSound")
-  await page.keyboard.insertText("ButtonSound")
-  const text = await learner.haskellText()
-  await expect.poll(() => page.evaluate(() => Object.values(localStorage).join())).toContain("ButtonSound")
-  const client = await context.newCDPSession(page)
-  const crashed = page.waitForEvent("crash")
-  client.send("Page.crash").catch(() => {})
-  await crashed
-  const again = new Learner(await context.newPage())
-  await again.page.goto("/")
-  await expect.poll(() => again.haskellText()).toBe(text)
-})
-
-test("closing the tab loses nothing", async ({page, context}) => {
-  const learner = new Learner(page)
-  await learner.opens("accelerateAndPlay")
-  await learner.findsInHaskell("ErrorSound")
-  await page.keyboard.type("ButtonSound")
-  const text = await learner.haskellText()
-  await page.close({runBeforeUnload: true})
-  const again = new Learner(await context.newPage())
-  await again.page.goto("/")
-  await expect.poll(() => again.haskellText()).toBe(text)
 })
 
 test("a problem is mended with a button, in one step that undo takes back", async ({page}) => {

@@ -107,7 +107,8 @@ export function next(state: PageState, event: PageEvent): Step {
         saved: "saved",
         document: opened.document,
         history: opened.history,
-        worldName: opened.world,
+        // Where a program without a room of its own is opened is its room from then on.
+        worldName: opened.world ?? state.worldName,
         run: nextRun(state.run, {kind: "reset-pressed"}),
         room,
         lines: [],

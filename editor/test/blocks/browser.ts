@@ -174,6 +174,11 @@ export async function settled(page: Page): Promise<void> {
   })
 }
 
+/// Waits until a screen reader has been told these words. Blockly tells a moment later, and several things at once.
+export async function told(page: Page, words: string): Promise<void> {
+  await page.locator("[aria-live]").filter({hasText: words}).first().waitFor({state: "attached"})
+}
+
 /// The blocks as nested lists of kinds, without ids and places: what a test is usually about.
 export function tree(page: Page): Promise<unknown> {
   return page.evaluate(() => {

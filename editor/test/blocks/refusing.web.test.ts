@@ -2,7 +2,7 @@
 /// language.
 
 import {afterAll, beforeAll, expect, test} from "vitest"
-import {drag, grip, openStage, type Stage, settled, socket} from "./browser.ts"
+import {drag, grip, openStage, type Stage, settled, socket, told} from "./browser.ts"
 
 let stage: Stage
 beforeAll(async () => {
@@ -46,7 +46,7 @@ async function said(page: Page): Promise<string> {
   expect(await line.isVisible()).toBe(true)
   const words = (await line.textContent()) ?? ""
   // A screen reader hears the same.
-  expect((await page.locator("[aria-live]").allTextContents()).map(text => text.trim())).toContain(words)
+  await told(page, words)
   return words
 }
 

@@ -1,7 +1,7 @@
 /// What Run, Stop and Reset do, also when answers come late, twice, or not at all.
 
 import {describe, expect, it} from "vitest"
-import {type Document, emptyDocument} from "../../src/state/history.ts"
+import {type Document, emptyDocument, emptyHistory} from "../../src/state/history.ts"
 import type {Frame, Problem, ServiceMessage} from "../../src/state/messages.ts"
 import {next, readout} from "../../src/state/next.ts"
 import {believed, firstPage, type Order, type PageEvent, type PageState} from "../../src/state/page.ts"
@@ -148,6 +148,26 @@ describe("a run", () => {
     const {state, ops} = play(lost.state, hello, press, running(2))
     expect(ops).toContain("run")
     expect(state.run).toEqual({kind: "running", run: 2})
+  })
+})
+
+describe("a program that is opened", () => {
+  const opened = (world: string | null): PageEvent => ({
+    kind: "opened",
+    opened: {name: "new", world, document, history: emptyHistory, welcome: false},
+  })
+
+  it("brings its room", () => {
+    const {state, sent} = play({...open, worldName: "corridor"}, opened("maze"))
+    expect(state.worldName).toBe("maze")
+    expect(sent).toContainEqual({op: "world", world: "maze"})
+  })
+
+  it("without a room of its own takes the one it is opened in, also after the connection was lost", () => {
+    const {state, ops} = play({...open, worldName: "corridor"}, opened(null))
+    expect(state.worldName).toBe("corridor")
+    expect(ops).toEqual(["reset", "check"])
+    expect(play(state, {kind: "link-lost"}, hello).sent).toContainEqual({op: "world", world: "corridor"})
   })
 })
 

@@ -1,0 +1,69 @@
+/// Whoever leaves the page, or is thrown out of it, finds everything again.
+
+import {expect, test} from "@playwright/test"
+import {Learner} from "./learner.ts"
+
+test("a reload in the middle of a word loses nothing", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  await learner.findsInHaskell("Velocity (vl + 0.5) va")
+  await page.keyboard.type("Velocity (vl + 0.5")
+  // The bracket that closed by itself.
+  await page.keyboard.press("Delete")
+  const text = await learner.haskellText()
+  expect(text).toContain("= Velocity (vl + 0.5\n")
+  await page.goto("/")
+  await expect.poll(() => learner.haskellText()).toBe(text)
+  await expect(learner.dimmed()).toHaveCount(1)
+  await expect(learner.definition("accelerate")).toBeVisible()
+})
+
+test("after a reload the cursor is where it was, and undo and redo go on", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  const [first, second] = await learner.takesAStep()
+  await learner.findsInHaskell("ErrorSound")
+  await page.keyboard.insertText("OnSound")
+  // Typed and taken back within one picture.
+  await page.keyboard.press("Control+z")
+  await expect.poll(() => learner.haskellText()).toBe(second)
+  await page.reload()
+  await expect.poll(() => learner.haskellText()).toBe(second)
+  await expect(learner.haskell()).toBeFocused()
+  await page.keyboard.press("Control+Shift+z")
+  await expect(learner.haskell()).toContainText("Just OnSound")
+  const third = await learner.haskellText()
+  await page.keyboard.insertText("e")
+  await expect(learner.haskell()).toContainText("Just OnSounde")
+  await learner.comesBy(() => page.keyboard.press("Control+z"), third, second, first)
+  await expect(learner.number("0.5")).toBeVisible()
+  await expect(page.getByRole("button", {name: "Undo"})).toBeDisabled()
+})
+
+test("a page that crashes has kept what was typed", async ({page, context}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  await learner.findsInHaskell("ErrorSound")
+  await page.keyboard.insertText("ButtonSound")
+  const text = await learner.haskellText()
+  await expect.poll(() => page.evaluate(() => Object.values(localStorage).join())).toContain("ButtonSound")
+  const client = await context.newCDPSession(page)
+  const crashed = page.waitForEvent("crash")
+  client.send("Page.crash").catch(() => {})
+  await crashed
+  const again = new Learner(await context.newPage())
+  await again.page.goto("/")
+  await expect.poll(() => again.haskellText()).toBe(text)
+})
+
+test("closing the tab loses nothing", async ({page, context}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  await learner.findsInHaskell("ErrorSound")
+  await page.keyboard.type("ButtonSound")
+  const text = await learner.haskellText()
+  await page.close({runBeforeUnload: true})
+  const again = new Learner(await context.newPage())
+  await again.page.goto("/")
+  await expect.poll(() => again.haskellText()).toBe(text)
+})
