@@ -109,14 +109,19 @@ export function scopeItems(names: readonly InScope[] | undefined): Blockly.utils
 /// More than this is a list to read, not an answer.
 const mostSuggestions = 14
 
-/// Names and ready blocks that fit at a place: first the names, then what is of the family that the socket wants.
+/// Names and ready blocks that fit at a place: first the names, those that run already behind the others, then what is of the family that the socket wants.
 export function suggest(
   session: Session,
   workspace: SavedWorkspace,
   place: Place,
   categories: readonly ToolboxCategory[],
 ): readonly ToolboxItem[] {
-  const names = session.namesInScope(workspace, place).filter(name => name.fits)
+  const fitting = session.namesInScope(workspace, place).filter(name => name.fits)
+  const running = "block" in place ? namesThatRun(workspace, place.block) : []
+  const names = [
+    ...fitting.filter(({name}) => !running.includes(name)),
+    ...fitting.filter(({name}) => running.includes(name)),
+  ]
   const wanted: Family | undefined =
     "below" in place
       ? "task"
@@ -136,6 +141,12 @@ export function suggest(
     if (check.fits(place, item.block).fits) found.push(item)
   }
   return found
+}
+
+/// The names in the sockets of `simulate`, if that is the block.
+function namesThatRun(workspace: SavedWorkspace, block: string): readonly unknown[] {
+  const main = workspace.blocks.blocks.find(({id, type}) => id === block && type === "main")
+  return Object.values(main?.inputs ?? {}).map(({block}) => block?.extraState?.name)
 }
 
 export function nameItem(name: InScope): ToolboxItem {
