@@ -84,4 +84,8 @@ def lost_robot(time: float) -> Problem:
 
 def room_full(limit: int) -> Problem:
     """No more pages."""
-    return problem("room-full", f"All {limit} places in this class are taken.", "Try again when somebody has left.")
+    return problem(
+        "room-full",
+        f"All {limit} places in this class are taken.",
+        "Your program is kept, and this page comes in as soon as somebody leaves.",
+    )
