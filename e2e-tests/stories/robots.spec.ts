@@ -52,8 +52,9 @@ test("chooses a robot, sees it connect, runs, watches it move, and stops it", as
   rig.base.ask("mark")
   await learner.stops()
   await rig.base.says(/^stood /)
-  await page.getByRole("button", {name: "Let go"}).click()
+  await page.getByRole("button", {name: "Let go"}).press("Enter")
   await expect(page.getByTestId("robotbar")).toHaveCount(0)
+  await expect(page.getByTestId("robot-choice")).toBeFocused()
 })
 
 test("another page sees who has the robot, and takes it when it is free", async ({page, browser}) => {
@@ -67,7 +68,8 @@ test("another page sees who has the robot, and takes it when it is free", async 
   await other.page.getByRole("button", {name: "Open", exact: true}).click()
   await expect(other.page.getByRole("alert")).toContainText("not the code")
   await other.page.getByLabel("Code").fill(rig.code)
-  await other.page.getByRole("button", {name: "Open", exact: true}).click()
+  await other.page.getByLabel("Code").press("Enter")
+  await expect(other.page.getByLabel("Your name")).toBeFocused()
   const kitchen = other.page.getByTestId("robot Kitchen")
   await expect(kitchen).toContainText("Anna has it")
   await expect(kitchen.getByRole("button")).toHaveCount(0)
@@ -83,7 +85,15 @@ test("the emergency stop works on its button, on the space bar, and from a termi
   await learner.arrives()
   await learner.takes("Anna")
   const stops: readonly (() => Promise<void> | void)[] = [
-    () => page.getByTestId("estop").click(),
+    // A frightened finger presses long, and once more.
+    async () => {
+      await page.getByTestId("estop").hover()
+      await page.mouse.down()
+      await expect(page.getByTestId("robot-link")).toHaveText("Emergency stop: it stands.")
+      await page.mouse.up()
+      await page.mouse.down()
+      await page.mouse.up()
+    },
     () => page.keyboard.press("Space"),
     () => {
       execFileSync(rosy, ["estop"], {env: rig.environment})

@@ -2,12 +2,16 @@
 /// emergency stop.
 
 import type {VNode} from "preact"
+import {useRef} from "preact/hooks"
 import {words} from "../words/index.ts"
 import {useDesk, usePage} from "./pick.ts"
+
+const choice = () => document.querySelector<HTMLElement>(".robot-choice")
 
 export function RobotBar(): VNode | null {
   const {store} = useDesk()
   const held = usePage(s => s.robots.held)
+  const estop = useRef<HTMLButtonElement>(null)
   if (held === null) return null
   const w = words.robots
   const {name, link, why, safety, backing, stopped, maxSpeed} = held
@@ -36,31 +40,43 @@ export function RobotBar(): VNode | null {
         </p>
       )}
       <span class="space" />
+      {stopped && (
+        <button
+          type="button"
+          class="plain"
+          onClick={() => {
+            store.dispatch({kind: "free-pressed"})
+            estop.current?.focus()
+          }}
+        >
+          {w.letDrive}
+        </button>
+      )}
       <button
         type="button"
         class="plain leave"
         title={w.leaveHint}
-        onClick={() => store.dispatch({kind: "robot-left"})}
+        onClick={() => {
+          // This bar goes, and with it the button: on from where a robot is chosen.
+          choice()?.focus()
+          store.dispatch({kind: "robot-left"})
+        }}
       >
         {w.leave}
       </button>
-      {stopped ? (
-        <button type="button" class="plain" onClick={() => store.dispatch({kind: "free-pressed"})}>
-          {w.letDrive}
-        </button>
-      ) : (
-        <button
-          type="button"
-          class="estop"
-          title={w.estopHint}
-          data-testid="estop"
-          // At once, not when the finger leaves the button again.
-          onPointerDown={() => store.dispatch({kind: "estop-pressed"})}
-          onClick={() => store.dispatch({kind: "estop-pressed"})}
-        >
-          {w.estop}
-        </button>
-      )}
+      {/* Always there, in one place: a frightened finger presses long, and once more. */}
+      <button
+        type="button"
+        class="estop"
+        ref={estop}
+        title={w.estopHint}
+        data-testid="estop"
+        // At once, not when the finger leaves the button again.
+        onPointerDown={() => store.dispatch({kind: "estop-pressed"})}
+        onClick={() => store.dispatch({kind: "estop-pressed"})}
+      >
+        {w.estop}
+      </button>
     </section>
   )
 }

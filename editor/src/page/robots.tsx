@@ -1,7 +1,7 @@
 /// Where a robot is chosen: the simulated one, or one of those that the person who started Rosy lets pages drive.
 
 import type {VNode} from "preact"
-import {useState} from "preact/hooks"
+import {useEffect, useRef, useState} from "preact/hooks"
 import type {RobotName} from "../state/robots.ts"
 import {words} from "../words/index.ts"
 import {Dialog} from "./dialog.tsx"
@@ -22,6 +22,14 @@ function Choices(): VNode {
   const known = usePage(s => s.robots.who)
   const refused = usePage(s => s.robots.refused)
   const [who, setWho] = useState(known)
+  const name = useRef<HTMLInputElement>(null)
+  const locked = offered?.locked === true
+  const wasLocked = useRef(locked)
+  // The code fits: its field is gone, and a name comes next.
+  useEffect(() => {
+    if (wasLocked.current && !locked) name.current?.focus()
+    wasLocked.current = locked
+  }, [locked])
   const w = words.robots
   const simulate = () => {
     store.dispatch({kind: "robot-left"})
@@ -29,6 +37,19 @@ function Choices(): VNode {
   }
   return (
     <>
+      {offered?.locked === false && (
+        <label class="field">
+          <span>{w.who}</span>
+          <input
+            type="text"
+            ref={name}
+            value={who}
+            maxLength={40}
+            autocomplete="off"
+            onInput={event => setWho(event.currentTarget.value)}
+          />
+        </label>
+      )}
       <ul class="robot-list">
         <Robot
           name={w.simulated}
@@ -50,18 +71,6 @@ function Choices(): VNode {
           />
         ))}
       </ul>
-      {offered?.locked === false && (
-        <label class="field">
-          <span>{w.who}</span>
-          <input
-            type="text"
-            value={who}
-            maxLength={40}
-            autocomplete="off"
-            onInput={event => setWho(event.currentTarget.value)}
-          />
-        </label>
-      )}
       {offered?.locked && <Lock />}
       {refused !== null && (
         <p class="refused" role="alert">

@@ -3,7 +3,7 @@
 import type {Words} from "../index.ts"
 import {measuresOf} from "../measures.ts"
 
-const {fixed, seconds, count} = measuresOf("de")
+const {short, seconds, count} = measuresOf("de")
 
 export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
   rosy: "Rosy",
@@ -217,7 +217,7 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
     safetyOffHint:
       "Wer Rosy gestartet hat, hat das für diesen Roboter abgeschaltet: Pass auf seinen Weg auf.",
     backing: "Weicht zurück …",
-    limits: speed => `höchstens ${fixed(speed, 1)} m/s`,
+    limits: speed => `höchstens ${short(speed, 2)} m/s`,
     estop: "Notstopp",
     estopHint: "Den Roboter sofort anhalten (Leertaste)",
     stopped: "Notstopp: Er steht.",

@@ -2,7 +2,7 @@
 
 import {measuresOf} from "../measures.ts"
 
-const {fixed, seconds, count} = measuresOf("en")
+const {short, seconds, count} = measuresOf("en")
 
 export const page = {
   rosy: "Rosy",
@@ -220,7 +220,7 @@ export const page = {
     safetyOff: "Does not back off",
     safetyOffHint: "Whoever started Rosy has switched that off for this robot: watch its way.",
     backing: "Backing off…",
-    limits: (speed: number) => `at most ${fixed(speed, 1)} m/s`,
+    limits: (speed: number) => `at most ${short(speed, 2)} m/s`,
     estop: "Emergency stop",
     estopHint: "Stop the robot at once (Space)",
     stopped: "Emergency stop: it stands.",
