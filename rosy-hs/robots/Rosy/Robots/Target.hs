@@ -27,7 +27,7 @@ import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString as B
 import Data.Char (isDigit, isHexDigit)
 import Data.Either (fromRight)
-import Data.List (isPrefixOf, stripPrefix)
+import Data.List (isPrefixOf, partition, stripPrefix)
 import Data.Maybe (fromMaybe)
 import qualified Data.Text as T
 import Numeric (readHex)
@@ -112,8 +112,10 @@ withFile profile t = do
   let named = optionsOf t
       begun = Target t way (startProfile (named ++ maybe [] (fromRight [] . fromJson "") profile)) (Limits 0.7 pi) True 10
   fromProfile <- maybe (Right []) (fromJson (fromMaybe "" (lookup "profile" named))) profile
-  foldM option begun (fromProfile ++ filter ((/= "profile") . fst) named)
+  foldM option begun (prefixFirst (fromProfile ++ filter ((/= "profile") . fst) named))
   where
+    -- It moves the topics that are not named.
+    prefixFirst = uncurry (++) . partition ((== "prefix") . fst)
     -- Which ROS it is decides where the other options start from, wherever it is written.
     startProfile os = if fmap (takeWhile (/= '.')) (lookup "ros" os) == Just "2" then kobukiRos2 else turtlebot2
 
@@ -134,8 +136,10 @@ option t (k, v) = case k of
   "ros"
     | takeWhile (/= '.') v `elem` ["1", "2"] -> Right t
     | otherwise -> bad
-  -- A velocity topic that was not named follows the prefix.
-  "prefix" -> Right t {targetProfile = p {prefix = v, velocityTopic = maybe (velocityTopic p) (v ++) (stripPrefix (prefix p) (velocityTopic p))}}
+  -- A topic that lies below the prefix follows it; a TurtleBot's odometry does not.
+  "prefix" -> Right t {targetProfile = p {prefix = v, odometryTopic = moved (odometryTopic p), velocityTopic = moved (velocityTopic p)}}
+    where
+      moved n = maybe n (v ++) (stripPrefix (prefix p) n)
   "odometry" -> topic (\n -> p {odometryTopic = n})
   "velocity" -> topic (\n -> p {velocityTopic = n})
   "messages" -> if null v then bad else Right t {targetProfile = p {messagePackage = v}}

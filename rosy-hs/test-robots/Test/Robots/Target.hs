@@ -21,8 +21,11 @@ tests =
       testCase "without options a robot is a TurtleBot 2 at a Kobuki's limits, with the safety rules" $
         readTarget "ros://h" @?= Right (Target "ros://h" (Ros1 "h" 11311) turtlebot2 (Limits 0.7 pi) True 10),
       testCase "ros=2 changes names, and a prefix moves the topics that follow it" $ do
-        fmap targetProfile (readTarget "ws://h?ros=2&prefix=/kitchen") @?= Right kobukiRos2 {prefix = "/kitchen", velocityTopic = "/kitchen/commands/velocity"}
-        fmap (velocityTopic . targetProfile) (readTarget "ros://h?velocity=/cmd_vel_mux/input/navi&prefix=/b") @?= Right "/cmd_vel_mux/input/navi",
+        fmap targetProfile (readTarget "ws://h?ros=2&prefix=/kitchen") @?= Right kobukiRos2 {prefix = "/kitchen", odometryTopic = "/kitchen/odom", velocityTopic = "/kitchen/commands/velocity"}
+        fmap targetProfile (readTarget "ros://h?prefix=/b") @?= Right turtlebot2 {prefix = "/b", velocityTopic = "/b/commands/velocity"}
+        fmap (velocityTopic . targetProfile) (readTarget "ros://h?velocity=/cmd_vel_mux/input/navi&prefix=/b") @?= Right "/cmd_vel_mux/input/navi"
+        fmap (velocityTopic . targetProfile) (readTarget "ws://h?ros=2&velocity=/cmd_vel&prefix=/kitchen") @?= Right "/cmd_vel"
+        fmap (odometryTopic . targetProfile) (withFile (Just "{\"ros\": 2, \"odometry\": \"/o\", \"prefix\": \"/a\"}") "ws://h?prefix=/b&profile=x") @?= Right "/o",
       testCase "a profile's options come first, those of the address win" $
         fmap (\t -> (targetLimits t, targetProfile t)) (withFile (Just "{\"max_speed\": 0.3, \"max_turn\": 1, \"ros\": \"2\"}") "ws://h?profile=x.json&max_speed=.2")
           @?= Right (Limits 0.2 1, kobukiRos2),
