@@ -267,6 +267,14 @@ def test_safety_control_backs_off_from_a_wall_and_turns_away_from_it(
     assert math.copysign(1, turned) == math.copysign(1, away) if away else turned == 0
 
 
+def test_safety_control_knocks_again_and_again_at_a_wall_straight_ahead(worker: BlockingWorker) -> None:
+    run = example(worker, "safetyControl", 30)
+    knocks = run.heard("Bumper CenterBumper Pressed")
+    assert len(knocks) > 50
+    assert {velocity for time in run.heard("Bumper", "Released") for velocity in velocities(run.at(time))} == {(0.2, 0.0)}
+    assert min(line["x"] for line in run.between(knocks[0], 30.0)) > AT_THE_WALL - 0.02
+
+
 def test_safety_control_keeps_the_robot_on_a_table_by_backing_off_from_its_edge(worker: BlockingWorker) -> None:
     run = example(worker, "safetyControl", 60, world="table")
     assert not run.heard("Wheel", "Air")

@@ -11,20 +11,8 @@
 --
 -- An __ending__ ('Ending') stops whatever is going on at once, and only clean-ups follow it (rule 11).
 module Rosy.Model
-  ( -- * Programs
-    Program (..),
-    Spec (..),
-    Function (..),
-    Calling (..),
-    Input (..),
-    Output (..),
-    Value (..),
-    Type,
-
-    -- * Time
-    Happening (..),
-    Said (..),
-    Ending (..),
+  ( -- * Programs, and time
+    module Rosy.Model.Program,
 
     -- * Meaning
     meaning,

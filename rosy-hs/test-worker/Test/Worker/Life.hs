@@ -47,10 +47,7 @@ tests borrow =
         withRun worker "stuck" stuck (64 * megabytes) $ \link -> do
           started <- hear worker
           text "op" started @?= "started"
-          say link start
-          _ <- linesUntil "ready" link
-          say link odometry
-          say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
+          firstStep link
           -- The child sits in a loop without an end: it never says that it has settled.
           eventually "the child computes" (or <$> (childrenOf (processId worker) >>= mapM hasWorked))
           gone <- ask worker (kill "stuck")
@@ -74,10 +71,7 @@ tests borrow =
         worker <- borrow
         withRun worker "hungry" hungry (64 * megabytes) $ \link -> do
           _ <- hear worker
-          say link start
-          _ <- linesUntil "ready" link
-          say link odometry
-          say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
+          firstStep link
           said <- linesUntil "settled" link
           gone <- hear worker
           let told = [text "kind" (field "problem" l) | l <- said ++ [gone], field "problem" l /= Null]
@@ -86,10 +80,7 @@ tests borrow =
         worker <- borrow
         withRun worker "aborted" stuck (64 * megabytes) $ \link -> do
           _ <- hear worker
-          say link start
-          _ <- linesUntil "ready" link
-          say link odometry
-          say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
+          firstStep link
           eventually "the child computes" (or <$> (childrenOf (processId worker) >>= mapM hasWorked))
           -- What the run-time system does when it is given no more.
           childrenOf (processId worker) >>= mapM_ (signalProcess sigABRT . fromIntegral)
@@ -100,10 +91,7 @@ tests borrow =
         withWorker ["--run-seconds", "1"] $ \worker ->
           withRun worker "busy" stuck (64 * megabytes) $ \link -> do
             _ <- hear worker
-            say link start
-            _ <- linesUntil "ready" link
-            say link odometry
-            say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
+            firstStep link
             gone <- hear worker
             (text "op" gone, text "kind" (field "problem" gone), text "firing" gone) @?= ("gone", "time", "forEver"),
       testCase "Safe Haskell alone refuses what is unsafe" $
@@ -139,35 +127,15 @@ tests borrow =
         map (field "id") answers @?= [Null, Null, Number 7, Null, Null, Number 8]
         answer <- ask worker (check (Number 9) idle)
         (text "op" answer, kinds answer) @?= ("checked", []),
-      testCase "when the service goes, the worker and its programs go" $
-        withWorker [] $ \worker -> do
-          link <- run worker "r" stuck (64 * megabytes)
-          _ <- hear worker
-          children <- childrenOf (processId worker)
-          closeWorker worker
-          ended worker
-          forM_ children (\c -> eventually "the program is gone" (not <$> isAlive c))
-          closeLink link,
-      testCase "when the worker is killed, its programs go" $
-        withWorker [] $ \worker -> do
-          link <- run worker "r" stuck (64 * megabytes)
-          _ <- hear worker
-          children <- childrenOf (processId worker)
-          assertBool "there is a program" (not (null children))
-          signalProcess sigKILL (fromIntegral (processId worker))
-          ended worker
-          forM_ children (\c -> eventually "the program is gone" (not <$> isAlive c))
-          closeLink link,
+      testCase "when the service goes, the worker and its programs go" $ leavingNothing closeWorker,
+      testCase "when the worker is killed, its programs go" $ leavingNothing (signalProcess sigKILL . fromIntegral . processId),
       testCase "each run runs its own program" $ do
         worker <- borrow
         forM_ [1 .. 3 :: Int] $ \n -> do
           let source = "main = simulate (Say \"" <> Text.pack (show n) <> "\")\n"
           withRun worker (toJSON n) source (64 * megabytes) $ \link -> do
             _ <- answerOf worker (toJSON n)
-            say link start
-            _ <- linesUntil "ready" link
-            say link odometry
-            say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
+            firstStep link
             said <- linesUntil "settled" link
             assertBool (show said) (toJSON ["Say \"" <> Text.pack (show n) <> "\""] `elem` map (field "commands") said)
           _ <- answerOf worker (toJSON n)
@@ -183,6 +151,22 @@ tests borrow =
     kinds answer = case field "problems" answer of
       Array ps -> [text "kind" p | p <- foldr (:) [] ps]
       _ -> []
+    -- Whatever ends the worker ends what runs in it.
+    leavingNothing end' = withWorker [] $ \worker -> do
+      link <- run worker "r" stuck (64 * megabytes)
+      _ <- hear worker
+      children <- childrenOf (processId worker)
+      assertBool "there is a program" (not (null children))
+      () <- end' worker
+      ended worker
+      forM_ children (\c -> eventually "the program is gone" (not <$> isAlive c))
+      closeLink link
+    -- The program is there, and has been told what it needs for its first firing.
+    firstStep link = do
+      say link start
+      _ <- linesUntil "ready" link
+      say link odometry
+      say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Double)])
     -- Has computed for a quarter of a second: starting takes a tenth of that. (proc(5): utime is field 14, in hundredths.)
     hasWorked pid = do
       -- Another, from the test before, may be gone by now.
