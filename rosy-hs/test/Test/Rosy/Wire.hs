@@ -6,7 +6,7 @@
 -- Description : The golden conversations of protocol/goldens/link, held over a real socket.
 --
 -- Each file has a program of its name here. The simulator's lines go in; the program's lines must be those of the file.
--- With ROSY_ACCEPT=1 in the environment the files are written anew instead; read the difference before you keep it.
+-- With UPDATE_GOLDENS=1 in the environment the files are written anew instead; read the difference before you keep it.
 module Test.Rosy.Wire (tests) where
 
 import Control.Exception (bracket)
@@ -155,7 +155,7 @@ converse name main' = do
   let simulator = [l | ("sim", l) <- entries]
       program = [l | ("prog", l) <- entries]
   answers <- held (map (Lazy.toStrict . Aeson.encode) simulator) main'
-  accepted <- lookupEnv "ROSY_ACCEPT"
+  accepted <- lookupEnv "UPDATE_GOLDENS"
   case accepted of
     Just _ -> ByteString.writeFile file (Char8.unlines (map (Lazy.toStrict . Aeson.encode . entry) (interleaved simulator answers)))
     Nothing -> do

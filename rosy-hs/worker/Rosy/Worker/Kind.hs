@@ -12,7 +12,7 @@ module Rosy.Worker.Kind
   )
 where
 
-import Data.Char (isAlphaNum, isUpper)
+import Data.Char (isAlphaNum, isDigit, isUpper)
 import Data.List (nub, nubBy)
 import Data.Maybe (catMaybes, fromMaybe, listToMaybe, mapMaybe)
 import Data.Text (Text)
@@ -57,7 +57,7 @@ withoutEchoes :: [Problem] -> [Problem]
 withoutEchoes ps = nubBy (\x y -> place x == place y && kind x == kind y) (filter (not . echo) ps)
   where
     at p k = [q | q <- ps, function q == function p, kind q == k]
-    causes = [function p | p <- ps, kind p `elem` ["hole", "not-in-scope", "negative-number", "too-many-arguments"]]
+    causes = [function p | p <- ps, kind p `elem` ["hole", "not-in-scope", "unit", "negative-number", "too-many-arguments"]]
     echo p =
       kind p `elem` ["ambiguous-type", "not-a-sensor", "not-a-command"] && (function p `elem` causes || Just "main" `elem` causes)
         || kind p == "ambiguous-type" && any ((< place p) . place) (at p "ambiguous-type")
@@ -70,6 +70,9 @@ withoutEchoes ps = nubBy (\x y -> place x == place y && kind x == kind y) (filte
         || kind p == "ambiguous-type" && any ((< place p) . place) (at p "type-mismatch")
         || kind p `elem` ["type-mismatch", "missing-argument", "memory-types"] && any (sameLine p) (at p "operator")
         || kind p == "missing-argument" && any (sameLine p) (at p "arguments-with-commas" ++ at p "negative-number")
+        || kind p == "operator" && any (\q -> sameLine p q && message q == message p && place q < place p) (at p "operator")
+        || kind p == "too-many-arguments" && any (sameLine p) (at p "unit")
+        || kind p == "ambiguous-type" && any (sameLine p) (at p "operator")
         || kind p == "main-type" && any ((< place p) . place) (at p "main-type")
     sameLine p q = fmap (line . start) (place p) == fmap (line . start) (place q)
 
@@ -105,9 +108,11 @@ explain outline raw = case reason raw of
       _ -> problem "hole" "Something is missing here." "Put a value in this place."
 
     notInScope
+      | Just advice <- unitOf unknownName, endsInNumber before = problem "unit" "A number stands without its unit." advice
       | behindDot = problem "operator" "A value has no parts behind a dot." "Take it apart with a pattern, for example: (Position x y)."
       | Text.isPrefixOf "(" unknownName = problem "operator" ("There is no sign " <> quoted sign <> ".") (fromMaybe (nearMiss everything sign) (foreignName sign))
       | otherwise = problem "not-in-scope" ("There is nothing called " <> quoted unknownName <> ".") (fromMaybe (nearMiss everything unknownName) (foreignName unknownName))
+    endsInNumber = maybe False (isDigit . snd) . Text.unsnoc . Text.stripEnd
     unknownName = Text.takeWhile (/= ' ') (fromMaybe "?" (after "not in scope: " said))
     sign = Text.dropAround (`elem` ("()" :: String)) unknownName
     before = maybe "" (\s -> Text.take (column (start s) - 1) (lineOf s)) (region raw)
@@ -165,6 +170,7 @@ explain outline raw = case reason raw of
       | otherwise = Nothing
 
     undefinedThing rest
+      | Just advice <- unitOf firstName, endsInNumber before = problem "unit" "A number stands without its unit." advice
       | "A data constructor of that name" `Text.isInfixOf` said = problem "not-a-type" (quoted firstName <> " is a value, not a type.") (fromMaybe "In a type, write the type that it belongs to." (typeOfValue firstName))
       | "type variable" `Text.isPrefixOf` rest = problem "not-in-scope" ("There is no type called " <> quoted firstName <> ".") "Types begin with capital letters, for example: Turn Double."
       | "No module named" `Text.isInfixOf` everything,

@@ -39,6 +39,9 @@ habits source found current at =
           word t == "otherwise",
           "|" `elem` words'
       ],
+      [ problemAt (spanning t) "unit" "A number stands without its unit." "Write: degreesToRadians 90, or degreesToOrientation 90."
+        | t : _ <- [filter (("°" `Text.isPrefixOf`) . word) current]
+      ],
       [ problemAt (spanning t) "word" (quoted (word t) <> " is two words in Haskell.") "Write: else if."
         | t : _ <- [filter ((`elem` ["elif", "elsif", "elseif"]) . word) onLine]
       ],

@@ -9,6 +9,7 @@ module Rosy.Worker.Kind.Nouns
     typeOfValue,
     exampleOf,
     foreignName,
+    unitOf,
     spelling,
     loops,
 
@@ -107,6 +108,15 @@ foreignName n
   | otherwise = Nothing
   where
     operators = [("!=", "/="), ("<>=", ">="), ("=<", "<="), ("=>", ">="), ("===", "=="), ("&", "&&"), ("and", "&&"), ("or", "||"), ("%", "with the word mod"), ("//", "with the word div"), ("+=", "with a new value: Memory (n + 1)"), ("-=", "with a new value: Memory (n - 1)"), ("++=", "with a new value"), ("elif", "else if"), ("elseif", "else if"), ("print", "with Say")]
+
+-- | What to write instead of a unit behind a number.
+unitOf :: Text -> Maybe Text
+unitOf n
+  | n `elem` ["degrees", "degree", "deg"] = Just "Write: degreesToRadians 90, or degreesToOrientation 90."
+  | n `elem` ["cm", "centimeters", "centimetres"] = Just "Lengths are in metres: write centimetersToMeters 50, or 0.5."
+  | n `elem` ["ms", "milliseconds"] = Just "Times are in seconds: write 0.5 for half a second."
+  | n `elem` ["s", "sec", "secs", "second", "seconds", "m", "meters", "metres", "rad", "radians"] = Just ("Remove ‘" <> n <> "’: times are in seconds, lengths in metres, angles in radians.")
+  | otherwise = Nothing
 
 -- | How a name of other languages is spelled here.
 spelling :: Text -> Maybe Text

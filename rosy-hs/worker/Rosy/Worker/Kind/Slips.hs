@@ -9,11 +9,12 @@
 module Rosy.Worker.Kind.Slips
   ( slip,
     halfBuilt,
+    looseCalculation,
   )
 where
 
-import Data.Char (isAlphaNum, isLower, isSpace, isUpper)
-import Data.List (find)
+import Data.Char (isAlphaNum, isDigit, isLower, isSpace, isUpper)
+import Data.List (find, tails)
 import Data.Maybe (fromMaybe, isNothing, listToMaybe, mapMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -24,7 +25,7 @@ import Rosy.Worker.Raw
 
 -- | What was written instead of what was meant, if the text shows it. Takes the type that is needed and the one that is there.
 slip :: Outline -> Raw -> (Text -> Text -> Text -> Problem) -> Type -> Type -> Maybe Problem
-slip outline raw problem needed given = listToMaybe (concat [dotted, commas, unfinished, joined, ofMain, inPattern, tasks])
+slip outline raw problem needed given = listToMaybe (concat [dotted, minus, pairPattern, commas, unfinished, joined, ofMain, inPattern, tasks])
   where
     source = region raw >>= snippet (text outline)
     lineAt s = maybe "" snd (find ((== line (start s)) . fst) (zip [1 ..] (Text.splitOn "\n" (text outline))))
@@ -43,6 +44,31 @@ slip outline raw problem needed given = listToMaybe (concat [dotted, commas, unf
           isField field
       ]
     isField f = any (\l -> any (`Text.isInfixOf` l) [f <> " ::", f <> "::"] && any (`Text.isInfixOf` l) ["{", ","]) (Text.lines (text outline))
+
+    -- Velocity 0 -0.5, which GHC reads as a subtraction.
+    minus =
+      [ (problem "negative-number" "Here minus takes one thing from another." ("A negative number needs brackets: (-" <> n <> ").")) {place = Just (Span (Place (line (start s)) i) (Place (line (start s)) (i + 1)))}
+        | isFunction given,
+          not (isFunction needed),
+          Just s <- [region raw],
+          (left, right) <- take 1 (Text.breakOnAll " -" (lineAt s)),
+          any (maybe False (isUpper . fst) . Text.uncons) (Text.words left),
+          let n = Text.takeWhile (\c -> isDigit c || c == '.') (Text.drop 2 right),
+          not (Text.null n),
+          let i = Text.length left + 2
+      ]
+
+    -- drive (v, w) = …, where drive takes a Velocity.
+    pairPattern =
+      [ problem "pattern" ("This takes " <> a needed <> ", but the pattern is a pair.") ("Write the pattern as (" <> Text.unwords (needed : parts) <> ").")
+        | isPattern,
+          needed `elem` ["Velocity", "Position"],
+          "(" `Text.isPrefixOf` given,
+          Just s <- [source],
+          Just inside <- [Text.stripPrefix "(" s >>= Text.stripSuffix ")"],
+          let parts = map Text.strip (Text.splitOn "," inside),
+          length parts == 2
+      ]
 
     -- add(v, 0.5)
     commas =
@@ -143,3 +169,22 @@ halfBuilt outline name = do
     snippetOf s
       | line (start s) == line (end s) = Just (Text.take (column (end s) - column (start s)) (Text.drop (column (start s) - 1) (Text.splitOn "\n" (text outline) !! (line (start s) - 1))))
       | otherwise = Nothing
+
+-- | A constructor, and the calculation among its values that needs brackets: as in @Velocity 0 pi/2@ and @Velocity v * 2 0@. Where the sign
+-- stands apart and all values are there, it may be the whole that is calculated with.
+looseCalculation :: Text -> Maybe (Text, Text)
+looseCalculation = listToMaybe . mapMaybe behind . tails . Text.words
+  where
+    behind ws = case ws of
+      c : values | startsWith isUpper c, Text.all isAlphaNum c -> (,) c <$> listToMaybe (mapMaybe touching (takeWhile plain values) ++ apart (takeWhile plain values))
+      _ -> Nothing
+    touching w = case Text.break (`elem` signs) w of
+      (x, more) | not (Text.null x), startsWith isValue (Text.drop 1 more) -> Just w
+      _ -> Nothing
+    apart values = case values of
+      x : sign : y : _ | Text.length sign == 1, Text.all (`elem` signs) sign, startsWith isValue y -> [Text.unwords [x, sign, y]]
+      _ -> []
+    plain = Text.all (\c -> isAlphaNum c || c `elem` ("._'" :: String) || c `elem` signs)
+    startsWith p = maybe False (p . fst) . Text.uncons
+    isValue c = isLower c || isDigit c
+    signs = "+*/" :: String

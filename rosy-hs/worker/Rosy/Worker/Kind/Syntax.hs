@@ -58,8 +58,14 @@ explainSyntax source said spot = fromMaybe fallback (listToMaybe (concat finding
         [ problemAt (Span (from x) (upTo z)) "number" "A number has a point, not a comma." ("Write " <> word x <> "." <> word z <> ".")
           | given == Just ",",
             Just x <- [listToMaybe (reverse current)],
-            z : _ <- [drop 1 (dropWhile ((< at) . from) found)],
+            comma : z : _ <- [dropWhile ((< at) . from) found],
+            (upTo x, upTo comma) == (from comma, from z),
             all (Text.all isDigit . word) [x, z]
+        ],
+        [ problemAt (Span (from s) (upTo (last onLine))) "too-many-arguments" "‘simulate’ takes one thing only." "Put what belongs together into brackets, for example: simulate (Velocity 0.5 0)."
+          | given == Just ",",
+            s : _ <- [[t | t <- onLine, word t == "simulate"]],
+            from s < at
         ],
         [ problemAt (spanning t) "missing-colon" "Two colons stand between a name and its type." ("Write: " <> word f <> " :: …")
           | (f, t) <- take 1 (zip current (drop 1 current)) ++ [(f, t) | f : _ <- [reverse current], Just t <- [here]],

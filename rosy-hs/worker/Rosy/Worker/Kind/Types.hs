@@ -12,7 +12,7 @@ module Rosy.Worker.Kind.Types
 where
 
 import Control.Applicative ((<|>))
-import Data.Char (isAlphaNum, isLower, isSpace)
+import Data.Char (isAlphaNum, isLower, isSpace, isUpper)
 import Data.List (find)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
@@ -136,6 +136,7 @@ explainInstance outline raw problem c t user
   | c == "Sensor", Just (f, _) <- culprit inputs, any ("Task" `Text.isPrefixOf`) (outputs f) = problem "missing-argument" (quoted (called f) <> " needs a value before it is a task.") ("Give it one: simulate (" <> called f <> " …).")
   | c == "Enum", t == "String" = problem "calculation" "Here numbers are counted, but texts are needed." "Turn each number into a text with show: (say . show)."
   | c == "Sensor", Just (f, _) <- culprit inputs, Just (k, s) <- halfBuilt outline (called f) = (problem "missing-argument" (quoted k <> " needs another value: " <> a t <> ".") "Add what is missing.") {function = Just (called f), place = Just s}
+  | c == "Sensor", isNumber t, Nothing <- culprit inputs, k : _ <- Text.words (Text.dropWhile (`elem` ("($ " :: String)) (fromMaybe "" (after "simulate" here))), isUpper (Text.head k) = problem "missing-argument" (quoted k <> " needs another value: " <> a t <> ".") "Add what is missing."
   | c == "Sensor" = blaming inputs (problem "not-a-sensor" (who "takes" <> a t <> ", which the robot cannot sense.") sensorHint)
   | c == "Command", "Task" `Text.isPrefixOf` t, any isOpenType (drop 1 (atoms t)) = problem "missing-controller" "‘task’ needs two things: how it starts, and what it does." "If nothing is to be done first, write: task () f."
   | c == "Command", "Task" `Text.isPrefixOf` t, "replicate " `Text.isInfixOf` here = problem "controller-needed" "This is a list of tasks, and a list is not one after the other." "To do a task several times, write replicateM_ instead of replicate."
@@ -145,6 +146,7 @@ explainInstance outline raw problem c t user
   | c `elem` ["Command", "Controller", "Runnable"] = blaming outputs (problem "not-a-command" (who "gives" <> a t <> ", which is not a command.") commandHint)
   | c == "Default" = problem "not-memorable" ("A " <> quoted t <> " cannot be remembered.") "Memory holds numbers, texts, lists, and types of your own."
   | c == "Value" = problem "not-memorable" ("A " <> quoted t <> " cannot be kept or sent.") "Events and memories hold numbers, texts, lists, and types of your own."
+  | Just (k, sum') <- looseCalculation here, c `elem` ["Num", "Fractional"], isFunction t || t == k = problem "operator" "A calculation among other values needs brackets." ("Write it as (" <> sum' <> ").")
   | isFunction t, user == "-", "Num" == c = problem "negative-number" "Here minus takes one thing from another." "A negative number needs brackets: (-0.5)."
   | c == "Show", isFunction t = problem "function-as-value" "A function cannot be shown as a text." "Give it its values first."
   | isFunction t = problem "function-as-value" ("Here a value is needed, but this is " <> a t <> ".") "Give the function its values, or check the brackets."
@@ -221,6 +223,7 @@ explainMismatch outline raw problem needed given
   | "Memory" == firstAtom needed, "Memory" == firstAtom given = problem "memory-types" ("This memory holds " <> a (inner given) <> ", but one with " <> a (inner needed) <> " is needed.") "Each memory has one type: use the same everywhere."
   | "Task" == firstAtom needed, "Task" == firstAtom given = problem "task-result" ("This task ends with " <> a (stripBrackets (inner given)) <> ", but one that ends with " <> a (stripBrackets (inner needed)) <> " is needed.") (if stripBrackets (inner needed) == "()" then "If its result is not needed, write" <> maybe " void in front of it" (\s -> " void (" <> s <> ")") source <> "." else "The last line of a task gives its result.")
   | "Task" == firstAtom needed = problem "task-needed" ("A task is needed here, but this is " <> a given <> ".") ("Turn a command into a task with once" <> example "once" <> ".")
+  | "Task" == firstAtom given, "IO" == firstAtom needed = problem "controller-needed" "This is a task, but ‘main’ only says what to simulate." "Put all the steps behind it: main = simulate (do …)."
   | "Task" == firstAtom given = problem "controller-needed" ("This is a task, but " <> a needed <> " is needed here.") "Start a task with simulate, or in another task with do."
   | needed == "Bool", behindNot = problem "type-mismatch" "‘not’ takes only what stands right behind it." "Put brackets around the comparison: not (a > b)."
   | needed == "Bool", "if" `Text.isInfixOf` whole = problem "type-mismatch" ("The condition of an ‘if’ is true or false, but this is " <> a given <> ".") "Compare it with something, for example with ==."
@@ -231,7 +234,7 @@ explainMismatch outline raw problem needed given
   | given == "[" <> needed <> "]" = problem "type-mismatch" ("This is a list, but one " <> quoted needed <> " is needed.") "Take one element of it."
   | isFunction given, not (isFunction needed), lastOf given == needed = problem "missing-argument" ("Something is missing here: this still needs " <> a (firstOf given) <> ".") "Add the missing value."
   | "Either" : l : r : _ <- atoms needed, Just side <- lookup given [(l, "Left"), (r, "Right")] = problem "missing-side" ("This is " <> a given <> ", but " <> a needed <> " is needed here.") ("Say which of the two it is" <> example side <> ".")
-  | given == "Say", needed == "String" = problem "operator" "Only the first text belongs to this ‘Say’." "Put brackets around all of the text: Say (\"hits: \" ++ show n)."
+  | given == "Say", needed == "String" || "[" `Text.isPrefixOf` needed = problem "operator" "Only the first text belongs to this ‘Say’." "Put brackets around all of the text: Say (\"hits: \" ++ show n)."
   | isFunction given, isFunction needed, maybe False (\s -> "[" `Text.isInfixOf` Text.take (column (start s) - 1) (lineAt s)) (region raw) = problem "type-mismatch" "The parts of a list have one type, and these differ." "Put functions of different types into round brackets: (f, g)."
   | Just c <- wrapperOf given needed = problem "type-mismatch" ("This is " <> a given <> ", but " <> a needed <> " is needed here.") ("Write " <> c <> " in front of it" <> example c <> ".")
   | "(" `Text.isPrefixOf` given, "StdGen)" `Text.isSuffixOf` given = problem "type-mismatch" ("This is a pair with a new generator, but " <> a needed <> " is needed here.") ("Take the first of the two" <> example "fst" <> ".")
@@ -296,6 +299,9 @@ explainMismatch outline raw problem needed given
       | f == "simulate", Just s <- source, t : v : _ <- drop 1 (Text.words s), Text.all (`elem` ("0123456789.\"" :: String)) (Text.take 1 v) = problem "too-many-arguments" "‘simulate’ takes one thing only." ("Put brackets around what belongs together: simulate (" <> Text.unwords [t, v] <> ").")
       | f == "simulate" = problem "too-many-arguments" "‘simulate’ takes one thing only." "Put several functions into brackets with commas: simulate (f, g)."
       | Just so <- lookup f [("once", "one thing only"), ("task", "two things"), ("taskWith", "two things"), ("call", "two things")] = problem "too-many-arguments" (quoted f <> " takes " <> so <> ".") "Put brackets around what belongs together, for example: once (Velocity 0.5 0)."
+      | f == "repeat" = problem "too-many-arguments" "‘repeat’ goes on for ever, and takes no number." "To do a task several times, write: replicateM_ 4 (say \"hello\")."
+      | f == "randomR" = problem "too-many-arguments" "‘randomR’ takes both ends as one pair, and a generator." "Write: fst (randomR (0, 1) gen)."
+      | f == "show", Just s <- source, (n, quote) <- Text.breakOn " \"" (Text.drop 5 s), not (Text.null quote) = problem "operator" "Only the first value belongs to this ‘show’." ("Between two texts stands ++: show " <> n <> " ++" <> quote <> ".")
       | "none" == has, Just s <- source, "simulate" `elem` Text.words (maybe "" lineAt (region raw)), not (Text.any (`elem` ("()" :: String)) s) = problem "too-many-arguments" (quoted f <> " takes no values, but is given " <> taken <> ".") ("If these are several functions, put commas between them: (" <> Text.intercalate ", " (Text.words s) <> ").")
       | "none" == has || "has none" `Text.isInfixOf` whole = problem "too-many-arguments" (quoted f <> " takes no values, but is given " <> taken <> ".") "Remove what is too much, or check the brackets."
       | otherwise = problem "too-many-arguments" (quoted f <> " is given " <> taken <> " values, which is too many.") "Remove what is too much, or put brackets around what belongs together."

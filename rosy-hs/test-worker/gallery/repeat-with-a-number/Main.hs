@@ -1,0 +1,1 @@
+main = simulate (repeat 4 (say "hello"))

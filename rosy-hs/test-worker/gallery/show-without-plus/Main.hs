@@ -1,0 +1,4 @@
+clock :: Seconds -> Say
+clock s = Say (show s " seconds")
+
+main = simulate clock

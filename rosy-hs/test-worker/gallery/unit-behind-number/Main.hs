@@ -1,0 +1,4 @@
+main = simulate $ do
+  say "hello"
+  wait 2 seconds
+  say "bye"
