@@ -11,8 +11,9 @@ __all__ = ["alive", "below", "called", "descriptors", "named", "resident"]
 def below(pid: int) -> set[int]:
     """The processes that a process has started, and theirs."""
     found: set[int] = set()
-    with contextlib.suppress(FileNotFoundError, ProcessLookupError):
-        for task in Path(f"/proc/{pid}/task").iterdir():
+    for task in _inside(Path(f"/proc/{pid}/task")):
+        # A thread that ends meanwhile has no children; those of the others count.
+        with contextlib.suppress(FileNotFoundError, ProcessLookupError):
             for child in (task / "children").read_text().split():
                 found |= {int(child), *below(int(child))}
     return found
@@ -25,9 +26,14 @@ def alive(pids: set[int]) -> set[int]:
 
 def descriptors(pid: int) -> int:
     """How many files and sockets a process has open."""
-    with contextlib.suppress(FileNotFoundError):
-        return len(list(Path(f"/proc/{pid}/fd").iterdir()))
-    return 0
+    return len(_inside(Path(f"/proc/{pid}/fd")))
+
+
+def _inside(folder: Path) -> list[Path]:
+    """What there is of a process; nothing when it is gone."""
+    with contextlib.suppress(FileNotFoundError, ProcessLookupError):
+        return list(folder.iterdir())
+    return []
 
 
 def resident(pid: int) -> int:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import io
 import json
 import os
@@ -20,6 +19,7 @@ from rosy_sim.run import Order, Outcome, run_program
 from rosy_sim.worker.blocking import BlockingWorker
 from rosy_sim.world.world import World
 
+from .processes import below
 from .test_app import opened, serving
 
 pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]
@@ -131,10 +131,10 @@ def test_ten_runs_stopped_at_any_moment_leave_nothing_behind(real: Config) -> No
         left.append(leader)
 
     left: list[int] = []
-    before = _children(os.getpid())
+    before = below(os.getpid())
     asyncio.run(tell())
     assert not Path(f"/proc/{left[0]}").exists()
-    assert _children(os.getpid()) <= before
+    assert below(os.getpid()) <= before
 
 
 def test_a_killed_worker_is_replaced_and_its_run_ends_with_a_sentence(real: Config) -> None:
@@ -152,13 +152,3 @@ def test_a_killed_worker_is_replaced_and_its_run_ends_with_a_sentence(real: Conf
                 assert ended["problems"][0]["kind"] == "worker-lost"
 
     asyncio.run(tell())
-
-
-def _children(pid: int) -> set[int]:
-    """The processes below one."""
-    found: set[int] = set()
-    with contextlib.suppress(FileNotFoundError):
-        for task in Path(f"/proc/{pid}/task").iterdir():
-            for child in (task / "children").read_text().split():
-                found |= {int(child), *_children(int(child))}
-    return found

@@ -22,6 +22,7 @@ from rosy_sim.fleet import Fleet
 from rosy_sim.roster import configured
 
 from .conftest import PATIENCE
+from .processes import descriptors
 from .robot_rig import LIMIT, Rig, Robot, kobuki, looking
 from .test_app import opened, serving
 
@@ -304,11 +305,6 @@ def test_a_robot_that_a_terminal_drives_cannot_be_taken_by_any_of_its_names(conf
     story(tell, config, tmp_path)
 
 
-def descriptors(process: int) -> list[str]:
-    """What a process has open, apart from what the system keeps for it."""
-    return sorted(os.readlink(entry) for entry in Path(f"/proc/{process}/fd").iterdir() if entry.is_symlink())
-
-
 def test_fifty_runs_leave_no_descriptor_open(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -322,11 +318,11 @@ def test_fifty_runs_leave_no_descriptor_open(config: Config, tmp_path: Path) -> 
         # The worker in waiting would come at some moment in between.
         await rig.service.worker.spare_warm()
         await driven(range(1, 2))
-        ours, theirs = len(descriptors(os.getpid())), len(descriptors(rig.driver))
+        ours, theirs = descriptors(os.getpid()), descriptors(rig.driver)
         await driven(range(2, 52))
         # What the last one had may still be closing.
         async with asyncio.timeout(PATIENCE):
-            while len(descriptors(os.getpid())) > ours or len(descriptors(rig.driver)) > theirs:
+            while descriptors(os.getpid()) > ours or descriptors(rig.driver) > theirs:
                 await asyncio.sleep(0.01)
 
     story(tell, config, tmp_path)
