@@ -27,6 +27,7 @@ import Control.Concurrent.STM
 import Control.Exception (throwIO)
 import Control.Monad (forM_, when)
 import Data.IORef
+import Data.Maybe (isNothing)
 import Data.Time.Clock.POSIX (getPOSIXTime)
 import GHC.Clock (getMonotonicTime)
 import Rosy.Core (Action (..), Message)
@@ -92,7 +93,7 @@ realLink clock patience r base = do
           Gone why -> complain (IsAwaited why)
           Here -> do
             lost <- readIORef lostSince
-            forM_ lost (const (complain IsBack))
+            complain (if isNothing lost then IsThere else IsBack)
             writeIORef lostSince Nothing
           Heard _ -> pure ()
         (messages, actions) <- guarding (hearing h)

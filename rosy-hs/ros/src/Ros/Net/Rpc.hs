@@ -33,7 +33,7 @@ where
 import Control.Applicative ((<|>))
 import Control.Concurrent (ThreadId, forkIOWithUnmask, killThread, myThreadId, rtsSupportsBoundThreads, threadWaitRead)
 import Control.Concurrent.MVar (modifyMVar_, newMVar, readMVar)
-import Control.Exception (IOException, bracket, bracketOnError, finally, mask_, onException, try)
+import Control.Exception (bracket, bracketOnError, finally, mask_, onException, try)
 import Control.Monad (forever, void, when)
 import Data.Bits ((.|.))
 import qualified Data.ByteString as B
@@ -48,12 +48,12 @@ import Foreign.C.Types (CInt (..), CShort (..), CSize (..), CULong (..))
 import Foreign.Marshal.Alloc (allocaBytes)
 import Foreign.Ptr (Ptr)
 import Foreign.Storable (pokeByteOff)
+import GHC.IO.Exception (IOException (ioe_description))
 import Network.Socket
 import Network.Socket.ByteString (recv)
 import Network.Socket.ByteString.Lazy (sendAll)
 import Ros.Net.Http
 import Ros.Net.XmlRpc
-import System.IO.Error (ioeGetErrorString)
 import System.Posix.Types (CSsize (..), Fd (..))
 import System.Timeout (timeout)
 
@@ -101,7 +101,7 @@ call uri c = do
   done <- timeout limit (try (bracket (connectTo (uriHost uri) (uriPort uri)) close exchange))
   pure $ case done of
     Nothing -> Left (Slow uri)
-    Just (Left e) -> Left (Unreachable uri (ioeGetErrorString e))
+    Just (Left e) -> Left (Unreachable uri (ioe_description e))
     Just (Right r) -> r
   where
     exchange s = do
