@@ -59,7 +59,7 @@ def limits() -> Limits:
 @pytest.fixture
 def impatient(limits: Limits) -> Limits:
     """Short, for programs that are stuck whatever the machine does."""
-    return replace(limits, settle=1.0, ready=1.0)
+    return replace(limits, settle=1.0)
 
 
 @pytest.fixture

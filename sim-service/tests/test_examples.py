@@ -271,7 +271,9 @@ def test_safety_control_knocks_again_and_again_at_a_wall_straight_ahead(worker: 
     run = example(worker, "safetyControl", 30)
     knocks = run.heard("Bumper CenterBumper Pressed")
     assert len(knocks) > 50
-    assert {velocity for time in run.heard("Bumper", "Released") for velocity in velocities(run.at(time))} == {(0.2, 0.0)}
+    assert {velocity for time in run.heard("Bumper", "Released") for velocity in velocities(run.at(time))} == {
+        (0.2, 0.0)
+    }
     assert min(line["x"] for line in run.between(knocks[0], 30.0)) > AT_THE_WALL - 0.02
 
 

@@ -228,7 +228,7 @@ _HIT = "hit :: Button -> Done ()\nhit _ = Done ()\n\npush :: Task ()\npush = tas
 def test_tasks_that_never_let_time_pass_are_stopped_and_blamed_on_the_definition_they_stand_in(
     function: str, source: str, worker: BlockingWorker
 ) -> None:
-    run = ran(worker, source, 5, (0.5, Press(0, True)), limits=replace(LIMITS, settle=1.0, ready=1.0))
+    run = ran(worker, source, 5, (0.5, Press(0, True)), limits=replace(LIMITS, settle=1.0))
     assert run.outcome.ended == "stuck"
     [problem] = run.outcome.problems
     assert problem.function == function

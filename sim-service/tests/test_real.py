@@ -50,7 +50,7 @@ PROGRAMS = {
 }
 
 
-LIMITS = Limits(settle=2.0, ready=60.0, gone=20.0, compile=60.0, worker_ready=120.0)
+LIMITS = Limits(settle=20.0, ready=60.0, gone=20.0, compile=60.0, worker_ready=120.0)
 
 
 @pytest.fixture(scope="module")
@@ -65,10 +65,12 @@ def worker(real: Config) -> Iterator[BlockingWorker]:
         yield started
 
 
-def run(worker: BlockingWorker, source: str, order: Order) -> tuple[Outcome, list[dict[str, Any]], bytes, World]:
+def run(
+    worker: BlockingWorker, source: str, order: Order, limits: Limits = LIMITS
+) -> tuple[Outcome, list[dict[str, Any]], bytes, World]:
     world = World(usable_arena(named_world("room"), "room"))
     trace = io.BytesIO()
-    outcome = run_program(worker, source, world, order, LIMITS, lambda _: None, trace)
+    outcome = run_program(worker, source, world, order, limits, lambda _: None, trace)
     return outcome, [json.loads(line) for line in trace.getvalue().splitlines()], trace.getvalue(), world
 
 
@@ -106,7 +108,7 @@ def test_forward_backward_ends_at_the_wall_behind(worker: BlockingWorker) -> Non
 def test_an_end_names_what_caused_it(
     source: str, ended: str, kind: str | None, function: str | None, worker: BlockingWorker
 ) -> None:
-    outcome, _, _, _ = run(worker, source, Order(20.0, 1))
+    outcome, _, _, _ = run(worker, source, Order(20.0, 1), replace(LIMITS, settle=1.0) if ended == "stuck" else LIMITS)
     assert outcome.ended == ended
     assert len(outcome.problems) == (0 if ended == "done" else len(outcome.problems) or 1)
     if kind is not None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+from dataclasses import replace
 
 import pytest
 
@@ -51,7 +52,9 @@ def test_a_run_ends_when_the_program_is_done(limits: Limits) -> None:
 def test_a_bad_program_ends_with_one_problem(
     script: str, ended: str, kind: str, limits: Limits, impatient: Limits
 ) -> None:
-    outcome, _ = run(script, impatient if ended == "stuck" else limits)
+    if ended == "stuck":
+        limits = replace(impatient, ready=1.0) if script == "mute" else impatient
+    outcome, _ = run(script, limits)
     assert outcome.ended == ended
     assert [p.kind for p in outcome.problems] == [kind]
     assert outcome.problems[0].message
