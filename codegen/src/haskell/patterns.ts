@@ -3,7 +3,7 @@
 import type {Pattern} from "../model/tree.ts"
 import {unreachable} from "../model/tree.ts"
 import type {Doc} from "./doc.ts"
-import {group, join, line, mark, nest} from "./doc.ts"
+import {align, group, join, line, lines, mark, nest} from "./doc.ts"
 import {fixityOf} from "./fixity.ts"
 import {
   characterLiteral,
@@ -25,11 +25,11 @@ export function printPattern(p: Pattern, place: PatternPlace): Doc {
       : place === "operand"
         ? p.kind === "infix-pattern" || isNegative(p)
         : false
-  const doc = patternBody(p)
+  const doc = patternBody(p, bracketed ? "argument" : place)
   return mark(p, bracketed ? ["(", doc, ")"] : doc)
 }
 
-function patternBody(p: Pattern): Doc {
+function patternBody(p: Pattern, place: PatternPlace): Doc {
   switch (p.kind) {
     case "name-pattern":
       return variableName(p.name)
@@ -67,10 +67,17 @@ function patternBody(p: Pattern): Doc {
         "}",
       ]
     case "raw-pattern":
-      return p.text.trim() === "" ? "_" : p.text.replace(/\s*\n\s*/g, " ").trim()
+      return p.text.trim() === "" ? "_" : asItStands(p.text.trim(), place)
     default:
       return unreachable(p)
   }
+}
+
+/// Line by line: a comment or a gap in a text may end one. Where a pattern begins a definition or an alternative, a line that
+/// stands right below its beginning would begin another.
+function asItStands(text: string, place: PatternPlace): Doc {
+  const begins = place !== "argument" && /\n\S/.test(text)
+  return align(begins ? nest(lines(text)) : lines(text))
 }
 
 function printInfix(p: Pattern & {kind: "infix-pattern"}): Doc {

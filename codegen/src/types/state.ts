@@ -56,9 +56,10 @@ export class State {
   // --- Types as they are written -----------------------------------------------------------------------------------
 
   protected signature(text: string, node: Node): Scheme | undefined {
-    const scheme = this.beyond(text) ? undefined : parseScheme(text)
+    if (this.beyond(text)) return undefined
+    const scheme = parseScheme(text)
     if (scheme === undefined) {
-      if (text.trim() !== "" && !this.beyond(text)) this.problems.push({kind: "bad-signature", node, text})
+      if (text.trim() !== "") this.problems.push({kind: "bad-signature", node, text})
       return undefined
     }
     this.knownTypes(scheme.type, node)

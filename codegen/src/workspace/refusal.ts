@@ -123,6 +123,7 @@ function bridgeTo(wanted: Type, found: Type): string | undefined {
   const [made, given] = [to.head.name, from.head.name]
   return bridges.find(b => b.from.includes(given) && b.to.includes(made))?.by
 }
+
 function isKnown(type: Type): boolean {
   return spine(type).head.kind === "con"
 }

@@ -9,7 +9,7 @@ import type {Reader, View} from "../../src/reader/index.ts"
 import {layoutOf, openView, spansOf, syncBlocks, syncText, workspaceOf} from "../../src/reader/index.ts"
 import type {SavedBlock, SavedWorkspace} from "../../src/saved.ts"
 import type {Mutation} from "./mutations.ts"
-import {mutate, mutations} from "./mutations.ts"
+import {mutate, rareMutations} from "./mutations.ts"
 import {corpus, testReader} from "./open.ts"
 
 // `WALKS=50 npx vitest run test/reader/walk.test.ts` takes more walks.
@@ -32,7 +32,10 @@ type Step =
 
 const share = fc.double({min: 0, max: 0.999, noNaN: true})
 const step: fc.Arbitrary<Step> = fc.oneof(
-  {weight: 5, arbitrary: mutations.map((changes): Step => ({kind: "text", changes: changes.slice(0, 1)}))},
+  {
+    weight: 5,
+    arbitrary: rareMutations.map((changes): Step => ({kind: "text", changes: changes.slice(0, 1)})),
+  },
   {
     weight: 4,
     arbitrary: fc

@@ -32,31 +32,36 @@ export function haskellNumber(text: string): string | null {
     .replace(/^(-?)0+(?=\d)/, "$1")
 }
 
-/// The size of a field with a text, as Blockly has it, without asking the browser where the text stands.
-function sizeOf(
-  field: Blockly.Field,
-  text: SVGTextElement | null,
-  border: SVGRectElement | null,
-  margin?: number,
-): {readonly size: Blockly.utils.Size; readonly inset: number; readonly width: number} {
+/// What Blockly keeps for its fields alone.
+interface Parts {
+  readonly textElement_: SVGTextElement | null
+  readonly borderRect_: SVGRectElement | null
+  size_: Blockly.utils.Size
+  positionTextElement_(inset: number, width: number): void
+  positionBorderRect_(): void
+}
+
+/// Gives a field with a text its size, as Blockly does, without asking the browser where the text stands. Pixels.
+function fit(field: Blockly.Field, margin?: number, lower?: number): void {
+  const parts = field as unknown as Parts
   const constants = field.getConstants()
-  if (constants === null) return {size: new Blockly.utils.Size(0, 0), inset: 0, width: 0}
+  if (constants === null) return
+  const {textElement_: text, borderRect_: border} = parts
   const inset = margin ?? (border === null ? 0 : constants.FIELD_BORDER_RECT_X_PADDING)
   const width = widthOf(text)
   const height = Math.max(
     constants.FIELD_TEXT_HEIGHT,
     border === null ? 0 : constants.FIELD_BORDER_RECT_HEIGHT,
   )
-  return {size: new Blockly.utils.Size(2 * inset + width, height), inset, width}
+  parts.size_ = new Blockly.utils.Size(2 * inset + width, lower ?? height)
+  parts.positionTextElement_(inset, width)
+  parts.positionBorderRect_()
 }
 
 /// @internal Words of a block.
 export class Words extends Blockly.FieldLabel {
   protected override updateSize_(margin?: number): void {
-    const {size, inset, width} = sizeOf(this, this.textElement_, this.borderRect_, margin)
-    this.size_ = size
-    this.positionTextElement_(inset, width)
-    this.positionBorderRect_()
+    fit(this, margin)
   }
 
   override isSerializable(): boolean {
@@ -73,10 +78,7 @@ export class Words extends Blockly.FieldLabel {
 /// A field of one line that is typed into.
 class Line extends Blockly.FieldTextInput {
   protected override updateSize_(margin?: number): void {
-    const {size, inset, width} = sizeOf(this, this.textElement_, this.borderRect_, margin)
-    this.size_ = size
-    this.positionTextElement_(inset, width)
-    this.positionBorderRect_()
+    fit(this, margin)
   }
 
   override isSerializable(): boolean {
@@ -364,11 +366,8 @@ export class Press extends Blockly.Field<string> {
   }
 
   protected override updateSize_(): void {
-    const {size, inset, width} = sizeOf(this, this.textElement_, this.borderRect_, pressMargin)
     // Lower than other fields, so that a row of buttons is hardly a row.
-    this.size_ = new Blockly.utils.Size(size.width, pressHeight)
-    this.positionTextElement_(inset, width)
-    this.positionBorderRect_()
+    fit(this, pressMargin, pressHeight)
   }
 
   protected override showEditor_(): void {

@@ -24,16 +24,14 @@ export function asInFile(file: string, text: string): string {
   while (tail < most - head && before[before.length - 1 - tail] === now[now.length - 1 - tail]) tail += 1
   const usual = commonest(kinds)
   const shift = before.length - now.length
-  return (
-    bom +
-    now
-      .map((line, i) => {
-        if (i === now.length - 1) return line
-        const old = i < head ? i : i >= now.length - tail ? i + shift : -1
-        return line + (kinds[old] ?? usual)
-      })
-      .join("")
-  )
+  let out = ""
+  for (const [i, line] of now.slice(0, -1).entries()) {
+    const old = i < head ? i : i >= now.length - tail ? i + shift : -1
+    const end = kinds[old] ?? usual
+    // Behind an empty line, these two would be one end.
+    out += line + (end === "\n" && line === "" && out.endsWith("\r") ? "\r" : end)
+  }
+  return bom + out + now[now.length - 1]
 }
 
 function commonest(kinds: readonly string[]): string {

@@ -59,20 +59,28 @@ const toldAs = object<Told>(get => ({
 const unread = new WeakMap<Document, Kept>()
 const ofViews = new WeakMap<View, Kept>()
 const ofBlocks = new WeakMap<SavedBlock, {readonly text: string; readonly hash: string}>()
+const ofLayouts = new WeakMap<Kept["layout"], Hashes>()
+/// What a step changes in its neighbour; most steps have the neighbour that they had at the last autosave.
+const ofNeighbours = new WeakMap<Kept, {readonly of: Kept; readonly change: Change}>()
+
+type Change = Pick<Step, "from" | "to" | "insert">
+
+interface Hashes {
+  readonly declarations: readonly string[]
+  readonly loose: readonly string[]
+}
 
 /// The steps around a document; `null` when there are none.
 export function stepsText(history: History, document: Document, most = mostLetters): string | null {
   if (history.past.length === 0 && history.future.length === 0) return null
   const now = keptOf(document)
-  const here = new Map(hashesOf(now.layout).map((hash, i) => [hash, i]))
+  const own = hashesOf(now.layout)
+  const here = new Map([...own.declarations, ...own.loose].map((hash, i) => [hash, i]))
   const shared = new Map<string, number>()
   const told: string[] = []
   let letters = 0
-  const share = (hash: string, text: () => string): number => {
-    const known = here.get(hash) ?? shared.get(hash)
-    if (known !== undefined) return known
+  const tell = (hash: string, one: string): number => {
     const place = here.size + told.length
-    const one = text()
     told.push(one)
     letters += one.length
     shared.set(hash, place)
@@ -80,13 +88,21 @@ export function stepsText(history: History, document: Document, most = mostLette
   }
   const walk = (documents: readonly Document[]): string[] => {
     const steps: string[] = []
-    let before = now.text
+    let before = now
     for (const each of documents.slice(0, mostSteps)) {
-      const {text, layout} = keptOf(each)
+      const kept = keptOf(each)
+      const {layout} = kept
+      const hashes = hashesOf(layout)
       const shares = told.length
-      const change = difference(before, text) ?? {from: 0, to: 0, insert: ""}
-      const declarations = layout.declarations.map(d => share(hashOfLaid(d), () => laidText(d)))
-      const loose = layout.loose.map(block => share(blockText(block).hash, () => blockText(block).text))
+      const change = changeOf(before, kept)
+      const declarations = hashes.declarations.map(
+        (hash, i) =>
+          here.get(hash) ?? shared.get(hash) ?? tell(hash, laidText(layout.declarations[i] as LaidOut)),
+      )
+      const loose = hashes.loose.map(
+        (hash, i) =>
+          here.get(hash) ?? shared.get(hash) ?? tell(hash, blockText(layout.loose[i] as SavedBlock).text),
+      )
       const one = JSON.stringify({...change, declarations, loose} satisfies Step)
       letters += one.length
       if (letters > most) {
@@ -94,7 +110,7 @@ export function stepsText(history: History, document: Document, most = mostLette
         break
       }
       steps.push(one)
-      before = text
+      before = kept
     }
     return steps
   }
@@ -170,8 +186,23 @@ function keptOf(document: Document): Kept {
   return kept
 }
 
-function hashesOf(layout: Kept["layout"]): readonly string[] {
-  return [...layout.declarations.map(hashOfLaid), ...layout.loose.map(block => blockText(block).hash)]
+function changeOf(before: Kept, kept: Kept): Change {
+  const known = ofNeighbours.get(kept)
+  if (known?.of === before) return known.change
+  const change = difference(before.text, kept.text) ?? {from: 0, to: 0, insert: ""}
+  ofNeighbours.set(kept, {of: before, change})
+  return change
+}
+
+function hashesOf(layout: Kept["layout"]): Hashes {
+  const known = ofLayouts.get(layout)
+  if (known !== undefined) return known
+  const hashes = {
+    declarations: layout.declarations.map(hashOfLaid),
+    loose: layout.loose.map(block => blockText(block).hash),
+  }
+  ofLayouts.set(layout, hashes)
+  return hashes
 }
 
 function hashOfLaid({name, hash, blocks}: LaidOut): string {

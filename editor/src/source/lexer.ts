@@ -27,7 +27,7 @@ const keywords = new Set(
 
 // In this order: a pragma is a comment by form, a comment begins like an operator.
 const pieces =
-  /(?<pragma>\{-#[\s\S]*?(?:#-\}|$))|(?<line>--+(?![!#$%&*+./<=>?@\\^|~:-]).*)|(?<string>"(?:[^"\\\n]|\\.)*"?|'(?:[^'\\\n]|\\[^\n]{1,5})')|(?<number>0[xX][\da-fA-F]+|\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)|(?<upper>\p{Lu}[\p{L}\p{N}_']*)|(?<lower>[\p{Ll}_][\p{L}\p{N}_']*)|(?<operator>[!#$%&*+./<=>?@\\^|~:-]+)|(?<open>\{-)/gu
+  /(?<pragma>\{-#[\s\S]*?(?:#-\}|$))|(?<line>--+(?![!#$%&*+./<=>?@\\^|~:-]).*)|(?<string>"(?:[^"\\\n]|\\\S|\\\s+\\)*"?|'(?:[^'\\\n]|\\[^\n]{1,5})')|(?<number>0[xX][\da-fA-F]+|\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)|(?<upper>\p{Lu}[\p{L}\p{N}_']*)|(?<lower>[\p{Ll}_][\p{L}\p{N}_']*)|(?<operator>[!#$%&*+./<=>?@\\^|~:-]+)|(?<open>\{-)/gu
 
 /// All tokens of a text, in order; what lies between them is space and brackets.
 export function tokens(text: string): readonly Token[] {
@@ -44,7 +44,7 @@ export function tokensAfter(
   {from, to, shift}: {readonly from: number; readonly to: number; readonly shift: number},
 ): readonly Token[] {
   // A token before the change may have looked a few characters ahead (a comment is told from an operator, a number from a name), as far as its line's end.
-  const line = text.lastIndexOf("\n", from - 1)
+  const line = lineBefore(text, from)
   const kept = firstWith(old, token => token.end > line)
   const found = old.slice(0, kept)
   let rest = firstWith(old, token => token.end + shift >= to)
@@ -61,6 +61,16 @@ export function tokensAfter(
     }
   }
   return found
+}
+
+/// The line end before an offset that no text goes across. (A gap, `\` and space and `\`, goes on with a text on another line: report §2.6.)
+function lineBefore(text: string, from: number): number {
+  for (let at = from; ; ) {
+    const line = text.lastIndexOf("\n", at - 1)
+    at = line
+    while (at > 0 && /\s/.test(text[at - 1] ?? "")) at -= 1
+    if (line === -1 || text[at - 1] !== "\\") return line
+  }
 }
 
 /// The number of the first item of which something is true that is then true of all behind it.

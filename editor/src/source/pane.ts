@@ -149,8 +149,8 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
         ]),
         // What is longer than a program may be costs the page minutes; it is refused as a whole, and nothing is cut.
         EditorState.changeFilter.of(change => {
-          const {newDoc, startState} = change
-          const fits = newDoc.length <= options.longest || newDoc.length <= startState.doc.length
+          const {length, newLength} = change.changes
+          const fits = newLength <= options.longest || newLength <= length
           if (fits || change.annotation(fromPage) === true) return true
           options.tooLong()
           return false

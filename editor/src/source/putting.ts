@@ -16,14 +16,36 @@ export interface Putting {
   readonly select: {readonly start: number; readonly end: number}
 }
 
-export function putting(text: string, at: number, code: Code): Putting {
+export function putting(text: string, pointed: number, code: Code): Putting {
+  const comment = tokens(text).find(
+    t => t.kind === "comment" && t.start < pointed && pointed < behind(text, t),
+  )
   const made =
-    code.as === "definition"
-      ? definition(text, at, code.text)
-      : code.as === "steps"
-        ? steps(text, at, code.text)
-        : part(text, at, code.text)
+    code.as === "part"
+      ? part(text, comment === undefined ? pointed : besideComment(text, comment), code.text)
+      : (code.as === "steps" ? steps : definition)(text, comment?.end ?? pointed, code.text)
   return {...made, select: firstHole(made)}
+}
+
+/// Where a comment ends; a line comment takes what is typed behind it.
+function behind(text: string, {start, end}: Token): number {
+  return text.startsWith("--", start) ? end + 1 : end
+}
+
+/// Where a part goes that is let fall on a comment, for nothing in there is read: to what the comment stands behind, or else to the line below it, to what is
+/// open there.
+function besideComment(text: string, comment: Token): number {
+  const line = text.lastIndexOf("\n", comment.start - 1) + 1
+  const before = text.slice(line, comment.start).trimEnd()
+  if (before.trim() !== "") return line + before.length
+  const next = tokens(text).find(t => t.start >= comment.end && t.kind !== "comment")
+  if (next === undefined) return text.length
+  const newline = text.indexOf("\n", next.start)
+  const below = tokens(text).filter(
+    t => t.start >= next.start && (newline === -1 || t.end <= newline) && t.kind !== "comment",
+  )
+  const hole = below.find(t => text.slice(t.start, t.end) === "_")
+  return hole?.start ?? below.at(-1)?.end ?? next.end
 }
 
 type Change = Omit<Putting, "select">
@@ -61,8 +83,10 @@ const indentOf = (line: Line | undefined) => line?.text.search(/\S|$/) ?? 0
 function definition(text: string, at: number, code: string): Change {
   const lines = linesOf(text)
   let line = lineAt(lines, at)
+  const comments = tokens(text).filter(t => t.kind === "comment")
   const endsBefore = (n: number) => {
-    if (!isBlank(lines[n])) return false
+    const {start = 0} = lines[n] ?? {}
+    if (!isBlank(lines[n]) || comments.some(t => t.start < start && start < t.end)) return false
     const next = lines.slice(n).find(other => !isBlank(other))
     return next === undefined || indentOf(next) === 0
   }

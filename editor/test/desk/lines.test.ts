@@ -35,5 +35,6 @@ test("an edit changes the words and nothing else", () => {
     }),
   )
   expect(asInFile("a = 1\r\nb = 2\r\n", "a = 1\nnew\nb = 2\n")).toBe("a = 1\r\nnew\r\nb = 2\r\n")
+  expect(oneKindOfLine(asInFile("\ra\n\n", "\n\n"))).toBe("\n\n")
   expect(asInFile("a\r\nb\nc\r\nd\r\n", "a\nB\nc\nd\n")).toBe("a\r\nB\r\nc\r\nd\r\n")
 })

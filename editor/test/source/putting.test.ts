@@ -47,6 +47,23 @@ describe("a piece that is let fall on the text", () => {
     ],
     ["a = 1\n¦\nb = 2\n", definition("c = _"), "a = 1\n\nc = «_»\n\nb = 2\n"],
     ["a = 1\nb = 2¦", definition("c = 3"), "a = 1\nb = 2\n\nc = 3«»\n"],
+    // Not into a comment, where nobody would read it.
+    ["a = f -- of ¦b\n", part("x"), "a = f x«» -- of b\n"],
+    ["a = f {- ¦-} b\n", part("x"), "a = f x«» {- -} b\n"],
+    ["-- | O¦f b\na = f _ c\n", part("x"), "-- | Of b\na = f x«» c\n"],
+    ["-- | O¦f b\na = f -- c", part("x"), "-- | Of b\na = f x«» -- c"],
+    ["a = 1 -- b¦", part("x"), "a = 1 x«» -- b"],
+    [
+      "t = do\n  {- one\n  ¦two -}\n  say\n",
+      step("move 1"),
+      "t = do\n  {- one\n  two -}\n  move 1«»\n  say\n",
+    ],
+    ["{- one\n¦\ntwo -}\n\na = 1\n", definition("b = 2"), "{- one\n\ntwo -}\n\nb = 2«»\n\na = 1\n"],
+    [
+      "a = 1\n  {- one¦\n\ntwo -}\n  + 1\n",
+      definition("b = 2"),
+      "a = 1\n  {- one\n\ntwo -}\n  + 1\n\nb = 2«»\n",
+    ],
     ["¦", definition("c = 3"), "c = 3«»\n"],
     ["\n¦\na = 1\n", definition("c = 3"), "c = 3«»\n\na = 1\n"],
   ] as const)("%j with %j", (text, code, expected) => {

@@ -25,7 +25,7 @@ describe("the lexer", () => {
     ])
   })
 
-  it("nests block comments, knows that --> is an operator, and never runs past a line in a text", () => {
+  it("nests block comments, knows that --> is an operator, and never runs past a line in a text without a gap", () => {
     expect(kinds("{- a {- b -} c -} x --> y")).toEqual([
       "comment {- a {- b -} c -}",
       "name x",
@@ -33,6 +33,11 @@ describe("the lexer", () => {
       "name y",
     ])
     expect(kinds('"open\nx')).toEqual(['string "open', "name x"])
+  })
+
+  it("goes on with a text behind a gap", () => {
+    expect(kinds('"one\\\n  \\two" x')).toEqual(['string "one\\\n  \\two"', "name x"])
+    expect(kinds('"one\\\n  two')).toEqual(['string "one', "operator \\", "name two"])
   })
 
   it("answers for any text, in order and without overlap", () => {
