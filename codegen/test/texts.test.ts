@@ -169,3 +169,64 @@ const database = packageDatabase()
 test.skipIf(database === undefined)("the table of modules is not stale", () =>
   expect(modulesFromGhc(database ?? "")).toEqual(modules),
 )
+
+describe("a method has the type that its class gives it", () => {
+  test.each([
+    ['instance Show M where\n  show m = "m"', "show :: M -> String"],
+    ["instance Ord M where\n  compare a b = EQ", "compare :: M -> M -> Ordering"],
+    [
+      "newtype Box a = Box a\n\ninstance Show a => Show (Box a) where\n  show (Box a) = show a",
+      "show :: Show a => Box a -> String",
+    ],
+    [
+      "newtype Box a = Box a\n\ninstance Functor Box where\n  fmap f (Box a) = Box (f a)",
+      "fmap :: (a -> b) -> Box a -> Box b",
+    ],
+    [
+      "newtype Box b = Box b\n\ninstance Foldable Box where\n  foldMap f (Box x) = f x",
+      "foldMap :: Monoid m => (a -> m) -> Box a -> m",
+    ],
+    [
+      "class Shape a where\n  area :: a -> Double\n\ninstance Shape M where\n  area _ = 1",
+      "area :: M -> Double",
+    ],
+    [
+      "class Far a where\n  to :: a -> b -> b\n\ninstance Far [b] where\n  to bs x = x",
+      "to :: [b] -> b' -> b'",
+    ],
+  ])("%s", (text, type) => {
+    expect(seen(`data M = M\n\n${text}`)).toEqual({problems: [], types: [type]})
+  })
+
+  test.each([
+    ["a value of another type", "instance Show M where\n  show m = 5"],
+    ["a pattern of another type", 'instance Show M where\n  show 1 = "one"'],
+    ["one input too many", 'instance Show M where\n  show m n = ""'],
+    [
+      "more than the instance promises",
+      "newtype Box a = Box a\n\ninstance Show (Box a) where\n  show (Box a) = show a",
+    ],
+    [
+      "a class without the one that it builds on",
+      "newtype Box a = Box a\n\ninstance Monad Box where\n  Box a >>= f = f a",
+    ],
+    ["what the class does not ask for", 'instance Show M where\n  move m = "m"'],
+    [
+      "what a class of one's own does not ask for",
+      "class C a where\n  c :: a\n\ninstance C M where\n  c = M\n  d = M",
+    ],
+    ["a pattern", 'instance Show M where\n  show m = "m"\n  (a, b) = (1, 2)'],
+    ["the same twice", 'instance Show M where\n  show m = "m"\n  showsPrec _ _ = id\n  show m = "n"'],
+    ["another type than the class asks for", "instance Show M where\n  show :: M -> Int\n  show m = 1"],
+    ["more than its own type promises", 'instance Show M where\n  show :: a -> String\n  show M = ""'],
+    ["a second instance", 'instance Show M where\n  show m = "m"\n\ninstance Show M where\n  show m = "n"'],
+    ["an instance of what is derived", 'data N = N deriving (Show)\n\ninstance Show N where\n  show m = "m"'],
+  ])("%s is wrong", (_, text) => {
+    expect(seen(`data M = M\n\n${text}`).problems.length).toBeGreaterThan(0)
+  })
+
+  test("what a class builds on is derived", () => {
+    const text = "data M = M\n\ninstance Ord M where\n  compare _ _ = EQ"
+    expect(toHaskell(workspaceOf(openView(reader, text + run))).text).toContain("deriving (Eq)")
+  })
+})

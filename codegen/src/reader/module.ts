@@ -198,7 +198,7 @@ function plainer(source: string): string {
       .replace(/(?<=[\p{L}\p{N}_'")\]] *)\$\$?(?=[\p{L}_(])/gu, o => "+".repeat(o.length))
       // `(-1)`, `[-x]` at the start of a condition or step: as one word, which `expressions.ts` takes apart again.
       .replace(
-        /(?<=[([,] *)- *(?:0[xXoObB][\da-fA-F_]+|\d[\d._]*(?:[eE][-+]?[\d_]+)?|[\p{Ll}_][\p{L}\p{N}_']*)(?= *(?:[)\],]|::))/gu,
+        /(?<=[([,]\s*)- *(?:0[xXoObB][\da-fA-F_]+|\d[\d._]*(?:[eE][-+]?[\d_]+)?|[\p{Ll}_][\p{L}\p{N}_']*)(?=\s*(?:[)\],]|::))/gu,
         n => (/^- *\d/.test(n) ? "0" : "a").repeat(n.length),
       )
       // `-1 :: Int` as a step or condition: the grammar expects a pattern. As a name, which `expressions.ts` reads as the number it is.

@@ -116,6 +116,8 @@ function construct(node: Syntax, context: Context): Pattern | Cause {
     args.unshift(argument)
     head = fn
   }
+  // The grammar takes more inputs than a constructor's: `f (x y) = …`.
+  if (args.length > 0 && (head.type === "variable" || head.type === "literal")) context.whole = "broken"
   if (args.some(a => a.type === "explicit_type" || a.type === "type_binder")) return "typeApplication"
   const name = head.type === "prefix_id" ? context.of(onlyNamed(head) ?? head) : context.of(head)
   if (name === "()") return context.at(node, {kind: "constructor-pattern", name, args: []})

@@ -17,15 +17,18 @@ import type {
 import {unreachable} from "../model/tree.ts"
 import {bindersIn, freeInDeclaration} from "../model/uses.ts"
 import {components} from "./components.ts"
-import {unknown} from "./environment.ts"
+import {expand, unknown} from "./environment.ts"
 import {Patterns} from "./patterns.ts"
 import type {Wanted} from "./problems.ts"
 import type {Scope} from "./scope.ts"
 import type {Rigid} from "./solve.ts"
 import {simplify} from "./solve.ts"
 import {mono} from "./state.ts"
+import {instanceHead} from "./texts.ts"
 import type {Meta, Scheme, Type} from "./type.ts"
-import {asFunction, bool, fun, metasIn, rigidsIn, substitute, variablesIn} from "./type.ts"
+import {asFunction, bool, fun, metasIn, rigidsIn, spine, substitute, variablesIn} from "./type.ts"
+
+type InstanceHead = NonNullable<ReturnType<typeof instanceHead>>
 
 export abstract class Bindings extends Patterns {
   /// What stands for top-level names until their turn.
@@ -85,21 +88,120 @@ export abstract class Bindings extends Patterns {
     return scope
   }
 
-  /// Methods have the types that their class gives them, which only GHC knows; what stands inside goes together all the same.
+  /// Methods have the types that their class gives them. Where only GHC knows these, what stands inside goes together all the same.
   protected methods(d: InstanceDeclaration, outer: Scope): void {
-    const before = this.wanted
+    const head = /^instance\b/.test(d.head) ? instanceHead(d.head) : undefined
+    // What follows from a class of the program's own is not read.
+    const plain = head?.instance.constraints.every(c => this.env.classes.has(c.name)) === true
+    if (head !== undefined && plain) this.superclasses(d, head)
+    const seen = new Set<string>()
     for (const method of d.declarations) {
-      this.level++
-      const scope = outer.inner()
-      const type = this.unknown()
-      if (method.kind === "function") this.clauses(method, type, scope)
-      if (method.kind === "binding") {
-        this.pattern(method.pattern, type, scope)
-        this.rightSide(method.right, type, scope)
-      }
-      this.level--
+      const name = method.kind === "function" ? method.name : ""
+      const type = head !== undefined && name !== "" ? this.methodType(name, head, outer) : undefined
+      if (head !== undefined && type === undefined && this.listed(head.name, name))
+        this.problems.push({kind: "no-method", node: method, name, of: head.name})
+      if (name !== "" && seen.has(name)) this.problems.push({kind: "twice", node: method, name})
+      seen.add(name)
+      if (method.kind === "function" && type !== undefined && plain) this.method(method, type, head, outer)
+      else this.unknownMethod(method, outer)
     }
+  }
+
+  /// Whether all that belongs to a class is known, and this is not among it.
+  private listed(of: string, name: string): boolean {
+    const known = this.env.classes.has(of) || this.env.ownClasses?.has(of) === true
+    return known && this.env.values.get(name)?.unknown !== true && this.env.open !== true
+  }
+
+  /// With a type of its own, which may say more than the class asks for.
+  private method(d: FunctionDeclaration, type: Scheme, {instance}: InstanceHead, outer: Scope): void {
+    const own = d.signature === undefined ? undefined : this.signature(d.signature.text, d.signature)
+    if (own === undefined || d.signature === undefined) {
+      this.checkSigned(d, type, outer, true)
+      return
+    }
+    const wanted = substitute(type.type, this.rigid(type.variables))
+    this.same(wanted, substitute(own.type, new Map(own.variables.map(v => [v, this.fresh()]))), d.signature)
+    const constraints = [...instance.constraints, ...own.constraints]
+    const variables = [...new Set([...own.variables, ...variablesIn(instance.type)])]
+    this.checkSigned(d, {...own, variables, constraints}, outer, true)
+  }
+
+  /// Variables that a type promises to work for.
+  private rigid(names: Iterable<string>): Map<string, Type> {
+    const rigid = new Map<string, Type>()
+    for (const name of names) {
+      const variable: Rigid = {kind: "var", name, id: this.count++, level: this.level + 1}
+      rigid.set(name, variable)
+    }
+    return rigid
+  }
+
+  /// A type belongs to a class once: by one instance, or derived.
+  protected secondInstances(declarations: readonly Declaration[]): void {
+    const seen = new Set(
+      declarations.flatMap(d => (d.kind === "data" ? d.deriving.map(of => `${of} ${d.name}`) : [])),
+    )
+    for (const d of declarations) {
+      const head = d.kind === "instance" && /^instance\b/.test(d.head) ? instanceHead(d.head) : undefined
+      if (head === undefined) continue
+      const {head: type} = spine(expand(head.instance.type, this.env))
+      if (type.kind !== "con") continue
+      const whole = `${head.name} ${type.name}`
+      if (seen.has(whole))
+        this.problems.push({kind: "second-instance", node: d, name: type.name, of: head.name})
+      seen.add(whole)
+    }
+  }
+
+  private unknownMethod(method: Declaration, outer: Scope): void {
+    const before = this.wanted
+    this.level++
+    const scope = outer.inner()
+    const type = this.unknown()
+    if (method.kind === "function") this.clauses(method, type, scope)
+    if (method.kind === "binding") {
+      this.pattern(method.pattern, type, scope)
+      this.rightSide(method.right, type, scope)
+    }
+    this.level--
     this.wanted = before
+  }
+
+  /// `show :: Show a => a -> String` is `Mode -> String` in `instance Show Mode`.
+  private methodType(name: string, {name: of, instance}: InstanceHead, outer: Scope): Scheme | undefined {
+    const method = outer.get(name) === undefined ? this.env.values.get(name) : undefined
+    const own = method?.constraints.find(c => c.name === of && c.type.kind === "var")
+    if (method === undefined || own?.type.kind !== "var") return undefined
+    const taken = variablesIn(instance.type)
+    const variables = [...taken]
+    const by = new Map<string, Type>([[own.type.name, instance.type]])
+    for (const v of method.variables) {
+      if (v === own.type.name) continue
+      // Two variables that only share their letter stay two.
+      const fresh = taken.has(v) ? `${v}'` : v
+      by.set(v, {kind: "var", name: fresh})
+      variables.push(fresh)
+    }
+    const rest = method.constraints.filter(c => c !== own)
+    return {
+      variables,
+      constraints: [
+        ...instance.constraints,
+        ...rest.map(c => ({name: c.name, type: expand(substitute(c.type, by), this.env)})),
+      ],
+      type: expand(substitute(method.type, by), this.env),
+    }
+  }
+
+  /// What belongs to a class belongs to those that it builds on: `Eq` with `Ord`. Such an instance of an own type may be derived.
+  private superclasses(d: InstanceDeclaration, {name: of, instance}: InstanceHead): void {
+    const rigid = this.rigid(variablesIn(instance.type))
+    const type = expand(substitute(instance.type, rigid), this.env)
+    const givens = instance.constraints.map(c => ({name: c.name, type: substitute(c.type, rigid)}))
+    const wanted = (this.env.classes.get(of) ?? []).map((name): Wanted => ({name, type, node: d}))
+    for (const c of this.reduceAll(wanted, givens).stuck)
+      this.problems.push({kind: "too-general", node: d, constraint: c})
   }
 
   protected component(
@@ -127,12 +229,8 @@ export abstract class Bindings extends Patterns {
     this.schemes.set(d, scheme)
     const before = this.wanted
     this.wanted = []
+    const rigid = this.rigid(scheme.variables)
     this.level++
-    const rigid = new Map<string, Type>()
-    for (const name of scheme.variables) {
-      const variable: Rigid = {kind: "var", name, id: this.count++, level: this.level}
-      rigid.set(name, variable)
-    }
     const {opaque} = this
     const givens = scheme.constraints.map(c => ({name: c.name, type: substitute(c.type, rigid)}))
     this.clauses(d, substitute(scheme.type, rigid), scope)

@@ -21,8 +21,11 @@ function exportsOf(name: string): Library | undefined {
 /// Modules that were read already; each says the same for ever.
 const read = new Map<string, Library>()
 
-export function withTexts(base: Environment, {imports, values, types, instances}: Texts): Environment {
-  if (imports.length + values.size + types.length + instances.length === 0) return base
+export function withTexts(
+  base: Environment,
+  {imports, values, types, classes, instances}: Texts,
+): Environment {
+  if (imports.length + values.size + types.length + classes.length + instances.length === 0) return base
   const env = {
     ...base,
     values: new Layer<Scheme>(base.values),
@@ -34,6 +37,7 @@ export function withTexts(base: Environment, {imports, values, types, instances}
     open: false,
     qualifiers: new Set<string>(),
     written: new Set<string>(),
+    ownClasses: new Set(classes),
   }
   for (const i of imports) addImport(env, i)
   for (const t of types) addType(env, t)

@@ -68,6 +68,8 @@ export interface Environment {
   readonly qualifiers?: ReadonlySet<string>
   /// Instances that the program's text has, so that nothing derives them: `Eq Mode`.
   readonly written?: ReadonlySet<string>
+  /// Classes that the program's text defines; `values` has all that belongs to them.
+  readonly ownClasses?: ReadonlySet<string>
 }
 
 /// The library's environment, which can also be gone through.
@@ -93,6 +95,7 @@ export interface Growing {
   open?: boolean
   qualifiers?: ReadonlySet<string>
   written?: ReadonlySet<string>
+  ownClasses?: ReadonlySet<string>
 }
 
 export interface Table<V> extends Lookup<V> {

@@ -52,6 +52,7 @@ export class Inferrer extends Expressions {
   /// Top-level declarations; answers the names they define.
   program(declarations: readonly Declaration[], known: Scope = new Scope()): Scope {
     const scope = this.group(declarations, known, true)
+    this.secondInstances(declarations)
     for (const d of declarations)
       if (d.kind === "instance") this.remembering([d], scope, () => this.methods(d, scope))
     this.finish()

@@ -46,6 +46,7 @@ export function withTypes(
     open: base.open ?? false,
     qualifiers: base.qualifiers ?? new Set<string>(),
     written,
+    ownClasses: base.ownClasses ?? new Set<string>(),
     ranked: rankedIn(declarations),
   }
   for (const d of declarations) {

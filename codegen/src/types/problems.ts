@@ -10,6 +10,10 @@ export type TypeProblem =
   | {readonly kind: "unknown-name"; readonly node: Node; readonly name: string}
   | {readonly kind: "taken"; readonly node: Node; readonly name: string}
   | {readonly kind: "twice"; readonly node: Node; readonly name: string}
+  /// A definition in an instance that its class does not ask for.
+  | {readonly kind: "no-method"; readonly node: Node; readonly name: string; readonly of: string}
+  /// A type that is said to belong to a class twice.
+  | {readonly kind: "second-instance"; readonly node: Node; readonly name: string; readonly of: string}
   | {readonly kind: "too-many-arguments"; readonly node: Node; readonly type: Type}
   | {
       readonly kind: "wrong-field-count"

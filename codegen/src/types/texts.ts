@@ -33,10 +33,12 @@ export interface Texts {
   /// Undefined for a name whose type is not written.
   readonly values: ReadonlyMap<string, Scheme | undefined>
   readonly types: readonly WrittenType[]
+  /// Classes that are defined here; `values` has all that belongs to them.
+  readonly classes: readonly string[]
   readonly instances: readonly {readonly name: string; readonly instance: Instance}[]
 }
 
-export const noTexts: Texts = {imports: [], values: new Map(), types: [], instances: []}
+export const noTexts: Texts = {imports: [], values: new Map(), types: [], classes: [], instances: []}
 
 const word = String.raw`[\p{Ll}_][\p{L}\p{N}_']*`
 const symbol = String.raw`[!#$%&*+./<=>?@\\^|~:-]+`
@@ -44,10 +46,11 @@ const symbol = String.raw`[!#$%&*+./<=>?@\\^|~:-]+`
 export function readTexts(header: string, definitions: readonly string[]): Texts {
   const values = new Map<string, Scheme | undefined>()
   const types: WrittenType[] = []
+  const classes: string[] = []
   const instances: {name: string; instance: Instance}[] = []
   for (const text of definitions)
-    for (const line of logical(text)) readDefinition(line, {values, types, instances})
-  return {imports: logical(header).flatMap(readImport), values, types, instances}
+    for (const line of logical(text)) readDefinition(line, {values, types, classes, instances})
+  return {imports: logical(header).flatMap(readImport), values, types, classes, instances}
 }
 
 /// Lines that start at the margin, each with those below it that are indented. Without comments.
@@ -90,6 +93,7 @@ function listed(list: string): Set<string> {
 interface Growing {
   readonly values: Map<string, Scheme | undefined>
   readonly types: WrittenType[]
+  readonly classes: string[]
   readonly instances: {name: string; instance: Instance}[]
 }
 
@@ -136,7 +140,7 @@ function bare(name: string): string {
 }
 
 /// A class's methods, each with the class itself as its first constraint.
-function readClass(line: string, {values}: Growing): void {
+function readClass(line: string, {values, classes}: Growing): void {
   const [head = "", ...members] = line.split(/\bwhere\b/)
   const name = /(?:=>\s*)?\b([\p{Lu}][\w']*)\s+([\p{Ll}_][\w']*)\s*(?:\||$)/u.exec(
     head
@@ -144,9 +148,10 @@ function readClass(line: string, {values}: Growing): void {
       .replace(/\s+/g, " ")
       .trim(),
   )
+  if (name !== null) classes.push(name[1] ?? "")
   for (const member of indentedLines(members.join("where"))) {
     const inner = new Map<string, Scheme | undefined>()
-    readValue(member, {values: inner, types: [], instances: []})
+    readValue(member, {values: inner, types: [], classes: [], instances: []})
     for (const [method, scheme] of inner) {
       const known = values.get(method) !== undefined || scheme === undefined || name === null
       if (known) values.set(method, values.get(method))
@@ -174,16 +179,22 @@ function indentedLines(block: string): string[] {
   return joined
 }
 
-function readInstance(line: string, {instances}: Growing): void {
-  const head = line
+/// The class of `instance Show a => Show (Box a) where`, and the type that belongs to it with what must hold for that.
+export function instanceHead(text: string): {readonly name: string; readonly instance: Instance} | undefined {
+  const head = text
     .replace(/^deriving\s+(?:stock\s+|newtype\s+|anyclass\s+)?/, "")
     .replace(/^instance\s+(?:\{-#.*?#-\}\s*)?/, "")
     .split(/\bwhere\b/)[0]
   const found = /^(?:([\s\S]*?)=>)?\s*([\p{Lu}][\w'.]*)\s+([\s\S]+)$/u.exec((head ?? "").trim())
-  if (found === null) return
+  if (found === null) return undefined
   const [, context = "", name = "", type = ""] = found
   const instance = parseSignature(context.trim() === "" ? type : `${context} => ${type}`)
-  if (instance !== undefined) instances.push({name: name.replace(/^.*\./, ""), instance})
+  return instance && {name: name.replace(/^.*\./, ""), instance}
+}
+
+function readInstance(line: string, {instances}: Growing): void {
+  const found = instanceHead(line)
+  if (found !== undefined) instances.push(found)
 }
 
 /// A type with its constructors, as far as they are plain.

@@ -96,6 +96,21 @@ export function problemWords(
         message: words.types.isGivenToTwoThings(problem.name),
         hint: words.types.giveOneOfThemAnotherName,
       }
+    case "no-method":
+      return {
+        kind: "not-in-scope",
+        message:
+          problem.name === ""
+            ? words.types.onlyNamesGoHere(problem.of)
+            : words.types.isNoPartOf(problem.name, problem.of),
+        hint: words.types.takeItOutOfThisBlock,
+      }
+    case "second-instance":
+      return {
+        kind: "duplicate",
+        message: words.types.belongsTwice(problem.name, problem.of),
+        hint: words.types.takeOneOfThemAway,
+      }
     case "too-many-arguments":
       return {
         kind: "type-mismatch",

@@ -90,6 +90,12 @@ export function why(
       return words.fits.thenSomethingWouldGetMoreInputsThan
     case "wrong-field-count":
       return words.fits.hasPartsNot(first.name, first.wanted, first.found)
+    case "no-method":
+      return first.name === ""
+        ? words.types.onlyNamesGoHere(first.of)
+        : words.types.isNoPartOf(first.name, first.of)
+    case "second-instance":
+      return words.types.belongsTwice(first.name, first.of)
     case "too-general":
       return words.fits.theTypeOfThisDefinitionPromisesMore
     default:

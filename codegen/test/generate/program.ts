@@ -78,6 +78,7 @@ class Generator {
     const functions = Math.max(1, Math.min(12, Math.round(this.size / 24) + dice.below(2)))
     for (let i = 0; i < functions; i++) tops.push(this.topLevel(`f${i}`))
     const most = dice.once(12) ? 9 : Math.min(3, functions)
+    if (dice.once(3)) tops.push(...this.instance())
     const main = make.block("main", {controllers: 1 + dice.below(most)})
     this.workspace = {blocks: {languageVersion: 0, blocks: [...tops, main]}}
     for (const b of this.workspace.blocks.blocks) this.grew(b)
@@ -123,6 +124,31 @@ class Generator {
       ...(parameters.length > 0 ? {parameters} : {}),
       ...(one && !dice.once(4) ? {newtype: true} : {}),
     })
+  }
+
+  /// What one of its types can do, written by hand.
+  private instance(): SavedBlock[] {
+    const {make, dice} = this
+    if (make.own.length === 0) return []
+    const {of, parameters} = dice.pick(make.own)
+    const whole = [of, ...parameters].join(" ")
+    const type = parameters.length > 0 ? `(${whole})` : whole
+    const context = parameters.length > 0 && dice.once(2) ? `Show ${parameters[0]} => ` : ""
+    const partial =
+      parameters.slice(0, -1).length === 0 ? of : `(${[of, ...parameters.slice(0, -1)].join(" ")})`
+    const [head, method, arity] = dice.pick<readonly [string, string, number]>([
+      [`${context}Show ${type}`, "show", 1],
+      [`${context}Eq ${type}`, "==", 2],
+      [`Semigroup ${type}`, "<>", 2],
+      ...(parameters.length > 0
+        ? ([
+            [`Functor ${partial}`, "fmap", 2],
+            [`Foldable ${partial}`, "foldr", 3],
+          ] as const)
+        : ([[`Ord ${type}`, "<=", 2]] as const)),
+    ])
+    const made = make.definition(method, arity, 1 + dice.below(2))
+    return [make.block("instance", {head: `instance ${head}`}, {D: made})]
   }
 
   /// Most definitions of real programs have a type of their own.

@@ -8,12 +8,12 @@ const sensors =
   )
 
 const commands =
-  `Velocity|Led1|Led2|Sound|Maybe Sound|(Led1, Led2)|Either Velocity Sound|Memory Bool|Memory Int|[Say]|Say|Param Double|Maybe Velocity|(Velocity, Maybe Led1)|Either Velocity (Memory Int)|Memory (Maybe Int)|Never|()`.split(
+  `Velocity|Led1|Led2|Sound|Maybe Sound|(Led1, Led2)|Either Velocity Sound|Memory Bool|Memory Int|[Say]|Say|Param Double|Maybe Velocity|(Velocity, Maybe Led1)|Either Velocity (Memory Int)|Memory (Maybe Int)|Never|()|Call|Call|Maybe Call|Feedback Int|Maybe (Feedback Double)|(Velocity, Feedback Bool)|Cancel|Maybe Cancel|Maybe Cancel`.split(
     "|",
   )
 
 const plain =
-  `Double|Int|Bool|String|[Int]|[Double]|Maybe Double|Task ()|Double -> Double|Task Bool|(Int, String)|Either Int String|[Task ()]|Char|Ordering`.split(
+  `Double|Int|Bool|String|[Int]|[Double]|Maybe Double|Task ()|Double -> Double|Task Bool|(Int, String)|Either Int String|[Task ()]|Char|Ordering|CallOptions Never () () Bool ()|TaskOptions Velocity ()|Task (Maybe Int)`.split(
     "|",
   )
 

@@ -239,6 +239,9 @@ export class Values {
     if (head.name === "Char") return make.block("character", {value: dice.pick(["a", " ", "z"])})
     if (head.name === "[]") return this.list(args[0] ?? con("()"), small)
     if (head.name === "->") return this.fn(wanted, small)
+    if (head.name === "Call") return small ? this.least(wanted, []) : this.call()
+    if (head.name === "CallOptions") return small ? make.call("callOptions", 0) : this.callOptions()
+    if (head.name === "TaskOptions") return small ? make.call("taskOptions", 0) : this.taskOptions()
     if (head.name === "Task") {
       if (small) return this.least(wanted, [])
       return dice.weighed<() => SavedBlock>([
@@ -256,19 +259,68 @@ export class Values {
   /// Tasks of Rosy's own, with all they are told.
   private task(): SavedBlock {
     const {make} = this
-    const options = () => {
-      const fields = ["starting", "stopped"]
-      return make.block("record", {con: "TaskOptions", fields})
-    }
     return make.dice.pick<() => SavedBlock>([
       () => make.call("once", 1),
       () => make.call("task", 2),
-      () => make.block("name", {name: "taskWith", args: 2, fn: true}, {A0: options()}),
+      () => make.block("name", {name: "taskWith", args: 2, fn: true}, {A0: this.taskOptions()}),
+      () => make.block("name", {name: "taskWith", args: 2, fn: true}, {A0: this.taskOptions()}),
+      () => make.block("name", {name: "task", args: 2, fn: true}, {A1: this.call()}),
       () => make.call("race", 2),
       () => make.call("parallel", 2),
       () => make.call("forever", 1),
       () => make.call("replicateM_", 2),
     ])()
+  }
+
+  private taskOptions(): SavedBlock {
+    return this.told("TaskOptions", "taskOptions", ["starting", "stopped"])
+  }
+
+  /// A task that runs beside its caller, with all that the caller may ask and hear.
+  private call(): SavedBlock {
+    return this.make.block("name", {name: "call", args: 2, fn: true}, {A1: this.callOptions()})
+  }
+
+  private callOptions(): SavedBlock {
+    const {make} = this
+    const all = ["cancelOn", "onFeedback", "onEnd"]
+    const given: {readonly [field: string]: () => SavedBlock} = {
+      cancelOn: () => this.onEvent(make.block("construct", {con: "Just", args: 1})),
+      onFeedback: () => this.onEvent(undefined),
+      onEnd: () => make.call("Done", 0),
+    }
+    return this.told("CallOptions", "callOptions", all, given)
+  }
+
+  /// The usual options with some of them changed, or all of them anew.
+  private told(
+    con: string,
+    usual: string,
+    all: readonly string[],
+    given: {readonly [field: string]: () => SavedBlock} = {},
+  ): SavedBlock {
+    const {make} = this
+    const {dice} = make
+    if (dice.once(4)) return make.call(usual, 0)
+    const whole = dice.once(3)
+    const fields = whole ? [...all] : all.filter(() => dice.once(2))
+    if (fields.length === 0) return make.call(usual, 0)
+    const values = fields.flatMap((field, i) => {
+      const value = dice.once(3) ? undefined : given[field]?.()
+      return value === undefined ? [] : [[`F${i}`, value] as const]
+    })
+    return whole
+      ? make.block("record", {con, fields}, Object.fromEntries(values))
+      : make.block("update", {fields}, {R: make.call(usual, 0), ...Object.fromEntries(values)})
+  }
+
+  /// A function of something that a robot tells.
+  private onEvent(body: SavedBlock | undefined): SavedBlock {
+    const {make} = this
+    const heard = make.dice.pick(["Bumper", "Cliff", "Wheel", "Button", "Velocity", "Feedback"])
+    const args = make.constructorsOf(heard)[0]?.fields.length ?? 0
+    const pattern = make.block("pattern_construct", {con: heard, args})
+    return make.block("lambda", {inputs: 1}, {P0: pattern, ...(body === undefined ? {} : {B: body})})
   }
 
   private list(item: Type, small: boolean): SavedBlock {
@@ -387,7 +439,18 @@ export class Values {
       const result = this.least(f.to, known, depth + 1)
       return result && make.block("name", {name: "const", args: 1}, {A0: result})
     }
+    if (head.name === "CallOptions" || head.name === "TaskOptions") {
+      const name = head.name === "CallOptions" ? "callOptions" : "taskOptions"
+      if (args.every(a => ["()", "Never", "*"].includes(headOf(a)))) return make.call(name, 0)
+    }
     const [result] = args
+    if (head.name === "Call") {
+      const task = this.leastTask(con("()"), known, depth + 1)
+      return (
+        task &&
+        make.block("name", {name: "call", args: 2, fn: true}, {A0: task, A1: make.call("callOptions", 0)})
+      )
+    }
     if (head.name === "Task" && result !== undefined && make.dice.once(2)) {
       const rosy = this.leastTask(result, known, depth)
       if (rosy !== undefined) return rosy

@@ -105,9 +105,10 @@ test("why a block does not fit is told in a live region", async () => {
   const to = await socket(page, "empty", "L")
   await drag(page, await grip(page, "led"), {x: to.x + 14, y: to.y + 4}, true)
   const why = (await page.locator(".rosyRefusal").textContent()) ?? ""
+  expect(why).toContain("wants a")
+  await told(page, why)
   const live = await heard(page)
   await told(page, why)
   await page.mouse.up()
-  expect(why).toContain("wants a")
   expect(live.filter(({role}) => role === "status").length).toBeGreaterThan(0)
 })

@@ -25,6 +25,11 @@ export const sentences = {
     giveThisOneAnotherName: "Give this one another name.",
     isGivenToTwoThings: (name: string) => `\`${name}\` is given to two things here.`,
     giveOneOfThemAnotherName: "Give one of them another name.",
+    isNoPartOf: (name: string, of: string) => `\`${name}\` is no part of \`${of}\`.`,
+    onlyNamesGoHere: (of: string) => `Here goes only what \`${of}\` asks for, each by its name.`,
+    takeItOutOfThisBlock: "Take it out of this block.",
+    belongsTwice: (name: string, of: string) => `It is said twice how \`${name}\` belongs to \`${of}\`.`,
+    takeOneOfThemAway: "Take one of them away.",
     getsMoreInputsThanItTakes: (what: string) => `${what} gets more inputs than it takes.`,
     takeTheLastOnesAway: "Take the last ones away.",
     hasPartsAndHereAre: (name: string, wanted: number, found: number) =>
