@@ -21,7 +21,7 @@ if (database === undefined) {
   process.exitCode = 1
 } else {
   const found = await soundness(database, Number(from), Number(count))
-  for (const r of found.refused) say(keep(database, r))
+  for (const r of found.refused) say(await keep(database, r))
   say(`blocks a program: ${sizesOf(found)}`)
   say(
     `kinds of block: ${[...found.kinds]

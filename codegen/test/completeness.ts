@@ -2,7 +2,6 @@
 ///
 /// Values, patterns, steps and local definitions are tried, each where such a thing can go, well or badly.
 
-import {setImmediate} from "node:timers/promises"
 import {blockView} from "../src/blocks/language.ts"
 import {printProgram} from "../src/haskell/print.ts"
 import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
@@ -17,6 +16,7 @@ import {Dice} from "./generate/random.ts"
 import {Values} from "./generate/values.ts"
 import type {Candidate} from "./ghc.ts"
 import {compileAll} from "./ghc.ts"
+import {breathe} from "./process.ts"
 import {batch, candidate} from "./soundness.ts"
 
 export const sorts = ["expression", "pattern", "step", "definition"] as const
@@ -48,7 +48,7 @@ export async function completeness(database: string, from: number, count: number
     const candidates: Candidate[] = []
     const whys = new Map<string, string>()
     for (let seed = start; seed < Math.min(start + batch, from + count); seed++) {
-      if (seed % 20 === 0) await setImmediate()
+      if (seed % 20 === 0) await breathe()
       const {workspace, whole} = generateProgram(seed, sizeOf(seed))
       if (!whole) continue
       for (const [i, move] of randomMoves(seed, workspace).entries()) {
@@ -67,13 +67,15 @@ export async function completeness(database: string, from: number, count: number
         candidates.push({name: `R${seed}x${i}`, text: printProgram(program).text, program})
       }
     }
-    const complaints = compileAll(database, candidates)
+    const complaints = await compileAll(database, candidates)
     for (const c of candidates)
       if (!whys.has(c.name) && complaints.has(c.name)) refused.push(`${c.text}\n${complaints.get(c.name)}`)
     const taken = candidates.filter(c => whys.has(c.name) && !complaints.has(c.name))
     // Haskell 2010 has no constraint like `Num (Maybe a)`; GHC takes it, until the function that has it is used.
     const plain =
-      taken.length === 0 ? new Map<string, string>() : compileAll(database, taken, ["-XNoFlexibleContexts"])
+      taken.length === 0
+        ? new Map<string, string>()
+        : await compileAll(database, taken, ["-XNoFlexibleContexts"])
     for (const c of taken)
       if (/Non type-variable argument/.test(plain.get(c.name) ?? "")) unusable++
       else needless.push(`${c.name}: ${whys.get(c.name)}\n${c.text}`)
@@ -117,14 +119,16 @@ function randomMoves(seed: number, workspace: SavedWorkspace): Move[] {
     ])
     const fitting = spots.filter(s => s.sort === sort)
     if (fitting.length === 0) continue
-    const {place, into, old} = dice.pick(fitting)
+    // Each kind of place gets its share, too.
+    const into = dice.pick([...new Set(fitting.map(s => s.into.type))])
+    const {place, old} = dice.pick(fitting.filter(s => s.into.type === into))
     const block = numbered(proposal(sort, maker, workspace), `m${i}_`)
     if (old !== undefined && JSON.stringify(numbered(old, `m${i}_`)) === JSON.stringify(block)) continue
     const verdict = check.fits(place, block)
     moves.push({
       sort,
       block,
-      into: into.type,
+      into,
       workspace: plug(workspace, place, block),
       fits: verdict.fits,
       why: verdict.fits ? "" : `${JSON.stringify(place)} ${JSON.stringify(block)}: ${verdict.why}`,
@@ -169,7 +173,9 @@ function proposal(sort: Sort, maker: Maker, workspace: SavedWorkspace): SavedBlo
         return maker.definition(maker.name(), dice.below(2), 1, {}, 2)
     }
   }
-  const taken = usable.length > 0 && dice.once(2) ? structuredClone(dice.pick(usable)) : fresh()
+  const kind = dice.once(2) ? dice.pick([...new Set(usable.map(b => b.type))]) : undefined
+  const ofKind = usable.filter(b => kind === undefined || b.type === kind)
+  const taken = ofKind.length > 0 && dice.once(2) ? structuredClone(dice.pick(ofKind)) : fresh()
   if (sort === "step") delete taken.next
   // Two definitions of one name below each other would read as two equations.
   if (sort === "definition") taken.extraState = {...taken.extraState, name: "moved"}

@@ -8,13 +8,14 @@ import {packageDatabase} from "../scripts/ghc.ts"
 import {openProject, parseProject} from "../src/index.ts"
 import {solve} from "../src/workspace/infer.ts"
 import {compileAll} from "./ghc.ts"
+import {run} from "./process.ts"
 
 const examples = fileURLToPath(new URL("../../examples/", import.meta.url))
 const names = readdirSync(examples).filter(n => existsSync(`${examples}${n}/program.rosy`))
 const database = packageDatabase()
 const hlint = spawnSync("hlint", ["--version"]).status === 0
 
-test.skipIf(database === undefined)("no example has a warning", () => {
+test.skipIf(database === undefined)("no example has a warning", async () => {
   const candidates = names.map(name => {
     const outcome = parseProject(readFileSync(`${examples}${name}/program.rosy`, "utf8"))
     if (!outcome.ok) throw new Error(outcome.message)
@@ -33,14 +34,13 @@ test.skipIf(database === undefined)("no example has a warning", () => {
     "-Wno-dodgy-imports",
     "-Wno-unused-imports",
   ]
-  expect(Object.fromEntries(compileAll(database ?? "", candidates, options))).toEqual({})
+  expect(Object.fromEntries(await compileAll(database ?? "", candidates, options))).toEqual({})
 })
 
-test.skipIf(!hlint)("no example has a hint", () => {
-  const {stdout} = spawnSync(
+test.skipIf(!hlint)("no example has a hint", async () => {
+  const {stdout} = await run(
     "hlint",
     names.map(n => `${examples}${n}/Main.hs`),
-    {encoding: "utf8"},
   )
   expect(stdout.trim()).toBe("No hints")
 })

@@ -1,6 +1,5 @@
 /// Compiles many programs with GHC in one go, adding what Rosy's worker adds to a program (rosy-hs/src/Rosy/Program.hs).
 
-import {spawnSync} from "node:child_process"
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs"
 import {tmpdir} from "node:os"
 import {join} from "node:path"
@@ -8,6 +7,7 @@ import {withRosy} from "../scripts/ghc.ts"
 import {definedBy} from "../src/model/names.ts"
 import type {DataDeclaration, Program} from "../src/model/tree.ts"
 import {library} from "../src/types/library.ts"
+import {run} from "./process.ts"
 
 export interface Candidate {
   readonly name: string
@@ -22,15 +22,15 @@ const extensions = (/^defaultExtensions =\s*\[([\w\s,]+)\]/m.exec(warm)?.[1] ?? 
   .map(e => `-X${e.trim().replace("RecordPuns", "NamedFieldPuns")}`)
 
 /// GHC's complaints by the name of the program; programs that compile are absent.
-export function compileAll(
+export async function compileAll(
   database: string,
   candidates: readonly Candidate[],
   options: readonly string[] = [],
-): Map<string, string> {
+): Promise<Map<string, string>> {
   const folder = mkdtempSync(join(tmpdir(), "rosy-codegen-"))
   try {
     for (const c of candidates) writeFileSync(join(folder, `${c.name}.hs`), asModule(c))
-    const {stdout, stderr, error, status, signal} = spawnSync(
+    const {stdout, stderr, status, signal} = await run(
       "ghc",
       [
         ...withRosy(database),
@@ -42,9 +42,8 @@ export function compileAll(
         ...options,
         ...candidates.map(c => `${c.name}.hs`),
       ],
-      {cwd: folder, encoding: "utf8", maxBuffer: 1 << 28},
+      folder,
     )
-    if (error !== undefined) throw error
     // 1 after a complaint. What ended in another way has not looked at all programs.
     if (signal !== null || (status ?? 2) > 1)
       throw new Error(`expected GHC to end with 0 or 1, found ${signal ?? status}: ${stderr.slice(-400)}`)

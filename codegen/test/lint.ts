@@ -3,15 +3,14 @@
 /// The printer writes what the blocks say, step by step, so that text and blocks stay the same program. A random program says much
 /// that nobody would: it asks whether `True`, names what it never uses, and forgets cases. That is its author's to change.
 
-import {spawnSync} from "node:child_process"
 import {mkdtempSync, rmSync, writeFileSync} from "node:fs"
 import {tmpdir} from "node:os"
 import {join} from "node:path"
-import {setImmediate} from "node:timers/promises"
 import {solve} from "../src/workspace/infer.ts"
 import {generateProgram, sizeOf} from "./generate/program.ts"
 import type {Candidate} from "./ghc.ts"
 import {compileAll} from "./ghc.ts"
+import {breathe, run} from "./process.ts"
 import {batch, candidate} from "./soundness.ts"
 
 /// hlint's rules that ask for another program, by what they find fault with. Each is its author's to follow: other blocks, not the same
@@ -59,7 +58,7 @@ export async function lint(database: string, from: number, count: number): Promi
     // cannot name (`Random`, `Alternative`).
     const unsigned = new Set<string>()
     for (let seed = start; seed < Math.min(start + batch, from + count); seed++) {
-      if (seed % 20 === 0) await setImmediate()
+      if (seed % 20 === 0) await breathe()
       const {workspace, whole} = generateProgram(seed, sizeOf(seed))
       if (!whole) continue
       candidates.push(candidate(`P${seed}`, workspace))
@@ -70,7 +69,7 @@ export async function lint(database: string, from: number, count: number): Promi
       if (inferrer.unsignable.size > 0 || nameless) unsigned.add(`P${seed}`)
     }
     programs += candidates.length
-    hints.push(...hintsOn(candidates, content))
+    hints.push(...(await hintsOn(candidates, content)))
     const options = [
       "-Wall",
       "-Werror",
@@ -79,7 +78,7 @@ export async function lint(database: string, from: number, count: number): Promi
         .map(w => `-Wno-${w}`),
       ...contentWarnings.map(w => `-Wno-${w}`),
     ]
-    for (const [name, said] of compileAll(database, candidates, options)) {
+    for (const [name, said] of await compileAll(database, candidates, options)) {
       const others = [...said.matchAll(/\[-W([\w-]+)/g)].some(([, w]) => w !== "missing-signatures")
       if (others || !unsigned.has(name)) warnings.push(`${name}\n${said}`)
     }
@@ -94,11 +93,11 @@ interface Hint {
   readonly to: string | null
 }
 
-function hintsOn(candidates: readonly Candidate[], content: Map<string, number>): string[] {
+async function hintsOn(candidates: readonly Candidate[], content: Map<string, number>): Promise<string[]> {
   const folder = mkdtempSync(join(tmpdir(), "rosy-lint-"))
   try {
     for (const c of candidates) writeFileSync(join(folder, `${c.name}.hs`), c.text)
-    const {stdout} = spawnSync("hlint", ["--json", folder], {encoding: "utf8", maxBuffer: 1 << 28})
+    const {stdout} = await run("hlint", ["--json", folder])
     return (JSON.parse(stdout) as Hint[]).flatMap(h => {
       if (!isContent(h.hint) && !keptBrackets(h)) return [`${h.file}: ${h.hint}: ${h.from} ==> ${h.to}`]
       content.set(h.hint, (content.get(h.hint) ?? 0) + 1)

@@ -14,6 +14,7 @@ import {newWorkspace} from "../src/workspace/project.ts"
 import {readyReactions, readyTasks} from "../src/workspace/readymade.ts"
 import {libraryItems, toolbox} from "../src/workspace/toolbox.ts"
 import {compileAll} from "./ghc.ts"
+import {run} from "./process.ts"
 
 const database = packageDatabase()
 const hlint = spawnSync("hlint", ["--version"]).status === 0
@@ -42,7 +43,7 @@ test.each(programs)("$label has no problem, and reads so", ({problems, text, nam
 })
 
 // What the test itself writes above a program is not what is looked at.
-test.skipIf(database === undefined)("GHC compiles them all, without a warning", () => {
+test.skipIf(database === undefined)("GHC compiles them all, without a warning", async () => {
   const candidates = programs.map(({name, program, text}) => ({
     name: `Ready${name}`,
     program,
@@ -50,7 +51,7 @@ test.skipIf(database === undefined)("GHC compiles them all, without a warning", 
   }))
   expect(
     Object.fromEntries(
-      compileAll(database ?? "", candidates, [
+      await compileAll(database ?? "", candidates, [
         "-Wall",
         "-Werror",
         "-Wno-dodgy-imports",
@@ -60,11 +61,11 @@ test.skipIf(database === undefined)("GHC compiles them all, without a warning", 
   ).toEqual({})
 })
 
-test.skipIf(!hlint)("hlint has no hint about them", () => {
+test.skipIf(!hlint)("hlint has no hint about them", async () => {
   const folder = mkdtempSync(join(tmpdir(), "rosy-ready-"))
   try {
     for (const {name, text} of programs) writeFileSync(join(folder, `${name}.hs`), text)
-    expect(spawnSync("hlint", [folder], {encoding: "utf8"}).stdout.trim()).toBe("No hints")
+    expect((await run("hlint", [folder])).stdout.trim()).toBe("No hints")
   } finally {
     rmSync(folder, {recursive: true, force: true})
   }

@@ -1,6 +1,5 @@
 /// Renaming: a program means the same before and after, or the new name is refused.
 
-import {setImmediate} from "node:timers/promises"
 import {expect, test} from "vitest"
 import {packageDatabase} from "../scripts/ghc.ts"
 import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
@@ -10,6 +9,7 @@ import {generateProgram} from "./generate/program.ts"
 import {Dice} from "./generate/random.ts"
 import type {Candidate} from "./ghc.ts"
 import {compileAll} from "./ghc.ts"
+import {breathe} from "./process.ts"
 import {candidate} from "./soundness.ts"
 
 const database = packageDatabase()
@@ -74,7 +74,7 @@ test.skipIf(database === undefined)("a renamed program means what it meant", asy
   let refused = 0
   const candidates: Candidate[] = []
   for (let seed = 0; seed < 70; seed++) {
-    if (seed % 10 === 0) await setImmediate()
+    if (seed % 10 === 0) await breathe()
     const {workspace, whole} = generateProgram(seed, 12 + (seed % 30))
     if (!whole) continue
     const dice = new Dice(seed)
@@ -103,7 +103,7 @@ test.skipIf(database === undefined)("a renamed program means what it meant", asy
       candidates.push(candidate(`N${seed}x${i}`, after))
     }
   }
-  const complaints = [...compileAll(database ?? "", candidates)]
+  const complaints = [...(await compileAll(database ?? "", candidates))]
   expect(
     complaints.map(([name, complaint]) => `${candidates.find(c => c.name === name)?.text}\n${complaint}`),
   ).toEqual([])

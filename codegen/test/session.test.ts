@@ -7,6 +7,7 @@ import {blockView, checker, infer, session} from "../src/index.ts"
 import type {Reader} from "../src/reader/index.ts"
 import {openView, syncText, workspaceOf} from "../src/reader/index.ts"
 import {everyBlock} from "../src/workspace/infer.ts"
+import {breathe} from "./process.ts"
 import {mutate, mutations} from "./reader/mutations.ts"
 import {corpus, testReader} from "./reader/open.ts"
 
@@ -96,12 +97,13 @@ function expectTheSame(asked: Session, workspace: SavedWorkspace, which: number)
   )
 }
 
-test("a session says after each edit what inference from nothing says", () => {
-  fc.assert(
-    fc.property(
+test("a session says after each edit what inference from nothing says", async () => {
+  await fc.assert(
+    fc.asyncProperty(
       fc.constantFrom(...corpus.filter(program => program.text.length < 4000)),
       fc.array(fc.tuple(edit, which), {minLength: edits, maxLength: edits}),
-      (program, walk) => {
+      async (program, walk) => {
+        await breathe()
         const asked = session()
         let view = openView(reader, program.text)
         let workspace = workspaceOf(view)

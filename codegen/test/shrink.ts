@@ -14,22 +14,22 @@ import {candidate} from "./soundness.ts"
 export const cases = new URL("cases/", import.meta.url)
 
 /// Writes a counterexample, shrunk, to the cases that every later test run tries. It can get a name of its own once it is mended.
-export function keep(database: string, {seed, workspace, complaint}: Refused): string {
+export async function keep(database: string, {seed, workspace, complaint}: Refused): Promise<string> {
   const said = complaint
     .split("\n")
     .slice(0, 3)
     .map(l => `-- ${l.replace(/^\w+\.hs:\d+:\d+: /, "").trim()}\n`)
-  const text = `${said.join("")}${shrink(database, workspace)}`
+  const text = `${said.join("")}${await shrink(database, workspace)}`
   writeFileSync(new URL(`found-${seed}.hs.txt`, cases), text)
   return `seed ${seed}, kept in test/cases/found-${seed}.hs.txt\n${text}\n${complaint}`
 }
 
 /// The Haskell of the smallest program found that is still refused, without inferred signatures.
-export function shrink(database: string, workspace: SavedWorkspace): string {
+export async function shrink(database: string, workspace: SavedWorkspace): Promise<string> {
   let smallest = workspace
   for (let round = 0; round < 40; round++) {
     const smaller = steps(smallest).filter(isWhole).slice(0, 120)
-    const complaints = compileAll(
+    const complaints = await compileAll(
       database,
       smaller.map((w, i) => candidate(`S${i}`, w)),
     )

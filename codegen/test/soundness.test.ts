@@ -27,7 +27,7 @@ test.skipIf(database === undefined)("what fits compiles", async () => {
   console.log(
     `soundness: ${found.whole} programs of ${found.blocks} blocks, ${found.refused.length} refused by GHC. Blocks a program: ${sizesOf(found)}`,
   )
-  expect(found.refused.map(r => keep(database ?? "", r))).toEqual([])
+  expect(await Promise.all(found.refused.map(r => keep(database ?? "", r)))).toEqual([])
   expect(found.whole).toBe(500)
   // Nearly all programs must get finished, be of all sizes and have every kind of block, or the test would show little.
   expect(found.programs).toBeLessThan(550)
@@ -53,8 +53,8 @@ describe("programs that inference once accepted and GHC refused", async () => {
   const names = readdirSync(cases)
   const workspaces = names.map(n => workspaceOf(openView(reader, readFileSync(new URL(n, cases), "utf8"))))
   const whole = workspaces.map(w => problemsOf(solve(w)).every(p => p.severity !== "error"))
-  test.skipIf(database === undefined)("compile now, or are refused", () => {
-    const complaints = compileAll(
+  test.skipIf(database === undefined)("compile now, or are refused", async () => {
+    const complaints = await compileAll(
       database ?? "",
       workspaces.map((w, i) => candidate(`Case${i}`, w)),
     )

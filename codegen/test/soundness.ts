@@ -1,12 +1,12 @@
 /// Generates programs and asks GHC about those that are finished.
 
-import {setImmediate} from "node:timers/promises"
 import type {SavedWorkspace} from "../src/index.ts"
 import {toHaskell} from "../src/index.ts"
 import {everyBlock, solve} from "../src/workspace/infer.ts"
 import {generateProgram, sizeOf} from "./generate/program.ts"
 import type {Candidate} from "./ghc.ts"
 import {compileAll} from "./ghc.ts"
+import {breathe} from "./process.ts"
 
 export interface Soundness {
   /// Generated.
@@ -28,7 +28,7 @@ export interface Refused {
   readonly complaint: string
 }
 
-/// Programs handed to GHC at once. Between them the test runner hears that the test is alive.
+/// Programs handed to GHC at once.
 export const batch = 125
 
 /// A workspace as GHC gets it.
@@ -47,7 +47,7 @@ export async function soundness(database: string, from: number, count: number): 
   while (whole < count) {
     const made = new Map<string, {seed: number; workspace: SavedWorkspace}>()
     for (; made.size < Math.min(batch, count - whole); seed++) {
-      if (seed % 20 === 0) await setImmediate()
+      if (seed % 20 === 0) await breathe()
       const generated = generateProgram(seed, sizeOf(seed))
       if (!generated.whole) continue
       blocks += generated.blocks
@@ -57,7 +57,7 @@ export async function soundness(database: string, from: number, count: number): 
       made.set(`P${seed}`, {seed, workspace: generated.workspace})
     }
     whole += made.size
-    const complaints = compileAll(
+    const complaints = await compileAll(
       database,
       [...made].map(([name, {workspace}]) => candidate(name, workspace)),
     )

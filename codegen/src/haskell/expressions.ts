@@ -112,11 +112,13 @@ function exprBody(e: Expr, context: Context): Doc {
       return ["\\case", alternatives(e.alternatives, context)]
     case "let":
       if (e.declarations.length === 0) return printExpr(e.body, context)
-      return group([
-        "let ",
-        align(context.declarations(e.declarations)),
-        nest([line, "in ", printExpr(e.body, context)], 1),
-      ])
+      return align(
+        group([
+          "let ",
+          align(context.declarations(e.declarations)),
+          nest([line, "in ", printExpr(e.body, context)], 1),
+        ]),
+      )
     case "do":
       if (e.statements.length === 0) return "_"
       return ["do", nest(e.statements.map(s => [hardline, printStatement(s, context)]))]
@@ -267,7 +269,7 @@ function startsWithLet(e: Expr): boolean {
 
 function bracketed(open: string, items: readonly Expr[], close: string, context: Context): Doc {
   if (items.length === 0) return open + close
-  const docs = items.map(i => printExpr(i, context))
+  const docs = items.map(i => align(printExpr(i, context)))
   // A broken tuple or list has one item a line, commas first.
   return group(
     align([open, ifBroken(" "), docs.map((d, i) => (i === 0 ? d : [softline, ", ", d])), softline, close]),
@@ -275,7 +277,12 @@ function bracketed(open: string, items: readonly Expr[], close: string, context:
 }
 
 function fieldsDoc(head: Doc, fields: readonly FieldValue[], context: Context): Doc {
-  const docs = fields.map(f => [variableName(f.name), " = ", printExpr(f.value, context)])
+  const docs = fields.map(({name, value}) =>
+    align([
+      `${variableName(name)} =`,
+      hangs(value) ? [" ", printExpr(value, context)] : group(nest([line, printExpr(value, context)])),
+    ]),
+  )
   return group([
     head,
     nest([line, "{", ifBroken(" "), docs.map((d, i) => (i === 0 ? d : [softline, ", ", d])), softline, "}"]),
@@ -417,10 +424,13 @@ function bracketBody(e: Expr, context: Context): Doc {
   return hasHardline(doc) && !hangs(e) ? align(doc) : doc
 }
 
+/// With what follows on its last line. So `f $ \case …` gets brackets: where its lines end is not to be seen.
 function tighter(e: Expr, precedence: number, context: Context): Doc {
   const kind = fixityOfExpr(transparent(e), context)
-  const bare = kind === "atom" || (kind !== "open" && kind.precedence >= precedence)
-  return bare ? printExpr(e, context) : mark(e, ["(", exprBody(e, context), ")"])
+  const bare = kind === "atom" || (kind !== "open" && kind.precedence >= precedence && !hangs(e))
+  if (bare) return printExpr(e, context)
+  const doc = exprBody(e, context)
+  return mark(e, ["(", e.kind === "infix" && hasHardline(doc) ? align(doc) : doc, ")"])
 }
 
 function printSection(e: Expr & {kind: "section"}, context: Context): Doc {

@@ -96,12 +96,11 @@ function printInfix(p: Pattern & {kind: "infix-pattern"}): Doc {
 
 function commas(items: readonly Pattern[]): Doc {
   return group(
-    nest(
+    align(
       join(
         items.map(i => printPattern(i, "top")),
         [",", line],
       ),
-      1,
     ),
   )
 }

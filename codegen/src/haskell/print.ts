@@ -155,13 +155,14 @@ function printClause(name: string, clause: Clause, context: Context): Doc {
   const head =
     isOperator(name) && patterns.length === 2 && left !== undefined && right !== undefined
       ? [printPattern(left, "operand"), ` ${name} `, printPattern(right, "operand")]
-      : join(
-          [
-            isOperator(name) ? `(${name})` : variableName(name),
-            ...patterns.map(p => printPattern(p, "argument")),
-          ],
-          " ",
-        )
+      : // Inputs that are too long for a line stand below each other, further in than what the function is.
+        group([
+          isOperator(name) ? `(${name})` : variableName(name),
+          nest(
+            patterns.map(p => [line, printPattern(p, "argument")]),
+            4,
+          ),
+        ])
   return mark(clause, [comment(clause.comment), head, printRight(clause.right, "=", context)])
 }
 

@@ -170,15 +170,21 @@ export class Reader {
     }
     // Between words, the grammar does not know tabs.
     const tabs = source.includes("\t") ? untabbed(source) : undefined
-    const tree: Tree | null = this.parser.parse(`${plainer(tabs?.text ?? source)}\n`)
-    if (tree === null) return undefined
-    const parsed = copyTree(
-      tree,
-      this.names,
-      tabs === undefined ? at => at : at => tabs.from[at] ?? source.length,
-    )
-    tree.delete()
-    return parsed
+    const plain = plainer(tabs?.text ?? source)
+    let first: Parsed | undefined
+    for (const text of new Set([plain, negated(plain, /\s*`[\p{Ll}_]/uy), negated(plain, /\s*[`:]/uy)])) {
+      const tree: Tree | null = this.parser.parse(`${text}\n`)
+      if (tree === null) return undefined
+      const parsed = copyTree(
+        tree,
+        this.names,
+        tabs === undefined ? at => at : at => tabs.from[at] ?? source.length,
+      )
+      tree.delete()
+      if (!parsed.broken) return parsed
+      first ??= parsed
+    }
+    return first
   }
 }
 
@@ -210,6 +216,14 @@ function plainer(source: string): string {
         "0".repeat(c.length),
       )
   )
+}
+
+/// With a name for each negative number before an operator: in `| -1 `elem` x` the grammar expects a pattern, and is tried with these when it has found an error.
+function negated(plain: string, operator: RegExp): string {
+  return plain.replace(/(?<=- *)\d[\d._]*(?:[eE][-+]?\d+)?/gu, (n, at: number) => {
+    operator.lastIndex = at + n.length
+    return operator.test(plain) ? "a".repeat(n.length) : n
+  })
 }
 
 function topOf(root: Syntax): Syntax[] {

@@ -10,6 +10,7 @@ import type {Reader} from "../../src/reader/index.ts"
 import {openView, workspaceOf} from "../../src/reader/index.ts"
 import {hashTree} from "../../src/reader/trees.ts"
 import type {SavedBlock} from "../../src/saved.ts"
+import {breathe} from "../process.ts"
 import {wellFormed} from "./models.ts"
 import {corpus, testReader} from "./open.ts"
 
@@ -50,9 +51,10 @@ describe("printing and reading a program of the corpus gives the same tree", () 
 
 test(
   "any program prints and reads back as it was",
-  () => {
-    fc.assert(
-      fc.property(wellFormed, program => {
+  async () => {
+    await fc.assert(
+      fc.asyncProperty(wellFormed, async program => {
+        await breathe()
         const {text} = printProgram(program)
         expect(plain(readProgram(text)), text).toEqual(plain(program))
       }),
@@ -64,9 +66,10 @@ test(
 
 test(
   "any blocks go to text and come back as they were, up to their ids",
-  () => {
-    fc.assert(
-      fc.property(wellFormed, program => {
+  async () => {
+    await fc.assert(
+      fc.asyncProperty(wellFormed, async program => {
+        await breathe()
         let n = 0
         const writer = new Writer(() => `b${n++}`)
         // Some trees have no blocks of their own; what they become has.

@@ -9,6 +9,7 @@ import {join} from "node:path"
 import {afterAll, beforeAll, describe, expect, test} from "vitest"
 import {printProgram} from "../../src/haskell/print.ts"
 import type {Reader} from "../../src/reader/index.ts"
+import {run} from "../process.ts"
 import {normal, parseDump} from "./dump.ts"
 import {corpus, testReader} from "./open.ts"
 
@@ -31,7 +32,7 @@ beforeAll(async () => {
     writeFileSync(join(at, "Rosy.hs"), readFileSync(new URL("Rosy.hs.txt", import.meta.url)))
     for (const [i, program] of corpus.entries())
       writeFileSync(join(at, `P${i}.hs`), asModule(`P${i}`, program.text, side))
-    spawnSync("ghc", [...flags.split(" "), ...corpus.map((_, i) => `P${i}.hs`)], {cwd: at, encoding: "utf8"})
+    await run("ghc", [...flags.split(" "), ...corpus.map((_, i) => `P${i}.hs`)], at)
   }
 }, 120_000)
 afterAll(() => {

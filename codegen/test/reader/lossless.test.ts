@@ -4,6 +4,7 @@ import fc from "fast-check"
 import {beforeAll, describe, expect, test} from "vitest"
 import type {Module, Reader} from "../../src/reader/index.ts"
 import {openView, syncBlocks, workspaceOf} from "../../src/reader/index.ts"
+import {breathe} from "../process.ts"
 import {mutate, rareMutations} from "./mutations.ts"
 import {corpus, testReader} from "./open.ts"
 
@@ -36,43 +37,51 @@ describe("the pieces of a program are the program", () => {
     expect(module.pieces.filter(p => p.broken).map(p => p.slice)).toEqual([])
   })
 
-  test("after any small change to it", () => {
-    fc.assert(
-      fc.property(fc.constantFrom(...corpus), rareMutations, (program, changes) => {
+  test("after any small change to it", async () => {
+    await fc.assert(
+      fc.asyncProperty(fc.constantFrom(...corpus), rareMutations, async (program, changes) => {
+        await breathe()
         expectLossless(reader.read(mutate(program.text, changes)))
       }),
       {numRuns: runs, ...seeded},
     )
   }, 1_200_000)
 
-  test("and after it, text to blocks and back is the same, also when a block is moved and a comment is written", () => {
-    fc.assert(
-      fc.property(fc.constantFrom(...corpus), rareMutations, fc.nat(50), (program, changes, which) => {
-        const view = openView(reader, mutate(program.text, changes))
-        expect(view.text).toBe(mutate(program.text, changes))
-        const workspace = structuredClone(workspaceOf(view))
-        const top = workspace.blocks.blocks[which % Math.max(1, workspace.blocks.blocks.length)]
-        if (top === undefined) return
-        top.x = 5000
-        expect(syncBlocks(reader, view, workspace).text).toBe(view.text)
-        top.icons = {comment: {text: "a remark"}}
-        const after = syncBlocks(reader, view, workspace).text
-        const shown = view.declarations.find(d => d.block.id === top.id)
-        const piece = shown === undefined ? undefined : view.module.pieces[shown.piece]
-        if (piece === undefined) return
-        // What stands outside of the edited definition is there, byte for byte.
-        expect(after.startsWith(view.text.slice(0, piece.start))).toBe(true)
-        expect(after.endsWith(view.text.slice(piece.end))).toBe(true)
-      }),
+  test("and after it, text to blocks and back is the same, also when a block is moved and a comment is written", async () => {
+    await fc.assert(
+      fc.asyncProperty(
+        fc.constantFrom(...corpus),
+        rareMutations,
+        fc.nat(50),
+        async (program, changes, which) => {
+          await breathe()
+          const view = openView(reader, mutate(program.text, changes))
+          expect(view.text).toBe(mutate(program.text, changes))
+          const workspace = structuredClone(workspaceOf(view))
+          const top = workspace.blocks.blocks[which % Math.max(1, workspace.blocks.blocks.length)]
+          if (top === undefined) return
+          top.x = 5000
+          expect(syncBlocks(reader, view, workspace).text).toBe(view.text)
+          top.icons = {comment: {text: "a remark"}}
+          const after = syncBlocks(reader, view, workspace).text
+          const shown = view.declarations.find(d => d.block.id === top.id)
+          const piece = shown === undefined ? undefined : view.module.pieces[shown.piece]
+          if (piece === undefined) return
+          // What stands outside of the edited definition is there, byte for byte.
+          expect(after.startsWith(view.text.slice(0, piece.start))).toBe(true)
+          expect(after.endsWith(view.text.slice(piece.end))).toBe(true)
+        },
+      ),
       {numRuns: Math.ceil(runs / 4), ...seeded},
     )
   }, 1_200_000)
 
-  test("also when it is not Haskell", () => {
-    fc.assert(
-      fc.property(
+  test("also when it is not Haskell", async () => {
+    await fc.assert(
+      fc.asyncProperty(
         fc.oneof(fc.string({unit: "binary", maxLength: 300}), fc.string({unit: "grapheme", maxLength: 300})),
-        text => {
+        async text => {
+          await breathe()
           expectLossless(reader.read(text))
         },
       ),

@@ -8,6 +8,7 @@ import type {Declaration} from "../../src/model/tree.ts"
 import type {Reader, View} from "../../src/reader/index.ts"
 import {layoutOf, openView, spansOf, syncBlocks, syncText, workspaceOf} from "../../src/reader/index.ts"
 import type {SavedBlock, SavedWorkspace} from "../../src/saved.ts"
+import {breathe} from "../process.ts"
 import type {Mutation} from "./mutations.ts"
 import {mutate, rareMutations} from "./mutations.ts"
 import {corpus, testReader} from "./open.ts"
@@ -120,12 +121,12 @@ function expectAgreement(view: View): void {
   }
 }
 
-test("text and blocks agree after every step, and every state can be reached again", () => {
-  fc.assert(
-    fc.property(
+test("text and blocks agree after every step, and every state can be reached again", async () => {
+  await fc.assert(
+    fc.asyncProperty(
       fc.constantFrom(...corpus.slice(0, 50)),
       fc.array(step, {minLength: steps, maxLength: steps}),
-      (program, walk) => {
+      async (program, walk) => {
         const start = openView(reader, program.text)
         let history = [start]
         let at = 0
@@ -134,7 +135,8 @@ test("text and blocks agree after every step, and every state can be reached aga
           history = [...history.slice(0, at + 1), view]
           at++
         }
-        for (const s of walk) {
+        for (const [i, s] of walk.entries()) {
+          if (i % 100 === 0) await breathe()
           const now = history[at] ?? start
           if (!now.declarations.some(d => d.dimmed)) good = now.text
           if (s.kind === "text") go(syncText(reader, now, mutate(now.text, s.changes)))
