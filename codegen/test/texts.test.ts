@@ -230,3 +230,10 @@ describe("a method has the type that its class gives it", () => {
     expect(toHaskell(workspaceOf(openView(reader, text + run))).text).toContain("deriving (Eq)")
   })
 })
+
+test("what stands by hand is not derived once more", () => {
+  const text = "data M = M Int\n\ninstance Eq M where\n  M a == M b = a == b\n\nf :: M -> Bool\nf m = m > M 1"
+  expect(toHaskell(workspaceOf(openView(reader, text + run))).text).toContain(
+    "data M = M Int deriving (Ord)\n",
+  )
+})

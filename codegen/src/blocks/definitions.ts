@@ -361,7 +361,7 @@ const instance: BlockSpec = {
   type: "instance",
   shape: extra => ({
     family: "own",
-    connects: {as: "definition"},
+    connects: {as: "top"},
     rows: [
       [
         {

@@ -6,6 +6,7 @@ import {printExprAlone, printPatternAlone, printProgram} from "../haskell/print.
 import {hasUnknowns} from "../model/holes.ts"
 import type {Declaration, Program} from "../model/tree.ts"
 import type {BlockId, SavedBlock, SavedWorkspace} from "../saved.ts"
+import type {Environment} from "../types/environment.ts"
 import {metasIn, showScheme} from "../types/type.ts"
 import type {Solved} from "./infer.ts"
 import {problemsOf, solve} from "./infer.ts"
@@ -62,7 +63,7 @@ export function withSignatures(program: Program, {inferrer}: Pick<Solved, "infer
   return {
     ...program,
     declarations: program.declarations.map((d): Declaration => {
-      if (d.kind === "data") return withDeriving(d, inferrer.env.needs)
+      if (d.kind === "data") return withDeriving(d, inferrer.env)
       if (d.kind !== "function" || d.signature !== undefined || inferrer.unsignable.has(d)) return d
       const scheme = inferrer.schemes.get(d)
       // What is open still may be decided by something that only GHC sees.
@@ -81,13 +82,14 @@ export function withSignatures(program: Program, {inferrer}: Pick<Solved, "infer
 }
 
 /// What the program does with a type of its own decides what the type derives: comparing needs `Eq`, showing `Show`.
-function withDeriving(d: Declaration & {kind: "data"}, needs: ReadonlySet<string>): Declaration {
+function withDeriving(
+  d: Declaration & {kind: "data"},
+  {needs, written}: Pick<Environment, "needs" | "written">,
+): Declaration {
   const wanted = ["Eq", "Ord", "Show"].filter(c => needs.has(`${c} ${d.name}`) && !d.deriving.includes(c))
-  // `Ord` builds on `Eq`.
-  const all =
-    wanted.includes("Ord") && !wanted.includes("Eq") && !d.deriving.includes("Eq")
-      ? ["Eq", ...wanted]
-      : wanted
+  // `Ord` builds on `Eq`, which the program may have by hand.
+  const hasEq = [...wanted, ...d.deriving].includes("Eq") || written?.has(`Eq ${d.name}`) === true
+  const all = wanted.includes("Ord") && !hasEq ? ["Eq", ...wanted] : wanted
   return all.length === 0 ? d : {...d, deriving: [...d.deriving, ...all]}
 }
 

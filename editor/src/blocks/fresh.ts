@@ -12,19 +12,27 @@ export function freshName(name: string, taken: ReadonlySet<string>): string {
   for (let count = 2; ; count++) if (!taken.has(`${stem}${count}`)) return `${stem}${count}`
 }
 
-/// `extra` of a definition or a type with names that nobody else has: its own and those of its constructors. Pure.
+/// `extra` of a definition or a type with names that nobody else has: its own and those of its constructors and their parts. Pure.
 export function withFreshNames(extra: Extra, taken: ReadonlySet<string>): Extra {
-  const constructors = Array.isArray(extra.constructors) ? extra.constructors : undefined
-  const renamed = constructors?.map((one): Json => {
-    if (typeof one !== "object" || one === null || Array.isArray(one)) return one
-    const {name} = one as Extra
-    return typeof name === "string" ? {...(one as Extra), name: freshName(name, taken)} : one
+  const renamed = parts(extra.constructors)?.map((one): Json => {
+    const fields = parts(one.fields)?.map(field => named(field, taken))
+    return {...named(one, taken), ...(fields === undefined ? {} : {fields})}
   })
   return {
     ...extra,
     ...(typeof extra.name === "string" ? {name: freshName(extra.name, taken)} : {}),
     ...(renamed === undefined ? {} : {constructors: renamed}),
   }
+}
+
+function named(one: Extra, taken: ReadonlySet<string>): Extra {
+  return typeof one.name === "string" ? {...one, name: freshName(one.name, taken)} : one
+}
+
+/// The constructors of a type, or the parts of a constructor.
+function parts(all: Json | undefined): readonly Extra[] | undefined {
+  const isOne = (one: Json) => typeof one === "object" && one !== null && !Array.isArray(one)
+  return Array.isArray(all) && all.every(isOne) ? (all as readonly Extra[]) : undefined
 }
 
 /// Gives the definitions among `made` names of their own.
@@ -54,8 +62,8 @@ function siblings(workspace: Blockly.Workspace, block: Blockly.Block): readonly 
 }
 
 function namesOf(block: Blockly.Block): string[] {
-  const {name, constructors} = extraOf(block)
-  const own = typeof name === "string" ? [name] : []
-  const parts = Array.isArray(constructors) ? constructors.map(one => (one as Extra | null)?.name) : []
-  return [...own, ...parts.filter(part => typeof part === "string")]
+  const extra = extraOf(block)
+  const constructors = parts(extra.constructors) ?? []
+  const fields = constructors.flatMap(one => parts(one.fields) ?? [])
+  return [extra, ...constructors, ...fields].flatMap(({name}) => (typeof name === "string" ? [name] : []))
 }

@@ -16,6 +16,15 @@ test("a type that comes twice gets new constructors too", () => {
   })
 })
 
+test("the parts of its constructors, too", () => {
+  const place = (name: string, part: string) => ({name, fields: [{name: part, type: "Double"}]})
+  const extra = {name: "Place", constructors: [place("Place", "x"), place("There", "x")]}
+  expect(withFreshNames(extra, new Set(["Place", "There", "x"]))).toEqual({
+    name: "Place2",
+    constructors: [place("Place2", "x2"), place("There2", "x2")],
+  })
+})
+
 const box = (top: number, bottom: number, left = 0) => ({top, bottom, left, right: left + 100})
 
 test("what a grown block would cover moves down, and what that would cover after it", () => {
