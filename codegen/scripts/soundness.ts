@@ -10,7 +10,7 @@ const [count = "2000", from = "100000"] = process.argv.slice(2).filter(a => /^\d
 const database = packageDatabase()
 const say = (line: string) => process.stdout.write(`${line}\n`)
 const percent = (part: number, all: number) => `${((100 * part) / Math.max(1, all)).toFixed(3)} %`
-const kinds = blockTypes.map(b => b.type).filter(t => !t.startsWith("raw_") && t !== "instance")
+const kinds = blockTypes.map(b => b.type).filter(t => !t.startsWith("raw_"))
 const missing = (found: {has(kind: string): boolean}) => {
   const without = kinds.filter(k => !found.has(k))
   return `${kinds.length - without.length} of ${kinds.length} kinds of block${without.length === 0 ? "" : `, not ${without.join(", ")}`}`

@@ -83,6 +83,14 @@ export async function completeness(database: string, from: number, count: number
   return {moves, allowed, moved, tried, refused, unusable, needless}
 }
 
+/// How often each sort is moved where a program has a place for it.
+const shares: readonly (readonly [number, Sort])[] = [
+  [4, "expression"],
+  [2, "pattern"],
+  [4, "step"],
+  [1, "definition"],
+]
+
 /// Moves that are tried with one program.
 const movesEach = 16
 
@@ -111,14 +119,8 @@ function randomMoves(seed: number, workspace: SavedWorkspace): Move[] {
   const moves: Move[] = []
   for (let i = 0; i < movesEach; i++) {
     // Values are most of a program, so the others get their share.
-    const sort = dice.weighed<Sort>([
-      [4, "expression"],
-      [2, "pattern"],
-      [1, "step"],
-      [1, "definition"],
-    ])
+    const sort = dice.weighed(shares.filter(([, of]) => spots.some(s => s.sort === of)))
     const fitting = spots.filter(s => s.sort === sort)
-    if (fitting.length === 0) continue
     // Each kind of place gets its share, too.
     const into = dice.pick([...new Set(fitting.map(s => s.into.type))])
     const {place, old} = dice.pick(fitting.filter(s => s.into.type === into))

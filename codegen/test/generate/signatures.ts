@@ -8,7 +8,7 @@ const sensors =
   )
 
 const commands =
-  `Velocity|Led1|Led2|Sound|Maybe Sound|(Led1, Led2)|Either Velocity Sound|Memory Bool|Memory Int|[Say]|Say|Param Double|Maybe Velocity|(Velocity, Maybe Led1)|Either Velocity (Memory Int)|Memory (Maybe Int)|Never|()|Call|Call|Maybe Call|Feedback Int|Maybe (Feedback Double)|(Velocity, Feedback Bool)|Cancel|Maybe Cancel|Maybe Cancel`.split(
+  `Velocity|Led1|Led2|Sound|Maybe Sound|(Led1, Led2)|Either Velocity Sound|Memory Bool|Memory Int|[Say]|Say|Param Double|Maybe Velocity|(Velocity, Maybe Led1)|Either Velocity (Memory Int)|Memory (Maybe Int)|Never|()|Call|Call|Call|Call|Maybe Call|Feedback Int|Maybe (Feedback Double)|(Velocity, Feedback Bool)|Cancel|Maybe Cancel|Maybe Cancel`.split(
     "|",
   )
 
@@ -43,7 +43,7 @@ export function signatureFor(
   own: readonly string[],
 ): {readonly text: string; readonly arity: number} {
   if (dice.once(9)) return dice.pick(general)
-  if (dice.once(5)) {
+  if (dice.once(4)) {
     const result = dice.pick([
       "()",
       "()",

@@ -245,7 +245,7 @@ export class Values {
     if (head.name === "Task") {
       if (small) return this.least(wanted, [])
       return dice.weighed<() => SavedBlock>([
-        [3, () => make.block("do", {}, {S: make.steps(0)})],
+        [7, () => make.block("do", {}, {S: make.steps(0)})],
         [2, () => this.throughLibrary(wanted)],
         [3, () => this.task()],
       ])()
@@ -400,12 +400,37 @@ export class Values {
     if (both !== undefined && left !== undefined && right !== undefined)
       return make.block("name", {name: both, args: 2, fn: true}, {A0: left, A1: right})
     const done = this.least({kind: "app", fn: con("Done"), arg: result}, known, depth + 1)
-    const calls = make.block(
-      "name",
-      {name: "task", args: 2, fn: true},
-      {A0: light(), ...(done && {A1: done})},
-    )
-    return done && calls
+    if (done === undefined) return undefined
+    return make.dice.once(3)
+      ? make.block("name", {name: "taskWith", args: 2, fn: true}, {A0: make.call("taskOptions", 0), A1: done})
+      : make.block("name", {name: "task", args: 2, fn: true}, {A0: light(), A1: done})
+  }
+
+  /// The usual options, or with one thing changed.
+  private leastOptions(): SavedBlock {
+    const {make} = this
+    const usual = make.call("callOptions", 0)
+    const when = (con: string, args: number, body: SavedBlock) => {
+      const parts = Array.from({length: args}, (_, i) => [
+        `A${i}`,
+        make.block("pattern_any", {what: "thing"}),
+      ])
+      const pattern = make.block("pattern_construct", {con, args}, Object.fromEntries(parts))
+      return make.block("lambda", {inputs: 1}, {P0: pattern, B: body})
+    }
+    const changed = (field: string, value: SavedBlock) =>
+      make.block("update", {fields: [field]}, {R: usual, F0: value})
+    const cancel = () => make.block("construct", {con: "Cancel", args: 0})
+    return make.dice.pick<() => SavedBlock>([
+      () => usual,
+      () =>
+        changed(
+          "cancelOn",
+          when("Bumper", 2, make.block("construct", {con: "Just", args: 1}, {A0: cancel()})),
+        ),
+      () => changed("onFeedback", when("Feedback", 1, make.block("tuple", {items: 0}))),
+      () => changed("onEnd", when("()", 0, make.block("construct", {con: "OnSound", args: 0}))),
+    ])()
   }
 
   /// The smallest value of a type with nothing left open, or `undefined` where none is known.
@@ -447,8 +472,7 @@ export class Values {
     if (head.name === "Call") {
       const task = this.leastTask(con("()"), known, depth + 1)
       return (
-        task &&
-        make.block("name", {name: "call", args: 2, fn: true}, {A0: task, A1: make.call("callOptions", 0)})
+        task && make.block("name", {name: "call", args: 2, fn: true}, {A0: task, A1: this.leastOptions()})
       )
     }
     if (head.name === "Task" && result !== undefined && make.dice.once(2)) {
