@@ -108,7 +108,6 @@ test("why a block does not fit is told in a live region", async () => {
   expect(why).toContain("wants a")
   await told(page, why)
   const live = await heard(page)
-  await told(page, why)
   await page.mouse.up()
   expect(live.filter(({role}) => role === "status").length).toBeGreaterThan(0)
 })
