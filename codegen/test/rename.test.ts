@@ -143,3 +143,39 @@ test("a type's new name stands wherever a type is written, and constructors keep
   expect(renamed(workspace, binder, "Ways")).toBe("There is another `Ways` already.")
   expect(renamed(workspace, binder, "way")).toBe("This name is one word that starts with a capital letter.")
 })
+
+test("a pattern's name is a word, and what an instance defines keeps the name that its class gave it", () => {
+  const define = (id: string, name: string, inputs: SavedBlock["inputs"]): SavedBlock => ({
+    type: "define",
+    id,
+    extraState: {name, arity: 1, equations: [{}]},
+    inputs: inputs ?? {},
+  })
+  const workspace: SavedWorkspace = {
+    blocks: {
+      languageVersion: 0,
+      blocks: [
+        define("f", "f", {P0_0: {block: {type: "pattern_name", id: "x", extraState: {name: "x"}}}}),
+        {type: "data", id: "m", extraState: {name: "M", constructors: [{name: "M", fields: []}]}},
+        {
+          type: "instance",
+          id: "i",
+          extraState: {head: "instance Show M"},
+          inputs: {
+            D: {
+              block: define("show", "show", {
+                E0_0: {block: {type: "text", id: "t", extraState: {value: ""}}},
+              }),
+            },
+          },
+        },
+      ],
+    },
+  }
+  expect(rename(workspace, "x", "name", "<>")).toMatchObject({ok: false})
+  expect(rename(workspace, "f", "name", "<>")).toMatchObject({ok: true})
+  expect(rename(workspace, "show", "name", "tell")).toEqual({
+    ok: false,
+    why: "`tell` is no part of `Show`.",
+  })
+})

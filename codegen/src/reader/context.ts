@@ -22,8 +22,15 @@ export class Context {
   whole: Cause | undefined
   private readonly comments: readonly Comment[]
   private readonly taken: boolean[]
+  private pragmas: readonly Range[]
 
-  constructor(text: string, comments: readonly Comment[], fixities: Fixities) {
+  constructor(
+    text: string,
+    comments: readonly Comment[],
+    fixities: Fixities,
+    pragmas: readonly Range[] = [],
+  ) {
+    this.pragmas = pragmas
     this.text = text
     this.comments = comments
     this.fixities = fixities
@@ -45,6 +52,7 @@ export class Context {
     this.comments.forEach((c, i) => {
       if (c.start >= node.start && c.end <= node.end) this.taken[i] = true
     })
+    this.takePragmas(node.start, node.end, [])
     const [first = "", ...below] = this.of(node).split(/\r?\n/)
     const others = below.map(expandTabs)
     const indents = others.filter(l => l.trim() !== "").map(l => l.length - l.trimStart().length)
@@ -61,6 +69,20 @@ export class Context {
 
   private columnOf(at: number): number {
     return [...expandTabs(this.text.slice(this.text.lastIndexOf("\n", at - 1) + 1, at))].length
+  }
+
+  /// What tells the compiler something between two places, and in none of those that are inside of these.
+  takePragmas(from: number, to: number, inside: readonly Range[]): readonly Range[] {
+    const isHere = (p: Range) =>
+      p.start >= from && p.end <= to && !inside.some(i => i.start <= p.start && p.end <= i.end)
+    const found = this.pragmas.filter(isHere)
+    this.pragmas = this.pragmas.filter(p => !isHere(p))
+    return found
+  }
+
+  /// Why only the whole can be kept as text, if so: what no node took would be lost.
+  kept(): Cause | undefined {
+    return this.whole ?? (this.pragmas.length > 0 ? "directive" : undefined)
   }
 
   /// Comments between two places that no inner node took, and one that follows on the same line.

@@ -28,7 +28,7 @@ export function readTop(nodes: readonly Syntax[], context: Context): Declaration
   if (only === undefined) return "declaration"
   if (groups.length > 1) return "several"
   const made = readGroup(only, r)
-  return context.whole ?? made
+  return context.kept() ?? made
 }
 
 function readingOf(context: Context): Reading {
@@ -52,9 +52,16 @@ function readLocal(around: Syntax, r: Reading): Declaration[] {
 /// Definitions inside of others, each with the comments that stand beside it from a place on.
 function readInner(nodes: readonly Syntax[], start: number, r: Reading): Declaration[] {
   let from = start
-  return grouped(nodes, r.context).map(group => {
-    const range = over(group)
-    const made = readGroup(group, r)
+  const groups = grouped(nodes, r.context).map(group => ({group, range: over(group)}))
+  const told = r.context.takePragmas(
+    start,
+    groups[groups.length - 1]?.range.end ?? start,
+    groups.map(g => g.range),
+  )
+  const all = [...groups, ...told.map(range => ({group: [], range}))]
+  all.sort((a, b) => a.range.start - b.range.start)
+  return all.map(({group, range}) => {
+    const made = group.length === 0 ? "directive" : readGroup(group, r)
     const remark = r.context.takeComments(from, range.end)
     from = range.end
     if (group[0]?.type === "fixity") r.context.whole ??= "localFixity"
@@ -169,13 +176,12 @@ function readGroup(group: readonly Syntax[], r: Reading): Declaration | Cause {
   }
 }
 
-/// A class or an instance whose parts are equations and signatures. What tells the compiler something has no place in the tree.
+/// A class or an instance whose parts are equations and signatures.
 function instance(node: Syntax, r: Reading): Declaration | Cause {
   const {context} = r
   const cause = node.type === "class" ? "class" : "instance"
   const body = child(node, "declarations")
   const where = node.children.find(c => c.type === "where")
-  if (context.of(node).includes("{-#")) return cause
   const inner = body === undefined ? [] : childrenIn(body, "declaration")
   const plain = ["function", "bind", "signature"]
   if (body !== undefined && (where === undefined || namedChildren(body).some(c => !plain.includes(c.type))))

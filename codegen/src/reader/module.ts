@@ -127,9 +127,9 @@ export class Reader {
     const shift = above.length
     const source = above + part.source
     const shifted = comments.map(c => ({...c, start: c.start + shift, end: c.end + shift}))
-    const context = new Context(source, shifted, fixities)
     const parsed =
       part.trouble !== undefined || part.source.length > longest ? undefined : this.parse(source, part, shift)
+    const context = new Context(source, shifted, fixities, parsed?.pragmas)
     const words = parsed === undefined ? [] : wordsOf(parsed.root, shift)
     const made: Declaration | Cause =
       part.trouble ??

@@ -19,6 +19,8 @@ export interface Parsed {
   readonly root: Syntax
   /// Something in it is not Haskell, or is missing.
   readonly broken: boolean
+  /// What tells the compiler something; it may stand anywhere.
+  readonly pragmas: readonly {readonly start: number; readonly end: number}[]
 }
 
 export interface NodeNames {
@@ -43,6 +45,7 @@ const skipped = new Set(["comment", "haddock", "pragma"])
 export function copyTree(tree: Tree, names: NodeNames, place: (at: number) => number): Parsed {
   const cursor = tree.walk()
   let broken = tree.rootNode.hasError
+  const pragmas: {start: number; end: number}[] = []
   const copy = (): Syntax | undefined => {
     const id = cursor.nodeTypeId
     const type = names.types[id] ?? "ERROR"
@@ -58,6 +61,7 @@ export function copyTree(tree: Tree, names: NodeNames, place: (at: number) => nu
       } while (cursor.gotoNextSibling())
       cursor.gotoParent()
     }
+    if (type === "pragma") pragmas.push({start, end})
     if (skipped.has(type)) return undefined
     return {
       type,
@@ -73,6 +77,7 @@ export function copyTree(tree: Tree, names: NodeNames, place: (at: number) => nu
   return {
     root: root ?? {type: "haskell", named: true, field: undefined, start: 0, end: 0, children: []},
     broken,
+    pragmas,
   }
 }
 

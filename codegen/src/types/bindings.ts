@@ -96,6 +96,7 @@ export abstract class Bindings extends Patterns {
     if (head !== undefined && plain) this.superclasses(d, head)
     const seen = new Set<string>()
     for (const method of d.declarations) {
+      if (method.kind === "raw-declaration") continue
       const name = method.kind === "function" ? method.name : ""
       const type = head !== undefined && name !== "" ? this.methodType(name, head, outer) : undefined
       if (head !== undefined && type === undefined && this.listed(head.name, name))

@@ -124,7 +124,8 @@ export function rename(workspace: SavedWorkspace, block: BlockId, key: string, n
     return renameType(workspace, binder, name)
   if (binder.type === "data") return renamePart(workspace, binder, key, name)
   if (reservedWords.has(name)) return {ok: false, why: words.renaming.isOneOfHaskellsOwnWords(name)}
-  if (!isVariableName(name) && !isOperator(name))
+  // Only what is defined may be an operator; a pattern gives names.
+  if (!isVariableName(name) && !(isOperator(name) && binder.type === "define"))
     return {ok: false, why: words.renaming.aNameIsOneWordThatStarts}
   const old = textAt(binder.extraState ?? {}, key)
   const changes = new Map<BlockId, Extra>([[block, setIn(binder.extraState ?? {}, key, name)]])
@@ -165,6 +166,8 @@ function unlessWrong(
   if (problems.length > solve(before).inferrer.problems.length) {
     if (problems.some(p => p.kind === "taken" && p.name === name))
       return {ok: false, why: words.renaming.haskellItselfHasAAlready(name)}
+    const foreign = problems.find(p => p.kind === "no-method" && p.name === name)
+    if (foreign?.kind === "no-method") return {ok: false, why: words.types.isNoPartOf(name, foreign.of)}
     return {ok: false, why: words.renaming.thereIsAnotherAlready(name)}
   }
   return {ok: true, changes: [...changes].map(([block, extra]) => ({block, extra}))}
