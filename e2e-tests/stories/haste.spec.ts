@@ -77,15 +77,18 @@ async function holdsBack(page: Page, example: string): Promise<() => void> {
   return comes
 }
 
-test("nobody writes where the first program is about to stand", async ({page}) => {
+test("nobody writes or builds where the first program is about to stand", async ({page}) => {
   const learner = new Learner(page)
   const comes = await holdsBack(page, "accelerateAndPlay")
   await page.goto("/")
   await learner.haskell().click()
   await page.keyboard.type("abc")
+  const category = await page.locator(".blocklyToolboxCategory").nth(2).boundingBox()
+  await page.mouse.click(category!.x + 10, category!.y + 10)
   comes()
   await expect(learner.haskell()).toContainText("simulate")
   await expect(learner.haskell()).not.toContainText("abc")
+  await expect(page.locator(".blocklyFlyout")).toBeHidden()
   // Nor is it kept as a program.
   await page.getByRole("button", {name: "Examples"}).click()
   await expect(page.getByRole("dialog").getByRole("button", {name: /^forwardBackward/})).toBeVisible()

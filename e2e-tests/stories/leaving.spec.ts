@@ -18,6 +18,14 @@ test("a reload in the middle of a word loses nothing", async ({page}) => {
   await expect(learner.definition("accelerate")).toBeVisible()
 })
 
+test("a reload right after the first change does not bring the example back", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  const [, changed] = await learner.takesAStep()
+  await page.reload()
+  await expect.poll(() => learner.haskellText()).toBe(changed)
+})
+
 test("after a reload the cursor is where it was, and undo and redo go on", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("accelerateAndPlay")

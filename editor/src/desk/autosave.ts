@@ -26,8 +26,14 @@ export function openAutosave(
   becameOwn: () => void,
 ): Autosave {
   let place: string | null = null
+  /// The program is the learner's: the address names no example, to which a reload would go back.
+  let own = false
   let timer: ReturnType<typeof setTimeout> | undefined
 
+  const claim = () => {
+    if (!own) becameOwn()
+    own = true
+  }
   const keep = () => {
     clearTimeout(timer)
     timer = undefined
@@ -35,17 +41,18 @@ export function openAutosave(
     const here = whereabouts()
     if (here !== null) shelf.setPlace(here)
     if (store.now.saved === "saved") return
+    claim()
     shelf.setSteps(stepsText(store.now.history, store.now.document))
-    if (place === null) {
-      place = freshPlace()
-      becameOwn()
-    }
+    place ??= freshPlace()
     const ok = shelf.keep(place, store.now.name, projectText(), Date.now())
     store.dispatch({kind: "stored", ok})
   }
 
   store.onFrame(state => {
-    if (state.saved === "changed" && timer === undefined) timer = setTimeout(() => whenIdle(keep), pause)
+    if (state.saved !== "changed") return
+    // With the first change and not when it is kept: whoever reloads in between means the changed program.
+    claim()
+    if (timer === undefined) timer = setTimeout(() => whenIdle(keep), pause)
   })
   window.addEventListener("pagehide", keep)
   document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && keep())
@@ -60,6 +67,7 @@ export function openAutosave(
       // What was changed a moment ago belongs to the program that is being left.
       keep()
       place = id
+      own = false
       shelf.setCurrent(id)
       if (!again) shelf.setSteps(null)
     },

@@ -72,6 +72,7 @@ export function openDesk(address: string): Desk {
   const answers = openCompletions(message => session?.send(message))
   let session: Session | null = null
   let blocks: BlocksView | null = null
+  let blocksHost: HTMLElement | null = null
   let source: SourcePane | null = null
   let room: RoomView | null = null
   let roomCanvas: HTMLCanvasElement | null = null
@@ -142,6 +143,11 @@ export function openDesk(address: string): Desk {
     if (state.worldEditor !== null) worldEditor?.draw(state.worldEditor)
   })
 
+  /// Lets hands on the program: nobody writes or builds where the first one is about to stand.
+  const lend = () => {
+    source?.setEditable(true)
+    if (blocksHost !== null) blocksHost.inert = false
+  }
   /// How many programs were wished for: one that comes when the learner has gone on to another comes too late.
   let wishes = 0
   const show = (opened: OpenedProject, welcome: boolean, place: string | null, again = false) => {
@@ -156,7 +162,7 @@ export function openDesk(address: string): Desk {
     const history = kept ?? emptyHistory
     store.dispatch({kind: "opened", opened: {name: project.name, world, document, history, welcome}})
     write()
-    source?.setEditable(true)
+    lend()
     if (again) goBack()
   }
   /// Where the learner is in the program.
@@ -333,8 +339,7 @@ export function openDesk(address: string): Desk {
   })
   void fetchReader().then(found => {
     reader = found
-    // Nobody writes where the first program is about to stand.
-    if (found !== null) void openFirst().then(() => source?.setEditable(true))
+    if (found !== null) void openFirst().then(lend)
     else store.dispatch({kind: "notice", notice: {kind: "no-reader"}})
   })
   void fetchWorlds().then(w => w.kind === "there" && store.dispatch({kind: "worlds-listed", worlds: w.value}))
@@ -342,6 +347,8 @@ export function openDesk(address: string): Desk {
   return {
     store,
     mountBlocks(host) {
+      blocksHost = host
+      host.inert = reader === null
       // Who goes to the blocks finds them as the text is: what is opened there would close when they follow.
       host.addEventListener("pointerenter", () => {
         flush()
