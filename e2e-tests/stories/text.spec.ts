@@ -44,6 +44,12 @@ test("a line ends where Enter is pressed, also when something is offered for a w
   await page.keyboard.press("Enter")
   await page.keyboard.type("-- next")
   await expect.poll(() => learner.haskellText()).toMatch(/\nall = map\n\n *-- next$/)
+  // What only has the letters of a new name somewhere does not take its place.
+  await page.keyboard.type("\nlook here")
+  await expect(offered.filter({hasText: /^where/})).toBeVisible()
+  await page.keyboard.press("Enter")
+  await page.keyboard.type("= there")
+  await expect.poll(() => learner.haskellText()).toMatch(/\n *look here\n *= there$/)
 })
 
 test("broken text keeps its blocks, dimmed, until it is mended", async ({page}) => {

@@ -118,14 +118,14 @@ export abstract class Bindings extends Patterns {
   private method(d: FunctionDeclaration, type: Scheme, {instance}: InstanceHead, outer: Scope): void {
     const own = d.signature === undefined ? undefined : this.signature(d.signature.text, d.signature)
     if (own === undefined || d.signature === undefined) {
-      this.checkSigned(d, type, outer, true)
+      this.checkSigned(d, type, outer, true, variablesIn(instance.type))
       return
     }
     const wanted = substitute(type.type, this.rigid(type.variables))
     this.same(wanted, substitute(own.type, new Map(own.variables.map(v => [v, this.fresh()]))), d.signature)
     const constraints = [...instance.constraints, ...own.constraints]
     const variables = [...new Set([...own.variables, ...variablesIn(instance.type)])]
-    this.checkSigned(d, {...own, variables, constraints}, outer, true)
+    this.checkSigned(d, {...own, variables, constraints}, outer, true, variablesIn(instance.type))
   }
 
   /// Variables that a type promises to work for.
@@ -226,7 +226,14 @@ export abstract class Bindings extends Patterns {
     }
   }
 
-  protected checkSigned(d: FunctionDeclaration, scheme: Scheme, scope: Scope, top: boolean): void {
+  /// The variables of an instance's `head` stand for the same types all through its methods (GHC's ScopedTypeVariables).
+  protected checkSigned(
+    d: FunctionDeclaration,
+    scheme: Scheme,
+    scope: Scope,
+    top: boolean,
+    head: ReadonlySet<string> = new Set(),
+  ): void {
     this.schemes.set(d, scheme)
     const before = this.wanted
     this.wanted = []
@@ -234,7 +241,10 @@ export abstract class Bindings extends Patterns {
     this.level++
     const {opaque} = this
     const givens = scheme.constraints.map(c => ({name: c.name, type: substitute(c.type, rigid)}))
+    const {scoped} = this
+    this.scoped = new Map([...scoped, ...[...rigid].filter(([name]) => head.has(name))])
     this.clauses(d, substitute(scheme.type, rigid), scope)
+    this.scoped = scoped
     this.level--
     const {stuck} = this.reduceAll(this.wanted, givens)
     const deferred: Wanted[] = []
@@ -311,7 +321,7 @@ export abstract class Bindings extends Patterns {
     }
     this.settle(rest, own, top)
     const names = new Map<Meta, string>()
-    const taken = new Set<string>()
+    const taken = new Set(this.scoped.keys())
     for (const type of types.values()) variablesIn(type, taken)
     const alive = [...own].filter(m => m.is === undefined)
     // What only GHC knows may turn out to be less general than it looks.

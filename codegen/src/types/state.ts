@@ -26,6 +26,8 @@ export class State {
   /// How many patterns took apart what only GHC knows, and so may have learnt more about a type than is known here.
   protected opaque = 0
   protected strays = new Map<string, Type>()
+  /// The type variables that mean one type here, also in signatures.
+  protected scoped: ReadonlyMap<string, Type> = new Map()
   readonly env: Environment
 
   constructor(env: Environment) {
@@ -65,10 +67,11 @@ export class State {
     this.knownTypes(scheme.type, node)
     for (const [name] of text.matchAll(unqualifiedNames))
       if (this.env.hidden.has(name)) this.problems.push({kind: "unknown-type", node, name})
+    const here = (type: Type) => substitute(expand(type, this.env), this.scoped)
     return {
-      ...scheme,
-      constraints: scheme.constraints.map(c => ({name: c.name, type: expand(c.type, this.env)})),
-      type: expand(scheme.type, this.env),
+      variables: scheme.variables.filter(name => !this.scoped.has(name)),
+      constraints: scheme.constraints.map(c => ({name: c.name, type: here(c.type)})),
+      type: here(scheme.type),
     }
   }
 

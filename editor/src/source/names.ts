@@ -129,15 +129,19 @@ function snippet(label: string, code: string, section: string): Completion {
   })
 }
 
-/// Enter takes what is chosen, but not for a word that stands there already: who has typed it to its end wants the next line.
+/// Enter takes what is chosen, but not for a word that stands there already: who has typed it to its end wants the next line. Nor does it put `where` for a
+/// new `here`: what only has these letters somewhere is taken by whoever has gone down the list to it.
 const takeUnlessWritten: Command = view => {
   const chosen = selectedCompletion(view.state)
   const {head} = view.state.selection.main
   const line = view.state.doc.lineAt(head)
   const word = /[\p{L}_][\p{L}\p{N}_']*$/u.exec(line.text.slice(0, head - line.from))?.[0] ?? ""
   // A name that everybody knows is whole, whatever longer one is offered first; who has gone down the list means what is chosen there.
-  const whole = selectedCompletionIndex(view.state) === 0 && known.some(n => n.name === word)
-  const written = chosen !== null && isPlain(chosen) && (chosen.label === word || whole)
+  const unasked = selectedCompletionIndex(view.state) === 0
+  const whole = known.some(n => n.name === word)
+  const goesOn = chosen?.label.toLowerCase().startsWith(word.toLowerCase()) === true
+  const written =
+    chosen !== null && isPlain(chosen) && (chosen.label === word || (unasked && (whole || !goesOn)))
   if (!written) return acceptCompletion(view)
   closeCompletion(view)
   return false

@@ -17,6 +17,7 @@ import {Annotation, Compartment, EditorState} from "@codemirror/state"
 import {drawSelection, EditorView, keymap} from "@codemirror/view"
 import type {Fix} from "../state/fixes.ts"
 import type {Finding, Program} from "../state/program.ts"
+import {caret} from "./caret.ts"
 import {type Carried, showCarried} from "./carried.ts"
 import {colours, programShown} from "./colours.ts"
 import {difference} from "./difference.ts"
@@ -161,6 +162,7 @@ export function openSource(host: HTMLElement, options: SourceOptions): SourcePan
         // A browser puts its own cursor to the start of what comes into focus, and CodeMirror moves it from there a moment later. A letter that comes first is
         // not to go astray.
         EditorView.domEventObservers({focus: (_event, v) => v.focus()}),
+        caret,
         colours,
         marks,
         lintGutter(),

@@ -24,7 +24,10 @@ export async function openStage(): Promise<Stage> {
     logLevel: "error",
     cacheDir: fileURLToPath(new URL("../../node_modules/.vite-blocks", import.meta.url)),
     server: {port: 0, host: "127.0.0.1", watch: null, hmr: false},
-    optimizeDeps: {include: ["blockly/core", "blockly/msg/en"], entries: ["dev/blocks.html"]},
+    optimizeDeps: {
+      include: ["blockly/core", "blockly/msg/en"],
+      entries: ["dev/blocks.html", "src/source/pane.ts"],
+    },
   })
   await server.listen()
   const address = server.resolvedUrls?.local[0]
