@@ -11,7 +11,9 @@ export const caret: Extension = EditorView.updateListener.of(({view}) => {
   const {focusNode, focusOffset} = selection
   if (!(focusNode instanceof Element) || !view.contentDOM.contains(focusNode)) return
   const letters = lettersBefore(focusNode.childNodes[focusOffset - 1])
-  if (letters !== null) selection.collapse(letters, letters.length)
+  // The same place, only said otherwise: never another one.
+  if (letters === null || view.posAtDOM(letters, letters.length) !== view.state.selection.main.head) return
+  selection.collapse(letters, letters.length)
 })
 
 /// The text that a node ends with; `null` where it ends with something else.
