@@ -37,16 +37,21 @@ class Floor {
   }
 }
 
-/// What is read twice alike: frames that were on their way have come.
+/// What reads alike for a second: frames that were on their way have come, and the robot has rolled out.
 async function atRest<T>(read: () => Promise<T>): Promise<T> {
   let last = await read()
+  let alike = 0
   await expect
-    .poll(async () => {
-      const before = JSON.stringify(last)
-      last = await read()
-      return before === JSON.stringify(last)
-    })
-    .toBe(true)
+    .poll(
+      async () => {
+        const before = JSON.stringify(last)
+        last = await read()
+        alike = before === JSON.stringify(last) ? alike + 1 : 0
+        return alike
+      },
+      {intervals: [250]},
+    )
+    .toBeGreaterThan(4)
   return last
 }
 
