@@ -1,9 +1,9 @@
-/// Tests, and the command line: `dist/cli.js` with the parser's two WebAssembly files beside it.
+/// Build of the command line: `dist/cli.js` with the parser's two WebAssembly files beside it.
 
 import {copyFileSync} from "node:fs"
 import {createRequire} from "node:module"
 import {basename} from "node:path"
-import {defineConfig} from "vitest/config"
+import {defineConfig} from "vite"
 
 const {resolve} = createRequire(import.meta.url)
 const wasm = ["web-tree-sitter/web-tree-sitter.wasm", "tree-sitter-haskell/tree-sitter-haskell.wasm"]
@@ -24,6 +24,4 @@ export default defineConfig({
     rollupOptions: {output: {entryFileNames: "cli.js"}},
   },
   ssr: {noExternal: true},
-  // The limit is for what hangs; a slow machine needs its time.
-  test: {testTimeout: 600_000, hookTimeout: 600_000, include: ["test/**/*.test.ts"]},
 })

@@ -5,7 +5,8 @@ import {readdirSync, readFileSync} from "node:fs"
 import {createRequire} from "node:module"
 import {dirname, extname, join} from "node:path"
 import {fileURLToPath} from "node:url"
-import {defineConfig, type Plugin} from "vitest/config"
+import {defineConfig, type Plugin} from "vite"
+import {licenceTexts} from "./plugins/licence_texts.ts"
 
 const service = process.env.ROSY_SERVICE ?? "http://127.0.0.1:8080"
 
@@ -43,18 +44,13 @@ const page = (name: string) => fileURLToPath(new URL(name, import.meta.url))
 export default defineConfig({
   root: fileURLToPath(new URL(".", import.meta.url)),
   base: "./",
-  plugins: [blocklyMedia()],
+  plugins: [blocklyMedia(), licenceTexts()],
   build: {
     target: "es2022",
     chunkSizeWarningLimit: 2500,
-    rollupOptions: {input: {index: page("index.html"), prelude: page("prelude.html")}},
+    rollupOptions: {
+      input: {index: page("index.html"), prelude: page("prelude.html"), board: page("board.html")},
+    },
   },
   server: {proxy: {"/api": {target: service, ws: true}, "/rosbridge": {target: service, ws: true}}},
-  // The limit is for what hangs; a slow machine needs its time.
-  test: {
-    environment: "node",
-    testTimeout: 600_000,
-    hookTimeout: 600_000,
-    include: ["test/**/*.test.ts", "test/**/*.test.tsx"],
-  },
 })

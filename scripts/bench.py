@@ -1,68 +1,151 @@
 """
-Runs the benchmarks of all parts, each beside its peer in one run, and passes their tables through.
+Benchmarks of all parts, each beside its peer in one run; their tables are passed through.
 
-In: names (none: all). Out: tables of medians, 95th percentiles and ratios. It measures nothing itself: a benchmark lives with the part it measures and is a
-command listed here.
+In: names (none: all), and `--small`, with which each is done once with as little as it takes, to see that it still works; `--rotating` does so for
+a fifth of the commands, another fifth with each ROSY_TEST_SEED. `corpus` takes a folder and options behind its name.
+Out: tables of medians, 95th percentiles and ratios; with `--small` the counts that the test runner reads. It measures nothing itself: a
+benchmark lives with the part it measures and is a command listed here.
 """
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-BENCHES: dict[str, tuple[str, list[list[str]]]] = {
-    "start": (
-        "the address to a usable page, and click Run to the first frame in which the robot has moved",
-        [["npx", "vite-node", "e2e-tests/bench/start.ts"]],
-    ),
-    "editor": (
-        "a block dragged, edited and picked up among 500 and 2,000, beside Blockly's own checks, and codegen's part in it",
-        [["npx", "vite-node", "editor/bench/blocks.ts"], ["npx", "vite-node", "codegen/bench/editor.ts"]],
-    ),
-    "text": (
-        "1,000 lines of Haskell into blocks, beside the parser alone; and typing in 1,000 and 2,000 lines in a real browser",
-        [["npx", "vite-node", "codegen/bench/text.ts"], ["npx", "vite-node", "e2e-tests/bench/text.ts"]],
-    ),
-    "language": (
-        "the language beside reactive-banana, compiled and as bytecode",
-        [
-            ["cabal", "bench", "--offline", "-v0", "--disable-executable-dynamic", "--builddir=.rosy/bench", "language"],
-            [
-                "bash",
-                "-c",
-                'exec ghc -v0 -O0 -package-db "dist-newstyle/packagedb/ghc-$(ghc --numeric-version)" +RTS -T -RTS -irosy-hs/bench '
-                "-e main rosy-hs/bench/Bytecode.hs",
-            ],
-        ],
-    ),
-    "worker": (
-        "check and run in the worker, beside ghci, runghc and ghc -O0, and how soon another takes its place",
-        [[sys.executable, "rosy-hs/test-worker/bench/worker.py"], [sys.executable, "-m", "rosy_sim.bench", "recovery"]],
-    ),
-    "room": (
-        "pictures a second of a full room with a long trail and three curves, and bytes a second to the page",
-        [["npx", "vite-node", "e2e-tests/bench/room.ts"]],
-    ),
-    "simulator": ("the world alone, with a program in lockstep, and many pages at once", [[sys.executable, "-m", "rosy_sim.bench", "simulator"]]),
+# Read by the benchmarks: how often, how long, how many.
+SMALL = {
+    "ROSY_BENCH_SMALL": "1",
+    "ROSY_BENCH_RUNS": "1",
+    "ROSY_BENCH_OPENINGS": "1",
+    "ROSY_BENCH_KEYS": "3",
+    "ROSY_BENCH_SECONDS": "1",
+    "ROSY_BENCH_ROUNDS": "1",
 }
 
 
+@dataclass(frozen=True)
+class Command:
+    words: Sequence[str]
+    small: Sequence[str] | None = None
+    """Instead of `words` with `--small`."""
+
+
+@dataclass(frozen=True)
+class Benchmark:
+    what: str
+    commands: Sequence[Command]
+
+
+def node(path: str) -> Command:
+    return Command(["npx", "vite-node", path])
+
+
+def interpreted(program: str) -> list[str]:
+    """A Haskell benchmark as bytecode, with the built library."""
+    ghc = 'exec ghc -v0 -O0 -package-db "dist-newstyle/packagedb/ghc-$(ghc --numeric-version)" +RTS -T -RTS -irosy-hs/bench'
+    return ["bash", "-c", f"{ghc} -e main rosy-hs/bench/{program}"]
+
+
+def simulator(*arguments: str) -> list[str]:
+    return [sys.executable, "-m", "rosy_sim.bench", *arguments]
+
+
+BENCHES = {
+    "start": Benchmark(
+        "the address to a usable page, and click Run to the first frame in which the robot has moved",
+        [node("e2e-tests/bench/start.ts")],
+    ),
+    "editor": Benchmark(
+        "a block dragged, edited and picked up among 500 and 2,000, beside Blockly's own checks, and codegen's part in it",
+        [node("editor/bench/blocks.ts"), node("codegen/bench/editor.ts")],
+    ),
+    "text": Benchmark(
+        "1,000 lines of Haskell into blocks, beside the parser alone; and typing in 1,000 and 2,000 lines in a real browser",
+        [node("codegen/bench/text.ts"), node("e2e-tests/bench/text.ts")],
+    ),
+    "corpus": Benchmark(
+        "a folder of foreign Haskell: lossless, the share of native blocks, what stays text, false alarms against GHC, time",
+        [node("codegen/bench/corpus.ts")],
+    ),
+    "language": Benchmark(
+        "the language beside reactive-banana, compiled and as bytecode",
+        [
+            Command(
+                ["cabal", "bench", "--offline", "-v0", "--disable-executable-dynamic", "--builddir=.rosy/bench", "language"],
+                small=interpreted("Main.hs"),
+            ),
+            Command(interpreted("Bytecode.hs")),
+        ],
+    ),
+    "worker": Benchmark(
+        "check and run in the worker, beside ghci, runghc and ghc -O0, and how soon another takes its place",
+        [
+            Command([sys.executable, "rosy-hs/test-worker/bench/worker.py"]),
+            Command(simulator("recovery"), small=simulator("recovery", "--rounds", "1")),
+        ],
+    ),
+    "room": Benchmark(
+        "pictures a second of a full room with a long trail and three curves, and bytes a second to the page",
+        [node("e2e-tests/bench/room.ts")],
+    ),
+    "simulator": Benchmark(
+        "the world alone, with a program in lockstep, and many pages at once",
+        [Command(simulator("simulator"), small=simulator("simulator", "--pages", "2", "--seconds", "1"))],
+    ),
+}
+
+
+DAYS = 5
+"""After which each command has had its turn, where the seed grows by one each day."""
+
+
+def turn(name: str, command: Command, seed: int) -> bool:
+    """Whether a command has its turn with this seed."""
+    every = [(benchmark, one) for benchmark, known in BENCHES.items() for one in known.commands]
+    return every.index((name, command)) % DAYS == seed % DAYS
+
+
 def main() -> int:
-    wanted = sys.argv[1:] or list(BENCHES)
+    rotating = "--rotating" in sys.argv[1:]
+    small = rotating or "--small" in sys.argv[1:]
+    given = [word for word in sys.argv[1:] if word not in {"--small", "--rotating"}]
+    seed = int(os.environ.get("ROSY_TEST_SEED", "1"))
+    # A folder, relative to the caller's working directory, and options.
+    arguments = given[1:] if given[:1] == ["corpus"] else []
+    wanted = ["corpus"] if arguments else given or list(BENCHES)
+    arguments = [word if word.startswith("--") else str(Path(word).resolve()) for word in arguments]
     unknown = [name for name in wanted if name not in BENCHES]
     if unknown:
         print(f"rosy bench: there is no benchmark called {', '.join(unknown)}. There are: {', '.join(BENCHES)}.", file=sys.stderr)
         return 1
-    worst = 0
+    failed = done = 0
     for name in wanted:
-        what, commands = BENCHES[name]
-        print(f"── {name}: {what}", flush=True)
+        commands = [command for command in BENCHES[name].commands if not rotating or turn(name, command, seed)]
+        if not commands:
+            continue
+        print(f"── {name}: {BENCHES[name].what}", flush=True)
         for command in commands:
-            worst = max(worst, subprocess.run(command, cwd=ROOT, check=False).returncode)
-    return worst
+            done += 1
+            words = command.small if small and command.small is not None else command.words
+            try:
+                # A small one that hangs is a failure and not the end of the other suites.
+                status = subprocess.run(
+                    [*words, *arguments], cwd=ROOT, env={**os.environ, **(SMALL if small else {})}, check=False, timeout=900 if small else None
+                ).returncode
+            except subprocess.TimeoutExpired:
+                status = 124
+            if status:
+                print(f"rosy bench: {' '.join(words)} ended with {status}.", flush=True)
+                failed += 1
+    if small:
+        print(f"{done - failed} passed, {failed} failed")
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":

@@ -1,171 +1,123 @@
 """
-Everything CI runs, suite after suite, and one line that counts it all.
+Test runner: every check and test of the repository, several suites at once, and one line that counts them.
 
-In: suite names (none: all of them). Out: each suite's own output while it runs, a table, and `N passed, M failed` as the
-last line; exit 0 if nothing failed. A suite is a command plus a way to read its counts; a suite that dies without counting is one failure.
+In: suite names (none: all), and `nightly` for all random tests at full length. Out: the output of each suite in one block
+when it ends, a table, the failed tests, and `N passed, M failed` as the last line, followed by `, K skipped` when tests were skipped. Exit 0
+if nothing failed. The seed of the random tests is printed; ROSY_TEST_SEED repeats a run.
 """
 
 from __future__ import annotations
 
-import json
 import os
-import re
-import subprocess
 import sys
 import time
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Sequence
 from pathlib import Path
+
+from testing.counts import Count
+from testing.failures import failed_tests
+from testing.scheduler import Result, run_all
+from testing.suites import suites
 
 ROOT = Path(__file__).resolve().parent.parent
 STATE = ROOT / ".rosy"
 
 
-@dataclass(frozen=True)
-class Count:
-    passed: int
-    failed: int
+class Screen:
+    """Blocks of output, with a progress line below them while suites run."""
+
+    def __init__(self) -> None:
+        self._live = sys.stdout.isatty()
+        self._began = time.monotonic()
+        self._last: tuple[str, ...] = ()
+
+    def progress(self, names: Sequence[str]) -> None:
+        """On a terminal the line is rewritten in place; elsewhere it is printed when it changes."""
+        if not self._live and tuple(names) == self._last:
+            return
+        if names:
+            seconds = int(time.monotonic() - self._began)
+            line = f"… {seconds // 60}:{seconds % 60:02} running: {', '.join(names)}"
+            sys.stdout.write(f"\r\033[K{line}" if self._live else f"{line}\n")
+            sys.stdout.flush()
+        self._last = tuple(names)
+
+    def ended(self, result: Result) -> None:
+        if self._live:
+            sys.stdout.write("\r\033[K")
+        print(f"── {result.suite.name}: {result.count} ({result.seconds:.0f} s, {result.computing:.0f} s of computing)")
+        if result.count.failed or result.suite.prints:
+            sys.stdout.write(result.output.rstrip("\n") + "\n\n" if result.output.strip() else "")
+        sys.stdout.flush()
 
 
-Reader = Callable[[str, int], Count]
+def environment(arguments: Sequence[str]) -> dict[str, str]:
+    """Environment of the suites. Random tests read ROSY_TEST_SEED and ROSY_TEST_SHARE (0.1: a tenth of the cases)."""
+    nightly = "nightly" in arguments
+    # The seed changes daily, so that a failure repeats until it is fixed and is the same on every machine; nightly runs draw a new one each time.
+    seed = int(time.time()) if nightly else int(time.time()) // 86400
+    return {
+        "ROSY_TEST_SEED": str(seed % 2**31),
+        "ROSY_TEST_SHARE": "1" if nightly else "0.1",
+        **os.environ,
+        "PYTHONDONTWRITEBYTECODE": "1",
+        "ROSY_REPORTS": str(STATE / "reports"),
+    }
 
 
-def by_exit(_output: str, code: int) -> Count:
-    """A check that either holds or not."""
-    return Count(1, 0) if code == 0 else Count(0, 1)
+def row(result: Result) -> str:
+    """A line of the table: counts, wall-clock time, and processor time, which a busy machine changes least."""
+    count = result.count
+    skipped = f"{count.skipped:>5} skipped" if count.skipped else ""
+    times = f"{result.seconds:>7.1f} s {result.computing:>7.1f} s of computing"
+    return f"  {result.suite.name:<12} {count.passed:>6} passed {count.failed:>4} failed {times} {skipped}".rstrip()
 
 
-def plain(output: str, code: int) -> Count:
-    """The last `N passed, M failed` of our own scripts."""
-    found = re.findall(r"(\d+) passed, (\d+) failed", output)
-    return Count(int(found[-1][0]), int(found[-1][1])) if found else by_exit(output, code or 1)
-
-
-def pytest_count(output: str, code: int) -> Count:
-    lines = re.findall(r"^=*\s?(\d+ (?:passed|failed|error).*?in [\d.:s ()]+)", output, re.M)
-    if not lines:
-        return by_exit(output, code or 1)
-    number = {word: int(n) for n, word in re.findall(r"(\d+) (passed|failed|errors?)", lines[-1])}
-    failed = number.get("failed", 0) + number.get("error", 0) + number.get("errors", 0)
-    return Count(number.get("passed", 0), failed or (1 if code else 0))
-
-
-def tasty(output: str, code: int) -> Count:
-    passed = sum(int(n) for n in re.findall(r"All (\d+) tests? passed", output))
-    failed = 0
-    for bad, total in re.findall(r"(\d+) out of (\d+) tests? failed", output):
-        failed += int(bad)
-        passed += int(total) - int(bad)
-    return Count(passed, failed or (1 if code or not passed else 0))
-
-
-def json_report(path: Path) -> Reader:
-    """Vitest's and Playwright's JSON reports."""
-
-    def read(_output: str, code: int) -> Count:
-        if not path.exists():
-            return by_exit(_output, code or 1)
-        report = json.loads(path.read_text())
-        if "numPassedTests" in report:
-            count = Count(report["numPassedTests"], report["numFailedTests"])
-        else:
-            count = Count(report["stats"]["expected"] + report["stats"]["flaky"], report["stats"]["unexpected"])
-        return Count(count.passed, count.failed or (1 if code else 0))
-
-    return read
-
-
-@dataclass(frozen=True)
-class Suite:
-    name: str
-    command: list[str]
-    read: Reader
-    report: Path | None = None
-
-
-def reported(name: str, command: list[str]) -> Suite:
-    """A suite that leaves a JSON report. Playwright's own settings say where; Vitest is told."""
-    report = STATE / "reports" / f"{name}.json"
-    where = [f"--outputFile.json={report}"] if "vitest" in command else []
-    return Suite(name, [*command, *where], json_report(report), report)
-
-
-def haskell_files() -> list[str]:
-    listed = subprocess.run(
-        ["git", "ls-files", "*.hs", ":!*/generated/*", ":!*/gallery/*", ":!*/pupils/*", ":!*/attacks/*", ":!examples/*", ":!codegen/corpus/*"],
-        cwd=ROOT,
-        capture_output=True,
-        check=True,
-        text=True,
-    )
-    return [f for f in listed.stdout.split() if (ROOT / f).exists()]
-
-
-def suites() -> list[Suite]:
-    python = sys.executable
-    vitest = ["npx", "vitest", "run", "--reporter=default", "--reporter=json"]
-    hs = haskell_files()
-    return [
-        Suite("shell", ["shellcheck", "rosy", "scripts/lib/setup.sh", "scripts/fix", ".ci/run"], by_exit),
-        Suite("format-ts", ["npx", "biome", "check", "."], by_exit),
-        Suite("types-ts", ["npx", "tsc", "-b", "codegen", "editor", "e2e-tests", "examples/teleop"], by_exit),
-        Suite("format-py", [python, "-m", "ruff", "format", "--check", "sim-service", "scripts"], by_exit),
-        Suite("lint-py", [python, "-m", "ruff", "check", "sim-service", "scripts"], by_exit),
-        Suite("types-py", [python, "-m", "mypy", "--config-file", "sim-service/pyproject.toml", "sim-service/rosy_sim", "sim-service/tests"], by_exit),
-        Suite("format-hs", ["ormolu", "--mode", "check", *hs], by_exit),
-        Suite("lint-hs", ["hlint", *hs], by_exit),
-        Suite("borders", [python, "scripts/borders.py"], plain),
-        Suite("haskell", ["cabal", "test", "--offline", "-j2", "--test-show-details=direct", "all"], tasty),
-        Suite("python", [python, "-m", "pytest", "sim-service"], pytest_count),
-        reported("codegen", [*vitest, "--root", "codegen"]),
-        reported("editor", [*vitest, "--root", "editor"]),
-        reported("e2e", ["npx", "playwright", "test", "-c", "e2e-tests"]),
-    ]  # fmt: skip
-
-
-def run(suite: Suite) -> Count:
-    if suite.report is not None:
-        suite.report.parent.mkdir(parents=True, exist_ok=True)
-        suite.report.unlink(missing_ok=True)
-    log = STATE / "log" / f"test-{suite.name}.log"
-    env = {**os.environ, "CI": os.environ.get("CI", ""), "PYTHONDONTWRITEBYTECODE": "1", "ROSY_REPORTS": str(STATE / "reports")}
-    quiet = suite.read is by_exit
-    with subprocess.Popen(suite.command, cwd=ROOT, env=env, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as process:
-        assert process.stdout is not None
-        lines: list[str] = []
-        for line in process.stdout:
-            lines.append(line)
-            if not quiet:
-                sys.stdout.write(line)
-                sys.stdout.flush()
-    output = "".join(lines)
-    log.write_text(output)
-    count = suite.read(output, process.returncode)
-    if quiet and count.failed:
-        sys.stdout.write(output)
-    return count
+def failures(results: Sequence[Result]) -> list[str]:
+    """The names of all failed tests, for the end of the output; a suite that names none is named itself."""
+    lines: list[str] = []
+    for result in results:
+        if result.count.failed:
+            named = failed_tests(result.output, result.suite.report) or ["see its output above"]
+            lines += [f"  {result.suite.name}: {name}" for name in named]
+    return ["\n  Failed:", *lines] if lines else []
 
 
 def main() -> int:
-    known = suites()
-    wanted = sys.argv[1:] or [s.name for s in known]
-    unknown = set(wanted) - {s.name for s in known}
+    known = suites(ROOT, STATE / "reports", "nightly" in sys.argv[1:])
+    names = [suite.name for suite in known]
+    wanted = [name for name in sys.argv[1:] if name != "nightly"] or names
+    unknown = sorted(set(wanted) - set(names))
     if unknown:
-        print(f"rosy test: no suite is called {', '.join(sorted(unknown))}. There are: {', '.join(s.name for s in known)}.", file=sys.stderr)
+        print(f"rosy test: no suite is called {', '.join(unknown)}. There are: {', '.join(names)}.", file=sys.stderr)
         return 1
-    table: list[tuple[str, Count, float]] = []
-    for suite in known:
-        if suite.name not in wanted:
-            continue
-        print(f"\n── {suite.name}", flush=True)
-        began = time.monotonic()
-        table.append((suite.name, run(suite), time.monotonic() - began))
+    logs = STATE / "log"
+    logs.mkdir(parents=True, exist_ok=True)
+    env = environment(sys.argv[1:])
+    screen = Screen()
+    results: list[Result] = []
+
+    def ended(result: Result) -> None:
+        results.append(result)
+        screen.ended(result)
+
+    began = time.monotonic()
+    cores = int(env.get("ROSY_TEST_CORES", len(os.sched_getaffinity(0))))
+    try:
+        run_all([s for s in known if s.name in wanted], cores, ROOT, logs, env, screen.progress, ended)
+    except KeyboardInterrupt:
+        return 130
     print()
-    for name, count, seconds in table:
-        print(f"  {name:<12} {count.passed:>6} passed {count.failed:>4} failed {seconds:>7.1f} s")
-    passed, failed = sum(c.passed for _, c, _ in table), sum(c.failed for _, c, _ in table)
-    print(f"\n{passed} passed, {failed} failed")
-    return 1 if failed else 0
+    for result in sorted(results, key=lambda r: names.index(r.suite.name)):
+        print(row(result))
+    for line in failures(results):
+        print(line)
+    minutes, computing = (time.monotonic() - began) / 60, sum(result.computing for result in results) / 60
+    print(f"\n  {minutes:.1f} minutes on {cores} cores, {computing:.1f} minutes of computing")
+    print(f"  Seed of the random tests: ROSY_TEST_SEED={env['ROSY_TEST_SEED']}")
+    total = sum((result.count for result in results), Count(0, 0))
+    print(f"\n{total}")
+    return 1 if total.failed else 0
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
 import type {Place, SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {blockView, checker, infer, openProject, parseProject, session, toHaskell} from "../src/index.ts"
-import {everyBlock} from "../src/workspace/infer.ts"
+import {everyBlock} from "../src/workspace/workspace_inference.ts"
 
 const examples = fileURLToPath(new URL("../../examples/", import.meta.url))
 
@@ -40,10 +40,14 @@ function programOf(size: number): SavedWorkspace {
   return {blocks: {languageVersion: 0, blocks: tops}}
 }
 
-function measure(times: number, go: (i: number) => void): {p50: number; p95: number} {
+/// Once with as little as it takes, to see that it still works.
+const small = process.env.ROSY_BENCH_SMALL !== undefined
+
+function measure(most: number, go: (i: number) => void): {p50: number; p95: number} {
   const all: number[] = []
-  // The first rounds run code that is not compiled yet; a page has had those before anybody edits.
-  for (let i = 0; i < 10; i++) go(i)
+  // The first rounds run code that is not compiled yet; a page has had those before the first edit.
+  const times = small ? 2 : most
+  for (let i = 0; i < (small ? 1 : 10); i++) go(i)
   for (let i = 0; i < times; i++) {
     const start = performance.now()
     go(i)

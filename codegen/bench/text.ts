@@ -15,7 +15,7 @@ const runtime = readFileSync(resolve("web-tree-sitter/web-tree-sitter.wasm"))
 const grammar = readFileSync(resolve("tree-sitter-haskell/tree-sitter-haskell.wasm"))
 
 const lines = 1000
-const repeats = 40
+const repeats = process.env.ROSY_BENCH_SMALL === undefined ? 40 : 2
 
 /// The corpus as one program, every name of a program marked with its number.
 function longProgram(reader: Reader): string {

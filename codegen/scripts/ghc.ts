@@ -62,7 +62,7 @@ export function environmentFromGhc(database: string): string {
 
 /// What each module that a program may import exports, by its name; `=Data.Map` for one that exports the same.
 export function modulesFromGhc(database: string): {[name: string]: string} {
-  const allow = readFileSync(`${root}rosy-hs/worker/Rosy/Worker/Allow.hs`, "utf8")
+  const allow = readFileSync(`${root}rosy-hs/worker/Rosy/Worker/Allowlist.hs`, "utf8")
   const list = /^allowedModules =[\s\S]*?\[([\s\S]*?)^ {4}\]/m.exec(allow)?.[1] ?? ""
   const names = (list.match(/[A-Z][\w.]*/g) ?? []).filter(n => n !== "Rosy" && n !== "Prelude")
   const between = "@@"
@@ -105,7 +105,7 @@ function contextOf(line: string): string[] {
   return context.split(", ").flatMap(c => /^[A-Z]\w*/.exec(c)?.[0] ?? [])
 }
 
-/// The type names an instance is about, so that instances of types nobody can write are left out.
+/// The type names an instance is about, so that instances of types that a program cannot name are left out.
 function headsIn(line: string): string[] {
   const head = line.replace(/^instance (?:.* => )?\S+ /, "")
   return head.match(/[A-Z][\w']*/g) ?? []

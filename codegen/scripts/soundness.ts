@@ -1,6 +1,6 @@
 /// The long run of the soundness test: `npm run soundness -w codegen -- 20000`. Prints what it found.
 
-import {blockTypes} from "../src/blocks/language.ts"
+import {blockTypes} from "../src/blocks/block_registry.ts"
 import {completeness, sorts} from "../test/completeness.ts"
 import {keep} from "../test/shrink.ts"
 import {sizesOf, soundness} from "../test/soundness.ts"

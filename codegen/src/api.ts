@@ -1,7 +1,7 @@
-/// The answers that codegen gives to the page: the types of its public functions' results.
+/// Types of the results of codegen's public functions.
 
-import type {BlockId, Extra, Place, SavedBlock, SavedWorkspace} from "./saved.ts"
-import type {Family, Shape} from "./shape.ts"
+import type {Family, Shape} from "./block_shape.ts"
+import type {BlockId, Extra, Place, SavedBlock, SavedWorkspace} from "./serialized_blocks.ts"
 
 /// What a learner must know about a block. `input` names the socket it is about, if one.
 export interface BlockProblem {
@@ -14,10 +14,25 @@ export interface BlockProblem {
   readonly message: string
   /// Then why, or what to do; may be empty.
   readonly hint: string
+  /// Of a `conflict`: who it is between.
+  readonly conflict?: ConflictNames | undefined
+}
+
+/// A command, the function whose command stays in force, and the one whose command it replaces.
+export interface ConflictNames {
+  readonly command: string
+  readonly winner: string
+  readonly loser: string
 }
 
 /// Whether a block may go somewhere; if not, why, as one sentence for the learner.
 export type Verdict = {readonly fits: true} | {readonly fits: false; readonly why: string}
+
+/// The block that refers to a definition at some place, or, with `holds`, that holds a step in its stack of that name; if none may go there, why, as
+/// one sentence for the learner.
+export type Reference =
+  | {readonly fits: true; readonly block: SavedBlock; readonly holds?: string}
+  | {readonly fits: false; readonly why: string}
 
 export interface TypeInfo {
   /// As Haskell writes it: `"Bumper -> Maybe Sound"`.
@@ -71,6 +86,9 @@ export interface Session {
   infer(workspace: SavedWorkspace): Inference
   checker(workspace: SavedWorkspace): Checker
   namesInScope(workspace: SavedWorkspace, place: Place): readonly InScope[]
+  /// What a definition leaves behind when it is dropped on a socket, and what holds a step there: `definition` is one of the workspace's, or a
+  /// new one with a name that nothing else has.
+  referenceTo(workspace: SavedWorkspace, place: Place, definition: SavedBlock | BlockId): Reference
 }
 
 export type Level = "tasks" | "reactions" | "haskell"
@@ -127,7 +145,12 @@ export interface LaidOut {
 }
 
 export type ProjectOutcome =
-  | {readonly ok: true; readonly project: Project}
+  /// `notice` tells that the layout was damaged; the text is complete, and missing blocks are made from it.
+  | {
+      readonly ok: true
+      readonly project: Project
+      readonly notice?: {readonly message: string; readonly hint: string}
+    }
   | {readonly ok: false; readonly message: string; readonly hint: string}
 
 export type {SavedWorkspace}

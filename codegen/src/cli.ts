@@ -1,19 +1,46 @@
-/// The command line of codegen: `to-haskell FILE.rosy` prints the program, `to-blocks FILE.hs -o FILE.rosy` makes a project of it.
+/// The command line of codegen: `to-haskell FILE.rosy` prints the program, `to-blocks FILE.hs -o FILE.rosy` makes a project of it, and `text-service` answers
+/// questions of the language server, line by line, until its input ends.
 ///
-/// The only file here that reads and writes files and ends the process.
+/// With `atomic_file.ts` the only file here that reads and writes files; the only one that ends the process.
 
-import {readFileSync, writeFileSync} from "node:fs"
+import {readFileSync} from "node:fs"
 import {basename} from "node:path"
+import {createInterface} from "node:readline"
+import {replaceFile} from "./atomic_file.ts"
 import type {Outcome} from "./commands.ts"
 import {commands, toBlocks} from "./commands.ts"
-import {openReader} from "./reader/index.ts"
+import {openReader, type Reader} from "./reader/index.ts"
+import {neutralize} from "./terminal_text.ts"
+import {answerLine, greeting} from "./text_service.ts"
 
 const [command = "", ...args] = process.argv.slice(2)
+if (command === "text-service") await serveText()
 const outcome =
   command === "to-blocks" ? await blocks(args) : commands(command, args, path => readFileSync(path, "utf8"))
-if (outcome.out !== "") process.stdout.write(outcome.out)
-if (outcome.err !== "") process.stderr.write(`${outcome.err}\n`)
+process.stdout.on("error", failure => {
+  // A reader that has left is told nothing.
+  if ((failure as NodeJS.ErrnoException).code !== "EPIPE")
+    process.stderr.write("The output cannot be written: the disk may be full.\n")
+  process.exitCode = 1
+})
+// A file keeps every character; a terminal would obey some.
+if (outcome.out !== "") process.stdout.write(process.stdout.isTTY ? neutralize(outcome.out) : outcome.out)
+if (outcome.err !== "") process.stderr.write(`${neutralize(outcome.err)}\n`)
 process.exitCode = outcome.status
+
+/// Ends with its input.
+async function serveText(): Promise<never> {
+  const reader = await parser()
+  process.stdout.write(`${greeting()}\n`)
+  for await (const line of createInterface({input: process.stdin}))
+    process.stdout.write(`${answerLine(reader, line)}\n`)
+  process.exit(0)
+}
+
+function parser(): Promise<Reader> {
+  const wasm = (file: string) => readFileSync(new URL(file, import.meta.url))
+  return openReader({runtime: wasm("web-tree-sitter.wasm"), grammar: wasm("tree-sitter-haskell.wasm")})
+}
 
 async function blocks(words: readonly string[]): Promise<Outcome> {
   const at = words.indexOf("-o")
@@ -27,17 +54,19 @@ async function blocks(words: readonly string[]): Promise<Outcome> {
   } catch {
     return {out: "", err: `Cannot read ${path}.`, status: 1}
   }
-  const wasm = (file: string) => readFileSync(new URL(file, import.meta.url))
-  const reader = await openReader({
-    runtime: wasm("web-tree-sitter.wasm"),
-    grammar: wasm("tree-sitter-haskell.wasm"),
-  })
-  const made = toBlocks(basename(path).replace(/\.hs$/, ""), bytes, reader)
+  const made = toBlocks(basename(path).replace(/\.hs$/, ""), bytes, await parser())
   if (to === undefined) return made
   try {
-    writeFileSync(to, made.out)
-  } catch {
-    return {out: "", err: `Cannot write ${to}.`, status: 1}
+    replaceFile(to, made.out)
+  } catch (failure) {
+    return {out: "", err: `Cannot write ${to}${reasonOf(failure)}.`, status: 1}
   }
   return {...made, out: ""}
+}
+
+function reasonOf(failure: unknown): string {
+  const code = (failure as NodeJS.ErrnoException).code
+  if (code === "ENOSPC" || code === "EDQUOT" || code === "EFBIG") return ": the disk is full"
+  if (code === "EACCES" || code === "EPERM" || code === "EROFS") return ": it is not allowed"
+  return ""
 }

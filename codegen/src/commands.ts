@@ -2,7 +2,7 @@
 
 import type {Reader} from "./reader/index.ts"
 import {causeOf, layoutOf, openView} from "./reader/index.ts"
-import {newProject, openProject, parseProject, saveProject} from "./workspace/project.ts"
+import {newProject, openProject, parseProject, saveProject} from "./workspace/project_file.ts"
 
 export interface Outcome {
   readonly out: string

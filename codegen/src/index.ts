@@ -4,6 +4,7 @@ export type {
   BlockProblem,
   BlockView,
   Checker,
+  ConflictNames,
   Inference,
   InScope,
   LaidOut,
@@ -11,6 +12,7 @@ export type {
   PrintedProgram,
   Project,
   ProjectOutcome,
+  Reference,
   Renaming,
   Session,
   Span,
@@ -20,23 +22,39 @@ export type {
   Verdict,
 } from "./api.ts"
 export {socketKey} from "./api.ts"
-export {blockTypes, blockView} from "./blocks/language.ts"
-export {readWorkspace} from "./blocks/read.ts"
+export type {Connects, Family, Item, MenuEntry, Row, Shape, Sort, StackSort} from "./block_shape.ts"
+export {setIn} from "./block_shape.ts"
+export {readWorkspace} from "./blocks/block_reader.ts"
+export {blockTypes, blockView} from "./blocks/block_registry.ts"
 export {isConstructorName, isVariableName, reservedWords} from "./haskell/lexemes.ts"
-export {printProgram} from "./haskell/print.ts"
-export {hashOf, splitDeclarations} from "./haskell/split.ts"
-export type {BlockId, Extra, Json, Place, SavedBlock, SavedInput, SavedWorkspace} from "./saved.ts"
-export type {Connects, Family, Item, MenuEntry, Row, Shape, Sort, StackSort} from "./shape.ts"
-export {setIn} from "./shape.ts"
-export {homeOf} from "./types/haddock.ts"
-export type {KnownName} from "./types/known.ts"
-export {knownNames, preludeNames} from "./types/known.ts"
-export {checker, fits} from "./workspace/check.ts"
-export type {Haskell, PieceOfCode} from "./workspace/haskell.ts"
-export {blockAt, codeOf, spanOf, spanOfSocket, toHaskell} from "./workspace/haskell.ts"
-export {infer} from "./workspace/infer.ts"
-export {find, plug, without} from "./workspace/plug.ts"
-export type {Opened} from "./workspace/project.ts"
+export {printProgram} from "./haskell/printer.ts"
+export type {
+  BlockId,
+  Extra,
+  Json,
+  Place,
+  SavedBlock,
+  SavedInput,
+  SavedWorkspace,
+} from "./serialized_blocks.ts"
+export type {Call} from "./source/call_at_cursor.ts"
+export {callAt, inputsOf} from "./source/call_at_cursor.ts"
+export {hashOf, splitDeclarations} from "./source/declaration_splitter.ts"
+export {firstWith, type Token, tokens, tokensAfter} from "./source/lexer.ts"
+export {homeOf} from "./types/documentation_links.ts"
+export {find, plug, without} from "./workspace/block_moves.ts"
+export type {Haskell, PieceOfCode} from "./workspace/code_generation.ts"
+export {blockAt, codeOf, spanOf, spanOfSocket, toHaskell} from "./workspace/code_generation.ts"
+export type {ConflictResolution} from "./workspace/conflict_resolutions.ts"
+export {conflictResolutions, conflictShown} from "./workspace/conflict_resolutions.ts"
+export {asTask, referenceTo} from "./workspace/definition_references.ts"
+export {checker, fits} from "./workspace/drop_checker.ts"
+export type {LookInside} from "./workspace/library_definitions.ts"
+export {lookInside, ownDefinition} from "./workspace/library_definitions.ts"
+export type {KnownName} from "./workspace/name_catalog.ts"
+export {knownNames, preludeNames} from "./workspace/name_catalog.ts"
+export {namesInScope} from "./workspace/names_in_scope.ts"
+export type {Opened} from "./workspace/project_file.ts"
 export {
   closeProject,
   newProject,
@@ -44,7 +62,9 @@ export {
   openProject,
   parseProject,
   saveProject,
-} from "./workspace/project.ts"
-export {session} from "./workspace/questions.ts"
-export {namesInScope, rename, renameNamed} from "./workspace/scope.ts"
-export {libraryItems, toolbox, typedItems} from "./workspace/toolbox.ts"
+} from "./workspace/project_file.ts"
+export {rename, renameNamed} from "./workspace/renaming.ts"
+export {toolbox} from "./workspace/toolbox.ts"
+export {libraryItems, typedItems} from "./workspace/toolbox_search.ts"
+export {infer} from "./workspace/workspace_inference.ts"
+export {session} from "./workspace/workspace_session.ts"

@@ -2,13 +2,13 @@
 ///
 /// Values, patterns, steps and local definitions are tried, each where such a thing can go, well or badly.
 
-import {blockView} from "../src/blocks/language.ts"
-import {printProgram} from "../src/haskell/print.ts"
+import {blockView} from "../src/blocks/block_registry.ts"
+import {printProgram} from "../src/haskell/printer.ts"
 import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {checker, plug} from "../src/index.ts"
-import type {Program} from "../src/model/tree.ts"
-import type {Place} from "../src/saved.ts"
-import {everyBlock, everyBlockIn, problemsOf, solve} from "../src/workspace/infer.ts"
+import type {Program} from "../src/model/syntax_tree.ts"
+import type {Place} from "../src/serialized_blocks.ts"
+import {everyBlock, everyBlockIn, inferWorkspace, problemsOf} from "../src/workspace/workspace_inference.ts"
 import {Maker} from "./generate/blocks.ts"
 import {proposePattern} from "./generate/patterns.ts"
 import {generateProgram, sizeOf} from "./generate/program.ts"
@@ -57,7 +57,7 @@ export async function completeness(database: string, from: number, count: number
         tried.add(move.into)
         if (move.fits) {
           allowed[move.sort]++
-          if (problemsOf(solve(move.workspace)).every(p => p.severity !== "error"))
+          if (problemsOf(inferWorkspace(move.workspace)).every(p => p.severity !== "error"))
             candidates.push(candidate(`A${seed}x${i}`, move.workspace))
           continue
         }
@@ -214,8 +214,8 @@ function numbered(block: SavedBlock, prefix: string): SavedBlock {
 
 /// Its own types with all they can derive, so that a refused program is not GHC's to refuse for that alone.
 function derivingAll(workspace: SavedWorkspace): Program {
-  const {read, inferrer} = solve(workspace)
-  const able = (name: string, of: string) => inferrer.env.instances.get(of)?.get(name) !== "none"
+  const {read, inference} = inferWorkspace(workspace)
+  const able = (name: string, of: string) => inference.env.instances.get(of)?.get(name) !== "none"
   return {
     ...read.program,
     declarations: read.program.declarations.map(d =>

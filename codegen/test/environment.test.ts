@@ -1,10 +1,10 @@
-/// The environment is what GHC says, not what somebody remembers.
+/// The environment is what GHC says, not a list kept by hand.
 
 import {describe, expect, test} from "vitest"
 import {browsed, instancesOf} from "../scripts/browse.ts"
 import {environmentFromGhc, packageDatabase} from "../scripts/ghc.ts"
 import {generated} from "../src/types/environment.generated.ts"
-import {library} from "../src/types/library.ts"
+import {library} from "../src/types/standard_library.ts"
 import {showScheme} from "../src/types/type.ts"
 
 const database = packageDatabase()

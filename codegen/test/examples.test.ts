@@ -6,7 +6,7 @@ import {fileURLToPath} from "node:url"
 import {expect, test} from "vitest"
 import {packageDatabase} from "../scripts/ghc.ts"
 import {openProject, parseProject} from "../src/index.ts"
-import {solve} from "../src/workspace/infer.ts"
+import {inferWorkspace} from "../src/workspace/workspace_inference.ts"
 import {compileAll} from "./ghc.ts"
 import {run} from "./process.ts"
 
@@ -22,7 +22,7 @@ test.skipIf(database === undefined)("no example has a warning", async () => {
     return {
       name: `E${name}`,
       text: outcome.project.haskell,
-      program: solve(openProject(outcome.project).workspace).read.program,
+      program: inferWorkspace(openProject(outcome.project).workspace).read.program,
     }
   })
   // The instances that Rosy adds are not the learner's: what they are warned of does not count.

@@ -4,9 +4,9 @@ import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs"
 import {tmpdir} from "node:os"
 import {join} from "node:path"
 import {withRosy} from "../scripts/ghc.ts"
-import {definedBy} from "../src/model/names.ts"
-import type {DataDeclaration, Program} from "../src/model/tree.ts"
-import {library} from "../src/types/library.ts"
+import {namesDefinedBy} from "../src/model/bound_names.ts"
+import type {DataDeclaration, Program} from "../src/model/syntax_tree.ts"
+import {library} from "../src/types/standard_library.ts"
 import {run} from "./process.ts"
 
 export interface Candidate {
@@ -16,10 +16,10 @@ export interface Candidate {
 }
 
 /// The extensions that the worker gives to every program.
-const warm = readFileSync(new URL("../../rosy-hs/worker/Rosy/Worker/Ghc/Warm.hs", import.meta.url), "utf8")
+const warm = readFileSync(new URL("../../rosy-hs/worker/Rosy/Worker/Ghc/Session.hs", import.meta.url), "utf8")
 const extensions = (/^defaultExtensions =\s*\[([\w\s,]+)\]/m.exec(warm)?.[1] ?? "")
   .split(",")
-  .map(e => `-X${e.trim().replace("RecordPuns", "NamedFieldPuns")}`)
+  .map(e => `-X${e.trim().replace(/^recordPuns$/i, "NamedFieldPuns")}`)
 
 /// GHC's complaints by the name of the program; programs that compile are absent.
 export async function compileAll(
@@ -51,7 +51,7 @@ export async function compileAll(
     let current: string | undefined
     for (const line of `${stderr}\n${stdout}`.split("\n")) {
       const at = /^(\w+)\.hs:\d+:\d+: (\w+)/.exec(line)
-      // A warning is about another question; whoever asks it says so with -Werror.
+      // A warning is about another question; a caller that asks it says so with -Werror.
       if (at !== null) current = at[2] === "warning" ? "warning" : at[1]
       if (current === "warning") continue
       if (current !== undefined) complaints.set(current, `${complaints.get(current) ?? ""}${line}\n`)
@@ -67,7 +67,7 @@ function asModule({name, program, text}: Candidate): string {
   const data = program.declarations.filter((d): d is DataDeclaration => d.kind === "data")
   const own: Own = {
     values: [
-      ...program.declarations.flatMap(definedBy),
+      ...program.declarations.flatMap(namesDefinedBy),
       ...data.flatMap(d => d.constructors.flatMap(c => c.fields.flatMap(f => f.name ?? []))),
     ],
     types: program.declarations.flatMap(d => (d.kind === "data" || d.kind === "synonym" ? [d.name] : [])),

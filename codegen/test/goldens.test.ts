@@ -6,10 +6,10 @@
 import {existsSync, readdirSync, readFileSync, writeFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
 import {describe, expect, test} from "vitest"
-import {blockTypes} from "../src/blocks/language.ts"
+import {blockTypes} from "../src/blocks/block_registry.ts"
 import type {SavedWorkspace} from "../src/index.ts"
 import {closeProject, infer, openProject, parseProject, saveProject, toHaskell} from "../src/index.ts"
-import {everyBlock} from "../src/workspace/infer.ts"
+import {everyBlock} from "../src/workspace/workspace_inference.ts"
 
 const programs = fileURLToPath(new URL("programs/", import.meta.url))
 const examples = fileURLToPath(new URL("../../examples/", import.meta.url))

@@ -1,12 +1,12 @@
 /// What hlint and `-Wall` say about the Haskell of generated programs, apart from what they say about what a program does.
 ///
 /// The printer writes what the blocks say, step by step, so that text and blocks stay the same program. A random program says much
-/// that nobody would: it asks whether `True`, names what it never uses, and forgets cases. That is its author's to change.
+/// that no author would: it asks whether `True`, names what it never uses, and forgets cases. That is its author's to change.
 
 import {mkdtempSync, rmSync, writeFileSync} from "node:fs"
 import {tmpdir} from "node:os"
 import {join} from "node:path"
-import {solve} from "../src/workspace/infer.ts"
+import {inferWorkspace} from "../src/workspace/workspace_inference.ts"
 import {generateProgram, sizeOf} from "./generate/program.ts"
 import type {Candidate} from "./ghc.ts"
 import {compileAll} from "./ghc.ts"
@@ -14,7 +14,7 @@ import {breathe, run} from "./process.ts"
 import {batch, candidate} from "./soundness.ts"
 
 /// hlint's rules that ask for another program, by what they find fault with. Each is its author's to follow: other blocks, not the same
-/// ones in better words. Every other hint fails, also one that nobody has thought of here. (DECISIONS.md says why.)
+/// ones in better words. Every other hint fails, also an unforeseen one. (DECISIONS.md says why.)
 const aboutContent: {readonly [fault: string]: RegExp} = {
   "what is known is asked or computed":
     /^(?:Evaluate|Short-circuited .*|(?:Take|Drop) on a .*|Using \w+ on tuple|Length always .*|Redundant (?:if|multi-way if|case|True guards|as-pattern|==|\/=|not))$/,
@@ -62,11 +62,11 @@ export async function lint(database: string, from: number, count: number): Promi
       const {workspace, whole} = generateProgram(seed, sizeOf(seed))
       if (!whole) continue
       candidates.push(candidate(`P${seed}`, workspace))
-      const {inferrer} = solve(workspace)
-      const nameless = [...inferrer.schemes.values()].some(s =>
-        s.constraints.some(c => inferrer.env.hidden.has(c.name)),
+      const {inference} = inferWorkspace(workspace)
+      const nameless = [...inference.schemes.values()].some(s =>
+        s.constraints.some(c => inference.env.hidden.has(c.name)),
       )
-      if (inferrer.unsignable.size > 0 || nameless) unsigned.add(`P${seed}`)
+      if (inference.unsignable.size > 0 || nameless) unsigned.add(`P${seed}`)
     }
     programs += candidates.length
     hints.push(...(await hintsOn(candidates, content)))

@@ -3,13 +3,14 @@
 
 import {beforeAll, expect, test} from "vitest"
 import {packageDatabase} from "../scripts/ghc.ts"
-import {blockView} from "../src/blocks/language.ts"
+import {blockView} from "../src/blocks/block_registry.ts"
 import type {Place, SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {checker, plug, toHaskell} from "../src/index.ts"
-import {everyNode} from "../src/model/children.ts"
+import {everyNode} from "../src/model/child_nodes.ts"
 import type {Reader} from "../src/reader/index.ts"
-import {everyBlock, everyBlockIn, problemsOf, solve} from "../src/workspace/infer.ts"
-import {without} from "../src/workspace/plug.ts"
+import {without} from "../src/workspace/block_moves.ts"
+import {everyBlock, everyBlockIn, inferWorkspace, problemsOf} from "../src/workspace/workspace_inference.ts"
+import {cases, isFull, seed} from "./extent.ts"
 import {generateProgram, sizeOf} from "./generate/program.ts"
 import {Dice} from "./generate/random.ts"
 import type {Candidate} from "./ghc.ts"
@@ -19,8 +20,8 @@ import {testReader} from "./reader/open.ts"
 import {candidate} from "./soundness.ts"
 
 // More programs, each other ones: `PROGRAMS=2000 SEED=5 npx vitest run test/moves.test.ts`.
-const programs = Number(process.env.PROGRAMS ?? 40)
-const first = Number(process.env.SEED ?? 0)
+const programs = cases(40)
+const first = seed
 const movesEach = 10
 
 const database = packageDatabase()
@@ -109,10 +110,10 @@ test("a moved or copied block fits and compiles, or it is said why not; nothing 
         pieces.filter(p => p.broken).map(p => p.slice),
         what,
       ).toEqual([])
-      const solved = solve(after)
+      const solved = inferWorkspace(after)
       const problems = problemsOf(solved).filter(p => p.severity === "error")
       for (const p of problems) expect(p.message, what).toMatch(/[.!]$/)
-      // What the emptied socket would decide, nobody can tell.
+      // What the emptied socket would decide is unknown.
       const open = [...everyNode(solved.read.program)].some(node => node.kind === "hole")
       if (problems.length > 0 || open) counts.open++
       else candidates.push(candidate(`M${seed}x${i}`, after))
@@ -126,6 +127,7 @@ test("a moved or copied block fits and compiles, or it is said why not; nothing 
   expect(complaints.map(([name, said]) => `${candidates.find(c => c.name === name)?.text}\n${said}`)).toEqual(
     [],
   )
+  if (!isFull) return
   expect(candidates.length).toBeGreaterThan(programs)
   expect(counts.refused).toBeGreaterThan(programs)
 })

@@ -3,9 +3,9 @@
 import fc from "fast-check"
 import {describe, expect, test} from "vitest"
 import {constructorName, isOperator, reservedWords, variableName} from "../src/haskell/lexemes.ts"
-import {printProgram} from "../src/haskell/print.ts"
-import {everyNode} from "../src/model/children.ts"
-import type {Expr, Program} from "../src/model/tree.ts"
+import {printProgram} from "../src/haskell/printer.ts"
+import {everyNode} from "../src/model/child_nodes.ts"
+import type {Expr, Program} from "../src/model/syntax_tree.ts"
 import {program} from "./trees.ts"
 
 function printExpr(e: Expr): string {

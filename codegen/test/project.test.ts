@@ -53,17 +53,22 @@ describe("a project file", () => {
       changed({haskell: undefined}),
       "This project file is damaged. at haskell: expected text, found nothing.",
     ],
-    [
-      "a block that is none",
-      changed({
-        layout: {declarations: [{name: "main", hash: "", blocks: {type: "main", inputs: {R0: {block: 3}}}}]},
-      }),
-      "This project file is damaged. at layout.declarations.0.blocks.inputs.R0.block: expected a block, found 3.",
-    ],
   ])("that is %s is refused with a sentence", (_, text, sentence) => {
     const outcome = parseProject(text)
     expect(outcome.ok ? "it was read" : `${outcome.message} ${outcome.hint}`).toBe(sentence)
   })
+  test("with a damaged layout opens, with a notice that names the place", () => {
+    const outcome = parseProject(
+      changed({
+        layout: {declarations: [{name: "main", hash: "", blocks: {type: "main", inputs: {R0: {block: 3}}}}]},
+      }),
+    )
+    expect(outcome.ok && outcome.notice?.hint).toBe(
+      "at layout.declarations.0.blocks.inputs.R0.block: expected a block, found 3.",
+    )
+    expect(outcome.ok && outcome.project.layout.declarations).toEqual([])
+  })
+
   test("never breaks the reader, whatever is in it", () => {
     fc.assert(
       fc.property(

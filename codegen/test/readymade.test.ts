@@ -1,5 +1,5 @@
 /// Every ready-made piece works as it is: with its name in `simulate` it is a whole program that GHC and hlint have
-/// nothing to say about, and it is found by the words that somebody would look for.
+/// nothing to say about, and it is found by the words that a learner would look for.
 
 import {spawnSync} from "node:child_process"
 import {mkdtempSync, rmSync, writeFileSync} from "node:fs"
@@ -7,12 +7,19 @@ import {tmpdir} from "node:os"
 import {join} from "node:path"
 import {expect, test} from "vitest"
 import {packageDatabase} from "../scripts/ghc.ts"
-import {readWorkspace} from "../src/blocks/read.ts"
-import {toHaskell} from "../src/workspace/haskell.ts"
-import {plug} from "../src/workspace/plug.ts"
-import {newWorkspace} from "../src/workspace/project.ts"
-import {readyReactions, readyTasks} from "../src/workspace/readymade.ts"
-import {libraryItems, toolbox} from "../src/workspace/toolbox.ts"
+import {readWorkspace} from "../src/blocks/block_reader.ts"
+import {de} from "../src/words/de/index.ts"
+import {en} from "../src/words/en/index.ts"
+import {es} from "../src/words/es/index.ts"
+import {fr} from "../src/words/fr/index.ts"
+import {speak} from "../src/words/index.ts"
+import {pt} from "../src/words/pt/index.ts"
+import {plug} from "../src/workspace/block_moves.ts"
+import {toHaskell} from "../src/workspace/code_generation.ts"
+import {newWorkspace} from "../src/workspace/project_file.ts"
+import {readyReactions, readyTasks} from "../src/workspace/ready_made_definitions.ts"
+import {toolbox} from "../src/workspace/toolbox.ts"
+import {libraryItems} from "../src/workspace/toolbox_search.ts"
 import {compileAll} from "./ghc.ts"
 import {run} from "./process.ts"
 
@@ -79,7 +86,7 @@ test("every level offers them first or last, and none hides one", () => {
   }
 })
 
-/// What somebody types, and a block that must be among what is found.
+/// What is typed, and a block that must be among what is found.
 const looked = [
   ["speed", "Velocity"],
   ["light", "Led1"],
@@ -91,6 +98,101 @@ const looked = [
   ["variable", "Memory"],
   ["noise", "Sound"],
 ] as const
+
+const robotWords = {
+  en: [
+    ["forward", "step_drive"],
+    ["turn", "step_turn"],
+    ["left", "step_turn"],
+    ["stop", "Velocity"],
+    ["cm", "step_drive"],
+    ["wall", "Bumper"],
+    ["until", "step_drive_until_bump"],
+    ["random", "randomR"],
+    ["wait", "step_wait"],
+    ["blink", "step_blink"],
+    ["beep", "step_beep"],
+    ["degrees", "step_turn"],
+  ],
+  de: [
+    ["vorwärts", "step_drive"],
+    ["drehe", "step_turn"],
+    ["links", "step_turn"],
+    ["stopp", "Velocity"],
+    ["cm", "step_drive"],
+    ["wand", "Bumper"],
+    ["bis", "step_drive_until_bump"],
+    ["zufall", "randomR"],
+    ["warte", "step_wait"],
+    ["blinke", "step_blink"],
+    ["piepe", "step_beep"],
+    ["grad", "step_turn"],
+  ],
+  pt: [
+    ["frente", "step_drive"],
+    ["gire", "step_turn"],
+    ["esquerda", "step_turn"],
+    ["pare", "Velocity"],
+    ["cm", "step_drive"],
+    ["parede", "Bumper"],
+    ["até", "step_drive_until_bump"],
+    ["aleatório", "randomR"],
+    ["espere", "step_wait"],
+    ["pisque", "step_blink"],
+    ["apite", "step_beep"],
+    ["graus", "step_turn"],
+  ],
+  es: [
+    ["adelante", "step_drive"],
+    ["girar", "step_turn"],
+    ["izquierda", "step_turn"],
+    ["detener", "Velocity"],
+    ["parar", "Velocity"],
+    ["cm", "step_drive"],
+    ["pared", "Bumper"],
+    ["obstáculo", "Bumper"],
+    ["hasta", "step_drive_until_bump"],
+    ["azar", "randomR"],
+    ["esperar", "step_wait"],
+    ["parpadear", "step_blink"],
+    ["pitar", "step_beep"],
+    ["grados", "step_turn"],
+  ],
+  fr: [
+    ["avancer", "step_drive"],
+    ["reculer", "step_drive"],
+    ["tourner", "step_turn"],
+    ["gauche", "step_turn"],
+    ["arrêter", "Velocity"],
+    ["cm", "step_drive"],
+    ["mur", "Bumper"],
+    ["jusqu", "step_drive_until_bump"],
+    ["hasard", "randomR"],
+    ["attendre", "step_wait"],
+    ["clignoter", "step_blink"],
+    ["biper", "step_beep"],
+    ["degré", "step_turn"],
+  ],
+} as const
+
+test.each([
+  ["en", en, robotWords.en],
+  ["de", de, robotWords.de],
+  ["pt", pt, robotWords.pt],
+  ["es", es, robotWords.es],
+  ["fr", fr, robotWords.fr],
+] as const)("the search understands robot words in %s", (_, table, asked) => {
+  speak(table)
+  try {
+    const items = [...toolbox("reactions").flatMap(category => category.items), ...libraryItems()]
+    for (const [word, about] of asked) {
+      const found = items.filter(({label, also}) => `${label} ${also ?? ""}`.toLowerCase().includes(word))
+      expect(JSON.stringify(found.map(item => item.block)), word).toContain(`"${about}"`)
+    }
+  } finally {
+    speak(en)
+  }
+})
 
 test.each(looked)("%s finds %s", (word, about) => {
   const items = [...toolbox("haskell").flatMap(category => category.items), ...libraryItems()]

@@ -4,7 +4,8 @@ import {expect, test} from "vitest"
 import {packageDatabase} from "../scripts/ghc.ts"
 import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {blockView, infer, rename, toHaskell} from "../src/index.ts"
-import {everyBlock} from "../src/workspace/infer.ts"
+import {everyBlock} from "../src/workspace/workspace_inference.ts"
+import {cases, seed as firstSeed, isFull} from "./extent.ts"
 import {generateProgram} from "./generate/program.ts"
 import {Dice} from "./generate/random.ts"
 import type {Candidate} from "./ghc.ts"
@@ -73,7 +74,8 @@ test.skipIf(database === undefined)("a renamed program means what it meant", asy
   let done = 0
   let refused = 0
   const candidates: Candidate[] = []
-  for (let seed = 0; seed < 70; seed++) {
+  const [first, programs] = [firstSeed, cases(70)]
+  for (let seed = first; seed < first + programs; seed++) {
     if (seed % 10 === 0) await breathe()
     const {workspace, whole} = generateProgram(seed, 12 + (seed % 30))
     if (!whole) continue
@@ -95,7 +97,11 @@ test.skipIf(database === undefined)("a renamed program means what it meant", asy
         continue
       }
       done++
-      expect(infer(after).problems, what).toEqual([])
+      // Generated functions may override each other's commands, under either name.
+      expect(
+        infer(after).problems.filter(p => p.kind !== "conflict"),
+        what,
+      ).toEqual([])
       expect(typesOf(after), what).toEqual(typesOf(workspace))
       // The way back leads home: nothing was caught on the way.
       const home = renamed(after, binder, binder.name)
@@ -107,8 +113,8 @@ test.skipIf(database === undefined)("a renamed program means what it meant", asy
   expect(
     complaints.map(([name, complaint]) => `${candidates.find(c => c.name === name)?.text}\n${complaint}`),
   ).toEqual([])
-  expect(done).toBeGreaterThan(150)
-  expect(refused).toBeGreaterThan(40)
+  expect(done).toBeGreaterThan(2 * programs)
+  if (isFull) expect(refused).toBeGreaterThan(40)
 })
 
 test("a type's new name stands wherever a type is written, and constructors keep theirs", () => {

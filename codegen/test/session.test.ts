@@ -6,15 +6,14 @@ import type {Place, SavedBlock, SavedWorkspace, Session} from "../src/index.ts"
 import {blockView, checker, infer, session} from "../src/index.ts"
 import type {Reader} from "../src/reader/index.ts"
 import {openView, syncText, workspaceOf} from "../src/reader/index.ts"
-import {everyBlock} from "../src/workspace/infer.ts"
+import {everyBlock} from "../src/workspace/workspace_inference.ts"
+import {cases, seed} from "./extent.ts"
 import {breathe} from "./process.ts"
 import {mutate, mutations} from "./reader/mutations.ts"
 import {corpus, testReader} from "./reader/open.ts"
 
 // `RUNS=1000 npx vitest run test/session.test.ts` takes more programs.
-const runs = Number(process.env.RUNS ?? 25)
-// The same cases in every regular run; many are other ones each time.
-const seeded = process.env.RUNS === undefined ? {seed: 1} : {}
+const runs = Number(process.env.RUNS ?? cases(100))
 const edits = 25
 
 let reader: Reader
@@ -119,6 +118,6 @@ test("a session says after each edit what inference from nothing says", async ()
         }
       },
     ),
-    {numRuns: runs, ...seeded},
+    {numRuns: runs, seed},
   )
 }, 600_000)

@@ -1,12 +1,12 @@
 /// Makes a counterexample small: as long as GHC still refuses what inference accepts, definitions and blocks are taken away. And keeps it.
 
 import {writeFileSync} from "node:fs"
-import {blockView} from "../src/blocks/language.ts"
-import {printProgram} from "../src/haskell/print.ts"
+import {blockView} from "../src/blocks/block_registry.ts"
+import {printProgram} from "../src/haskell/printer.ts"
 import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {plug} from "../src/index.ts"
-import {everyBlock, problemsOf, solve} from "../src/workspace/infer.ts"
-import {without} from "../src/workspace/plug.ts"
+import {without} from "../src/workspace/block_moves.ts"
+import {everyBlock, inferWorkspace, problemsOf} from "../src/workspace/workspace_inference.ts"
 import {compileAll} from "./ghc.ts"
 import type {Refused} from "./soundness.ts"
 import {candidate} from "./soundness.ts"
@@ -38,7 +38,7 @@ export async function shrink(database: string, workspace: SavedWorkspace): Promi
     if (best === undefined) break
     smallest = best
   }
-  return printProgram(solve(smallest).read.program).text
+  return printProgram(inferWorkspace(smallest).read.program).text
 }
 
 function sizeOf(workspace: SavedWorkspace): number {
@@ -46,7 +46,7 @@ function sizeOf(workspace: SavedWorkspace): number {
 }
 
 function isWhole(workspace: SavedWorkspace): boolean {
-  return problemsOf(solve(workspace)).every(p => p.severity !== "error")
+  return problemsOf(inferWorkspace(workspace)).every(p => p.severity !== "error")
 }
 
 const unit: SavedBlock = {type: "tuple", id: "unit", extraState: {items: 0}}

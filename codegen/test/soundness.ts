@@ -2,7 +2,7 @@
 
 import type {SavedWorkspace} from "../src/index.ts"
 import {toHaskell} from "../src/index.ts"
-import {everyBlock, solve} from "../src/workspace/infer.ts"
+import {everyBlock, inferWorkspace} from "../src/workspace/workspace_inference.ts"
 import {generateProgram, sizeOf} from "./generate/program.ts"
 import type {Candidate} from "./ghc.ts"
 import {compileAll} from "./ghc.ts"
@@ -33,7 +33,7 @@ export const batch = 125
 
 /// A workspace as GHC gets it.
 export function candidate(name: string, workspace: SavedWorkspace): Candidate {
-  return {name, text: toHaskell(workspace).text, program: solve(workspace).read.program}
+  return {name, text: toHaskell(workspace).text, program: inferWorkspace(workspace).read.program}
 }
 
 /// Generates from a first seed on until there are `count` finished programs, and asks GHC about each.

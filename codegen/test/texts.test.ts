@@ -89,7 +89,17 @@ describe("names that text brings into scope", () => {
       "data E a where\n  N :: Int -> E Int\n\nf :: E a -> a\nf (N n) = n + 1",
       "f :: E a -> a",
     ],
-    ["a function that is kept as text", "f x = map (,1) (words x)", "f :: String -> [a]"],
+    ["an argument that is kept as text", "f x = map [q|w|] (words x)", "f :: String -> [a]"],
+    ["a tuple with an open part", "f x = map (,True) (words x)", "f :: String -> [(String, Bool)]"],
+    ["a type for a function", 'f = read @Int "1" + length "a"', "f :: Int"],
+    ["a pattern through a function", "f (words -> w : _) = w\nf _ = []", "f :: String -> String"],
+    ["a pattern with a type", "f (x :: Int) !y = (x, y)", "f :: Int -> a -> (Int, a)"],
+    ["parts under their own names", "data R = R {part :: Double}\n\nf R {part} = part", "f :: R -> Double"],
+    [
+      "a function of another language",
+      'foreign import ccall unsafe "sin" c_sin :: Double -> Double\n\nf x = c_sin x',
+      "f :: Double -> Double",
+    ],
     [
       "a function that looks at its input",
       "f x = map (\\case\n  \"one\" -> 'a'\n  _ -> 'b') (words x)",
@@ -118,7 +128,7 @@ describe("names that text brings into scope", () => {
   })
 
   test.each([
-    ["a module that nobody told us about", "import Mystery\n\nf x = mystery x + puzzle"],
+    ["an unknown module", "import Mystery\n\nf x = mystery x + puzzle"],
     ["names of an unknown module", "import Mystery (mystery, Riddle (..))\n\nf = mystery 3"],
     ["an unknown qualified module", "import qualified Mystery as M\n\nf = M.solve (M.Riddle 1)"],
     ["a definition without a type", "p = \\case\n  1 -> 2\n  _ -> 3\n\nf = p 3 + p 4"],

@@ -1,7 +1,15 @@
 /// Arbitrary program trees for properties: any shape, any names, also ones that no block can make.
 
 import fc from "fast-check"
-import type {Declaration, Expr, Pattern, Program, RightSide, Statement, TypeText} from "../src/model/tree.ts"
+import type {
+  Declaration,
+  Expr,
+  Pattern,
+  Program,
+  RightSide,
+  Statement,
+  TypeText,
+} from "../src/model/syntax_tree.ts"
 
 const anyName = fc.oneof(
   fc.constantFrom(
@@ -105,10 +113,15 @@ export const {expr, pattern, declaration, statement} = fc.letrec<{
         statements: fc.array(tie("statement"), few),
       }),
       fc.record({kind: fc.constant("typed" as const), expr: e, type: typeText}),
+      fc.record({kind: fc.constant("type-apply" as const), fn: e, type: typeText}),
+      fc
+        .array(fc.oneof(e, fc.record({kind: fc.constant("gap" as const)})), {minLength: 2, maxLength: 3})
+        .map(items => ({kind: "tuple" as const, items})),
       fc.record({
         kind: fc.constant("record" as const),
         name: anyName,
         fields: fc.array(fc.record({name: anyName, value: e}), few),
+        rest: fc.constantFrom(undefined, true as const),
       }),
       fc.record({
         kind: fc.constant("update" as const),
@@ -130,8 +143,19 @@ export const {expr, pattern, declaration, statement} = fc.letrec<{
       fc.record({
         kind: fc.constant("record-pattern" as const),
         name: anyName,
-        fields: fc.array(fc.record({name: anyName, pattern: p}), few),
+        fields: fc.array(
+          fc.record({name: anyName, pattern: p, pun: fc.constantFrom(undefined, true as const)}),
+          few,
+        ),
+        rest: fc.constantFrom(undefined, true as const),
       }),
+      fc.record({
+        kind: fc.constant("strictness-pattern" as const),
+        mark: fc.constantFrom("!" as const, "~" as const),
+        pattern: p,
+      }),
+      fc.record({kind: fc.constant("view-pattern" as const), expr: e, pattern: p}),
+      fc.record({kind: fc.constant("typed-pattern" as const), pattern: p, type: typeText}),
     ) as fc.Arbitrary<Pattern>,
     statement: fc.oneof(
       nesting,

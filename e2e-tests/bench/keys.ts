@@ -1,13 +1,13 @@
 /// What a key costs, told apart: how long a person waits for it, and how long of that the page works.
 ///
-/// A key is shown in the browser's next frame, which comes when the screen wants it (every 16.7 ms at 60 Hz), so a part of every wait is nobody's work; a bare
+/// A key is shown in the browser's next frame, which comes when the screen wants it (every 16.7 ms at 60 Hz), so a part of every wait is no work; a bare
 /// text area waits as long. Both are read from the browser's own trace: the wait from the key's arrival to the picture on the screen, and the tasks of
 /// the page's main thread from the key to the end of that frame.
 
 import {setTimeout as pause} from "node:timers/promises"
 import type {Browser, Page} from "@playwright/test"
 
-/// Milliseconds from one key to the next of somebody who types 80 words a minute.
+/// Milliseconds from one key to the next at 80 words a minute.
 const gap = 150
 
 export interface Keys {
@@ -29,7 +29,7 @@ export interface Looks {
   readonly follows?: string
 }
 
-/// Presses a key `count` times, each so long after the one before, whatever the page does meanwhile: somebody who types on.
+/// Presses a key `count` times, each so long after the one before, whatever the page does meanwhile, as in fluent typing.
 export async function typedOn(
   browser: Browser,
   page: Page,

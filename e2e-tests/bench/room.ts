@@ -52,19 +52,16 @@ function watch(): void {
       const x = 6 + 5 * Math.sin(time * 0.11) * Math.cos(time * 0.013)
       const y = 4.5 + 3.8 * Math.sin(time * 0.17)
       const v = 0.35 + 0.3 * Math.sin(time * 0.9)
-      const bumpers = step % 700 < 20 ? 2 : 0
-      const still = {w: 0.4, cliffs: 0, wheels: 0, buttons: 0, led1: 0, led2: 0, fired: ["drive"]}
+      const still = {Cliff: [0, 0, 0], Wheel: [0, 0], Button: [0, 0, 0], Led1: [0], Led2: [0]}
       return JSON.stringify({
         op: "frame",
         run: message.run,
         step,
         time,
-        x,
-        y,
-        theta: time,
-        v,
-        bumpers,
-        ...still,
+        pose: {x, y, theta: time},
+        channels: {Velocity: [v, 0.4], Bumper: [0, step % 700 < 20 ? 1 : 0, 0], ...still},
+        fired: ["drive"],
+        sensed: [],
       })
     })
   window.WebSocket = class extends Real {
@@ -138,9 +135,18 @@ await withPage(async (browser, address) => {
   await page.getByRole("button", {name: "x", exact: true}).click()
   await page.waitForFunction(() => (window as unknown as {seen: Seen}).seen.played)
   await measure(page, "all of the room, curves of 20 s")
+  const menu = page.getByRole("button", {name: "Trail, picture and film"})
+  const setValues = async (shown: boolean) => {
+    await menu.click()
+    await page.getByRole("checkbox", {name: "Show values in the program"}).setChecked(shown)
+    await page.keyboard.press("Escape")
+  }
+  await setValues(true)
+  await measure(page, "the same, values in the program")
+  await setValues(false)
   await page.getByRole("button", {name: "All", exact: true}).click()
   await measure(page, "all of the room, curves of all the run")
-  await page.getByRole("button", {name: "Trail, picture and film"}).click()
+  await menu.click()
   await page.getByRole("group", {name: "Trail"}).getByRole("button", {name: "Speed"}).click()
   await page.keyboard.press("Escape")
   await page.getByRole("button", {name: "Follow the robot"}).click()

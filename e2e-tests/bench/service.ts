@@ -6,9 +6,11 @@ import {type ChildProcess, spawn} from "node:child_process"
 import {once} from "node:events"
 import {loadavg} from "node:os"
 import {createInterface} from "node:readline"
+import {fileURLToPath} from "node:url"
 import {type Browser, chromium, type Page} from "@playwright/test"
+import {chromiumFlags} from "../../editor/test/chromium.ts"
 
-export const root = new URL("../..", import.meta.url).pathname
+export const root = fileURLToPath(new URL("../..", import.meta.url))
 
 /// A number from the environment, so that a benchmark can be asked for more or fewer.
 export function setting(name: string, otherwise: number): number {
@@ -24,7 +26,7 @@ export async function withPage(measure: (browser: Browser, address: string) => P
     const address = await announced(service)
     const browser = await chromium.launch({
       executablePath: process.env["ROSY_CHROMIUM"] ?? "/usr/bin/chromium",
-      args: ["--no-sandbox", "--disable-gpu"],
+      args: chromiumFlags,
     })
     try {
       console.log(`  (Chromium ${browser.version()}; load of the machine ${loadavg()[0]?.toFixed(1)})`)
@@ -45,7 +47,7 @@ async function announced(service: ChildProcess): Promise<string> {
   for await (const line of lines) {
     const address = /ready at (\S+)/.exec(line)?.[1]
     if (address !== undefined) {
-      // What it prints from here on is nobody's, and must not stop it.
+      // What it prints from here on is discarded, and must not stop it.
       service.stdout.resume()
       return address.replace(/\/?$/, "/")
     }

@@ -71,7 +71,9 @@ await withPage(async (browser, address) => {
   })
   await page.goto(`${address}?example=accelerate`)
   const run = page.getByTestId("run")
-  await run.filter({hasText: "Run"}).waitFor()
+  // A program can be run once the page has heard from the service; until then the button is disabled and a click is lost.
+  const ready = page.locator("[data-testid=run]:enabled", {hasText: "Run"})
+  await ready.waitFor()
   const running: number[] = []
   const moved: number[] = []
   // The first run waits until the worker has warmed up; it is not counted.
@@ -91,7 +93,7 @@ await withPage(async (browser, address) => {
     }
     await run.filter({hasText: "Stop"}).click()
     await page.getByRole("button", {name: "Reset"}).click()
-    await run.filter({hasText: "Run"}).waitFor()
+    await ready.waitFor()
   }
   row("click Run to running (worker: source to main)", running)
   row("click Run to first frame in which the robot has moved", moved)

@@ -10,6 +10,9 @@ import {openFile, row, setting, withPage} from "./service.ts"
 
 const KEYS = setting("ROSY_BENCH_KEYS", 40)
 
+/// How many lines the programs have; in small, few, to see that it works.
+const lengths = process.env["ROSY_BENCH_SMALL"] === undefined ? [1000, 2000] : [100]
+
 /// Lines in the manner of a pupil's program.
 function program(lines: number): string {
   const one = (i: number) =>
@@ -34,7 +37,7 @@ function told(what: string, keys: Pick<Keys, "wait" | "work" | "processor">): vo
 }
 
 await withPage(async (browser, address) => {
-  for (const lines of [1000, 2000]) {
+  for (const lines of lengths) {
     const text = program(lines)
     const page = await opened(browser, address, text, `${lines} lines`)
     // A digit behind the point of the number in the first condition: its block says the same number.

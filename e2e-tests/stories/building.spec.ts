@@ -1,15 +1,14 @@
 /// Whole programs from an empty page: they print exactly what the example says, and the robot does it.
 
 import {readFileSync} from "node:fs"
-import {expect, type Page, test} from "@playwright/test"
+import {expect, type Page} from "@playwright/test"
+import {isFull, rotated} from "./extent.ts"
 import type {Hands} from "./hands.ts"
 import {Keys} from "./keys.ts"
 import {Learner, until} from "./learner.ts"
 import {Mouse} from "./mouse.ts"
 import {drawSquare, mux, randomWalk} from "./recipes.ts"
-
-// A whole program takes a learner a while, and a busy machine too.
-test.setTimeout(900_000)
+import {test} from "./story.ts"
 
 async function builds(
   page: Page,
@@ -34,56 +33,55 @@ async function builds(
 
 async function drivesASquare(page: Page, learner: Learner): Promise<void> {
   await page.getByLabel("Speed", {exact: true}).selectOption("8")
-  await learner.runs()
-  await until(learner.robot("speed"), v => v > 0.1)
-  await until(learner.robot("heading"), degrees => Math.abs(degrees) > 80)
+  const turned = until(learner.robot("heading"), degrees => Math.abs(degrees) > 80)
+  await learner.runsUntil("speed", v => v > 0.1)
+  await turned
   await expect(learner.status()).toHaveText("Finished")
 }
-
-test("drawSquare by mouse", async ({page}) => {
-  const learner = await builds(page, "drawSquare", drawSquare, new Mouse(page))
-  await drivesASquare(page, learner)
-})
 
 /// Without a button pressed only the less important messages are there: the robot circles.
 async function circles(page: Page, learner: Learner): Promise<void> {
   await page.getByLabel("Speed", {exact: true}).selectOption("4")
-  await learner.runs()
-  await until(learner.robot("speed"), v => v > 0.15)
-  await until(learner.robot("heading"), degrees => Math.abs(degrees) > 20)
+  const turned = until(learner.robot("heading"), degrees => Math.abs(degrees) > 20)
+  await learner.runsUntil("speed", v => v > 0.15)
+  await turned
   await learner.stops()
 }
 
 /// The robot drives until it bumps, and turns away.
 async function walksAtRandom(page: Page, learner: Learner): Promise<void> {
   await page.getByLabel("Speed", {exact: true}).selectOption("4")
-  await learner.runs()
-  await until(learner.robot("speed"), v => v > 0.3)
-  await until(learner.robot("heading"), degrees => Math.abs(degrees) > 3)
+  const turned = until(learner.robot("heading"), degrees => Math.abs(degrees) > 3)
+  await learner.runsUntil("speed", v => v > 0.3)
+  await turned
   await learner.stops()
 }
 
-test("the multiplexer by mouse", async ({page}) => {
-  const learner = await builds(page, "mux", mux, new Mouse(page))
-  await circles(page, learner)
-})
+interface Program {
+  readonly title: string
+  readonly example: string
+  readonly recipe: (hands: Hands) => Promise<void>
+  readonly behaves: (page: Page, learner: Learner) => Promise<void>
+}
 
-test("the random walker by mouse", async ({page}) => {
-  const learner = await builds(page, "randomWalk", randomWalk, new Mouse(page))
-  await walksAtRandom(page, learner)
-})
+const programs: readonly Program[] = [
+  {title: "drawSquare", example: "drawSquare", recipe: drawSquare, behaves: drivesASquare},
+  {title: "the multiplexer", example: "mux", recipe: mux, behaves: circles},
+  {title: "the random walker", example: "randomWalk", recipe: randomWalk, behaves: walksAtRandom},
+]
 
-test("drawSquare by keyboard alone", async ({page}) => {
-  const learner = await builds(page, "drawSquare", drawSquare, new Keys(page))
-  await drivesASquare(page, learner)
-})
+const hands = [
+  {with: "by mouse", of: (page: Page): Hands => new Mouse(page)},
+  {with: "by keyboard alone", of: (page: Page): Hands => new Keys(page)},
+] as const
 
-test("the multiplexer by keyboard alone", async ({page}) => {
-  const learner = await builds(page, "mux", mux, new Keys(page))
-  await circles(page, learner)
-})
-
-test("the random walker by keyboard alone", async ({page}) => {
-  const learner = await builds(page, "randomWalk", randomWalk, new Keys(page))
-  await walksAtRandom(page, learner)
-})
+// One of the shorter programs each day: `editor/test/blocks/building.web.test.ts` builds with both hands daily, without the page
+// around the blocks. The random walker takes three minutes by keyboard and is built nightly.
+const stories = programs
+  .filter(({example}) => isFull || example !== "randomWalk")
+  .flatMap(program => hands.map(by => ({...program, by})))
+for (const {title, example, recipe, behaves, by} of rotated(stories, stories.length)) {
+  test(`${title} ${by.with}`, async ({page}) => {
+    await behaves(page, await builds(page, example, recipe, by.of(page)))
+  })
+}

@@ -1,7 +1,8 @@
 /// A newcomer's first minute: open, run, bump, hear, stop, reset, change a number, run again.
 
-import {expect, test} from "@playwright/test"
-import {Learner, until} from "./learner.ts"
+import {expect} from "@playwright/test"
+import {Learner} from "./learner.ts"
+import {test} from "./story.ts"
 
 test("the page opens with accelerateAndPlay ready to run", async ({page}) => {
   const learner = new Learner(page)
@@ -15,9 +16,8 @@ test("the page opens with accelerateAndPlay ready to run", async ({page}) => {
 test("Run drives the robot into the wall; the bumper lights up and the error sound plays", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("accelerateAndPlay")
-  await learner.runs()
+  await learner.runsUntil("speed", v => v > 0.3)
   await expect(learner.status()).toHaveText("Running")
-  await until(learner.robot("speed"), v => v > 0.3)
   await expect(learner.robot("bumpers")).not.toBeEmpty()
   await expect(learner.console()).toContainText("plays ErrorSound")
   await learner.keeps("bumped")
@@ -28,9 +28,11 @@ test("Run drives the robot into the wall; the bumper lights up and the error sou
 test("forwardBackward turns round at the wall, by memory", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("forwardBackward")
-  await learner.runs()
-  await until(learner.robot("speed"), v => v > 0.3)
-  await until(learner.robot("speed"), v => v < -0.3)
+  await learner.runsUntil(
+    "speed",
+    v => v > 0.3,
+    v => v < -0.3,
+  )
   await learner.stops()
 })
 
@@ -39,10 +41,45 @@ test("every example opens as blocks with its Haskell and drives", async ({page})
   for (const example of ["move", "accelerate", "accelerateAndPlay", "forwardBackward"]) {
     await learner.opens(example)
     await expect(page.locator(".blocklyBlockCanvas .blocklyDraggable").first()).toBeVisible()
-    await learner.runs()
-    await until(learner.robot("speed"), v => v > 0.2)
+    await learner.runsUntil("speed", v => v > 0.2)
     await learner.stops()
   }
+})
+
+test("a new program is calm, also with another empty socket: no problem, a plain room and the usual speed, until Run finds something missing", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  await page.getByRole("button", {name: "More", exact: true}).click()
+  await page.getByText("New program").click()
+  await expect(learner.haskell()).toContainText("simulate _")
+  await page.getByRole("tab", {name: "Problems"}).click()
+  await expect(page.getByTestId("problems")).toHaveText("No problems.")
+  await expect(page.locator(".cm-lintRange, .cm-lint-marker")).toHaveCount(0)
+  await learner.keeps("new-program")
+  await learner.presses("run one more")
+  await expect(learner.haskell()).toContainText("simulate (_, _)")
+  await expect(page.getByTestId("problems")).toHaveText("No problems.")
+  await expect(page.getByRole("tab", {name: "Problems", exact: true})).toBeVisible()
+  await expect(page.locator(".cm-lintRange, .cm-lint-marker")).toHaveCount(0)
+  await learner.runs()
+  await expect(page.getByTestId("problems").locator("article")).not.toHaveCount(0)
+  await expect(page.locator(".cm-lintRange")).not.toHaveCount(0)
+})
+
+test("after the first run the page proposes an experiment that turns the robot's way round", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await page.goto("/")
+  await learner.runsUntil("speed", v => v > 0.3)
+  await expect(page.getByText("Which way does the robot drive now?")).toBeVisible()
+  await learner.stops()
+  await learner.findsInHaskell("vl + 0.5")
+  await page.keyboard.insertText("vl - 0.5")
+  await learner.runsUntil("speed", v => v < -0.3)
+  await learner.stops()
 })
 
 test("the gallery shows what each example teaches and opens it", async ({page}) => {
@@ -50,7 +87,10 @@ test("the gallery shows what each example teaches and opens it", async ({page}) 
   await learner.opens("move")
   await page.getByRole("button", {name: "Examples"}).click()
   const dialog = page.getByRole("dialog")
-  await expect(dialog).toBeVisible()
+  await expect(dialog.getByRole("heading", {name: "First steps"})).toBeVisible()
+  // The picture of the first example shows the path that the service has computed: pixels in the colour of the trail.
+  const picture = dialog.locator(".card canvas").first()
+  await expect.poll(() => picture.evaluate(reddish)).toBeGreaterThan(50)
   await learner.keeps("gallery")
   await dialog.getByRole("button", {name: /^forwardBackward/}).click()
   await expect(learner.haskell()).toContainText("forwardBackward")
@@ -59,19 +99,27 @@ test("the gallery shows what each example teaches and opens it", async ({page}) 
 test("Stop works while the program still compiles, and Reset puts the robot back", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("move")
-  await learner.runs()
-  await until(learner.robot("speed"), v => v > 0.2)
-  const start = await learner.robot("x").textContent()
+  await learner.runsUntil("speed", v => v > 0.2)
+  const driven = (await learner.robot("x").textContent()) ?? ""
   await page.getByRole("button", {name: "Reset"}).click()
   await expect(learner.runButton()).toHaveText("Run")
   await expect(learner.robot("speed")).toHaveText("0.000")
-  expect(await learner.robot("x").textContent()).not.toBe(start)
+  await expect(learner.robot("x")).not.toHaveText(driven)
   for (let i = 0; i < 5; i++) {
-    await learner.runButton().click()
-    await learner.runButton().click()
-    await expect(learner.runButton()).toHaveText("Run")
+    // The second press is made when the button says Stop: before that frame it would run the program once more.
+    await learner.runs()
+    await learner.stops()
   }
   await learner.runs()
   await expect(learner.status()).toHaveText("Running")
   await learner.stops()
 })
+
+/// In the page: pixels of a picture whose red is much stronger than their green.
+function reddish(element: Element): number {
+  const canvas = element as HTMLCanvasElement
+  const {data} = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height)
+  let count = 0
+  for (let at = 0; at < data.length; at += 4) if ((data[at] ?? 0) - (data[at + 1] ?? 0) > 100) count += 1
+  return count
+}

@@ -1,7 +1,9 @@
 /// Quick hands on a slow machine: what is done before the page has shown the step before it is lost nowhere, and goes nowhere else.
 
-import {expect, type Page, test} from "@playwright/test"
+import {expect, type Page} from "@playwright/test"
+import {boxAtRest} from "./at_rest.ts"
 import {Learner} from "./learner.ts"
+import {test} from "./story.ts"
 
 /// A machine that shows no picture until it is told to.
 async function showsNothing(page: Page): Promise<void> {
@@ -83,8 +85,8 @@ test("nobody writes or builds where the first program is about to stand", async 
   await page.goto("/")
   await learner.haskell().click()
   await page.keyboard.type("abc")
-  const category = await page.locator(".blocklyToolboxCategory").nth(2).boundingBox()
-  await page.mouse.click(category!.x + 10, category!.y + 10)
+  const category = await boxAtRest(page.locator(".blocklyToolboxCategory").nth(2))
+  await page.mouse.click(category.x + 10, category.y + 10)
   comes()
   await expect(learner.haskell()).toContainText("simulate")
   await expect(learner.haskell()).not.toContainText("abc")
@@ -92,7 +94,9 @@ test("nobody writes or builds where the first program is about to stand", async 
   // Nor is it kept as a program.
   await page.getByRole("button", {name: "Examples"}).click()
   await expect(page.getByRole("dialog").getByRole("button", {name: /^forwardBackward/})).toBeVisible()
-  await expect(page.getByRole("dialog")).not.toContainText("Your programs")
+  await page.keyboard.press("Escape")
+  await page.getByRole("button", {name: "My programs"}).click()
+  await expect(page.getByRole("dialog").locator(".program-card")).toHaveCount(0)
 })
 
 test("the example that was wished for last stays, also when an earlier one comes late", async ({page}) => {

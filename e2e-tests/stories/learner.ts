@@ -1,6 +1,11 @@
 /// What a learner sees and does, in the page's own words. Stories speak through this and never through the page's insides.
 
+import {fileURLToPath} from "node:url"
 import {expect, type Locator, type Page} from "@playwright/test"
+
+/// The file of a picture, for people who want to look at the pages.
+export const screenshot = (name: string) =>
+  fileURLToPath(new URL(`../screenshots/${name}.png`, import.meta.url))
 
 export class Learner {
   readonly page: Page
@@ -8,9 +13,9 @@ export class Learner {
     this.page = page
   }
 
-  /// Opens the page with an example and waits until it can be run.
-  async opens(example: string): Promise<void> {
-    await this.page.goto(`/?example=${example}`)
+  /// Opens the page with an example and waits until it can be run; of the shared service unless another is named.
+  async opens(example: string, service = ""): Promise<void> {
+    await this.page.goto(`${service}/?example=${example}`)
     await expect(this.haskell()).toContainText("simulate")
     await expect(this.page.locator(".blocklyBlockCanvas > .blocklyDraggable").first()).toBeVisible()
     await expect(this.runButton()).toHaveText("Run")
@@ -39,13 +44,19 @@ export class Learner {
     return this.page.evaluate(() => navigator.clipboard.readText())
   }
 
-  async emptiesHaskell(): Promise<void> {
+  /// Puts the cursor into the Haskell, which takes no keys before the first program is open.
+  async entersHaskell(): Promise<void> {
+    await expect(this.haskell()).toBeEditable()
     await this.haskell().click()
+  }
+
+  async emptiesHaskell(): Promise<void> {
+    await this.entersHaskell()
     await this.page.keyboard.press("Control+a")
     await this.page.keyboard.press("Delete")
   }
 
-  /// Types a program as somebody at the keyboard does: what the editor indents by itself is not typed again.
+  /// Types a program as at a keyboard: what the editor indents by itself is not typed again.
   async types(text: string): Promise<void> {
     for (const line of text.trimEnd().split("\n")) {
       await this.page.keyboard.type(line.trimStart())
@@ -55,7 +66,7 @@ export class Learner {
 
   /// Selects the first place in the Haskell that reads so, with the editor's own search.
   async findsInHaskell(words: string): Promise<void> {
-    await this.haskell().click()
+    await this.entersHaskell()
     await this.page.keyboard.press("Control+Home")
     await this.page.keyboard.press("Control+f")
     const field = this.page.getByRole("textbox", {name: "Find"})
@@ -92,6 +103,13 @@ export class Learner {
 
   async runs(): Promise<void> {
     await this.runButton().click()
+  }
+
+  /// Runs, and waits until a number of the readout has satisfied these claims one after the other. It is watched from before
+  /// the press of Run: on a busy machine the robot may be at the wall before the story looks.
+  async runsUntil(what: string, ...claims: readonly ((n: number) => boolean)[]): Promise<void> {
+    const satisfied = until(this.robot(what), ...claims)
+    await Promise.all([satisfied, this.runs()])
   }
 
   async stops(): Promise<void> {
@@ -179,26 +197,37 @@ export class Learner {
   }
 
   async keeps(name: string): Promise<void> {
-    await this.page.screenshot({path: new URL(`../screenshots/${name}.png`, import.meta.url).pathname})
+    await this.page.screenshot({path: screenshot(name)})
   }
 }
 
-/// Waits until a number on the page satisfies a claim, if only for a frame: what it says between two looks is kept.
-export async function until(value: Locator, claim: (n: number) => boolean): Promise<void> {
-  await value.evaluate(sinceLook)
+/// Waits until a number on the page has satisfied claims one after the other, if only for a frame: what it says between two
+/// looks is kept. Values from before the call do not count; `runsUntil` is for what a run does at its beginning.
+export async function until(value: Locator, ...claims: readonly ((n: number) => boolean)[]): Promise<void> {
+  const call = ++calls
+  const open = [...claims]
   await expect
-    .poll(async () => (await value.evaluate(sinceLook)).some(said => claim(Number.parseFloat(said))))
-    .toBe(true)
+    .poll(async () => {
+      for (const said of await value.evaluate(sinceLook, call))
+        while (open[0]?.(Number.parseFloat(said))) open.shift()
+      return open.length
+    })
+    .toBe(0)
 }
 
-/// In the page: all that an element has said since the last look, and says now.
-function sinceLook(element: Element & {rosySaid?: string[]}): readonly string[] {
+let calls = 0
+
+/// In the page: all that an element has said since the last look of the same call of `until`; at the first look, what it says.
+function sinceLook(element: Element & {rosySaid?: Map<number, string[]>}, call: number): readonly string[] {
   const now = () => element.textContent ?? ""
-  if (element.rosySaid === undefined) {
-    const said: string[] = []
-    element.rosySaid = said
+  element.rosySaid ??= new Map()
+  let said = element.rosySaid.get(call)
+  if (said === undefined) {
+    const kept = [now()]
+    element.rosySaid.set(call, kept)
     const changes = {characterData: true, childList: true, subtree: true}
-    new MutationObserver(() => said.push(now())).observe(element, changes)
+    new MutationObserver(() => kept.push(now())).observe(element, changes)
+    said = kept
   }
-  return [...element.rosySaid.splice(0), now()]
+  return said.splice(0)
 }

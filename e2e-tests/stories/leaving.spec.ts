@@ -1,7 +1,8 @@
-/// Whoever leaves the page, or is thrown out of it, finds everything again.
+/// A learner who leaves the page, or loses it, finds everything again.
 
-import {expect, test} from "@playwright/test"
+import {expect} from "@playwright/test"
 import {Learner} from "./learner.ts"
+import {test} from "./story.ts"
 
 test("a reload in the middle of a word loses nothing", async ({page}) => {
   const learner = new Learner(page)
@@ -24,6 +25,21 @@ test("a reload right after the first change does not bring the example back", as
   const [, changed] = await learner.takesAStep()
   await page.reload()
   await expect.poll(() => learner.haskellText()).toBe(changed)
+})
+
+test("a reload at once after the first key, or after the first change of a block, keeps the change", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  await learner.findsInHaskell("ErrorSound")
+  await page.keyboard.insertText("OnSound")
+  await page.reload()
+  await expect(learner.haskell()).toContainText("Just OnSound")
+  await learner.opens("accelerateAndPlay")
+  await learner.changesNumber("0.5", "0.25")
+  await page.reload()
+  await expect(learner.haskell()).toContainText("vl + 0.25")
 })
 
 test("after a reload the cursor is where it was, and undo and redo go on", async ({page}) => {
@@ -70,7 +86,9 @@ test("closing the tab loses nothing", async ({page, context}) => {
   await learner.findsInHaskell("ErrorSound")
   await page.keyboard.type("ButtonSound")
   const text = await learner.haskellText()
+  const closed = page.waitForEvent("close")
   await page.close({runBeforeUnload: true})
+  await closed
   const again = new Learner(await context.newPage())
   await again.page.goto("/")
   await expect.poll(() => again.haskellText()).toBe(text)

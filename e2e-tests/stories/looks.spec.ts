@@ -1,16 +1,10 @@
 /// The page can be seen and used by everybody: contrast, names and roles, by axe-core (WCAG 2.2 A and AA), in light and in dark.
 
-import {AxeBuilder} from "@axe-core/playwright"
-import {expect, type Page, test} from "@playwright/test"
-import {Learner, until} from "./learner.ts"
-
-const standard = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]
-
-/// What axe has against the page as it stands. What blocks look like is drawn, and `families.test.ts` holds its contrast.
-async function faults(page: Page): Promise<readonly string[]> {
-  const {violations} = await new AxeBuilder({page}).exclude(".blocklyWorkspace").withTags(standard).analyze()
-  return violations.flatMap(({id, nodes}) => nodes.map(node => `${id}: ${node.target.join(" ")}`))
-}
+import {expect, type Page} from "@playwright/test"
+import {rotated} from "./extent.ts"
+import {Learner} from "./learner.ts"
+import {faults} from "./page_faults.ts"
+import {test} from "./story.ts"
 
 /// Buttons of an open dialog whose words stick out of them.
 function spilling(page: Page): Promise<readonly string[]> {
@@ -21,42 +15,49 @@ function spilling(page: Page): Promise<readonly string[]> {
     )
 }
 
-for (const colorScheme of ["light", "dark"] as const) {
+// One of the two each day; `./rosy test nightly` looks at both.
+for (const colorScheme of rotated(["light", "dark"] as const, 2)) {
   test(`nothing on the page is hard to see or without a name, in ${colorScheme} colours`, async ({page}) => {
     await page.emulateMedia({colorScheme, reducedMotion: "reduce"})
     const learner = new Learner(page)
     await learner.opens("accelerateAndPlay")
     await expect(page.locator(".blocklyBlockCanvas .blocklyDraggable").first()).toBeVisible()
-    const look = async (where: string) => {
-      expect(await faults(page), where).toEqual([])
+    // The whole page is checked once, then only each opened part: a check of the whole page takes seconds.
+    const look = async (where: string, part?: string) => {
+      expect(await faults(page, part), where).toEqual([])
       expect(await spilling(page), where).toEqual([])
     }
     await look("the page")
     await page.locator(".blocklyToolboxCategory").nth(2).click()
-    await look("the toolbox")
+    await look("the toolbox", ".injectionDiv")
     await page.keyboard.press("Escape")
     await page.locator(".menu > button").last().click()
-    await look("the menu")
+    await look("the menu", ".menu-items")
     await page.keyboard.press("Escape")
     await page.getByRole("button", {name: "Examples"}).click()
     await expect(page.locator("dialog[open] li").first()).toBeVisible()
-    await look("the examples")
+    await look("the examples", "dialog[open]")
+    await page.keyboard.press("Escape")
+    await page.getByRole("textbox", {name: "Name of the program"}).fill("walk")
+    await page.getByRole("button", {name: "My programs"}).click()
+    await expect(page.locator("dialog[open] .program-card").first()).toBeVisible()
+    await look("my programs", "dialog[open]")
     await page.keyboard.press("Escape")
     await page.keyboard.press("?")
     await expect(page.locator("dialog[open] kbd").first()).toBeVisible()
-    await look("the keys")
+    await look("the keys", "dialog[open]")
     await page.keyboard.press("Escape")
     await page.locator(".room-choice").click()
     await expect(page.locator("dialog[open] li").first()).toBeVisible()
-    await look("the rooms")
+    await look("the rooms", "dialog[open]")
     await page.locator("dialog[open] .pair button").first().click()
-    await look("the world editor")
+    await look("the world editor", ".workshop")
     await page.locator(".workshop-bar button.plain").last().click()
-    await learner.runs()
-    await until(learner.robot("speed"), v => v > 0.3)
+    await learner.runsUntil("speed", v => v > 0.3)
+    await look("a run")
     for (const tab of await page.getByRole("tab").all()) {
       await tab.click()
-      await look(`the tab ${await tab.textContent()}`)
+      await look(`the tab ${await tab.textContent()}`, ".tabs")
     }
     await learner.stops()
   })
@@ -69,4 +70,14 @@ test("help on Haskell's own names needs no internet", async ({page}) => {
   await expect(even).toContainText("even :: Integral a => a -> Bool")
   await expect(even).toBeInViewport()
   expect(await faults(page)).toEqual([])
+})
+
+test("the menu opens the licences of everything in the page", async ({page}) => {
+  await page.goto("/")
+  await page.getByRole("button", {name: "More", exact: true}).click()
+  const address = await page.getByText("About Rosy").getAttribute("href")
+  const licences = await (await page.request.get(`/${address}`)).text()
+  for (const name of ["blockly", "preact", "@fontsource/inter", "tree-sitter-haskell"])
+    expect(licences).toContain(`${name} `)
+  expect(licences).toContain("SIL OPEN FONT LICENSE")
 })

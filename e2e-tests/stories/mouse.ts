@@ -1,6 +1,7 @@
 /// Building by mouse: every block is dragged, every socket is found by eye. The keyboard only types words.
 
 import {expect, type Locator, type Page} from "@playwright/test"
+import {boxAtRest, drawn} from "./at_rest.ts"
 import type {Hands, Of} from "./hands.ts"
 
 interface Spot {
@@ -19,6 +20,8 @@ const freeGap = 34
 const workbench = {top: 90, bottom: 420}
 /// Pixels from the left edge of a block that a hand takes it at.
 const grip = 9
+/// Pixels that a place which is pressed keeps from the right edge of the blocks' region.
+const margin = 120
 /// Pixels between the left edge of a socket and of the line that lights up around it.
 const nearby = 12
 
@@ -41,7 +44,7 @@ export class Mouse implements Hands {
     const smaller = this.page.getByRole("button", {name: "Zoom out"})
     await smaller.click()
     await smaller.click()
-    await this.drawn()
+    await drawn(this.page)
   }
 
   async starts(found: string): Promise<void> {
@@ -49,7 +52,7 @@ export class Mouse implements Hands {
     if (lowest.y > workbench.bottom) {
       await this.page.mouse.move(lowest.x + 400, lowest.y - 10)
       await this.page.mouse.wheel(0, lowest.y - workbench.top)
-      await this.drawn()
+      await drawn(this.page)
       lowest = await this.lowest()
     }
     const before = await this.tops()
@@ -66,19 +69,20 @@ export class Mouse implements Hands {
       .last()
       .getAttribute("data-id")
     this.root = id ?? undefined
-    const top = (await this.block().boundingBox())!.y
+    const top = (await boxAtRest(this.block())).y
     if (top > workbench.top && top < workbench.bottom) return
     await this.page.mouse.move(900, 300)
     await this.page.mouse.wheel(0, top - workbench.top - 40)
-    await this.drawn()
+    await drawn(this.page)
   }
 
   async puts(...found: readonly string[]): Promise<void> {
     for (const words of found) {
       const binder = this.block().locator(".rosyBinder", {hasText: new RegExp(`^\\s*${escaped(words)}\\s*$`)})
+      await this.scrollsTo((await this.gap()).x)
       const gap = await this.gap()
       if (!gap.pattern && (await binder.count()) > 0) {
-        const box = (await binder.first().boundingBox())!
+        const box = await boxAtRest(binder.first())
         await this.drags({x: box.x + box.width / 2, y: box.y + box.height / 2}, gap, {gap, grip: 24})
       } else {
         await this.page.mouse.click(gap.x + 4, gap.y)
@@ -117,11 +121,13 @@ export class Mouse implements Hands {
   }
 
   async throws(label: RegExp, of?: Of): Promise<void> {
-    const box = (await this.labelled(label, of).boundingBox())!
+    const target = this.labelled(label, of)
+    await this.scrollsTo((await boxAtRest(target)).x)
+    const box = await boxAtRest(target)
     const at = {x: box.x + Math.min(10, box.width / 2), y: box.y + Math.min(12, box.height / 2)}
     await this.page.mouse.click(at.x, at.y, {button: "right"})
     await this.page.locator(".blocklyContextMenu .blocklyMenuItem", {hasText: /^Delete/}).click()
-    await this.drawn()
+    await drawn(this.page)
   }
 
   async writes(label: RegExp, text: string, of?: Of): Promise<void> {
@@ -129,35 +135,35 @@ export class Mouse implements Hands {
     const input = this.page.locator(".blocklyHtmlInput")
     await input.fill(text)
     await input.press("Enter")
-    await this.drawn()
+    await drawn(this.page)
   }
 
   async chooses(label: RegExp, option: string, of?: Of): Promise<void> {
     await this.labelled(label, of).click()
     await this.page.locator(".blocklyDropDownDiv .blocklyMenuItem", {hasText: option}).first().click()
-    await this.drawn()
+    await drawn(this.page)
   }
 
   async presses(label: RegExp, times = 1, of?: Of): Promise<void> {
     for (let time = 0; time < times; time++) {
       await this.labelled(label, of).click()
-      await this.drawn()
+      await drawn(this.page)
     }
   }
 
   async asks(entry: string, of?: Of): Promise<void> {
-    const box = (await this.block(of).locator("> .blocklyPath").first().boundingBox())!
+    const box = await boxAtRest(this.block(of).locator("> .blocklyPath").first())
     const at = {x: box.x + grip, y: box.y + Math.min(box.height / 2, 14)}
     await this.page.mouse.click(at.x, at.y, {button: "right"})
     await this.page.locator(".blocklyContextMenu .blocklyMenuItem", {hasText: entry}).first().click()
-    await this.drawn()
+    await drawn(this.page)
   }
 
   async remarks(text: string): Promise<void> {
     await this.asks("Add Comment")
     await this.page.locator(".blocklyBubble textarea").last().fill(text)
     await this.block().locator("> .blocklyCommentIcon").click()
-    await this.drawn()
+    await drawn(this.page)
   }
 
   private block(of: Of = "whole"): Locator {
@@ -189,6 +195,16 @@ export class Mouse implements Hands {
     }, this.root)
   }
 
+  /// Scrolls to the right until a place (x in CSS pixels of the page) that is outside of the blocks' region is well inside.
+  private async scrollsTo(x: number): Promise<void> {
+    const region = await boxAtRest(this.page.locator(".blocklySvg").first())
+    const beyond = x + margin - (region.x + region.width)
+    if (beyond <= 0) return
+    await this.page.mouse.move(region.x + region.width / 2, 300)
+    await this.page.mouse.wheel(beyond, 0)
+    await drawn(this.page)
+  }
+
   private async gap(): Promise<Gap> {
     const [first] = await this.gaps()
     if (first === undefined) throw new Error("expected an empty socket, found none")
@@ -199,11 +215,8 @@ export class Mouse implements Hands {
   private async finds(words: string): Promise<Spot> {
     await this.page.locator(".rosySearch").click()
     await this.page.keyboard.insertText(words)
-    await this.drawn()
-    const box = (await this.page
-      .locator(".blocklyFlyout .blocklyDraggable > .blocklyPath")
-      .first()
-      .boundingBox())!
+    await drawn(this.page)
+    const box = await boxAtRest(this.page.locator(".blocklyFlyout .blocklyDraggable > .blocklyPath").first())
     return {x: box.x + grip, y: box.y + Math.min(box.height / 2, 12)}
   }
 
@@ -218,11 +231,11 @@ export class Mouse implements Hands {
     await mouse.move(from.x, from.y)
     await mouse.down()
     await mouse.move(from.x + 12, from.y)
-    await this.drawn()
+    await drawn(this.page)
     if (into === undefined) {
       await mouse.move(to.x + 3, to.y + 1)
       await mouse.move(to.x, to.y)
-      await this.drawn()
+      await drawn(this.page)
     } else {
       await expect(async () => {
         const gap = await this.gap()
@@ -230,16 +243,16 @@ export class Mouse implements Hands {
         await mouse.move(gap.x + into.grip + 60, gap.y + 40)
         await mouse.move(gap.x + into.grip + 3, gap.y + 1)
         await mouse.move(gap.x + into.grip, gap.y)
-        await this.drawn()
+        await drawn(this.page)
         const lit = await this.lit()
         expect({block: gap.block, near: Math.abs(lit.x - gap.x) < nearby}).toEqual({
           block: lit.block,
           near: true,
         })
-      }).toPass({intervals: [0, 50, 200], timeout: 60_000})
+      }).toPass({intervals: [0, 50, 200]})
     }
     await mouse.up()
-    await this.drawn()
+    await drawn(this.page)
   }
 
   /// The socket that is lit up for what is being dragged.
@@ -251,13 +264,6 @@ export class Mouse implements Hands {
       const block = found?.closest(".blocklyDraggable")?.getAttribute("data-id")
       return {x: found?.getBoundingClientRect().left ?? Number.NEGATIVE_INFINITY, block}
     })
-  }
-
-  /// Waits until the page has drawn what was done.
-  private drawn(): Promise<void> {
-    return this.page.evaluate(
-      () => new Promise<void>(done => requestAnimationFrame(() => requestAnimationFrame(() => done()))),
-    )
   }
 
   private tops(): Promise<string[]> {

@@ -1,4 +1,4 @@
-/// How programs of the examples are put together from an empty page, block by block, whoever's hands do it.
+/// How programs of the examples are put together from an empty page, block by block, with any kind of input.
 
 import type {Hands} from "./hands.ts"
 
@@ -179,14 +179,14 @@ export async function mux(hands: Hands): Promise<void> {
 
   await hands.starts("when a button is pressed")
   await hands.writes(field.name, "button")
-  await hands.throws(/button: Button0$/)
+  await hands.throws(/button: first$/)
   await hands.puts("any, whatever", "just:", "M1", "velocity:")
   await hands.writes(field.speed, "0", "last")
   await hands.writes(field.turning, "1", "last")
   await hands.presses(/^one more case$/)
   await hands.puts("button event")
-  await hands.throws(/button: Button0$/, "last")
-  await hands.chooses(/status: Pressed$/, "Released", "last")
+  await hands.throws(/button: first$/, "last")
+  await hands.chooses(/status: pressed$/, "released", "last")
   await hands.puts("any, whatever", "nothing: no value")
 
   await begin(hands, "circle", "Position -> M2 Velocity", 1)
@@ -212,8 +212,8 @@ export async function randomWalk(hands: Hands): Promise<void> {
   await hands.remarks("Sent when something is in the way.")
 
   for (const [ready, name, light, again, status] of [
-    ["when the bumper is pressed", "bumper", "Led1", "bumper event", ["Pressed", "Released"]],
-    ["when there is a hole", "cliff", "Led2", "cliff event", ["Hole", "Floor"]],
+    ["when the bumper is pressed", "bumper", "Led1", "bumper event", ["pressed", "released"]],
+    ["when there is a hole", "cliff", "Led2", "cliff event", ["hole", "floor"]],
   ] as const) {
     await hands.starts(ready)
     await hands.writes(field.name, name)
@@ -222,26 +222,26 @@ export async function randomWalk(hands: Hands): Promise<void> {
     await hands.puts(again)
     await hands.chooses(new RegExp(`status: ${status[0]}$`), status[1], "last")
     await hands.puts("several at once", light)
-    await hands.chooses(/colour: Orange$/, "Black", "last")
+    await hands.chooses(/colour: orange$/, "off", "last")
     await hands.puts("nothing: no value")
   }
 
   await hands.starts("when a wheel leaves the ground")
   await hands.writes(field.name, "wheel")
   for (const [colour, mode] of [
-    ["Red", "Stop"],
-    ["Black", "Go"],
+    ["red", "Stop"],
+    ["off", "Go"],
   ] as const) {
     await hands.puts("three at once")
     for (const light of ["Led1", "Led2"]) {
       await hands.puts(light)
-      await hands.chooses(/colour: Orange$/, colour, "last")
+      await hands.chooses(/colour: orange$/, colour, "last")
     }
     await hands.puts("Memory:", mode)
-    if (colour === "Black") break
+    if (colour === "off") break
     await hands.presses(/^one more case$/)
     await hands.puts("wheel event")
-    await hands.chooses(/status: Air$/, "Ground", "last")
+    await hands.chooses(/status: in the air$/, "on the ground", "last")
   }
 
   await begin(hands, "chgdir", "ChgDir -> StdGen -> Seconds -> Memory Mode", 3)

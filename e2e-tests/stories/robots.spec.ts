@@ -1,11 +1,17 @@
 /// A learner drives a real robot from the page: chooses it, sees it connect, runs, watches, and stops it in every way.
 
 import {execFileSync} from "node:child_process"
-import {expect, test} from "@playwright/test"
+import {join} from "node:path"
+import {expect} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
 import {openRig, type Rig} from "./robot.ts"
+import {root} from "./service.ts"
+import {test} from "./story.ts"
 
-const rosy = new URL("../../rosy", import.meta.url).pathname
+const rosy = join(root, "rosy")
+
+// One robot for all stories of this file: one at a time.
+test.describe.configure({mode: "default"})
 
 let rig: Rig
 test.beforeAll(async () => {
@@ -62,8 +68,20 @@ test("another page sees who has the robot, and takes it when it is free", async 
   await learner.arrives()
   await learner.takes("Anna")
   const other = new Driver(await browser.newPage())
+  // The first program arrives after the dialog is open, which stays open.
+  let arrive = () => {}
+  const dialogIsOpen = new Promise<void>(resolve => {
+    arrive = resolve
+  })
+  await other.page.route("**/api/examples/*", async route => {
+    await dialogIsOpen
+    await route.continue()
+  })
   await other.page.goto(rig.address)
   await other.page.getByTestId("robot-choice").click()
+  await expect(other.page.getByLabel("Code")).toBeVisible()
+  arrive()
+  await expect(other.haskell()).toContainText("simulate")
   await other.page.getByLabel("Code").fill("12345678")
   await other.page.getByRole("button", {name: "Open", exact: true}).click()
   await expect(other.page.getByRole("alert")).toContainText("not the code")
@@ -119,7 +137,7 @@ test("the robot stands when the page hangs, and the emergency stop of a terminal
   await learner.takes("Anna")
   await learner.drives()
   rig.base.ask("mark")
-  // The page answers nobody any more, until its tab is closed.
+  // The page answers no more requests, until its tab is closed.
   void page
     .evaluate(() => {
       for (;;);

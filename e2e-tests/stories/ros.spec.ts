@@ -1,8 +1,9 @@
 /// The room's robot as a robot of the ROS world: npm's roslib, as a program and in a page of its own.
 
-import {expect, type Page, test} from "@playwright/test"
+import {expect, type Page} from "@playwright/test"
 import {Ros, Topic} from "roslib"
-import {Learner, until} from "./learner.ts"
+import {Learner, screenshot, until} from "./learner.ts"
+import {test} from "./story.ts"
 
 /// The link in the menu names the session.
 async function handLink(page: Page): Promise<string> {
@@ -81,7 +82,7 @@ test("the page that drives by hand goes with keys and with a finger, and stops w
   ).toBeVisible()
   await hand.keyboard.up("ArrowUp")
   await hand.screenshot({
-    path: new URL("../screenshots/teleop.png", import.meta.url).pathname,
+    path: screenshot("teleop"),
     fullPage: true,
   })
 })

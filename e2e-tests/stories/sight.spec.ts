@@ -1,8 +1,9 @@
 /// Seeing what the robot did: going with it, its trail, pictures and films of the room.
 
 import {readFileSync} from "node:fs"
-import {expect, test} from "@playwright/test"
+import {expect} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
+import {test} from "./story.ts"
 
 test("the picture follows the robot by a button and by a key, until the learner asks for all of the room", async ({
   page,
@@ -31,8 +32,7 @@ test("the trail tells the speed, and the browser remembers that it shall", async
   await page.getByRole("button", {name: "Speed", exact: true}).click()
   await page.keyboard.press("Escape")
   await learner.opens("forwardBackward")
-  await learner.runs()
-  await until(learner.robot("speed"), v => v < -0.2)
+  await learner.runsUntil("speed", v => v < -0.2)
   await expect(page.getByText("slow")).toBeVisible()
   await learner.keeps("trail-by-speed")
   await learner.stops()

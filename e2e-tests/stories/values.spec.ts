@@ -1,17 +1,21 @@
 /// Values over time and now: strip charts, the table, and what the program remembers.
 
 import {readFileSync} from "node:fs"
-import {expect, test} from "@playwright/test"
+import {expect} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
+import {test} from "./story.ts"
 
 test("several values are drawn at once, one cursor reads them, and the table is saved", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("forwardBackward")
+  const backs = until(learner.robot("speed"), v => v < -0.2)
   await learner.runs()
   await page.getByRole("tab", {name: "Charts"}).click()
   const chips = page.getByRole("group", {name: "Values to draw"})
   await chips.getByRole("button", {name: "x", exact: true}).click()
-  await until(learner.robot("speed"), v => v < -0.2)
+  await backs
+  // While the clock goes on, the chart of all the run has less and less room for its beginning.
+  await page.getByRole("button", {name: "Pause", exact: true}).click()
   await chips.getByRole("button", {name: "Memory Bool"}).click()
   const strip = (name: string) => page.getByRole("img", {name: new RegExp(`^${name}:`)})
   for (const name of ["Speed", "Centre bumper", "x", "Memory Bool"]) await expect(strip(name)).toBeVisible()

@@ -1,27 +1,29 @@
 /// The page in other languages: nothing of it stays English, it can be read from right to left, and German is spoken.
 ///
-/// In the pseudo-locale every word of the tables has accents (`editor/src/words/pseudo.ts`): plain letters on the page
+/// In the pseudo-locale every word of the tables has accents (`editor/src/words/pseudo_locales.ts`): plain letters on the page
 /// are a word that is in no table, or the program's and the robot's own.
 
-import {expect, type Locator, type Page, test} from "@playwright/test"
+import {expect, type Page} from "@playwright/test"
 import {knownNames, toolbox} from "@rosy/codegen"
-import {Learner, until} from "./learner.ts"
+import {boxAtRest} from "./at_rest.ts"
+import {Learner} from "./learner.ts"
+import {test} from "./story.ts"
 
 const words = (text: string): readonly string[] => text.match(/[A-Za-z]{3,}/g) ?? []
 
-/// Words that stay as they are in every language: the program's and the robot's, what examples and rooms call
-/// themselves, keys and units.
+/// Words that stay as they are in every language: the program's and the robot's, what lessons, examples
+/// and rooms call themselves, keys and units.
 async function kept(page: Page): Promise<ReadonlySet<string>> {
   const names = knownNames().flatMap(known => words(`${known.name} ${known.type}`))
   const ready = words(JSON.stringify(toolbox("haskell")))
   const content = await page.evaluate(async () => {
     const get = async (path: string) => (await fetch(path)).text()
     const rooms: readonly string[] = await (await fetch("api/worlds")).json()
-    const texts = [get("api/examples"), ...rooms.map(room => get(`api/worlds/${room}`))]
+    const texts = [get("api/examples"), get("api/lessons"), ...rooms.map(room => get(`api/worlds/${room}`))]
     return (await Promise.all(texts)).join(" ")
   })
   const program = await new Learner(page).haskellText()
-  const others = ["English", "Deutsch", "Alt", "Shift", "Control", "rad", "accelerateAndPlay"]
+  const others = words("English Deutsch Português Español Français Alt Shift Control rad accelerateAndPlay")
   return new Set([...names, ...ready, ...words(content), ...words(program), ...others])
 }
 
@@ -102,7 +104,11 @@ test("every word of the page is in a table of words", async ({page}) => {
   await look("the keys")
   await page.keyboard.press("Escape")
 
-  await page.locator(".topbar .examples, .topbar button").first().click()
+  await page.locator(".topbar button").first().click()
+  await expect(page.locator("dialog[open] li").first()).toBeVisible()
+  await look("the lessons")
+  await page.keyboard.press("Escape")
+  await page.locator(".topbar button").nth(1).click()
   await expect(page.locator("dialog[open] li").first()).toBeVisible()
   await look("the examples")
   await page.keyboard.press("Escape")
@@ -119,8 +125,7 @@ test("every word of the page is in a table of words", async ({page}) => {
   await look("the start of the robot")
   await page.locator(".workshop-bar button.plain").last().click()
 
-  await page.getByTestId("run").click()
-  await until(page.getByTestId("robot-speed"), v => v > 0.3)
+  await new Learner(page).runsUntil("speed", v => v > 0.3)
   for (const tab of await page.getByRole("tab").all()) {
     await tab.click()
     await expect(tab).toHaveAttribute("aria-selected", "true")
@@ -131,15 +136,12 @@ test("every word of the page is in a table of words", async ({page}) => {
 })
 
 test("real robots, and all that the page has to say by itself, are in a table of words", async ({page}) => {
-  test.setTimeout(120_000)
   const robot = {name: "Kitchen", holder: null, yours: true}
   const held = {
     op: "robot",
     name: "Kitchen",
     link: "connected",
     why: "",
-    safety: true,
-    backing: false,
     stopped: false,
     max_speed: 0.5,
     max_turn: 2,
@@ -175,17 +177,16 @@ test("real robots, and all that the page has to say by itself, are in a table of
   await look("robots to choose from")
   await page.keyboard.press("Escape")
   say({op: "robots", locked: false, robots: [robot]})
-  for (const now of [
-    {link: "connecting"},
-    {},
-    {backing: true},
-    {safety: false},
-    {stopped: true},
-    {link: "lost"},
-  ]) {
+  for (const now of [{link: "connecting"}, {}, {stopped: true}, {link: "lost"}]) {
     say({...held, ...now})
     await expect(page.getByTestId("robotbar")).toBeVisible()
     await look(`the robot, ${JSON.stringify(now)}`)
+  }
+  say(held)
+  for (const rules of [{on: true}, {on: true, run: 0, since: 1.5}, {on: false}]) {
+    say({op: "safety", ...rules})
+    await expect(page.getByTestId("safety-switch")).toHaveAttribute("aria-pressed", String(rules.on))
+    await look(`safety rules, ${JSON.stringify(rules)}`)
   }
   say({...held, link: "gone"})
   await expect(page.getByTestId("notice")).toBeVisible()
@@ -202,22 +203,19 @@ test("from right to left a program is built by hand and runs", async ({page}) =>
   await expect(blocks).toHaveCount(1)
 
   // Blocks begin at their right edge, the toolbox is on the right, and Haskell still reads from the left.
-  const [main, toolbox] = [
-    (await blocks.boundingBox())!,
-    (await page.locator(".blocklyToolbox").boundingBox())!,
-  ]
+  const [main, toolbox] = [await boxAtRest(blocks), await boxAtRest(page.locator(".blocklyToolbox"))]
   expect(toolbox.x).toBeGreaterThan(main.x)
   await expect(learner.haskell()).toHaveCSS("direction", "ltr")
 
   await page.locator(".blocklyToolboxCategory", {hasText: /Tell/}).click()
   const ready = page.locator(".blocklyFlyout .blocklyBlockCanvas > .blocklyDraggable").first()
-  await drag(page, edge(await box(ready)), {x: main.x + main.width - 8, y: main.y + main.height + 60})
+  await drag(page, edge(await boxAtRest(ready)), {x: main.x + main.width - 8, y: main.y + main.height + 60})
   await expect(blocks).toHaveCount(2)
   const name = page.locator(".blocklySvg .rosyBinder", {hasText: "move"})
-  const socket = await box(
+  const socket = await boxAtRest(
     page.locator(".blocklySvg .blocklyDraggable:has(> [aria-roledescription*=simulate])"),
   )
-  const from = await box(name)
+  const from = await boxAtRest(name)
   await drag(
     page,
     {x: from.x + from.width / 2, y: from.y + from.height / 2},
@@ -225,8 +223,7 @@ test("from right to left a program is built by hand and runs", async ({page}) =>
   )
   await expect(learner.haskell()).toContainText("main = simulate move")
 
-  await page.getByTestId("run").click()
-  await until(learner.robot("speed"), v => v > 0.3)
+  await learner.runsUntil("speed", v => v > 0.3)
   await learner.keeps("right-to-left")
   await page.getByTestId("run").click()
 })
@@ -235,8 +232,6 @@ interface Spot {
   readonly x: number
   readonly y: number
 }
-
-const box = async (of: Locator) => (await of.boundingBox())!
 
 /// Where a block that is written from right to left begins.
 const edge = ({x, y, width}: Spot & {readonly width: number}): Spot => ({x: x + width - 6, y: y + 12})

@@ -2,10 +2,12 @@
 
 import type {Page} from "playwright-core"
 import {openStage, settled} from "../test/blocks/browser.ts"
+import {startStage} from "../test/blocks/browser_setup.ts"
 
 /// Steps of one drag, and edits: enough for a 95th percentile.
-const steps = 200
-const edits = 60
+const small = process.env.ROSY_BENCH_SMALL !== undefined
+const steps = small ? 3 : 200
+const edits = small ? 2 : 60
 
 interface Sample {
   readonly blocks: number
@@ -115,7 +117,8 @@ const at = (times: readonly number[], share: number) =>
   [...times].sort((a, b) => a - b)[Math.min(times.length - 1, Math.floor(times.length * share))] ?? 0
 const ms = (time: number) => `${time.toFixed(1)} ms`.padStart(10)
 
-const stage = await openStage()
+const started = await startStage()
+const stage = await openStage(started)
 try {
   console.log("blocks                          median       95 %   worst")
   for (const wanted of [500, 2000]) {
@@ -136,4 +139,5 @@ try {
   }
 } finally {
   await stage.close()
+  await started.close()
 }

@@ -11,8 +11,8 @@ import "@fontsource/jetbrains-mono/500.css"
 import * as codegen from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {type BlocksView, openBlocks} from "../src/blocks/index.ts"
-import {openClipboard} from "../src/run/clipboard.ts"
-import {sample, small} from "../test/blocks/small.ts"
+import {openClipboard} from "../src/blocks/interaction/clipboard.ts"
+import {sample, small} from "../test/blocks/small_language.ts"
 
 declare global {
   interface Window {

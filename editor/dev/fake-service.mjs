@@ -15,7 +15,7 @@ const world = {
   size: [4.5, 4.5],
   start: {x: 0.6, y: 0.8, theta: 0.35},
   tile: 0.5,
-  tiles: ["", "", "", "", "", "", "...OO", "", ""],
+  tiles: [...Array(6).fill("........."), "...OO....", ".........", "........."],
   walls: [{from: [3.2, 2.4], to: [3.2, 4.5]}],
   boxes: [{x: 1.2, y: 3.4, w: 0.5, h: 0.4, theta: 0.3, movable: true}],
 }
@@ -39,7 +39,7 @@ const http = createServer((request, response) => {
     response.end(JSON.stringify(body))
   }
   if (path === "/api/examples")
-    return answer(Object.entries(examples).map(([name, [title, teaches]]) => ({name, title, teaches})))
+    return answer(Object.entries(examples).map(([name, [title, teaches]]) => ({name, title, teaches, level: "start"})))
   if (path === "/api/worlds") return answer(Object.keys(worlds))
   const name = path.replace("/api/examples/", "")
   if (Object.hasOwn(examples, name)) return response.end(readFileSync(examples[name][2]))
@@ -82,7 +82,7 @@ sockets.on("connection", socket => {
     if (blocked) robot.v = 0.05
     robot.theta += blocked ? 0.05 : 0.0035
     const {x, y, theta, v, hit} = robot
-    send({op: "frame", run, step: n, time: n * 0.02, x, y, theta, v, w: 0.2, bumpers: hit ? 2 : 0, cliffs: x < 2 && y < 1 ? 1 : 0, wheels: 0, buttons: 0, led1: hit ? 3 : 2, led2: 1, fired})
+    send({op: "frame", run, step: n, time: n * 0.02, pose: {x, y, theta}, channels: {Velocity: [v, 0.2], Bumper: [0, hit ? 1 : 0, 0], Cliff: [0, 0, x < 2 && y < 1 ? 1 : 0], Led1: [hit ? 3 : 2], Led2: [1]}, fired, sensed: []})
     if (source.includes("explode") && n > 40)
       return end(run, "error", [problem("exception", "`play` divided by zero.", "A number that may be 0 stands below the line.", {function: "play", time: n * 0.02, inputs: ["Bumper CenterBumper Pressed"]})])
     again = () => step(run, source, n + 1)

@@ -16,18 +16,24 @@ import "./styles/room.css"
 import "./styles/time.css"
 import "./styles/tabs.css"
 import "./styles/gallery.css"
+import "./styles/lessons.css"
+import "./styles/programs.css"
 import "./styles/workshop.css"
 import "./styles/robots.css"
 import "./styles/source.css"
+import "./styles/share.css"
+import "./styles/diagram.css"
+import "./styles/room_tests.css"
 import "./styles/small.css"
 import "./styles/sight.css"
+import "./styles/why.css"
 import {render} from "preact"
-import {openDesk} from "./desk/desk.ts"
+import {chosenLanguage} from "./browser/preferences.ts"
+import {sessionAddress} from "./browser/service_connection.ts"
+import {openController} from "./controller/app_controller.ts"
 import {App} from "./page/app.tsx"
-import {DeskContext} from "./page/pick.ts"
-import {chosenLanguage} from "./run/liking.ts"
-import {sessionAddress} from "./run/session.ts"
-import {languageFor, use} from "./words/languages.ts"
+import {ControllerContext} from "./page/app_context.ts"
+import {languageFor, loadLanguage} from "./words/language_choice.ts"
 
 const host = document.getElementById("page")
 if (host === null) throw new Error("expected #page in index.html, found nothing")
@@ -35,14 +41,14 @@ if (host === null) throw new Error("expected #page in index.html, found nothing"
 const start = () => {
   // The sign of what is coming (index.html) has done its work.
   host.replaceChildren()
-  const desk = openDesk(sessionAddress(window.location))
+  const desk = openController(sessionAddress(window.location))
   render(
-    <DeskContext.Provider value={desk}>
+    <ControllerContext.Provider value={desk}>
       <App />
-    </DeskContext.Provider>,
+    </ControllerContext.Provider>,
     host,
   )
 }
-const fetched = use(languageFor(window.location.search, chosenLanguage(), navigator.languages))
+const fetched = loadLanguage(languageFor(window.location.search, chosenLanguage(), navigator.languages))
 if (fetched === undefined) start()
 else void fetched.then(start)

@@ -1,6 +1,6 @@
 -- The light is on in every second second.
 blink :: Clock -> Led1
-blink (Clock _ _ second _)
+blink Clock {seconds = second}
   | even second = Led1 Orange
   | otherwise = Led1 Black
 

@@ -2,10 +2,12 @@
 
 import {fileURLToPath} from "node:url"
 import {defineConfig} from "vite"
+import {licenceTexts} from "../../editor/plugins/licence_texts.ts"
 
 export default defineConfig({
   root: fileURLToPath(new URL(".", import.meta.url)),
   base: "./",
+  plugins: [licenceTexts()],
   build: {
     target: "es2022",
     outDir: fileURLToPath(new URL("../../editor/dist/examples/teleop", import.meta.url)),

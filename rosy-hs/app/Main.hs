@@ -27,12 +27,12 @@ import Foreign.C.Types (CInt)
 import GHC.Clock (getMonotonicTime)
 import Network.Socket (Socket, mkSocket, recvFd)
 import Rosy.Robot (Orientation (..), Position (..))
-import Rosy.Robots.Announce (announced)
-import Rosy.Robots.Base (Base (..))
-import Rosy.Robots.Drive (endings, later, onSignals, withBase)
+import Rosy.Robots.Connection (Connection (..))
+import Rosy.Robots.DriverLock (withDriverLock)
 import Rosy.Robots.Guard
-import Rosy.Robots.Hold
-import Rosy.Robots.Serve
+import Rosy.Robots.LockstepRun
+import Rosy.Robots.RobotProcess
+import Rosy.Robots.RobotRun (onSignals, runAfter, terminationSignals, withConnection)
 import Rosy.Robots.Target
 import System.Environment (getArgs)
 import System.Exit
@@ -44,7 +44,7 @@ import System.Posix.Types (Fd (..))
 
 main :: IO ()
 main = do
-  -- A line at a time, whoever else is talking.
+  -- A line at a time, whatever else is printed.
   mapM_ (`hSetBuffering` LineBuffering) [stdout, stderr]
   getArgs >>= \case
     ["hold", address, fd] -> holdFor address fd
@@ -72,12 +72,12 @@ driveOnce address fd limit = do
   began <- getMonotonicTime
   stopWanted <- newTVarIO False
   guarded <- newTVarIO (newGuard (targetLimits target) (targetSafety target))
-  forM_ [s | [t] <- [limit], (s, "") <- reads t] (`later` atomically (writeTVar stopWanted True))
+  forM_ [s | [t] <- [limit], (s, "") <- reads t] (`runAfter` atomically (writeTVar stopWanted True))
   pace <- realPace
-  served <- announced address . withBase target $ \base -> do
-    let standing = atomically (stateTVar guarded halting) >>= mapM_ (tell base)
-    onSignals endings (standing >> atomically (writeTVar stopWanted True)) (serve pace (onTerminal (baseName base)) (readTVar stopWanted) (targetPatience target) guarded base socket)
-      `finally` standing
+  served <- withDriverLock address . withConnection target $ \connection -> do
+    let sendHalt = atomically (stateTVar guarded haltWheels) >>= mapM_ (sendCommand connection)
+    onSignals terminationSignals (sendHalt >> atomically (writeTVar stopWanted True)) (runLockstep pace (onTerminal (connectionName connection)) (readTVar stopWanted) (targetPatience target) guarded connection socket)
+      `finally` sendHalt
   ended <- getMonotonicTime
   report (ended - began) served
 
@@ -90,8 +90,8 @@ holdFor address fd = do
   hSetBinaryMode stdout True
   _ <- forkIO ((reading requests `catchIOError` const (pure ())) `finally` request requests Leave)
   _ <- installHandler sigUSR1 (Catch (request requests EmergencyStop)) Nothing
-  announced address . withBase target $ \base ->
-    onSignals (filter (/= sigUSR1) endings) (request requests Leave) (hold target base requests (recvFd socket >>= socketFrom) (\l -> L.hPut stdout l >> hFlush stdout))
+  withDriverLock address . withConnection target $ \connection ->
+    onSignals (filter (/= sigUSR1) terminationSignals) (request requests Leave) (runRobotProcess target connection requests (recvFd socket >>= socketFrom) (\l -> L.hPut stdout l >> hFlush stdout))
   where
     reading requests = do
       over <- isEOF
@@ -102,18 +102,18 @@ holdFor address fd = do
 refuse :: String -> IO a
 refuse why = hPutStrLn stderr ("rosy: " ++ why) >> exitWith (ExitFailure 1)
 
-report :: Double -> Served -> IO ()
+report :: Double -> LockstepResult -> IO ()
 report wall served = do
-  (word, status) <- case how served of
-    ByItself -> pure ("done", ExitSuccess)
-    Asked -> pure ("time", ExitSuccess)
-    InError message hint _ -> ("error", ExitFailure 2) <$ mapM_ (T.hPutStrLn stderr) (message : [hint | not (T.null hint)])
-    IsStuck -> ("stuck", ExitFailure 2) <$ hPutStrLn stderr "The program was still busy after a second, so the robot was stopped."
-    IsDead -> ("error", ExitFailure 2) <$ hPutStrLn stderr "The program has died, so the robot was stopped."
+  (word, status) <- case runEnd served of
+    Finished -> pure ("done", ExitSuccess)
+    Stopped -> pure ("time", ExitSuccess)
+    Failed message hint _ -> ("error", ExitFailure 2) <$ mapM_ (T.hPutStrLn stderr) (message : [hint | not (T.null hint)])
+    Stuck -> ("stuck", ExitFailure 2) <$ hPutStrLn stderr "The program was still busy after a second, so the robot was stopped."
+    Died -> ("error", ExitFailure 2) <$ hPutStrLn stderr "The program has died, so the robot was stopped."
     RobotLost why -> ("error", ExitFailure 2) <$ hPutStrLn stderr ("The robot is gone: " ++ why ++ ".")
   putStrLn $
-    ("{\"time\":" ++ show (fromIntegral (stepsServed served) / 50 :: Double) ++ ",\"pose\":" ++ maybe "null" pose (lastPose served))
-      ++ (",\"ended\":\"" ++ word ++ "\",\"steps\":" ++ show (stepsServed served) ++ ",\"wall\":" ++ show wall ++ "}")
+    ("{\"time\":" ++ show (fromIntegral (stepsRun served) / 50 :: Double) ++ ",\"pose\":" ++ maybe "null" pose (lastPose served))
+      ++ (",\"ended\":\"" ++ word ++ "\",\"steps\":" ++ show (stepsRun served) ++ ",\"wall\":" ++ show wall ++ "}")
   exitWith status
   where
     pose (Position x y, Orientation a) = "{\"x\":" ++ show x ++ ",\"y\":" ++ show y ++ ",\"theta\":" ++ show a ++ "}"

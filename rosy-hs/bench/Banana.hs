@@ -32,7 +32,7 @@ runBanana todo = do
         sound = filterE id bump
     reactimate ((\v -> modifyIORef' tally (\t -> t {speeds = speeds t + 1, total = total t + v})) <$> speed)
     reactimate (modifyIORef' tally (\t -> t {sounds = sounds t + 1}) <$ sound)
-    -- The counter is nobody's output in Rosy either, but it is computed.
+    -- The counter is no output in Rosy either, but it is computed.
     reactimate ((\n -> n `seq` pure ()) <$> (counter <@ ticks))
   actuate network
   mapM_ (\case Odom v -> fireOdom v; Bump b -> fireBump b; Ticked -> fireTick ()) todo

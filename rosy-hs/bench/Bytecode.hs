@@ -7,25 +7,29 @@
 module Main (main) where
 
 import Data.IORef
+import Data.Maybe (isJust)
 import Measure
 import Network
-import Rosy.Core (Message)
+import Rosy.Channel (Message)
 import Rosy.Link
 import Rosy.Loop (What (..))
 import Rosy.Program (Names (..))
 import Rosy.Run (runOn)
 import Rosy.Runnable (program)
+import System.Environment (lookupEnv)
 
 main :: IO ()
 main = do
   fired <- newIORef 0
-  let once = run fired (replicate batchesOfOneRun (messages (stimuli instantsOfOneBatch)))
+  small <- isJust <$> lookupEnv "ROSY_BENCH_SMALL"
+  let batches = if small then 1 else batchesOfOneRun
+      once = run fired (replicate batches (messages (stimuli instantsOfOneBatch)))
   once
   writeIORef fired 0
   once
   firings <- readIORef fired
-  costs <- inTurn 7 [once]
-  mapM_ (line "Rosy, bytecode" (batchesOfOneRun * instantsOfOneBatch) firings) costs
+  costs <- inTurn (if small then 1 else 7) [once]
+  mapM_ (line "Rosy, bytecode" (batches * instantsOfOneBatch) firings) costs
   where
     messages todo = [message | Hear message <- map what todo]
 
@@ -39,13 +43,13 @@ run fired batches = do
   left <- newIORef (zip [0 ..] batches)
   let link =
         Link
-          { open = pure (Opening 1),
+          { open = const (pure (Opening 1 0)),
             next = atomicModifyIORef' left $ \case
               [] -> ([], Nothing)
-              (k, batch) : rest -> (rest, Just (Batch k (0.02 * fromIntegral k) batch True False)),
+              (k, batch) : rest -> (rest, Just (Batch k (0.02 * fromIntegral k) batch True False False)),
             answer = \a -> modifyIORef' fired (+ length (answerFired a)),
             end = \_ _ -> pure (),
             atWork = const (pure ()),
             atRest = pure ()
           }
-  runOn link (program (Names []) network)
+  runOn link [] (program (Names []) network)

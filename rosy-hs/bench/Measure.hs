@@ -5,6 +5,7 @@ module Measure
   ( Cost (..),
     inTurn,
     ratio,
+    median,
     line,
     decimals,
   )
@@ -39,6 +40,7 @@ inTurn n acts = do
 ratio :: Cost -> Cost -> Double
 ratio a b = median (zipWith (/) (seconds a) (seconds b))
 
+-- | The middle one.
 median :: [Double] -> Double
 median xs = sort xs !! (length xs `div` 2)
 

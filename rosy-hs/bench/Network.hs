@@ -17,9 +17,10 @@ where
 
 import Control.Exception (evaluate)
 import Rosy
-import Rosy.Core (Action (..), Message (..), Odometry (..))
+import Rosy.Channel (Action, Message)
 import Rosy.Loop
 import Rosy.Program (Names (..))
+import Rosy.Robot
 import Rosy.Runnable (program)
 import System.Random (mkStdGen)
 
@@ -68,7 +69,7 @@ data Tally = Tally {speeds :: !Int, total :: !Double, sounds :: !Int}
 
 -- | Drive Rosy's loop; gives the number of firings as well.
 runRosy :: [Stimulus] -> IO (Int, Tally)
-runRosy = go 0 (Tally 0 0 0) (begin (Start 0 (mkStdGen 1)) (program (Names []) network))
+runRosy = go 0 (Tally 0 0 0) (begin (Start 0 0 (mkStdGen 1)) (program (Names []) network))
   where
     go :: Int -> Tally -> Turn -> [Stimulus] -> IO (Int, Tally)
     go !firings !tally turn todo = case turn of
@@ -85,6 +86,6 @@ runRosy = go 0 (Tally 0 0 0) (begin (Start 0 (mkStdGen 1)) (program (Names []) n
       Closes _ after -> go firings tally after todo
       Ended _ -> pure (firings, tally)
     add t action = case action of
-      SetVelocity v _ -> t {speeds = speeds t + 1, total = total t + v}
-      PlaySound _ -> t {sounds = sounds t + 1}
+      VelocityCommand (Velocity v _) -> t {speeds = speeds t + 1, total = total t + v}
+      SoundCommand _ -> t {sounds = sounds t + 1}
       _ -> t

@@ -6,7 +6,7 @@
 -- after the worker has checked the program.
 module Main (main) where
 
-import Rosy.Worker.Ghc.Native
+import Rosy.Worker.Ghc.NativeBuild
 import System.Environment (getArgs)
 import System.Exit (ExitCode (..), die, exitWith)
 import System.IO (hPutStrLn, stderr)
@@ -16,7 +16,7 @@ main = do
   given <- getArgs
   case given of
     [libdir, database, units', scratch', source', home', binary'] -> do
-      outcome <- compile (Order libdir database (commas units') scratch' source' home' binary')
+      outcome <- compile (BuildRequest libdir database (commas units') scratch' source' home' binary')
       case outcome of
         Built -> pure ()
         NotMain name -> die ("This program is called " ++ name ++ ", and only Main can be built. Write in its first line: module Main where")

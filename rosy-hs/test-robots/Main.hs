@@ -3,15 +3,16 @@
 module Main (main) where
 
 import Control.Monad (forM_)
-import Rosy.Robots.Drive (drive)
+import Rosy.Robots.RobotRun (runOnRobot)
 import Rosy.Robots.Target (explainTargetError, readTarget)
 import System.Environment (getArgs)
 import System.Exit (die, exitWith)
-import qualified Test.Robots.Built
+import qualified Test.Robots.BuiltProgram
 import qualified Test.Robots.Guard
 import Test.Robots.Kobuki (anHour)
 import qualified Test.Robots.Kobuki
 import qualified Test.Robots.Links
+import qualified Test.Robots.Motion
 import Test.Robots.Programs (byName)
 import Test.Robots.Rigs (withReady)
 import qualified Test.Robots.Same
@@ -23,7 +24,7 @@ main :: IO ()
 main =
   getArgs >>= \case
     -- The tests start this program again as a learner's program.
-    ["--drive", url, name] -> either (die . explainTargetError) (\t -> drive t (byName name) >>= exitWith) (readTarget url)
+    ["--drive", url, name] -> either (die . explainTargetError) (\t -> runOnRobot t (byName name) >>= exitWith) (readTarget url)
     -- Hours on a bad cable, one for each of these numbers.
     ["--hours", from, to] -> forM_ [read from .. read to] $ \seed -> putStrLn (show seed ++ ": " ++ show (anHour seed) ++ " wrong")
     _ -> suite
@@ -34,7 +35,7 @@ suite =
     [ Test.Robots.Kobuki.tests,
       Test.Robots.Guard.tests,
       Test.Robots.Target.tests,
-      Test.Robots.Built.tests,
+      Test.Robots.BuiltProgram.tests,
       Test.Robots.Telemetry.tests,
-      withReady (\ready -> testGroup "robots that are not" [Test.Robots.Links.tests ready, Test.Robots.Same.tests ready])
+      withReady (\ready -> testGroup "robots that are not" [Test.Robots.Links.tests ready, Test.Robots.Same.tests ready, Test.Robots.Motion.tests ready])
     ]

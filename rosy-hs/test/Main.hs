@@ -1,12 +1,15 @@
 -- | The tests of the language. This module only puts them together; each module mirrors the one it tests.
 module Main (main) where
 
+import System.Environment (lookupEnv)
+import qualified Test.Rosy.Codec
 import qualified Test.Rosy.Controller
 import qualified Test.Rosy.Documentation
 import qualified Test.Rosy.Geometry
 import qualified Test.Rosy.Laws
 import qualified Test.Rosy.Model
 import qualified Test.Rosy.Problem
+import qualified Test.Rosy.Provenance
 import qualified Test.Rosy.Refused
 import qualified Test.Rosy.Task
 import qualified Test.Rosy.Value
@@ -14,7 +17,9 @@ import qualified Test.Rosy.Wire
 import Test.Tasty (defaultMain, testGroup)
 
 main :: IO ()
-main =
+main = do
+  -- All of the random tests run only at night (scripts/test.py).
+  isNightly <- (== Just "1") <$> lookupEnv "ROSY_TEST_SHARE"
   defaultMain $
     testGroup
       "rosy"
@@ -23,9 +28,11 @@ main =
         Test.Rosy.Controller.tests,
         Test.Rosy.Task.tests,
         Test.Rosy.Refused.tests,
-        Test.Rosy.Laws.tests,
+        Test.Rosy.Laws.tests (if isNightly then 1000000 else 200000),
         Test.Rosy.Model.tests,
+        Test.Rosy.Provenance.tests (if isNightly then 100000 else 500),
         Test.Rosy.Problem.tests,
+        Test.Rosy.Codec.tests,
         Test.Rosy.Wire.tests,
         Test.Rosy.Documentation.tests
       ]

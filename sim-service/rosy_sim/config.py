@@ -1,5 +1,5 @@
 """
-Where things are and how long anything may take: every path and limit that a machine may want to change.
+Configuration: every path and limit that may differ between machines.
 
 Paths come from the project's root: ``ROSY_ROOT`` if set, else the folder above this package. Each can
 be overridden by an environment variable, named below.
@@ -11,6 +11,8 @@ import os
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from .memory_ceiling import memory_ceiling
+
 __all__ = ["Config", "Limits", "discover"]
 
 
@@ -18,8 +20,9 @@ __all__ = ["Config", "Limits", "discover"]
 class Limits:
     """Wall-clock limits in s, sizes in bytes or counts."""
 
-    # A step that takes longer than this ends the run as `stuck`.
-    settle: float = 2.0
+    # A step that takes longer than this ends the run as `stuck`. Programs have a low priority: on a busy machine one
+    # may get no processor for two seconds.
+    settle: float = 5.0
     # From `started` to the program's `ready`.
     ready: float = 10.0
     # From `stop` to the program's `ended`, before it is killed.
@@ -28,27 +31,43 @@ class Limits:
     gone: float = 1.0
     # A check or a compilation.
     compile: float = 30.0
-    # For a fresh worker to become `ready`.
-    worker_ready: float = 30.0
+    # Longest computation of one preview after its compilation; then the path ends early.
+    preview: float = 3.0
+    # For a fresh worker to become `ready`: 1.5 s of a processor, which a busy machine may take a minute to give.
+    worker_ready: float = 120.0
     # Memory of a run: what a learner's program needs ten times over, and a class of thirty fits into 2 GB.
     memory: int = 64 * 1024 * 1024
     # Pages at once.
     sessions: int = 400
-    # Programs that run at once; others wait their turn. `./rosy start --runs`.
+    # Pages at once from one client address: a school behind one address, and never all of them.
+    address_sessions: int = 200
+    # Programs that run at once; further runs wait in the run queue. `./rosy start --runs`.
     runs: int = 100
     # A message from a page.
     page_message: int = 1_000_000
     # Characters of a program. protocol/README.md, section 3.
     source: int = 200_000
-    # Messages waiting for a slow page before it is let go.
+    # Messages waiting for a slow page before it is disconnected.
     page_queue: int = 2_000
     # Frames per second to a page. protocol/README.md, section 4.
     frame_rate: float = 60.0
 
+    def stretched(self, factor: float) -> Limits:
+        """The same with longer times for programs and workers, which get less of the processor than others."""
+        return replace(
+            self,
+            settle=factor * self.settle,
+            ready=factor * self.ready,
+            stop=factor * self.stop,
+            gone=factor * self.gone,
+            compile=factor * self.compile,
+            worker_ready=factor * self.worker_ready,
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class Config:
-    """What the service was told or found."""
+    """Configuration of the service, as given or found."""
 
     root: Path
     # The built page. ROSY_PAGE.
@@ -61,10 +80,14 @@ class Config:
     sandbox: bool = True
     # Folders, read-only for the worker, beside the system's own.
     visible: tuple[Path, ...] = ()
-    # What speaks to real robots; None while it is not built. ROSY_ROBOT.
-    speaker: Path | None = None
-    # The robots that pages may drive: their names, and their addresses.
+    # The rosy-robot executable; None while it is not built. ROSY_ROBOT.
+    robot_executable: Path | None = None
+    # Addresses of the robots that pages may drive, by name.
     robots: dict[str, str] = field(default_factory=dict)
+    # The folder of classes, one folder each. ROSY_CLASSES; else in the person's data folder (XDG base directories).
+    classes: Path = field(default_factory=lambda: _classes())
+    # The class that is served; None without class mode.
+    class_name: str | None = None
     limits: Limits = field(default_factory=Limits)
 
     @property
@@ -82,16 +105,24 @@ def discover() -> Config:
     root = Path(os.environ.get("ROSY_ROOT") or Path(__file__).resolve().parents[2]).resolve()
     named = os.environ.get("ROSY_WORKER")
     executable = Path(named).resolve() if named else _built(root, "rosy-worker")
-    speaker = os.environ.get("ROSY_ROBOT")
+    robot_executable = os.environ.get("ROSY_ROBOT")
     return Config(
         root=root,
         page=Path(os.environ.get("ROSY_PAGE") or root / "editor" / "dist"),
         examples=Path(os.environ.get("ROSY_EXAMPLES") or root / "examples"),
-        worker=(str(executable), *_compiler()) if executable is not None else (),
+        worker=(str(executable), *_compiler(), "--total-memory", str(memory_ceiling()))
+        if executable is not None
+        else (),
         sandbox=os.environ.get("ROSY_SANDBOX", "on") != "off",
         visible=_visible(executable),
-        speaker=Path(speaker).resolve() if speaker else _built(root, "rosy-robot"),
+        robot_executable=Path(robot_executable).resolve() if robot_executable else _built(root, "rosy-robot"),
     )
+
+
+def _classes() -> Path:
+    data = os.environ.get("XDG_DATA_HOME", "")
+    home = Path(data) if data.startswith("/") else Path.home() / ".local" / "share"
+    return Path(os.environ.get("ROSY_CLASSES") or home / "rosy" / "classes")
 
 
 def _built(root: Path, name: str) -> Path | None:
@@ -102,13 +133,23 @@ def _built(root: Path, name: str) -> Path | None:
 
 
 def _compiler() -> tuple[str, ...]:
-    """Where Debian keeps GHC's libraries; elsewhere the worker asks ``ghc``, which takes a little longer."""
+    """
+    Where GHC's libraries are: ROSY_LIBDIR, or Debian's place. Elsewhere the worker asks ``ghc``, which takes longer.
+    """
+    named = os.environ.get("ROSY_LIBDIR")
+    if named:
+        return ("--libdir", named)
     return ("--libdir", "/usr/lib/ghc") if Path("/usr/lib/ghc/settings").exists() else ()
 
 
 def _visible(executable: Path | None) -> tuple[Path, ...]:
-    """The build folder the worker lies in, with the library beside it (rosy-hs/worker/README.md)."""
+    """
+    The build folder the worker lies in, with the library beside it (rosy-hs/worker/README.md).
+
+    Also GHC's folder and those of shared libraries where they are not the system's: ROSY_LIBDIR and ROSY_LIBRARIES.
+    """
     if executable is None:
         return ()
     built = [folder for folder in executable.parents if folder.name == "dist-newstyle"]
-    return (built[0] if built else executable.parent,)
+    named = [os.environ.get("ROSY_LIBDIR", ""), *os.environ.get("ROSY_LIBRARIES", "").split(":")]
+    return (built[0] if built else executable.parent, *(Path(name) for name in named if name and Path(name).is_dir()))

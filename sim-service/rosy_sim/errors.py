@@ -3,6 +3,8 @@ What can go wrong outside a learner's program, as a tree::
 
     RosyError                 ends a command with one sentence and an exit status
     ├── BadInput              a file, a world or an option that cannot be used      exit 1
+    ├── OutputFailed          standard output cannot be written                     exit 1
+    ├── RobotMissing          no robot answers at an address                        exit 2
     ├── WorkerMissing         no worker has been built                              exit 2
     ├── WorkerLost            the worker died while it was needed                   exit 2
     └── WorkerRefused         the worker says our request was wrong                 exit 2
@@ -13,10 +15,12 @@ room is ``world.arena.ArenaError``; a program that breaks the link is ``wire.lin
 
 from __future__ import annotations
 
-__all__ = ["BadInput", "RosyError", "WorkerLost", "WorkerMissing", "WorkerRefused"]
+from .sentence import Sentence, SentenceError, tr
+
+__all__ = ["BadInput", "OutputFailed", "RobotMissing", "RosyError", "WorkerLost", "WorkerMissing", "WorkerRefused"]
 
 
-class RosyError(Exception):
+class RosyError(SentenceError):
     """One sentence for the person at the keyboard."""
 
     exit_status = 2
@@ -28,19 +32,38 @@ class BadInput(RosyError):
     exit_status = 1
 
 
+class OutputFailed(RosyError):
+    """Standard output cannot be written: the disk is full, or the reader has closed its end."""
+
+    exit_status = 1
+
+    def __init__(self, cause: OSError) -> None:
+        super().__init__(tr("The output cannot be written: {why}.", why=cause.strerror or ""))
+        self.reader_left = isinstance(cause, BrokenPipeError)
+
+
+class RobotMissing(RosyError):
+    """No robot answers at an address."""
+
+    def __init__(self, address: str) -> None:
+        super().__init__(tr("No robot answers at {address}; is it on, and does its server run?", address=address))
+
+
 class WorkerMissing(RosyError):
     """No worker has been built."""
 
     def __init__(self) -> None:
-        super().__init__("The compiler part of Rosy is not built yet; ./rosy start builds it.")
+        super().__init__(tr("The compiler part of Rosy is not built yet; ./rosy start builds it."))
 
 
 class WorkerLost(RosyError):
-    """The worker died while it was needed."""
+    """The worker died while it was needed; ``detail`` is technical."""
 
-    def __init__(self, detail: str = "") -> None:
+    def __init__(self, detail: Sentence | str = "") -> None:
         super().__init__(
-            f"The compiler part of Rosy stopped unexpectedly{f' ({detail})' if detail else ''}; try again."
+            tr("The compiler part of Rosy stopped unexpectedly ({detail}); try again.", detail=detail)
+            if detail
+            else tr("The compiler part of Rosy stopped unexpectedly; try again.")
         )
 
 
@@ -48,4 +71,4 @@ class WorkerRefused(RosyError):
     """The worker says our request was wrong."""
 
     def __init__(self, message: str) -> None:
-        super().__init__(f"The compiler part of Rosy did not accept the request: {message}")
+        super().__init__(tr("The compiler part of Rosy did not accept the request: {message}", message=message))

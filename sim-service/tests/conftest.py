@@ -15,7 +15,10 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 from rosy_sim.config import Config, Limits
+from rosy_sim.robots.kobuki import KOBUKI
+from rosy_sim.wire.channels import simulated_channels
 from rosy_sim.world.arena import read_arena
+from rosy_sim.world.events import Reading
 from rosy_sim.world.world import World
 
 from .fake_program import play
@@ -45,15 +48,23 @@ def playing(script: str) -> Iterator[socket.socket]:
         yield ours
 
 
+def events_of(world: World) -> list[Reading]:
+    """The events among what the robot senses now."""
+    channels = simulated_channels()
+    return [reading for reading in world.sense() if channels[reading.channel].kind == "event"]
+
+
 def hall(**more: object) -> World:
     """A world of 20 by 20 m with the robot in the middle."""
-    return World(read_arena({"size": [20, 20], "start": {"x": 10, "y": 10, "theta": 0}, **more}))
+    return World(read_arena({"size": [20, 20], "start": {"x": 10, "y": 10, "theta": 0}, **more}), KOBUKI)
 
 
 @pytest.fixture
 def limits() -> Limits:
     """Long enough for a busy machine, but for `stop`, which ends well either way."""
-    return Limits(settle=60.0, ready=60.0, stop=0.3, gone=60.0, compile=PATIENCE, worker_ready=PATIENCE)
+    return Limits(
+        settle=60.0, ready=60.0, stop=0.3, gone=60.0, compile=PATIENCE, preview=PATIENCE, worker_ready=PATIENCE
+    )
 
 
 @pytest.fixture
@@ -71,5 +82,11 @@ def config(tmp_path: Path, limits: Limits) -> Config:
         examples=tmp_path / "examples",
         worker=(sys.executable, str(FAKE_WORKER)),
         sandbox=False,
+        classes=tmp_path / "classes",
         limits=limits,
     )
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Long tests start first: the process that gets one last would keep the others waiting."""
+    items.sort(key=lambda item: item.get_closest_marker("long") is None)

@@ -13,6 +13,7 @@ which the robot is touched:
     flood@N     sends commands without end         long@N      sends a line without end
     deaf        ignores `stop`                     mute        never sends `ready`
     drip        sends byte by byte             count       remembers the step, and tells it when asked
+    fight       `hold` overrides `move`        tell        tells a firing a step when asked
 """
 
 from __future__ import annotations
@@ -94,7 +95,7 @@ class _Player:
                         self.backwards = True
                     self.script.touched = self.script.touched or "/events/b" in message["topic"]
                 case "step":
-                    if not self.step(message["step"], message.get("memory", False)):
+                    if not self.step(message["step"], message.get("memory", False), message.get("firings", False)):
                         return
                 case "stop":
                     if not self.script.has("deaf"):
@@ -108,7 +109,7 @@ class _Player:
         told = {"events": [], "commands": ["Velocity 0.0 0.0"]} if self.trace else {}
         return {"op": "ended", "fired": fired or [], **told, **how}
 
-    def step(self, step: int, asked: bool) -> bool:
+    def step(self, step: int, asked: bool, observed: bool) -> bool:
         script = self.script
         commands: list[dict[str, Any]] = []
         if step % 5 == 0 and (script.has("drive") or script.has("turn")):
@@ -145,9 +146,20 @@ class _Player:
             while True:
                 self.link.sendall(b"x" * 65536)
         settled: dict[str, Any] = {"op": "settled", "step": step, "fired": ["move"] * len(commands)}
+        if script.has("fight") and commands:
+            # Both fire in the same step, and what the second one sends stays in force.
+            settled |= {"fired": ["move", "hold"], "sent": [len(commands), 1]}
+            commands.append(self.velocity(0.0, 0.0))
         if self.trace:
             settled |= {"events": [], "commands": []}
         if asked and script.has("count"):
             settled["memory"] = [{"type": "Memory Int", "value": str(step)}]
+        if observed and script.has("tell"):
+            cause = {"by": "tick", "instant": step}
+            took = [{"from": "time", "value": f"Seconds {step}"}]
+            gave = [{"to": "command", "type": "Velocity", "value": "Velocity 0.5 0.0"}]
+            if self.trace:
+                settled["commands"] = [gave[0]["value"]]
+            settled["firings"] = [{"n": step, "function": "f", "task": 0, "cause": cause, "took": took, "gave": gave}]
         self.send(*commands, settled)
         return True

@@ -9,12 +9,12 @@ from pathlib import Path
 __all__ = ["kept_port"]
 
 _LOWEST = 10_000
-"""Below are those that somebody may have a use for."""
+"""Below are those that other programs may use."""
 
 
 def kept_port() -> int:
     """
-    A free port that no outgoing connection is ever given. One that is tried while nobody listens there may otherwise
+    A free port that no outgoing connection is ever given. One that is tried without a listener may otherwise
     be given that very port for its own end: it then speaks to itself, and the server finds its port taken. ip(7).
     """
     first_outgoing = int(Path("/proc/sys/net/ipv4/ip_local_port_range").read_text().split()[0])

@@ -1,61 +1,65 @@
-"""What the system says about processes: who is below whom, what they have open, what they take. proc(5)."""
+"""Figures of processes: descendants, descriptors, memory, names. A process that has ended has none."""
 
 from __future__ import annotations
 
-import contextlib
-from pathlib import Path
+import psutil
 
-__all__ = ["alive", "below", "called", "descriptors", "named", "resident"]
+__all__ = ["alive", "below", "called", "command_of", "descriptors", "named", "resident"]
 
 
 def below(pid: int) -> set[int]:
-    """The processes that a process has started, and theirs."""
-    found: set[int] = set()
-    for task in _inside(Path(f"/proc/{pid}/task")):
-        # A thread that ends meanwhile has no children; those of the others count.
-        with contextlib.suppress(FileNotFoundError, ProcessLookupError):
-            for child in (task / "children").read_text().split():
-                found |= {int(child), *below(int(child))}
-    return found
+    """The descendants of a process."""
+    try:
+        return {process.pid for process in psutil.Process(pid).children(recursive=True)}
+    except psutil.NoSuchProcess:
+        return set()
 
 
 def alive(pids: set[int]) -> set[int]:
     """Those that have not ended."""
-    return {pid for pid in pids if Path(f"/proc/{pid}").exists()}
+    return {pid for pid in pids if psutil.pid_exists(pid)}
 
 
 def descriptors(pid: int) -> int:
-    """How many files and sockets a process has open."""
-    return len(_inside(Path(f"/proc/{pid}/fd")))
-
-
-def _inside(folder: Path) -> list[Path]:
-    """What there is of a process; nothing when it is gone."""
-    with contextlib.suppress(FileNotFoundError, ProcessLookupError):
-        return list(folder.iterdir())
-    return []
+    """Number of open files and sockets."""
+    try:
+        return int(psutil.Process(pid).num_fds())
+    except psutil.NoSuchProcess:
+        return 0
 
 
 def resident(pid: int) -> int:
-    """Memory of a process, kB; 0 when it is gone."""
-    with contextlib.suppress(FileNotFoundError, ProcessLookupError, StopIteration):
-        lines = Path(f"/proc/{pid}/status").read_text().splitlines()
-        return int(next(line for line in lines if line.startswith("VmRSS:")).split()[1])
-    return 0
+    """Resident memory, kB."""
+    try:
+        return int(psutil.Process(pid).memory_info().rss) // 1024
+    except psutil.NoSuchProcess:
+        return 0
 
 
 def called(pid: int) -> str:
-    """The name of a process; empty when it is gone."""
-    with contextlib.suppress(FileNotFoundError, ProcessLookupError):
-        return Path(f"/proc/{pid}/comm").read_text().strip()
-    return ""
+    """The name of a process."""
+    try:
+        return str(psutil.Process(pid).name())
+    except psutil.NoSuchProcess:
+        return ""
+
+
+def command_of(pid: int) -> list[str]:
+    """The words of its command."""
+    try:
+        return list(psutil.Process(pid).cmdline())
+    except (psutil.NoSuchProcess, psutil.ZombieProcess):
+        return []
 
 
 def named(pids: set[int], name: str) -> set[int]:
     """Those whose command begins with this program."""
     found = set()
     for pid in pids:
-        with contextlib.suppress(FileNotFoundError, ProcessLookupError):
-            if Path(f"/proc/{pid}/cmdline").read_bytes().split(b"\0")[0].endswith(name.encode()):
-                found.add(pid)
+        try:
+            command = psutil.Process(pid).cmdline()
+        except (psutil.NoSuchProcess, psutil.ZombieProcess):
+            continue
+        if command and command[0].endswith(name):
+            found.add(pid)
     return found

@@ -9,13 +9,17 @@ import socket
 import subprocess
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import httpx
 import pytest
 
 from rosy_sim.cli import _parser, main
-from rosy_sim.reach import is_everybody, own_addresses
+from rosy_sim.config import Config
+from rosy_sim.web.lan_addresses import is_unspecified, lan_addresses
+from rosy_sim.worker import launcher
+from rosy_sim.worker.launcher import missing_sandbox
 
 from .conftest import FAKE_WORKER, PATIENCE
 
@@ -24,10 +28,12 @@ ROOT = Path(__file__).resolve().parents[1]
 
 @pytest.fixture
 def environment(tmp_path: Path) -> dict[str, str]:
-    """A project root with nothing but the fake worker."""
+    """A project root with nothing but the fake worker and the protocol."""
     worker = tmp_path / "worker"
     worker.write_text(f'#!/bin/sh\nexec "{sys.executable}" "{FAKE_WORKER}"\n')
     worker.chmod(0o755)
+    # The robot descriptions.
+    (tmp_path / "protocol").symlink_to(ROOT.parent / "protocol")
     kept = {key: value for key, value in os.environ.items() if not key.startswith("ROSY_")}
     return {
         **kept,
@@ -36,14 +42,22 @@ def environment(tmp_path: Path) -> dict[str, str]:
         "ROSY_WORKER": str(worker),
         "ROSY_SANDBOX": "off",
         "NO_COLOR": "1",
+        "LC_ALL": "C.UTF-8",
     }
 
 
+WARNING = "rosy: programs run without their sandbox: the sandbox is turned off.\n"
+"""What every command with a worker prints first in the ``environment`` of these tests."""
+
+
 def rosy(environment: dict[str, str], *arguments: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
+    """A command in a process of its own; the warning above is removed."""
+    done = subprocess.run(
         [sys.executable, "-m", "rosy_sim", *map(str, arguments)],
         env=environment, capture_output=True, text=True, timeout=PATIENCE, check=False, cwd=environment["ROSY_ROOT"],
     )  # fmt: skip
+    done.stderr = done.stderr.removeprefix(WARNING)
+    return done
 
 
 Here = Callable[..., subprocess.CompletedProcess[str]]
@@ -60,7 +74,7 @@ def here(environment: dict[str, str], monkeypatch: pytest.MonkeyPatch, capsys: p
         words = [str(argument) for argument in arguments]
         status = main(words)
         output = capsys.readouterr()
-        return subprocess.CompletedProcess(words, status, output.out, output.err)
+        return subprocess.CompletedProcess(words, status, output.out, output.err.removeprefix(WARNING))
 
     return run
 
@@ -99,6 +113,30 @@ def test_the_exit_status_says_how_it_ended(
     done = rosy(environment, "run", program)
     assert (done.returncode, last(done)["ended"]) == (status, ended)
     assert len(done.stderr.splitlines()) == (0 if status == 0 else 1)
+
+
+def test_explain_prints_why_the_last_command_or_that_of_a_time_was_sent(
+    environment: dict[str, str], tmp_path: Path
+) -> None:
+    (tmp_path / "p.hs").write_text("tell")
+    done = rosy(environment, "run", tmp_path / "p.hs", "--seconds", 1, "--explain")
+    assert done.stdout.splitlines()[:-1] == [
+        "At 0.98 s f sent `Velocity 0.5 0.0` for `Seconds 49`.",
+        "f ran at 0.98 s because it runs ten times a second.",
+    ]
+    done = rosy(environment, "run", tmp_path / "p.hs", "--seconds", 1, "--explain", "0.5")
+    assert done.stdout.splitlines()[0] == "At 0.50 s f sent `Velocity 0.5 0.0` for `Seconds 25`."
+    assert last(done)["time"] == 1.0
+
+
+def test_a_trace_has_the_provenance_of_firings_on_request(environment: dict[str, str], tmp_path: Path) -> None:
+    (tmp_path / "p.hs").write_text("tell")
+    for options in ((), ("--provenance",)):
+        done = rosy(environment, "run", tmp_path / "p.hs", "--seconds", 1, "--trace", tmp_path / "t.jsonl", *options)
+        assert done.returncode == 0
+        lines = [json.loads(line) for line in (tmp_path / "t.jsonl").read_text().splitlines()]
+        told = [[firing["function"] for firing in line.get("firings", [])] for line in lines]
+        assert told == [["f"] if options else []] * 50
 
 
 def test_a_project_brings_its_world_and_inputs_their_hands(environment: dict[str, str], tmp_path: Path) -> None:
@@ -200,6 +238,7 @@ def one_sentence(done: subprocess.CompletedProcess[str], status: int = 1) -> Non
         ["--speed", "0"], ["--seed", "x"], ["--input", "gone.jsonl"], ["--trace", "no/such/folder/t"], ["--fly"],
         ["--robot", "ws://127.0.0.1:9"], ["--robot", "http://x"], ["--robot", "ros"], ["--robot", "ws://x/?ros=3"],
         ["--robot", "ws://127.0.0.1:9", "--world", "room"], ["--robot", "ws://127.0.0.1:9", "--seed", "1"],
+        ["--explain", "soon"], ["--explain", "-1"], ["--provenance"], ["--robot", "ws://127.0.0.1:9", "--explain"],
     ],
 )  # fmt: skip
 def test_a_bad_option_gives_one_sentence(options: list[str], here: Here, tmp_path: Path) -> None:
@@ -244,6 +283,24 @@ def test_a_port_in_use_gives_one_sentence(environment: dict[str, str]) -> None:
 
 def test_without_a_sandbox_only_this_machine_is_served(environment: dict[str, str]) -> None:
     one_sentence(rosy(environment, "serve", "--no-browser", "--host", "0.0.0.0", "--port", 0))
+
+
+@pytest.mark.usefixtures("here")
+def test_every_command_with_a_worker_warns_once_when_the_sandbox_is_missing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "p.hs").write_text("done@1")
+    (tmp_path / "q.hs").write_text("refuse")
+    for words in (["check", "p.hs"], ["run", "p.hs"], ["run", "p.hs", "q.hs"]):
+        main(words)
+        output = capsys.readouterr()
+        assert output.err == WARNING
+    assert "move` gives a number" in output.out
+
+
+def test_nothing_is_said_about_a_sandbox_that_is_there(config: Config, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(launcher, "sandbox_fault", lambda: None)
+    assert missing_sandbox(replace(config, sandbox=True)) is None
 
 
 @pytest.mark.parametrize("sent", [signal.SIGTERM, signal.SIGINT])
@@ -292,7 +349,7 @@ def test_a_program_comes_from_standard_input(environment: dict[str, str]) -> Non
         [sys.executable, "-m", "rosy_sim", "check", "-"],
         env=environment, input="drive:0.5", capture_output=True, text=True, timeout=PATIENCE, check=False,
     )  # fmt: skip
-    assert (done.returncode, done.stdout, done.stderr) == (0, "-: no problems.\n", "")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "-: no problems.\n", WARNING)
 
 
 def test_a_word_too_many_is_named(here: Here) -> None:
@@ -303,13 +360,13 @@ def test_a_word_too_many_is_named(here: Here) -> None:
 
 @pytest.mark.parametrize("host", ["0.0.0.0", "::"])
 def test_everybody_is_everybody(host: str) -> None:
-    assert is_everybody(host)
-    assert not is_everybody("127.0.0.1")
-    assert not is_everybody("localhost")
+    assert is_unspecified(host)
+    assert not is_unspecified("127.0.0.1")
+    assert not is_unspecified("localhost")
 
 
 def test_others_are_told_addresses_that_reach_this_machine() -> None:
-    for address in own_addresses():
+    for address in lan_addresses():
         with socket.create_server((address, 0)) as listener:
             assert listener.getsockname()[0] == address
         assert not address.startswith("127.")

@@ -1,18 +1,20 @@
 /// Definitions: functions from what the robot senses to what it should do, constants, and the program's entry.
 
+import type {Family, Item, Row} from "../block_shape.ts"
 import {isOperator, isVariableName} from "../haskell/lexemes.ts"
-import type {Clause, Declaration, Expr, Pattern, Statement} from "../model/tree.ts"
-import type {Extra} from "../saved.ts"
-import type {Family, Item, Row} from "../shape.ts"
+import type {Clause, Declaration, Expr, Pattern, Statement} from "../model/syntax_tree.ts"
+import type {Extra} from "../serialized_blocks.ts"
 import {perLanguage, words} from "../words/index.ts"
-import {partMenu, partOf, pressPart, readRight, rightRows, savedPart, writeRight} from "./rightside.ts"
-import type {BlockSpec, Reader} from "./spec.ts"
-import {countIn, counting, objectsIn, textIn} from "./spec.ts"
+import type {BlockSpec, Reader} from "./block_spec.ts"
+import {countIn, counting, foldLabel, isFolded, objectsIn, shownParts, textIn} from "./block_spec.ts"
+import {partMenu, partOf, pressPart, readRight, rightRows, savedPart, writeRight} from "./right_hand_side.ts"
 
 /// How a definition reads aloud; says nothing about its meaning.
 interface ReadAloud {
   readonly family: Family
   readonly input: string
+  /// Says in an empty place what the first input is.
+  readonly hint?: string
   readonly answer: string
   readonly what: string
 }
@@ -21,6 +23,7 @@ const readings = perLanguage((): {readonly [as: string]: ReadAloud} => ({
   event: {
     family: "event",
     input: words.definitions.when,
+    hint: words.definitions.event,
     answer: words.definitions.send,
     what: words.definitions.whatToSend,
   },
@@ -74,18 +77,20 @@ const define: BlockSpec = {
         },
       ],
     ]
-    for (const [i, equation] of equations.entries()) {
+    for (const [i, equation] of equations.slice(0, shownParts).entries()) {
       const inputs: Item[] = []
-      for (let j = 0; j < arity; j++) {
+      for (let j = 0; j < Math.min(arity, shownParts); j++) {
         inputs.push({kind: "label", text: j === 0 ? reading.input : words.definitions.and})
         inputs.push({
           kind: "socket",
           name: `P${i}_${j}`,
           sort: "pattern",
           aria: inputLabel(i, j, equations.length),
+          ...(reading.hint === undefined || j > 0 ? {} : {hint: reading.hint}),
         })
       }
-      if (i === 0) {
+      inputs.push(...foldLabel(arity))
+      if (i === 0 && !isFolded(arity, true)) {
         inputs.push({kind: "button", action: "more-inputs", text: "+", aria: words.definitions.oneMoreInput})
         if (arity > 0)
           inputs.push({
@@ -99,10 +104,11 @@ const define: BlockSpec = {
       const which = equations.length > 1 ? words.definitions.case(i + 1) : ""
       rows.push(...rightRows(i, partOf(equation), reading.answer, reading.what, which))
     }
-    if (arity > 0) {
-      const last: Item[] = [
-        {kind: "button", action: "more-cases", text: "+", aria: words.definitions.oneMoreCase},
-      ]
+    if (equations.length > shownParts) rows.push(foldLabel(equations.length))
+    if (arity > 0 && !isFolded(equations.length, false)) {
+      const last: Item[] = isFolded(equations.length, true)
+        ? []
+        : [{kind: "button", action: "more-cases", text: "+", aria: words.definitions.oneMoreCase}]
       if (equations.length > 1)
         last.push({
           kind: "button",
@@ -118,9 +124,9 @@ const define: BlockSpec = {
       rows,
       tooltip: words.definitions.givesANameToWhatTheRobot,
       aria: words.definitions.definitionOf(name),
-      menu: equations.flatMap((e, i) =>
-        partMenu(i, partOf(e), equations.length > 1 ? words.definitions.case(i + 1) : ""),
-      ),
+      menu: equations
+        .slice(0, shownParts)
+        .flatMap((e, i) => partMenu(i, partOf(e), equations.length > 1 ? words.definitions.case(i + 1) : "")),
     }
   },
   press(extra, action) {
@@ -129,13 +135,15 @@ const define: BlockSpec = {
     const [what = "", index = "0"] = action.split(".")
     switch (what) {
       case "more-inputs":
-        return {...extra, arity: Math.min(9, arity + 1)}
+        return {...extra, arity: Math.max(arity, Math.min(9, arity + 1))}
       case "fewer-inputs":
-        return {...extra, arity: Math.max(0, arity - 1)}
+        return isFolded(arity, false) ? extra : {...extra, arity: Math.max(0, arity - 1)}
       case "more-cases":
-        return {...extra, equations: [...equations, {}]}
+        return isFolded(equations.length, true) ? extra : {...extra, equations: [...equations, {}]}
       case "fewer-cases":
-        return {...extra, equations: equations.slice(0, Math.max(1, equations.length - 1))}
+        return isFolded(equations.length, false)
+          ? extra
+          : {...extra, equations: equations.slice(0, Math.max(1, equations.length - 1))}
       default:
         return {
           ...extra,
@@ -166,12 +174,12 @@ const define: BlockSpec = {
     },
     write(d) {
       if (d.kind !== "function") return undefined
+      if (d.clauses.length === 0)
+        return d.signature === undefined
+          ? undefined
+          : {extra: {name: d.name, as: "plain", arity: 0, typeOnly: true, signature: d.signature.text}}
       const arity = d.clauses[0]?.patterns.length ?? 0
-      if (
-        d.clauses.length === 0 ||
-        d.clauses.some(c => c.patterns.length !== arity || c.comment !== undefined)
-      )
-        return undefined
+      if (d.clauses.some(c => c.patterns.length !== arity || c.comment !== undefined)) return undefined
       const sockets: {[input: string]: Expr | Pattern} = {}
       const stacks: {[input: string]: readonly (Declaration | Statement)[]} = {}
       const equations: Extra[] = []
@@ -201,7 +209,9 @@ function inputLabel(i: number, j: number, equations: number): string {
   return equations > 1 ? words.definitions.inputOfCase(j + 1, i + 1) : words.definitions.input(j + 1)
 }
 
+/// A method of a class with a type and no equations has none to show.
 function equationsOf(extra: Extra): readonly Extra[] {
+  if (extra.typeOnly === true) return []
   const equations = objectsIn(extra, "equations")
   return equations.length === 0 ? [{}] : equations
 }
@@ -246,7 +256,7 @@ const main: BlockSpec = {
   shape(extra) {
     const controllers = countIn(extra, "controllers", 1, 1)
     const items: Item[] = [{kind: "label", text: words.definitions.simulate, strong: true}]
-    for (let i = 0; i < controllers; i++) {
+    for (let i = 0; i < Math.min(controllers, shownParts); i++) {
       if (i > 0) items.push({kind: "label", text: words.definitions.and})
       items.push({
         kind: "socket",
@@ -256,8 +266,10 @@ const main: BlockSpec = {
         hint: words.definitions.function,
       })
     }
-    items.push({kind: "button", action: "more", text: "+", aria: words.definitions.runOneMore})
-    if (controllers > 1)
+    items.push(...foldLabel(controllers))
+    if (!isFolded(controllers, true))
+      items.push({kind: "button", action: "more", text: "+", aria: words.definitions.runOneMore})
+    if (controllers > 1 && !isFolded(controllers, false))
       items.push({kind: "button", action: "fewer", text: "−", aria: words.definitions.runOneLess})
     return {
       family: "task",
@@ -278,12 +290,12 @@ const main: BlockSpec = {
       const [only] = items
       const what: Expr =
         items.length === 1 && only !== undefined ? only : {kind: "tuple", items, from: r.from}
-      const body: Expr = {
-        kind: "apply",
-        fn: {kind: "variable", name: "simulate", from: r.from},
-        args: [what],
-        from: r.from,
-      }
+      const fn: Expr = {kind: "variable", name: "simulate", from: r.from}
+      // `simulate $ do …` reads better than brackets around many lines.
+      const body: Expr =
+        what.kind === "do"
+          ? {kind: "infix", op: "$", left: fn, right: what, from: r.from}
+          : {kind: "apply", fn, args: [what], from: r.from}
       return {
         kind: "function",
         name: "main",
@@ -309,10 +321,8 @@ const main: BlockSpec = {
         return undefined
       const body = clause.right.body
       if (Array.isArray(body)) return undefined
-      const call = body as Expr
-      const [argument] = call.kind === "apply" ? call.args : []
-      if (call.kind !== "apply" || call.args.length !== 1 || argument === undefined) return undefined
-      if (call.fn.kind !== "variable" || call.fn.name !== "simulate") return undefined
+      const argument = simulated(body as Expr)
+      if (argument === undefined) return undefined
       const items = argument.kind === "tuple" && argument.items.length > 1 ? argument.items : [argument]
       return {
         extra: {controllers: items.length},
@@ -320,6 +330,14 @@ const main: BlockSpec = {
       }
     },
   },
+}
+
+/// What `simulate` is given, also after `$`.
+function simulated(body: Expr): Expr | undefined {
+  const isSimulate = (fn: Expr) => fn.kind === "variable" && fn.name === "simulate"
+  if (body.kind === "infix" && body.op === "$" && body.right.kind === "do")
+    return isSimulate(body.left) ? body.right : undefined
+  return body.kind === "apply" && body.args.length === 1 && isSimulate(body.fn) ? body.args[0] : undefined
 }
 
 const definePattern: BlockSpec = {

@@ -1,13 +1,13 @@
 /// Names and functions: use a name, call a function, make one on the spot, define things for one expression.
 
+import type {Family, Item} from "../block_shape.ts"
 import {isConstructorName} from "../haskell/lexemes.ts"
-import type {Expr, Pattern} from "../model/tree.ts"
-import type {Family, Item} from "../shape.ts"
+import type {Expr, Pattern} from "../model/syntax_tree.ts"
 import {words} from "../words/index.ts"
-import {operatorMenu, operatorOptions} from "./choices.ts"
-import {exampleOf} from "./samples.ts"
-import type {BlockSpec} from "./spec.ts"
-import {countIn, counting, noButtons, textIn} from "./spec.ts"
+import type {BlockSpec} from "./block_spec.ts"
+import {countIn, counting, foldLabel, isFolded, noButtons, shownParts, textIn} from "./block_spec.ts"
+import {operatorMenu, operatorOptions} from "./conditionals.ts"
+import {exampleOf} from "./usage_examples.ts"
 
 const taskWords = new Set(
   "task once say wait parallel race forever when unless replicateM_ replicateM forM_ mapM_ return pure".split(
@@ -25,14 +25,15 @@ const name: BlockSpec = {
     const word = textIn(extra, "name", "x")
     const args = countIn(extra, "args", 0)
     const items: Item[] = [{kind: "reference", key: "name", value: word, aria: words.functions.name}]
-    for (let i = 0; i < args; i++)
+    for (let i = 0; i < Math.min(args, shownParts); i++)
       items.push({
         kind: "socket",
         name: `A${i}`,
         sort: "expression",
         aria: words.functions.input(word, i + 1),
       })
-    if (args > 0 || extra.fn === true) {
+    items.push(...foldLabel(args))
+    if ((args > 0 || extra.fn === true) && !isFolded(args, true)) {
       items.push({kind: "button", action: "more", text: "+", aria: words.functions.giveOneMoreInput})
       if (args > 0)
         items.push({kind: "button", action: "fewer", text: "−", aria: words.functions.giveOneInputLess})
@@ -93,10 +94,12 @@ const apply: BlockSpec = {
         hint: words.functions.function,
       },
     ]
-    for (let i = 0; i < args; i++)
+    for (let i = 0; i < Math.min(args, shownParts); i++)
       items.push({kind: "socket", name: `A${i}`, sort: "expression", aria: words.functions.input2(i + 1)})
-    items.push({kind: "button", action: "more", text: "+", aria: words.functions.giveOneMoreInput})
-    if (args > 1)
+    items.push(...foldLabel(args))
+    if (!isFolded(args, true))
+      items.push({kind: "button", action: "more", text: "+", aria: words.functions.giveOneMoreInput})
+    if (args > 1 && !isFolded(args, false))
       items.push({kind: "button", action: "fewer", text: "−", aria: words.functions.giveOneInputLess})
     return {
       family: "own",
@@ -130,12 +133,14 @@ const lambda: BlockSpec = {
   shape(extra) {
     const count = countIn(extra, "inputs", 1, 1)
     const items: Item[] = []
-    for (let i = 0; i < count; i++) {
+    for (let i = 0; i < Math.min(count, shownParts); i++) {
       items.push({kind: "label", text: i === 0 ? words.functions.functionOf : words.functions.and})
       items.push({kind: "socket", name: `P${i}`, sort: "pattern", aria: words.functions.input2(i + 1)})
     }
-    items.push({kind: "button", action: "more", text: "+", aria: words.functions.oneMoreInput})
-    if (count > 1)
+    items.push(...foldLabel(count))
+    if (!isFolded(count, true))
+      items.push({kind: "button", action: "more", text: "+", aria: words.functions.oneMoreInput})
+    if (count > 1 && !isFolded(count, false))
       items.push({kind: "button", action: "fewer", text: "−", aria: words.functions.oneInputLess})
     items.push(
       {kind: "label", text: words.functions.gives},
@@ -268,4 +273,33 @@ const typed: BlockSpec = {
   },
 }
 
-export const functions: readonly BlockSpec[] = [name, apply, lambda, section, letBlock, typed]
+const typeApply: BlockSpec = {
+  type: "type_apply",
+  onlyFromText: true,
+  shape: extra => ({
+    family: "own",
+    connects: {as: "expression"},
+    rows: [
+      [
+        {kind: "socket", name: "F", sort: "expression", aria: words.functions.function},
+        {kind: "label", text: words.functions.forType},
+        {kind: "type", key: "type", value: textIn(extra, "type", "Int"), aria: words.functions.type},
+      ],
+    ],
+    tooltip: words.functions.saysForWhichTypeAFunctionIsUsed,
+    aria: words.functions.functionForType(textIn(extra, "type", "Int")),
+  }),
+  press: noButtons,
+  meaning: {
+    as: "expression",
+    read: r => ({
+      kind: "type-apply",
+      fn: r.expr("F"),
+      type: {kind: "type", text: textIn(r.extra, "type", "Int"), from: r.from},
+      from: r.from,
+    }),
+    write: e => (e.kind === "type-apply" ? {extra: {type: e.type.text}, sockets: {F: e.fn}} : undefined),
+  },
+}
+
+export const functions: readonly BlockSpec[] = [name, apply, lambda, section, letBlock, typed, typeApply]

@@ -1,13 +1,13 @@
 /// Patterns: how a definition looks at what it gets, and names its parts.
 
-import type {Pattern} from "../model/tree.ts"
-import type {Item} from "../shape.ts"
+import type {Item} from "../block_shape.ts"
+import type {Pattern} from "../model/syntax_tree.ts"
 import {words} from "../words/index.ts"
+import type {BlockSpec} from "./block_spec.ts"
+import {countIn, counting, foldLabel, isFolded, noButtons, shownParts, textIn} from "./block_spec.ts"
+import {choiceOf, choices, exampleNameOf, labelsOf, valueLabel} from "./constructor_labels.ts"
 import {checkedName} from "./definitions.ts"
-import type {BlockSpec} from "./spec.ts"
-import {countIn, counting, noButtons, textIn, wordsIn} from "./spec.ts"
 import {checkNumber, choiceItems, choiceValue} from "./values.ts"
-import {choiceOf, choices, lookOf, whatOf} from "./vocabulary.ts"
 
 const name: BlockSpec = {
   type: "pattern_name",
@@ -56,9 +56,10 @@ const construct: BlockSpec = {
   type: "pattern_construct",
   shape(extra) {
     const con = textIn(extra, "con", "Just")
-    const look = lookOf(con)
+    const look = labelsOf(con)
     const items: Item[] = [{kind: "label", text: look.word ?? con}]
-    for (let i = 0; i < countIn(extra, "args", 0); i++) {
+    const args = countIn(extra, "args", 0)
+    for (let i = 0; i < Math.min(args, shownParts); i++) {
       const part = look.parts[i] ?? words.patterns.part(i + 1)
       items.push({
         kind: "socket",
@@ -68,6 +69,7 @@ const construct: BlockSpec = {
         hint: part,
       })
     }
+    items.push(...foldLabel(args))
     return {
       family: look.asPattern,
       connects: {as: "pattern"},
@@ -106,7 +108,7 @@ const choice: BlockSpec = {
       connects: {as: "pattern"},
       rows: [choiceItems(type, value)],
       tooltip: words.patterns.onlyWhen(value),
-      aria: `${whatOf(type)} ${value}`,
+      aria: `${exampleNameOf(type)} ${valueLabel(type, value)}`,
       help: `t:${type}`,
     }
   },
@@ -214,13 +216,15 @@ const tuple: BlockSpec = {
   shape(extra) {
     const count = countIn(extra, "items", 2)
     const items: Item[] = count === 0 ? [{kind: "label", text: "()"}] : []
-    for (let i = 0; i < count; i++) {
+    for (let i = 0; i < Math.min(count, shownParts); i++) {
       items.push({kind: "label", text: i === 0 ? "(" : ","})
       items.push({kind: "socket", name: `I${i}`, sort: "pattern", aria: words.patterns.part(i + 1)})
     }
-    if (count > 0) items.push({kind: "label", text: ")"})
-    items.push({kind: "button", action: "more", text: "+", aria: words.patterns.oneMorePart})
-    if (count > 2) items.push({kind: "button", action: "fewer", text: "−", aria: words.patterns.onePartLess})
+    if (count > 0) items.push(...foldLabel(count), {kind: "label", text: ")"})
+    if (!isFolded(count, true))
+      items.push({kind: "button", action: "more", text: "+", aria: words.patterns.oneMorePart})
+    if (count > 2 && !isFolded(count, false))
+      items.push({kind: "button", action: "fewer", text: "−", aria: words.patterns.onePartLess})
     return {
       family: "own",
       connects: {as: "pattern"},
@@ -231,8 +235,8 @@ const tuple: BlockSpec = {
   },
   press(extra, action) {
     const now = countIn(extra, "items", 2)
-    if (action === "more") return {...extra, items: now === 0 ? 2 : Math.min(9, now + 1)}
-    return {...extra, items: Math.max(2, now - 1)}
+    if (action === "more") return {...extra, items: now === 0 ? 2 : Math.max(now, Math.min(9, now + 1))}
+    return isFolded(now, false) ? extra : {...extra, items: Math.max(2, now - 1)}
   },
   meaning: {
     as: "pattern",
@@ -261,10 +265,13 @@ const list: BlockSpec = {
     const items: Item[] = [
       {kind: "label", text: count === 0 ? words.patterns.emptyList : words.patterns.list},
     ]
-    for (let i = 0; i < count; i++)
+    for (let i = 0; i < Math.min(count, shownParts); i++)
       items.push({kind: "socket", name: `I${i}`, sort: "pattern", aria: words.patterns.item(i + 1)})
-    items.push({kind: "button", action: "more", text: "+", aria: words.patterns.oneMoreItem})
-    if (count > 0) items.push({kind: "button", action: "fewer", text: "−", aria: words.patterns.oneItemLess})
+    items.push(...foldLabel(count))
+    if (!isFolded(count, true))
+      items.push({kind: "button", action: "more", text: "+", aria: words.patterns.oneMoreItem})
+    if (count > 0 && !isFolded(count, false))
+      items.push({kind: "button", action: "fewer", text: "−", aria: words.patterns.oneItemLess})
     return {
       family: "own",
       connects: {as: "pattern"},
@@ -282,7 +289,7 @@ const list: BlockSpec = {
       return {kind: "list-pattern", items, from: r.from}
     },
     write: p =>
-      p.kind === "list-pattern" && p.items.length <= 60
+      p.kind === "list-pattern"
         ? {extra: {items: p.items.length}, sockets: Object.fromEntries(p.items.map((x, i) => [`I${i}`, x]))}
         : undefined,
   },
@@ -361,45 +368,6 @@ const as: BlockSpec = {
   },
 }
 
-const record: BlockSpec = {
-  type: "pattern_record",
-  shape(extra) {
-    const con = textIn(extra, "con", "Velocity")
-    const items: Item[] = [{kind: "label", text: con}]
-    wordsIn(extra, "fields").forEach((field, i) => {
-      items.push(
-        {kind: "label", text: `${field} =`},
-        {kind: "socket", name: `F${i}`, sort: "pattern", aria: `${con}: ${field}`, hint: field},
-      )
-    })
-    return {
-      family: lookOf(con).asPattern,
-      connects: {as: "pattern"},
-      rows: [items],
-      tooltip: words.patterns.aLookedAtByTheNames(con, wordsIn(extra, "fields")[0] ?? "x"),
-      aria: words.patterns.byNamedParts(con),
-      help: `v:${con}`,
-    }
-  },
-  press: noButtons,
-  meaning: {
-    as: "pattern",
-    read: r => ({
-      kind: "record-pattern",
-      name: textIn(r.extra, "con", "Velocity"),
-      fields: wordsIn(r.extra, "fields").map((field, i) => ({name: field, pattern: r.pattern(`F${i}`)})),
-      from: r.from,
-    }),
-    write: p =>
-      p.kind === "record-pattern"
-        ? {
-            extra: {con: p.name, fields: p.fields.map(f => f.name)},
-            sockets: Object.fromEntries(p.fields.map((f, i) => [`F${i}`, f.pattern])),
-          }
-        : undefined,
-  },
-}
-
 export const patterns: readonly BlockSpec[] = [
   name,
   any,
@@ -409,7 +377,6 @@ export const patterns: readonly BlockSpec[] = [
   list,
   infix,
   as,
-  record,
   number,
   string,
   character,

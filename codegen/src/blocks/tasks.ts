@@ -1,10 +1,10 @@
 /// Tasks: steps one after the other, in stacks; what is repeated or done on a condition is a stack inside a step.
 
-import type {Expr, Statement} from "../model/tree.ts"
-import type {Row} from "../shape.ts"
+import type {Row} from "../block_shape.ts"
+import type {Expr, Statement} from "../model/syntax_tree.ts"
 import {perLanguage, words} from "../words/index.ts"
-import type {BlockSpec, Reader, Written} from "./spec.ts"
-import {noButtons} from "./spec.ts"
+import type {BlockSpec, Reader, WrittenBlock} from "./block_spec.ts"
+import {noButtons, textIn} from "./block_spec.ts"
 
 /// A stack of steps as one expression: a single plain step needs no `do`.
 function body(r: Reader, stack: string): Expr {
@@ -12,7 +12,7 @@ function body(r: Reader, stack: string): Expr {
   const [only] = steps
   if (only === undefined) {
     r.problem("hole", words.tasks.thereIsNoStepHereYet, words.tasks.putAtLeastOneStepInto, stack)
-    return {kind: "hole", from: {block: r.from.block, input: stack}}
+    return {kind: "hole", steps: true, from: {block: r.from.block, input: stack}}
   }
   if (steps.length === 1 && only.kind === "statement" && only.comment === undefined) return only.expr
   const last = steps[steps.length - 1]
@@ -118,17 +118,25 @@ interface CallParts {
   readonly sockets: readonly {
     readonly name: string
     readonly words: string
+    /// The label behind the socket: a unit or the end of the phrase.
+    readonly unit?: string
     readonly aria: string
     readonly hint?: string
   }[]
+  /// The label of a call without sockets.
+  readonly words?: string
   readonly stack?: {readonly name: string; readonly words: string; readonly aria: string}
   readonly tooltip: string
+  /// The library's source has its definition, for a learner who wants to look inside.
+  readonly hasDefinition?: boolean
 }
 
-/// A step that is a call of one function: sockets first, then a stack or nothing.
+/// A step that is a call of one function of the library: sockets first, then a stack or nothing. `name` in its `extraState` is
+/// the new name of the program's own function that took the place of the library's, after it was renamed.
 function call(type: string, fn: string, parts: () => CallParts): BlockSpec {
   const said = perLanguage(parts)
-  const row = ({sockets, stack}: CallParts): Row => [
+  const row = ({sockets, stack, words: alone, hasDefinition}: CallParts): Row => [
+    ...(alone === undefined ? [] : [{kind: "label", text: alone} as const]),
     ...sockets.flatMap(
       (s): Row => [
         ...(s.words === "" ? [] : [{kind: "label", text: s.words} as const]),
@@ -139,14 +147,19 @@ function call(type: string, fn: string, parts: () => CallParts): BlockSpec {
           aria: s.aria,
           ...(s.hint === undefined ? {} : {hint: s.hint}),
         } as const,
+        ...(s.unit === undefined ? [] : [{kind: "label", text: s.unit} as const]),
       ],
     ),
     ...(stack === undefined || stack.words === "" ? [] : [{kind: "label", text: stack.words} as const]),
+    ...(hasDefinition === true
+      ? [{kind: "button", action: "look-inside", text: "⌕", aria: words.tasks.lookInside(fn)} as const]
+      : []),
   ]
   return {
     type,
+    calls: fn,
     shape() {
-      const {sockets, stack, tooltip} = said()
+      const {sockets, stack, tooltip, words: alone} = said()
       return {
         family: "task",
         connects: {as: "step"},
@@ -157,7 +170,7 @@ function call(type: string, fn: string, parts: () => CallParts): BlockSpec {
             : [[{kind: "stack", name: stack.name, sort: "step", aria: stack.aria} as const]]),
         ],
         tooltip,
-        aria: sockets[0]?.words ?? stack?.words ?? fn,
+        aria: alone ?? sockets[0]?.words ?? stack?.words ?? fn,
         help: `v:${fn}`,
       }
     },
@@ -166,14 +179,16 @@ function call(type: string, fn: string, parts: () => CallParts): BlockSpec {
       as: "step",
       read(r) {
         const {sockets, stack} = said()
-        const head: Expr = {kind: "variable", name: fn, from: r.from}
+        const head: Expr = {kind: "variable", name: textIn(r.extra, "name", fn), from: r.from}
         const args = sockets.map(s => r.expr(s.name))
-        if (stack === undefined)
-          return {kind: "statement", expr: {kind: "apply", fn: head, args, from: r.from}, from: r.from}
+        if (stack === undefined) {
+          const expr: Expr = args.length === 0 ? head : {kind: "apply", fn: head, args, from: r.from}
+          return {kind: "statement", expr, from: r.from}
+        }
         const inner = body(r, stack.name)
         // `replicateM_ 4 $ do …` reads better than brackets around many lines.
         const expr: Expr =
-          inner.kind === "do"
+          inner.kind === "do" && r.extra.applied !== true
             ? {
                 kind: "infix",
                 op: "$",
@@ -184,15 +199,17 @@ function call(type: string, fn: string, parts: () => CallParts): BlockSpec {
             : {kind: "apply", fn: head, args: [...args, inner], from: r.from}
         return {kind: "statement", expr, from: r.from}
       },
-      write(s): Written | undefined {
+      write(s): WrittenBlock | undefined {
         const {sockets, stack} = said()
         if (s.kind !== "statement") return undefined
         const all = callParts(s.expr, fn)
         if (all === undefined || all.length !== sockets.length + (stack === undefined ? 0 : 1))
           return undefined
         const last = all[all.length - 1]
+        // Text that gives the steps without `$` (BlockArguments, or in brackets) stays so.
+        const isApplied = stack !== undefined && s.expr.kind === "apply" && last?.kind === "do"
         return {
-          extra: {},
+          extra: isApplied ? {applied: true} : {},
           sockets: Object.fromEntries(
             sockets.flatMap((x, i) => (all[i] === undefined ? [] : [[x.name, all[i]]])),
           ),
@@ -205,9 +222,9 @@ function call(type: string, fn: string, parts: () => CallParts): BlockSpec {
 
 /// The arguments of a call of `fn`, also when the last one comes after `$`.
 function callParts(e: Expr, fn: string): Expr[] | undefined {
+  if (e.kind === "variable") return e.name === fn ? [] : undefined
   if (e.kind === "apply") return e.fn.kind === "variable" && e.fn.name === fn ? [...e.args] : undefined
   if (e.kind === "infix" && e.op === "$" && e.right.kind === "do") {
-    if (e.left.kind === "variable") return e.left.name === fn ? [e.right] : undefined
     const before = callParts(e.left, fn)
     return before === undefined ? undefined : [...before, e.right]
   }
@@ -316,9 +333,71 @@ export const tasks: readonly BlockSpec[] = [
   })),
   call("step_wait", "wait", () => ({
     sockets: [
-      {name: "X", words: words.tasks.waitSeconds, aria: words.tasks.seconds, hint: words.tasks.seconds},
+      {
+        name: "X",
+        words: words.tasks.wait,
+        // A symbol agrees with 1 as well as with 2.
+        unit: "s",
+        aria: words.tasks.seconds,
+        hint: words.tasks.number,
+      },
     ],
     tooltip: words.tasks.waits,
+  })),
+  call("step_drive", "drive", () => ({
+    sockets: [
+      {
+        name: "X",
+        words: words.tasks.drive,
+        unit: "cm",
+        aria: words.tasks.centimetres,
+        hint: words.tasks.number,
+      },
+    ],
+    tooltip: words.tasks.drives,
+    hasDefinition: true,
+  })),
+  call("step_turn", "turn", () => ({
+    sockets: [
+      {
+        name: "X",
+        words: words.tasks.turn,
+        unit: words.tasks.degreesUnit,
+        aria: words.tasks.degrees,
+        hint: words.tasks.number,
+      },
+    ],
+    tooltip: words.tasks.turns,
+    hasDefinition: true,
+  })),
+  call("step_drive_until_bump", "driveUntilBump", () => ({
+    words: words.tasks.driveUntilABump,
+    sockets: [],
+    tooltip: words.tasks.drivesUntilABump,
+    hasDefinition: true,
+  })),
+  call("step_drive_until", "driveUntil", () => ({
+    sockets: [
+      {
+        name: "X",
+        words: words.tasks.driveUntil,
+        aria: words.tasks.functionThatGivesDone,
+        hint: words.tasks.functionThatGivesDone,
+      },
+    ],
+    tooltip: words.tasks.drivesUntil,
+    hasDefinition: true,
+  })),
+  call("step_blink", "blink", () => ({
+    sockets: [{name: "X", words: words.tasks.blink, aria: words.tasks.colour, hint: words.tasks.colour}],
+    tooltip: words.tasks.blinks,
+    hasDefinition: true,
+  })),
+  call("step_beep", "beep", () => ({
+    words: words.tasks.beep,
+    sockets: [],
+    tooltip: words.tasks.beeps,
+    hasDefinition: true,
   })),
   ifStep,
   run,

@@ -1,12 +1,13 @@
-/// Values: numbers, text, constructors with their parts, choices from a menu, tuples, lists, records.
+/// Values: numbers, text, constructors with their parts, choices from a menu, tuples, lists.
 
+import type {Item} from "../block_shape.ts"
 import {isNumberLiteral} from "../haskell/lexemes.ts"
-import type {Expr} from "../model/tree.ts"
-import type {Item} from "../shape.ts"
+import type {Expr} from "../model/syntax_tree.ts"
+import type {Extra} from "../serialized_blocks.ts"
 import {words} from "../words/index.ts"
-import type {BlockSpec, Reader} from "./spec.ts"
-import {countIn, counting, noButtons, textIn, wordsIn} from "./spec.ts"
-import {choiceOf, choices, lookOf, whatOf} from "./vocabulary.ts"
+import type {BlockSpec, Reader} from "./block_spec.ts"
+import {countIn, counting, foldLabel, isFolded, listIn, noButtons, shownParts, textIn} from "./block_spec.ts"
+import {choiceOf, choices, exampleNameOf, labelsOf, units, valueLabel} from "./constructor_labels.ts"
 
 const number: BlockSpec = {
   type: "number",
@@ -89,10 +90,10 @@ const construct: BlockSpec = {
   type: "construct",
   shape(extra) {
     const name = textIn(extra, "con", "Just")
-    const look = lookOf(name)
+    const look = labelsOf(name)
     const args = countIn(extra, "args", 0)
     const items: Item[] = [{kind: "label", text: look.word ?? name}]
-    for (let i = 0; i < args; i++) {
+    for (let i = 0; i < Math.min(args, shownParts); i++) {
       const part = look.parts[i] ?? words.values.part(i + 1)
       items.push({
         kind: "socket",
@@ -101,7 +102,10 @@ const construct: BlockSpec = {
         aria: `${look.word ?? name}: ${part}`,
         hint: part,
       })
+      const unit = units[name]?.[i]
+      if (unit !== undefined) items.push({kind: "label", text: unit, unit: true})
     }
+    items.push(...foldLabel(args))
     return {
       family: look.family,
       connects: {as: "expression"},
@@ -151,8 +155,8 @@ export function choiceItems(type: string, value: string): Item[] {
     kind: "menu",
     key: "value",
     value,
-    options: all.map(o => [o, o] as const),
-    aria: whatOf(type),
+    options: all.map(o => [valueLabel(type, o), o] as const),
+    aria: exampleNameOf(type),
   }
   return look?.word === undefined ? [menu] : [{kind: "label", text: look.word}, menu]
 }
@@ -171,7 +175,7 @@ const choice: BlockSpec = {
       connects: {as: "expression"},
       rows: [choiceItems(type, value)],
       tooltip: words.values.oneOf((choices[type]?.options ?? [value]).join(", "), value),
-      aria: `${whatOf(type)} ${value}`,
+      aria: `${exampleNameOf(type)} ${valueLabel(type, value)}`,
       help: `t:${type}`,
     }
   },
@@ -192,6 +196,11 @@ const choice: BlockSpec = {
   },
 }
 
+/// The parts of a tuple that stay open.
+function gapsIn(extra: Extra): ReadonlySet<number> {
+  return new Set(listIn(extra, "gaps").filter(n => typeof n === "number"))
+}
+
 const tuple: BlockSpec = {
   type: "tuple",
   shape(extra) {
@@ -209,42 +218,55 @@ const tuple: BlockSpec = {
         tooltip: words.values.theValueThatSaysNothing,
         aria: words.values.nothingInParticular,
       }
+    const gaps = gapsIn(extra)
     const items: Item[] = []
-    for (let i = 0; i < count; i++) {
+    for (let i = 0; i < Math.min(count, shownParts); i++) {
       items.push({kind: "label", text: i === 0 ? "(" : ","})
-      items.push({kind: "socket", name: `I${i}`, sort: "expression", aria: words.values.part(i + 1)})
+      items.push(
+        gaps.has(i)
+          ? {kind: "label", text: "…"}
+          : {kind: "socket", name: `I${i}`, sort: "expression", aria: words.values.part(i + 1)},
+      )
     }
-    items.push({kind: "label", text: ")"})
-    items.push({kind: "button", action: "more", text: "+", aria: words.values.oneMorePart})
-    if (count > 2) items.push({kind: "button", action: "fewer", text: "−", aria: words.values.onePartLess})
+    items.push(...foldLabel(count), {kind: "label", text: ")"})
+    if (!isFolded(count, true))
+      items.push({kind: "button", action: "more", text: "+", aria: words.values.oneMorePart})
+    if (count > 2 && !isFolded(count, false))
+      items.push({kind: "button", action: "fewer", text: "−", aria: words.values.onePartLess})
     return {
       family: "own",
       connects: {as: "expression"},
       rows: [items],
-      tooltip: words.values.severalValuesTogetherSentToTheRobot,
+      tooltip:
+        gaps.size > 0 ? words.values.aTupleWithOpenParts : words.values.severalValuesTogetherSentToTheRobot,
       aria: words.values.valuesTogether(count),
     }
   },
   press(extra, action) {
     const now = countIn(extra, "items", 2)
-    if (action === "more") return {...extra, items: now === 0 ? 2 : Math.min(9, now + 1)}
-    return {...extra, items: Math.max(2, now - 1)}
+    if (action === "more") return {...extra, items: now === 0 ? 2 : Math.max(now, Math.min(9, now + 1))}
+    return isFolded(now, false) ? extra : {...extra, items: Math.max(2, now - 1)}
   },
   meaning: {
     as: "expression",
     read(r) {
       const count = countIn(r.extra, "items", 2)
       if (count === 0) return {kind: "constructor-name", name: "()", from: r.from}
+      const gaps = gapsIn(r.extra)
       const items: Expr[] = []
-      for (let i = 0; i < Math.max(2, count); i++) items.push(r.expr(`I${i}`))
+      for (let i = 0; i < Math.max(2, count); i++)
+        items.push(gaps.has(i) ? {kind: "gap", from: r.from} : r.expr(`I${i}`))
       return {kind: "tuple", items, from: r.from}
     },
     write(e) {
       if (e.kind === "constructor-name" && e.name === "()") return {extra: {items: 0}}
       if (e.kind !== "tuple" || e.items.length === 1) return undefined
+      const gaps = e.items.flatMap((x, i) => (x.kind === "gap" ? [i] : []))
       return {
-        extra: {items: e.items.length},
-        sockets: Object.fromEntries(e.items.map((x, i) => [`I${i}`, x])),
+        extra: {items: e.items.length, ...(gaps.length > 0 ? {gaps} : {})},
+        sockets: Object.fromEntries(
+          e.items.flatMap((x, i) => (x.kind === "gap" ? [] : [[`I${i}`, x] as const])),
+        ),
       }
     },
   },
@@ -255,10 +277,13 @@ const list: BlockSpec = {
   shape(extra) {
     const count = countIn(extra, "items", 2)
     const items: Item[] = [{kind: "label", text: count === 0 ? words.values.emptyList : words.values.list}]
-    for (let i = 0; i < count; i++)
+    for (let i = 0; i < Math.min(count, shownParts); i++)
       items.push({kind: "socket", name: `I${i}`, sort: "expression", aria: words.values.item(i + 1)})
-    items.push({kind: "button", action: "more", text: "+", aria: words.values.oneMoreItem})
-    if (count > 0) items.push({kind: "button", action: "fewer", text: "−", aria: words.values.oneItemLess})
+    items.push(...foldLabel(count))
+    if (!isFolded(count, true))
+      items.push({kind: "button", action: "more", text: "+", aria: words.values.oneMoreItem})
+    if (count > 0 && !isFolded(count, false))
+      items.push({kind: "button", action: "fewer", text: "−", aria: words.values.oneItemLess})
     return {
       family: "own",
       connects: {as: "expression"},
@@ -276,7 +301,7 @@ const list: BlockSpec = {
       return {kind: "list", items, from: r.from}
     },
     write: e =>
-      e.kind === "list" && e.items.length <= 60
+      e.kind === "list"
         ? {extra: {items: e.items.length}, sockets: Object.fromEntries(e.items.map((x, i) => [`I${i}`, x]))}
         : e.kind === "constructor-name" && e.name === "[]"
           ? {extra: {items: 0}}
@@ -370,85 +395,6 @@ const comprehension: BlockSpec = {
   },
 }
 
-const record: BlockSpec = {
-  type: "record",
-  shape(extra) {
-    const name = textIn(extra, "con", "Velocity")
-    const items: Item[] = [{kind: "label", text: name}]
-    wordsIn(extra, "fields").forEach((field, i) => {
-      items.push(
-        {kind: "label", text: `${field} =`},
-        {kind: "socket", name: `F${i}`, sort: "expression", aria: `${name}: ${field}`, hint: field},
-      )
-    })
-    return {
-      family: lookOf(name).family,
-      connects: {as: "expression"},
-      rows: [items],
-      tooltip: words.values.makesAFromNamedParts(name, wordsIn(extra, "fields")[0] ?? "x"),
-      aria: words.values.withNamedParts(name),
-      help: `v:${name}`,
-    }
-  },
-  press: noButtons,
-  meaning: {
-    as: "expression",
-    read: r => ({
-      kind: "record",
-      name: textIn(r.extra, "con", "Velocity"),
-      fields: wordsIn(r.extra, "fields").map((name, i) => ({name, value: r.expr(`F${i}`)})),
-      from: r.from,
-    }),
-    write: e =>
-      e.kind === "record"
-        ? {
-            extra: {con: e.name, fields: e.fields.map(f => f.name)},
-            sockets: Object.fromEntries(e.fields.map((f, i) => [`F${i}`, f.value])),
-          }
-        : undefined,
-  },
-}
-
-const update: BlockSpec = {
-  type: "update",
-  shape(extra) {
-    const items: Item[] = [
-      {kind: "socket", name: "R", sort: "expression", aria: words.values.whatToChangeACopy},
-      {kind: "label", text: words.values.butWith},
-    ]
-    wordsIn(extra, "fields").forEach((field, i) => {
-      items.push(
-        {kind: "label", text: `${field} =`},
-        {kind: "socket", name: `F${i}`, sort: "expression", aria: words.values.new(field), hint: field},
-      )
-    })
-    return {
-      family: "own",
-      connects: {as: "expression"},
-      rows: [items],
-      tooltip: words.values.aCopyOfARecordInWhich,
-      aria: words.values.changedCopyOfARecord,
-    }
-  },
-  press: noButtons,
-  meaning: {
-    as: "expression",
-    read: r => ({
-      kind: "update",
-      record: r.expr("R"),
-      fields: wordsIn(r.extra, "fields").map((name, i) => ({name, value: r.expr(`F${i}`)})),
-      from: r.from,
-    }),
-    write: e =>
-      e.kind === "update" && e.fields.length > 0
-        ? {
-            extra: {fields: e.fields.map(f => f.name)},
-            sockets: {R: e.record, ...Object.fromEntries(e.fields.map((f, i) => [`F${i}`, f.value]))},
-          }
-        : undefined,
-  },
-}
-
 export const values: readonly BlockSpec[] = [
   number,
   string,
@@ -459,6 +405,4 @@ export const values: readonly BlockSpec[] = [
   comprehension,
   choice,
   construct,
-  record,
-  update,
 ]

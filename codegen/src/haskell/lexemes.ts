@@ -57,9 +57,20 @@ export function isOperator(text: string): boolean {
   return operatorCharacters.test(text) && !reservedOperators.has(text) && !/^-{2,}$/.test(text)
 }
 
-/// The operator of constructors, as in `x : xs`.
+/// A name or operator without the module before it: `M.!` is `!`, and `.` stays itself.
+export function unqualified(text: string): string {
+  return text.replace(/^(?:\p{Lu}[\p{L}\p{N}_']*\.)+(?=.)/u, "")
+}
+
+/// An operator as it is used; a module may stand before it.
+export function isOperatorUse(text: string): boolean {
+  return isOperator(unqualified(text))
+}
+
+/// The operator of constructors, as in `x : xs`; a module may stand before it.
 export function isConstructorOperator(text: string): boolean {
-  return text === ":" || (isOperator(text) && text.startsWith(":"))
+  const bare = unqualified(text)
+  return text === ":" || (isOperator(bare) && bare.startsWith(":"))
 }
 
 /// The nearest variable name that Haskell accepts.
@@ -133,4 +144,15 @@ function escaped(character: string): string {
     return `\\${code >= 0xd800 && code <= 0xdfff ? 0xfffd : code}`
   // Line and paragraph separators would end the line for some editors.
   return /[\p{L}\p{N}\p{P}\p{S}\p{M} ]/u.test(character) ? character : `\\${code}`
+}
+
+/// A variable as a word of its own: an operator in brackets.
+export function variableWord(name: string): string {
+  return isOperatorUse(name) ? `(${name})` : variableName(name)
+}
+
+/// An operator between two operands: a symbol, or a name in backticks.
+export function operatorWord(op: string): string {
+  if (isOperatorUse(op) || op === ":") return op
+  return `\`${isConstructorName(op) ? op : variableName(op)}\``
 }

@@ -1,7 +1,7 @@
 /// Whether anything is still missing, or is Haskell whose type only GHC knows.
 
-import {everyNode} from "./children.ts"
-import type {Node} from "./tree.ts"
+import {everyNode} from "./child_nodes.ts"
+import type {Node} from "./syntax_tree.ts"
 
 export function hasUnknowns(node: Node): boolean {
   for (const n of everyNode(node))

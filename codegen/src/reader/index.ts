@@ -17,7 +17,7 @@
 /// Nothing here touches the DOM, the network or a clock.
 
 import {Language, Parser} from "web-tree-sitter"
-import {Reader} from "./module.ts"
+import {Reader} from "./module_reader.ts"
 
 /// The two WebAssembly files, as npm delivers them: `web-tree-sitter/web-tree-sitter.wasm` and
 /// `tree-sitter-haskell/tree-sitter-haskell.wasm`.
@@ -33,18 +33,22 @@ export async function openReader(wasm: ReaderWasm): Promise<Reader> {
   return new Reader(new Parser().setLanguage(language), language)
 }
 
-export type {BlockSpan} from "./blocks.ts"
-export type {Formatted} from "./format.ts"
-export {formatted} from "./format.ts"
-export type {Range} from "./lexer.ts"
-export type {Module, Piece} from "./module.ts"
-export {expressionsIn, Reader} from "./module.ts"
-export type {Size} from "./place.ts"
-export {guessSize} from "./place.ts"
-export type {Cause} from "./reasons.ts"
-export {causeOf, reasons} from "./reasons.ts"
+export type {Cause} from "../model/raw_reasons.ts"
+export {causeOf, reasons} from "../model/raw_reasons.ts"
+export type {Range} from "../source/lexer.ts"
+export type {Size} from "./block_placement.ts"
+export {guessSize} from "./block_placement.ts"
+export {syncBlocks} from "./block_synchronization.ts"
+export type {BlockSpan} from "./block_tree.ts"
+export type {Formatted} from "./formatter.ts"
+export {formatted} from "./formatter.ts"
+export type {Module, Piece} from "./module_reader.ts"
+export {expressionsIn, Reader} from "./module_reader.ts"
+export type {Word, WordRole} from "./semantic_tokens.ts"
+export type {RenameContext, RenameOutcome} from "./symbol_rename.ts"
+export {placesToRename, renameContext} from "./symbol_rename.ts"
+export type {Edits} from "./text_patches.ts"
+export {writeBack} from "./text_patches.ts"
+export {openView, syncText} from "./text_synchronization.ts"
 export type {Shown, View, ViewOptions} from "./view.ts"
-export {layoutOf, openView, spansOf, syncBlocks, syncText, workspaceOf} from "./view.ts"
-export type {Word, WordRole} from "./wordroles.ts"
-export type {Edits} from "./writeback.ts"
-export {writeBack} from "./writeback.ts"
+export {contradictionNotice, layoutOf, spansOf, workspaceOf} from "./view.ts"

@@ -6,29 +6,41 @@ import {
   isNumberLiteral,
   isVariableName,
 } from "../haskell/lexemes.ts"
-import type {FieldPattern, Pattern} from "../model/tree.ts"
-import type {Link} from "./chain.ts"
-import {resolve} from "./chain.ts"
-import type {Context} from "./context.ts"
-import type {Range} from "./lexer.ts"
+import type {Cause} from "../model/raw_reasons.ts"
+import type {FieldPattern, Pattern} from "../model/syntax_tree.ts"
+import type {Range} from "../source/lexer.ts"
+import type {Context} from "./conversion_context.ts"
+import {maximumDepth} from "./conversion_context.ts"
 import {readLiteral} from "./literals.ts"
-import type {Cause} from "./reasons.ts"
-import type {Syntax} from "./syntax.ts"
-import {child, childrenIn, namedChildren, onlyNamed} from "./syntax.ts"
+import type {Link} from "./operator_resolution.ts"
+import {resolve} from "./operator_resolution.ts"
+import type {Syntax} from "./parse_tree.ts"
+import {child, childrenIn, namedChildren, onlyNamed} from "./parse_tree.ts"
 
 export function readPattern(node: Syntax, context: Context): Pattern {
   const made = make(node, context)
   return typeof made === "string" ? raw(node, made, context) : made
 }
 
+/// The grammar's `!x` and `~x` begin with the space before them.
+function withoutSpace(found: Range, context: Context): Range {
+  return {start: found.end - context.of(found).trimStart().length, end: found.end}
+}
+
 function raw(found: Range, cause: Cause, context: Context): Pattern {
-  // The grammar's `!x` and `~x` begin with the space before them.
-  const text = context.of(found)
-  const node = {start: found.end - text.trimStart().length, end: found.end}
+  const node = withoutSpace(found, context)
   return context.at(node, {kind: "raw-pattern", ...context.exact(node, cause)} as const)
 }
 
 function make(node: Syntax, context: Context): Pattern | Cause {
+  if (context.depth >= maximumDepth) return "deep"
+  context.depth++
+  const made = convert(node, context)
+  context.depth--
+  return made
+}
+
+function convert(node: Syntax, context: Context): Pattern | Cause {
   const text = context.of(node)
   switch (node.type) {
     case "variable":
@@ -82,13 +94,35 @@ function make(node: Syntax, context: Context): Pattern | Cause {
     case "record":
       return record(node, context)
     case "strict":
-      return "bang"
-    case "irrefutable":
-      return "lazy"
-    case "view_pattern":
-      return "viewPattern"
-    case "signature":
-      return "typedPattern"
+    case "irrefutable": {
+      const inner = child(node, "pattern")
+      if (inner === undefined) return node.type === "strict" ? "bang" : "lazy"
+      return context.at(withoutSpace(node, context), {
+        kind: "strictness-pattern",
+        mark: node.type === "strict" ? "!" : "~",
+        pattern: readPattern(inner, context),
+      })
+    }
+    case "view_pattern": {
+      const expr = child(node, "expression")
+      const inner = child(node, "pattern")
+      if (expr === undefined || inner === undefined || context.expression === undefined) return "viewPattern"
+      return context.at(node, {
+        kind: "view-pattern",
+        expr: context.expression(expr),
+        pattern: readPattern(inner, context),
+      })
+    }
+    case "signature": {
+      const inner = child(node, "pattern")
+      const type = child(node, "type")
+      if (inner === undefined || type === undefined) return "typedPattern"
+      return context.at(node, {
+        kind: "typed-pattern",
+        pattern: readPattern(inner, context),
+        type: context.at(type, {kind: "type", text: context.typeText(type)}),
+      })
+    }
     default:
       return "pattern"
   }
@@ -137,6 +171,7 @@ function infix(node: Syntax, context: Context): Pattern | Cause {
     links.push({kind: "operand", value: readPattern(operand, context)})
     ranges.push(operand)
     if (operator === undefined) break
+    if (links.length > 2 * maximumDepth) return "deep"
     const op =
       operator.type === "infix_id" ? context.of(onlyNamed(operator) ?? operator) : context.of(operator)
     if (!isConstructorOperator(op) && !isConstructorName(op)) return "pattern"
@@ -161,13 +196,28 @@ function record(node: Syntax, context: Context): Pattern | Cause {
   const name = context.of(child(node, "constructor") ?? node)
   if (!isConstructorName(name)) return "name"
   const fields: FieldPattern[] = []
+  let rest = false
   for (const field of childrenIn(node, "field")) {
-    if (namedChildren(field).some(c => c.type === "wildcard" && c.field !== "pattern")) return "wildcards"
+    if (rest) return "wildcards"
+    if (isFieldWildcard(field)) {
+      rest = true
+      continue
+    }
     const label = child(field, "field")
     const pattern = child(field, "pattern")
-    if (pattern === undefined) return "puns"
     if (label === undefined || !isVariableName(context.of(label))) return "name"
-    fields.push({name: context.of(label), pattern: readPattern(pattern, context)})
+    const name = context.of(label)
+    if (pattern === undefined && name.includes(".")) return "puns"
+    fields.push(
+      pattern === undefined
+        ? {name, pattern: context.at(label, {kind: "name-pattern", name}), pun: true}
+        : {name, pattern: readPattern(pattern, context)},
+    )
   }
-  return context.at(node, {kind: "record-pattern", name, fields})
+  return context.at(node, {kind: "record-pattern", name, fields, ...(rest ? {rest} : {})})
+}
+
+/// The two dots for all other fields, in a pattern or an expression.
+export function isFieldWildcard(field: Syntax): boolean {
+  return namedChildren(field).some(c => c.type === "wildcard" && c.field === undefined)
 }

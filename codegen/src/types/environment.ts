@@ -2,9 +2,9 @@
 ///
 /// An environment is read from declarations as Haskell writes them, one a line, and grows by a program's own types.
 
-import {parseScheme, parseSignature, parseType} from "./parse.ts"
 import type {Constraint, Scheme, Type} from "./type.ts"
 import {app, con, funs, spine, substitute, variablesIn} from "./type.ts"
+import {parseScheme, parseSignature, parseType} from "./type_parser.ts"
 
 export interface ConstructorInfo {
   readonly name: string
@@ -60,9 +60,9 @@ export interface Environment {
   readonly instances: Lookup<Lookup<Instance | "none">>
   /// Fields of the program's own types: no definition can have such a name.
   readonly fields?: ReadonlySet<string>
-  /// Names for types with variables of their own inside, which are GHC's to judge.
+  /// Names for types with variables of their own inside, and type families, which are GHC's to judge.
   readonly ranked?: ReadonlySet<string>
-  /// Any name may come from a module that nobody told us about.
+  /// Any name may come from an unknown module.
   readonly open?: boolean
   /// What may stand before the dot of a name.
   readonly qualifiers?: ReadonlySet<string>
@@ -70,6 +70,20 @@ export interface Environment {
   readonly written?: ReadonlySet<string>
   /// Classes that the program's text defines; `values` has all that belongs to them.
   readonly ownClasses?: ReadonlySet<string>
+  /// The superclasses of `ownClasses`.
+  readonly superclasses?: ReadonlyMap<string, readonly string[]>
+  /// All instances of `ownClasses`; undefined where some may be unknown.
+  readonly ownInstances?: ReadonlyMap<string, readonly Instance[]> | undefined
+  /// What the program's own types derive: `Eq Mode`.
+  readonly derived?: ReadonlySet<string>
+  /// The name of the program's module; undefined for `Main` without a header.
+  readonly moduleName?: string | undefined
+  /// Types that the program declares.
+  readonly ownTypes?: ReadonlySet<string>
+  /// Classes of imported modules, which only GHC knows more about.
+  readonly importedClasses?: ReadonlySet<string>
+  /// Whether text literals have any type of the class `IsString` (OverloadedStrings).
+  readonly overloadedStrings?: boolean
 }
 
 /// The library's environment, which can also be gone through.
@@ -80,30 +94,37 @@ export interface Library extends Environment {
   readonly classes: ReadonlyMap<string, readonly string[]>
 }
 
-export interface Growing {
-  values: Table<Scheme>
-  constructors: Table<ConstructorInfo>
-  types: Table<TypeEntry>
-  classes: Table<readonly string[]>
+export interface MutableEnvironment {
+  values: MutableLookup<Scheme>
+  constructors: MutableLookup<ConstructorInfo>
+  types: MutableLookup<TypeEntry>
+  classes: MutableLookup<readonly string[]>
   hidden: Set<string>
   prelude: ReadonlySet<string>
   fixed: ReadonlySet<string>
   needs: Set<string>
-  instances: Table<Table<Instance | "none">>
+  instances: MutableLookup<MutableLookup<Instance | "none">>
   fields?: ReadonlySet<string>
   ranked?: ReadonlySet<string>
   open?: boolean
   qualifiers?: ReadonlySet<string>
   written?: ReadonlySet<string>
+  ownTypes?: ReadonlySet<string>
   ownClasses?: ReadonlySet<string>
+  superclasses?: ReadonlyMap<string, readonly string[]>
+  ownInstances?: ReadonlyMap<string, readonly Instance[]> | undefined
+  derived?: ReadonlySet<string>
+  moduleName?: string | undefined
+  importedClasses?: ReadonlySet<string>
+  overloadedStrings?: boolean
 }
 
-export interface Table<V> extends Lookup<V> {
+export interface MutableLookup<V> extends Lookup<V> {
   set(name: string, value: V): unknown
 }
 
 /// A table of a few names of its own over another that it leaves alone.
-export class Layer<V> implements Table<V> {
+export class OverlayMap<V> implements MutableLookup<V> {
   private readonly own = new Map<string, V>()
   private readonly below: Lookup<V>
 
@@ -125,7 +146,7 @@ export class Layer<V> implements Table<V> {
 }
 
 /// Reads declarations, one a line. A line it cannot read (a type beyond Haskell 2010) leaves its name unknown.
-export function readEnvironment(
+export function parseEnvironment(
   text: string,
   prelude: ReadonlySet<string> = new Set(),
   fixed: ReadonlySet<string> = new Set(),
@@ -149,7 +170,7 @@ export function readEnvironment(
   return env
 }
 
-function readLine(line: string, env: Growing): void {
+function readLine(line: string, env: MutableEnvironment): void {
   const data = /^(hidden )?(?:data|newtype) (\S+)((?: \w+)*)(?: = (.*))?$/.exec(line)
   if (data !== null) {
     const [, hidden, name = "", parameters = "", right = ""] = data
@@ -238,7 +259,7 @@ function splitTop(text: string, separator: string): string[] {
 }
 
 export function addData(
-  env: Growing,
+  env: MutableEnvironment,
   name: string,
   parameters: readonly string[],
   constructors: readonly {name: string; fields: readonly {name?: string | undefined; type: string}[]}[],
@@ -267,23 +288,23 @@ export function addData(
   }
 }
 
-export function addInstance(env: Growing, name: string, instance: Instance): void {
+export function addInstance(env: MutableEnvironment, name: string, instance: Instance): void {
   const {head} = spine(instance.type)
   const of = env.instances.get(name) ?? new Map<string, Instance | "none">()
   of.set(head.kind === "con" ? head.name : "*", instance)
   env.instances.set(name, of)
 }
 
-/// A type with all synonyms written out. A synonym that goes round in a circle stays as it is.
-export function expand(type: Type, env: Environment, depth = 0): Type {
+/// A type with all synonyms written out. A synonym inside of its own definition stays as it is.
+export function expand(type: Type, env: Environment, within: readonly string[] = []): Type {
   const {head, args} = spine(type)
-  const expanded = args.map(a => expand(a, env, depth))
-  if (head.kind === "con" && depth < 40) {
+  const expanded = args.map(a => expand(a, env, within))
+  if (head.kind === "con" && !within.includes(head.name)) {
     const entry = env.types.get(head.name)
     if (entry?.synonym !== undefined && expanded.length >= entry.parameters.length) {
       const by = new Map(entry.parameters.map((p, i) => [p, expanded[i] ?? con("()")] as const))
       return app(
-        expand(substitute(entry.synonym, by), env, depth + 1),
+        expand(substitute(entry.synonym, by), env, [...within, head.name]),
         ...expanded.slice(entry.parameters.length),
       )
     }

@@ -27,6 +27,8 @@ export interface Scheme {
   readonly type: Type
   /// Only GHC knows it: each use has a type of its own that nothing is known about.
   readonly unknown?: boolean
+  /// Variables that stand for a type that only GHC knows; nothing is known about it at any use.
+  readonly open?: readonly string[]
 }
 
 export const con = (name: string): Type => ({kind: "con", name})

@@ -1,12 +1,12 @@
 /// Blocks with ids, and what a program that is being made may use by name.
 
 import type {BlockId, Extra, SavedBlock} from "../../src/index.ts"
-import {library} from "../../src/types/library.ts"
+import {library} from "../../src/types/standard_library.ts"
 import type {Type} from "../../src/types/type.ts"
 import {asFunction, spine} from "../../src/types/type.ts"
 import type {Dice} from "./random.ts"
 
-/// Types of functions in a `where` or `let`, as somebody who knows types writes them there.
+/// Types of functions in a `where` or `let`, as an author who knows types writes them there.
 const localTypes = [
   "Double -> Double",
   "a -> a",
@@ -16,7 +16,7 @@ const localTypes = [
 ]
 
 /// A constructor of the program's own or the library's.
-export interface Made {
+export interface WithOrigin {
   readonly con: string
   readonly of: string
   readonly parameters: readonly string[]
@@ -67,7 +67,7 @@ export function makersOf(head: string): readonly Named[] {
 }
 
 /// Constructors by their type.
-export const libraryConstructors: readonly Made[] = [...library.constructors.values()].map(c => ({
+export const libraryConstructors: readonly WithOrigin[] = [...library.constructors.values()].map(c => ({
   con: c.name,
   of: c.of,
   parameters: library.types.get(c.of)?.parameters ?? [],
@@ -75,12 +75,12 @@ export const libraryConstructors: readonly Made[] = [...library.constructors.val
   fieldNames: c.fieldNames,
 }))
 
-const madeBy = new Map<string, Made[]>()
+const madeBy = new Map<string, WithOrigin[]>()
 for (const c of libraryConstructors) madeBy.set(c.of, [...(madeBy.get(c.of) ?? []), c])
 
 export class Maker {
   readonly dice: Dice
-  readonly own: Made[] = []
+  readonly own: WithOrigin[] = []
   private ids = 0
   private names = 0
 
@@ -117,7 +117,7 @@ export class Maker {
     return this.block("name", {name, args, ...(args > 0 ? {fn: true} : {})})
   }
 
-  constructorsOf(head: string): readonly Made[] {
+  constructorsOf(head: string): readonly WithOrigin[] {
     const own = this.own.filter(c => c.of === head)
     return own.length > 0 ? own : (madeBy.get(head) ?? [])
   }

@@ -1,10 +1,10 @@
 /// Patterns that may go into a socket of some type.
 
-import {choices} from "../../src/blocks/vocabulary.ts"
+import {choices} from "../../src/blocks/constructor_labels.ts"
 import type {SavedBlock} from "../../src/index.ts"
 import type {Type} from "../../src/types/type.ts"
 import {spine} from "../../src/types/type.ts"
-import type {Made, Maker} from "./blocks.ts"
+import type {Maker, WithOrigin} from "./blocks.ts"
 import {libraryConstructors} from "./blocks.ts"
 
 export function proposePattern(make: Maker, wanted: Type): SavedBlock {
@@ -22,7 +22,7 @@ export function proposePattern(make: Maker, wanted: Type): SavedBlock {
   ])()
 }
 
-function made(make: Maker, c: Made): SavedBlock {
+function made(make: Maker, c: WithOrigin): SavedBlock {
   const fields = c.fieldNames.flatMap(n => n ?? [])
   return fields.length > 0 && make.dice.once(3)
     ? make.block("pattern_record", {con: c.con, fields: [make.dice.pick(fields)]})

@@ -4,11 +4,11 @@
 
 import type {BlockId, Place, SavedBlock, SavedWorkspace} from "../../src/index.ts"
 import {blockView, checker, newWorkspace, plug} from "../../src/index.ts"
-import {parseType} from "../../src/types/parse.ts"
 import {metasIn, variablesIn} from "../../src/types/type.ts"
-import {everyBlock, everyBlockIn, problemsOf} from "../../src/workspace/infer.ts"
-import {find, without} from "../../src/workspace/plug.ts"
-import {Session} from "../../src/workspace/session.ts"
+import {parseType} from "../../src/types/type_parser.ts"
+import {find, without} from "../../src/workspace/block_moves.ts"
+import {InferenceSession} from "../../src/workspace/inference_session.ts"
+import {everyBlock, everyBlockIn, problemsOf} from "../../src/workspace/workspace_inference.ts"
 import {Maker} from "./blocks.ts"
 import {proposePattern} from "./patterns.ts"
 import {Dice} from "./random.ts"
@@ -49,7 +49,7 @@ class Generator {
   private readonly make: Maker
   private readonly values: Values
   private readonly size: number
-  private readonly session = new Session()
+  private readonly session = new InferenceSession()
   private workspace: SavedWorkspace = newWorkspace()
   private empties: Empty[] = []
   private count = 0
@@ -203,11 +203,11 @@ class Generator {
   }
 
   private look(at: Empty) {
-    const {inferrer} = this.session.solve(this.workspace, {block: at.block, input: at.input})
-    const known = (inferrer.watched?.all() ?? []).flatMap(([name, scheme]): Known[] =>
+    const {inference} = this.session.inferWorkspace(this.workspace, {block: at.block, input: at.input})
+    const known = (inference.watched?.all() ?? []).flatMap(([name, scheme]): Known[] =>
       name === "main" ? [] : [{name, type: scheme.type}],
     )
-    return {wanted: inferrer.watchedType, known}
+    return {wanted: inference.watchedType, known}
   }
 
   private fillPattern(at: Empty): void {
@@ -288,7 +288,9 @@ class Generator {
   /// Replaces what is still ambiguous by something definite; says whether all is well in the end.
   private settle(): boolean {
     for (let round = 0; round < 12; round++) {
-      const problems = problemsOf(this.session.solve(this.workspace)).filter(p => p.severity === "error")
+      const problems = problemsOf(this.session.inferWorkspace(this.workspace)).filter(
+        p => p.severity === "error",
+      )
       if (problems.length === 0) return true
       const [first] = problems
       if (first?.block === undefined) return false

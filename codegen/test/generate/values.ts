@@ -1,10 +1,10 @@
 /// Blocks that may go into a socket of some type: likely ones, and now and then any at all.
 
-import {choices} from "../../src/blocks/vocabulary.ts"
+import {choices} from "../../src/blocks/constructor_labels.ts"
 import type {Extra, SavedBlock} from "../../src/index.ts"
 import type {Type} from "../../src/types/type.ts"
 import {asFunction, con, prune, showType, spine, substitute, variablesIn} from "../../src/types/type.ts"
-import type {Made, Maker} from "./blocks.ts"
+import type {Maker, WithOrigin} from "./blocks.ts"
 import {everyName, libraryConstructors, makersOf} from "./blocks.ts"
 
 /// A name that is known where the block goes.
@@ -185,7 +185,7 @@ export class Values {
     return dice.pick(small ? leaves : dice.once(3) ? leaves : nodes)()
   }
 
-  private construct(c: Made, small: boolean): SavedBlock {
+  private construct(c: WithOrigin, small: boolean): SavedBlock {
     const {make} = this
     const named = c.fieldNames.length > 0 && c.fieldNames.every(n => n !== undefined)
     if (named && make.dice.once(3)) {

@@ -7,7 +7,7 @@ import {mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync
 import {tmpdir} from "node:os"
 import {join} from "node:path"
 import {afterAll, beforeAll, describe, expect, test} from "vitest"
-import {printProgram} from "../../src/haskell/print.ts"
+import {printProgram} from "../../src/haskell/printer.ts"
 import type {Reader} from "../../src/reader/index.ts"
 import {run} from "../process.ts"
 import {normal, parseDump} from "./dump.ts"
@@ -34,7 +34,7 @@ beforeAll(async () => {
       writeFileSync(join(at, `P${i}.hs`), asModule(`P${i}`, program.text, side))
     await run("ghc", [...flags.split(" "), ...corpus.map((_, i) => `P${i}.hs`)], at)
   }
-}, 120_000)
+}, 1_200_000)
 afterAll(() => {
   if (folder !== "" && !process.env.KEEP) rmSync(folder, {recursive: true})
 })

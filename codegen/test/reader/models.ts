@@ -1,7 +1,15 @@
 /// Arbitrary programs as the reader would make them: well-formed, in the one form that it gives to equal programs.
 
 import fc from "fast-check"
-import type {Clause, Declaration, Expr, Pattern, Program, RightSide, Statement} from "../../src/model/tree.ts"
+import type {
+  Clause,
+  Declaration,
+  Expr,
+  Pattern,
+  Program,
+  RightSide,
+  Statement,
+} from "../../src/model/syntax_tree.ts"
 
 const variable = fc.constantFrom("x", "y'", "vl", "accelerate", "otherwise'", "größe", "Map.lookup", "f_1")
 const binder = fc.constantFrom("x", "y'", "vl", "go", "größe", "n_")
@@ -146,6 +154,27 @@ const kinds = fc.letrec<Kinds>(loose => {
         }),
       ),
       fc.tuple(e, typeText).map(([expr, text]): Expr => ({kind: "typed", expr, type: {kind: "type", text}})),
+      fc.tuple(variable, typeText).map(
+        ([name, text]): Expr => ({
+          kind: "type-apply",
+          fn: {kind: "variable", name},
+          type: {kind: "type", text},
+        }),
+      ),
+      fc.tuple(e, fc.boolean()).map(
+        ([item, isFirst]): Expr => ({
+          kind: "tuple",
+          items: isFirst ? [{kind: "gap"}, item] : [item, {kind: "gap"}],
+        }),
+      ),
+      fc.tuple(conName, fields, fc.boolean()).map(
+        ([name, names, isOpen]): Expr => ({
+          kind: "record",
+          name,
+          fields: names.map(n => ({name: n, value: {kind: "variable", name: n}, pun: true})),
+          ...(isOpen ? {rest: true} : {}),
+        }),
+      ),
       fc.tuple(conName, fields, few(e, 2)).map(
         ([name, names, values]): Expr => ({
           kind: "record",
@@ -183,6 +212,21 @@ const kinds = fc.letrec<Kinds>(loose => {
           fields: [{name: field, pattern}],
         }),
       ),
+      fc.tuple(conName, fc.array(binder, {maxLength: 1}), fc.boolean()).map(
+        ([name, names, isOpen]): Pattern => ({
+          kind: "record-pattern",
+          name,
+          fields: names.map(n => ({name: n, pattern: {kind: "name-pattern", name: n}, pun: true})),
+          ...(isOpen ? {rest: true} : {}),
+        }),
+      ),
+      fc
+        .tuple(fc.constantFrom("!" as const, "~" as const), p)
+        .map(([mark, pattern]): Pattern => ({kind: "strictness-pattern", mark, pattern})),
+      fc.tuple(e, p).map(([expr, pattern]): Pattern => ({kind: "view-pattern", expr, pattern})),
+      fc
+        .tuple(p, typeText)
+        .map(([pattern, text]): Pattern => ({kind: "typed-pattern", pattern, type: {kind: "type", text}})),
     ),
     right: fc
       .tuple(

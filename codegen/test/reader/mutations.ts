@@ -58,7 +58,7 @@ const snippets = [
   "[|",
 ] // prettier-ignore
 
-/// More of the same, in forms and places that nobody types by accident.
+/// More of the same, in forms and places that are not typed by accident.
 const rare = [
   // Comments of every kind.
   "{- a {- nested -} one -}",

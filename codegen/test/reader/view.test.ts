@@ -12,7 +12,7 @@ import {
   syncText,
   workspaceOf,
 } from "../../src/reader/index.ts"
-import type {SavedBlock, SavedWorkspace} from "../../src/saved.ts"
+import type {SavedBlock, SavedWorkspace} from "../../src/serialized_blocks.ts"
 import {corpus, testReader} from "./open.ts"
 
 let reader: Reader
@@ -45,6 +45,47 @@ function changed(
   for (const b of copy.blocks.blocks.flatMap(everyBlock)) if (b.id === id) change(b)
   return copy
 }
+
+describe("a call with steps that is no step itself", () => {
+  const text =
+    "square = replicateM_ 4 $ do\n  forward -- on\n  turn 90\n\nmain = f (forever do\n  wait 1\n  stop)\n"
+  const types = (view: View, name: string) => blocksOf(view, name).map(b => b.type)
+
+  test("is the only step of a stack", () => {
+    const view = openView(reader, text)
+    expect(types(view, "square").slice(0, 4)).toEqual(["define", "do", "step_repeat", "number"])
+    expect(types(view, "main").slice(0, 4)).toEqual(["define", "name", "do", "step_forever"])
+    expect(syncBlocks(reader, view, workspaceOf(view)).text).toBe(text)
+  })
+
+  test("is written as before when a part of it changes, and below `do` when it gets a neighbour", () => {
+    const view = openView(reader, text)
+    const number = blocksOf(view, "square").find(b => b.type === "number")
+    const edited = changed(workspaceOf(view), number?.id, b => {
+      b.extraState = {value: "5"}
+    })
+    expect(syncBlocks(reader, view, edited).text).toBe(text.replace("4", "5"))
+    const plain = openView(reader, text.replace(" -- on", ""))
+    const repeat = blocksOf(plain, "square").find(b => b.type === "step_repeat")
+    const longer = changed(workspaceOf(plain), repeat?.id, b => {
+      b.next = {
+        block: {
+          type: "step_wait",
+          id: "added",
+          inputs: {X: {block: {type: "number", id: "n", extraState: {value: "2"}}}},
+        },
+      }
+    })
+    expect(syncBlocks(reader, plain, longer).text).toMatch(
+      /^square = do\n {2}replicateM_ 4 \$ do\n {4}forward\n {4}turn 90\n {2}wait \S+\n/,
+    )
+  })
+
+  test("stays a call where the program has a function of that name", () => {
+    const view = openView(reader, `replicateM_ n steps = steps\n\n${text}`)
+    expect(types(view, "square").slice(0, 3)).toEqual(["define", "infix", "name"])
+  })
+})
 
 describe.each(corpus.map(p => [p.name, p.text] as const))("%s", (_, text) => {
   test("as blocks and back is the same text, and the layout opens as it was", () => {
@@ -279,7 +320,7 @@ describe("editing blocks", () => {
 })
 
 describe("a place in the text", () => {
-  test("has its block, in text that nobody printed", () => {
+  test("has its block, in text that was not printed", () => {
     const text = "go   =Velocity   (1  +  2 )   _ -- odd\n"
     const view = openView(reader, text)
     const type = (at: string) => {

@@ -2,22 +2,21 @@
 
 import fc from "fast-check"
 import {beforeAll, expect, test} from "vitest"
-import {readTree} from "../../src/blocks/read.ts"
-import {printDeclarationAlone} from "../../src/haskell/print.ts"
-import type {Declaration} from "../../src/model/tree.ts"
+import {readTree} from "../../src/blocks/block_reader.ts"
+import {printDeclarationAlone} from "../../src/haskell/printer.ts"
+import type {Declaration} from "../../src/model/syntax_tree.ts"
 import type {Reader, View} from "../../src/reader/index.ts"
 import {layoutOf, openView, spansOf, syncBlocks, syncText, workspaceOf} from "../../src/reader/index.ts"
-import type {SavedBlock, SavedWorkspace} from "../../src/saved.ts"
+import type {SavedBlock, SavedWorkspace} from "../../src/serialized_blocks.ts"
+import {cases, seed} from "../extent.ts"
 import {breathe} from "../process.ts"
 import type {Mutation} from "./mutations.ts"
 import {mutate, rareMutations} from "./mutations.ts"
 import {corpus, testReader} from "./open.ts"
 
 // `WALKS=50 npx vitest run test/reader/walk.test.ts` takes more walks.
-const steps = Number(process.env.STEPS ?? 5000)
+const steps = Number(process.env.STEPS ?? cases(5000))
 const walks = Number(process.env.WALKS ?? 1)
-// One walk, the same in every run; many walks are other ones each time.
-const seed = process.env.SEED ?? (walks === 1 ? "1" : undefined)
 
 let reader: Reader
 let other: Reader
@@ -158,6 +157,6 @@ test("text and blocks agree after every step, and every state can be reached aga
       },
     ),
     // A walk of thousands of steps does not shrink; the step that went wrong is in the message.
-    {numRuns: walks, endOnFailure: true, ...(seed === undefined ? {} : {seed: Number(seed)})},
+    {numRuns: walks, endOnFailure: true, seed},
   )
 }, 1_200_000)

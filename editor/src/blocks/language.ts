@@ -1,10 +1,11 @@
-/// What the block view asks of codegen, as one value, so that tests can ask a smaller language.
+/// Interface of codegen as the block view uses it, so that tests can substitute a smaller language.
 
 import type {
   BlockId,
   BlockView,
   Inference,
   Level,
+  LookInside,
   Renaming,
   SavedWorkspace,
   Session,
@@ -18,6 +19,10 @@ export interface Language {
   session(): Session
   infer(workspace: SavedWorkspace): Inference
   rename(workspace: SavedWorkspace, block: BlockId, key: string, name: string): Renaming
+  /// The definitions behind a block that calls a ready-made task.
+  lookInside(workspace: SavedWorkspace, block: BlockId): LookInside | undefined
+  /// The program's own definition of the task that a block calls.
+  ownDefinition(workspace: SavedWorkspace, block: BlockId): BlockId | undefined
   toolbox(level: Level): readonly ToolboxCategory[]
   /// What the search finds besides what the toolbox shows.
   libraryItems(): readonly ToolboxItem[]

@@ -1,7 +1,9 @@
-/// The whole page: the top bar, the regions from left to right the way a program travels, the dialogs.
+/// The whole page: top bar, regions, dialogs.
 
 import type {CSSProperties, VNode} from "preact"
 import {useLayoutEffect, useRef} from "preact/hooks"
+import {LessonRegion, LessonsDialog} from "../lessons/lesson_regions.tsx"
+import {RoomTestDialog} from "../rooms/room_test_dialog.tsx"
 import {
   boxes,
   type Cell,
@@ -9,38 +11,42 @@ import {
   gridOf,
   type Region,
   regions,
-  seen,
   type Tree,
+  viewOf,
+  visibleTree,
 } from "../state/arrangement.ts"
-import type {PageState} from "../state/page.ts"
+import type {PageState} from "../state/page_state.ts"
 import {words} from "../words/index.ts"
-import {RegionBorder} from "./border.tsx"
-import {BottomBar} from "./bottombar.tsx"
-import {GalleryDialog} from "./gallery.tsx"
-import {RegionHead} from "./grip.tsx"
-import {KeysDialog} from "./keys.tsx"
-import {NoticeBar} from "./notice.tsx"
-import {useDesk, usePage} from "./pick.ts"
-import {RobotBar} from "./robotbar.tsx"
-import {RobotsDialog} from "./robots.tsx"
-import {RoomRegion} from "./roomregion.tsx"
-import {TopBar} from "./topbar.tsx"
-import {WorldEditorDialog} from "./worldeditor.tsx"
+import {useController, usePageState} from "./app_context.ts"
+import {NoticeBar} from "./bars/notice_bar.tsx"
+import {RobotBar, RobotsDialog} from "./bars/robots.tsx"
+import {BottomBar, TopBar} from "./bars/toolbars.tsx"
+import {GalleryDialog} from "./dialogs/galleries.tsx"
+import {MyProgramsDialog} from "./dialogs/my_programs.tsx"
+import {ShareDialog} from "./dialogs/share_dialog.tsx"
+import {KeysDialog} from "./dialogs/shortcut_dialog.tsx"
+import {WorldEditorDialog} from "./dialogs/world_editor.tsx"
+import {DiagramRegion} from "./regions/diagram_region.tsx"
+import {RegionHeader} from "./regions/region_header.tsx"
+import {RegionResizeHandle} from "./regions/resize_handle.tsx"
+import {RoomRegion} from "./regions/room_region.tsx"
 
 /// What is to be seen. On a wide page the learner decides, on a tablet one of the views of the program stands with the room, on a phone
 /// there is one region.
 export function visible(state: Pick<PageState, "size" | "arrangement" | "region">): Tree {
   const {tree, hidden} = state.arrangement
   if (state.size === "phone") return state.region
-  const view = hidden.includes("blocks") && !hidden.includes("haskell") ? "blocks" : "haskell"
-  return seen(tree, state.size === "tablet" ? [view] : hidden) ?? "room"
+  const views: readonly Region[] = ["blocks", "haskell", "diagram"]
+  const view = viewOf(state.arrangement)
+  const shown = view === "haskell" || view === "diagram" ? view : "blocks"
+  return visibleTree(tree, state.size === "tablet" ? views.filter(one => one !== shown) : hidden) ?? "room"
 }
 
 export function App(): VNode {
-  const size = usePage(s => s.size)
-  const arrangement = usePage(s => s.arrangement)
-  const region = usePage(s => s.region)
-  const canvas = usePage(s => s.layout.canvas)
+  const size = usePageState(s => s.size)
+  const arrangement = usePageState(s => s.arrangement)
+  const region = usePageState(s => s.region)
+  const canvas = usePageState(s => s.layout.canvas)
   const grid = gridOf(visible({size, arrangement, region}))
   const shown = (one: Region) => grid.cells.has(one)
   const place = (one: Region) => placeOf(grid.cells.get(one))
@@ -50,27 +56,37 @@ export function App(): VNode {
       <div>
         <RobotBar />
         <NoticeBar />
+        {/* Class mode renders its bar there (`classroom/classroom.tsx`). */}
+        <div id="class-bar" />
       </div>
-      <main class="regions" style={{...tracksOf(grid), "--canvas-share": canvas}}>
-        <BlocksRegion shown={shown("blocks")} style={place("blocks")} />
-        <SourceRegion shown={shown("haskell")} style={place("haskell")} />
-        <RoomRegion shown={shown("room")} style={place("room")} />
-        {grid.dividers.map(divider => (
-          <RegionBorder key={divider.path} divider={divider} style={placeOf(divider.cell)} />
-        ))}
-        <Landing />
-      </main>
+      <div class="workplace">
+        <LessonRegion />
+        <main class="regions" style={{...tracksOf(grid), "--canvas-share": canvas}}>
+          <BlocksRegion shown={shown("blocks")} style={place("blocks")} />
+          <SourceRegion shown={shown("haskell")} style={place("haskell")} />
+          <DiagramRegion shown={shown("diagram")} style={place("diagram")} />
+          <RoomRegion shown={shown("room")} style={place("room")} />
+          {grid.dividers.map(divider => (
+            <RegionResizeHandle key={divider.path} divider={divider} style={placeOf(divider.cell)} />
+          ))}
+          <Landing />
+        </main>
+      </div>
       {size === "phone" && <BottomBar />}
       <GalleryDialog />
+      <LessonsDialog />
+      <MyProgramsDialog />
       <WorldEditorDialog />
       <RobotsDialog />
       <KeysDialog />
+      <ShareDialog />
+      <RoomTestDialog />
     </div>
   )
 }
 
 /// The room needs this much for its controls, the program this much to be read, in rem; on a small page at most this share of it.
-const leastWidth = {room: 24, program: 13}
+const leastWidth = {room: 23, program: 13}
 const leastHeight = 9
 const mostOfPage = 45
 
@@ -97,10 +113,10 @@ function placeOf(cell: Cell | undefined): CSSProperties {
 
 /// Where the region that is being moved would be.
 function Landing(): VNode | null {
-  const arranging = usePage(s => s.arranging)
+  const arranging = usePageState(s => s.arranging)
   if (arranging === null || arranging.next === null) return null
   const {region, next} = arranging
-  const box = boxes(seen(next.tree, next.hidden) ?? "room").get(region)
+  const box = boxes(visibleTree(next.tree, next.hidden) ?? "room").get(region)
   if (box === undefined) return null
   const share = (n: number) => `${n * 100}%`
   return (
@@ -122,28 +138,28 @@ interface Placed {
 }
 
 function BlocksRegion({shown, style}: Placed): VNode {
-  const desk = useDesk()
+  const desk = useController()
   const host = useRef<HTMLDivElement>(null)
   useLayoutEffect(() => {
     if (host.current !== null) desk.mountBlocks(host.current)
   }, [desk])
   return (
     <section class="region blocks" aria-label={words.blocksPane} hidden={!shown} style={style}>
-      <RegionHead region="blocks" />
+      <RegionHeader region="blocks" />
       <div class="blocks-host" ref={host} />
     </section>
   )
 }
 
 function SourceRegion({shown, style}: Placed): VNode {
-  const desk = useDesk()
+  const desk = useController()
   const host = useRef<HTMLDivElement>(null)
   useLayoutEffect(() => {
     if (host.current !== null) desk.mountSource(host.current)
   }, [desk])
   return (
     <section class="region haskell" aria-label={words.haskellPane} hidden={!shown} style={style}>
-      <RegionHead region="haskell" />
+      <RegionHeader region="haskell" />
       {/* Haskell is written from left to right in every language. */}
       <div class="source-host" dir="ltr" ref={host} />
     </section>

@@ -1,4 +1,4 @@
-/// The page's few pictures, drawn in the colour of the text around them.
+/// Icons, drawn in the colour of the surrounding text.
 
 import type {ComponentChildren} from "preact"
 import type {Region} from "../state/arrangement.ts"
@@ -102,6 +102,16 @@ export const SoundIcon = ({muted}: {muted: boolean}) => (
     />
   </Picture>
 )
+export const ShieldIcon = ({on}: {on: boolean}) => (
+  <Picture>
+    <path
+      {...line}
+      d="M8 1.8 13 3.6v4c0 3-2 5.2-5 6.6-3-1.4-5-3.6-5-6.6v-4z"
+      fill={on ? "currentColor" : "none"}
+    />
+    {!on && <path d="M2.5 13.5l11-11" {...line} />}
+  </Picture>
+)
 export const CloseIcon = () => (
   <Picture>
     <path d="M4 4l8 8M12 4l-8 8" {...line} />
@@ -127,6 +137,7 @@ export const PartIcon = ({region, x, y}: {region: Region; x: number; y: number})
       {
         blocks: "M-4-3h6v2.4h-6zM-4 1h8v2.4h-8z",
         haskell: "M-4-3l2 3-2 3M-1-3l4 6M.7.6-1 3",
+        diagram: "M-5-1.5h3v3h-3zM2-4h3v3H2zM2 1h3v3H2zM-2 0h2V-2.5h2M0 0v2.5h2",
         room: "M0-3.4a3.4 3.4 0 1 0 .01 0M0 0h3",
       }[region]
     }
@@ -145,6 +156,11 @@ export const TextIcon = () => (
     <path d="M3 3l3.5 5L3 13M7 3l6 10M9.5 8 7 13M12.5 7H14M13 9.5h1" {...line} />
   </Picture>
 )
+export const DiagramIcon = () => (
+  <Picture size={20}>
+    <path d="M1.5 6.2h4v3.6h-4zM10.5 2h4v3.6h-4zM10.5 10.4h4V14h-4zM5.5 8H8V3.8h2.5M8 8v4.2h2.5" {...line} />
+  </Picture>
+)
 export const RoomIcon = () => (
   <Picture size={20}>
     <circle cx="8" cy="8" r="5.5" {...line} />
@@ -161,6 +177,17 @@ export const LogoIcon = () => (
 export const EditIcon = () => (
   <Picture>
     <path d="m3 13 .7-3 6.9-6.9a1.3 1.3 0 0 1 1.9 0l.4.4a1.3 1.3 0 0 1 0 1.9L6 12.3z" {...line} />
+  </Picture>
+)
+export const DuplicateIcon = () => (
+  <Picture>
+    <rect x="5.5" y="5.5" width="8" height="8" rx="1.6" {...line} />
+    <path d="M3.6 10.5A1.4 1.4 0 0 1 2.5 9V4A1.5 1.5 0 0 1 4 2.5h5a1.4 1.4 0 0 1 1.4 1.1" {...line} />
+  </Picture>
+)
+export const BinIcon = () => (
+  <Picture>
+    <path d="M2.5 4.3h11M6.2 4.3V2.6h3.6v1.7M4 4.3l.6 9h6.8l.6-9M6.7 7v3.6M9.3 7v3.6" {...line} />
   </Picture>
 )
 export const ChevronIcon = () => (

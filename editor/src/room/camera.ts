@@ -1,4 +1,4 @@
-/// Where the room lies on the canvas: metres with y up, to pixels with y down. Pure.
+/// Camera: the transform from metres with y up to pixels with y down. Pure.
 
 export interface Camera {
   /// Pixels in a metre.
@@ -27,14 +27,14 @@ export function toRoom(camera: Camera, x: number, y: number): {x: number; y: num
 
 /// How the learner looks at the room: `null` is all of it. The point `x`, `y` of the room (metres) is in the
 /// middle, `zoom` times as large as when all is seen.
-export type Look = {readonly zoom: number; readonly x: number; readonly y: number} | null
+export type CameraView = {readonly zoom: number; readonly x: number; readonly y: number} | null
 
 const closest = 12
 
 /// The view of a world of `width` × `height` metres on a canvas of `w` × `h` pixels. `corner` is where its lower left
 /// corner is, in metres along both axes.
 export function lookAt(
-  look: Look,
+  look: CameraView,
   width: number,
   height: number,
   w: number,
@@ -52,37 +52,67 @@ export function lookAt(
   return {scale, left: w / 2 - look.x * scale, bottom: h / 2 + look.y * scale}
 }
 
+/// Metres beside a path, and of the room at least, in a view of the path.
+const besidePath = 0.3
+const leastAroundPath = 1.5
+
+/// The view in which a path fills a canvas of `w` × `h` pixels as far as the room around it allows; all of the room without a path.
+export function viewOfPath(
+  path: readonly (readonly [number, number])[],
+  width: number,
+  height: number,
+  w: number,
+  h: number,
+): CameraView {
+  if (path.length < 2) return null
+  const [xs, ys] = [path.map(([x]) => x), path.map(([, y]) => y)]
+  const [left, right] = [Math.min(...xs), Math.max(...xs)]
+  const [low, high] = [Math.min(...ys), Math.max(...ys)]
+  const across = Math.max(right - left + 2 * besidePath, leastAroundPath)
+  const up = Math.max(high - low + 2 * besidePath, leastAroundPath)
+  const scale = Math.min(w / across, h / up)
+  const zoom = scale / fit(width, height, w, h).scale
+  return zoom <= 2 ? null : {zoom, x: (left + right) / 2, y: (low + high) / 2}
+}
+
 /// Metres of the room around the robot, at least, when the picture goes with it.
 const followed = 3
 
 /// The look that keeps a point of the room in the middle, as close as before, or close enough to see the robot work.
 export function follow(
-  look: Look,
+  look: CameraView,
   point: {readonly x: number; readonly y: number},
   width: number,
   height: number,
   w: number,
   h: number,
-): Look {
+): CameraView {
   const near = Math.max(1, Math.min(w, h) / followed / fit(width, height, w, h).scale)
   return {zoom: look?.zoom ?? near, x: point.x, y: point.y}
 }
 
 /// The look after the picture was moved by so many pixels.
-export function pan(look: Look, camera: Camera, w: number, h: number, dx: number, dy: number): Look {
+export function pan(
+  look: CameraView,
+  camera: Camera,
+  w: number,
+  h: number,
+  dx: number,
+  dy: number,
+): CameraView {
   const middle = toRoom(camera, w / 2 - dx, h / 2 - dy)
   return {zoom: look?.zoom ?? 1, ...middle}
 }
 
 /// The look after coming `factor` times closer, with the room's point under `x`, `y` (pixels) staying there.
 export function zoom(
-  look: Look,
+  look: CameraView,
   camera: Camera,
   size: {readonly w: number; readonly h: number},
   factor: number,
   x: number,
   y: number,
-): Look {
+): CameraView {
   const old = look?.zoom ?? 1
   const now = Math.min(closest, Math.max(1, old * factor))
   // All the way out is the whole room again.

@@ -1,20 +1,19 @@
-/// Hands in the room: take the robot and put it elsewhere, turn it, push things, move the view, look closer. With
-/// mouse, touch and keyboard. Says what was wanted; what becomes of it is decided elsewhere.
+/// Pointer, touch and keyboard gestures in the room: place and turn the robot, push objects, pan, zoom. Reports the gesture; the listener decides its effect.
 
-import {isChord, type Keys} from "../state/keys.ts"
+import {isChord, type Keys} from "../state/shortcuts.ts"
 import {type Camera, toRoom} from "./camera.ts"
-import type {Pose} from "./motion.ts"
-import {type Thing, thingAt} from "./things.ts"
+import {type MovableObject, objectAt, type Pose} from "./poses.ts"
+import type {QuestionTarget} from "./question_targets.ts"
 
 export interface GestureHost {
   camera(): Camera
   /// Where the robot is drawn, or `null` when there is no room yet.
   robot(): Pose | null
   /// What can be pushed, where it is drawn.
-  things(): readonly Thing[]
+  things(): readonly MovableObject[]
   /// The thing that the keyboard holds; `null` is the robot.
   held(): number | null
-  /// Whether hands can do anything: only while a program runs.
+  /// Whether gestures move the robot and things: only while a program runs.
   able(): boolean
   /// The robot was taken to this pose.
   placed(pose: Pose): void
@@ -31,6 +30,9 @@ export interface GestureHost {
   fitted(): void
   /// The view is to go with the robot, or to stay again.
   followed(): void
+  /// What a click at a point of the room asks about, within so many metres; `null` when there is nothing.
+  targetAt(at: Spot, reach: number): QuestionTarget | null
+  asked(about: QuestionTarget): void
 }
 
 export const roomKeys = {
@@ -40,6 +42,8 @@ export const roomKeys = {
   thing: ["b"],
   robot: ["Escape"],
   follow: ["f"],
+  why: ["w"],
+  place: ["p"],
   closer: ["+"],
   further: ["-"],
   whole: ["0"],
@@ -50,17 +54,19 @@ type Acts = Partial<Record<RoomKey, (key: string) => void>>
 
 /// From the robot's middle to the handle that turns it, m.
 export const handleReach = 0.32
-/// Kobuki's radius, m (see `robot.ts`); taking hold is a little easier than that.
+/// The robot's radius, m (see `robot_drawing.ts`); taking hold is a little easier than that.
 const reach = 0.22
 /// The handle shows while the pointer is so near to the robot, m.
 const near = 0.45
 /// How far around a pointer is meant, in pixels.
 const grasp = 16
+/// A pointer that moved no further than this was a click, in pixels.
+const still = 4
 /// A key moves the robot so far, in metres, and turns it so far, in radians.
 const keyStep = 0.05
 const keyTurn = Math.PI / 12
 
-type Grip =
+type GestureTarget =
   | {readonly kind: "robot"; readonly dx: number; readonly dy: number; theta: number}
   | {readonly kind: "turn"; readonly by: number}
   | {readonly kind: "thing"; readonly thing: number; readonly dx: number; readonly dy: number; theta: number}
@@ -80,9 +86,9 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
   const metres = (pixels: number) => pixels / host.camera().scale
 
   /// What a hand takes hold of at a point of the canvas.
-  const gripAt = (p: Spot): Grip => {
+  const gripAt = (p: Spot): GestureTarget => {
     const robot = host.robot()
-    const floor: Grip = {kind: "floor", ...p}
+    const floor: GestureTarget = {kind: "floor", ...p}
     if (robot === null || !host.able()) return floor
     const point = inRoom(p)
     const away = Math.hypot(point.x - robot.x, point.y - robot.y)
@@ -94,13 +100,13 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
     if (away < Math.max(reach, metres(grasp)))
       return {kind: "robot", dx: robot.x - point.x, dy: robot.y - point.y, theta: robot.theta}
     const things = host.things()
-    const thing = thingAt(things, point.x, point.y, metres(grasp / 2))
+    const thing = objectAt(things, point.x, point.y, metres(grasp / 2))
     const taken = thing === null ? undefined : things[thing]
     if (thing === null || taken === undefined) return floor
     return {kind: "thing", thing, dx: taken.x - point.x, dy: taken.y - point.y, theta: taken.theta}
   }
   /// The hand went to a point of the canvas with what it holds.
-  const drag = (grip: Grip, p: Spot) => {
+  const drag = (grip: GestureTarget, p: Spot) => {
     const point = inRoom(p)
     const robot = host.robot()
     switch (grip.kind) {
@@ -118,7 +124,10 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
     }
   }
 
-  let grip: Grip | null = null
+  let grip: GestureTarget | null = null
+  /// Where the pointer went down; `null` once it has moved, or another finger came.
+  let pressed: Spot | null = null
+  const askedAt = (p: Spot) => host.targetAt(inRoom(p), metres(grasp / 2))
   // With two fingers the view zooms, or the robot that one of them holds is turned; `fingers` are those on the canvas.
   const fingers = new Map<number, Spot>()
   const otherFinger = (id: number) => [...fingers].find(([other]) => other !== id)?.[1]
@@ -127,6 +136,7 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
     canvas.setPointerCapture(event.pointerId)
     const p = at(event)
     fingers.set(event.pointerId, p)
+    pressed = fingers.size === 1 && event.button === 0 ? p : null
     if (fingers.size > 1) return
     grip = gripAt(p)
     host.handled(grip.kind === "robot" || grip.kind === "turn")
@@ -135,13 +145,14 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
     const p = at(event)
     if (grip === null) {
       const under = gripAt(p).kind
-      canvas.style.cursor = under === "floor" ? "" : "grab"
+      canvas.style.cursor = under !== "floor" ? "grab" : askedAt(p) === null ? "" : "help"
       const robot = host.robot()
       const point = inRoom(p)
       if (event.pointerType === "mouse")
         host.handled(robot !== null && Math.hypot(point.x - robot.x, point.y - robot.y) < near)
       return
     }
+    if (pressed !== null && Math.hypot(p.x - pressed.x, p.y - pressed.y) > still) pressed = null
     const mine = fingers.get(event.pointerId)
     const other = otherFinger(event.pointerId)
     fingers.set(event.pointerId, p)
@@ -170,8 +181,16 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
     if (fingers.size === 0) grip = null
     canvas.style.cursor = ""
   }
-  canvas.addEventListener("pointerup", release)
-  canvas.addEventListener("pointercancel", release)
+  canvas.addEventListener("pointerup", event => {
+    const about = pressed === null ? null : askedAt(pressed)
+    pressed = null
+    release(event)
+    if (about !== null) host.asked(about)
+  })
+  canvas.addEventListener("pointercancel", event => {
+    pressed = null
+    release(event)
+  })
   canvas.addEventListener("pointerleave", event => event.pointerType === "mouse" && host.handled(false))
 
   canvas.addEventListener(
@@ -196,6 +215,8 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
       further: () => host.zoomed(0.8, middle.x, middle.y),
       whole: () => host.fitted(),
       follow: () => host.followed(),
+      why: () => host.asked({kind: "robot"}),
+      place: () => host.asked({kind: "place", time: null}),
       ...keyHands(host),
     }
     const wanted = Object.entries(roomKeys).find(([, chords]) => chords.some(chord => isChord(event, chord)))

@@ -1,4 +1,4 @@
-/// The room's colours, read from the page's tokens, so that light and dark are decided in one place.
+/// Colours of the room, read from the page's CSS tokens.
 
 export interface Palette {
   readonly floor: string
@@ -12,6 +12,7 @@ export interface Palette {
   readonly ink: string
   readonly paper: string
   readonly trail: string
+  readonly preview: string
   /// The trail's levels, from slow to fast or from long ago to now.
   readonly ramp: readonly string[]
   readonly around: string
@@ -38,6 +39,7 @@ export function readPalette(element: Element): Palette {
     ink: token("--ink"),
     paper: token("--paper"),
     trail: token("--rosy"),
+    preview: token("--preview"),
     ramp: [1, 2, 3, 4, 5].map(level => token(`--trail-${level}`)),
     around: token("--sunken"),
     hit: token("--hit"),

@@ -1,8 +1,7 @@
-/// Where the regions of the page stand: a tree of splits with a region at each leaf. A hidden region keeps its place
-/// in the tree, and has it again when it is shown. Pure; places and sizes are shares of the whole, from 0 to 1,
-/// counted from the side on which reading begins.
+/// Layout of the page's regions: a tree of splits with a region at each leaf. A hidden region keeps its place in the tree. Pure; positions and sizes are shares of the whole,
+/// from 0 to 1, counted from the side on which reading begins.
 
-export const regions = ["blocks", "haskell", "room"] as const
+export const regions = ["blocks", "haskell", "diagram", "room"] as const
 export type Region = (typeof regions)[number]
 
 export type Side = "left" | "right" | "top" | "bottom"
@@ -43,36 +42,45 @@ export interface Divider {
 /// The smallest and the largest share, and how far a key moves a border.
 export const leastShare = 0.12
 export const mostShare = 0.88
-export const stepOfShare = 0.02
+export const shareStep = 0.02
 
 const beside = (first: Tree, second: Tree, share: number): Tree => ({split: "beside", first, second, share})
 const below = (first: Tree, second: Tree, share: number): Tree => ({split: "below", first, second, share})
 
-/// From left to right the way a program travels.
-export const firstArrangement: Arrangement = {
-  tree: beside(beside("blocks", "haskell", 0.59), "room", 0.73),
-  hidden: [],
+/// How much the blocks have of their height where the diagram is below them.
+const shareAboveDiagram = 0.6
+
+/// The diagram below the blocks, in a tree without it.
+export function withDiagramBelowBlocks(tree: Tree): Tree {
+  if (typeof tree === "string") return tree === "blocks" ? below(tree, "diagram", shareAboveDiagram) : tree
+  return {...tree, first: withDiagramBelowBlocks(tree.first), second: withDiagramBelowBlocks(tree.second)}
 }
 
-/// Arrangements to choose from at once; the first is the one that everybody begins with.
-export const choices: readonly Tree[] = [
-  firstArrangement.tree,
+/// From left to right the way a program travels. On a page 1440 pixels wide the shares leave the Haskell of the first examples unwrapped.
+export const firstArrangement: Arrangement = {
+  tree: withDiagramBelowBlocks(beside(beside("blocks", "haskell", 0.599), "room", 0.757)),
+  hidden: ["diagram"],
+}
+
+/// Arrangements to choose from at once; the first is the default.
+export const presetTrees: readonly Tree[] = [
+  beside(beside("blocks", "haskell", 0.599), "room", 0.757),
   beside("blocks", below("room", "haskell", 0.6), 0.55),
   beside(below("blocks", "haskell", 0.6), "room", 0.6),
   beside("haskell", beside("blocks", "room", 0.6), 0.3),
   below(beside("blocks", "haskell", 0.6), "room", 0.5),
   beside("room", beside("blocks", "haskell", 0.6), 0.4),
-]
+].map(withDiagramBelowBlocks)
 
 export function regionsIn(tree: Tree): readonly Region[] {
   return typeof tree === "string" ? [tree] : [...regionsIn(tree.first), ...regionsIn(tree.second)]
 }
 
 /// The tree of what is to be seen; `null` when nothing is.
-export function seen(tree: Tree, hidden: readonly Region[]): Tree | null {
+export function visibleTree(tree: Tree, hidden: readonly Region[]): Tree | null {
   if (typeof tree === "string") return hidden.includes(tree) ? null : tree
-  const first = seen(tree.first, hidden)
-  const second = seen(tree.second, hidden)
+  const first = visibleTree(tree.first, hidden)
+  const second = visibleTree(tree.second, hidden)
   if (first === null || second === null) return first ?? second
   return {...tree, first, second}
 }
@@ -109,7 +117,7 @@ function halves(split: "beside" | "below", share: number, {x, y, w, h}: Box): re
 
 /// The arrangement with the border between these two sides elsewhere. A divider is told by what is seen on its sides, for
 /// hidden regions stand in the tree too.
-export function resized(arrangement: Arrangement, divider: Divider, share: number): Arrangement {
+export function resizeSplit(arrangement: Arrangement, divider: Divider, share: number): Arrangement {
   const [one, other] = divider.between
   const kept = Math.min(mostShare, Math.max(leastShare, share))
   const walk = (tree: Tree): Tree => {
@@ -127,13 +135,13 @@ const shareOfOne = 0.5
 const shareOfAll = 1 / 3
 
 /// The arrangement with a region on a side of another one, or of all others.
-export function moved(
+export function moveRegion(
   arrangement: Arrangement,
   region: Region,
   target: Region | "all",
   side: Side,
 ): Arrangement {
-  const rest = seen(arrangement.tree, [region])
+  const rest = visibleTree(arrangement.tree, [region])
   if (rest === null || target === region) return arrangement
   const put = (tree: Tree, share: number): Tree => {
     const split = side === "left" || side === "right" ? "beside" : "below"
@@ -149,7 +157,7 @@ export function moved(
 }
 
 /// The arrangement with two regions in each other's place.
-export function swapped(arrangement: Arrangement, one: Region, other: Region): Arrangement {
+export function swapRegions(arrangement: Arrangement, one: Region, other: Region): Arrangement {
   const walk = (tree: Tree): Tree => {
     if (typeof tree !== "string") return {...tree, first: walk(tree.first), second: walk(tree.second)}
     return tree === one ? other : tree === other ? one : tree
@@ -163,19 +171,24 @@ const edge = 0.05
 const middle = 0.36
 
 /// The arrangement after a region was let fall at a place; `null` where that changes nothing.
-export function dropped(arrangement: Arrangement, region: Region, x: number, y: number): Arrangement | null {
-  const shown = seen(arrangement.tree, arrangement.hidden)
+export function dropRegion(
+  arrangement: Arrangement,
+  region: Region,
+  x: number,
+  y: number,
+): Arrangement | null {
+  const shown = visibleTree(arrangement.tree, arrangement.hidden)
   if (shown === null || x < 0 || y < 0 || x > 1 || y > 1) return null
   const {side: outer, distance} = nearestSide({x: 0, y: 0, w: 1, h: 1}, x, y)
   const done = (next: Arrangement) => (sameShape(next.tree, arrangement.tree) ? null : next)
-  if (distance < edge) return done(moved(arrangement, region, "all", outer))
+  if (distance < edge) return done(moveRegion(arrangement, region, "all", outer))
   for (const [target, box] of boxes(shown)) {
     if (x < box.x || x > box.x + box.w || y < box.y || y > box.y + box.h) continue
     if (target === region) return null
     const {side, distance: depth} = nearestSide(box, x, y)
     return depth > (1 - middle) / 2
-      ? swapped(arrangement, region, target)
-      : done(moved(arrangement, region, target, side))
+      ? swapRegions(arrangement, region, target)
+      : done(moveRegion(arrangement, region, target, side))
   }
   return null
 }
@@ -201,25 +214,30 @@ export function sameShape(one: Tree, other: Tree): boolean {
 }
 
 /// Shows or hides a region. One stays to be seen.
-export function withShown(arrangement: Arrangement, region: Region, shown: boolean): Arrangement {
+export function setVisible(arrangement: Arrangement, region: Region, shown: boolean): Arrangement {
   const hidden = arrangement.hidden.filter(other => other !== region)
   if (shown) return {...arrangement, hidden}
   return hidden.length + 1 < regions.length ? {...arrangement, hidden: [...hidden, region]} : arrangement
 }
 
-/// Which of the two views of the program are to be seen, beside the room.
-export type View = "blocks" | "both" | "haskell"
+/// Which views of the program are to be seen, beside the room. The diagram may be shown with each of the others.
+export type View = "blocks" | "both" | "haskell" | "diagram"
 
 export function viewOf({hidden}: Arrangement): View | null {
   const blocks = !hidden.includes("blocks")
   const haskell = !hidden.includes("haskell")
-  return blocks && haskell ? "both" : blocks ? "blocks" : haskell ? "haskell" : null
+  const diagram = !hidden.includes("diagram")
+  return blocks && haskell ? "both" : blocks ? "blocks" : haskell ? "haskell" : diagram ? "diagram" : null
 }
 
 export function withView(arrangement: Arrangement, view: View): Arrangement {
-  const room = arrangement.hidden.filter(region => region === "room")
+  if (view === "diagram") {
+    const room = arrangement.hidden.filter(region => region === "room")
+    return {...arrangement, hidden: [...room, "blocks", "haskell"]}
+  }
+  const others = arrangement.hidden.filter(region => region === "room" || region === "diagram")
   const other = view === "both" ? [] : view === "blocks" ? (["haskell"] as const) : (["blocks"] as const)
-  return {...arrangement, hidden: [...room, ...other]}
+  return {...arrangement, hidden: [...others, ...other]}
 }
 
 /// Where a region is in a grid: from which line to which, counted from 1.

@@ -1,5 +1,4 @@
-/// Decoders for JSON from outside: a value of the expected type, or a sentence with the path to the fault
-/// (`at frame.led1: expected a number`). Nothing here knows what the messages mean.
+/// Decoders for JSON from outside: a value of the expected type, or a sentence with the path of the mismatch (`at frame.led1: expected a number`).
 
 /// What was wrong with a piece of JSON, and where.
 export class Mismatch extends Error {

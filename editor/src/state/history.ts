@@ -1,5 +1,4 @@
-/// One history for the program, whichever view it was changed in: undo and redo walk through documents in the
-/// order they were made. Pure.
+/// Undo history of the program, shared by blocks and text. Pure.
 
 import type {SavedWorkspace} from "@rosy/codegen"
 import type {View} from "@rosy/codegen/reader"
@@ -30,11 +29,11 @@ export interface History {
   readonly past: readonly Document[]
   readonly future: readonly Document[]
   /// Where and when the last change was made, in milliseconds; `null` when none can be joined to it.
-  readonly last: {readonly by: Changer; readonly at: number} | null
+  readonly last: {readonly by: ChangeOrigin; readonly at: number} | null
 }
 
 /// What changed the program: one of its views, or a command like a fix, which is a step by itself.
-export type Changer = "blocks" | "haskell" | "command"
+export type ChangeOrigin = "blocks" | "haskell" | "command"
 
 export const emptyHistory: History = {past: [], future: [], last: null}
 
@@ -43,11 +42,20 @@ const joinWithin = 700
 /// Steps kept.
 const maxSteps = 500
 
+/// A drag of a number: no change has been made by it yet, or one has, and those that follow are the same step.
+export type NumberDrag = "begun" | "changing" | null
+
 /// The history after `before` was changed.
-export function remember(history: History, before: Document, by: Changer, at: number): History {
+export function recordChange(
+  history: History,
+  before: Document,
+  by: ChangeOrigin,
+  at: number,
+  drag: NumberDrag = null,
+): History {
   const {last, past} = history
-  const joins =
-    last !== null && by !== "command" && last.by === by && at - last.at < joinWithin && past.length > 0
+  const follows = last !== null && by !== "command" && last.by === by && at - last.at < joinWithin
+  const joins = past.length > 0 && (drag === null ? follows : drag === "changing")
   return {
     past: joins ? past : [...past.slice(-maxSteps + 1), before],
     future: [],

@@ -1,8 +1,10 @@
-/// The program as the page knows it: its text, where each block's text is, and which block a problem is about.
+/// The program as the page stores it: its text, the text range of each block, problems with their block, and fixes as text edits. Pure.
 
+import {type BlockProblem, type ConflictNames, socketKey} from "@rosy/codegen"
 import type {Word} from "@rosy/codegen/reader"
-import type {Fix} from "./fixes.ts"
-import type {Place, Problem} from "./messages.ts"
+import {worded} from "../words/worker_sentences.ts"
+import type {Declared, Place, Problem} from "./messages.ts"
+import {type ChangeDesc, ChangeSet} from "./text_changes.ts"
 
 export type BlockId = string
 
@@ -18,7 +20,7 @@ export interface Definition extends Span {
   readonly name: string
 }
 
-/// What a thing is, told by colour: the same families as the blocks'.
+/// Families of words, each with a colour: the same as those of blocks.
 export type Family = "event" | "state" | "command" | "memory" | "task" | "number" | "choice" | "own"
 
 export interface Program {
@@ -35,9 +37,9 @@ export const emptyProgram: Program = {text: "", spans: [], definitions: [], fami
 
 /// A problem on the page: what it says, and the block and text it is about when it has any.
 export interface Finding {
-  readonly severity: "error" | "warning"
+  readonly severity: "error" | "warning" | "note"
   readonly kind: string
-  /// Who found it: the blocks while they were put together, the compiler, the running program.
+  /// Its source: the inference of the blocks, the compiler, or the running program.
   readonly from: "blocks" | "compiler" | "run"
   readonly message: string
   readonly hint: string
@@ -49,8 +51,12 @@ export interface Finding {
   readonly inputs: readonly string[]
   readonly fixes: readonly Fix[]
   readonly block: BlockId | null
+  /// Key of the socket that it is about, as in `socketKey`.
+  readonly socket?: string | undefined
   /// Where in the program's text.
   readonly range: {readonly start: number; readonly end: number} | null
+  /// Of a conflict between two functions. Each of them has a finding.
+  readonly conflict?: ConflictNames | undefined
 }
 
 /// The offset of a 1-based line and column; past the end of a line or of the text it is that end.
@@ -82,16 +88,16 @@ export function innermostBlock(
 }
 
 /// The whole text that a block was printed to: its widest span.
-export function textOf(spans: readonly Span[], block: BlockId): {start: number; end: number} | null {
+export function textRangeOf(spans: readonly Span[], block: BlockId): {start: number; end: number} | null {
   let best: Span | null = null
   for (const span of spans)
     if (span.block === block && (best === null || span.end - span.start > best.end - best.start)) best = span
   return best === null ? null : {start: best.start, end: best.end}
 }
 
-/// Brings a problem of the service home: to the innermost block at its place, or else to the definition of the
+/// Brings a problem of the service home, in the language of the page: to the innermost block at its place, or else to the definition of the
 /// function it names.
-export function locate(program: Program, problem: Problem, from: "compiler" | "run"): Finding {
+export function locateProblem(program: Program, problem: Problem, from: "compiler" | "run"): Finding {
   const named = program.definitions.find(d => d.name === problem.function) ?? null
   const start = problem.start === null ? null : offsetOf(program.text, problem.start)
   const end = problem.end === null ? start : offsetOf(program.text, problem.end)
@@ -101,14 +107,14 @@ export function locate(program: Program, problem: Problem, from: "compiler" | "r
     severity: problem.severity,
     kind: problem.kind,
     from,
-    message: problem.message,
-    hint: problem.hint,
+    message: worded(problem.sentences.message, problem.message),
+    hint: worded(problem.sentences.hint, problem.hint),
     ghc: problem.ghc,
     function: problem.function,
     time: problem.time,
     inputs: problem.inputs,
-    fixes: problem.fixes.map(({title, edits}) => ({
-      title,
+    fixes: problem.fixes.map(({title, sentence, edits}) => ({
+      title: worded(sentence, title),
       edits: edits.map(e => ({
         start: offsetOf(program.text, e.start),
         end: offsetOf(program.text, e.end),
@@ -120,37 +126,97 @@ export function locate(program: Program, problem: Problem, from: "compiler" | "r
   }
 }
 
-/// Where a range is after `old` became `now`: it moves with the text around it, and shrinks with what it lost.
-export function movedRange(
-  old: string,
-  now: string,
-  range: {readonly start: number; readonly end: number},
-): {start: number; end: number} {
-  return rangeMoved(mover(old, now), range)
-}
-
-/// The same for many ranges: comparing the texts is what costs.
-export function rangeMoved(
-  move: Mover,
-  range: {readonly start: number; readonly end: number},
-): {start: number; end: number} {
-  const start = move(range.start, "before")
-  return {start, end: Math.max(start, move(range.end, "before"))}
-}
-
-/// Where an offset is in a text that has changed; one at which something was put in is `before` or `behind` it.
-export type Mover = (at: number, side: "before" | "behind") => number
-
-/// Where offsets are after `old` became `now`.
-export function mover(old: string, now: string): Mover {
-  const most = Math.min(old.length, now.length)
-  let head = 0
-  while (head < most && old[head] === now[head]) head += 1
-  let tail = 0
-  while (tail < most - head && old[old.length - 1 - tail] === now[now.length - 1 - tail]) tail += 1
-  const shift = now.length - old.length
-  return (at, side) => {
-    if (at < head || (at === head && side === "before")) return at
-    return at >= old.length - tail ? at + shift : Math.min(at, now.length - tail)
+/// A problem that codegen found on a block, in the text of the program; `time` is that of the run which showed it.
+export function blockFinding(program: Program, problem: BlockProblem, time: number | null = null): Finding {
+  const block = problem.block ?? null
+  return {
+    severity: problem.severity,
+    kind: problem.kind,
+    from: time === null ? "blocks" : "run",
+    message: problem.message,
+    hint: problem.hint,
+    ghc: "",
+    function: null,
+    time,
+    inputs: [],
+    fixes: [],
+    block,
+    ...(block === null || problem.input === undefined ? {} : {socket: socketKey(block, problem.input)}),
+    range: block === null ? null : textRangeOf(program.spans, block),
+    ...(problem.conflict === undefined ? {} : {conflict: problem.conflict}),
   }
+}
+
+/// Whether two findings are about a common piece of the text.
+export function isOverlapping({range: a}: Finding, {range: b}: Finding): boolean {
+  return a !== null && b !== null && a.start < b.end && b.start < a.end
+}
+
+/// The range after `changes`: it moves with the text around it, and shrinks with deleted text.
+export function mapRange(
+  changes: ChangeDesc,
+  range: {readonly start: number; readonly end: number},
+): {start: number; end: number} {
+  const start = changes.mapPos(range.start, -1)
+  return {start, end: Math.max(start, changes.mapPos(range.end, -1))}
+}
+
+/// Text to put in the place of a range. Offsets in UTF-16 units; `end` is exclusive.
+export interface Edit {
+  readonly start: number
+  readonly end: number
+  readonly text: string
+}
+
+/// What a button says, and all that it replaces at once; no two edits overlap.
+export interface Fix {
+  readonly title: string
+  readonly edits: readonly Edit[]
+}
+
+/// The cursor's place after a fix: the first place that it left open, else behind its first edit.
+export function selectionAfterFix(fix: Fix): {start: number; end: number} {
+  const [first] = [...fix.edits].sort((a, b) => a.start - b.start)
+  if (first === undefined) return {start: 0, end: 0}
+  const hole = /(?<=[\s(])_(?=\n|$)/.exec(first.text)
+  const start = first.start + (hole === null ? first.text.length : hole.index)
+  return {start, end: hole === null ? start : start + 1}
+}
+
+/// A fix after the text has changed. Text inserted at the edges of an edit is not part of it.
+export function mapFix(changes: ChangeDesc, fix: Fix): Fix {
+  const edits = fix.edits.map(e => {
+    const end = changes.mapPos(e.end, -1)
+    return {...e, start: e.start === e.end ? end : Math.min(end, changes.mapPos(e.start, 1)), end}
+  })
+  return {...fix, edits}
+}
+
+/// The changes that a fix makes in a text of `length` UTF-16 units.
+export function fixChanges(fix: Fix, length: number): ChangeSet {
+  const changes = fix.edits.map(({start, end, text}) => ({from: start, to: end, insert: text}))
+  return ChangeSet.of(changes, length)
+}
+
+/// The type that the compiler found, written above the definition around `offset`; `null` when it has one, or none is known.
+export function signatureFix(
+  program: Program,
+  declared: readonly Declared[],
+  offset: number,
+  title: (signature: string) => string,
+): Fix | null {
+  const around = program.definitions.find(d => d.start <= offset && offset <= d.end)
+  const type = declared.find(d => d.name === around?.name)?.type
+  if (around === undefined || type === undefined || !isFunctionName(around.name)) return null
+  const text = program.text.slice(around.start, around.end)
+  if (!text.startsWith(around.name) || /^\S+\s*(?:,[^:=]*)?::/.test(text)) return null
+  const signature = `${around.name} :: ${type}`
+  return {
+    title: title(signature),
+    edits: [{start: around.start, end: around.start, text: `${signature}\n`}],
+  }
+}
+
+function isFunctionName(name: string): boolean {
+  return /^[\p{Ll}_]/u.test(name)
 }

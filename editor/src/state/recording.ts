@@ -1,4 +1,4 @@
-/// The frames of a run, kept in order, so that the learner can look back and draw curves of them. Pure.
+/// Recording of a run: its frames in order, for seeking and for charts. Pure.
 
 import type {Frame} from "./messages.ts"
 
@@ -49,6 +49,14 @@ export function frameAt(recording: Recording, time: number): Frame | null {
   let at = piece.findIndex(f => f.time > time)
   if (at < 0) at = piece.length
   return piece[Math.max(0, at - 1)] ?? null
+}
+
+/// The frames at or before `time`.
+export function recordedUntil(recording: Recording, time: number): Recording {
+  const pieces = recording.pieces
+    .filter(piece => (piece[0]?.time ?? 0) <= time)
+    .map(piece => ((piece.at(-1)?.time ?? 0) <= time ? piece : piece.filter(f => f.time <= time)))
+  return {pieces, length: pieces.reduce((n, piece) => n + piece.length, 0)}
 }
 
 /// Every frame from `from` to `to` seconds.

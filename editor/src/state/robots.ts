@@ -1,4 +1,4 @@
-/// The real robots that the service offers, and the one that this page has. Pure.
+/// Real robots offered by the service, and the robot that this page controls. Pure.
 
 import type {World} from "../worlds/world.ts"
 
@@ -9,14 +9,11 @@ export interface RobotName {
   readonly yours: boolean
 }
 
-/// The robot that this page has, as the service tells of it (protocol §4, `robot`).
-export interface Held {
+/// The robot that this page controls (protocol §4, `robot`).
+export interface OwnedRobot {
   readonly name: string
   readonly link: "connecting" | "connected" | "lost"
   readonly why: string
-  /// It backs off by itself from what it runs into, and does so now.
-  readonly safety: boolean
-  readonly backing: boolean
   /// The emergency stop holds its wheels.
   readonly stopped: boolean
   /// Metres and radians a second.
@@ -24,11 +21,18 @@ export interface Held {
   readonly maxTurn: number
 }
 
+/// Safety rules of the robot, simulated or real: on or off, and since when they override the program, in seconds of the
+/// run; `null` while they do not.
+export interface SafetyRules {
+  readonly on: boolean
+  readonly since: number | null
+}
+
 export interface RobotsState {
   /// `null` where the service has no robots.
   readonly offered: {readonly locked: boolean; readonly robots: readonly RobotName[]} | null
-  readonly held: Held | null
-  /// The code that opens them, as far as this page knows it.
+  readonly held: OwnedRobot | null
+  /// The code that unlocks them; `null` until it is entered or read from the storage.
   readonly code: string | null
   /// What the service said to the last code or wish; it is said where the robots are chosen.
   readonly refused: string | null
@@ -38,7 +42,7 @@ export interface RobotsState {
 
 export const noRobots: RobotsState = {offered: null, held: null, code: null, refused: null, who: ""}
 
-/// Metres of floor that are drawn around the start of a real robot, whose room nobody knows.
+/// Metres of floor that are drawn around the start of a real robot, whose room is unknown.
 const floor = 40
 
 /// What is drawn below a real robot: open floor, with the start of the run in the middle.
@@ -47,6 +51,8 @@ export function openFloor(name: string): World {
     name,
     title: "",
     realism: null,
+    dock: null,
+    battery: 1,
     open: true,
     size: [floor, floor],
     start: {x: 0, y: 0, theta: 0},

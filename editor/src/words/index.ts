@@ -1,8 +1,8 @@
-/// The words of the page in the language that was chosen at its start.
+/// Words of the page in the language that was selected at its start.
 
 import type {Translated} from "@rosy/codegen/words"
 import {en} from "./en/index.ts"
-import {type Measures, measuresOf} from "./measures.ts"
+import {type Measures, measuresOf} from "./number_formats.ts"
 
 /// What a language says: all that English says, under the same names. One that is missing does not compile.
 export type Words = Translated<typeof en>
@@ -14,7 +14,7 @@ export let words: Words = en
 export let measures: Measures = measuresOf("en")
 
 /// Chooses the language, once, before anything is shown.
-export function speak(table: Words, numbers: Measures): void {
+export function setLanguage(table: Words, numbers: Measures): void {
   words = table
   measures = numbers
 }

@@ -1,7 +1,9 @@
-/// A world as `protocol/README.md` §6 describes it, complete: the robot's room, what stands in it, and what is to be
-/// done there. Metres, radians counter-clockwise, kilograms; the lower left corner of the room is (0, 0), y up.
+/// A world as `protocol/README.md` §6 describes it, with all defaults filled in: the robot's room, its objects, its goals. Metres, radians counter-clockwise, kilograms; the
+/// lower left corner of the room is (0, 0), y up.
 ///
-/// Pure; `read.ts` makes one of JSON, `write.ts` makes JSON of one.
+/// Pure; `world_decoder.ts` reads it from JSON, `world_encoder.ts` writes it.
+
+import {robot} from "@rosy/codegen/robot"
 
 export type Spot = readonly [number, number]
 
@@ -71,7 +73,11 @@ export interface World {
   readonly rounds: readonly Round[]
   readonly goals: readonly WorldGoal[]
   readonly realism: Realism | null
-  /// Floor without walls around (0, 0), below a real robot whose room nobody knows. Never in a file.
+  /// Where a docked robot stands.
+  readonly dock: Pose | null
+  /// Charge of the battery at the start, 0 to 1.
+  readonly battery: number
+  /// Floor without walls around (0, 0), below a real robot whose room is unknown. Never in a file.
   readonly open?: true
 }
 
@@ -92,6 +98,7 @@ export const limits = {
   tile: [0.05, 10],
   tiles: 40_000,
   things: 2000,
+  movable: 200,
   goals: 10,
   points: 200,
   laps: 1000,
@@ -99,10 +106,10 @@ export const limits = {
   realism: {slip: 0.5, drift: 1, noise: 0.5, latency: 2},
 } as const
 
-/// Kobuki's radius: half of 351.5 mm (factory drawing, 2012-11-30).
-export const robotRadius = 0.17575
-/// Half of Kobuki's wheelbase of 0.230 m (kobuki_core, diff_drive: `bias`).
-export const wheelOffset = 0.115
+/// The robot's radius, m.
+export const robotRadius = robot.body.radius
+/// Half of the distance between its wheels, m.
+export const wheelOffset = robot.body.wheelbase / 2
 
 /// The places of a goal: where it is drawn. Several points with `r` 0 are a line.
 export function placesOf(goal: WorldGoal): {readonly points: readonly Spot[]; readonly r: number} {

@@ -1,8 +1,7 @@
 /// The block view in the system's Chromium, for tests that need hands: a served page and a few gestures.
 
-import {fileURLToPath} from "node:url"
-import {type Browser, type BrowserContextOptions, type CDPSession, chromium, type Page} from "playwright-core"
-import {createServer, type ViteDevServer} from "vite"
+import {type BrowserContextOptions, type CDPSession, chromium, type Page} from "playwright-core"
+import type {StageAddress} from "./browser_setup.ts"
 
 export interface Stage {
   /// A page with the block view as it is at first; `query` as `dev/blocks.ts` reads it. The same query gets the same
@@ -15,29 +14,9 @@ export interface Stage {
   close(): Promise<void>
 }
 
-export async function openStage(): Promise<Stage> {
-  const root = fileURLToPath(new URL("../..", import.meta.url))
-  const server: ViteDevServer = await createServer({
-    root,
-    configFile: false,
-    base: "/",
-    logLevel: "error",
-    cacheDir: fileURLToPath(new URL("../../node_modules/.vite-blocks", import.meta.url)),
-    server: {port: 0, host: "127.0.0.1", watch: null, hmr: false},
-    optimizeDeps: {
-      include: ["blockly/core", "blockly/msg/en"],
-      entries: ["dev/blocks.html", "src/source/pane.ts"],
-    },
-  })
-  await server.listen()
-  const address = server.resolvedUrls?.local[0]
-  if (address === undefined) throw new Error("expected the page to be served, found no address")
-  // Nothing here has a limit of its own: the test's is for what hangs.
-  const browser: Browser = await chromium.launch({
-    timeout: 0,
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"],
-  })
+/// A test file's own view of the shared page server and browser: `openStage(inject("stage"))`.
+export async function openStage({address, endpoint}: StageAddress): Promise<Stage> {
+  const browser = await chromium.connect(endpoint, {timeout: 0})
   const openWith = async (query: string, options: BrowserContextOptions) => {
     const context = await browser.newContext({
       viewport: {width: 1100, height: 800},
@@ -73,7 +52,6 @@ export async function openStage(): Promise<Stage> {
     },
     async close() {
       await browser.close()
-      await server.close()
     },
   }
 }
@@ -157,10 +135,13 @@ export class Finger {
   }
 
   async drag(from: Spot, to: Spot): Promise<void> {
-    await this.down(from)
+    // A finger that rests on a block opens its menu, so the first movement follows without a pause.
+    let begun: Promise<void> = this.down(from)
     for (let step = 1; step <= fingerSteps; step++) {
       const part = step / fingerSteps
-      await this.move({x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part})
+      const moved = this.move({x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part})
+      await Promise.all([begun, moved])
+      begun = moved
     }
     await this.up()
   }

@@ -1,17 +1,17 @@
 /// The paper's first programs, built from an empty workspace with the real language.
 
 import {existsSync, readdirSync, readFileSync} from "node:fs"
-import {afterAll, beforeAll, describe, expect, test} from "vitest"
+import {afterAll, beforeAll, describe, expect, inject, test} from "vitest"
 import {drag, nameOf, openStage, type Stage, settled, simulateSocket, socket} from "./browser.ts"
-import {Keys} from "./keys.ts"
+import {Keys} from "./keyboard_user.ts"
 
 let stage: Stage
 beforeAll(async () => {
-  stage = await openStage()
+  stage = await openStage(inject("stage"))
 })
 afterAll(() => stage.close())
 
-/// The example as it stands in `examples/`, without its comments, which nobody builds from blocks.
+/// The example as it stands in `examples/`, without its comments, which are not built from blocks.
 function example(name: string): string {
   const text = readFileSync(new URL(`../../../examples/${name}/Main.hs`, import.meta.url), "utf8")
   return text
@@ -127,6 +127,61 @@ test("a level filters and orders what the toolbox offers", async () => {
 })
 
 describe("by keyboard alone", () => {
+  test("F offers what fits in the next empty place, and Enter puts the first at once", async () => {
+    const keys = await Keys.onEmpty(stage)
+    // Keys can be quicker than the drawer.
+    await keys.page.keyboard.press("f")
+    await keys.page.keyboard.press("Enter")
+    await settled(keys.page)
+    expect(await keys.haskell()).toContain("simulate driveOn")
+    // Nothing is empty any more: a key that does nothing says why.
+    await keys.press("f")
+    await keys.page.locator(".blocklyToast", {hasText: "No empty place is left"}).waitFor()
+  })
+
+  test("Shift+Enter puts what is found and searches for the next empty place", async () => {
+    const keys = await Keys.onEmpty(stage)
+    await keys.press("f")
+    for (const words of ["repeat", "drive 50 cm", "turn 90 degrees"]) {
+      await keys.page.keyboard.insertText(words)
+      await settled(keys.page)
+      await keys.press("Shift+Enter")
+    }
+    const text = await keys.haskell()
+    for (const line of ["replicateM_ 4 $ do", " drive 50", " turn 90"]) expect(text).toContain(line)
+    // A step is followed by another.
+    expect(await keys.page.evaluate(() => document.activeElement?.className)).toContain("rosySearch")
+  })
+
+  test("R makes one more place in simulate, V goes to numbers, and a number is typed where it belongs", async () => {
+    const keys = await Keys.onEmpty(stage)
+    await keys.press("r")
+    await keys.page.keyboard.insertText("drive straight on")
+    await settled(keys.page)
+    await keys.press("Enter", "v")
+    const first = await keys.heard()
+    await keys.press("v")
+    const second = await keys.heard()
+    expect(second).not.toBe(first)
+    await keys.press("Shift+V")
+    expect(await keys.heard()).toBe(first)
+    await keys.page.keyboard.type("0.75")
+    await keys.press("Enter")
+    expect(await keys.haskell()).toContain("driveOn = Velocity 0.75 0")
+    // The empty place that is left takes a number as well.
+    await keys.goTo(/number: 0$/)
+    await keys.press("Delete")
+    await keys.page.keyboard.type("0.25")
+    await settled(keys.page)
+    await keys.press("Enter")
+    expect(await keys.haskell()).toContain("driveOn = Velocity 0.75 0.25")
+    await keys.press("r")
+    await keys.page.keyboard.insertText("back off")
+    await settled(keys.page)
+    await keys.press("Enter")
+    expect(await keys.haskell()).toContain("simulate (driveOn, backOff)")
+  })
+
   test("move", async () => {
     const keys = await Keys.onEmpty(stage)
     await keys.take("send always")
@@ -158,7 +213,7 @@ describe("by keyboard alone", () => {
     await keys.choose("play")
     await keys.goTo("input 1 of case 2")
     await keys.take("bumper event")
-    await keys.goTo("status: Pressed")
+    await keys.goTo("status: pressed")
     await keys.press("Enter", "ArrowDown", "Enter")
     await keys.choose("play")
     await keys.fill("nothing no value")

@@ -1,8 +1,8 @@
 import {expect, test} from "vitest"
-import {findable, flyoutBlock, search, toolboxInfo} from "../../src/blocks/toolbox.ts"
-import {small} from "./small.ts"
+import {flyoutBlock, search, searchEntries, toolboxInfo} from "../../src/blocks/interaction/toolbox.ts"
+import {small} from "./small_language.ts"
 
-const items = findable(
+const items = searchEntries(
   small.toolbox("reactions").flatMap(category => category.items),
   small.blockTypes,
 )
@@ -15,7 +15,7 @@ test("every word of a query must be somewhere in the label, in any order", () =>
 
 test("the start of a label counts more than the start of a word, and that more than the middle", () => {
   const labels = ["xtrue", "not true", "true"]
-  const made = findable(
+  const made = searchEntries(
     labels.map(label => ({label, block: {type: label}})),
     [],
   )
@@ -25,6 +25,32 @@ test("the start of a label counts more than the start of a word, and that more t
 test("what stands on a block finds it too, after what its label says", () => {
   expect(found("errorsound")).toEqual(["sound play"])
   expect(found("velocity")).toEqual(["velocity drive speed"])
+})
+
+test("capitals and accents do not matter, in the query and in the words", () => {
+  const made = searchEntries(
+    [
+      {label: "Número", block: {type: "a"}, also: "ângulo"},
+      {label: "outro", block: {type: "b"}},
+    ],
+    [],
+  )
+  for (const query of ["numero", "NÚMERO", "angulo", "âng"])
+    expect(search(made, query).map(item => item.label)).toEqual(["Número"])
+})
+
+test("accents and the width of spaces do not matter", () => {
+  const made = searchEntries(
+    ["répéter sans fin", "arrêter", "Sound\u00a0: jouer un son"].map(label => ({
+      label,
+      block: {type: label},
+    })),
+    [],
+  )
+  const labels = (query: string) => search(made, query).map(item => item.label)
+  expect(labels("repeter")).toEqual(["répéter sans fin"])
+  expect(labels("ARRÊTER")).toEqual(["arrêter"])
+  expect(labels("sound : jouer")).toEqual(["Sound\u00a0: jouer un son"])
 })
 
 test("nothing is found for nothing", () => {

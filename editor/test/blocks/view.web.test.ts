@@ -1,13 +1,16 @@
 /// Stories of hands on blocks, with a small language, in a real browser.
 
-import {afterAll, beforeAll, describe, expect, test} from "vitest"
+import {afterAll, beforeAll, describe, expect, inject, test} from "vitest"
 import {german} from "../../src/words/de/index.ts"
 import {en} from "../../src/words/en/index.ts"
+import {spanish} from "../../src/words/es/index.ts"
+import {french} from "../../src/words/fr/index.ts"
+import {portuguese} from "../../src/words/pt/index.ts"
 import {drag, grip, openStage, type Stage, settled, socket, told, tree} from "./browser.ts"
 
 let stage: Stage
 beforeAll(async () => {
-  stage = await openStage()
+  stage = await openStage(inject("stage"))
 })
 afterAll(() => stage.close())
 
@@ -182,6 +185,23 @@ describe("by keyboard alone", () => {
   })
 })
 
+test("+ and − are at least 24 pixels wide and high, and visible without the pointer", async () => {
+  const page = await stage.open("")
+  const buttons = await page.locator(".blocklyBlockCanvas .rosyPress > .blocklyFieldRect").evaluateAll(all =>
+    all.map(one => {
+      const {width, height} = one.getBoundingClientRect()
+      const {opacity} = getComputedStyle(one.parentElement!)
+      return {width, height, opacity, fill: Number(getComputedStyle(one).fillOpacity)}
+    }),
+  )
+  expect(buttons.length).toBeGreaterThan(5)
+  for (const {width, height, opacity, fill} of buttons) {
+    expect(Math.min(width, height)).toBeGreaterThanOrEqual(24)
+    expect(opacity).toBe("1")
+    expect(fill).toBeGreaterThan(0)
+  }
+})
+
 test("every key of the blocks is told on the page of keys, in every language", async () => {
   const page = await stage.open("small")
   const names = await page.evaluate(() =>
@@ -189,10 +209,13 @@ test("every key of the blocks is told on the page of keys, in every language", a
       name => window.Blockly.ShortcutRegistry.registry.getKeyCodesByShortcutName(name).length > 0,
     ),
   )
-  // One history for blocks and text: its keys are the page's. The last two do in the toolbox what two others do here.
+  // One history for blocks and text: its keys are the page's. The last two do in the toolbox what two others do here. Moving freely is a
+  // mode, and `rosyPutNext` is a key of the search field.
   const elsewhere = ["undo", "redo", "jump_to_previous_page", "jump_to_next_page"]
-  for (const words of [en, german.page]) {
-    expect([...Object.keys(words.keys.blocks), ...elsewhere].sort()).toEqual([...names, "moveFreely"].sort())
+  for (const words of [en, german.page, portuguese.page, spanish.page, french.page]) {
+    expect([...Object.keys(words.keys.blocks), ...elsewhere].sort()).toEqual(
+      [...names, "moveFreely", "rosyPutNext"].sort(),
+    )
   }
 })
 
@@ -248,7 +271,7 @@ describe("what comes from elsewhere", () => {
     await page.locator(".rosyFired").waitFor({state: "detached"})
   })
 
-  test("a file with blocks that nobody knows loads the others and names those", async () => {
+  test("a file with unknown blocks loads the others and names those", async () => {
     const page = await stage.open("small&empty")
     const left = await page.evaluate(() =>
       window.blocks.load({

@@ -1,9 +1,8 @@
 /// Words of Haskell, told apart; and how little of the text is replaced.
 
+import {tokens, tokensAfter} from "@rosy/codegen"
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {difference} from "../../src/source/difference.ts"
-import {tokens, tokensAfter} from "../../src/source/lexer.ts"
 
 const kinds = (text: string) => tokens(text).map(t => `${t.kind} ${text.slice(t.start, t.end)}`)
 
@@ -94,19 +93,6 @@ describe("the lexer after a change", () => {
         expect(tokensAfter(tokens(text), now, change)).toEqual(tokens(now))
       }),
       {numRuns: 2000},
-    )
-  })
-})
-
-describe("the difference of two texts", () => {
-  it("turns the one into the other", () => {
-    fc.assert(
-      fc.property(fc.string(), fc.string(), fc.string(), (a, b, c) => {
-        const [old, now] = [a + b + a, a + c + a]
-        const change = difference(old, now)
-        const made = change === null ? old : old.slice(0, change.from) + change.insert + old.slice(change.to)
-        expect(made).toBe(now)
-      }),
     )
   })
 })

@@ -2,35 +2,35 @@
 
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {openShelf} from "../../src/run/storage.ts"
+import {memoryStorage as storage} from "../../src/browser/memory_storage.ts"
+import {openProgramStore} from "../../src/browser/program_store.ts"
 import {
   type Arrangement,
   type Box,
   boxes,
-  choices,
   dividers,
-  dropped,
+  dropRegion,
   firstArrangement,
   gridOf,
   leastShare,
   mostShare,
-  moved,
+  moveRegion,
+  presetTrees,
   type Region,
   regions,
   regionsIn,
-  resized,
+  resizeSplit,
   type Side,
   sameShape,
-  seen,
-  swapped,
+  setVisible,
+  swapRegions,
   type Tree,
   viewOf,
-  withShown,
+  visibleTree,
   withView,
 } from "../../src/state/arrangement.ts"
-import {next} from "../../src/state/next.ts"
-import {firstPage} from "../../src/state/page.ts"
-import {storage} from "../storage.ts"
+import {initialState} from "../../src/state/page_state.ts"
+import {reduce} from "../../src/state/reducer.ts"
 
 const anyRegion = fc.constantFrom(...regions)
 const anySide = fc.constantFrom<Side>("left", "right", "top", "bottom")
@@ -41,17 +41,17 @@ const deed: fc.Arbitrary<Deed> = fc.oneof(
   fc.tuple(anyRegion, fc.constantFrom<Region | "all">("all", ...regions), anySide).map(
     ([region, target, side]): Deed =>
       a =>
-        moved(a, region, target, side),
+        moveRegion(a, region, target, side),
   ),
   fc.tuple(anyRegion, anyRegion).map(
     ([one, other]): Deed =>
       a =>
-        swapped(a, one, other),
+        swapRegions(a, one, other),
   ),
   fc.tuple(anyRegion, fc.boolean()).map(
     ([region, shown]): Deed =>
       a =>
-        withShown(a, region, shown),
+        setVisible(a, region, shown),
   ),
   fc.constantFrom("blocks", "both", "haskell").map(
     (view): Deed =>
@@ -61,14 +61,14 @@ const deed: fc.Arbitrary<Deed> = fc.oneof(
   fc.tuple(anyRegion, fc.double({min: 0, max: 1, noNaN: true}), fc.double({min: 0, max: 1, noNaN: true})).map(
     ([region, x, y]): Deed =>
       a =>
-        dropped(a, region, x, y) ?? a,
+        dropRegion(a, region, x, y) ?? a,
   ),
   fc.tuple(fc.nat(), fc.double({min: -1, max: 2, noNaN: true})).map(
     ([n, share]): Deed =>
       a => {
-        const all = dividers(seen(a.tree, a.hidden) ?? "room")
+        const all = dividers(visibleTree(a.tree, a.hidden) ?? "room")
         const divider = all[n % Math.max(1, all.length)]
-        return divider === undefined ? a : resized(a, divider, share)
+        return divider === undefined ? a : resizeSplit(a, divider, share)
       },
   ),
 )
@@ -81,6 +81,10 @@ const overlap = (a: Box, b: Box) =>
   Math.max(0, Math.min(a.x + a.w, b.x + b.w) - Math.max(a.x, b.x)) *
   Math.max(0, Math.min(a.y + a.h, b.y + b.h) - Math.max(a.y, b.y))
 
+/// The regions that a new page shows; the diagram is hidden.
+const shownAtFirst = ["blocks", "haskell", "room"] as const
+const withoutDiagram = (tree: Tree): Tree => visibleTree(tree, ["diagram"]) ?? tree
+
 /// Every way of putting three regions beside and below each other, borders aside.
 function allShapes(): Tree[] {
   const orders = [
@@ -90,7 +94,7 @@ function allShapes(): Tree[] {
     [1, 2, 0],
     [2, 0, 1],
     [2, 1, 0],
-  ].map(order => order.map(i => regions[i] ?? "room"))
+  ].map(order => order.map(i => shownAtFirst[i] ?? "room"))
   return orders.flatMap(([a = "room", b = "room", c = "room"]) =>
     (["beside", "below"] as const).flatMap(outer =>
       (["beside", "below"] as const).flatMap((inner): Tree[] => [
@@ -120,7 +124,7 @@ describe("an arrangement", () => {
     fc.assert(
       fc.property(arrangements, arrangement => {
         expect([...regionsIn(arrangement.tree)].sort()).toEqual([...regions].sort())
-        const tree = seen(arrangement.tree, arrangement.hidden)
+        const tree = visibleTree(arrangement.tree, arrangement.hidden)
         expect(tree).not.toBeNull()
         const placed = [...boxes(tree ?? "room")]
         expect(placed.map(([region]) => region).sort()).toEqual(
@@ -136,7 +140,7 @@ describe("an arrangement", () => {
   it("is a grid whose cells are its boxes", () => {
     fc.assert(
       fc.property(arrangements, ({tree, hidden}) => {
-        const shown = seen(tree, hidden) ?? "room"
+        const shown = visibleTree(tree, hidden) ?? "room"
         const grid = gridOf(shown)
         const upTo = (tracks: readonly number[], line: number) =>
           tracks.slice(0, line - 1).reduce((a, b) => a + b, 0)
@@ -155,12 +159,12 @@ describe("an arrangement", () => {
   it("keeps its borders where both sides are of use, and moves only the one that was moved", () => {
     fc.assert(
       fc.property(arrangements, fc.nat(), fc.double({min: -1, max: 2, noNaN: true}), (arrangement, n, to) => {
-        const all = dividers(seen(arrangement.tree, arrangement.hidden) ?? "room")
+        const all = dividers(visibleTree(arrangement.tree, arrangement.hidden) ?? "room")
         const divider = all[n % Math.max(1, all.length)]
         if (divider === undefined) return
-        const after = resized(arrangement, divider, to)
+        const after = resizeSplit(arrangement, divider, to)
         expect(sameShape(after.tree, arrangement.tree)).toBe(true)
-        const now = dividers(seen(after.tree, after.hidden) ?? "room")
+        const now = dividers(visibleTree(after.tree, after.hidden) ?? "room")
         expect(now[all.indexOf(divider)]?.share).toBe(Math.min(mostShare, Math.max(leastShare, to)))
         for (const [i, other] of all.entries()) if (other !== divider) expect(now[i]?.share).toBe(other.share)
       }),
@@ -168,53 +172,66 @@ describe("an arrangement", () => {
   })
 
   it("reaches every other one by moving regions to the sides, as the arrow keys do", () => {
-    const reached = new Map([[looks(firstArrangement.tree), firstArrangement]])
+    const reached = new Map([[looks(withoutDiagram(firstArrangement.tree)), firstArrangement]])
     const todo = [firstArrangement]
     for (let now = todo.pop(); now !== undefined; now = todo.pop())
-      for (const region of regions)
+      for (const region of shownAtFirst)
         for (const side of ["left", "right", "top", "bottom"] as const) {
-          const after = moved(now, region, "all", side)
-          if (reached.has(looks(after.tree))) continue
-          reached.set(looks(after.tree), after)
+          const after = moveRegion(now, region, "all", side)
+          const shape = looks(withoutDiagram(after.tree))
+          if (reached.has(shape)) continue
+          reached.set(shape, after)
           todo.push(after)
         }
-    for (const tree of [...allShapes(), ...choices]) expect([...reached.keys()]).toContain(looks(tree))
+    for (const tree of [...allShapes(), ...presetTrees])
+      expect([...reached.keys()]).toContain(looks(withoutDiagram(tree)))
   })
 
   it("has a hidden region where it was when it is shown again", () => {
     fc.assert(
       fc.property(arrangements, anyRegion, (arrangement, region) => {
         if (arrangement.hidden.includes(region)) return
-        const hidden = withShown(arrangement, region, false)
-        expect(withShown(hidden, region, true)).toEqual(arrangement)
+        const hidden = setVisible(arrangement, region, false)
+        expect(setVisible(hidden, region, true)).toEqual(arrangement)
         expect(hidden.hidden.length).toBeLessThan(regions.length)
       }),
     )
   })
 
   it("swaps in the middle of a region, and stands beside it near its edge", () => {
-    const [, room] = [...boxes(firstArrangement.tree)].slice(1)
-    const x = (room?.[1].x ?? 0) + (room?.[1].w ?? 0) / 2
-    expect(dropped(firstArrangement, "blocks", x, 0.5)?.tree).toEqual(
-      swapped(firstArrangement, "blocks", "room").tree,
+    const room = boxes(firstArrangement.tree).get("room")
+    const x = (room?.x ?? 0) + (room?.w ?? 0) / 2
+    expect(dropRegion(firstArrangement, "blocks", x, 0.5)?.tree).toEqual(
+      swapRegions(firstArrangement, "blocks", "room").tree,
     )
-    expect(dropped(firstArrangement, "haskell", x, 0.8)?.tree).toEqual(
-      moved(firstArrangement, "haskell", "room", "bottom").tree,
+    expect(dropRegion(firstArrangement, "haskell", x, 0.8)?.tree).toEqual(
+      moveRegion(firstArrangement, "haskell", "room", "bottom").tree,
     )
-    expect(dropped(firstArrangement, "haskell", 0.5, 0.99)?.tree).toEqual(
-      moved(firstArrangement, "haskell", "all", "bottom").tree,
+    expect(dropRegion(firstArrangement, "haskell", 0.5, 0.99)?.tree).toEqual(
+      moveRegion(firstArrangement, "haskell", "all", "bottom").tree,
     )
     // Over itself, and outside.
-    expect(dropped(firstArrangement, "room", x, 0.5)).toBeNull()
-    expect(dropped(firstArrangement, "room", 1.2, 0.5)).toBeNull()
+    expect(dropRegion(firstArrangement, "room", x, 0.5)).toBeNull()
+    expect(dropRegion(firstArrangement, "room", 1.2, 0.5)).toBeNull()
   })
 
   it("says which views of the program there are, and shows the room when a program runs", () => {
-    const alone = withShown(withView(firstArrangement, "haskell"), "room", false)
+    const alone = setVisible(withView(firstArrangement, "haskell"), "room", false)
     expect(viewOf(alone)).toBe("haskell")
-    expect([...alone.hidden].sort()).toEqual(["blocks", "room"])
-    const {state} = next({...firstPage, arrangement: alone}, {kind: "run-pressed"})
-    expect(state.arrangement.hidden).toEqual(["blocks"])
+    expect([...alone.hidden].sort()).toEqual(["blocks", "diagram", "room"])
+    const {state} = reduce({...initialState, arrangement: alone}, {kind: "run-pressed"})
+    expect([...state.arrangement.hidden].sort()).toEqual(["blocks", "diagram"])
+  })
+
+  it("shows the diagram alone, or with the views beside it", () => {
+    const alone = withView(firstArrangement, "diagram")
+    expect(viewOf(alone)).toBe("diagram")
+    expect([...alone.hidden].sort()).toEqual(["blocks", "haskell"])
+    const beside = setVisible(firstArrangement, "diagram", true)
+    expect(viewOf(beside)).toBe("both")
+    expect(withView(beside, "blocks").hidden).toEqual(["haskell"])
+    const box = (region: Region) => boxes(beside.tree).get(region) ?? {x: 0, y: 0, w: 0, h: 0}
+    expect(box("diagram").y).toBeCloseTo(box("blocks").y + box("blocks").h, 9)
   })
 })
 
@@ -222,24 +239,38 @@ describe("what the browser remembers of it", () => {
   it("comes back as it was", () => {
     fc.assert(
       fc.property(arrangements, arrangement => {
-        const shelf = openShelf(storage(), storage())
-        shelf.setLiking({arrangement})
-        expect(shelf.liking().arrangement).toEqual(arrangement)
+        const shelf = openProgramStore(storage(), storage())
+        shelf.setPreferences({arrangement})
+        expect(shelf.preferences().arrangement).toEqual(arrangement)
       }),
     )
+  })
+
+  it("has the diagram hidden below the blocks when it is from before there was one", () => {
+    const there = storage()
+    const tree = {
+      split: "beside",
+      first: "room",
+      second: {split: "below", first: "blocks", second: "haskell", share: 0.5},
+      share: 0.4,
+    }
+    there.setItem("rosy.liking", JSON.stringify({arrangement: {tree, hidden: ["haskell"]}}))
+    const {arrangement} = openProgramStore(there, storage()).preferences()
+    expect(arrangement?.hidden).toEqual(["haskell", "diagram"])
+    expect(withoutDiagram(arrangement?.tree ?? "room")).toEqual(tree)
   })
 
   it("is left alone when it is no arrangement", () => {
     const wrong = [
       {tree: "blocks", hidden: []},
       {tree: {...(firstArrangement.tree as object), share: 7}, hidden: []},
-      {tree: firstArrangement.tree, hidden: ["blocks", "haskell", "room"]},
+      {tree: firstArrangement.tree, hidden: [...regions]},
       {tree: {split: "beside", first: "blocks", second: "blocks", share: 0.5}, hidden: []},
     ]
     for (const arrangement of wrong) {
       const there = storage()
       there.setItem("rosy.liking", JSON.stringify({arrangement}))
-      expect(openShelf(there, storage()).liking()).toEqual({})
+      expect(openProgramStore(there, storage()).preferences()).toEqual({})
     }
   })
 })

@@ -2,16 +2,26 @@
 
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {type Fix, mended, movedFix, signatureFix, whereToGoOn} from "../../src/state/fixes.ts"
-import {emptyDocument, emptyHistory, remember} from "../../src/state/history.ts"
-import {emptyProgram, locate, mover} from "../../src/state/program.ts"
+import {emptyDocument, emptyHistory, recordChange} from "../../src/state/history.ts"
+import {
+  emptyProgram,
+  type Fix,
+  fixChanges,
+  locateProblem,
+  mapFix,
+  selectionAfterFix,
+  signatureFix,
+} from "../../src/state/program.ts"
+import {untranslated} from "../../src/state/sentence.ts"
+import {applyChanges, changesBetween} from "../../src/state/text_changes.ts"
 
 const fix = (...edits: Fix["edits"]): Fix => ({title: "mend", edits})
+const applyFix = (text: string, one: Fix) => applyChanges(text, fixChanges(one, text.length))
 
 describe("a fix", () => {
   it("replaces all its places at once, whatever their order", () => {
     const both = fix({start: 4, end: 5, text: "=="}, {start: 0, end: 1, text: "(a"})
-    expect(mended("a b = c", both)).toBe("(a b == c")
+    expect(applyFix("a b = c", both)).toBe("(a b == c")
   })
 
   it.each([
@@ -19,12 +29,12 @@ describe("a fix", () => {
     ["\nf _ A = _\nf _ B = _", "the first open place", 9],
     [")", "behind what it wrote", 1],
   ])("that writes %j goes on at %s", (text, _, at) => {
-    expect(whereToGoOn(fix({start: 10, end: 10, text})).start).toBe(10 + at)
+    expect(selectionAfterFix(fix({start: 10, end: 10, text})).start).toBe(10 + at)
   })
 
   it("comes from the worker's lines and columns, which count characters", () => {
     const text = 'say "🤖" x'
-    const found = locate(
+    const found = locateProblem(
       {...emptyProgram, text},
       {
         severity: "error",
@@ -37,13 +47,18 @@ describe("a fix", () => {
         ghc: "",
         time: null,
         inputs: [],
+        sentences: untranslated,
         fixes: [
-          {title: "Write y", edits: [{start: {line: 1, column: 9}, end: {line: 1, column: 10}, text: "y"}]},
+          {
+            title: "Write y",
+            sentence: null,
+            edits: [{start: {line: 1, column: 9}, end: {line: 1, column: 10}, text: "y"}],
+          },
         ],
       },
       "compiler",
     )
-    expect(found.fixes.map(f => mended(text, f))).toEqual(['say "🤖" y'])
+    expect(found.fixes.map(f => applyFix(text, f))).toEqual(['say "🤖" y'])
   })
 
   it("means the same after something else was typed in front of it or behind it", () => {
@@ -54,18 +69,22 @@ describe("a fix", () => {
         const text = before + inside + behind
         const one = fix({start: before.length, end: before.length + inside.length, text: "X"})
         fc.pre(inside !== "")
-        expect(mended(typed + text, movedFix(mover(text, typed + text), one))).toBe(typed + mended(text, one))
-        expect(mended(text + typed, movedFix(mover(text, text + typed), one))).toBe(mended(text, one) + typed)
+        expect(applyFix(typed + text, mapFix(changesBetween(text, typed + text), one))).toBe(
+          typed + applyFix(text, one),
+        )
+        expect(applyFix(text + typed, mapFix(changesBetween(text, text + typed), one))).toBe(
+          applyFix(text, one) + typed,
+        )
       }),
     )
   })
 
   it("is a step of its own in the history, however soon it comes", () => {
-    const typed = remember(emptyHistory, emptyDocument, "haskell", 0)
-    const done = remember(typed, emptyDocument, "command", 1)
+    const typed = recordChange(emptyHistory, emptyDocument, "haskell", 0)
+    const done = recordChange(typed, emptyDocument, "command", 1)
     expect(done.past.length).toBe(2)
-    expect(remember(done, emptyDocument, "haskell", 2).past.length).toBe(3)
-    expect(remember(done, emptyDocument, "command", 2).past.length).toBe(3)
+    expect(recordChange(done, emptyDocument, "haskell", 2).past.length).toBe(3)
+    expect(recordChange(done, emptyDocument, "command", 2).past.length).toBe(3)
   })
 })
 
@@ -87,7 +106,7 @@ describe("a signature", () => {
   it("is written above the definition under the cursor, with the type that the compiler found", () => {
     const found = at(10)
     expect(found?.title).toBe("move :: Velocity")
-    expect(found && mended(text, found)).toBe(text.replace("move =", "move :: Velocity\nmove ="))
+    expect(found && applyFix(text, found)).toBe(text.replace("move =", "move :: Velocity\nmove ="))
   })
   it("is not offered where there is one, where no type is known, or outside", () => {
     expect(at(text.indexOf("OnSound"))).toBeNull()

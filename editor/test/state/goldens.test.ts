@@ -3,9 +3,10 @@
 
 import {readdirSync, readFileSync} from "node:fs"
 import {describe, expect, it} from "vitest"
-import {readServiceMessage} from "../../src/state/messages.ts"
-import {next} from "../../src/state/next.ts"
-import {firstPage, type PageEvent, type PageState} from "../../src/state/page.ts"
+import {readServiceMessage} from "../../src/state/message_decoder.ts"
+import type {PageEvent} from "../../src/state/page_events.ts"
+import {initialState, type PageState} from "../../src/state/page_state.ts"
+import {reduce} from "../../src/state/reducer.ts"
 
 const folder = new URL("../../../protocol/goldens/page/", import.meta.url)
 const files = readdirSync(folder).filter(name => name.endsWith(".jsonl"))
@@ -47,20 +48,20 @@ describe("the golden conversations", () => {
   it("are there", () => expect(files.length).toBeGreaterThan(3))
 
   it.each(files)("%s is understood, and answered in its words", name => {
-    let state: PageState = firstPage
+    let state: PageState = initialState
     for (const {from, line} of conversation(name)) {
       if (from === "service") {
         const read = readServiceMessage(JSON.stringify(line))
         if (read.kind === "mismatch") throw new Error(`${name}: ${read.message}`)
-        state = next(state, {kind: "heard", message: read.value}).state
+        state = reduce(state, {kind: "heard", message: read.value}).state
         continue
       }
       const pressed = cause(line)
       if (pressed === null) continue
       if (line.op === "run") state = {...state, runs: (line["run"] as number) - 1}
-      const step = next(state, pressed)
+      const step = reduce(state, pressed)
       state = step.state
-      const sent = step.orders.flatMap(o => (o.kind === "send" ? [o.message.op] : []))
+      const sent = step.effects.flatMap(o => (o.kind === "send" ? [o.message.op] : []))
       expect(sent, name).toContain(line.op)
     }
   })
@@ -70,10 +71,10 @@ describe("the golden conversations", () => {
       const lines = conversation(name)
       const last = lines.findLast(l => l.line.op === "state" && l.line["state"] === "ended")
       if (last === undefined || last.line["ended"] === "stopped") continue
-      let state: PageState = firstPage
+      let state: PageState = initialState
       for (const {from, line} of lines) {
         if (from === "page" && line.op === "run") {
-          state = next(
+          state = reduce(
             {...state, link: "open", runs: (line["run"] as number) - 1},
             {kind: "run-pressed"},
           ).state
@@ -81,7 +82,7 @@ describe("the golden conversations", () => {
         }
         if (from === "page") continue
         const read = readServiceMessage(JSON.stringify(line))
-        if (read.kind === "ok") state = next(state, {kind: "heard", message: read.value}).state
+        if (read.kind === "ok") state = reduce(state, {kind: "heard", message: read.value}).state
         if (line === last.line) break
       }
       expect(state.run, name).toMatchObject({kind: "ended", how: last.line["ended"]})

@@ -2,7 +2,14 @@
 
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {type Document, emptyDocument, emptyHistory, redo, remember, undo} from "../../src/state/history.ts"
+import {
+  type Document,
+  emptyDocument,
+  emptyHistory,
+  recordChange,
+  redo,
+  undo,
+} from "../../src/state/history.ts"
 
 const named = (text: string): Document => ({...emptyDocument, program: {...emptyDocument.program, text}})
 
@@ -11,7 +18,7 @@ function change(texts: readonly string[]) {
   let now = named("start")
   let history = emptyHistory
   texts.forEach((text, i) => {
-    history = remember(history, now, i % 2 ? "haskell" : "blocks", i * 1000)
+    history = recordChange(history, now, i % 2 ? "haskell" : "blocks", i * 1000)
     now = named(text)
   })
   return {now, history}
@@ -36,11 +43,11 @@ describe("the history", () => {
   })
 
   it("joins what is typed in one go, but not across views", () => {
-    let history = remember(emptyHistory, named("a"), "blocks", 0)
-    history = remember(history, named("ab"), "blocks", 300)
-    history = remember(history, named("abc"), "blocks", 600)
+    let history = recordChange(emptyHistory, named("a"), "blocks", 0)
+    history = recordChange(history, named("ab"), "blocks", 300)
+    history = recordChange(history, named("abc"), "blocks", 600)
     expect(history.past.map(d => d.program.text)).toEqual(["a"])
-    history = remember(history, named("abcd"), "haskell", 700)
+    history = recordChange(history, named("abcd"), "haskell", 700)
     expect(history.past.map(d => d.program.text)).toEqual(["a", "abcd"])
   })
 
@@ -48,14 +55,14 @@ describe("the history", () => {
     const {now, history} = change(["a", "b"])
     const back = undo(history, now)
     if (back === null) throw new Error("expected a step back")
-    expect(remember(back.history, back.document, "blocks", 9000).future).toEqual([])
+    expect(recordChange(back.history, back.document, "blocks", 9000).future).toEqual([])
   })
 
   it("does not join a change to what was undone", () => {
-    let history = remember(emptyHistory, named("a"), "blocks", 0)
+    let history = recordChange(emptyHistory, named("a"), "blocks", 0)
     const back = undo(history, named("b"))
     if (back === null) throw new Error("expected a step back")
-    history = remember(back.history, back.document, "blocks", 100)
+    history = recordChange(back.history, back.document, "blocks", 100)
     expect(history.past.map(d => d.program.text)).toEqual(["a"])
   })
 })

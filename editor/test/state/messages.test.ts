@@ -1,7 +1,7 @@
 /// The one door for the service's words: what follows the protocol comes in, what does not is named with its path.
 
 import {describe, expect, it} from "vitest"
-import {readServiceMessage} from "../../src/state/messages.ts"
+import {readServiceMessage} from "../../src/state/message_decoder.ts"
 import {offsetOf} from "../../src/state/program.ts"
 
 describe("a message of the service", () => {

@@ -1,7 +1,7 @@
 /// A run that waits for a place: what the page knows and says while the room is full.
 
 import {describe, expect, test} from "vitest"
-import {isActive, nextRun, type RunState} from "../../src/state/run.ts"
+import {isActive, nextRun, type RunState} from "../../src/state/run_state.ts"
 import {words} from "../../src/words/index.ts"
 
 const heard = (state: RunState, message: object): RunState =>
@@ -18,6 +18,12 @@ describe("a run that has no place yet", () => {
     const turn = heard(next, {state: "compiling"})
     expect(turn).toEqual(compiling)
     expect(heard(turn, {state: "running"})).toEqual({kind: "running", run: 3})
+  })
+
+  test("goes on after a pause, when it had given its place away", () => {
+    const waiting = heard({kind: "running", run: 3}, {state: "queued", place: 1})
+    expect(waiting).toEqual({kind: "queued", run: 3, place: 1})
+    expect(heard(waiting, {state: "running"})).toEqual({kind: "running", run: 3})
   })
 
   test("can be stopped, and is lost with the connection", () => {

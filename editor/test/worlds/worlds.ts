@@ -15,6 +15,8 @@ export const emptyRoom: World = {
   rounds: [],
   goals: [],
   realism: null,
+  dock: null,
+  battery: 1,
 }
 
 /// Without the negative zero, which JSON does not know.
@@ -87,4 +89,6 @@ export const anyWorld: fc.Arbitrary<World> = fc.record({
   realism: fc.option(
     fc.record({slip: between(0, 0.5), drift: between(0, 1), noise: between(0, 0.5), latency: between(0, 2)}),
   ),
+  dock: fc.option(fc.record({x: between(0, 0.5), y: between(0, 0.5), theta: between(-7, 7)})),
+  battery: between(0, 1),
 })

@@ -7,6 +7,7 @@
 {-# LANGUAGE ScopedTypeVariables #-}
 {-# LANGUAGE TypeApplications #-}
 {-# LANGUAGE TypeFamilies #-}
+{-# LANGUAGE TypeOperators #-}
 {-# LANGUAGE UndecidableInstances #-}
 
 -- |
@@ -34,6 +35,9 @@ module Rosy.Command
     -- * What may end
     Ends,
     NotInATask,
+
+    -- * For the instances of robots
+    sent,
   )
 where
 
@@ -42,14 +46,20 @@ import Data.Dynamic (Dynamic, toDyn)
 import Data.Proxy (Proxy (..))
 import Data.Typeable (typeRep)
 import GHC.Generics (Generic)
+import Rosy.Channel (Channel, Field (..), Packed (..))
 import Rosy.Core
 import Rosy.Problem (Fault (..))
-import Rosy.Robot
 import Rosy.Sense (both)
 import Rosy.Sensor
 import Rosy.Value
+import Text.Read (Read (..), lexP, parens, prec, step)
+import qualified Text.Read as Read (Lexeme (Ident), readListPrecDefault)
 
--- | A type that a function may give. For a type that the program declares the instance is empty: it is an event of its own.
+-- | A type that a function may give. For a type that the program declares the instance is empty: it is an event of its own. With a method it is
+-- sent on a topic of the robot:
+--
+-- > instance Command Buzz where
+-- >   command = publish "/buzzer" "std_msgs/UInt8" (\Buzz -> [("data", whole 3)])
 class Command c where
   -- | What a value of this type does.
   command :: Plan c
@@ -62,20 +72,42 @@ carried :: Value a => a -> Dynamic
 carried x = let !value = settled x in toDyn value
 
 -- | Ends the enclosing task with this value.
-newtype Done a = Done a
-  deriving (Eq, Ord, Show, Read, Generic)
+newtype Done a = Done
+  { -- | The value that the task ends with.
+    unDone :: a
+  }
+  deriving (Eq, Ord, Generic)
+
+instance Show a => Show (Done a) where
+  showsPrec d (Done x) = showParen (d > 10) (showString "Done " . showsPrec 11 x)
+
+instance Read a => Read (Done a) where
+  readPrec = parens (prec 10 (do Read.Ident "Done" <- lexP; Done <$> step readPrec))
+  readListPrec = Read.readListPrecDefault
 
 -- | Tells the one who called the task how far it is.
-newtype Feedback a = Feedback a
-  deriving (Eq, Ord, Show, Read, Generic)
+newtype Feedback a = Feedback
+  { -- | What the caller is told.
+    unFeedback :: a
+  }
+  deriving (Eq, Ord, Generic)
+
+instance Show a => Show (Feedback a) where
+  showsPrec d (Feedback x) = showParen (d > 10) (showString "Feedback " . showsPrec 11 x)
+
+instance Read a => Read (Feedback a) where
+  readPrec = parens (prec 10 (do Read.Ident "Feedback" <- lexP; Feedback <$> step readPrec))
+  readListPrec = Read.readListPrecDefault
 
 -- | Asks for a called task to be stopped.
 data Cancel = Cancel
   deriving (Eq, Ord, Show, Read, Generic)
 
-instance Value a => Value (Done a)
+instance Value a => Value (Done a) where
+  display d (Done x) = showParen (d > 10) (showString "Done " . display 11 x)
 
-instance Value a => Value (Feedback a)
+instance Value a => Value (Feedback a) where
+  display d (Feedback x) = showParen (d > 10) (showString "Feedback " . display 11 x)
 
 instance Value Cancel
 
@@ -86,29 +118,21 @@ instance Command Cancel
 -- ---------------------------------------------------------------------------------------------
 -- The robot
 
-act :: (c -> Action) -> Plan c
-act toAction = Plain (Then . Act . toAction)
-
-instance Command Velocity where
-  command = act (\(Velocity v w) -> SetVelocity (finite v) (finite w))
-    where
+-- | A command on a channel. The noun names it in the message about a number that is none.
+sent :: Packed c => String -> Channel -> Plan c
+sent noun channel = Plain (\c -> let !fields = evaluated (map whole (pack c)) in Then (Act (Action channel fields)))
+  where
+    evaluated fields = foldr seq fields fields
+    whole field = case field of
       -- The wire has no word for an endless or undefined number, and no wheel can turn at one.
-      finite x
-        | x - x == 0 = x -- Of no other number this is so, and it costs less than to ask twice.
-        | otherwise = throw (NotANumber "speed")
+      Number x
+        | x - x == 0 -> field -- Of no other number this is so, and it costs less than to ask twice.
+        | otherwise -> throw (NotANumber noun)
+      Text text -> let line = take longestLine text in foldr seq (Text line) line
+      Whole _ -> field
+      Structure _ -> field
 
-instance Command Led1 where command = act (\(Led1 c) -> SetLed1 c)
-
-instance Command Led2 where command = act (\(Led2 c) -> SetLed2 c)
-
-instance Command Sound where command = act PlaySound
-
-instance Command Say where
-  command = act (\(Say text) -> let line = take longestLine text in length line `seq` SayText (evaluated line))
-    where
-      evaluated line = foldr seq line line
-
--- | The most characters of one 'Say'; a bubble shows far fewer. A choice of ours, so that an endless text ends.
+-- | The most characters of one text; a bubble shows far fewer. A choice of ours, so that an endless text ends.
 longestLine :: Int
 longestLine = 10000
 
@@ -119,10 +143,10 @@ instance Default a => Command (Param a) where
   command = Plain (\(Param x) -> Then (Share (typeRep (Proxy @a)) (Kept (carried x) (shown x))))
 
 instance Value a => Command (Done a) where
-  command = Plain (\(Done x) -> Then (End (carried x)))
+  command = Plain (\(Done x) -> Then (End (carried x) (shown x)))
 
 instance Value a => Command (Feedback a) where
-  command = Plain (\(Feedback x) -> Then (Feed (carried x)))
+  command = Plain (\(Feedback x) -> Then (Feed (carried x) (shown x)))
 
 instance Command Call where
   command = Plain (\(Call calling) -> Then (StartCall calling))
@@ -136,8 +160,8 @@ instance Command Never where command = Plain (\Never rest -> rest)
 
 instance (Sensor a, Command b) => Command (a -> b) where
   command = case command of
-    Plain give -> Needing sense (\f x -> give (f x))
-    Needing more give -> Needing (both sense more) (\f (x, n) -> give (f x) n)
+    Plain give -> Needing sensor (\f x -> give (f x))
+    Needing more give -> Needing (both sensor more) (\f (x, n) -> give (f x) n)
 
 instance Command a => Command (Maybe a) where
   command = case command of

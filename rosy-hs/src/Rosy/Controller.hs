@@ -5,21 +5,23 @@
 -- Module      : Rosy.Controller
 -- Description : Turning plain functions into a controller.
 --
--- A controller is a value or function of the shapes in "Rosy.Sensor" and "Rosy.Command", or a tuple (to 9) or a list of controllers:
+-- A controller is a value or function of the shapes in "Rosy.Sensor" and "Rosy.Command", a task, or a tuple (to 9) or a list of controllers (rule R16):
 --
 -- > accelerate                       -- a function
 -- > (accelerate, play)               -- two, that fire in this order
+-- > (accelerate, blinkFiveTimes)     -- a function and a task that runs beside it
 -- > [blink 1, blink 2, blink 3]      -- any number of one type
 --
--- A controller is flattened into its functions in the order in which the program lists them. Their names come
+-- A controller is flattened into its functions and tasks in the order in which the program lists them. Their names come
 -- from the program's text ("Rosy.Program"); where a name is missing it is @function 1@, @function 2@ and so on.
 module Rosy.Controller
   ( -- * What it is
     Controller (..),
 
-    -- * Names of its functions
+    -- * Parts and their names
+    Part (..),
     Names (..),
-    functionsOf,
+    partsOf,
     single,
   )
 where
@@ -34,14 +36,19 @@ import Rosy.Sensor
 data Names = Name String | Names [Names]
   deriving (Eq, Show, Read)
 
+-- | One part of a flattened controller.
+data Part = Reacts Function | Runs Calling
+
 -- | What a robot can be told to do all the time.
 class Controller c where
-  -- | Its functions in order, each with its name if it has one.
-  functions :: Names -> c -> [String -> Function]
+  -- | Its parts in order. Each takes the name for a function without one.
+  parts :: Names -> c -> [String -> Part]
 
--- | A controller's functions, with a number for those without a name.
-functionsOf :: Controller c => Names -> c -> [Function]
-functionsOf names c = zipWith (\i f -> f ("function " ++ show i)) [1 :: Int ..] (functions names c)
+-- | A controller's functions and tasks, with a number for functions without a name.
+partsOf :: Controller c => Names -> c -> ([Function], [Calling])
+partsOf names c = ([f | Reacts f <- flat], [t | Runs t <- flat])
+  where
+    flat = zipWith (\i part -> part ("function " ++ show i)) [1 :: Int ..] (parts names c)
 
 -- | One function that carries out a command, under the given name or the first one of the names.
 single :: Command c => Names -> String -> c -> Function
@@ -55,57 +62,70 @@ leaf names c fallback = case command of
     name = functionName (case names of Name text -> text; Names [one] | Name text <- one -> text; _ -> fallback)
 
 -- | Names for so many parts.
-parts :: Int -> Names -> [Names]
-parts n names = case names of
+share :: Int -> Names -> [Names]
+share n names = case names of
   Name _ -> replicate n names
   Names list | length list == n -> list
   _ -> replicate n (Names [])
 
 instance {-# OVERLAPPABLE #-} Command c => Controller c where
-  functions names c = [leaf names c]
+  parts names c = [Reacts . leaf names c]
 
 instance (Sensor a, Command b) => Controller (a -> b) where
-  functions names f = [leaf names f]
+  parts names f = [Reacts . leaf names f]
+
+-- | A task starts when the controller does and runs beside it; its result is ignored.
+instance Controller (Task end) where
+  parts _ t =
+    [ \name ->
+        Runs
+          Calling
+            { callProgram = runTask t Return,
+              callCancel = Nothing,
+              callFeedback = const Nothing,
+              callResponse = const (single (Names []) ("end of " ++ name) ())
+            }
+    ]
 
 instance Controller c => Controller [c] where
-  functions names cs = concat (zipWith functions (parts (length cs) names) cs)
+  parts names cs = concat (zipWith parts (share (length cs) names) cs)
 
 instance (Controller a, Controller b) => Controller (a, b) where
-  functions names (a, b) = case parts 2 names of
-    [na, nb] -> functions na a ++ functions nb b
-    _ -> [] -- parts 2 gives 2
+  parts names (a, b) = case share 2 names of
+    [na, nb] -> parts na a ++ parts nb b
+    _ -> [] -- share 2 gives 2
 
 instance (Controller a, Controller b, Controller c) => Controller (a, b, c) where
-  functions names (a, b, c) = case parts 3 names of
-    [na, nb, nc] -> functions na a ++ functions nb b ++ functions nc c
-    _ -> [] -- parts 3 gives 3
+  parts names (a, b, c) = case share 3 names of
+    [na, nb, nc] -> parts na a ++ parts nb b ++ parts nc c
+    _ -> [] -- share 3 gives 3
 
 instance (Controller a, Controller b, Controller c, Controller d) => Controller (a, b, c, d) where
-  functions names (a, b, c, d) = case parts 4 names of
-    [na, nb, nc, nd] -> functions na a ++ functions nb b ++ functions nc c ++ functions nd d
-    _ -> [] -- parts 4 gives 4
+  parts names (a, b, c, d) = case share 4 names of
+    [na, nb, nc, nd] -> parts na a ++ parts nb b ++ parts nc c ++ parts nd d
+    _ -> [] -- share 4 gives 4
 
 instance (Controller a, Controller b, Controller c, Controller d, Controller e) => Controller (a, b, c, d, e) where
-  functions names (a, b, c, d, e) = case parts 5 names of
-    [na, nb, nc, nd, ne] -> functions na a ++ functions nb b ++ functions nc c ++ functions nd d ++ functions ne e
-    _ -> [] -- parts 5 gives 5
+  parts names (a, b, c, d, e) = case share 5 names of
+    [na, nb, nc, nd, ne] -> parts na a ++ parts nb b ++ parts nc c ++ parts nd d ++ parts ne e
+    _ -> [] -- share 5 gives 5
 
 instance (Controller a, Controller b, Controller c, Controller d, Controller e, Controller f) => Controller (a, b, c, d, e, f) where
-  functions names (a, b, c, d, e, f) = case parts 6 names of
-    [na, nb, nc, nd, ne, nf] -> functions na a ++ functions nb b ++ functions nc c ++ functions nd d ++ functions ne e ++ functions nf f
-    _ -> [] -- parts 6 gives 6
+  parts names (a, b, c, d, e, f) = case share 6 names of
+    [na, nb, nc, nd, ne, nf] -> parts na a ++ parts nb b ++ parts nc c ++ parts nd d ++ parts ne e ++ parts nf f
+    _ -> [] -- share 6 gives 6
 
 instance (Controller a, Controller b, Controller c, Controller d, Controller e, Controller f, Controller g) => Controller (a, b, c, d, e, f, g) where
-  functions names (a, b, c, d, e, f, g) = case parts 7 names of
-    [na, nb, nc, nd, ne, nf, ng] -> functions na a ++ functions nb b ++ functions nc c ++ functions nd d ++ functions ne e ++ functions nf f ++ functions ng g
-    _ -> [] -- parts 7 gives 7
+  parts names (a, b, c, d, e, f, g) = case share 7 names of
+    [na, nb, nc, nd, ne, nf, ng] -> parts na a ++ parts nb b ++ parts nc c ++ parts nd d ++ parts ne e ++ parts nf f ++ parts ng g
+    _ -> [] -- share 7 gives 7
 
 instance (Controller a, Controller b, Controller c, Controller d, Controller e, Controller f, Controller g, Controller h) => Controller (a, b, c, d, e, f, g, h) where
-  functions names (a, b, c, d, e, f, g, h) = case parts 8 names of
-    [na, nb, nc, nd, ne, nf, ng, nh] -> functions na a ++ functions nb b ++ functions nc c ++ functions nd d ++ functions ne e ++ functions nf f ++ functions ng g ++ functions nh h
-    _ -> [] -- parts 8 gives 8
+  parts names (a, b, c, d, e, f, g, h) = case share 8 names of
+    [na, nb, nc, nd, ne, nf, ng, nh] -> parts na a ++ parts nb b ++ parts nc c ++ parts nd d ++ parts ne e ++ parts nf f ++ parts ng g ++ parts nh h
+    _ -> [] -- share 8 gives 8
 
 instance (Controller a, Controller b, Controller c, Controller d, Controller e, Controller f, Controller g, Controller h, Controller i) => Controller (a, b, c, d, e, f, g, h, i) where
-  functions names (a, b, c, d, e, f, g, h, i) = case parts 9 names of
-    [na, nb, nc, nd, ne, nf, ng, nh, ni] -> functions na a ++ functions nb b ++ functions nc c ++ functions nd d ++ functions ne e ++ functions nf f ++ functions ng g ++ functions nh h ++ functions ni i
-    _ -> [] -- parts 9 gives 9
+  parts names (a, b, c, d, e, f, g, h, i) = case share 9 names of
+    [na, nb, nc, nd, ne, nf, ng, nh, ni] -> parts na a ++ parts nb b ++ parts nc c ++ parts nd d ++ parts ne e ++ parts nf f ++ parts ng g ++ parts nh h ++ parts ni i
+    _ -> [] -- share 9 gives 9

@@ -1,4 +1,5 @@
 {-# LANGUAGE ExistentialQuantification #-}
+{-# LANGUAGE PatternSynonyms #-}
 {-# LANGUAGE RankNTypes #-}
 {-# LANGUAGE StrictData #-}
 
@@ -12,7 +13,6 @@ module Rosy.Core
   ( -- * What happens
     Occurrence (..),
     Message (..),
-    Odometry (..),
     Event (..),
 
     -- * What a function may read
@@ -23,7 +23,9 @@ module Rosy.Core
     withoutGenerators,
 
     -- * Inputs
-    Sense (..),
+    Sense (.., Sense),
+    InputValue (..),
+    Source (..),
     Shape (..),
     Trigger (..),
     Arrivals (..),
@@ -31,13 +33,20 @@ module Rosy.Core
     Interest,
     interestedIn,
     interestIn,
-    odometryInterest,
+    channelInterest,
+    clockInterest,
+    channelLimit,
+    lacks,
 
     -- * Outputs
-    Plan (..),
+    Plan (.., Plain),
     Effects (..),
     Effect (..),
     Action (..),
+
+    -- * Topics
+    Topic (..),
+    TopicUse (..),
 
     -- * Functions
     Function (..),
@@ -56,7 +65,7 @@ module Rosy.Core
 where
 
 import Control.Monad (ap, liftM)
-import Data.Bits ((.&.))
+import Data.Bits (bit, complement, (.&.), (.|.))
 import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
@@ -64,30 +73,12 @@ import Data.Dynamic (Dynamic)
 import Data.IntMap.Strict (IntMap)
 import Data.Map.Strict (Map)
 import Data.Typeable (TypeRep)
-import Data.Word (Word8)
-import Rosy.Robot
+import Data.Word (Word64)
+import Rosy.Channel (Action (..), Channel (..), Field, Kind (..), Message (..))
 import System.Random (StdGen, split)
 
 -- ---------------------------------------------------------------------------------------------
 -- What happens
-
--- | A sensor message of the base.
-data Message
-  = ButtonMessage Button
-  | BumperMessage Bumper
-  | CliffMessage Cliff
-  | WheelMessage Wheel
-  | StatusMessage RobotStatus
-  | OdometryMessage Odometry
-  deriving (Eq, Show)
-
--- | What one odometry message says, in the frame of the start: metres, radians, m/s, rad/s.
-data Odometry = Odometry
-  { odometryPosition :: Position,
-    odometryOrientation :: Orientation,
-    odometryVelocity :: Velocity
-  }
-  deriving (Eq, Show)
 
 -- | What may make a function fire.
 data Occurrence
@@ -112,14 +103,19 @@ type ScopeId = Int
 -- | One value per type.
 type Memories = Map TypeRep Kept
 
--- | A value that is remembered, and how Haskell shows it: computed only when somebody looks.
+-- | A value that is remembered, and how Haskell shows it: computed only when it is shown.
 data Kept = Kept Dynamic ~String
 
 -- | All that a function can read apart from events.
 data Env = Env
-  { envOdometry :: Maybe Odometry,
-    -- | Seconds, as 'Seconds' tells them.
+  { -- | The current value of each state that has arrived, by the number of its channel.
+    envStates :: IntMap [Field],
+    -- | The channels of those states.
+    envArrived :: Interest,
+    -- | Seconds since the start of the program (rule R21).
     envTime :: Double,
+    -- | The time of day at the start of the program, seconds.
+    envClock :: Double,
     envGen :: StdGen,
     -- | Whose memory is read.
     envScope :: ScopeId,
@@ -134,48 +130,86 @@ withoutGenerators n env = env {envGen = iterate (snd . split) (envGen env) !! n}
 -- ---------------------------------------------------------------------------------------------
 -- Inputs
 
--- | A set of kinds of 'Occurrence', so that a function is not bothered with what it does not take.
-type Interest = Word8
+-- | A set of kinds of 'Occurrence', so that a function is offered only what it takes: one bit for ticks, one for user events, one for
+-- messages that are a clock, and one per channel.
+type Interest = Word64
 
--- | The kind of an occurrence, as a set of one.
+-- | The kinds of an occurrence.
 interestIn :: Occurrence -> Interest
 interestIn occurrence = case occurrence of
-  Sensed message -> case message of
-    ButtonMessage _ -> 1
-    BumperMessage _ -> 2
-    CliffMessage _ -> 4
-    WheelMessage _ -> 8
-    StatusMessage _ -> 16
-    OdometryMessage _ -> odometryInterest
-  Tick -> 64
-  Emitted _ -> 128
+  Sensed (Message channel _) -> case channelKind channel of
+    ClockChannel -> channelInterest channel .|. clockInterest
+    _ -> channelInterest channel
+  Tick -> bit 0
+  Emitted _ -> bit 1
 
--- | The set of odometry alone.
-odometryInterest :: Interest
-odometryInterest = 32
+-- | The messages of one channel.
+channelInterest :: Channel -> Interest
+channelInterest channel = bit (channelNumber channel + 3)
+
+-- | The messages at which functions of states fire: odometry.
+clockInterest :: Interest
+clockInterest = bit 2
+
+-- | The numbers of a robot's channels that a program can take are smaller than this; the last bit is for the program's own topics.
+channelLimit :: Int
+channelLimit = 60
+
+-- | Whether the second set lacks something of the first.
+lacks :: Interest -> Interest -> Bool
+lacks wanted there = wanted .&. complement there /= 0
 
 -- | Whether the sets have something in common.
 interestedIn :: Interest -> Interest -> Bool
 interestedIn a b = a .&. b /= 0
 
--- | An input of a function: when it has a value, and how that value is told in an error message.
-data Sense a = Sense
-  { senseTell :: a -> [String] -> [String],
+-- | An input of a function: when it has a value, and how that value is told.
+data Sense a = Sensing
+  { -- | The topic that the program connects the type to.
+    senseTopic :: Maybe Topic,
+    senseTell :: a -> [InputValue] -> [InputValue],
     senseShape :: Shape a
   }
 
--- | The three kinds of input of LANGUAGE.md section 2 in two constructors.
+-- | An input of which it does not matter whether it is a topic.
+pattern Sense :: (a -> [InputValue] -> [InputValue]) -> Shape a -> Sense a
+pattern Sense tell shape <-
+  Sensing _ tell shape
+  where
+    Sense tell shape = Sensing Nothing tell shape
+
+{-# COMPLETE Sense #-}
+
+-- | One value that a firing took: where it was read, and the value as Haskell shows it. The text is computed only when it is shown.
+data InputValue = InputValue Source ~String
+
+-- | What a function reads (rule R12).
+data Source
+  = -- | A message, a user event or the tick.
+    FromEvent
+  | -- | The current value of the channel.
+    FromState Channel
+  | -- | The memory of the task, of this type.
+    FromMemory TypeRep
+  | -- | The memory of the program, of this type.
+    FromParam TypeRep
+  | -- | The time since the start, or of the day.
+    FromTime
+  | FromGenerator
+  deriving (Eq, Show)
+
+-- | Events, states and samples (rules R1 to R3) in two constructors.
 data Shape a
   = -- | Has a value only after something happened. The state @s@ keeps what has not been used yet.
     forall s. Triggered (Trigger s a)
-  | -- | Can be read at any time: a state, which odometry refreshes (its reading needs odometry), or a sample.
+  | -- | Can be read at any time: a state (its reading needs the message that carries it) or a sample.
     Level (Reading a)
 
 -- | How an input follows what happens.
 data Trigger s a = Trigger
   { interest :: Interest,
-    -- | Whether its reading may need odometry, so that a value may have to wait for the first one.
-    mayWait :: Bool,
+    -- | The states that its reading may need: a value waits until they have arrived.
+    mayNeed :: Interest,
     -- | How many values one occurrence can give: one per side of an 'Either'.
     turns :: Int,
     -- | The state without any unused value.
@@ -196,8 +230,8 @@ data Arrivals a = NoMore | Arrival (Reading a) (Arrivals a)
 
 -- | A value that is there for the reading.
 data Reading a = Reading
-  { -- | Perhaps only once odometry has arrived.
-    needsOdometry :: Bool,
+  { -- | Only once these states have arrived.
+    needs :: Interest,
     -- | How many random generators it uses up.
     generators :: Int,
     readNow :: Env -> a
@@ -208,8 +242,18 @@ data Reading a = Reading
 
 -- | How a value of type @c@ is carried out: at once, or after inputs of its own (it is a function).
 data Plan c
-  = Plain (c -> Effects -> Effects)
+  = -- | With the topic that the program connects the type to.
+    Producing (Maybe Topic) (c -> Effects -> Effects)
   | forall n. Needing (Sense n) (c -> n -> Effects -> Effects)
+
+-- | An output of which it does not matter whether it is a topic.
+pattern Plain :: (c -> Effects -> Effects) -> Plan c
+pattern Plain give <-
+  Producing _ give
+  where
+    Plain give = Producing Nothing give
+
+{-# COMPLETE Plain, Needing #-}
 
 -- | What a firing does, in order. The spine is strict: when the first cell is there, all is computed.
 data Effects = Nothing' | Then Effect Effects
@@ -220,17 +264,24 @@ data Effect
   | Emit Dynamic ~String
   | Remember TypeRep Kept
   | Share TypeRep Kept
-  | End Dynamic
-  | Feed Dynamic
+  | -- | The value of a @Done@, and how Haskell shows it; likewise of a @Feedback@.
+    End Dynamic ~String
+  | Feed Dynamic ~String
   | StartCall Calling
 
--- | A command to the robot.
-data Action
-  = SetVelocity Double Double
-  | SetLed1 LedColor
-  | SetLed2 LedColor
-  | PlaySound Sound
-  | SayText String
+-- ---------------------------------------------------------------------------------------------
+-- Topics
+
+-- | A topic that the program names itself (rule R23): its name with a slash, the type of its messages, and what the program does with it.
+data Topic = Topic
+  { topicName :: String,
+    topicType :: String,
+    topicUse :: TopicUse
+  }
+  deriving (Eq, Show)
+
+-- | Whether a program takes the messages of a topic or sends them.
+data TopicUse = Taken | Sent
   deriving (Eq, Show)
 
 -- ---------------------------------------------------------------------------------------------
@@ -288,6 +339,8 @@ data Program r
 data Spec end = Spec
   { specStart :: Maybe Function,
     specFunctions :: [Function],
+    -- | Tasks of the controller, which run beside its functions.
+    specTasks :: [Calling],
     specStopped :: Maybe Function,
     -- | The value of a @Done@, if it has the type of this task.
     specEnd :: Dynamic -> Maybe end,

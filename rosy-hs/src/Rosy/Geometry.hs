@@ -32,10 +32,25 @@ module Rosy.Geometry
     addVec,
     subVec,
     extVec,
+    DPoint,
+    DVector,
+    DLine,
+    DCircle,
+    negVec,
+    mulVec,
+    divVec,
+    normVec,
+    sumVec,
+    averageVec,
+    distVec,
+    dotProdVec,
+    crossProdVec,
+    circleLineIntersection,
   )
 where
 
 import Rosy.Robot
+import Rosy.Time
 
 -- | An angle of which 360 go round.
 type Degrees = Double
@@ -134,3 +149,71 @@ subVec (x, y) (x', y') = (x - x', y - y')
 -- | A vector in the same direction, so much longer.
 extVec :: Vec -> Double -> Vec
 extVec v more = scalarVec (magnitudeVec v + more) (angleVec v)
+
+-- | A place on the plane, metres. The name of 2019.
+type DPoint = Vec
+
+-- | A vector. The name of 2019.
+type DVector = Vec
+
+-- | The straight line through two places. The name of 2021.
+type DLine = (DPoint, DPoint)
+
+-- | A circle: its centre and its radius in metres. The name of 2021.
+type DCircle = (DPoint, Meters)
+
+-- | The opposite vector.
+negVec :: Vec -> Vec
+negVec (x, y) = (negate x, negate y)
+
+-- | A vector times a number.
+mulVec :: Double -> Vec -> Vec
+mulVec k (x, y) = (k * x, k * y)
+
+-- | A vector divided by a number.
+divVec :: Vec -> Double -> Vec
+divVec (x, y) k = (x / k, y / k)
+
+-- | The vector of length 1 at an angle (radians).
+normVec :: Radians -> Vec
+normVec = scalarVec 1
+
+-- | The sum of all vectors.
+sumVec :: [Vec] -> Vec
+sumVec = foldr addVec (0, 0)
+
+-- | The mean of all vectors; (0, 0) of none.
+averageVec :: [Vec] -> Vec
+averageVec [] = (0, 0)
+averageVec vs = sumVec vs `divVec` fromIntegral (length vs)
+
+-- | The distance between two places.
+distVec :: Vec -> Vec -> Double
+distVec a b = magnitudeVec (subVec a b)
+
+-- | The dot product: the product of the lengths and the cosine of the angle between.
+dotProdVec :: Vec -> Vec -> Double
+dotProdVec (x, y) (x', y') = x * x' + y * y'
+
+-- | The cross product: the product of the lengths and the sine of the angle from the first to the second, negative to the right.
+crossProdVec :: Vec -> Vec -> Double
+crossProdVec (x, y) (x', y') = x * y' - y * x'
+
+-- | The places where a circle meets a line: two, one if they touch, or none. The first is the one further along from the line's first
+-- place to its second. None if both places of the line are the same.
+--
+-- >>> circleLineIntersection ((0, 0), 1) ((-2, 0), (2, 0))
+-- [(1.0,0.0),(-1.0,0.0)]
+circleLineIntersection :: DCircle -> DLine -> [DPoint]
+circleLineIntersection (centre, radius) (from, to)
+  | way == (0, 0) || room < 0 = []
+  | room == 0 = [at nearest]
+  | otherwise = map at [nearest + reach, nearest - reach]
+  where
+    way = subVec to from
+    size = dotProdVec way way
+    -- In lengths of the way: the place of the line that is nearest to the centre, and half of the chord.
+    nearest = dotProdVec (subVec centre from) way / size
+    room = radius * radius * size - crossProdVec way (subVec centre from) ^ (2 :: Int)
+    reach = sqrt room / size
+    at share = addVec from (mulVec share way)

@@ -2,7 +2,7 @@
 -- Module      : Rosy.Link
 -- Description : The link to a robot, as a record of functions.
 --
--- Whoever drives the loop ("Rosy.Run") hears batches and answers them; which wire they travel on is the link's affair.
+-- The driver of the loop ("Rosy.Run") hears batches and answers them; which wire they travel on is the link's affair.
 -- The simulator waits for each answer; a real robot does not wait.
 module Rosy.Link
   ( -- * What it is
@@ -15,13 +15,15 @@ module Rosy.Link
   )
 where
 
-import Rosy.Core (Action, FunctionName, Message)
+import Rosy.Channel (Action, Message)
+import Rosy.Core (FunctionName, Topic)
 import Rosy.Problem (Problem)
+import Rosy.Provenance (Record)
 
 -- | A robot at the other end.
 data Link = Link
-  { -- | Wait until the robot is there, and say what the program sends and takes.
-    open :: IO Opening,
+  { -- | Wait until the robot is there, and say what the program sends and takes: the robot's own channels, and these topics.
+    open :: [Topic] -> IO Opening,
     -- | The next batch; 'Nothing' when the program is to stop.
     next :: IO (Maybe Batch),
     -- | What the program makes of the batch.
@@ -35,21 +37,25 @@ data Link = Link
   }
 
 -- | What is known when a run starts.
-newtype Opening = Opening
-  { -- | Where the chance of this run comes from.
-    openingSeed :: Int
+data Opening = Opening
+  { -- | Seed of the random generators.
+    openingSeed :: Int,
+    -- | The time of day at the start of the program, seconds: 0 in the simulator, universal time on a robot.
+    openingClock :: Double
   }
 
 -- | What the robot sensed since the last batch.
 data Batch = Batch
   { batchStep :: Int,
-    -- | Seconds.
+    -- | Seconds since the start of the program, from a monotonic clock.
     batchTime :: Double,
     batchMessages :: [Message],
     -- | Whether the default-rate clock ticks after the messages.
     batchTick :: Bool,
-    -- | Whether somebody wants to see what the program remembers.
-    batchLooks :: Bool
+    -- | Whether what the program remembers is requested.
+    batchLooks :: Bool,
+    -- | Whether the provenance of the firings is requested.
+    batchWatches :: Bool
   }
 
 -- | What the program did with a batch.
@@ -57,14 +63,21 @@ data Answer = Answer
   { answerStep :: Int,
     answerActions :: [Action],
     answerFired :: [FunctionName],
+    -- | For each function that fired, how many of the actions it sent.
+    answerSent :: [Int],
+    -- | The events of the batch, as Haskell shows them.
+    answerSensed :: [String],
+    -- | The same, and the user events that were emitted, in order.
     answerEvents :: [String],
-    -- | What the program remembers, type and value, when somebody looks and it is not what they saw last.
-    answerMemory :: Maybe [(String, String)]
+    -- | What the program remembers, type and value, when it is requested and differs from the last report.
+    answerMemory :: Maybe [(String, String)],
+    -- | The firings with their provenance, when that is requested.
+    answerRecords :: Maybe [Record]
   }
 
 -- | Nothing was done.
 noAnswer :: Answer
-noAnswer = Answer 0 [] [] [] Nothing
+noAnswer = Answer 0 [] [] [] [] [] Nothing Nothing
 
 -- | How a run ended.
 data Ending = EndedDone | EndedStopped | EndedError Problem

@@ -2,14 +2,15 @@
 -- Module      : Rosy.Loop
 -- Description : One deterministic loop: a network and an instant in, firings and commands and the next network out.
 --
--- The rules are those of LANGUAGE.md section 2; "Rosy.Model" says them again without any care for speed, and is right in doubt.
+-- Implements rules R1 to R11 of rosy-hs/LANGUAGE.md. "Rosy.Model" states the same rules without regard to speed and is authoritative.
 -- Everything here is pure. A step comes out as a 'Turn': a chain of firings whose effects are not computed yet, so that
--- whoever drives the loop ("Rosy.Run") can say which function is at work, and catch what it throws, before going on.
+-- the driver of the loop ("Rosy.Run") can say which function is at work, and catch what it throws, before going on.
 module Rosy.Loop
   ( -- * What it is
     Network,
     Turn (..),
     Firing (..),
+    Cause (..),
     Outcome (..),
 
     -- * Running one
@@ -23,6 +24,8 @@ module Rosy.Loop
     Report (..),
     collect,
     remembered,
+    emissionsOf,
+    isMark,
 
     -- * Limits
     roundLimit,
@@ -30,17 +33,18 @@ module Rosy.Loop
   )
 where
 
+import Data.Bits ((.|.))
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.Map.Strict as Map
+import Rosy.Channel (Channel (..), Field, Kind (..), tellMessage)
 import Rosy.Core
 import Rosy.Loop.Advance
 import Rosy.Loop.Deliver
 import Rosy.Loop.Fire
 import Rosy.Loop.State
-import Rosy.Value (shown)
 import System.Random (StdGen)
 
--- | The most rounds of user events in one instant (rule 8); what is pending then waits for the next instant.
+-- | The most rounds of user events in one instant (rule R8); what is pending then waits for the next instant.
 roundLimit :: Int
 roundLimit = 64
 
@@ -51,6 +55,8 @@ roundLimit = 64
 data Start = Start
   { -- | Seconds, see 'Rosy.Seconds'.
     startTime :: !Double,
+    -- | The time of day at time 0, seconds since midnight or since another midnight; see 'Rosy.Clock'.
+    startClock :: !Double,
     startGen :: !StdGen
   }
 
@@ -60,7 +66,7 @@ begin start program = runStep (advance stepLimit program) world0 resting
   where
     world0 =
       World
-        { env = Env Nothing (startTime start) (startGen start) 0 IntMap.empty Map.empty,
+        { env = Env IntMap.empty 0 (startTime start) (startClock start) (startGen start) 0 IntMap.empty Map.empty,
           queue = [],
           emitted = 0,
           actions = [],
@@ -69,7 +75,9 @@ begin start program = runStep (advance stepLimit program) world0 resting
           fed = [],
           begun = [],
           nextScope = 0,
-          cleanups = IntMap.empty
+          cleanups = IntMap.empty,
+          moving = [],
+          turning = ByStart
         }
 
 -- | What an instant is about.
@@ -84,8 +92,9 @@ instant time what (Network running w) = runStep (deliver occurrence running >>= 
       Hear message -> Sensed message
       TickNow -> Tick
     w' = case what of
-      Hear (OdometryMessage o) -> w {env = (env w) {envTime = time, envOdometry = Just o}, fed = []}
-      Hear message -> w {env = (env w) {envTime = time}, heard = toldMessage message : heard w, fed = []}
+      Hear message@(Message channel fields) -> case channelKind channel of
+        EventChannel -> w {env = (env w) {envTime = time}, heard = tellMessage message : heard w, fed = []}
+        _ -> w {env = refreshed channel fields (env w) {envTime = time}, fed = []}
       TickNow -> w {env = (env w) {envTime = time}, fed = []}
 
 -- | Deliver what was emitted, round by round, and what that emits.
@@ -128,11 +137,11 @@ remembered (Network _ w) = concatMap (kept "Memory") (IntMap.elems (envMemories 
   where
     kept of' memories = [(of' ++ ' ' : showsPrec 11 what "", text) | (what, Kept _ text) <- Map.toAscList memories]
 
-toldMessage :: Message -> String
-toldMessage message = case message of
-  ButtonMessage b -> shown b
-  BumperMessage b -> shown b
-  CliffMessage c -> shown c
-  WheelMessage x -> shown x
-  StatusMessage s -> shown s
-  OdometryMessage _ -> ""
+-- | How many user events the program has sent.
+emissionsOf :: Network -> Int
+emissionsOf (Network _ w) = emitted w
+
+-- | With the new value of a state.
+refreshed :: Channel -> [Field] -> Env -> Env
+refreshed channel fields e =
+  e {envStates = IntMap.insert (channelNumber channel) fields (envStates e), envArrived = envArrived e .|. channelInterest channel}

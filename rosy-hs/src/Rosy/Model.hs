@@ -2,32 +2,40 @@
 -- Module      : Rosy.Model
 -- Description : What a program means: timed happenings in, timed firings and commands out.
 --
--- This is LANGUAGE.md section 2 once more, as code that cares for nothing but being right: lists, no threads, no I/O,
--- no cleverness. Where the page and the runtime ("Rosy.Loop") disagree with it, it is they who are wrong; the tests
--- compare the runtime with 'meaning' on generated programs and happenings.
+-- Executable form of rules R1 to R11 of rosy-hs/LANGUAGE.md: lists, no threads, no I/O, no optimisation. It is authoritative:
+-- where the text or the runtime ("Rosy.Loop") disagrees with it, they are corrected. The tests compare the runtime
+-- with 'meaning' on generated programs and happenings.
 --
 -- Read "Rosy.Model.Program" first: what a program is. Then "Rosy.Model.Firing": when a function fires, and what one firing does
--- (rules 1 to 9). Here functions become tasks, and tasks a run (rules 8, 10 and 11).
+-- (rules R1 to R9). Here functions become tasks, and tasks a run (rules R8, R10 and R11).
+-- "Rosy.Model.Default" gives the first value of a memory of a declared type (rule R7); the memories of the model itself hold numbers.
 --
--- An __ending__ ('Ending') stops whatever is going on at once, and only clean-ups follow it (rule 11).
+-- An __ending__ ('Ending') stops whatever is going on at once, and only clean-ups follow it (rule R11).
 module Rosy.Model
   ( -- * Programs, and time
     module Rosy.Model.Program,
 
     -- * Meaning
     meaning,
+    provenance,
     arrivals,
+
+    -- * Defaults of declared types
+    module Rosy.Model.Default,
   )
 where
 
-import Control.Monad (foldM, unless)
+import Control.Monad (foldM, unless, when)
 import Control.Monad.Trans.Except (runExceptT, throwE)
 import qualified Control.Monad.Trans.State.Strict as State
 import Data.Bifunctor (first)
+import qualified Data.IntSet as IntSet
 import Data.List (partition)
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, isNothing)
+import Rosy.Model.Default
 import Rosy.Model.Firing
 import Rosy.Model.Program
+import Rosy.Model.Relevance
 
 -- ---------------------------------------------------------------------------------------------
 -- A run
@@ -35,9 +43,17 @@ import Rosy.Model.Program
 -- | What a program says, each at the time at which it says it. Time is counted in milliseconds. A program begins with the first thing
 -- that happens.
 meaning :: Program -> [(Int, Happening)] -> [(Int, Said)]
-meaning program happenings = reverse (said (State.execState (runExceptT run >>= either over pure) world0))
+meaning program happenings = reverse (said (final program happenings))
+
+-- | Rule R12: all firings of a run, in order, each with its cause, what it read and what it gave.
+provenance :: Program -> [(Int, Happening)] -> [Firing]
+provenance program happenings = reverse (firings (final program happenings))
+
+-- | All that is so after the run.
+final :: Program -> [(Int, Happening)] -> World
+final program happenings = State.execState (runExceptT run >>= either over pure) world0
   where
-    world0 = World 0 Nothing [] [] 0 0 0 [] [] []
+    world0 = World 0 Nothing [] [] 0 0 0 [] [] [] Nothing 0 [] [] [] 0 AtStart (addLabel TaskTree (IntSet.singleton 0) noLabels) noPhantoms []
     run = case happenings of
       (t, h) : _ | isInstant h -> passTime t >> advance limit program >>= go happenings
       _ -> go happenings (Paused program)
@@ -46,10 +62,10 @@ meaning program happenings = reverse (said (State.execState (runExceptT run >>= 
       (_, []) -> pure ()
       (_, (t, h) : rest) -> instant r t h >>= go rest
 
--- | Rule 11: whatever ended it, all live tasks clean up, then the robot is told to stop, and why comes last.
+-- | Rule R11: whatever ended it, all live tasks clean up, then the robot is told to stop, and why comes last.
 over :: Ending -> State.State World ()
 over Lost = State.modify (\w -> w {said = (time w, Over Lost) : said w})
-over ending = cleanUp >> State.modify (\w -> w {said = (time w, Over ending) : (time w, Halt) : said w})
+over ending = cleanUp >> State.modify (\w -> w {said = (time w, Over ending) : (time w, Driven 0) : said w})
 
 -- | The youngest task first, each once. One that fails is passed over.
 cleanUp :: State.State World ()
@@ -58,16 +74,16 @@ cleanUp = do
   unless (null left) $ do
     let youngest = maximum (map fst left)
         (now, later) = partition ((== youngest) . fst) left
-    State.modify (\w -> w {cleanups = later})
+    State.modify (\w -> w {cleanups = later, turning = AtEnd})
     mapM_ (runExceptT . atOnce youngest . snd) now
     cleanUp
 
--- | Rules 8 and 10: rounds of user events, and steps of one task, in one instant.
+-- | Rules R8 and R10: rounds of user events, and steps of one task, in one instant.
 limit :: Int
 limit = 64
 
 -- ---------------------------------------------------------------------------------------------
--- Tasks (rule 10)
+-- Tasks (rule R10)
 
 -- | What runs, up to a value.
 data Running
@@ -92,11 +108,14 @@ advance left program = case program of
     b <- gets emitted
     case start spec of
       Nothing -> install left scope b [] spec k
-      Just f -> atOnce scope f >>= maybe (pure (Starting scope (live b f) spec k)) (\out -> install left scope b out spec k)
+      Just f -> do
+        startsNow f
+        atOnce scope f >>= maybe ((\l -> Starting scope l spec k) <$> live scope b (turning' f)) (\out -> turn (After scope) >> install left scope b out spec k)
   Once f rest -> do
     scope <- newScope
     b <- gets emitted
-    atOnce scope f >>= maybe (pure (Giving scope (live b f) rest)) (afterOnce left rest)
+    startsNow f
+    atOnce scope f >>= maybe ((\l -> Giving scope l rest) <$> live scope b (turning' f)) (afterOnce scope left rest)
   Wait t rest -> do
     now <- gets time
     if t <= 0 then advance (left - 1) rest else pure (Waiting (now + t) rest)
@@ -110,9 +129,10 @@ advance left program = case program of
       Returned v -> advance (left - 1) (k (InLeft v))
       _ -> advance (left - 1) b >>= \y -> against (left - 1) x y k
 
--- | A command given once is no task: nothing may end there, and nothing may be called, for nobody stays to hear of it.
-afterOnce :: Int -> Program -> [Given] -> Doing Running
-afterOnce left rest outputs = do
+-- | A command given once is no task: nothing may end there, and nothing may be called, for nothing stays to hear of it.
+afterOnce :: Int -> Int -> Program -> [Given] -> Doing Running
+afterOnce scope left rest outputs = do
+  turn (After scope)
   _ <- dones noType outputs
   case [who | Given who (Call _) <- outputs] of
     who : _ -> throwE (CalledInOnce who)
@@ -121,6 +141,14 @@ afterOnce left rest outputs = do
 -- | A type that no value has.
 noType :: Type
 noType = ""
+
+-- | A function of which it depends whether it fires which tasks live: a start, or what cancels a task.
+turning' :: Function -> Function
+turning' f = f {outlets = MayTurn : outlets f}
+
+-- | Whether a start is carried out at once depends on the state that it reads.
+startsNow :: Function -> Doing ()
+startsNow f = when (mentionsState (input f)) (gets (labelOf Measured . labels) >>= turnOn)
 
 newScope :: Doing Int
 newScope = do
@@ -136,8 +164,9 @@ install left scope b outputs spec k = do
     v : _ -> advance (left - 1) (k v)
     [] -> do
       mapM_ (\f -> modify (\w -> w {cleanups = (scope, f) : cleanups w})) (stopped spec)
-      calls <- begin (left - 1) scope outputs
-      pure (Working scope (map (live b) (functions spec)) calls spec k)
+      calls <- begin (left - 1) scope (callsIn outputs ++ tasks spec)
+      lives <- mapM (live scope b) (functions spec)
+      pure (Working scope lives calls spec k)
 
 beside :: Int -> Running -> Running -> (Value -> Program) -> Doing Running
 beside left (Returned x) (Returned y) k = advance left (k (Tuple [x, y]))
@@ -147,15 +176,22 @@ against :: Int -> Running -> Running -> (Value -> Program) -> Doing Running
 against left x (Returned v) k = stop x >> advance left (k (InRight v))
 against _ x y k = pure (Against x y k)
 
--- | Start what was called.
-begin :: Int -> Int -> [Given] -> Doing [Called]
-begin left scope outputs = concat <$> mapM one [c | Given _ (Call c) <- outputs]
+-- | The tasks that were called.
+callsIn :: [Given] -> [Calling]
+callsIn outputs = [c | Given _ (Call c) <- outputs]
+
+-- | Start tasks beside the caller.
+begin :: Int -> Int -> [Calling] -> Doing [Called]
+begin left scope callings = do
+  because <- gets turning
+  concat <$> mapM (\c -> turn because >> one c) callings
   where
     one c = do
       outer <- takeFed
       b <- gets emitted
       r <- advance left (called c)
-      fst <$> report scope outer (Called r (fmap (live b) (cancel c)) c)
+      canceller <- traverse (live scope b . turning') (cancel c)
+      fst <$> report scope outer (Called r canceller c)
 
 takeFed :: Doing [Value]
 takeFed = do
@@ -168,16 +204,18 @@ report :: Int -> [Value] -> Called -> Doing ([Called], [Given])
 report scope outer c@(Called r _ calling) = do
   own <- takeFed
   modify (\w -> w {fed = outer})
+  because <- gets turning
   told <- mapM tell own
   case r of
     Returned v -> do
+      turn because
       out <- atOnce scope (response calling v)
       pure ([], concat told ++ fromMaybe [] out)
     _ -> pure ([c], concat told)
   where
     tell v = case feedback calling v of
       Nothing -> [] <$ modify (\w -> w {fed = fed w ++ [v]})
-      Just f -> fromMaybe [] <$> atOnce scope f
+      Just f -> turn Feeding >> fromMaybe [] <$> atOnce scope f
 
 -- | Stop all that is live in there, the called first, each clean-up once.
 stop :: Running -> Doing ()
@@ -185,9 +223,16 @@ stop r = case r of
   Working scope _ calls _ _ -> do
     mapM_ (\(Called inner _ _) -> stop inner) calls
     takeCleanUp scope >>= mapM_ (atOnce scope)
+    standStill scope
   Beside a b _ -> stop a >> stop b
   Against a b _ -> stop a >> stop b
   _ -> pure ()
+
+-- | The robot stands if a function of this task set it in motion last.
+standStill :: Int -> Doing ()
+standStill scope = do
+  d <- gets driver
+  when (d == Just scope) (say (Driven 0) >> modify (\w -> w {driver = Nothing}))
 
 -- | What the task would do when it is stopped: now it does it, or never.
 takeCleanUp :: Int -> Doing [Function]
@@ -204,16 +249,16 @@ deliver o r = case r of
     b <- gets emitted
     w <- get
     case due o w l of
-      (a : _, _) -> fire scope (function l) a >>= \out -> install limit scope b out spec k
-      ([], l') -> pure (Starting scope l' spec k)
+      (a : _, _) -> first' scope l a >>= \out -> turn (After scope) >> install limit scope b out spec k
+      ([], l') -> waiting scope l >> pure (Starting scope l' spec k)
   Giving scope l rest -> do
     w <- get
     case due o w l of
-      (a : _, _) -> fire scope (function l) a >>= afterOnce limit rest
-      ([], l') -> pure (Giving scope l' rest)
+      (a : _, _) -> first' scope l a >>= afterOnce scope limit rest
+      ([], l') -> waiting scope l >> pure (Giving scope l' rest)
   Working scope lives calls spec k -> work scope o lives calls spec k
-  Waiting t rest -> outside (gets time >>= \now -> if now >= t then advance limit rest else pure r)
-  Paused rest -> outside (advance limit rest)
+  Waiting t rest -> outside (gets time >>= \now -> if now >= t then released >> advance limit rest else pure r)
+  Paused rest -> outside (released >> advance limit rest)
   Beside a b k -> do
     x <- deliver o a
     y <- deliver o b
@@ -224,6 +269,16 @@ deliver o r = case r of
       Returned v -> stop b >> advance limit (k (InLeft v))
       _ -> deliver o b >>= \y -> against limit x y k
   where
+    -- A function whose firing is the next step of its task.
+    first' scope l a = do
+      why <- causeOf o
+      label <- fromMaybe IntSet.empty <$> concerns o l
+      fire why label scope (function l) a
+    waiting scope l = concerns o l >>= mapM_ (mightFire scope (function l))
+    released = do
+      turn InThisInstant
+      now <- gets instants
+      turnOn (IntSet.singleton (now - 1))
     outside act = case o of
       Outside _ -> act
       Inside {} -> pure r
@@ -235,7 +290,7 @@ work scope o lives calls spec k = leaves lives [] []
     leaves [] seen fresh = rest calls [] seen fresh
     leaves (l : ls) seen fresh = do
       (l', out) <- notice scope o l
-      more <- begin limit scope out
+      more <- startCalled out
       done <- dones (ends spec) out
       case done of
         v : _ -> finish v (calls ++ fresh ++ more)
@@ -250,16 +305,21 @@ work scope o lives calls spec k = leaves lives [] []
           outer <- takeFed
           inner' <- deliver o inner
           (left, told) <- report scope outer (Called inner' canceller' calling)
-          more <- begin limit scope told
+          more <- startCalled told
           done <- dones (ends spec) told
           case done of
             v : _ -> finish v (kept ++ left ++ cs ++ fresh ++ more)
             [] -> rest cs (kept ++ left) seen (fresh ++ more)
         else do
           let Called running _ _ = c
+          turn (After scope)
           stop running
           rest cs kept seen fresh
+    startCalled outputs = case callsIn outputs of
+      [] -> pure []
+      found -> turn (After scope) >> begin limit scope found
     finish v others = do
+      turn (After scope)
       mapM_ (\(Called inner _ _) -> stop inner) others
       _ <- takeCleanUp scope
       advance (limit - 1) (k v)
@@ -271,7 +331,7 @@ work scope o lives calls spec k = leaves lives [] []
 isInstant :: Happening -> Bool
 isInstant h = h `notElem` [Stop, Loss]
 
--- | One instant: what happens, then rounds of what was emitted (rule 8). Or the end, which takes no time of its own.
+-- | One instant: what happens, then rounds of what was emitted (rule R8). Or the end, which takes no time of its own.
 instant :: Running -> Int -> Happening -> Doing Running
 instant r t h = case h of
   Stop -> throwE Stopped
@@ -279,18 +339,25 @@ instant r t h = case h of
   _ -> do
     passTime t
     modify (\w -> w {fed = []})
+    modify (\w -> w {instants = instants w + 1})
     case h of
-      Odometry v -> modify (\w -> w {odometry = Just v})
+      Odometry v -> modify (measured v)
       _ -> pure ()
-    deliver (Outside h) r >>= rounds limit
+    deliver (Outside h) r >>= rounds limit >>= \r' -> r' <$ modify (\w -> w {absent = noPhantoms})
+  where
+    measured v w =
+      let now = IntSet.singleton (instants w - 1)
+          first' = if isNothing (odometry w) then addLabel FirstMeasured now else id
+       in w {odometry = Just (v, instants w - 1), labels = first' (replaceLabel Measured now (labels w))}
 
 rounds :: Int -> Running -> Doing Running
 rounds left r = case r of
   Returned _ -> pure r
   _ | left == 0 -> pure r
   _ -> do
+    settlePhantoms
     pending <- gets queue
     modify (\w -> w {queue = []})
     if null pending
       then pure r
-      else foldM (\x (number, (ty, v)) -> deliver (Inside number ty v) x) r pending >>= rounds (left - 1)
+      else foldM (\x (sending, (ty, v)) -> deliver (Inside sending ty v) x <* settlePhantoms) r pending >>= rounds (left - 1)

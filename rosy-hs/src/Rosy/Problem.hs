@@ -15,11 +15,16 @@ module Rosy.Problem
     Problem (..),
     problemFrom,
     tooMuchMemory,
+
+    -- * Empty places
+    EmptyPlace,
+    atEmptyPlace,
   )
 where
 
 import Control.Exception
-import Data.List (isPrefixOf)
+import Data.Char (isDigit)
+import Data.List (isPrefixOf, sortOn)
 import Data.Maybe (fromMaybe)
 import System.IO.Unsafe (unsafePerformIO)
 
@@ -31,6 +36,10 @@ data Fault
     WrongDone String String
   | -- | A 'Rosy.call' in 'Rosy.once', which does not last: what it calls would be stopped at once.
     CallInOnce
+  | -- | A memory of a type without a finite default was read before it was written; carries the type.
+    NoDefault String
+  | -- | A message of a topic of the program's own lacks a field, or has another type in it; carries the topic and the field.
+    Unreadable String String
   | -- | The robot is gone.
     LinkLost String
   | -- | The other side said something that protocol/README.md does not have; carries the line.
@@ -50,7 +59,9 @@ data Problem = Problem
     -- | What Haskell said; may be empty.
     problemOriginal :: String,
     problemTime :: Maybe Double,
-    problemInputs :: [String]
+    problemInputs :: [String],
+    -- | Start and end in the text, as line and column from 1; known of an empty place only.
+    problemPlace :: Maybe ((Int, Int), (Int, Int))
   }
   deriving (Eq, Show)
 
@@ -64,7 +75,8 @@ problemFrom function inputs time exception =
       problemHint = hint,
       problemOriginal = takeWhile (/= '\0') (readable (displayException exception)),
       problemTime = time,
-      problemInputs = inputs
+      problemInputs = inputs,
+      problemPlace = Nothing
     }
   where
     (kind, message, hint) = sentence (named function) exception
@@ -90,9 +102,28 @@ sentence who exception
     ("exception", who ++ " waits for its own answer.", "It may use a value to compute that same value.")
   | Just (RecSelError _) <- fromException exception = ("exception", who ++ " asked for a field that this value does not have.", "Look at it with a pattern first: not every constructor has every field.")
   | Just (NoMethodError _) <- fromException exception = ("exception", who ++ " used a function that an instance leaves out.", "Define it in the instance.")
+  | Just (TypeError _) <- fromException exception = ("hole", who ++ " came to an empty place.", "Put a value in it.")
   | Just (RecConError _) <- fromException exception = ("exception", who ++ " used a field that was never given a value.", "Give it one where the value is made.")
   | Just (ErrorCall text) <- fromException exception = errorSentence who (readable text)
   | otherwise = ("exception", who ++ " failed.", firstLine (readable (displayException exception)))
+
+-- | An empty place of a program, @_@ or @_name@: where it starts and ends, as line and column from 1, and the message and hint of a run that comes to it.
+type EmptyPlace = ((Int, Int), (Int, Int), String, String)
+
+-- | The problem of a run that came to one of these places; other problems stay as they are. GHC says where the expression starts that it could not
+-- give a meaning: the place itself, or an expression around it whose types depend on it.
+atEmptyPlace :: [EmptyPlace] -> Problem -> Problem
+atEmptyPlace places problem = case (problemKind problem, positionIn (problemOriginal problem)) of
+  ("hole", Just at) | (from, to, message, hint) : _ <- [place | place@(from, _, _, _) <- ordered, from >= at] ++ reverse ordered -> problem {problemMessage = message, problemHint = hint, problemPlace = Just (from, to)}
+  _ -> problem
+  where
+    ordered = sortOn (\(from, _, _, _) -> from) places
+
+-- | The line and column at the start of a message of GHC: of @Main.hs:4:17-22: error@, or @Main.hs:(4,17)-(5,3): error@.
+positionIn :: String -> Maybe (Int, Int)
+positionIn message = case span isDigit (dropWhile (== '(') (drop 1 (dropWhile (/= ':') message))) of
+  (l@(_ : _), separator : rest) | separator `elem` ":,", c@(_ : _) <- takeWhile isDigit rest -> Just (read l, read c)
+  _ -> Nothing
 
 -- | Message and hint for a program that has no memory left to say them itself. Takes the function at work.
 tooMuchMemory :: Maybe String -> (String, String)
@@ -133,12 +164,22 @@ faultSentence who = \case
   NotANumber what -> ("not-a-number", who ++ " gave a " ++ what ++ " that is not a number.", "It may have divided by zero.")
   WrongDone given wanted ->
     ("wrong-done", who ++ " ended the task with a value of type " ++ given ++ ".", "This task ends with " ++ wanted ++ ".")
-  CallInOnce -> ("call-in-once", who ++ " started a task, but nobody stays to wait for it.", "Write the task itself in place of once, or put it beside others with parallel.")
+  CallInOnce -> ("call-in-once", who ++ " started a task in once, which does not wait for it.", "Write the task itself in place of once, or put it beside others with parallel.")
+  NoDefault what ->
+    ( "no-default",
+      who ++ " reads a memory of " ++ what ++ ", which has no first value.",
+      "Every way to make a " ++ what ++ " needs another one. Add a constructor that does not."
+    )
+  Unreadable name path ->
+    ( "unreadable-message",
+      who ++ " was sent a message of " ++ name ++ " in which " ++ path ++ " is missing or of another kind.",
+      "Compare the name and the type of this field with what is sent."
+    )
   LinkLost _ -> ("link-lost", "The connection to the robot was lost.", "Check that the robot is on, then run the program again.")
   Malformed line -> ("malformed", "The robot said something that Rosy does not understand.", take 200 line)
   RanBefore -> ("ran-before", "The program called simulate a second time.", "A program runs one robot once; put both controllers in one list.")
 
--- | As much of a message as anybody reads. It is a learner's own text: it may have no end, and may fail in its turn.
+-- | The start of a message. The message is a learner's own text: it may have no end, and may fail in its turn.
 readable :: String -> String
 readable = unsafePerformIO . upTo longestMessage
   where

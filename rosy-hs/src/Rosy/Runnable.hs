@@ -1,3 +1,4 @@
+{-# LANGUAGE FlexibleContexts #-}
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE MultiParamTypeClasses #-}
 {-# LANGUAGE UndecidableInstances #-}
@@ -6,7 +7,7 @@
 -- Module      : Rosy.Runnable
 -- Description : What can be run: a controller, or a task.
 --
--- A controller runs until somebody stops it; a task runs until it ends. Outside tasks there is nothing for a @Done@ to end,
+-- A controller runs until it is stopped; a task runs until it ends. Outside tasks there is nothing for a @Done@ to end,
 -- so a controller that gives one is refused before it runs.
 module Rosy.Runnable
   ( -- * What it is
@@ -27,14 +28,15 @@ instance Runnable (Task end) where
   program _ tasks = runTask tasks (const (Return ()))
 
 instance {-# OVERLAPPABLE #-} (Controller c, Ends NotInATask c) => Runnable c where
-  program names c = RunTask (outside (functionsOf names c)) Return
+  program names c = RunTask (uncurry outside (partsOf names c)) Return
 
--- | Functions that are in no task.
-outside :: [Function] -> Spec ()
-outside list =
+-- | Functions that are in no task, and tasks beside them.
+outside :: [Function] -> [Calling] -> Spec ()
+outside list tasks =
   Spec
     { specStart = Nothing,
       specFunctions = list,
+      specTasks = tasks,
       specStopped = Nothing,
       specEnd = const Nothing,
       specType = "nothing: it is not in a task"

@@ -10,7 +10,8 @@ module Rosy.Sense
   ( -- * Making one
     event,
     tick,
-    state,
+    sensedEvent,
+    sensedState,
     sample,
     chance,
     never,
@@ -23,23 +24,26 @@ module Rosy.Sense
   )
 where
 
-import Data.Bits ((.|.))
+import Data.Bits ((.&.), (.|.))
+import qualified Data.IntMap.Strict as IntMap
+import Data.Maybe (fromMaybe)
+import Rosy.Channel (Channel (..), Field)
 import Rosy.Core
 import Rosy.Value (Value, shown)
 import System.Random (StdGen, split)
 
-telling :: Value a => a -> [String] -> [String]
-telling x rest = shown x : rest
+telling :: Value a => Source -> a -> [InputValue] -> [InputValue]
+telling source x rest = InputValue source (shown x) : rest
 
 -- | An input that has a value when the occurrence says so. It keeps the newest value that was not used.
 event :: Value a => Interest -> (Occurrence -> Maybe a) -> Sense a
 event kinds pick =
   Sense
-    telling
+    (telling FromEvent)
     ( Triggered
         Trigger
           { interest = kinds,
-            mayWait = False,
+            mayNeed = 0,
             turns = 1,
             unused = Nothing,
             offer = \turn occurrence old ->
@@ -68,22 +72,30 @@ tick = event (interestIn Tick) ticked
 
 -- | A value that is known already.
 given :: a -> Reading a
-given x = Reading False 0 (const x)
+given x = Reading 0 0 (const x)
 
--- | The current value of something that odometry refreshes.
-state :: Value a => (Odometry -> a) -> Sense a
-state view = Sense telling (Level (Reading True 0 (maybe unarrived view . envOdometry)))
+-- | The messages of a channel whose fields are a value.
+sensedEvent :: Value a => Channel -> ([Field] -> Maybe a) -> Sense a
+sensedEvent channel view = event (channelInterest channel) fromSensed
   where
-    -- The loop reads a state only after odometry has arrived (rule 5).
+    fromSensed (Sensed (Message c fields)) | c == channel = view fields
+    fromSensed _ = Nothing
+
+-- | The current value of a channel, or of a part of it.
+sensedState :: Value a => Channel -> ([Field] -> Maybe a) -> Sense a
+sensedState channel view = Sense (telling (FromState channel)) (Level (Reading (channelInterest channel) 0 look))
+  where
+    look env = fromMaybe unarrived (IntMap.lookup (channelNumber channel) (envStates env) >>= view)
+    -- The loop reads a state only after it has arrived (rule R5), and links let no message in whose fields do not fit.
     unarrived = errorWithoutStackTrace "a state was read before it arrived"
 
 -- | Something that can be read at any time.
-sample :: Value a => (Env -> a) -> Sense a
-sample look = Sense telling (Level (Reading False 0 look))
+sample :: Value a => Source -> (Env -> a) -> Sense a
+sample source look = Sense (telling source) (Level (Reading 0 0 look))
 
 -- | A random generator of one's own, new at each reading.
 chance :: Sense StdGen
-chance = Sense (const ("_" :)) (Level (Reading False 1 (fst . split . envGen)))
+chance = Sense (const (InputValue FromGenerator "_" :)) (Level (Reading 0 1 (fst . split . envGen)))
 
 -- | An input that never has a value.
 never :: Sense a
@@ -125,7 +137,7 @@ bothShapes (Triggered a) (Triggered b) =
   Triggered
     Trigger
       { interest = interest a .|. interest b,
-        mayWait = mayWait a || mayWait b,
+        mayNeed = mayNeed a .|. mayNeed b,
         turns = max (turns a) (turns b),
         unused = Two (unused a) (unused b),
         offer = \turn occurrence (Two s t) -> Two (offer a turn occurrence s) (offer b turn occurrence t),
@@ -141,13 +153,13 @@ bothShapes (Level x) (Level y) = Level (bothReadings x y)
 
 -- | An event together with something that is read when it happens.
 withLevel :: Reading level -> (Reading a -> Reading b) -> Trigger s a -> Shape b
-withLevel level join t = Triggered (mapTrigger join t) {mayWait = mayWait t || needsOdometry level}
+withLevel level join t = Triggered (mapTrigger join t) {mayNeed = mayNeed t .|. needs level}
 
 -- | Read both; the second has generators that the first has not used.
 bothReadings :: Reading a -> Reading b -> Reading (a, b)
 bothReadings (Reading needA n lookA) (Reading needB m lookB)
-  | n == 0 || m == 0 = Reading (needA || needB) (n + m) (\env -> (lookA env, lookB env))
-  | otherwise = Reading (needA || needB) (n + m) (\env -> (lookA env, lookB (withoutGenerators n env)))
+  | n == 0 || m == 0 = Reading (needA .|. needB) (n + m) (\env -> (lookA env, lookB env))
+  | otherwise = Reading (needA .|. needB) (n + m) (\env -> (lookA env, lookB (withoutGenerators n env)))
 
 -- | Strict in both states, so that nothing piles up in an input that waits for its partner.
 data Two s t = Two !s !t
@@ -161,7 +173,7 @@ oneOf (Sense tellA shapeA) (Sense tellB shapeB) = Sense (either tellA tellB) (jo
       Triggered
         Trigger
           { interest = interest a .|. interest b,
-            mayWait = mayWait a || mayWait b,
+            mayNeed = mayNeed a .|. mayNeed b,
             turns = turns a + turns b,
             unused = Slot (unused a) (unused b) Nothing,
             offer = \turn occurrence slot@(Slot s t _) ->
@@ -184,26 +196,25 @@ oneOf (Sense tellA shapeA) (Sense tellB shapeB) = Sense (either tellA tellB) (jo
 
 data Slot s t r = Slot {slotLeft :: !s, slotRight :: !t, slotValue :: !(Maybe r)}
 
--- | Inside an 'Either' a state triggers like an event (rule 4); a sample still never causes anything.
+-- | Inside an 'Either' a state triggers like an event (rule R4); a sample still never causes anything.
 triggering :: Shape a -> Shape a
 triggering shape@(Triggered _) = shape
 triggering (Level reading)
-  | needsOdometry reading =
+  | needs reading == 0 = idle
+  | otherwise =
     Triggered
       Trigger
-        { interest = odometryInterest,
-          mayWait = False,
+        { interest = needs reading,
+          mayNeed = needs reading,
           turns = 1,
           unused = False,
-          offer = \turn occurrence old -> old || (turn == 0 && isOdometry occurrence),
+          offer = \turn occurrence old -> old || (turn == 0 && refreshes occurrence),
           ready = \new -> if new then Just reading else Nothing,
           used = const False,
-          passing = Just (\occurrence -> if isOdometry occurrence then Arrival reading NoMore else NoMore)
+          passing = Just (\occurrence -> if refreshes occurrence then Arrival reading NoMore else NoMore)
         }
-  | otherwise = idle
   where
-    isOdometry (Sensed (OdometryMessage _)) = True
-    isOdometry _ = False
+    refreshes occurrence = interestIn occurrence .&. needs reading /= 0
 
 -- | Never has a value.
 idle :: Shape a
@@ -211,7 +222,7 @@ idle =
   Triggered
     Trigger
       { interest = 0,
-        mayWait = False,
+        mayNeed = 0,
         turns = 1,
         unused = (),
         offer = \_ _ s -> s,

@@ -17,7 +17,7 @@
 --   the person at the page), once; not when the task ends by its own 'Done'.
 -- * 'Feedback' reaches the nearest 'call' around the task whose 'onFeedback' takes that type.
 -- * 'Memory' that 'onFeedback' and 'onEnd' write, and a 'Done' that they give, are those of the caller.
--- * 'once' does not last, so nobody would hear of a task that it calls: a 'call' there ends the program with an error.
+-- * 'once' does not last, so nothing would hear of a task that it calls: a 'call' there ends the program with an error.
 -- * One task may take 64 steps (tasks begun and ended) in one instant; then it goes on in the next.
 module Rosy.Task
   ( -- * What it is
@@ -37,6 +37,11 @@ module Rosy.Task
     -- * Together
     parallel,
     race,
+
+    -- * Names of the original
+    task',
+    parallel_,
+    race_,
 
     -- * From a controller
     Call,
@@ -61,6 +66,7 @@ import Rosy.Controller
 import Rosy.Core
 import Rosy.Robot
 import Rosy.Sensor
+import Rosy.Time
 
 -- | A task that does @init@ once, then all that the controller says, until it gives 'Done'.
 --
@@ -70,7 +76,7 @@ task = taskNamed (Names []) (Names [])
 
 -- | 'task' with the names of its functions: of @init@, and of the controller.
 taskNamed :: (Command init, Controller ctrl, Typeable end, Ends end ctrl) => Names -> Names -> init -> ctrl -> Task end
-taskNamed nameOfInit names begin ctrl = fromSpec (single nameOfInit "start of a task" begin) Nothing (functionsOf names ctrl)
+taskNamed nameOfInit names begin ctrl = fromSpec (single nameOfInit "start of a task" begin) Nothing (partsOf names ctrl)
 
 -- | What a task does besides its controller.
 data TaskOptions starting stopped = TaskOptions
@@ -101,10 +107,10 @@ taskWithNamed nameOfStart nameOfStop names options ctrl =
   fromSpec
     (single nameOfStart "start of a task" (starting options))
     (Just (single nameOfStop "end of a task" (stopped options)))
-    (functionsOf names ctrl)
+    (partsOf names ctrl)
 
-fromSpec :: forall end. Typeable end => Function -> Maybe Function -> [Function] -> Task end
-fromSpec start stop list = Task (RunTask (Spec (Just start) list stop fromDynamic (show (typeRep (Proxy @end)))))
+fromSpec :: forall end. Typeable end => Function -> Maybe Function -> ([Function], [Calling]) -> Task end
+fromSpec start stop (list, tasks) = Task (RunTask (Spec (Just start) list tasks stop fromDynamic (show (typeRep (Proxy @end)))))
 
 -- | The task, which stands in the definition of this name: what says how it goes on, and never does, is blamed on that. It is made
 -- anew whenever it is begun, so that nothing keeps what it goes on with.
@@ -138,6 +144,18 @@ parallel a b = Task (Both (runTask a Return) (runTask b Return))
 -- | Two tasks beside each other; ends with the first that ends, and the other is stopped. When both end at once the left one wins.
 race :: Task a -> Task b -> Task (Either a b)
 race a b = Task (First (runTask a Return) (runTask b Return))
+
+-- | A task without a start. The name of 2019.
+task' :: (Controller ctrl, Typeable end, Ends end ctrl) => ctrl -> Task end
+task' = task ()
+
+-- | The same as 'parallel'. The name of 2021, for tasks whose feedback is not used.
+parallel_ :: Task a -> Task b -> Task (a, b)
+parallel_ = parallel
+
+-- | The same as 'race'. The name of 2021, for tasks whose feedback is not used.
+race_ :: Task a -> Task b -> Task (Either a b)
+race_ = race
 
 -- | How a called task reports, and when it is to be stopped.
 data CallOptions when feed see end res = CallOptions

@@ -5,17 +5,18 @@
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE ScopedTypeVariables #-}
 {-# LANGUAGE StandaloneDeriving #-}
+{-# LANGUAGE TypeApplications #-}
 {-# LANGUAGE TypeOperators #-}
 {-# LANGUAGE UndecidableInstances #-}
 
 -- |
 -- Module      : Rosy.Value
--- Description : What Rosy can do with every value: show it, finish computing it, and start from nothing.
+-- Description : Class of values that can be shown, evaluated and given a default, for every declared type.
 --
 -- Traces and error messages show values of types that the learner declared without a single instance.
 -- The worker gives each declared type an empty instance of 'Value', whose methods come from "GHC.Generics".
 -- A type that has no instance, such as a function, still works: it is shown as @_@.
--- This module knows nothing of robots.
+-- This module does not depend on the robot. "Rosy.Model.Default" states the rule for defaults (rule R7) without generics.
 --
 -- Local functions have signatures here: without one a function is generalised, and its 'Value' is then the last resort.
 module Rosy.Value
@@ -26,32 +27,38 @@ module Rosy.Value
     -- * Using one
     shown,
     settled,
+    Pending,
+    nonePending,
 
     -- * Internals
     GValue,
   )
 where
 
+import Control.Applicative ((<|>))
+import Control.Exception (throw)
 import Data.Char (isAlpha)
 import Data.Int (Int16, Int32, Int64, Int8)
 import qualified Data.IntMap as IntMap
 import qualified Data.IntSet as IntSet
 import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Map as Map
+import Data.Proxy (Proxy (..))
 import Data.Ratio (Ratio)
 import qualified Data.Sequence as Seq
 import qualified Data.Set as Set
-import Data.Typeable (Typeable)
+import Data.Typeable (TyCon, TypeRep, Typeable, typeRep, typeRepArgs, typeRepTyCon)
 import Data.Word (Word16, Word32, Word64, Word8)
 import GHC.Generics
 import Numeric.Natural (Natural)
+import Rosy.Problem (Fault (NoDefault))
 
 -- | A value that Rosy can show, finish and begin with. Every declared type has an (empty) instance.
 class Typeable a => Value a where
   -- | The value as Haskell's derived @Show@ writes it; what cannot be shown is @_@.
   display :: Int -> a -> ShowS
   default display :: (Generic a, GValue (Rep a)) => Int -> a -> ShowS
-  display d = gDisplay d . from
+  display d x = x `seq` gDisplay d (from x)
 
   -- | Finish computing the value, visiting at most so many parts; gives what is left of the budget.
   -- A firing is one transaction: what it writes is computed before the next one begins, so that an error
@@ -60,16 +67,39 @@ class Typeable a => Value a where
   default settle :: (Generic a, GValue (Rep a)) => Int -> a -> Int
   settle budget x = gSettle budget (from x)
 
-  -- | The value that memory of this type starts with: the first constructor with initial fields.
-  initial :: a
-  default initial :: (Generic a, GValue (Rep a)) => a
-  initial = to gInitial
+  -- | The default of the type: the first constructor with a finite default, with default fields (rule R7). 'Nothing' if there is none,
+  -- given the types whose default is being searched.
+  initial :: Pending -> Maybe a
+  default initial :: (Generic a, GValue (Rep a)) => Pending -> Maybe a
+  initial pending = enter (typeRep (Proxy @a)) pending >>= fmap to . gInitial
 
 -- | Types that a 'Rosy.Memory' may hold: those with a value to start from.
 class Value a => Default a where
   -- | What the memory holds before anything was written to it.
   defaultValue :: a
-  defaultValue = initial
+  defaultValue = case initial nonePending of
+    Just value -> value
+    Nothing -> throw (NoDefault (show (typeRep (Proxy @a))))
+
+-- | The types whose default is being searched, innermost first, each with its constructor and size.
+newtype Pending = Pending [(TypeRep, TyCon, Int)]
+
+-- | The start of a search.
+nonePending :: Pending
+nonePending = Pending []
+
+-- | Search the default of one more type. 'Nothing' if that search cannot end: the type is pending already, or a smaller application of the
+-- same type constructor is (@Nest a@ needs @Nest [a]@, which needs @Nest [[a]]@ …).
+enter :: TypeRep -> Pending -> Maybe Pending
+enter t (Pending pending)
+  | any endless pending = Nothing
+  | otherwise = Just (Pending ((t, constructor, size) : pending))
+  where
+    constructor = typeRepTyCon t
+    size = sizeOf t
+    endless (t', constructor', size') = t' == t || (constructor' == constructor && size' < size)
+    sizeOf :: TypeRep -> Int
+    sizeOf r = 1 + sum (map sizeOf (typeRepArgs r))
 
 -- | The most parts of one value that are computed when it is written, so that an endless list
 -- may be kept in memory. A choice of ours: it bounds the cost of one write to some 10 µs.
@@ -87,16 +117,16 @@ shown x = display 0 x ""
 -- ---------------------------------------------------------------------------------------------
 -- What has no instance
 
--- | The last resort, for fields that nobody can look into: functions of functions, actions, abstract types.
+-- | The last resort, for fields that cannot be inspected: functions of functions, actions, abstract types.
 instance {-# INCOHERENT #-} Typeable a => Value a where
   display _ _ = showString "_"
   settle budget x = x `seq` budget - 1
-  initial = errorWithoutStackTrace "this value has no default to start from"
+  initial _ = Nothing
 
 instance (Typeable a, Value b) => Value (a -> b) where
   display _ _ = showString "_"
   settle budget f = f `seq` budget - 1
-  initial = const initial
+  initial = fmap const . initial
 
 -- ---------------------------------------------------------------------------------------------
 -- The Prelude's types
@@ -110,7 +140,7 @@ newtype Number a = Number a
 instance (Show a, Num a, Typeable a) => Value (Number a) where
   display d (Number x) = showsPrec d x
   settle budget (Number x) = atom budget x
-  initial = Number 0
+  initial _ = Just (Number 0)
 
 deriving via Number Int instance Value Int
 
@@ -171,14 +201,14 @@ instance Default Float
 instance (Integral a, Show a, Typeable a) => Value (Ratio a) where
   display = showsPrec
   settle = atom
-  initial = 0
+  initial _ = Just 0
 
 instance (Integral a, Show a, Typeable a) => Default (Ratio a)
 
 instance Value Char where
   display = showsPrec
   settle = atom
-  initial = ' '
+  initial _ = Just ' '
 
 instance Default Char
 
@@ -207,19 +237,19 @@ instance (Default a, Default b) => Default (Either a b)
 instance {-# OVERLAPPING #-} Value [Char] where
   display = showsPrec
   settle = settleList
-  initial = ""
+  initial _ = Just ""
 
 instance Value a => Value [a] where
   display _ = displayList
   settle = settleList
-  initial = []
+  initial _ = Just []
 
 instance Value a => Default [a]
 
 instance Value a => Value (NonEmpty.NonEmpty a) where
   display d (x NonEmpty.:| xs) = showParen (d > 5) (display 6 x . showString " :| " . display 6 xs)
   settle budget (x NonEmpty.:| xs) = settle (settle budget x) xs
-  initial = initial NonEmpty.:| []
+  initial = fmap (NonEmpty.:| []) . initial
 
 instance Default a => Default (NonEmpty.NonEmpty a)
 
@@ -241,35 +271,35 @@ settleList !budget xs
 instance (Value k, Value v) => Value (Map.Map k v) where
   display d m = showParen (d > 10) (showString "fromList " . displayList (Map.toAscList m))
   settle budget m = settleList budget (Map.elems m)
-  initial = Map.empty
+  initial _ = Just Map.empty
 
 instance (Value k, Value v) => Default (Map.Map k v)
 
 instance Value a => Value (Set.Set a) where
   display d s = showParen (d > 10) (showString "fromList " . displayList (Set.toAscList s))
   settle = atom
-  initial = Set.empty
+  initial _ = Just Set.empty
 
 instance Value a => Default (Set.Set a)
 
 instance Value a => Value (Seq.Seq a) where
   display d s = showParen (d > 10) (showString "fromList " . displayList (foldr (:) [] s))
   settle budget s = settleList budget (foldr (:) [] s)
-  initial = Seq.empty
+  initial _ = Just Seq.empty
 
 instance Value a => Default (Seq.Seq a)
 
 instance Value a => Value (IntMap.IntMap a) where
   display d m = showParen (d > 10) (showString "fromList " . displayList (IntMap.toAscList m))
   settle budget m = settleList budget (IntMap.elems m)
-  initial = IntMap.empty
+  initial _ = Just IntMap.empty
 
 instance Value a => Default (IntMap.IntMap a)
 
 instance Value IntSet.IntSet where
   display = showsPrec
   settle = atom
-  initial = IntSet.empty
+  initial _ = Just IntSet.empty
 
 instance Default IntSet.IntSet
 
@@ -282,56 +312,56 @@ tupled parts = showChar '(' . foldr1 (\a b -> a . showChar ',' . b) parts . show
 instance (Value a, Value b) => Value (a, b) where
   display _ (a, b) = tupled [display 0 a, display 0 b]
   settle n (a, b) = settle (settle n a) b
-  initial = (initial, initial)
+  initial p = (,) <$> initial p <*> initial p
 
 instance (Default a, Default b) => Default (a, b)
 
 instance (Value a, Value b, Value c) => Value (a, b, c) where
   display _ (a, b, c) = tupled [display 0 a, display 0 b, display 0 c]
   settle n (a, b, c) = settle (settle (settle n a) b) c
-  initial = (initial, initial, initial)
+  initial p = (,,) <$> initial p <*> initial p <*> initial p
 
 instance (Default a, Default b, Default c) => Default (a, b, c)
 
 instance (Value a, Value b, Value c, Value d) => Value (a, b, c, d) where
   display _ (a, b, c, d) = tupled [display 0 a, display 0 b, display 0 c, display 0 d]
   settle n (a, b, c, d) = settle (settle (settle (settle n a) b) c) d
-  initial = (initial, initial, initial, initial)
+  initial p = (,,,) <$> initial p <*> initial p <*> initial p <*> initial p
 
 instance (Default a, Default b, Default c, Default d) => Default (a, b, c, d)
 
 instance (Value a, Value b, Value c, Value d, Value e) => Value (a, b, c, d, e) where
   display _ (a, b, c, d, e) = tupled [display 0 a, display 0 b, display 0 c, display 0 d, display 0 e]
   settle n (a, b, c, d, e) = settle (settle (settle (settle (settle n a) b) c) d) e
-  initial = (initial, initial, initial, initial, initial)
+  initial p = (,,,,) <$> initial p <*> initial p <*> initial p <*> initial p <*> initial p
 
 instance (Default a, Default b, Default c, Default d, Default e) => Default (a, b, c, d, e)
 
 instance (Value a, Value b, Value c, Value d, Value e, Value f) => Value (a, b, c, d, e, f) where
   display _ (a, b, c, d, e, f) = tupled [display 0 a, display 0 b, display 0 c, display 0 d, display 0 e, display 0 f]
   settle n (a, b, c, d, e, f) = settle (settle (settle (settle (settle (settle n a) b) c) d) e) f
-  initial = (initial, initial, initial, initial, initial, initial)
+  initial p = (,,,,,) <$> initial p <*> initial p <*> initial p <*> initial p <*> initial p <*> initial p
 
 instance (Default a, Default b, Default c, Default d, Default e, Default f) => Default (a, b, c, d, e, f)
 
 instance (Value a, Value b, Value c, Value d, Value e, Value f, Value g) => Value (a, b, c, d, e, f, g) where
   display _ (a, b, c, d, e, f, g) = tupled [display 0 a, display 0 b, display 0 c, display 0 d, display 0 e, display 0 f, display 0 g]
   settle n (a, b, c, d, e, f, g) = settle (settle (settle (settle (settle (settle (settle n a) b) c) d) e) f) g
-  initial = (initial, initial, initial, initial, initial, initial, initial)
+  initial p = (,,,,,,) <$> initial p <*> initial p <*> initial p <*> initial p <*> initial p <*> initial p <*> initial p
 
 instance (Default a, Default b, Default c, Default d, Default e, Default f, Default g) => Default (a, b, c, d, e, f, g)
 
 instance (Value a, Value b, Value c, Value d, Value e, Value f, Value g, Value h) => Value (a, b, c, d, e, f, g, h) where
   display _ (a, b, c, d, e, f, g, h) = tupled [display 0 a, display 0 b, display 0 c, display 0 d, display 0 e, display 0 f, display 0 g, display 0 h]
   settle n (a, b, c, d, e, f, g, h) = settle (settle (settle (settle (settle (settle (settle (settle n a) b) c) d) e) f) g) h
-  initial = (initial, initial, initial, initial, initial, initial, initial, initial)
+  initial p = (,,,,,,,) <$> initial p <*> initial p <*> initial p <*> initial p <*> initial p <*> initial p <*> initial p <*> initial p
 
 instance (Default a, Default b, Default c, Default d, Default e, Default f, Default g, Default h) => Default (a, b, c, d, e, f, g, h)
 
 instance (Value a, Value b, Value c, Value d, Value e, Value f, Value g, Value h, Value i) => Value (a, b, c, d, e, f, g, h, i) where
   display _ (a, b, c, d, e, f, g, h, i) = tupled [display 0 a, display 0 b, display 0 c, display 0 d, display 0 e, display 0 f, display 0 g, display 0 h, display 0 i]
   settle n (a, b, c, d, e, f, g, h, i) = settle (settle (settle (settle (settle (settle (settle (settle (settle n a) b) c) d) e) f) g) h) i
-  initial = (initial, initial, initial, initial, initial, initial, initial, initial, initial)
+  initial p = (,,,,,,,,) <$> initial p <*> initial p <*> initial p <*> initial p <*> initial p <*> initial p <*> initial p <*> initial p <*> initial p
 
 instance (Default a, Default b, Default c, Default d, Default e, Default f, Default g, Default h, Default i) => Default (a, b, c, d, e, f, g, h, i)
 
@@ -342,17 +372,17 @@ instance (Default a, Default b, Default c, Default d, Default e, Default f, Defa
 class GValue f where
   gDisplay :: Int -> f p -> ShowS
   gSettle :: Int -> f p -> Int
-  gInitial :: f p
+  gInitial :: Pending -> Maybe (f p)
 
 instance GValue V1 where
   gDisplay _ _ = showString "_"
   gSettle budget x = x `seq` budget
-  gInitial = errorWithoutStackTrace "a type without constructors has no value"
+  gInitial _ = Nothing
 
 instance GValue f => GValue (D1 m f) where
   gDisplay d (M1 x) = gDisplay d x
   gSettle budget (M1 x) = gSettle budget x
-  gInitial = M1 gInitial
+  gInitial = fmap M1 . gInitial
 
 -- The first constructor in the source is the leftmost of the sum.
 instance (GValue f, GValue g) => GValue (f :+: g) where
@@ -360,7 +390,7 @@ instance (GValue f, GValue g) => GValue (f :+: g) where
   gDisplay d (R1 x) = gDisplay d x
   gSettle budget (L1 x) = gSettle budget x
   gSettle budget (R1 x) = gSettle budget x
-  gInitial = L1 gInitial
+  gInitial pending = (L1 <$> gInitial pending) <|> (R1 <$> gInitial pending)
 
 instance (Constructor c, GFields f) => GValue (C1 c f) where
   gDisplay d m@(M1 x)
@@ -384,33 +414,33 @@ instance (Constructor c, GFields f) => GValue (C1 c f) where
   gSettle budget (M1 x)
     | budget <= 0 = budget
     | otherwise = settleFields (budget - 1) x
-  gInitial = M1 initialFields
+  gInitial = fmap M1 . initialFields
 
 -- | The fields of one constructor, with their labels.
 class GFields f where
   fields :: Int -> f p -> [(String, ShowS)]
   settleFields :: Int -> f p -> Int
-  initialFields :: f p
+  initialFields :: Pending -> Maybe (f p)
 
 instance GFields U1 where
   fields _ _ = []
   settleFields budget _ = budget
-  initialFields = U1
+  initialFields _ = Just U1
 
 instance (GFields f, GFields g) => GFields (f :*: g) where
   fields d (x :*: y) = fields d x ++ fields d y
   settleFields budget (x :*: y) = settleFields (settleFields budget x) y
-  initialFields = initialFields :*: initialFields
+  initialFields pending = (:*:) <$> initialFields pending <*> initialFields pending
 
 instance (Selector s, Value a) => GFields (S1 s (K1 i a)) where
   fields d m@(M1 (K1 x)) = [(selName m, display d x)]
   settleFields budget (M1 (K1 x))
     | budget <= 0 = budget
     | otherwise = settle budget x
-  initialFields = M1 (K1 initial)
+  initialFields = fmap (M1 . K1) . initial
 
--- Unboxed fields such as @Int#@ can neither be shown nor begun by name.
+-- Unboxed fields such as @Int#@ can neither be shown nor have a default.
 instance GFields (S1 s (URec u)) where
   fields _ _ = [("", showString "_")]
   settleFields budget _ = budget
-  initialFields = errorWithoutStackTrace "an unboxed field has no default"
+  initialFields _ = Nothing

@@ -1,4 +1,5 @@
 {-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE PatternSynonyms #-}
 
 -- |
 -- Module      : Rosy.Wire
@@ -10,131 +11,97 @@ module Rosy.Wire
   ( -- * What arrives
     Line (..),
     readLine,
-    sensorMessage,
+    readLineTaking,
+    pipeRoutes,
 
     -- * What leaves
     writeOpening,
     writeAnswer,
     writeEnding,
-
-    -- * In words
-    tellAction,
   )
 where
 
-import Data.Aeson (Object, Value (..), (.!=), (.:), (.:?))
+import Data.Aeson (Object, Value (Object), (.!=), (.:), (.:?))
 import qualified Data.Aeson as Aeson
 import qualified Data.Aeson.Encoding as Encoding
 import Data.Aeson.Types (Parser, parseEither)
 import Data.ByteString (ByteString)
 import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
+import Data.Either (fromRight)
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (intersperse)
 import Data.Text (Text)
-import Rosy.Core
+import qualified Data.Text as Text
+import Rosy.Channel (Action (..), Channel (..), Field, Message, tellAction)
+import Rosy.Codec
+import Rosy.Core (Topic (..), TopicUse (..), nameText)
 import Rosy.Link
 import Rosy.Problem
-import Rosy.Robot
-import Rosy.Value (shown)
+import Rosy.Profile (Mapping (..), Robot (..))
+import Rosy.Provenance
+import Rosy.Robot.Known (simulated)
+import Rosy.Topic (absolute, pattern OpenAction, pattern OpenMessage)
 
 -- ---------------------------------------------------------------------------------------------
 -- What arrives
 
 -- | A line from the simulator.
 data Line
-  = -- | Protocol version, seed, trace.
-    StartLine Int Int Bool
-  | SensorLine Message
-  | -- | Number and time (s) of the step whose messages came before, and whether the memory is looked at.
-    StepLine Int Double Bool
+  = -- | Protocol version, seed, time of day at the start (s), trace.
+    StartLine Int Int Double Bool
+  | SensorLine [Message]
+  | -- | Number and time (s) of the step whose messages came before, whether the memory is looked at, and whether the firings are.
+    StepLine Int Double Bool Bool
   | StopLine
   deriving (Eq, Show)
 
 -- | What a line says, or why it says nothing.
 readLine :: ByteString -> Either String Line
-readLine bytes = case Aeson.decodeStrict' bytes of
-  Just (Object o) -> parseEither line o
+readLine = readLineTaking []
+
+-- | 'readLine' for a program that takes these topics itself.
+readLineTaking :: [String] -> ByteString -> Either String Line
+readLineTaking taken bytes = case Aeson.decodeStrict' bytes of
+  Just (Object o) -> parseEither (line taken) o
   _ -> Left "not a JSON object"
 
-line :: Object -> Parser Line
-line o = do
+line :: [String] -> Object -> Parser Line
+line taken o = do
   op <- o .: "op"
   case op :: Text of
     "publish" -> do
       topic <- o .: "topic"
       msg <- o .: "msg"
-      SensorLine <$> sensorMessage topic msg
-    "step" -> StepLine <$> o .: "step" <*> o .: "time" <*> o .:? "memory" .!= False
-    "start" -> StartLine <$> o .: "protocol" <*> o .: "seed" <*> o .:? "trace" .!= False
+      let name = absolute (Text.unpack topic)
+          own = [OpenMessage name msg | name `elem` taken]
+      case readMessages pipeRoutes topic msg of
+        Left why | null own -> fail why
+        found -> pure (SensorLine (fromRight [] found ++ own))
+    "step" -> StepLine <$> o .: "step" <*> o .: "time" <*> o .:? "memory" .!= False <*> o .:? "firings" .!= False
+    "start" -> StartLine <$> o .: "protocol" <*> o .: "seed" <*> o .:? "clock" .!= 0 <*> o .:? "trace" .!= False
     "stop" -> pure StopLine
     _ -> fail ("unknown op " ++ show op)
 
--- | kobuki_msgs and nav_msgs, as the table of topics in protocol/README.md has them.
-sensorMessage :: Text -> Object -> Parser Message
-sensorMessage topic msg = case topic of
-  "/odom" -> OdometryMessage <$> odometry msg
-  "/mobile_base/events/bumper" -> fmap BumperMessage (Bumper <$> field "bumper" [LeftBumper ..] <*> field "state" [Released, Pressed])
-  "/mobile_base/events/cliff" -> fmap CliffMessage (Cliff <$> field "sensor" [LeftCliff ..] <*> field "state" [Floor, Hole])
-  "/mobile_base/events/wheel_drop" -> fmap WheelMessage (Wheel <$> field "wheel" [LeftWheel ..] <*> field "state" [Ground, Air])
-  "/mobile_base/events/button" -> fmap ButtonMessage (Button <$> field "button" [Button0 ..] <*> field "state" [Released, Pressed])
-  "/mobile_base/events/robot_state" -> StatusMessage <$> field "state" [Offline, Online]
-  _ -> fail ("unknown topic " ++ show topic)
-  where
-    field key values = do
-      i <- msg .: key
-      case drop i values of
-        value : _ | i >= 0 -> pure value
-        _ -> fail (show key ++ " is out of range")
-
--- | The heading comes from the quaternion about the vertical axis: yaw = 2 atan2 z w.
-odometry :: Object -> Parser Odometry
-odometry msg = do
-  pose <- msg .: "pose" >>= (.: "pose")
-  position <- pose .: "position"
-  x <- position .: "x"
-  y <- position .: "y"
-  quaternion <- pose .: "orientation"
-  qz <- quaternion .: "z"
-  qw <- quaternion .: "w"
-  twist <- msg .: "twist" >>= (.: "twist")
-  v <- twist .: "linear" >>= (.: "x")
-  w <- twist .: "angular" >>= (.: "z")
-  let heading = 2 * atan2 qz qw
-      wrapped
-        | heading > pi = heading - 2 * pi
-        | heading <= negate pi = heading + 2 * pi
-        | otherwise = heading
-  pure (Odometry (Position x y) (Orientation wrapped) (Velocity v w))
+-- | The channels of the simulated robot, as the pipe has them: without the fields of a message that are always the same.
+pipeRoutes :: [Route]
+pipeRoutes = case robotProfiles simulated of
+  (_, variables) : _ -> routes simulated {robotMappings = [m {mappingConstants = []} | m <- robotMappings simulated]} variables
+  [] -> []
 
 -- ---------------------------------------------------------------------------------------------
 -- What leaves
 
--- | The lines before the first step: what the program sends, what it takes, and that it is ready.
-writeOpening :: Builder
-writeOpening =
-  foldMap (topicLine "advertise") commandTopics
-    <> foldMap (topicLine "subscribe") sensorTopics
+-- | The lines before the first step: the program's own topics, and that it is ready. Both ends know the robot's from its description.
+writeOpening :: [Topic] -> Builder
+writeOpening own =
+  foldMap (topicLine "advertise") [t | t <- own, topicUse t == Sent]
+    <> foldMap (topicLine "subscribe") [t | t <- own, topicUse t == Taken]
     <> "{\"op\":\"ready\"}\n"
   where
-    topicLine op (topic, kind) =
-      "{\"op\":\"" <> op <> "\",\"topic\":\"" <> topic <> "\",\"type\":\"" <> kind <> "\"}\n"
-    commandTopics =
-      [ (velocityTopic, "geometry_msgs/Twist"),
-        ("/mobile_base/commands/led1", "kobuki_msgs/Led"),
-        ("/mobile_base/commands/led2", "kobuki_msgs/Led"),
-        ("/mobile_base/commands/sound", "kobuki_msgs/Sound"),
-        ("/rosy/say", "std_msgs/String")
-      ]
-    sensorTopics =
-      [ ("/mobile_base/events/button", "kobuki_msgs/ButtonEvent"),
-        ("/mobile_base/events/bumper", "kobuki_msgs/BumperEvent"),
-        ("/mobile_base/events/cliff", "kobuki_msgs/CliffEvent"),
-        ("/mobile_base/events/wheel_drop", "kobuki_msgs/WheelDropEvent"),
-        ("/mobile_base/events/robot_state", "kobuki_msgs/RobotStateEvent"),
-        ("/odom", "nav_msgs/Odometry")
-      ]
-
-velocityTopic :: Builder
-velocityTopic = "/mobile_base/commands/velocity"
+    topicLine op t =
+      "{\"op\":\"" <> op <> "\",\"topic\":" <> text (topicName t)
+        <> (",\"type\":" <> text (topicType t) <> "}\n")
 
 -- | A batch: commands in firing order, then that the program has settled. With trace also in words.
 writeAnswer :: Bool -> Answer -> Builder
@@ -158,32 +125,80 @@ writeEnding trace a ending =
     <> done trace a'
     <> "}\n"
   where
-    a' = a {answerActions = answerActions a ++ [SetVelocity 0 0]}
+    a' = a {answerActions = answerActions a ++ [Action c rest | r <- commandRoutes pipeRoutes, let c = routeChannel r, Just rest <- [channelRest c]]}
 
--- | What fired in a step, with trace what was heard and said, and what is remembered when somebody looks.
+-- | What fired in a step and what was sensed, with trace what was heard and said, and what is remembered when it is requested.
 done :: Bool -> Answer -> Builder
 done trace a =
   ",\"fired\":"
     <> list (text . nameText) (answerFired a)
+    <> sent (answerSent a)
+    <> (if null (answerSensed a) then mempty else ",\"sensed\":" <> list text (answerSensed a))
     <> ( if trace
            then ",\"events\":" <> list text (answerEvents a) <> ",\"commands\":" <> list (text . tellAction) (answerActions a)
            else mempty
        )
     <> foldMap (\kept -> ",\"memory\":" <> list remember kept) (answerMemory a)
+    <> foldMap (\found -> ",\"firings\":" <> list record found) (answerRecords a)
   where
+    -- One function sent all commands of its step.
+    sent counts@(_ : _ : _) | any (> 0) counts = ",\"sent\":" <> list Builder.intDec counts
+    sent _ = mempty
     remember (what, value) = "{\"type\":" <> text what <> ",\"value\":" <> text value <> "}"
 
-action :: Action -> Builder
-action a = case a of
-  SetVelocity v w ->
-    publish velocityTopic ("{\"linear\":{\"x\":" <> Builder.doubleDec v <> "},\"angular\":{\"z\":" <> Builder.doubleDec w <> "}}")
-  SetLed1 c -> publish "/mobile_base/commands/led1" (value (fromEnum c))
-  SetLed2 c -> publish "/mobile_base/commands/led2" (value (fromEnum c))
-  PlaySound s -> publish "/mobile_base/commands/sound" (value (fromEnum s))
-  SayText s -> publish "/rosy/say" ("{\"data\":" <> text s <> "}")
+-- | A firing with its provenance.
+record :: Record -> Builder
+record r =
+  object
+    [ ("n", Builder.intDec (recordNumber r)),
+      ("function", text (recordFunction r)),
+      ("task", Builder.intDec (recordTask r)),
+      ("cause", reason (recordReason r)),
+      ("took", list input (recordInputs r)),
+      ("gave", list output (recordOutputs r))
+    ]
   where
-    publish topic msg = "{\"op\":\"publish\",\"topic\":\"" <> topic <> "\",\"msg\":" <> msg <> "}\n"
-    value n = "{\"value\":" <> Builder.intDec n <> "}"
+    reason why = object $ case why of
+      OfMessage instant shown -> [("by", "\"message\""), ("instant", Builder.intDec instant), ("value", text shown)]
+      OfTick instant -> [("by", "\"tick\""), ("instant", Builder.intDec instant)]
+      OfEvent event by -> [("by", "\"event\""), ("event", Builder.intDec event)] ++ from by
+      OfStart -> [("by", "\"start\"")]
+      OfWait instant -> [("by", "\"instant\""), ("instant", Builder.intDec instant)]
+      OfFiring by -> ("by", "\"task\"") : from by
+      OfEnd -> [("by", "\"end\"")]
+    from = foldMap (\n -> [("firing", Builder.intDec n)])
+    input (Input origin shown) = object (place origin ++ [("value", text shown)])
+    place origin = case origin of
+      AnEvent -> [("from", "\"event\"")]
+      AState channel at -> [("from", "\"state\""), ("channel", text channel)] ++ foldMap (\n -> [("instant", Builder.intDec n)]) at
+      AMemory what by -> [("from", "\"memory\""), ("type", text ("Memory " ++ what))] ++ from by
+      AParam what by -> [("from", "\"param\""), ("type", text ("Param " ++ what))] ++ from by
+      ATime -> [("from", "\"time\"")]
+      AGenerator n -> [("from", "\"generator\""), ("read", Builder.intDec n)]
+    output (Output sink shown) = object $ case sink of
+      ACommand what -> [("to", "\"command\""), ("type", text what), ("value", text shown)]
+      AnEmission what event -> [("to", "\"event\""), ("type", text what), ("event", Builder.intDec event), ("value", text shown)]
+      IntoMemory what -> [("to", "\"memory\""), ("type", text ("Memory " ++ what)), ("value", text shown)]
+      IntoParam what -> [("to", "\"param\""), ("type", text ("Param " ++ what)), ("value", text shown)]
+      ADone -> [("to", "\"done\""), ("value", text shown)]
+      AFeedback -> [("to", "\"feedback\""), ("value", text shown)]
+      ACall -> [("to", "\"call\"")]
+
+object :: [(Builder, Builder)] -> Builder
+object fields = "{" <> mconcat (intersperse "," ["\"" <> key <> "\":" <> value | (key, value) <- fields]) <> "}"
+
+action :: Action -> Builder
+action (OpenAction name message) =
+  "{\"op\":\"publish\",\"topic\":" <> text name <> ",\"msg\":" <> Encoding.fromEncoding (Encoding.value message) <> "}\n"
+action (Action c fields) = maybe mempty ($ fields) (IntMap.lookup (channelNumber c) publishers)
+
+-- | By the number of a command's channel, its line.
+publishers :: IntMap.IntMap ([Field] -> Builder)
+publishers = IntMap.fromList [(channelNumber (routeChannel route), line' route) | route <- commandRoutes pipeRoutes]
+  where
+    line' route =
+      let before = "{\"op\":\"publish\",\"topic\":" <> Encoding.fromEncoding (Encoding.text (routeTopic route)) <> ",\"msg\":"
+       in \fields -> before <> Encoding.fromEncoding (encode route fields) <> "}\n"
 
 problem :: Problem -> Builder
 problem p =
@@ -198,7 +213,10 @@ problem p =
     <> foldMap (\t -> ",\"time\":" <> Builder.doubleDec t) (problemTime p)
     <> ",\"inputs\":"
     <> list text (problemInputs p)
+    <> foldMap (\(from, to) -> ",\"start\":" <> position from <> ",\"end\":" <> position to) (problemPlace p)
     <> "}"
+  where
+    position (l, c) = object [("line", Builder.intDec l), ("column", Builder.intDec c)]
 
 -- | A text in JSON. Half a pair of surrogates, which Haskell lets stand in a text, cannot be written in UTF-8.
 text :: String -> Builder
@@ -209,12 +227,3 @@ text = Encoding.fromEncoding . Encoding.string . map whole
 list :: (a -> Builder) -> [a] -> Builder
 list _ [] = "[]"
 list f (x : xs) = "[" <> f x <> foldMap (\y -> "," <> f y) xs <> "]"
-
--- | A command as Haskell shows it: @Velocity 0.5 0.0@.
-tellAction :: Action -> String
-tellAction a = case a of
-  SetVelocity v w -> shown (Velocity v w)
-  SetLed1 c -> shown (Led1 c)
-  SetLed2 c -> shown (Led2 c)
-  PlaySound s -> shown s
-  SayText s -> shown (Say s)

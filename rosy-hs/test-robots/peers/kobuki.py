@@ -71,7 +71,7 @@ def tell(packet):
     try:
         os.write(master, packet)
     except BlockingIOError:
-        pass  # nobody reads
+        pass  # no reader
 
 
 def move():

@@ -26,7 +26,7 @@ TYPES = {
     f"{PACKAGE}/Sound": {"value": "uint8"},
     "std_msgs/String": {"data": "string"},
     "nav_msgs/Odometry": None,
-    **{f"{PACKAGE}/{name}": None for name in ("ButtonEvent", "BumperEvent", "CliffEvent", "WheelDropEvent", "RobotStateEvent")},
+    **{f"{PACKAGE}/{name}": None for name in ("ButtonEvent", "BumperEvent", "CliffEvent", "WheelDropEvent", "RobotStateEvent", "SensorState")},
 }
 client = None
 open_to_all = True

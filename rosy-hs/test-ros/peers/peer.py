@@ -96,7 +96,7 @@ def connected(topic, count):
 
 
 def listening(topic):
-    """Says so when somebody who publishes this has answered. rospy counts a connection before it has begun to connect."""
+    """Says so when a publisher of this has answered. rospy counts a connection before it has begun to connect."""
     while not any(connection.header for connection in subscribers[topic].impl.connections):
         time.sleep(0.005)
     say("listening", topic)

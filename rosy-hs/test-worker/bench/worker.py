@@ -25,8 +25,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 ROUNDS = int(os.environ.get("ROSY_BENCH_ROUNDS", "50"))
-COLD_ROUNDS = max(3, ROUNDS // 5)
-AT_ONCE = 200
+SMALL_RUN = "ROSY_BENCH_SMALL" in os.environ
+COLD_ROUNDS = 1 if SMALL_RUN else max(3, ROUNDS // 5)
+AT_ONCE = 3 if SMALL_RUN else 200
 
 SMALL = """main = simulate (accelerate, play)
 
@@ -225,7 +226,7 @@ def main() -> int:
     row(f"check: {len(large.splitlines())} lines", timed(ROUNDS, lambda: worker.check(large)))
 
     computed = worker.computed()
-    row(f"check: {len(large.splitlines())} lines, 30 clients", asked := worker.clients(large, 30, max(2, ROUNDS // 5)))
+    row(f"check: {len(large.splitlines())} lines, 30 clients", asked := worker.clients(large, 3 if SMALL_RUN else 30, max(2, ROUNDS // 5)))
     print(f"{'   processor time of each':44}{(worker.computed() - computed) / len(asked) * 1000:9.1f}", flush=True)
 
     links: list[socket.socket] = []

@@ -14,13 +14,14 @@ module Support.Rehearsal
 where
 
 import Control.Exception
-import Data.Aeson (Object, (.:), (.:?))
+import Data.Aeson (Object, (.!=), (.:), (.:?))
 import qualified Data.Aeson as Aeson
 import Data.Aeson.Types (Parser, parseEither)
 import Data.ByteString.Builder (Builder, toLazyByteString)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.IORef
-import Rosy.Core (Message, Program)
+import Rosy.Channel (Message)
+import Rosy.Core (Program)
 import Rosy.Link
 import Rosy.Problem (Fault (..))
 import Rosy.Run (runOn)
@@ -35,13 +36,13 @@ data Cue
   deriving (Show)
 
 -- | What one line says, and at which step's time.
-data Heard = Heard {heardAt :: Double, heardCommands :: [String], heardFired :: [String], heardEnd :: Maybe End}
+data Heard = Heard {heardAt :: Double, heardCommands :: [String], heardFired :: [String], heardFirings :: [Aeson.Value], heardEnd :: Maybe End}
   deriving (Eq, Show)
 
 -- | How it ended, the kind of the problem, whom it names.
 data End
   = End String (Maybe String) (Maybe String)
-  | -- | Nobody was there to be told.
+  | -- | No listener was left to be told.
     Broken
   deriving (Eq, Show)
 
@@ -62,7 +63,7 @@ rehearse cues program = do
         modifyIORef' heard (read' time builder :)
       link =
         Link
-          { open = pure (Opening 1),
+          { open = const (pure (Opening 1 0)),
             next = do
               coming <- readIORef left
               case coming of
@@ -74,20 +75,20 @@ rehearse cues program = do
                     Breaks -> throwIO (LinkLost "closed")
                     Steps time messages tick -> do
                       writeIORef now time
-                      pure (Just (Batch 0 time messages tick False)),
+                      pure (Just (Batch 0 time messages tick False True)),
             answer = hear . writeAnswer True,
             end = \a ending -> hear (writeEnding True a ending),
             atWork = const (pure ()),
             atRest = pure ()
           }
-  outcome <- try (runOn link program)
+  outcome <- try (runOn link [] program)
   case outcome of
     Right () -> pure ()
     Left exception
       | Just Curtain <- fromException exception -> pure ()
       | Just (LinkLost _) <- fromException exception -> do
         time <- readIORef now
-        modifyIORef' heard (Heard time [] [] (Just Broken) :)
+        modifyIORef' heard (Heard time [] [] [] (Just Broken) :)
       | otherwise -> throwIO exception
   reverse <$> readIORef heard
 
@@ -98,7 +99,7 @@ read' time builder = either (error . ("a line that cannot be read: " ++)) id (Ae
     line :: Object -> Parser Heard
     line o = do
       end' <- o .:? "how"
-      Heard time <$> o .: "commands" <*> o .: "fired" <*> traverse (ending o) end'
+      Heard time <$> o .: "commands" <*> o .: "fired" <*> o .:? "firings" .!= [] <*> traverse (ending o) end'
     ending o way = do
       problem <- o .:? "problem"
       case problem of

@@ -26,12 +26,12 @@ module Support.Story
 where
 
 import Control.Exception (SomeException, evaluate, try)
+import Rosy.Channel (tellAction)
 import Rosy.Controller (Names (..))
 import Rosy.Core
 import Rosy.Loop
 import Rosy.Robot
 import Rosy.Runnable
-import Rosy.Wire (tellAction)
 import System.IO.Unsafe (unsafePerformIO)
 import System.Random (mkStdGen)
 
@@ -90,7 +90,7 @@ hear c = hearProgram (program (Names []) c)
 
 -- | Run a program from time 0 with seed 1, instant by instant, up to its end.
 hearProgram :: Program r -> [Moment] -> [Heard]
-hearProgram p = go 0 [] (begin (Start 0 (mkStdGen 1)) p)
+hearProgram p = go 0 [] (begin (Start 0 0 (mkStdGen 1)) p)
   where
     go time fired turn todo = case turn of
       Fires firing after -> case attempt (firingEffects firing) of

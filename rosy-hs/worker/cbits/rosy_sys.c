@@ -10,8 +10,10 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/audit.h>
+#include <linux/capability.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <linux/securebits.h>
 #include <poll.h>
 #include <signal.h>
 #include <stddef.h>
@@ -141,15 +143,39 @@ static int is_kept(int fd, int count, const int *keep) {
   return 0;
 }
 
+/* When the machine runs out of memory, the kernel ends this process before those of others. proc(5), oom_score_adj. */
+static void volunteer_for_oom(void) {
+  int fd = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
+  if (fd < 0) return;
+  if (write(fd, "1000", 4) < 0) { /* the limits of memory hold without it */ }
+  close(fd);
+}
+
+/*
+ * Drops every capability of this process, for good: the effective, permitted, inheritable, ambient and, where it may, the bounding set.
+ * A process of the administrator without capabilities is bound by file permissions and may not mount, trace or signal others' processes.
+ * capabilities(7). Returns -1 when one of the first three sets could not be cleared.
+ */
+int rosy_drop_capabilities(void) {
+  struct __user_cap_header_struct header = {_LINUX_CAPABILITY_VERSION_3, 0};
+  struct __user_cap_data_struct none[_LINUX_CAPABILITY_U32S_3] = {{0, 0, 0}, {0, 0, 0}};
+  /* These two need CAP_SETPCAP; who lacks it has no capability to lose by a later exec, which no_new_privs forbids besides. */
+  prctl(PR_SET_SECUREBITS, SECBIT_NOROOT | SECBIT_NOROOT_LOCKED | SECBIT_NO_SETUID_FIXUP | SECBIT_NO_SETUID_FIXUP_LOCKED, 0, 0, 0);
+  for (int capability = 0; prctl(PR_CAPBSET_READ, capability, 0, 0, 0) >= 0; capability++) prctl(PR_CAPBSET_DROP, capability, 0, 0, 0);
+  prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0);
+  return (int)syscall(SYS_capset, &header, none);
+}
+
 /*
  * Dies with its parent, leads its own session, knows no environment, has nothing open but the kept descriptors and an empty 0, 1 and 2,
- * starts no core dump, and, unless a test wants to see what the other layers do, can gain no privilege and write no file.
+ * starts no core dump, holds no capability, and, unless a test wants to see what the other layers do, can gain no privilege and write no file.
  */
 int rosy_child_begin(int count, const int *keep, int null_fd, int no_files, int no_privileges) {
   pid_t parent = getppid();
   struct rlimit none = {0, 0};
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) < 0) return -1;
   if (getppid() != parent || parent == 1) return -1;
+  volunteer_for_oom();
   signal(SIGCHLD, SIG_DFL);
   clearenv();
   setsid();
@@ -164,14 +190,39 @@ int rosy_child_begin(int count, const int *keep, int null_fd, int no_files, int 
   setrlimit(RLIMIT_CORE, &none);
   if (no_files) setrlimit(RLIMIT_FSIZE, &none);
   if (no_privileges && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) < 0) return -1;
+  if (rosy_drop_capabilities() < 0) return -1;
   prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
   return 0;
+}
+
+/*
+ * Makes every mapping that is both writable and executable not executable; there is one, the stack, because Debian's libHSrts asks for an
+ * executable one. The interpreter's own code lies in mappings that cannot be written. Returns -1 when a mapping stays both.
+ */
+int rosy_protect_memory(void) {
+  /* The stack may grow between the look and the change, hence a second look. */
+  for (int look = 0; look < 3; look++) {
+    FILE *maps = fopen("/proc/self/maps", "re");
+    unsigned long start, end;
+    char line[512], access[5];
+    int found = 0;
+    if (!maps) return -1;
+    while (fgets(line, sizeof line, maps))
+      if (sscanf(line, "%lx-%lx %4s", &start, &end, access) == 3 && access[1] == 'w' && access[2] == 'x') {
+        found = 1;
+        mprotect((void *)start, end - start, PROT_READ | PROT_WRITE);
+      }
+    fclose(maps);
+    if (!found) return 0;
+  }
+  errno = EACCES;
+  return -1;
 }
 
 /* As the system shows this process. */
 int rosy_name(const char *name) { return prctl(PR_SET_NAME, name, 0, 0, 0); }
 
-/* Less important than whoever is not nice, and than those that started this one, however nice they are. */
+/* Lower priority than processes that are not nice, and than the starter of this one, however nice that is. */
 int rosy_nice(int niceness) {
   int nicer = getpriority(PRIO_PROCESS, 0) + niceness;
   return setpriority(PRIO_PROCESS, 0, nicer > niceness ? nicer : niceness);
@@ -188,6 +239,21 @@ uint64_t rosy_data_size(void) {
   fclose(status);
   return kilobytes * 1024;
 }
+
+/* Bytes of memory of a process that no file backs, pages shared since a fork included; 0 when it has ended. proc(5), statm. */
+uint64_t rosy_anonymous_memory(int pid) {
+  char path[32];
+  unsigned long total, resident, shared;
+  snprintf(path, sizeof path, "/proc/%d/statm", pid);
+  FILE *statm = fopen(path, "re");
+  if (!statm) return 0;
+  int read = fscanf(statm, "%lu %lu %lu", &total, &resident, &shared);
+  fclose(statm);
+  return read == 3 && resident > shared ? (resident - shared) * (uint64_t)sysconf(_SC_PAGESIZE) : 0;
+}
+
+/* Bytes of memory that the machine has. */
+uint64_t rosy_machine_memory(void) { return (uint64_t)sysconf(_SC_PHYS_PAGES) * (uint64_t)sysconf(_SC_PAGESIZE); }
 
 /* The kernel refuses more private memory than this; may be raised again. */
 int rosy_limit_data(uint64_t bytes) {
@@ -228,7 +294,7 @@ void rosy_area(uint64_t bytes) { RtsFlags.GcFlags.minAllocAreaSize = bytes / BLO
 
 /*
  * Gives back the pages of the allocation area in which nothing stands. A child that is forked later gets pages of zeros there when it
- * needs them, which is quicker than copies of what nobody reads any more.
+ * needs them, which is quicker than copies of what is not read any more.
  */
 void rosy_area_clear(void) {
   CapabilityPublic *mine = (CapabilityPublic *)rts_unsafeGetMyCapability();
@@ -327,7 +393,7 @@ static void begin_filter(void) {
   put((struct sock_filter)REFUSE);
 #endif
   allow_each(running_calls, COUNT(running_calls));
-  /* Its own threads may be signalled (abort, RTS), nobody else. */
+  /* Its own threads may be signalled (abort, RTS), no others. */
   allow_with_value(__NR_tgkill, 0, (unsigned)getpid());
   /* fcntl: only F_GETFD, F_SETFD, F_GETFL and F_SETFL (1 to 4). */
   put((struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, __NR_fcntl, 0, 5));

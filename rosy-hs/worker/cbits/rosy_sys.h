@@ -22,7 +22,9 @@ int rosy_pair(int *ends);
 int rosy_write_all(int fd, const char *buffer, size_t size);
 
 /* Becoming a child. */
+int rosy_drop_capabilities(void);
 int rosy_child_begin(int count, const int *keep, int null_fd, int no_files, int no_privileges);
+int rosy_protect_memory(void);
 int rosy_name(const char *name);
 int rosy_nice(int niceness);
 int rosy_filter_compiling(void);
@@ -31,6 +33,8 @@ int rosy_limit_data(uint64_t bytes);
 int rosy_limit_process(uint64_t data_bytes, int alone);
 void rosy_limit_heap(uint64_t bytes);
 uint64_t rosy_data_size(void);
+uint64_t rosy_anonymous_memory(int pid);
+uint64_t rosy_machine_memory(void);
 void rosy_area(uint64_t bytes);
 void rosy_area_clear(void);
 void rosy_exit(int code);

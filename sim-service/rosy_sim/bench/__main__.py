@@ -8,7 +8,7 @@ import sys
 
 from ..config import discover
 from ..errors import RosyError
-from . import lockstep, pages, recovery, world
+from . import lockstep, pages, previews, recovery, world
 
 __all__ = ["main"]
 
@@ -30,6 +30,7 @@ def main() -> int:
             return 0
         world.report()
         lockstep.report(config)
+        previews.report(config)
         held = 0
         for count in options.pages:
             late = pages.report(config, count, options.runs or count, options.seconds, options.profile)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import statistics
 
 from ..config import Config
-from ..library import DEFAULT_WORLD, named_world, usable_arena
-from ..run import Order, run_program
-from ..worker.blocking import BlockingWorker
+from ..robots import DEFAULT_ROBOT
+from ..run.headless_run import RunOutput, RunSettings, run_program
+from ..worker.blocking_worker import BlockingWorker
 from ..world.world import World
+from ..worlds.gallery import DEFAULT_WORLD, named_world, usable_arena
 
 __all__ = ["report"]
 
@@ -32,8 +33,9 @@ def report(config: Config) -> None:
         for _ in range(_ROUNDS):
             with BlockingWorker(config) as worker:
                 worker.ready()
-                order = Order(_SECONDS, 1)
-                outcome = run_program(worker, source, World(arena), order, config.limits, lambda _: None)
+                settings = RunSettings(_SECONDS, 1, limits=config.limits)
+                world = World(arena, DEFAULT_ROBOT)
+                outcome = run_program(worker, source, world, settings, RunOutput())
             factors.append(_SECONDS / outcome.wall)
         factor = statistics.median(factors)
         label = f"program in lockstep, {name}"

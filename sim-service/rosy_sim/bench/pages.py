@@ -14,21 +14,20 @@ import json
 import multiprocessing
 import os
 import pstats
-import resource
 import selectors
 import socket
 import statistics
 import time
 from dataclasses import replace
 from multiprocessing.connection import Connection
-from pathlib import Path
 
+import psutil
 import uvicorn
 import uvloop
 
-from ..app import Service, build_app
 from ..config import Config
-from ..world.facts import STEP
+from ..web.app import Service, build_app
+from ..world.time_step import STEP
 
 __all__ = ["IN_TIME", "report"]
 
@@ -78,75 +77,64 @@ async def _measure(config: Config, count: int, seconds: float, profiler: cProfil
         await asyncio.sleep(0.02)
     port = server.servers[0].sockets[0].getsockname()[1]
     ours, theirs = multiprocessing.Pipe()
-    crowd = multiprocessing.get_context("spawn").Process(
-        target=_crowd, args=(port, count, min(count, config.limits.runs), theirs), daemon=True
+    pages = multiprocessing.get_context("spawn").Process(
+        target=_simulate_pages, args=(port, count, min(count, config.limits.runs), theirs), daemon=True
     )
-    crowd.start()
+    pages.start()
     await asyncio.to_thread(ours.recv)
-    service.late.clear()
+    service.lateness.clear()
     programs = _programs(service.worker.pid)
-    before, theirs_before, began = _cpu(), _used(programs), time.perf_counter()
+    service_process = psutil.Process()
+    before, theirs_before = _processor_time([service_process]), _processor_time(programs)
+    began = time.perf_counter()
     if profiler is not None:
         profiler.enable()
     ours.send("count")
     await asyncio.sleep(seconds)
     if profiler is not None:
         profiler.disable()
-    memory = [_proportional(pid) for pid in programs]
+    # Shared parts are divided among those who share them.
+    memory = [process.memory_full_info().pss for process in programs]
     ours.send("stop")
-    frames, octets = await asyncio.to_thread(ours.recv)
-    took, cost, spent = time.perf_counter() - began, _cpu() - before, _used(programs) - theirs_before
-    late = service.late.summary()
+    frames, received = await asyncio.to_thread(ours.recv)
+    took = time.perf_counter() - began
+    cost, spent = _processor_time([service_process]) - before, _processor_time(programs) - theirs_before
+    late = service.lateness.summary()
     driving = min(count, config.limits.runs)
     rate = late["steps"] / took / driving
     print(
         f"  {count:>3} pages: {rate:5.1f} steps/s each; a step begins late by {late['p50'] * 1e3:.1f} ms (median), "
         f"{late['p99'] * 1e3:.1f} (p99), {late['worst'] * 1e3:.1f} (worst); "
-        f"{frames / took / count:.0f} frames/s and {octets / took / count / 1e3:.1f} kB/s to each; "
+        f"{frames / took / count:.0f} frames/s and {received / took / count / 1e3:.1f} kB/s to each; "
         f"service {cost / took * 100:.0f} % of a core, programs {spent / took * 100:.0f} %: "
         f"{cost / late['steps'] * 1e6:.0f} and {spent / late['steps'] * 1e6:.0f} µs a step; "
-        f"{statistics.median(memory) / 1024:.1f} MB of memory to each program (proportional; {len(memory)} alive); "
-        f"{service.places.queued} waited for a place, none was refused",
+        f"{statistics.median(memory) / 1e6:.1f} MB of memory to each program (proportional; {len(memory)} alive); "
+        f"{service.run_queue.queued} waited for a place, none was refused",
         flush=True,
     )
-    crowd.join(5)
-    crowd.kill()
+    pages.join(5)
+    pages.kill()
     server.should_exit = True
     await serving
     return late["p99"]
 
 
-def _programs(worker: int | None) -> list[int]:
-    """The processes of programs: the last below the worker's own, but for those that only check."""
-    found: list[int] = []
-    level = [worker] if worker is not None else []
+def _programs(worker: int | None) -> list[psutil.Process]:
+    """The processes of programs: the innermost ones below the worker's, except those that only check."""
+    found: list[psutil.Process] = []
+    level = [psutil.Process(worker)] if worker is not None else []
     while level:
         found = level
-        level = [int(pid) for one in level for pid in Path(f"/proc/{one}/task/{one}/children").read_text().split()]
-    return [pid for pid in found if Path(f"/proc/{pid}/comm").read_text() != "rosy-check\n"]
+        level = [child for process in level for child in process.children()]
+    return [process for process in found if process.name() != "rosy-check"]
 
 
-def _proportional(pid: int) -> int:
-    """Memory of a process, shared parts divided among those who share them, kB. proc(5)."""
-    lines = Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines()
-    return next(int(line.split()[1]) for line in lines if line.startswith("Pss:"))
+def _processor_time(processes: list[psutil.Process]) -> float:
+    """Processor time that processes have used, s."""
+    return float(sum(times.user + times.system for times in (process.cpu_times() for process in processes)))
 
 
-def _cpu() -> float:
-    used = resource.getrusage(resource.RUSAGE_SELF)
-    return used.ru_utime + used.ru_stime
-
-
-def _used(pids: list[int]) -> float:
-    """CPU time of processes, s. proc(5): fields 14 and 15 of /proc/PID/stat, in clock ticks."""
-    ticks = 0
-    for pid in pids:
-        fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
-        ticks += int(fields[11]) + int(fields[12])
-    return ticks / os.sysconf("SC_CLK_TCK")
-
-
-def _crowd(port: int, count: int, drivers: int, talk: Connection) -> None:
+def _simulate_pages(port: int, count: int, active_drivers: int, talk: Connection) -> None:
     """Open the pages, wait until as many of them drive as may, then count what they are sent."""
     pages = [_open(port) for _ in range(count)]
     request = json.dumps({"op": "run", "run": 1, "source": _PROGRAM, "seed": 1, "speed": 1}).encode()
@@ -158,7 +146,7 @@ def _crowd(port: int, count: int, drivers: int, talk: Connection) -> None:
         for page in pages:
             page.setblocking(False)
             selector.register(page, selectors.EVENT_READ, page)
-        while len(waiting) > count - drivers:
+        while len(waiting) > count - active_drivers:
             for key, _ in selector.select(1):
                 page = key.data
                 data = page.recv(1 << 16)
@@ -166,13 +154,13 @@ def _crowd(port: int, count: int, drivers: int, talk: Connection) -> None:
                 if b'"step":1' in seen[page]:
                     waiting.discard(page)
         talk.send("driving")
-        frames = octets = 0
+        frames = received = 0
         while not (talk.poll() and talk.recv() == "stop"):
             for key, _ in selector.select(0.05):
                 data = key.data.recv(1 << 16)
-                octets += len(data)
+                received += len(data)
                 frames += data.count(b'"op":"frame"')
-    talk.send((frames, octets))
+    talk.send((frames, received))
 
 
 def _open(port: int) -> socket.socket:

@@ -1,5 +1,5 @@
 """
-How long nobody can check a program after the worker was killed or wedged: until another one has answered.
+Recovery time of the worker: from its death or wedging until another one has answered a check.
 
 With a warm worker waiting, as a service has seconds after its start, and without, as when two die at once.
 """
@@ -14,8 +14,8 @@ import statistics
 import time
 
 from ..config import Config
-from ..worker.client import Worker
-from ..worker.pulse import inside
+from ..worker.liveness import sandboxed_pid
+from ..worker.supervisor import WorkerSupervisor
 
 __all__ = ["measure"]
 
@@ -36,16 +36,16 @@ async def measure(config: Config, rounds: int) -> None:
 
 async def _once(config: Config, how: signal.Signals, *, spare: bool) -> float:
     ready = asyncio.Event()
-    worker = Worker(config, lambda state: ready.set() if state == "ready" else ready.clear())
+    worker = WorkerSupervisor(config, lambda state: ready.set() if state == "ready" else ready.clear())
     keeper = asyncio.create_task(worker.run())
     try:
         await worker.check(_SOURCE)
         if spare:
-            await worker.spare_warm()
+            await worker.standby_ready()
         assert worker.pid is not None
         began = time.perf_counter()
         ready.clear()
-        os.kill(inside(worker.pid), how)
+        os.kill(sandboxed_pid(worker.pid), how)
         await ready.wait()
         await worker.check(_SOURCE)
         return time.perf_counter() - began

@@ -5,10 +5,11 @@ from __future__ import annotations
 import statistics
 import time
 
-from ..lockstep import Lockstep
+from ..robots import DEFAULT_ROBOT
+from ..run.lockstep import Lockstep
 from ..world.arena import Arena, read_arena
-from ..world.events import Velocity
-from ..world.facts import STEP
+from ..world.events import velocity
+from ..world.time_step import STEP
 from ..world.world import World
 
 __all__ = ["report"]
@@ -41,19 +42,19 @@ def _row(name: str, rates: list[float]) -> None:
 
 
 def _world(arena: Arena) -> float:
-    world = World(arena)
+    world = World(arena, DEFAULT_ROBOT)
     began = time.perf_counter()
     for step in range(_STEPS):
         world.sense()
         world.odometry()
         if step % 5 == 0:
-            world.command(Velocity(0.5, 0.1))
+            world.command(velocity(0.5, 0.1))
         world.integrate()
     return time.perf_counter() - began
 
 
 def _link(arena: Arena) -> float:
-    lockstep = Lockstep(World(arena), 1)
+    lockstep = Lockstep(World(arena, DEFAULT_ROBOT), 1)
     lockstep.feed(b'{"op":"ready"}\n')
     command = (
         b'{"op":"publish","topic":"/mobile_base/commands/velocity","msg":{"linear":{"x":0.5},"angular":{"z":0.1}}}\n'

@@ -12,21 +12,30 @@ from typing import Any, Literal
 
 import msgspec
 
-from .hands import HandMessage
-from .link import Kept
-from .problem import Problem
-from .shown import Sight, Tone, Words
+from .. import sentence
+from .explanation import Sentence
+from .firing import Firing
+from .problem import Problem, Sentences, sentences
+from .robot_link import MemoryValue
+from .telemetry import PlayedSound, Speech, Telemetry
+from .user_input import UserInput
 from .worker import Checked, Completed
 
 __all__ = [
     "Alive",
     "BadRequest",
+    "Because",
     "Check",
     "Checked",
+    "ChecksShown",
+    "ChooseLessonStep",
     "ChooseWorld",
     "Complete",
     "Completed",
+    "ConflictShown",
+    "Diverged",
     "EmergencyStop",
+    "FiringShown",
     "Forward",
     "Frame",
     "Free",
@@ -35,7 +44,10 @@ __all__ = [
     "Hello",
     "Input",
     "Leave",
+    "Observe",
     "Pause",
+    "Preview",
+    "Previewed",
     "Refusal",
     "Request",
     "Reset",
@@ -45,22 +57,32 @@ __all__ = [
     "Robots",
     "Run",
     "RunState",
+    "Safety",
     "Said",
+    "SentenceShown",
     "SetSpeed",
     "SoundPlayed",
     "Speed",
     "Stop",
+    "SwitchSafety",
     "Take",
     "Unlock",
+    "Why",
+    "WhyNot",
     "WorkerState",
     "WorldShown",
     "encode",
+    "firing_shown",
     "read_request",
+    "refusal",
 ]
 
 PROTOCOL = 1
 
 Speed = float | Literal["max"]
+
+MAX_PREVIEW = 300.0
+"""Longest run that a page may have previewed, s, simulated."""
 
 MIN_SPEED, MAX_SPEED = 0.05, 64.0
 """Slowest and fastest clock a page may ask for, times real time."""
@@ -70,6 +92,12 @@ class ChooseWorld(msgspec.Struct, tag="world", tag_field="op"):
     """A room by name or as JSON."""
 
     world: Any
+
+
+class ChooseLessonStep(msgspec.Struct, tag="lesson", tag_field="op"):
+    """The checks of a lesson's step, as JSON, for the next runs; ``None`` for none."""
+
+    step: Any
 
 
 class Check(msgspec.Struct, tag="check", tag_field="op"):
@@ -89,12 +117,25 @@ class Complete(msgspec.Struct, tag="complete", tag_field="op"):
 
 
 class Run(msgspec.Struct, tag="run", tag_field="op"):
-    """Compile and drive."""
+    """
+    Compile and drive.
+
+    ``after``: repeat so many steps of the last run with its seed and hands, and go on from there.
+    """
 
     run: int
     source: str
     seed: int | None = None
     speed: Speed = 1.0
+    after: int | None = None
+
+
+class Preview(msgspec.Struct, tag="preview", tag_field="op"):
+    """Where would this program drive? ``seconds`` are simulated."""
+
+    id: int
+    source: str
+    seconds: float
 
 
 class Stop(msgspec.Struct, tag="stop", tag_field="op"):
@@ -116,25 +157,62 @@ class Pause(msgspec.Struct, tag="pause", tag_field="op"):
 
 
 class Resume(msgspec.Struct, tag="resume", tag_field="op"):
-    """Let it go."""
+    """Restart the clock."""
 
 
 class Forward(msgspec.Struct, tag="forward", tag_field="op"):
-    """One step while it stands."""
+    """Make one step while paused."""
 
 
-class Input(HandMessage, tag="input", tag_field="op", kw_only=True):
-    """Hands."""
+class Observe(msgspec.Struct, tag="observe", tag_field="op"):
+    """Whether the firings are recorded with their provenance, from the next step on, and whether frames carry them."""
+
+    on: bool
+    frames: bool = False
+
+
+class Why(msgspec.Struct, tag="why", tag_field="op"):
+    """
+    Why is something as it is at a time, s (without one the latest)? About one of: a firing by its number, a memory by
+    its type, an event as Haskell shows it, the position of the robot, a command by its type (`Velocity`, which is also
+    meant when none is given).
+    """
+
+    id: int
+    time: float | None = None
+    firing: int | None = None
+    position: bool = False
+    memory: str = ""
+    event: str = ""
+    command: str = ""
+
+
+class WhyNot(msgspec.Struct, tag="whyNot", tag_field="op"):
+    """
+    Why did something not happen between two times, s? A function that did not run, or did not send a command of a type;
+    without a function a command that shows no effect, or an event of the program that was not received.
+    """
+
+    id: int
+    since: float
+    until: float
+    function: str = ""
+    command: str = ""
+    event: str = ""
+
+
+class Input(UserInput, tag="input", tag_field="op", kw_only=True):
+    """Actions of the user on the robot."""
 
 
 class Unlock(msgspec.Struct, tag="unlock", tag_field="op"):
-    """The code that lets a page at the robots."""
+    """The code that unlocks the robots."""
 
     code: str
 
 
 class Take(msgspec.Struct, tag="take", tag_field="op"):
-    """Have a robot. ``run`` is the number that its frames carry until the next run."""
+    """Own a robot. ``run`` is the number that its frames carry until the next run."""
 
     robot: str
     who: str
@@ -142,38 +220,50 @@ class Take(msgspec.Struct, tag="take", tag_field="op"):
 
 
 class Leave(msgspec.Struct, tag="leave", tag_field="op"):
-    """Let others have it."""
+    """Release the robot."""
 
 
 class EmergencyStop(msgspec.Struct, tag="estop", tag_field="op"):
-    """The wheels stand, whatever happens, until `free`."""
+    """Stop the wheels until `free`."""
 
 
 class Free(msgspec.Struct, tag="free", tag_field="op"):
     """The robot may drive again."""
 
 
+class SwitchSafety(msgspec.Struct, tag="safety", tag_field="op"):
+    """Switch the safety rules of the robot, simulated or real."""
+
+    on: bool
+
+
 class Alive(msgspec.Struct, tag="alive", tag_field="op"):
-    """Somebody looks at the robot: without it the wheels stand."""
+    """The page is visible and connected: without it the wheels stop."""
 
 
 Request = (
     ChooseWorld
+    | ChooseLessonStep
     | Check
     | Complete
     | Run
+    | Preview
     | Stop
     | Reset
     | SetSpeed
     | Pause
     | Resume
     | Forward
+    | Observe
+    | Why
+    | WhyNot
     | Input
     | Unlock
     | Take
     | Leave
     | EmergencyStop
     | Free
+    | SwitchSafety
     | Alive
 )
 
@@ -181,7 +271,7 @@ _decoder = msgspec.json.Decoder(Request)
 
 
 class BadRequest(Exception):
-    """A message is none the service knows; the text says why."""
+    """A message is not valid; the text says why."""
 
 
 def read_request(text: str | bytes) -> Request:
@@ -199,18 +289,21 @@ def read_request(text: str | bytes) -> Request:
         if not math.isfinite(request.speed) or request.speed <= 0:
             raise BadRequest("a speed must be more than 0")
         request.speed = max(MIN_SPEED, min(MAX_SPEED, request.speed))
+    if isinstance(request, Preview) and not (math.isfinite(request.seconds) and 0 < request.seconds <= MAX_PREVIEW):
+        raise BadRequest(f"the time of a preview must be more than 0 and at most {MAX_PREVIEW:g} s")
     return request
 
 
-class Hello(msgspec.Struct, tag="hello", tag_field="op", kw_only=True):
-    """The session exists."""
+class Hello(msgspec.Struct, tag="hello", tag_field="op", kw_only=True, rename={"in_class": "class"}):
+    """The session exists. In class mode ``class`` is true; otherwise it is absent."""
 
     protocol: int = PROTOCOL
     session: str
+    in_class: Literal[True] | msgspec.UnsetType = msgspec.UNSET
 
 
 class WorkerState(msgspec.Struct, tag="worker", tag_field="op"):
-    """How the worker is."""
+    """Status of the worker."""
 
     state: Literal["starting", "ready", "restarting"]
 
@@ -232,27 +325,71 @@ class RunState(msgspec.Struct, tag="state", tag_field="op", omit_defaults=True):
     place: int | None = None
 
 
-class Frame(Sight, tag="frame", tag_field="op", omit_defaults=True, kw_only=True):
+class FiringShown(Firing, omit_defaults=True, frozen=True, kw_only=True):
+    """A firing, and when it was, s since the start of the program."""
+
+    time: float
+
+
+def firing_shown(firing: Firing, time: float) -> FiringShown:
+    """A firing at a time, s."""
+    f = firing
+    return FiringShown(f.n, f.function, f.task, f.cause, f.took, f.gave, time=time)
+
+
+class SentenceShown(msgspec.Struct, omit_defaults=True):
+    """A sentence of an explanation, the time that it is about, s, and the firing, if it is about one."""
+
+    said: Sentence
+    time: float
+    firing: int | None = None
+
+
+class Because(msgspec.Struct, tag="because", tag_field="op"):
+    """
+    The answer to `why` or `whyNot` with this ``id``: sentences, the time of what was asked about, s, and the firings
+    that led to it, in the order of time.
+    """
+
+    id: int
+    time: float
+    sentences: list[SentenceShown]
+    path: list[FiringShown]
+
+
+class Frame(Telemetry, tag="frame", tag_field="op", omit_defaults=True, kw_only=True):
     """Ground truth for drawing. ``boxes`` only when movable things have moved since the last
-    frame with them; ``ghost`` only when odometry is not the truth; ``memory`` only when it has changed."""
+    frame with them; ``ghost`` only when odometry is not the truth; ``memory`` only when it has changed; ``firings``
+    only while the page observes the run."""
 
     run: int
     step: int
     boxes: list[tuple[float, float, float]] | None = None
     ghost: tuple[float, float, float] | None = None
-    memory: list[Kept] | None = None
+    memory: list[MemoryValue] | None = None
+    firings: list[FiringShown] | None = None
 
 
-class Said(Words, tag="said", tag_field="op", kw_only=True):
+class Said(Speech, tag="said", tag_field="op", kw_only=True):
     """A line for the console."""
 
     run: int
 
 
-class SoundPlayed(Tone, tag="sound", tag_field="op", kw_only=True):
+class SoundPlayed(PlayedSound, tag="sound", tag_field="op", kw_only=True):
     """A sound to play."""
 
     run: int
+
+
+class ConflictShown(msgspec.Struct, tag="conflict", tag_field="op"):
+    """``winner`` keeps replacing the commands of ``loser`` on a channel."""
+
+    run: int
+    time: float
+    command: str
+    winner: str
+    loser: str
 
 
 class Goal(msgspec.Struct):
@@ -272,8 +409,44 @@ class GoalsShown(msgspec.Struct, tag="goals", tag_field="op"):
     goals: list[Goal]
 
 
+class Previewed(msgspec.Struct, tag="previewed", tag_field="op"):
+    """
+    Where a program would drive, with the room, the seed and the hands of the last run. Points are time (s), x, y (m),
+    the pose is x, y, theta (m, rad). ``time`` (s) is how long it ran. ``unrepeatable``: the last run had more actions
+    than are recorded.
+    """
+
+    id: int
+    ended: Literal["time", "done", "error", "stuck", "refused", "unrepeatable"]
+    time: float
+    pose: tuple[float, float, float]
+    path: list[tuple[float, float, float]]
+    collisions: list[tuple[float, float, float]]
+    goals: list[Goal]
+    problems: list[Problem]
+
+
+class Diverged(msgspec.Struct, tag="diverged", tag_field="op"):
+    """At this time (s) a program that repeats the last run gave other commands for the first time."""
+
+    run: int
+    time: float
+
+
+class ChecksShown(msgspec.Struct, tag="checks", tag_field="op"):
+    """
+    The checks of the lesson's step that the page has chosen. ``run`` is ``None`` while they are about the program only;
+    ``over``: the time of the step or the run is over.
+    """
+
+    run: int | None
+    passed: bool
+    over: bool
+    checks: list[Any]
+
+
 class RobotName(msgspec.Struct):
-    """A robot, who has it, and whether that is this page."""
+    """A robot, the name of its owner, and whether that is this page."""
 
     name: str
     holder: str | None
@@ -281,21 +454,18 @@ class RobotName(msgspec.Struct):
 
 
 class Robots(msgspec.Struct, tag="robots", tag_field="op"):
-    """The robots one may choose; none are told while ``locked``."""
+    """The robots; none are listed while ``locked``."""
 
     locked: bool
     robots: list[RobotName]
 
 
 class RobotState(msgspec.Struct, tag="robot", tag_field="op"):
-    """The robot that this page has. ``link`` is ``gone`` when it has it no more."""
+    """The robot that this page owns. ``link`` is ``gone`` when the ownership has ended."""
 
     name: str
     link: Literal["connecting", "connected", "lost", "gone"]
     why: str
-    # Whether it backs off by itself from what it runs into, and whether it does so now.
-    safety: bool
-    backing: bool
     # The emergency stop holds its wheels.
     stopped: bool
     # m/s, rad/s.
@@ -303,11 +473,28 @@ class RobotState(msgspec.Struct, tag="robot", tag_field="op"):
     max_turn: float
 
 
-class Refusal(msgspec.Struct, tag="refusal", tag_field="op"):
+class Safety(msgspec.Struct, tag="safety", tag_field="op", omit_defaults=True):
+    """
+    Whether the safety rules of the robot, simulated or real, are on. ``run`` and ``since`` (s) say when they began to
+    override the program; absent while they do not.
+    """
+
+    on: bool
+    run: int | None = None
+    since: float | None = None
+
+
+class Refusal(msgspec.Struct, tag="refusal", tag_field="op", omit_defaults=True):
     """The last message could not be served."""
 
     message: str
-    hint: str = ""
+    hint: str
+    sentences: Sentences | None = None
+
+
+def refusal(message: sentence.Sentence, hint: sentence.Sentence | None = None) -> Refusal:
+    """A refusal in English with its sentences for other languages."""
+    return Refusal(str(message), str(hint or ""), sentences(message, hint))
 
 
 Answer = (
@@ -319,10 +506,16 @@ Answer = (
     | RunState
     | Frame
     | Said
+    | ConflictShown
+    | Because
     | SoundPlayed
     | GoalsShown
+    | Previewed
+    | Diverged
+    | ChecksShown
     | Robots
     | RobotState
+    | Safety
     | Refusal
 )
 

@@ -1,5 +1,5 @@
 """
-The robot as a rosbridge v2 server, one client's side of it, without any I/O.
+Rosbridge v2 server for one client, without any I/O.
 
 Follows the protocol as RobotWebTools' rosbridge_suite (ROBOT side: ros1 0.11.17) does it where clients can
 tell: topics are echoed as the client wrote them, `status` is only sent to clients that asked with `set_level`,
@@ -15,20 +15,18 @@ from typing import Any
 
 import msgspec
 
+from ..sentence import tr
 from ..world.events import Command
-from .messages import typedefs
-from .topics import COMMAND_TOPICS, SENSOR_TOPICS, BadMessage, read_command
+from .ros_messages import typedefs
+from .topics import COMMAND_TOPICS, LATCHED, SENSOR_TOPICS, BadMessage, TopicMessage, read_message
 
-__all__ = ["LATCHED", "MAX_SUBSCRIPTIONS", "BridgeClient", "Reply"]
+__all__ = ["LATCHED", "MAX_SUBSCRIPTIONS", "Reply", "RosbridgeClient"]
 
 MAX_SUBSCRIPTIONS = 200
 """Of one client; more are ignored."""
 
 MAX_WAITING = 100
 """Longest throttling queue a client can ask for, messages."""
-
-LATCHED = frozenset({"/mobile_base/events/robot_state"})
-"""Topics whose last value a new subscriber gets. kobuki_node, src/library/kobuki_ros.cpp."""
 
 _NODE = "/mobile_base"
 _TYPES = {**SENSOR_TOPICS, **COMMAND_TOPICS}
@@ -37,14 +35,14 @@ _LEVELS = {"none": 0, "error": 1, "warning": 2, "info": 3}
 
 @dataclass(slots=True)
 class Reply:
-    """What a message of the client leads to."""
+    """Frames for the client, commands for the robot and messages for others that a message leads to."""
 
     texts: list[str] = field(default_factory=list)
-    commands: list[Command] = field(default_factory=list)
+    commands: list[Command | TopicMessage] = field(default_factory=list)
 
 
 @dataclass(slots=True)
-class _Wish:
+class _Options:
     """One `subscribe`."""
 
     throttle: float
@@ -53,35 +51,37 @@ class _Wish:
 
 @dataclass(slots=True)
 class _Subscription:
-    """All wishes for one spelling of a topic. The smallest throttle and queue win, as in the real server."""
+    """All requests for one spelling of a topic. The smallest throttle and queue win, as in the real server."""
 
-    wishes: dict[str | None, _Wish] = field(default_factory=dict)
+    requests: dict[str | None, _Options] = field(default_factory=dict)
     # When a message was last sent, s on the caller's clock; negative before the first.
     sent: float = -1e9
     waiting: deque[Any] = field(default_factory=deque)
 
     @property
     def throttle(self) -> float:
-        return min(wish.throttle for wish in self.wishes.values())
+        return min(request.throttle for request in self.requests.values())
 
     @property
     def queue(self) -> int:
-        return min(wish.queue for wish in self.wishes.values())
+        return min(request.queue for request in self.requests.values())
 
 
-class BridgeClient:
-    """What the server knows of one client."""
+class RosbridgeClient:
+    """Protocol state of one client."""
 
     def __init__(self) -> None:
         self._subscriptions: dict[str, _Subscription] = {}
         # Last message per latched topic; set by deliver().
         self._latched: dict[str, Any] = {}
+        # Topics of its own that the client publishes.
+        self._advertised: set[str] = set()
         self._level = 0
 
     @property
     def topics(self) -> set[str]:
-        """Topics somebody listens to, in their plain form."""
-        return {_plain(name) for name in self._subscriptions}
+        """Subscribed topics, with a leading slash."""
+        return {_absolute_name(name) for name in self._subscriptions}
 
     def receive(self, text: str | bytes, now: float) -> Reply:
         """Serve a message; ``now`` is any clock in s that only goes forward."""
@@ -89,14 +89,14 @@ class BridgeClient:
         try:
             message = msgspec.json.decode(text)
         except (msgspec.DecodeError, UnicodeError, RecursionError) as error:
-            self._complain(reply, None, f"not JSON: {error}")
+            self._report_error(reply, None, f"not JSON: {error}")
             return reply
         if not isinstance(message, dict) or not isinstance(message.get("op"), str):
-            self._complain(reply, None, "a message needs an op")
+            self._report_error(reply, None, "a message needs an op")
             return reply
         handler = _HANDLERS.get(message["op"])
         if handler is None:
-            self._complain(reply, message, f"unknown op {message['op'][:50]!r}")
+            self._report_error(reply, message, f"unknown op {message['op'][:50]!r}")
         else:
             handler(self, message, now, reply)
         return reply
@@ -107,7 +107,7 @@ class BridgeClient:
             self._latched[topic] = msg
         texts: list[str] = []
         for name, subscription in self._subscriptions.items():
-            if _plain(name) == topic:
+            if _absolute_name(name) == topic:
                 texts += self._send(name, subscription, msg, now)
         return texts
 
@@ -131,7 +131,7 @@ class BridgeClient:
                 subscription.waiting.popleft()
         return []
 
-    def _complain(self, reply: Reply, message: dict[str, Any] | None, text: str) -> None:
+    def _report_error(self, reply: Reply, message: dict[str, Any] | None, text: str) -> None:
         if self._level >= 1:
             status = {"op": "status", "level": "error", "msg": text}
             if message is not None and isinstance(message.get("id"), str):
@@ -142,21 +142,23 @@ class BridgeClient:
 
     def _subscribe(self, message: dict[str, Any], now: float, reply: Reply) -> None:
         topic = message.get("topic")
-        if not isinstance(topic, str) or _plain(topic) not in _TYPES:
-            self._complain(reply, message, "no such topic")
+        # As the real server: a topic that nothing publishes yet needs a type.
+        known = isinstance(topic, str) and (_absolute_name(topic) in _TYPES or isinstance(message.get("type"), str))
+        if not isinstance(topic, str) or not known:
+            self._report_error(reply, message, "no such topic")
             return
         subscription = self._subscriptions.setdefault(topic, _Subscription())
-        if sum(len(s.wishes) for s in self._subscriptions.values()) >= MAX_SUBSCRIPTIONS:
-            if not subscription.wishes:
+        if sum(len(s.requests) for s in self._subscriptions.values()) >= MAX_SUBSCRIPTIONS:
+            if not subscription.requests:
                 del self._subscriptions[topic]
-            self._complain(reply, message, "too many subscriptions")
+            self._report_error(reply, message, "too many subscriptions")
             return
         throttle = _number(message.get("throttle_rate")) / 1000
         queue = min(MAX_WAITING, int(_number(message.get("queue_length"))))
         ident = message.get("id")
-        subscription.wishes[ident if isinstance(ident, str) else None] = _Wish(throttle, queue)
-        if _plain(topic) in self._latched:
-            reply.texts += self._send(topic, subscription, self._latched[_plain(topic)], now)
+        subscription.requests[ident if isinstance(ident, str) else None] = _Options(throttle, queue)
+        if _absolute_name(topic) in self._latched:
+            reply.texts += self._send(topic, subscription, self._latched[_absolute_name(topic)], now)
 
     def _unsubscribe(self, message: dict[str, Any], _now: float, _reply: Reply) -> None:
         topic, ident = message.get("topic"), message.get("id")
@@ -165,29 +167,39 @@ class BridgeClient:
         if ident is None:
             del self._subscriptions[topic]
             return
-        wishes = self._subscriptions[topic].wishes
+        requests = self._subscriptions[topic].requests
         if isinstance(ident, str):
-            wishes.pop(ident, None)
-        if not wishes:
+            requests.pop(ident, None)
+        if not requests:
             del self._subscriptions[topic]
 
     def _advertise(self, message: dict[str, Any], _now: float, reply: Reply) -> None:
         topic, kind = message.get("topic"), message.get("type")
-        if not isinstance(topic, str) or _plain(topic) not in COMMAND_TOPICS:
-            self._complain(reply, message, "the robot does not listen to that topic")
-        elif not isinstance(kind, str) or _kind(kind) != COMMAND_TOPICS[_plain(topic)]:
-            self._complain(reply, message, f"the type of {topic} is {COMMAND_TOPICS[_plain(topic)]}")
+        if not isinstance(topic, str):
+            self._report_error(reply, message, "no topic")
+        elif _absolute_name(topic) in SENSOR_TOPICS:
+            self._report_error(reply, message, "the robot itself publishes that topic")
+        elif _absolute_name(topic) not in COMMAND_TOPICS:
+            if isinstance(kind, str) and len(self._advertised) < MAX_SUBSCRIPTIONS:
+                self._advertised.add(_absolute_name(topic))
+            else:
+                self._report_error(reply, message, "a topic needs a type")
+        elif not isinstance(kind, str) or _short_type(kind) != COMMAND_TOPICS[_absolute_name(topic)]:
+            self._report_error(reply, message, f"the type of {topic} is {COMMAND_TOPICS[_absolute_name(topic)]}")
 
     def _publish(self, message: dict[str, Any], _now: float, reply: Reply) -> None:
         topic = message.get("topic")
         if not isinstance(topic, str):
-            self._complain(reply, message, "no topic")
+            self._report_error(reply, message, "no topic")
             return
         try:
             # As the real server: a float where the type says integer spoils the message.
-            reply.commands.append(read_command(_plain(topic), msgspec.json.encode(message.get("msg"))))
+            read = read_message(_absolute_name(topic), message.get("msg"))
+            if isinstance(read, TopicMessage) and read.topic not in self._advertised:
+                raise BadMessage(tr("{topic} is not advertised", topic=topic))
+            reply.commands.append(read)
         except (BadMessage, msgspec.MsgspecError, TypeError) as error:
-            self._complain(reply, message, str(error))
+            self._report_error(reply, message, str(error))
 
     def _set_level(self, message: dict[str, Any], _now: float, _reply: Reply) -> None:
         level = message.get("level")
@@ -199,10 +211,10 @@ class BridgeClient:
     def _call(self, message: dict[str, Any], now: float, reply: Reply) -> None:
         service = message.get("service")
         if not isinstance(service, str):
-            self._complain(reply, message, "no service")
+            self._report_error(reply, message, "no service")
             return
         args = message.get("args")
-        values = _service(_plain(service), args if args is not None else {}, now)
+        values = _service(_absolute_name(service), args if args is not None else {}, now)
         answer: dict[str, Any] = {"op": "service_response", "service": service}
         if "id" in message:
             answer["id"] = message["id"]
@@ -214,14 +226,14 @@ class BridgeClient:
 
 
 _HANDLERS = {
-    "subscribe": BridgeClient._subscribe,
-    "unsubscribe": BridgeClient._unsubscribe,
-    "advertise": BridgeClient._advertise,
-    "unadvertise": BridgeClient._ignore,
-    "publish": BridgeClient._publish,
-    "set_level": BridgeClient._set_level,
-    "auth": BridgeClient._ignore,
-    "call_service": BridgeClient._call,
+    "subscribe": RosbridgeClient._subscribe,
+    "unsubscribe": RosbridgeClient._unsubscribe,
+    "advertise": RosbridgeClient._advertise,
+    "unadvertise": RosbridgeClient._ignore,
+    "publish": RosbridgeClient._publish,
+    "set_level": RosbridgeClient._set_level,
+    "auth": RosbridgeClient._ignore,
+    "call_service": RosbridgeClient._call,
 }
 
 _SERVICES = (
@@ -238,9 +250,9 @@ def _service(name: str, args: Any, now: float) -> dict[str, Any] | None:
         case "topics":
             return {"topics": list(_TYPES), "types": list(_TYPES.values())}
         case "topic_type":
-            return {"type": _TYPES.get(_plain(_argument(args, "topic")), "")}
+            return {"type": _TYPES.get(_absolute_name(_argument(args, "topic")), "")}
         case "topics_for_type":
-            wanted = _kind(_argument(args, "type"))
+            wanted = _short_type(_argument(args, "type"))
             return {"topics": [topic for topic, kind in _TYPES.items() if kind == wanted]}
         case "nodes":
             return {"nodes": [_NODE]}
@@ -255,9 +267,9 @@ def _service(name: str, args: Any, now: float) -> dict[str, Any] | None:
         case "service_type":
             return {"type": ""}
         case "publishers":
-            return {"publishers": [_NODE] if _plain(_argument(args, "topic")) in SENSOR_TOPICS else []}
+            return {"publishers": [_NODE] if _absolute_name(_argument(args, "topic")) in SENSOR_TOPICS else []}
         case "subscribers":
-            return {"subscribers": [_NODE] if _plain(_argument(args, "topic")) in COMMAND_TOPICS else []}
+            return {"subscribers": [_NODE] if _absolute_name(_argument(args, "topic")) in COMMAND_TOPICS else []}
         case "get_time":
             return {"time": {"secs": int(now), "nsecs": int((now - int(now)) * 1e9)}}
         case "get_param":
@@ -267,7 +279,7 @@ def _service(name: str, args: Any, now: float) -> dict[str, Any] | None:
         case "has_param":
             return {"exists": False}
         case "message_details":
-            return {"typedefs": typedefs(_kind(_argument(args, "type")))}
+            return {"typedefs": typedefs(_short_type(_argument(args, "type")))}
         case _:
             return None
 
@@ -284,13 +296,13 @@ def _number(value: Any) -> float:
     return max(0.0, min(1e9, float(value)))
 
 
-def _plain(name: str) -> str:
+def _absolute_name(name: str) -> str:
     """Names with and without a leading slash are the same."""
     return name if name.startswith("/") else f"/{name}"
 
 
-def _kind(name: str) -> str:
-    """``kobuki_msgs/msg/Led`` and ``kobuki_msgs/Led`` are the same."""
+def _short_type(name: str) -> str:
+    """``std_msgs/msg/String`` and ``std_msgs/String`` are the same."""
     return name.replace("/msg/", "/")
 
 

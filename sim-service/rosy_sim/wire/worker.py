@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import msgspec
 
-from .lines import Lines
+from .line_splitter import LineSplitter
 from .problem import Problem
 
 __all__ = [
@@ -85,7 +85,7 @@ class Gone(msgspec.Struct, tag="gone", tag_field="op"):
 
 
 class Pong(msgspec.Struct, tag="pong", tag_field="op"):
-    """It is alive."""
+    """Answer to a ping."""
 
     id: int
 
@@ -108,14 +108,14 @@ class WorkerStream:
     __slots__ = ("_lines",)
 
     def __init__(self) -> None:
-        self._lines = Lines(MAX_LINE)
+        self._lines = LineSplitter(MAX_LINE)
 
     def feed(self, data: bytes) -> list[Answer]:
         """
         Take bytes; return the answers they complete.
 
         Raises:
-            LineTooLong, msgspec.DecodeError: the worker is out of its mind.
+            LineTooLong, msgspec.DecodeError: the worker broke the protocol.
         """
         return [_decoder.decode(line) for line in self._lines.feed(data)]
 
@@ -145,5 +145,5 @@ def kill_request(ident: int) -> bytes:
 
 
 def ping_request(ident: int) -> bytes:
-    """Asks for a sign of life."""
+    """Asks for a `pong`."""
     return _line(op="ping", id=ident)

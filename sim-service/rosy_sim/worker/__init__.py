@@ -1,8 +1,8 @@
 """
-The worker from outside: starting it in its sandbox, asking it, noticing when it dies.
+Clients of the compiler's process, the worker.
 
-``launch`` starts a process, ``blocking`` asks it from a plain program, ``client`` from asyncio, ``pulse`` tells whether
-it lives.
+``launcher`` starts it in its sandbox, ``blocking_worker`` serves plain programs, ``supervisor`` serves asyncio and
+replaces a worker that has died, ``liveness`` detects one that is wedged.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """
-One worker process from its start to its end: what goes to it and comes from it, and whether it lives.
+Connection to one worker process, from its start to its end: requests, answers and liveness.
 
-Who has the connection says what happens to its answers; it may change hands, from the spare to the worker in use.
+The owner sets the listener; ownership passes from the standby to the supervisor.
 """
 
 from __future__ import annotations
@@ -16,32 +16,34 @@ from typing import Any
 
 import msgspec
 
-from ..wire.lines import LineTooLong
+from ..sentence import tr
+from ..wire.line_splitter import LineTooLong
 from ..wire.worker import Answer, WorkerReady, WorkerStream, ping_request
-from .launch import WorkerProcess
-from .pulse import BEAT, Pulse
+from ..wording import in_terminal
+from .launcher import WorkerProcess
+from .liveness import PROBE_INTERVAL, LivenessMonitor
 
 __all__ = ["Connection"]
 
 _log = logging.getLogger(__name__)
 
 _PING = 0
-"""The id of a ping; its answer concerns nobody but the pulse."""
+"""The id of pings; their answers only count as activity."""
 
 
 class Connection:
-    """Everything that is said to one process. end() it, whatever has become of the process."""
+    """Owns the socket and the process. Call end() in any case."""
 
     def __init__(self, process: WorkerProcess, ready_within: float) -> None:
         process.socket.setblocking(False)
         self.pid = process.pid
         # It is warm.
         self.ready = asyncio.Event()
-        # It has closed its socket, or has said what is no answer.
+        # It has closed its socket, or has broken the protocol.
         self.lost = asyncio.Event()
-        # Who is told of answers.
+        # Called with each answer.
         self.listener: Callable[[Answer], None] | None = None
-        self.pulse = Pulse(process.pid)
+        self.liveness = LivenessMonitor(process.pid)
         self._process = process
         self._socket = process.socket
         self._stream = WorkerStream()
@@ -50,24 +52,34 @@ class Connection:
         self._ready_by = self._loop.time() + ready_within
         self._loop.add_reader(self._socket, self._read)
 
-    async def lives(self, beat: float = BEAT) -> None:
-        """Until it is lost, gives no sign of life any more, or is not warm in time; looks so often, s."""
+    async def wait_until_lost(self, interval: float = PROBE_INTERVAL) -> None:
+        """Wait until it is lost, wedged, or not warm in time; probes every ``interval`` s."""
         lost = asyncio.ensure_future(self.lost.wait())
         ready = asyncio.ensure_future(self.ready.wait())
         try:
             while not (lost.done() or ready.done()):
-                await asyncio.wait((lost, ready), timeout=BEAT, return_when=asyncio.FIRST_COMPLETED)
-                if not ready.done() and (self._loop.time() > self._ready_by or self.pulse.stopped()):
+                await asyncio.wait((lost, ready), timeout=PROBE_INTERVAL, return_when=asyncio.FIRST_COMPLETED)
+                if not ready.done() and (self._loop.time() > self._ready_by or self.liveness.probe_stopped()):
                     return
             while not lost.done():
                 self.send(ping_request(_PING))
-                await asyncio.wait((lost,), timeout=beat)
-                if not lost.done() and self.pulse.beat():
-                    _log.warning("the worker does not answer any more; another takes its place")
+                await asyncio.wait((lost,), timeout=interval)
+                if not lost.done() and self.liveness.probe():
+                    _log.warning("%s", in_terminal(tr("the worker does not answer any more; another takes its place")))
                     return
         finally:
             lost.cancel()
             ready.cancel()
+
+    async def wait_ready(self) -> bool:
+        """Wait until it is warm or lost; returns whether it is warm."""
+        waits = [asyncio.ensure_future(event.wait()) for event in (self.ready, self.lost)]
+        try:
+            await asyncio.wait(waits, return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            for wait in waits:
+                wait.cancel()
+        return self.ready.is_set() and not self.lost.is_set()
 
     async def end(self) -> None:
         """End the process and everything in its sandbox."""
@@ -84,7 +96,7 @@ class Connection:
     # Bytes
 
     def send(self, data: bytes, descriptors: tuple[int, ...] = ()) -> None:
-        """Say something; the descriptors ride along and are closed here."""
+        """Send a request; the descriptors are sent with it and closed here."""
         if self.lost.is_set():
             _close(descriptors)
             return
@@ -115,7 +127,7 @@ class Connection:
             if not data:
                 self._stop_reading()
                 return
-            self.pulse.heard()
+            self.liveness.record_activity()
             for answer in self._stream.feed(data):
                 if isinstance(answer, WorkerReady):
                     self.ready.set()
@@ -136,7 +148,7 @@ def _close(descriptors: tuple[int, ...]) -> None:
         os.close(descriptor)
 
 
-def _wake(waiting: asyncio.Future[Any]) -> None:
+def _complete(waiting: asyncio.Future[Any]) -> None:
     if not waiting.done():
         waiting.set_result(None)
 
@@ -150,7 +162,7 @@ async def _reap(pid: int) -> None:
         return
     try:
         dead: asyncio.Future[None] = loop.create_future()
-        loop.add_reader(watch, _wake, dead)
+        loop.add_reader(watch, _complete, dead)
         try:
             await asyncio.shield(dead)
         finally:

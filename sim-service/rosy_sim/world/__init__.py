@@ -1,5 +1,5 @@
 """
-A room and a Kobuki in it: physics and sensors, with no idea of time, files, sockets or JSON.
+Physics of a room and a robot in it, without clocks, files, sockets or JSON.
 
 Axes, in the room (metres, radians, counter-clockwise positive)::
 
@@ -10,14 +10,14 @@ Axes, in the room (metres, radians, counter-clockwise positive)::
       |
       +-----------> x            (0, 0) is the lower left corner of the room
 
-Everything here is deterministic: the same arena, seed, commands and hands give the same floats.
+Everything here is deterministic: the same arena, seed, commands and actions give the same floats.
 """
 
 from __future__ import annotations
 
 from .arena import Arena, ArenaError, Box, Pose, Wall, read_arena
-from .events import Command, Event, Hand
-from .facts import STEP
+from .events import Command, Reading, UserAction
+from .time_step import STEP
 from .world import World
 
 __all__ = [
@@ -26,9 +26,9 @@ __all__ = [
     "ArenaError",
     "Box",
     "Command",
-    "Event",
-    "Hand",
     "Pose",
+    "Reading",
+    "UserAction",
     "Wall",
     "World",
     "read_arena",

@@ -10,13 +10,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .fields import MAX_SIDE, ArenaError, Pose, flag, items, number, objekt, point, positive, required
+from ..sentence import tr
+from .field_readers import MAX_SIDE, ArenaError, Pose, flag, items, number, object_fields, point, positive, required
 from .goals import Goal, read_goals
 from .realism import Realism, read_realism
 
 __all__ = [
     "DEFAULT_BOX_MASS",
     "DEFAULT_TILE",
+    "MAX_MOVABLE",
     "MAX_SHAPES",
     "MAX_SIDE",
     "MAX_TILES",
@@ -37,13 +39,16 @@ DEFAULT_TILE = 0.5
 """Side of a tile when the world does not say, m. protocol/README.md, World."""
 
 DEFAULT_BOX_MASS = 1.0
-"""Of a movable thing when the world does not say, kg: a Kobuki can push it."""
+"""Of a movable thing when the world does not say, kg: light enough for a small robot to push."""
 
 MAX_TILES = 40_000
 """Largest tile grid."""
 
 MAX_SHAPES = 2_000
 """Most walls, boxes and rounds together."""
+
+MAX_MOVABLE = 200
+"""Most boxes and rounds that can be pushed. They take some 15 ms to build; 2,000 took 400 to 900 ms."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +101,10 @@ class Arena:
     goals: tuple[Goal, ...] = ()
     # None for an ideal robot.
     realism: Realism | None = None
+    # Where a docked robot stands; None without a dock.
+    dock: Pose | None = None
+    # Charge of the battery at the start, 0 to 1.
+    battery: float = 1.0
 
     def tile_at(self, x: float, y: float) -> str:
         """``#``, ``.`` or ``O`` under a point; the world outside is wall."""
@@ -121,54 +130,86 @@ def read_arena(value: object) -> Arena:
     Raises:
         ArenaError: the first thing that is wrong, with its path.
     """
-    fields = objekt(value, "")
-    known = {"name", "size", "start", "tile", "tiles", "walls", "boxes", "rounds", "goals", "title", "realism"}
+    fields = object_fields(value, "")
+    known = {
+        "name",
+        "size",
+        "start",
+        "tile",
+        "tiles",
+        "walls",
+        "boxes",
+        "rounds",
+        "goals",
+        "title",
+        "realism",
+        "dock",
+        "battery",
+    }
     for key in fields:
         if key not in known:
-            raise ArenaError(key, "a world has nothing of that name.")
+            raise ArenaError(key, tr("a world has nothing of that name."))
     name = fields.get("name", "")
     if not isinstance(name, str):
-        raise ArenaError("name", "the name must be text.")
+        raise ArenaError("name", tr("the name must be text."))
     if not isinstance(fields.get("title", ""), str):
-        raise ArenaError("title", "the title must be text.")
+        raise ArenaError("title", tr("the title must be text."))
     tile = number(fields.get("tile", DEFAULT_TILE), "tile")
     if not 0.05 <= tile <= 10:
-        raise ArenaError("tile", "a tile must be between 0.05 and 10 metres wide.")
+        raise ArenaError("tile", tr("a tile must be between 0.05 and 10 metres wide."))
     tiles = _tiles(fields.get("tiles", []))
     width, height = _size(fields.get("size"), tile, tiles)
     walls = tuple(_wall(v, p) for v, p in items(fields, "walls"))
     boxes = tuple(_box(v, p) for v, p in items(fields, "boxes"))
     rounds = tuple(_round(v, p) for v, p in items(fields, "rounds"))
     if len(walls) + len(boxes) + len(rounds) > MAX_SHAPES:
-        raise ArenaError("walls", f"a world can hold at most {MAX_SHAPES} things.")
+        raise ArenaError("walls", tr("a world can hold at most {most} things.", most=MAX_SHAPES))
+    things: tuple[Box | Round, ...] = (*boxes, *rounds)
+    if sum(thing.movable for thing in things) > MAX_MOVABLE:
+        raise ArenaError("boxes", tr("a world can hold at most {most} things that can be pushed.", most=MAX_MOVABLE))
     goals = read_goals(fields)
     realism = read_realism(fields["realism"]) if "realism" in fields else None
     if "start" not in fields:
-        raise ArenaError("start", "the world does not say where the robot starts.")
+        raise ArenaError("start", tr("the world does not say where the robot starts."))
     start = _pose(fields["start"], "start")
-    return Arena(name, width, height, start, tile, tiles, walls, boxes, rounds, goals, realism)
+    dock = _pose(fields["dock"], "dock") if "dock" in fields else None
+    if dock is not None and not (0 <= dock.x < width and 0 <= dock.y < height):
+        raise ArenaError("dock", tr("the dock is outside the room."))
+    battery = number(fields.get("battery", 1.0), "battery")
+    if not 0 <= battery <= 1:
+        raise ArenaError("battery", tr("the battery must be between 0, empty, and 1, full."))
+    return Arena(name, width, height, start, tile, tiles, walls, boxes, rounds, goals, realism, dock, battery)
 
 
 def _tiles(value: object) -> tuple[str, ...]:
     if not isinstance(value, list):
-        raise ArenaError("tiles", "expected a list of rows.")
+        raise ArenaError("tiles", tr("expected a list of rows."))
     rows: list[str] = []
     for i, row in enumerate(value):
         path = f"tiles[{i}]"
         if not isinstance(row, str):
-            raise ArenaError(path, "a row must be text.")
+            raise ArenaError(path, tr("a row must be text."))
         if rows and len(row) != len(rows[0]):
-            raise ArenaError(path, f"this row has {len(row)} tiles, the first one has {len(rows[0])}.")
+            raise ArenaError(
+                path, tr("this row has {count} tiles, the first one has {first}.", count=len(row), first=len(rows[0]))
+            )
         for column, char in enumerate(row):
             if char not in "#.O":
-                raise ArenaError(path, f"tile {column + 1} is {char!r}; use # for wall, . for floor and O for a hole.")
+                raise ArenaError(
+                    path,
+                    tr(
+                        "tile {number} is {char}; use # for wall, . for floor and O for a hole.",
+                        number=column + 1,
+                        char=repr(char),
+                    ),
+                )
         rows.append(row)
     if rows and not rows[0]:
-        raise ArenaError("tiles[0]", "the row is empty.")
+        raise ArenaError("tiles[0]", tr("the row is empty."))
     if rows and len(rows) * len(rows[0]) > MAX_TILES:
-        raise ArenaError("tiles", f"a world can have at most {MAX_TILES} tiles.")
+        raise ArenaError("tiles", tr("a world can have at most {most} tiles.", most=MAX_TILES))
     if rows and not any("." in row for row in rows):
-        raise ArenaError("tiles", "there is no floor; the robot needs at least some tiles marked with a dot.")
+        raise ArenaError("tiles", tr("there is no floor; the robot needs at least some tiles marked with a dot."))
     return tuple(rows)
 
 
@@ -176,45 +217,50 @@ def _size(value: object, tile: float, tiles: tuple[str, ...]) -> tuple[float, fl
     grid = (len(tiles[0]) * tile, len(tiles) * tile) if tiles else None
     if value is None:
         if grid is None:
-            raise ArenaError("size", "a world needs a size or tiles; without them there is no floor.")
+            raise ArenaError("size", tr("a world needs a size or tiles; without them there is no floor."))
         width, height = grid
     else:
         if not isinstance(value, list) or len(value) != 2:
-            raise ArenaError("size", "expected two numbers, width and height.")
+            raise ArenaError("size", tr("expected two numbers, width and height."))
         width, height = number(value[0], "size[0]"), number(value[1], "size[1]")
         if grid is not None and (abs(width - grid[0]) > 1e-3 or abs(height - grid[1]) > 1e-3):
             raise ArenaError(
-                "size", f"the tiles fill {grid[0]:g} by {grid[1]:g} metres; leave the size out or make it the same."
+                "size",
+                tr(
+                    "the tiles fill {width} by {height} metres; leave the size out or make it the same.",
+                    width=grid[0],
+                    height=grid[1],
+                ),
             )
     for i, side in enumerate((width, height)):
         if not 0 < side <= MAX_SIDE:
             raise ArenaError(
                 f"size[{i}]" if value is not None else "tiles",
-                f"a room must be more than 0 and at most {MAX_SIDE:g} metres long.",
+                tr("a room must be more than 0 and at most {most} metres long.", most=MAX_SIDE),
             )
     return width, height
 
 
 def _pose(value: object, path: str) -> Pose:
-    fields = objekt(value, path)
+    fields = object_fields(value, path)
     theta = number(fields.get("theta", 0.0), f"{path}.theta")
     return Pose(required(fields, "x", path), required(fields, "y", path), theta)
 
 
 def _wall(value: object, path: str) -> Wall:
-    fields = objekt(value, path)
+    fields = object_fields(value, path)
     return Wall(*point(fields.get("from"), f"{path}.from"), *point(fields.get("to"), f"{path}.to"))
 
 
 def _mass(fields: dict[str, object], path: str) -> float:
     value = number(fields.get("mass", DEFAULT_BOX_MASS), f"{path}.mass")
     if not 0.05 <= value <= 1000:
-        raise ArenaError(f"{path}.mass", "it must weigh between 0.05 and 1000 kilograms.")
+        raise ArenaError(f"{path}.mass", tr("it must weigh between 0.05 and 1000 kilograms."))
     return value
 
 
 def _box(value: object, path: str) -> Box:
-    fields = objekt(value, path)
+    fields = object_fields(value, path)
     return Box(
         required(fields, "x", path),
         required(fields, "y", path),
@@ -227,7 +273,7 @@ def _box(value: object, path: str) -> Box:
 
 
 def _round(value: object, path: str) -> Round:
-    fields = objekt(value, path)
+    fields = object_fields(value, path)
     return Round(
         required(fields, "x", path),
         required(fields, "y", path),

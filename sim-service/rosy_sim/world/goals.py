@@ -1,7 +1,7 @@
 """
-Goals that a world may set: their description, its reader, and how far a run has come with them.
+Goals of a world: their description, its reader, and the progress of a run.
 
-``Goals.observe`` is called once per step with what is true then; nothing here changes the world. A goal is
+``GoalTracker.observe`` is called once per step; nothing here changes the world. A goal is
 ``open`` until it is ``done`` or ``missed``; to avoid something is done when the run ends without it.
 """
 
@@ -12,16 +12,17 @@ import math
 from dataclasses import dataclass
 from typing import Literal, NamedTuple, Protocol
 
-from .fields import ArenaError, items, number, objekt, point, positive
+from ..sentence import tr
+from .field_readers import ArenaError, items, number, object_fields, point, positive
 
 __all__ = [
     "Avoid",
     "Draw",
     "Goal",
     "GoalState",
-    "Goals",
+    "GoalTracker",
     "Lap",
-    "Moment",
+    "Observation",
     "Reach",
     "State",
     "Touch",
@@ -45,8 +46,11 @@ _MAX_POINTS = 200
 """Of a goal."""
 
 
-class Moment(NamedTuple):
-    """What is true at a time (s since the run began): place (m), bumper, cliff and wheel bits."""
+class Observation(NamedTuple):
+    """
+    State of the robot at a time (s since the run began): position (m), bumper, cliff and wheel bits, and whether an
+    obstacle kept its wheels from turning as fast as the motors wanted.
+    """
 
     time: float
     x: float
@@ -54,6 +58,7 @@ class Moment(NamedTuple):
     bumpers: int
     cliffs: int
     wheels: int
+    is_blocked: bool = False
 
 
 class GoalState(NamedTuple):
@@ -140,9 +145,13 @@ class Draw:
 Goal = Reach | Touch | Avoid | Visit | Lap | Draw
 
 _TITLES = {
-    "reach": "Come to the place", "touch": "Touch the thing", "avoid": "Stay away", "visit": "Visit all the places",
-    "lap": "Drive a lap", "draw": "Draw the shape",
-}  # fmt: skip
+    "reach": tr("Come to the place"),
+    "touch": tr("Touch the thing"),
+    "avoid": tr("Stay away"),
+    "visit": tr("Visit all the places"),
+    "lap": tr("Drive a lap"),
+    "draw": tr("Draw the shape"),
+}
 
 
 def read_goals(fields: dict[str, object]) -> tuple[Goal, ...]:
@@ -154,17 +163,17 @@ def read_goals(fields: dict[str, object]) -> tuple[Goal, ...]:
     """
     found = items(fields, "goals")
     if len(found) > MAX_GOALS:
-        raise ArenaError("goals", f"a world can have at most {MAX_GOALS} goals.")
-    return tuple(_goal(objekt(value, path), path) for value, path in found)
+        raise ArenaError("goals", tr("a world can have at most {most} goals.", most=MAX_GOALS))
+    return tuple(_goal(object_fields(value, path), path) for value, path in found)
 
 
 def _goal(fields: dict[str, object], path: str) -> Goal:
     kind = fields.get("kind")
     if not isinstance(kind, str) or kind not in _TITLES:
-        raise ArenaError(f"{path}.kind", f"expected one of {', '.join(_TITLES)}.")
-    title = fields.get("title", _TITLES[kind])
+        raise ArenaError(f"{path}.kind", tr("expected one of {titles}.", titles=list(_TITLES)))
+    title = fields.get("title", str(_TITLES[kind]))
     if not isinstance(title, str):
-        raise ArenaError(f"{path}.title", "the title must be text.")
+        raise ArenaError(f"{path}.title", tr("the title must be text."))
     within = positive(fields, "within", path, 1e6) if "within" in fields else None
     match kind:
         case "reach" | "touch":
@@ -176,10 +185,10 @@ def _goal(fields: dict[str, object], path: str) -> Goal:
         case "visit":
             return Visit(_points(fields, path, 1), positive(fields, "r", path), title, within)
         case "lap":
-            line = objekt(fields.get("line"), f"{path}.line")
+            line = object_fields(fields.get("line"), f"{path}.line")
             laps = number(fields.get("laps", 1), f"{path}.laps")
             if not (1 <= laps <= 1000 and laps == int(laps)):
-                raise ArenaError(f"{path}.laps", "expected a whole number from 1 to 1000.")
+                raise ArenaError(f"{path}.laps", tr("expected a whole number from 1 to 1000."))
             start, end = (point(line.get(key), f"{path}.line.{key}") for key in ("from", "to"))
             return Lap(start, end, int(laps), title, within)
         case _:
@@ -193,28 +202,30 @@ def _avoid(fields: dict[str, object], path: str, title: str) -> Avoid:
         return Avoid("place", title, x, y, positive(fields, "r", path))
     if what == "bumps" or what == "holes":
         return Avoid(what, title)
-    raise ArenaError(f"{path}.what", "expected bumps, holes or place.")
+    raise ArenaError(f"{path}.what", tr("expected bumps, holes or place."))
 
 
 def _points(fields: dict[str, object], path: str, least: int) -> tuple[_Point, ...]:
     found = tuple(point(value, where) for value, where in items(fields, "points", path))
     if not least <= len(found) <= _MAX_POINTS:
-        raise ArenaError(f"{path}.points", f"expected at least {least} and at most {_MAX_POINTS} points.")
+        raise ArenaError(
+            f"{path}.points", tr("expected at least {least} and at most {most} points.", least=least, most=_MAX_POINTS)
+        )
     return found
 
 
 class _Tracker(Protocol):
-    """Looks at one moment after another; says how far it is, and whether it is lost."""
+    """Takes one observation after another; returns the progress, and whether the goal is lost."""
 
-    def look(self, now: Moment) -> tuple[float, bool]: ...
+    def update(self, now: Observation) -> tuple[float, bool]: ...
 
 
-class _Reaching:
+class _ReachTracker:
     def __init__(self, goal: Reach | Touch) -> None:
         self._goal = goal
         self._farthest = 0.0
 
-    def look(self, now: Moment) -> tuple[float, bool]:
+    def update(self, now: Observation) -> tuple[float, bool]:
         goal = self._goal
         gap = max(0.0, math.dist((now.x, now.y), (goal.x, goal.y)) - goal.r)
         self._farthest = max(self._farthest, gap)
@@ -223,11 +234,11 @@ class _Reaching:
         return (0.99 * (1 - gap / self._farthest) if self._farthest else 0.0), False
 
 
-class _Avoiding:
+class _AvoidTracker:
     def __init__(self, goal: Avoid) -> None:
         self._goal = goal
 
-    def look(self, now: Moment) -> tuple[float, bool]:
+    def update(self, now: Observation) -> tuple[float, bool]:
         goal = self._goal
         if goal.what == "bumps":
             return 0.0, now.bumpers != 0
@@ -236,18 +247,18 @@ class _Avoiding:
         return 0.0, math.dist((now.x, now.y), (goal.x, goal.y)) <= goal.r
 
 
-class _Visiting:
+class _VisitTracker:
     def __init__(self, points: tuple[_Point, ...], radius: float) -> None:
         self._left = list(points)
-        self._all = len(points)
+        self._total = len(points)
         self._radius = radius
 
-    def look(self, now: Moment) -> tuple[float, bool]:
+    def update(self, now: Observation) -> tuple[float, bool]:
         self._left = [p for p in self._left if math.dist((now.x, now.y), p) > self._radius]
-        return 1 - len(self._left) / self._all, False
+        return 1 - len(self._left) / self._total, False
 
 
-class _Lapping:
+class _LapTracker:
     def __init__(self, goal: Lap) -> None:
         self._goal = goal
         self._last: _Point | None = None
@@ -256,29 +267,29 @@ class _Lapping:
         self._way = 0
         self._began = 0.0
 
-    def look(self, now: Moment) -> tuple[float, bool]:
+    def update(self, now: Observation) -> tuple[float, bool]:
         here = (now.x, now.y)
         if self._last is not None:
-            way = _crossing(self._last, here, self._goal.start, self._goal.end)
-            if way and not self._way:
-                self._way = way
-            if way and not self._crossed:
+            canonical_address = _crossing(self._last, here, self._goal.start, self._goal.end)
+            if canonical_address and not self._way:
+                self._way = canonical_address
+            if canonical_address and not self._crossed:
                 self._began = now.time
-            self._crossed += way * self._way
+            self._crossed += canonical_address * self._way
         self._last = here
         limit = self._goal.within
         late = limit is not None and self._crossed > 0 and now.time - self._began > limit
         return max(0, self._crossed - 1) / self._goal.laps, late
 
 
-class _Drawing:
+class _DrawTracker:
     def __init__(self, goal: Draw) -> None:
         self._goal = goal
         self._samples = _sampled(goal.points)
         self._left = set(range(len(self._samples)))
         self._begun = False
 
-    def look(self, now: Moment) -> tuple[float, bool]:
+    def update(self, now: Observation) -> tuple[float, bool]:
         here = (now.x, now.y)
         near = {i for i in range(len(self._samples)) if math.dist(here, self._samples[i]) <= self._goal.tolerance}
         self._begun = self._begun or bool(near)
@@ -289,18 +300,18 @@ class _Drawing:
 def _tracker(goal: Goal) -> _Tracker:
     match goal:
         case Reach() | Touch():
-            return _Reaching(goal)
+            return _ReachTracker(goal)
         case Avoid():
-            return _Avoiding(goal)
+            return _AvoidTracker(goal)
         case Visit():
-            return _Visiting(goal.points, goal.r)
+            return _VisitTracker(goal.points, goal.r)
         case Lap():
-            return _Lapping(goal)
+            return _LapTracker(goal)
         case Draw():
-            return _Drawing(goal)
+            return _DrawTracker(goal)
 
 
-class Goals:
+class GoalTracker:
     """All goals of a run."""
 
     def __init__(self, goals: tuple[Goal, ...]) -> None:
@@ -314,16 +325,16 @@ class Goals:
 
     @property
     def reached(self) -> bool:
-        """Whether none is open or missed."""
+        """Whether all are done."""
         return all(state.state == "done" for state in self.states)
 
-    def observe(self, now: Moment) -> None:
-        """Look at a moment."""
+    def observe(self, now: Observation) -> None:
+        """Update all open goals."""
         for i, (goal, tracker) in enumerate(zip(self._goals, self._trackers, strict=True)):
             state = self.states[i]
             if state.state != "open":
                 continue
-            progress, lost = tracker.look(now)
+            progress, lost = tracker.update(now)
             timed = goal.within is not None and not isinstance(goal, Lap)
             late = timed and goal.within is not None and now.time > goal.within
             if progress >= 1 and not lost and not late:

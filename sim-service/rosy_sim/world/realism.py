@@ -1,9 +1,9 @@
 """
-How a real robot differs from an ideal one: wheels that slip, a gyro that drifts, noisy speeds, late commands.
+Imperfections of a real robot: wheel slip, gyro drift, noise of measured speeds, and command latency.
 
-Off unless the world asks for it. Wheels that slip take the robot less far, and less straight, than they turn; its
-odometry counts their turning and knows nothing of it. What drifts and is noisy changes only what the robot believes.
-All of it comes from the run's seed.
+All are off unless the world has them. Slip moves the robot less far, and less straight, than its wheels turn; the
+odometry counts the turning of the wheels. Drift and noise change only the odometry. All random numbers come from the
+run's seed.
 """
 
 from __future__ import annotations
@@ -13,14 +13,14 @@ import random
 from collections import deque
 from dataclasses import dataclass
 
+from ..sentence import tr
 from .events import Command
-from .facts import MAX_ANGULAR_SPEED, WHEELBASE
-from .fields import ArenaError, number, objekt
+from .field_readers import ArenaError, number, object_fields
 
-__all__ = ["Belief", "Latency", "Realism", "Slip", "read_realism"]
+__all__ = ["CommandLatency", "GyroOdometry", "Realism", "WheelSlip", "read_realism"]
 
 _PATCH = 0.5
-"""How long a wheel is on one kind of floor before the next, s. Our choice."""
+"""Time from one value of slip to the next, s. Our choice."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,31 +44,34 @@ def read_realism(value: object) -> Realism:
     Raises:
         ArenaError: the first thing that is wrong, with its path.
     """
-    fields = objekt(value, "realism")
+    fields = object_fields(value, "realism")
     limits = {"slip": 0.5, "drift": 1.0, "noise": 0.5, "latency": 2.0}
     read: dict[str, float] = {}
     for key, given in fields.items():
         if key not in limits:
-            raise ArenaError(f"realism.{key}", f"expected one of {', '.join(limits)}.")
+            raise ArenaError(f"realism.{key}", tr("expected one of {limits}.", limits=list(limits)))
         read[key] = number(given, f"realism.{key}")
         if not 0 <= read[key] <= limits[key]:
-            raise ArenaError(f"realism.{key}", f"it must be between 0 and {limits[key]:g}.")
+            raise ArenaError(f"realism.{key}", tr("it must be between 0 and {most}.", most=limits[key]))
     return Realism(**read)
 
 
-class Slip:
-    """Two wheels on a floor that does not hold them: each loses a part of its speed, changing slowly."""
+class WheelSlip:
+    """Slip of two wheels: each loses a part of its speed, which changes slowly."""
 
-    def __init__(self, slip: float, seed: int) -> None:
+    def __init__(self, slip: float, seed: int, wheelbase: float, max_turn: float) -> None:
+        # m; rad/s.
+        self._wheelbase = wheelbase
+        self._max_turn = max_turn
         self._deviation = slip
-        self._dice = random.Random(f"slip {seed}")
+        self._random = random.Random(f"slip {seed}")
         # What each wheel loses now and at the end of the patch, left and right, 0 to 1; how long the patch still is, s.
         self._lost = (self._draw(), self._draw())
         self._next = (self._draw(), self._draw())
         self._left = _PATCH
 
     def _draw(self) -> float:
-        return min(1.0, abs(self._dice.gauss(0.0, self._deviation)))
+        return min(1.0, abs(self._random.gauss(0.0, self._deviation)))
 
     def on_floor(self, v: float, w: float, dt: float) -> tuple[float, float]:
         """The speeds (m/s, rad/s) at which the robot goes when its wheels turn for these, after ``dt`` s."""
@@ -82,40 +85,38 @@ class Slip:
                 self._lost[1] + (self._next[1] - self._lost[1]) * part,
             )
             self._left -= dt
-        left = (v - w * WHEELBASE / 2) * (1 - self._lost[0])
-        right = (v + w * WHEELBASE / 2) * (1 - self._lost[1])
-        return (left + right) / 2, max(-MAX_ANGULAR_SPEED, min(MAX_ANGULAR_SPEED, (right - left) / WHEELBASE))
+        base, limit = self._wheelbase, self._max_turn
+        left = (v - w * base / 2) * (1 - self._lost[0])
+        right = (v + w * base / 2) * (1 - self._lost[1])
+        return (left + right) / 2, max(-limit, min(limit, (right - left) / base))
 
 
-class Belief:
-    """
-    Where the robot thinks it is: distance from its wheels, heading from a gyro that drifts. As kobuki_node has it
-    (``use_imu_heading``).
-    """
+class GyroOdometry:
+    """Odometry of a robot with a gyro: distance from its wheels, heading from the gyro, which drifts."""
 
     def __init__(self, realism: Realism, seed: int) -> None:
         self._realism = realism
-        self._dice = random.Random(seed)
+        self._random = random.Random(seed)
         # m, m, rad from the start pose; m/s, rad/s. Changed by moved().
         self.pose = (0.0, 0.0, 0.0)
         self.speeds = (0.0, 0.0)
 
     def moved(self, ahead: float, turn: float, v: float, w: float, dt: float) -> None:
         """The wheels rolled ``ahead`` m in ``dt`` s and do now v, and the robot turned ``turn`` rad and does now w."""
-        realism, dice = self._realism, self._dice
+        realism, random_numbers = self._realism, self._random
         if v or w:
-            turn += dice.gauss(0.0, realism.drift * math.sqrt(dt))
+            turn += random_numbers.gauss(0.0, realism.drift * math.sqrt(dt))
         x, y, theta = self.pose
         middle = theta + turn / 2
         # The chord of the arc that was driven.
         if abs(turn) > 1e-9:
             ahead *= math.sin(turn / 2) / (turn / 2)
         self.pose = (x + ahead * math.cos(middle), y + ahead * math.sin(middle), theta + turn)
-        self.speeds = (v + dice.gauss(0.0, realism.noise), w + dice.gauss(0.0, realism.noise))
+        self.speeds = (v + random_numbers.gauss(0.0, realism.noise), w + random_numbers.gauss(0.0, realism.noise))
 
 
-class Latency:
-    """Commands on their way to the wheels."""
+class CommandLatency:
+    """Delay line for commands on their way to the motors."""
 
     def __init__(self, delay: float) -> None:
         self._delay = delay
@@ -123,7 +124,7 @@ class Latency:
         self._time = 0.0
 
     def send(self, command: Command) -> None:
-        """A command leaves the program."""
+        """Take a command from the program."""
         self._under_way.append((self._time + self._delay, command))
 
     def arrive(self, dt: float) -> list[Command]:

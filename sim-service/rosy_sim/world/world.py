@@ -1,23 +1,24 @@
 """
-The world: an arena with its robot, advanced in steps of 20 ms by whoever owns it.
+World: an arena with its robot, advanced in steps of 20 ms by its owner.
 
-A step is ``sense()``, then any number of ``command()``, then ``integrate()``. The world never looks at a
-clock and draws no random numbers of its own, so two worlds treated alike stay alike to the last bit.
+A step is ``sense()``, then any number of ``command()``, then ``integrate()``. The world reads no
+clock, and all its random numbers come from the seed, so the same calls give the same floats.
 """
 
 from __future__ import annotations
 
 import math
 
+from ..sentence import SentenceError, tr
 from .arena import Arena, ArenaError, Pose
-from .drive import Drive
-from .events import Command, Event, Hand, Led, Lift, Move, Press, Say, Sound, Teleport, Velocity
-from .facts import RADIUS, STEP
-from .realism import Belief, Latency, Slip
-from .room import Room
-from .sensors import Bits, bumper_bits, cliff_bits, edges, hanging_wheels
+from .events import Command, Lift, Move, Press, Reading, Teleport, UserAction
+from .motor_controller import MotorController
+from .obstacles import Obstacles
+from .realism import CommandLatency, GyroOdometry, WheelSlip
+from .robot import Robot, SensorBits
+from .time_step import STEP
 
-__all__ = ["HandRefused", "Odometry", "World"]
+__all__ = ["ActionRefused", "Odometry", "World"]
 
 _SUBSTEPS = 4
 """Pieces of a step while boxes are being pushed."""
@@ -25,18 +26,25 @@ _SUBSTEPS = 4
 _NEAR_BOXES = 0.03
 """Distance at which movable boxes join the physics, m: more than a step of travel."""
 
-_AS_TOLD = 1e-6
-"""A robot slower than it should be by more than this is held by something, m/s and rad/s."""
+_SPEED_TOLERANCE = 1e-6
+"""A robot slower than its wheels by more than this is blocked, m/s and rad/s."""
 
 _LIFTED = {"left": 2, "right": 1, "both": 3}
 
 
-class HandRefused(Exception):
-    """A hand cannot do that; the text says why."""
+class ActionRefused(SentenceError):
+    """An action is not possible; the text says why."""
 
 
 Odometry = tuple[float, float, float, float, float]
 """x, y (m), theta (rad) from the start pose, linear (m/s) and angular (rad/s) speed."""
+
+
+Values = tuple[float | int | str, ...]
+
+
+def _replaced(values: Values, place: int, value: float | str) -> Values:
+    return (*values[:place], value, *values[place + 1 :])
 
 
 class World:
@@ -47,75 +55,114 @@ class World:
         ArenaError: the robot cannot stand where the arena starts it.
     """
 
-    def __init__(self, arena: Arena, seed: int = 0) -> None:
+    def __init__(self, arena: Arena, robot: Robot, seed: int = 0) -> None:
         self.arena = arena
+        self.robot = robot
         realism = arena.realism
-        self._belief = Belief(realism, seed) if realism is not None else None
-        self._slip = Slip(realism.slip, seed) if realism is not None and realism.slip else None
+        self._odometry_model = GyroOdometry(realism, seed) if realism is not None else None
+        self._slip: WheelSlip | None = None
+        if realism is not None and realism.slip:
+            self._slip = WheelSlip(realism.slip, seed, robot.body.wheelbase, robot.limits.angular_speed)
         # The speeds for which slipping wheels turn, m/s and rad/s; what they rolled in the last step, m.
         self._wheels = (0.0, 0.0)
         self._rolled = 0.0
-        self._latency = Latency(realism.latency) if realism is not None and realism.latency else None
-        self.room = Room(arena)
-        self._drive = Drive()
-        self._holes = any("O" in row for row in arena.tiles)
-        # Ground truth, in the room: m, m, rad (not wrapped), m/s, rad/s. Changed by integrate() and hand().
+        self._latency = CommandLatency(realism.latency) if realism is not None and realism.latency else None
+        self.obstacles = Obstacles(arena, robot.body)
+        self._motors = MotorController(robot.limits)
+        self._has_holes = any("O" in row for row in arena.tiles)
+        # Ground truth, in the room: m, m, rad (not wrapped), m/s, rad/s. Changed by integrate() and apply().
         self.x, self.y, self.theta = arena.start
         self.v = self.w = 0.0
         # The frame of the odometry, as a pose in the room. A teleport moves it along.
         self._origin = arena.start
-        # What is pressed and lifted by hands, as bits.
+        # How often a hand has put the robot in another place.
+        self.placements = 0
+        # Buttons that are pressed and wheels that are lifted, as bits.
         self._buttons = 0
         self._lifted = 0
         # Bits of the last sense(); the first reference is all zero, as in the driver.
-        self._sensed = Bits()
+        self._sensed = SensorBits()
         self._announced = False
-        # LED colours, 0 black .. 3 red.
-        self.leds = [0, 0]
+        # The last command on each channel that lasts.
+        self.outputs = dict(robot.outputs)
+        self._devices = [device(arena) for device in robot.devices]
+        # What the devices said last; nothing before the first sense().
+        self._told: dict[str, tuple[float | int | str, ...]] = {}
         self._check_start()
         self._hanging = 0
-        self._near = self.room.look(self.x, self.y)
-        # How far the robot may still go before the surroundings must be looked at again, m.
-        self._budget = self._near.free
+        # Whether obstacles or the things that it pushes slowed the robot in the last step.
+        self.is_blocked = False
+        self._clearance = self.obstacles.clearance_at(self.x, self.y)
+        # How far the robot may still go before the clearance must be computed again, m.
+        self._clear_distance = self._clearance.free
 
     def _check_start(self) -> None:
         x, y, theta = self.arena.start
         tile = self.arena.tile_at(x, y)
         if not (0 <= x < self.arena.width and 0 <= y < self.arena.height):
-            raise ArenaError("start", "the robot would start outside the room.")
-        if tile == "#" or self.room.look(x, y).free < -0.002:
+            raise ArenaError("start", tr("the robot would start outside the room."))
+        if tile == "#" or self.obstacles.clearance_at(x, y).free < -0.002:
             raise ArenaError(
-                "start", f"the robot would start inside a wall; it needs {2 * RADIUS:.2f} metres of free floor."
+                "start",
+                tr(
+                    "the robot would start inside a wall; it needs {width} metres of free floor.",
+                    width=round(2 * self.robot.body.radius, 2),
+                ),
             )
-        if tile == "O" or hanging_wheels(self.arena, x, y, theta):
-            raise ArenaError("start", "the robot would start over a hole; it needs floor under it.")
+        if tile == "O" or self.robot.hanging_wheels(self.arena, x, y, theta):
+            raise ArenaError("start", tr("the robot would start over a hole; it needs floor under it."))
 
     @property
-    def bits(self) -> Bits:
-        """What the robot feels now."""
-        cliffs = cliff_bits(self.arena, self.x, self.y, self.theta) if self._holes else 0
-        contacts = self._near.contacts
-        return Bits(
+    def sensors(self) -> SensorBits:
+        """What the sensors report now."""
+        robot = self.robot
+        cliffs = robot.cliffs(self.arena, self.x, self.y, self.theta) if self._has_holes else 0
+        contacts = self._clearance.contacts
+        return SensorBits(
             self._buttons,
-            bumper_bits(contacts, self.theta) if contacts else 0,
+            robot.bumpers(contacts, self.theta) if contacts else 0,
             cliffs,
             self._hanging | self._lifted,
         )
 
-    def sense(self) -> list[Event]:
-        """What changed since the last time, as the base reports it in one packet."""
-        now = self.bits
-        found = edges(self._sensed, now)
+    def sense(self) -> list[Reading]:
+        """The changes since the last call, as the robot reports them in one packet: events, then states."""
+        now = self.sensors
+        found = self.robot.changes(self._sensed, now)
         self._sensed = now
-        if not self._announced:
-            self._announced = True
-            return [Event("robot_state", 0, 1), *found]
-        return found
+        first = not self._announced
+        self._announced = True
+        if self._devices:
+            found = found + self._device_readings(first)
+        return [self.robot.online, *found] if first else found
+
+    def _device_readings(self, first: bool) -> list[Reading]:
+        events: list[Reading] = []
+        states: list[Reading] = []
+        for device in self._devices:
+            for channel, values in device.values(self).items():
+                if self._told.get(channel) == values:
+                    continue
+                self._told[channel] = values
+                if channel not in device.events:
+                    states.append(Reading(channel, values))
+                elif not first:
+                    events.append(Reading(channel, values))
+        return events + states
+
+    def channels(self) -> dict[str, tuple[float | int | str, ...]]:
+        """What every channel says now, for a picture of the robot; of events the state of each sensor."""
+        shown: dict[str, tuple[float | int | str, ...]] = {"Velocity": (self.v, self.w)}
+        shown.update(self.robot.states(self.sensors))
+        shown.update(self.outputs)
+        for device in self._devices:
+            shown.update(device.values(self))
+        return shown
 
     def odometry(self) -> Odometry:
-        """Where the robot believes it is, in the frame of the place it started from."""
-        if self._belief is not None:
-            return (*self._belief.pose, *self._belief.speeds)
+        """The robot's own estimate of its pose, in the frame of its start pose."""
+        if self._odometry_model is not None:
+            return (*self._odometry_model.pose, *self._odometry_model.speeds)
         return self._truth()
 
     def _truth(self) -> Odometry:
@@ -125,38 +172,47 @@ class World:
         return c * dx + s * dy, c * dy - s * dx, self.theta - otheta, self.v, self.w
 
     def ghost(self) -> tuple[float, float, float] | None:
-        """Where the robot believes it is, as a pose in the room; ``None`` when it is right."""
-        if self._belief is None:
+        """The odometry as a pose in the room; ``None`` when it is exact."""
+        if self._odometry_model is None:
             return None
         ox, oy, otheta = self._origin
-        x, y, theta = self._belief.pose
+        x, y, theta = self._odometry_model.pose
         c, s = math.cos(otheta), math.sin(otheta)
         return ox + c * x - s * y, oy + s * x + c * y, otheta + theta
 
     def command(self, command: Command) -> None:
         """Obey a command from the next integrate() on, or later when the world is slow."""
-        if self._latency is not None and isinstance(command, Velocity):
+        if self._latency is not None and command.channel == "Velocity":
             self._latency.send(command)
         else:
             self._obey(command)
 
     def _obey(self, command: Command) -> None:
-        match command:
-            case Velocity(linear, angular):
-                self._drive.command(linear, angular)
-            case Led(led, colour):
-                self.leds[led - 1] = colour
-            case Sound() | Say():
-                pass
+        channel, values = command
+        if channel == "Velocity":
+            if self._have_power():
+                self._motors.command(float(values[0]), float(values[1]))
+        elif channel in self.outputs:
+            before = self.outputs[channel]
+            # A command to one of several places says which.
+            self.outputs[channel] = (
+                values if len(values) == len(before) else _replaced(before, int(values[0]), values[1])
+            )
+            if not self._have_power():
+                self._motors.command(0.0, 0.0)
 
-    def hand(self, hand: Hand) -> None:
+    def _have_power(self) -> bool:
+        switch = self.robot.motor_switch
+        return switch is None or self.outputs[switch] != (0,)
+
+    def apply(self, action: UserAction) -> None:
         """
-        Let a hand press, lift or move the robot, or push a movable thing.
+        Press a button, lift or move the robot, or push a movable thing.
 
         Raises:
             HandRefused: there is no room for the robot there, or no such thing.
         """
-        match hand:
+        match action:
             case Press(button, down):
                 bit = 1 << button
                 self._buttons = self._buttons | bit if down else self._buttons & ~bit
@@ -166,28 +222,29 @@ class World:
             case Teleport(pose):
                 self._teleport(pose)
             case Move(thing, pose):
-                if thing >= len(self.room.movables):
-                    raise HandRefused("There is no such thing to push in this room.")
-                self.room.carry(thing, *pose, robot=(self.x, self.y))
-                self._look()
+                if thing >= len(self.obstacles.movables):
+                    raise ActionRefused(tr("There is no such thing to push in this room."))
+                self.obstacles.drag(thing, *pose, robot=(self.x, self.y))
+                self._update_clearance()
 
     def _teleport(self, pose: Pose) -> None:
         x, y, theta = pose
         if not (0 <= x <= self.arena.width and 0 <= y <= self.arena.height):
-            raise HandRefused("That place is outside the room.")
-        place = self.room.place(x, y)
-        if place is None or self.arena.tile_at(*place) == "#":
-            raise HandRefused("There is no room for the robot there.")
+            raise ActionRefused(tr("That place is outside the room."))
+        free_position = self.obstacles.free_position(x, y)
+        if free_position is None or self.arena.tile_at(*free_position) == "#":
+            raise ActionRefused(tr("There is no room for the robot there."))
         px, py, ptheta, _, _ = self._truth()
         otheta = theta - ptheta
         c, s = math.cos(otheta), math.sin(otheta)
-        self.x, self.y = place
+        self.placements += 1
+        self.x, self.y = free_position
         self.theta = theta
         self._origin = Pose(self.x - (c * px - s * py), self.y - (s * px + c * py), otheta)
         self.v = self.w = 0.0
         self._wheels = (0.0, 0.0)
-        self._look()
-        self._feel_floor()
+        self._update_clearance()
+        self._update_floor_contact()
 
     def integrate(self, dt: float = STEP) -> None:
         """Let ``dt`` seconds pass. Long times are cut into steps."""
@@ -197,55 +254,59 @@ class World:
             if self._latency is not None:
                 for command in self._latency.arrive(part):
                     self._obey(command)
-            if self._belief is None:
+            if self._odometry_model is None:
                 self._integrate(part)
             else:
                 theta = self.theta
                 self._roll_wheels(part)
-                self._belief.moved(self._rolled, self.theta - theta, self._wheels[0], self.w, part)
+                self._odometry_model.moved(self._rolled, self.theta - theta, self._wheels[0], self.w, part)
+            for device in self._devices:
+                device.integrate(self, part)
 
     def _roll_wheels(self, dt: float) -> None:
-        """A step in which what the wheels do and what the robot does are two things."""
+        """A step in which the wheels may move differently from the robot."""
         x, y, theta = self.x, self.y, self.theta
         before = self._wheels
-        wheels = self._drive.next(dt, *before)
+        wheels = self._motors.next(dt, *before)
         v, w = self._slip.on_floor(*wheels, dt) if self._slip is not None else wheels
         self._integrate_at(v, w, dt)
-        if abs(self.v - v) < _AS_TOLD and abs(self.w - w) < _AS_TOLD:
+        if abs(self.v - v) < _SPEED_TOLERANCE and abs(self.w - w) < _SPEED_TOLERANCE:
             self._wheels = wheels
             self._rolled = (before[0] + wheels[0]) / 2 * dt
             return
-        # Something holds the robot, and its wheels with it.
+        # The robot is blocked, and its wheels with it.
         self._wheels = (self.v, self.w)
         heading = (theta + self.theta) / 2
         self._rolled = (self.x - x) * math.cos(heading) + (self.y - y) * math.sin(heading)
 
     def _integrate(self, dt: float) -> None:
-        v, w = self._drive.next(dt, self.v, self.w)
+        v, w = self._motors.next(dt, self.v, self.w)
         self._integrate_at(v, w, dt)
 
     def _integrate_at(self, v: float, w: float, dt: float) -> None:
-        """Move for ``dt`` s towards these speeds, as far as the room lets the robot."""
+        """Move for ``dt`` s towards these speeds, as far as obstacles allow."""
+        self.is_blocked = False
         if self._hanging or self._lifted:
             self.v = self.w = 0.0
-            if self.room.awake:
-                self.room.push(self.x, self.y, self.theta, 0.0, 0.0, dt)
+            if self.obstacles.awake:
+                self.obstacles.push(self.x, self.y, self.theta, 0.0, 0.0, dt)
             return
-        boxes = self.room.awake or (self.room.movables and self._near_boxes())
+        boxes = self.obstacles.awake or (self.obstacles.movables and self._is_near_boxes())
         if boxes:
             self._push(dt, v, w)
         elif v or w or self.v or self.w:
             self._roll(dt, v, w)
         else:
             return
-        if self._holes:
-            self._feel_floor()
+        self.is_blocked = abs(self.v - v) > _SPEED_TOLERANCE
+        if self._has_holes:
+            self._update_floor_contact()
 
-    def _near_boxes(self) -> bool:
-        return self._near.free_of_boxes - (self._near.free - self._budget) < _NEAR_BOXES
+    def _is_near_boxes(self) -> bool:
+        return self._clearance.free_of_boxes - (self._clearance.free - self._clear_distance) < _NEAR_BOXES
 
     def _roll(self, dt: float, v: float, w: float) -> None:
-        """Follow the arc of the mean speeds, then step back out of whatever was entered."""
+        """Follow the arc of the mean speeds, then move out of any obstacle that was entered."""
         ahead, turn = (v + self.v) / 2 * dt, (w + self.w) / 2 * dt
         theta = self.theta + turn
         if abs(turn) < 1e-9:
@@ -254,57 +315,57 @@ class World:
             radius = ahead / turn
             dx = radius * (math.sin(theta) - math.sin(self.theta))
             dy = radius * (math.cos(self.theta) - math.cos(theta))
-        self._budget -= abs(ahead)
-        if self._budget > 0:
+        self._clear_distance -= abs(ahead)
+        if self._clear_distance > 0:
             self.x += dx
             self.y += dy
         elif ahead:
-            v = self._press_on(dx, dy, (self.theta + theta) / 2, dt, v)
+            v = self._move_along_walls(dx, dy, (self.theta + theta) / 2, dt, v)
         self.theta = theta
         self.v, self.w = v, w
 
-    def _press_on(self, dx: float, dy: float, heading: float, dt: float, v: float) -> float:
-        """Move where walls may be; returns the speed ahead that is left."""
-        place = self.room.place(self.x + dx, self.y + dy)
-        x, y = place if place is not None else (self.x, self.y)
+    def _move_along_walls(self, dx: float, dy: float, heading: float, dt: float, v: float) -> float:
+        """Move near walls; returns the speed ahead that is left."""
+        free_position = self.obstacles.free_position(self.x + dx, self.y + dy)
+        x, y = free_position if free_position is not None else (self.x, self.y)
         pushed = math.hypot(x - self.x - dx, y - self.y - dy) > 1e-9
         if pushed:
             real = ((x - self.x) * math.cos(heading) + (y - self.y) * math.sin(heading)) / dt
             v = max(-abs(v), min(abs(v), real))
         self.x, self.y = x, y
-        self._look()
+        self._update_clearance()
         return v
 
     def _push(self, dt: float, v: float, w: float) -> None:
-        """Small steps among movable boxes: the solver shares the momentum, walls have the last word."""
+        """Small steps among movable boxes: the solver shares the momentum, then walls limit the position."""
         v0, w0 = self.v, self.w
         left = 1.0
         for i in range(1, _SUBSTEPS + 1):
             part = dt / _SUBSTEPS
             wanted = (v0 + (v - v0) * i / _SUBSTEPS) * left
             turning = w0 + (w - w0) * i / _SUBSTEPS
-            x, y, real = self.room.push(self.x, self.y, self.theta, wanted, turning, part)
-            place = self.room.place(x, y)
-            if place is None:
-                place = (self.x, self.y)
+            x, y, real = self.obstacles.push(self.x, self.y, self.theta, wanted, turning, part)
+            free_position = self.obstacles.free_position(x, y)
+            if free_position is None:
+                free_position = (self.x, self.y)
             c, s = math.cos(self.theta + turning * part / 2), math.sin(self.theta + turning * part / 2)
-            moved = ((place[0] - self.x) * c + (place[1] - self.y) * s) / part
-            if math.hypot(place[0] - x, place[1] - y) > 1e-9:
+            moved = ((free_position[0] - self.x) * c + (free_position[1] - self.y) * s) / part
+            if math.hypot(free_position[0] - x, free_position[1] - y) > 1e-9:
                 real = min(abs(real), abs(moved)) * math.copysign(1.0, moved)
             real = max(-abs(wanted), min(abs(wanted), real))
             if wanted:
                 left *= max(0.0, real / wanted)
-            self.x, self.y = place
+            self.x, self.y = free_position
             self.theta += turning * part
             self.v, self.w = real, turning
-        self._look()
+        self._update_clearance()
 
-    def _look(self) -> None:
-        self._near = self.room.look(self.x, self.y)
-        self._budget = self._near.free
+    def _update_clearance(self) -> None:
+        self._clearance = self.obstacles.clearance_at(self.x, self.y)
+        self._clear_distance = self._clearance.free
 
-    def _feel_floor(self) -> None:
-        """A robot with a wheel over a hole has tipped: it stays until a hand takes it away."""
-        self._hanging = hanging_wheels(self.arena, self.x, self.y, self.theta) if self._holes else 0
+    def _update_floor_contact(self) -> None:
+        """A robot with a wheel over a hole has tipped: it stays until it is moved away."""
+        self._hanging = self.robot.hanging_wheels(self.arena, self.x, self.y, self.theta) if self._has_holes else 0
         if self._hanging:
             self.v = self.w = 0.0

@@ -108,7 +108,21 @@ export const blocks: Pick<
     whatIsTakenApart: "was zerlegt wird",
     takesAValueApartAndNames:
       "Zerlegt einen Wert und gibt den Teilen Namen. Beispiel: sei (angle, more) gleich randomR (0, pi) gen.",
+    operators: "Rechenzeichen",
+    groupFromTheLeft: "von links zusammenfassen",
+    groupFromTheRight: "von rechts zusammenfassen",
+    doNotGroup: "nicht zusammenfassen",
+    strength: "Stärke",
+    saysHowTightlyAnOperatorBinds:
+      "Sagt, wie fest Rechenzeichen binden und wie eine Reihe davon zusammengefasst wird. Beispiel: Rechenzeichen +++ von links zusammenfassen Stärke 6.",
+    saysWhichTypeNamesHave:
+      "Sagt, welchen Typ Namen haben, die woanders definiert sind. Beispiel: slow, fast vom Typ Double.",
+    typeOfNames: "Typ von Namen",
+    foreignImport: "fremde Funktion",
+    bringsAFunctionOfAnotherLanguage:
+      "Bringt eine Funktion einer anderen Sprache in das Programm. Beispiel: fremde Funktion ccall “sin” c_sin vom Typ Double -> Double.",
     definitionOfSeveralNames: "Definition mehrerer Namen",
+    event: "Ereignis",
   },
   functions: {
     name: "Name",
@@ -151,6 +165,10 @@ export const blocks: Pick<
     type: "Typ",
     saysWhichTypeAValueHas: "Sagt, welchen Typ ein Wert hat. Beispiel: 3 vom Typ Double.",
     valueOfType: type => `Wert vom Typ ${type}`,
+    forType: "für den Typ",
+    saysForWhichTypeAFunctionIsUsed:
+      "Sagt, für welchen Typ eine Funktion benutzt wird. Beispiel: read für den Typ Int liest eine ganze Zahl.",
+    functionForType: type => `Funktion für den Typ ${type}`,
   },
   ownTypes: {
     cannotBeTheNameOfAType: name => `„${name}“ kann nicht der Name eines Typs sein.`,
@@ -232,6 +250,22 @@ export const blocks: Pick<
       `Ein ${con}, angeschaut nach den Namen seiner Teile. Beispiel: ${con} mit ${part} = x nennt diesen Teil x.`,
     byNamedParts: con => `${con} nach benannten Teilen`,
     any: what => `egal: ${what}`,
+    otherPartsByTheirNames: "und alle anderen Teile unter ihren Namen",
+    atOnce: "sofort",
+    later: "bei Bedarf",
+    computesTheValueAtOnce:
+      "Rechnet den Wert sofort aus, auch wenn ihn noch nichts braucht. Beispiel: sofort total.",
+    looksAtTheValueLater:
+      "Schaut den Wert erst an, wenn ein Teil davon gebraucht wird. Beispiel: bei Bedarf (a, b).",
+    functionThatLooks: "Funktion, die ihn anschaut",
+    gives: "ergibt",
+    looksAtWhatAFunctionMakes:
+      "Gibt den Wert einer Funktion und schaut an, was herauskommt. Beispiel: reverse ergibt last : others.",
+    throughAFunction: "durch eine Funktion angeschaut",
+    ofType: "vom Typ",
+    type: "Typ",
+    saysWhichTypeItHas: "Sagt, welchen Typ ein Wert hat. Beispiel: n vom Typ Int.",
+    withType: type => `vom Typ ${type}`,
   },
   raw: {
     aPieceOfHaskellAsItStands: "Ein Stück Haskell, so wie es dasteht. Beispiel: foldr (+) 0 [1, 2].",
@@ -272,6 +306,7 @@ export const blocks: Pick<
     stepsOneAfterTheOther2: "Schritte nacheinander",
     do: "tu",
     whatToDo: "was zu tun ist",
+    lookInside: (name: string) => `in ${name} hineinschauen`,
     andCallItsResult: "und nenne das Ergebnis",
     nameOfTheResult: "Name des Ergebnisses",
     doesSomethingAndNamesWhatComesOut:
@@ -310,9 +345,30 @@ export const blocks: Pick<
     say: "sag",
     text: "Text",
     theRobotSaysSomething: "Der Roboter sagt etwas. Beispiel: sag “done”.",
-    waitSeconds: "warte Sekunden",
+    wait: "warte",
     seconds: "Sekunden",
     waits: "Wartet. Beispiel: warte 2 Sekunden.",
+    drive: "fahre",
+    centimetres: "Zentimeter",
+    drives:
+      "Fährt so viele Zentimeter vorwärts und bleibt stehen; rückwärts, wenn die Zahl negativ ist. Beispiel: fahre 50 cm.",
+    turn: "drehe um",
+    degrees: "Grad",
+    degreesUnit: "Grad",
+    turns:
+      "Dreht sich auf der Stelle, nach links; nach rechts, wenn die Zahl negativ ist. Beispiel: drehe um 90 Grad ist eine Vierteldrehung nach links.",
+    driveUntilABump: "fahre bis zu einem Stoß",
+    drivesUntilABump:
+      "Fährt vorwärts, bis die Stoßstange gedrückt wird, und bleibt stehen. Das Ergebnis ist die Seite der Stoßstange. Beispiel: fahre bis zu einem Stoß, dann drehe um 180 Grad.",
+    driveUntil: "fahre, bis",
+    functionThatGivesDone: "Funktion, die Done ergibt",
+    drivesUntil:
+      "Fährt vorwärts, bis die Funktion Done ergibt, und bleibt stehen. Beispiel: fahre, bis ein Knopf gedrückt wird.",
+    blink: "blinke",
+    colour: "Farbe",
+    blinks: "Eine halbe Sekunde Licht, eine halbe Sekunde keines. Beispiel: blinke Red.",
+    beep: "piepe",
+    beeps: "Ein kurzer Ton. Beispiel: fahre bis zu einem Stoß, dann piepe.",
   },
   values: {
     number: "Zahl",
@@ -335,6 +391,9 @@ export const blocks: Pick<
     theValueThatSaysNothing: "Der Wert, der nichts sagt. Beispiel: Done ().",
     nothingInParticular: "nichts Bestimmtes",
     onePartLess: "ein Teil weniger",
+    aTupleWithOpenParts:
+      "Eine Funktion, die mehrere Werte zusammenstellt; manche Teile sind noch offen. Beispiel: (…, 1).",
+    otherPartsByTheirNames: "und alle anderen Teile unter ihren Namen",
     severalValuesTogetherSentToTheRobot:
       "Mehrere Werte zusammen. An den Roboter gesendet, gehen alle hinaus. Beispiel: (Led1 Red, Led2 Red).",
     valuesTogether: count => `${count} Werte zusammen`,

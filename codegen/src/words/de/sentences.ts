@@ -1,11 +1,18 @@
 /// What is said about types, refusals, names, files and unfinished programs in German.
 
 import type {Words} from "../index.ts"
+import {robot} from "./robot.generated.ts"
 
 export const sentences: Pick<
   Words,
-  "types" | "fits" | "renaming" | "projects" | "program" | "nouns" | "abilities"
+  "conflicts" | "types" | "fits" | "renaming" | "projects" | "program" | "nouns" | "abilities"
 > = {
+  conflicts: {
+    commands: {Velocity: "die Geschwindigkeit", Led1: "das erste Licht", Led2: "das zweite Licht"},
+    bothSet: (loser, winner, what) =>
+      `\`${loser}\` und \`${winner}\` stellen beide ${what} ein, und \`${winner}\` gewinnt immer.`,
+    waysOut: "Merk dir mit `Memory`, was geschehen ist, oder lass eine Funktion für beide entscheiden.",
+  },
   types: {
     something: "irgendetwas",
     text: "Text",
@@ -21,6 +28,8 @@ export const sentences: Pick<
     hereGoes: (wanted, what, found) => `Hierher gehört ${wanted}, aber ${what} ist ${found}.`,
     putSomethingElseHereOrChangeWhat: "Setze etwas anderes ein, oder ändere, was darum herum steht.",
     cannot: (what, ability) => `${what} kann ${not(ability)}.`,
+    aNumberIsNoCommand: "Eine Zahl ist kein Befehl für den Roboter.",
+    putAVelocityHere: "Setz hier `Velocity` ein, mit der Zahl darin.",
     useAnotherBlock: "Nimm hier einen anderen Block.",
     hasNoMeaning: what => `${what} bedeutet hier nichts.`,
     aNameIsKnownOnlyInside:
@@ -52,6 +61,16 @@ export const sentences: Pick<
     writeItLikeVelocityMaybeSound: "Schreib ihn wie Velocity -> Maybe Sound.",
     thereIsNoType: name => `Es gibt keinen Typ ${name}.`,
     checkItsSpellingOrDefine: "Prüfe die Schreibweise oder lege ihn fest.",
+    thereIsNoClass: name => `Es gibt keine Klasse ${name}.`,
+    takesOtherArguments: name => `Hinter dem Typ ${name} stehen zu wenige oder zu viele Typen.`,
+    writeItLikeMaybeInt: "Schreib ihn mit allen Teilen, wie Maybe Int.",
+    needsAnotherClass: (of, name, wanted) => `${of} kann ${name} nur zusammen mit ${wanted} ableiten.`,
+    deriveThatToo: wanted => `Füge ${wanted} zu dem hinzu, was abgeleitet wird.`,
+    hasOnlyAType: name => `\`${name}\` hat einen Typ, aber nirgends steht, was es ist.`,
+    addAnEquationFor: name =>
+      `Schreib darunter eine Gleichung, die mit ${name} beginnt, oder nimm den Typ weg.`,
+    differentNumbersOfInputs: "Die Gleichungen dieser Funktion haben verschieden viele Eingaben.",
+    giveEachEquationTheSame: "Gib jeder Gleichung gleich viele Eingaben.",
     aDoneEndsATask: "Ein Done beendet eine Aufgabe, und das hier ist keine.",
     thisDoneDoesNotCarryWhat: "Dieses Done trägt nicht das, womit seine Aufgabe endet.",
     putItIntoTheFunctions: "Setze es in die Funktionen einer Aufgabe.",
@@ -88,6 +107,7 @@ export const sentences: Pick<
     whatGoesHereMust: (ability, name, found) =>
       `Hierher passt nur, was ${ability} kann, und ${name} ist ${found}.`,
     cannot: (what, ability) => `${what} kann ${not(ability)}.`,
+    aNumberIsNoCommand: "Eine Zahl ist kein Befehl; setz hier `Velocity` ein, mit der Zahl darin.",
     thenSomethingWouldGetMoreInputsThan: "Dann bekäme etwas mehr Eingaben, als es nimmt.",
     hasPartsNot: (name, wanted, found) => `${name} hat ${wanted} Teile, nicht ${found}.`,
     theTypeOfThisDefinitionPromisesMore:
@@ -96,6 +116,9 @@ export const sentences: Pick<
   },
   renaming: {
     thisBlockIsGone: "Diesen Block gibt es nicht mehr.",
+    thisDefinitionIsBroken: "Bring diese Definition erst in Ordnung. Dann lassen sich ihre Namen ändern.",
+    somethingIsUnfinished:
+      "Etwas im Programm ist noch nicht fertig. Bring es erst in Ordnung, damit keine Stelle vergessen wird.",
     isOneOfHaskellsOwnWords: name => `„${name}“ ist eines von Haskells eigenen Wörtern.`,
     aNameIsOneWordThatStarts: "Ein Name ist ein einziges Wort und fängt mit einem kleinen Buchstaben an.",
     alreadyMeansSomethingElseWhereThisName: name =>
@@ -105,6 +128,8 @@ export const sentences: Pick<
     thereIsAnotherAlready: name => `Es gibt schon ein anderes \`${name}\`.`,
     isNotOfThisProgramSo: old => `\`${old}\` gehört nicht zu diesem Programm und behält seinen Namen.`,
     aTypeIsRenamedInItsBlock: "Ein Typ wird in seinem Block umbenannt und überall, wo er vorkommt.",
+    isAlsoTheNameOfAPart: name =>
+      `${name} steht allein in geschweiften Klammern, für einen Teil und seinen Wert. Schreibe dort zuerst ${name} = ${name}.`,
     cannotBeRenamedFrom: old => `\`${old}\` kann von hier aus nicht umbenannt werden.`,
     thisNameIsOneWordThatStarts:
       "Dieser Name ist ein einziges Wort und fängt mit einem großen Buchstaben an.",
@@ -119,6 +144,11 @@ export const sentences: Pick<
     thisProjectWasSavedByANewer: "Dieses Projekt wurde von einem neueren Rosy gespeichert.",
     itsVersionIsAndThisRosyReads: (rosy, version) =>
       `Es hat die Version ${rosy}, und dieses Rosy liest bis ${version}. Hole dir ein neueres Rosy.`,
+    theBlocksAreArrangedAnew:
+      "Die Plätze der Blöcke in dieser Datei sind beschädigt. Das Programm ist vollständig; seine Blöcke werden neu geordnet.",
+    someBlocksSaidSomethingElse:
+      "Manche Blöcke in dieser Datei sagten etwas anderes als ihr Text. Es gilt der Text; die Blöcke sagen jetzt dasselbe.",
+    theyAre: (names: string) => `Sieh nach bei: ${names}.`,
     thisProjectFileIsDamaged: "Diese Projektdatei ist beschädigt.",
   },
   program: {
@@ -128,6 +158,9 @@ export const sentences: Pick<
     itMayComeFromANewerVersion: "Vielleicht kommt er aus einer neueren Version.",
     putItIntoASocketOrThrow: "Setze ihn in einen Platz, oder wirf ihn weg.",
     somethingIsMissing: "Hier fehlt etwas.",
+    andMore: (count: number) => `… und ${count.toLocaleString("de")} weitere`,
+    moreLines: (count: number) =>
+      `… und ${count.toLocaleString("de")} weitere ${count === 1 ? "Zeile" : "Zeilen"}. Ändere sie im Text.`,
     fillTheEmptySocket: socket => `Klick auf den leeren Platz, um zu sehen, was passt: ${socket}.`,
     thisBlockDoesNotBelong: "Dieser Block gehört nicht hierher.",
     takeItOutAndPutAnother: "Nimm ihn heraus und setze einen anderen ein.",
@@ -139,6 +172,7 @@ export const sentences: Pick<
     addASimulateBlock: "Füge einen Block „simuliere“ hinzu.",
   },
   nouns: {
+    ...robot.nouns,
     Double: "eine Zahl",
     Float: "eine Zahl",
     Int: "eine ganze Zahl",
@@ -146,36 +180,8 @@ export const sentences: Pick<
     Word: "eine ganze Zahl",
     Bool: "ein Ja oder Nein",
     Char: "ein Zeichen",
-    Led1: "ein Licht",
-    Led2: "ein Licht",
-    LedColor: "eine Farbe",
-    Sound: "ein Ton",
-    Say: "etwas zu sagen",
-    Bumper: "ein Bumper-Ereignis",
-    Cliff: "ein Cliff-Ereignis",
-    Wheel: "ein Wheel-Ereignis",
-    Button: "ein Button-Ereignis",
-    BumperSide: "eine Seite der Stoßstange",
-    ButtonStatus: "Pressed oder Released",
-    CliffStatus: "Hole oder Floor",
-    WheelStatus: "Air oder Ground",
     Seconds: "eine Zeit in Sekunden",
-    CliffSide: "eine Seite des Abgrundsensors",
-    WheelSide: "LeftWheel oder RightWheel",
-    ButtonNumber: "Button0, Button1 oder Button2",
-    RobotStatus: "Online oder Offline",
     Ordering: "LT, EQ oder GT",
-    BumperLeft: "ein Bumper-Ereignis von links",
-    BumperCenter: "ein Bumper-Ereignis aus der Mitte",
-    BumperRight: "ein Bumper-Ereignis von rechts",
-    CliffLeft: "ein Cliff-Ereignis von links",
-    CliffCenter: "ein Cliff-Ereignis aus der Mitte",
-    CliffRight: "ein Cliff-Ereignis von rechts",
-    WheelLeft: "ein Wheel-Ereignis von links",
-    WheelRight: "ein Wheel-Ereignis von rechts",
-    ButtonZero: "ein Ereignis von Knopf 0",
-    ButtonOne: "ein Ereignis von Knopf 1",
-    ButtonTwo: "ein Ereignis von Knopf 2",
     Clock: "eine Uhrzeit",
     StdGen: "eine Quelle des Zufalls",
     Never: "etwas, was nie geschieht",

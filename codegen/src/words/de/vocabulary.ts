@@ -2,94 +2,19 @@
 /// Constructors keep their Haskell names.
 
 import type {Words} from "../index.ts"
+import {robot} from "./robot.generated.ts"
 
-export const vocabulary: Pick<Words, "constructors" | "makesAValue" | "whats" | "anyOf" | "samples"> = {
+export const vocabulary: Pick<
+  Words,
+  "constructors" | "charts" | "makesAValue" | "valueLabels" | "whats" | "anyOf" | "samples"
+> = {
   constructors: {
-    Bumper: {
-      parts: ["Seite", "Zustand"],
-      tooltip: "Die Stoßstange wurde gedrückt oder losgelassen. Beispiel: Bumper LeftBumper Pressed.",
-    },
-    BumperLeft: {
-      parts: ["Zustand"],
-      tooltip: "Die linke Stoßstange wurde gedrückt oder losgelassen. Beispiel: BumperLeft Pressed.",
-    },
-    BumperCenter: {
-      parts: ["Zustand"],
-      tooltip: "Die vordere Stoßstange wurde gedrückt oder losgelassen. Beispiel: BumperCenter Pressed.",
-    },
-    BumperRight: {
-      parts: ["Zustand"],
-      tooltip: "Die rechte Stoßstange wurde gedrückt oder losgelassen. Beispiel: BumperRight Pressed.",
-    },
-    Cliff: {
-      parts: ["Seite", "Zustand"],
-      tooltip: "Der Roboter kam an ein Loch oder wieder auf den Boden. Beispiel: Cliff LeftCliff Hole.",
-    },
-    CliffLeft: {
-      parts: ["Zustand"],
-      tooltip: "Der linke Bodensensor sah ein Loch oder den Boden. Beispiel: CliffLeft Hole.",
-    },
-    CliffCenter: {
-      parts: ["Zustand"],
-      tooltip: "Der vordere Bodensensor sah ein Loch oder den Boden. Beispiel: CliffCenter Hole.",
-    },
-    CliffRight: {
-      parts: ["Zustand"],
-      tooltip: "Der rechte Bodensensor sah ein Loch oder den Boden. Beispiel: CliffRight Hole.",
-    },
-    Wheel: {
-      parts: ["Seite", "Zustand"],
-      tooltip: "Ein Rad verließ den Boden oder berührte ihn wieder. Beispiel: Wheel LeftWheel Air.",
-    },
-    WheelLeft: {
-      parts: ["Zustand"],
-      tooltip: "Das linke Rad verließ den Boden oder berührte ihn wieder. Beispiel: WheelLeft Air.",
-    },
-    WheelRight: {
-      parts: ["Zustand"],
-      tooltip: "Das rechte Rad verließ den Boden oder berührte ihn wieder. Beispiel: WheelRight Air.",
-    },
-    Button: {
-      parts: ["Knopf", "Zustand"],
-      tooltip: "Ein Knopf wurde gedrückt oder losgelassen. Beispiel: Button Button0 Pressed.",
-    },
-    ButtonZero: {
-      parts: ["Zustand"],
-      tooltip: "Knopf 0 wurde gedrückt oder losgelassen. Beispiel: ButtonZero Pressed.",
-    },
-    ButtonOne: {
-      parts: ["Zustand"],
-      tooltip: "Knopf 1 wurde gedrückt oder losgelassen. Beispiel: ButtonOne Pressed.",
-    },
-    ButtonTwo: {
-      parts: ["Zustand"],
-      tooltip: "Knopf 2 wurde gedrückt oder losgelassen. Beispiel: ButtonTwo Pressed.",
-    },
-    Velocity: {
-      parts: ["Tempo, Meter pro Sekunde", "Drehung, Radiant pro Sekunde"],
-      tooltip: "Wie schnell der Roboter fährt und dreht. Beispiel: Velocity 0.5 0 fährt geradeaus.",
-    },
-    Position: {
-      parts: ["x, Meter", "y, Meter"],
-      tooltip: "Wo der Roboter ist, vom Start aus gesehen. Beispiel: Position 1 0 ist einen Meter voraus.",
-    },
-    Orientation: {
-      parts: ["Winkel, Radiant"],
-      tooltip:
-        "Wohin der Roboter schaut; Linksdrehungen zählen aufwärts. Beispiel: Orientation pi schaut zurück.",
-    },
-    Pose: {
-      parts: ["Ort", "Richtung"],
-      tooltip: "Wo der Roboter ist und wohin er schaut. Beispiel: Pose here facing.",
-    },
+    ...robot.constructors,
     Seconds: {parts: ["Sekunden"], tooltip: "Eine Zeit in Sekunden. Beispiel: Seconds 2."},
     Clock: {
       parts: ["Stunden", "Minuten", "Sekunden", "Millisekunden"],
       tooltip: "Die Uhrzeit. Beispiel: Clock 8 30 0 0 ist halb neun.",
     },
-    Led1: {parts: ["Farbe"], tooltip: "Stellt das erste Licht. Beispiel: Led1 Orange."},
-    Led2: {parts: ["Farbe"], tooltip: "Stellt das zweite Licht. Beispiel: Led2 Green."},
-    Say: {parts: ["Text"], tooltip: 'Der Roboter sagt etwas. Beispiel: Say "hello".'},
     Just: {
       parts: ["Wert"],
       tooltip: "Es gibt einen Wert, und das ist er. In Haskell heißt das Just. Beispiel: nur 3.",
@@ -121,18 +46,11 @@ export const vocabulary: Pick<Words, "constructors" | "makesAValue" | "whats" | 
     },
     Done: {parts: ["Ergebnis"], tooltip: "Beendet die Aufgabe mit einem Ergebnis. Beispiel: Done ()."},
   },
+  charts: robot.charts,
   makesAValue: name => `Macht einen Wert mit ${name || "einem Konstruktor"}. Beispiel: ${name || "Go"}.`,
+  valueLabels: robot.values,
   whats: {
-    BumperSide: "Seite",
-    ButtonStatus: "Zustand",
-    CliffSide: "Seite",
-    CliffStatus: "Zustand",
-    WheelSide: "Seite",
-    WheelStatus: "Zustand",
-    ButtonNumber: "Knopf",
-    RobotStatus: "Zustand",
-    LedColor: "Farbe",
-    Sound: "Ton",
+    ...robot.whats,
     Bool: "Ja oder Nein",
     Ordering: "Reihenfolge",
   },

@@ -92,7 +92,21 @@ export const blocks = {
     whatIsTakenApart: "what is taken apart",
     takesAValueApartAndNames:
       "Takes a value apart and names the pieces. Example: let (angle, more) be randomR (0, pi) gen.",
+    operators: "operators",
+    groupFromTheLeft: "group from the left",
+    groupFromTheRight: "group from the right",
+    doNotGroup: "do not group",
+    strength: "strength",
+    saysHowTightlyAnOperatorBinds:
+      "Says how tightly operators bind, and how a row of them is grouped. Example: operators +++ group from the left strength 6.",
+    saysWhichTypeNamesHave:
+      "Says which type names have that are defined elsewhere. Example: slow, fast of type Double.",
+    typeOfNames: "type of names",
+    foreignImport: "foreign import",
+    bringsAFunctionOfAnotherLanguage:
+      "Brings a function of another language into the program. Example: foreign import ccall “sin” c_sin of type Double -> Double.",
     definitionOfSeveralNames: "definition of several names",
+    event: "event",
   },
   functions: {
     name: "name",
@@ -135,6 +149,10 @@ export const blocks = {
     type: "type",
     saysWhichTypeAValueHas: "Says which type a value has. Example: 3 of type Double.",
     valueOfType: (type: string) => `value of type ${type}`,
+    forType: "for the type",
+    saysForWhichTypeAFunctionIsUsed:
+      "Says for which type a function is used. Example: read for the type Int reads a whole number.",
+    functionForType: (type: string) => `function for the type ${type}`,
   },
   ownTypes: {
     cannotBeTheNameOfAType: (name: string) => `“${name}” cannot be the name of a type.`,
@@ -213,6 +231,21 @@ export const blocks = {
       `A ${con}, looked at by the names of its parts. Example: ${con} with ${part} = x names that part x.`,
     byNamedParts: (con: string) => `${con} by named parts`,
     any: (what: string) => `any ${what}`,
+    otherPartsByTheirNames: "and all other parts by their names",
+    atOnce: "at once",
+    later: "when needed",
+    computesTheValueAtOnce:
+      "Computes the value at once, even if nothing needs it yet. Example: at once total.",
+    looksAtTheValueLater: "Looks at the value only when a part of it is needed. Example: when needed (a, b).",
+    functionThatLooks: "function that looks at it",
+    gives: "gives",
+    looksAtWhatAFunctionMakes:
+      "Gives the value to a function and looks at what comes out. Example: reverse gives last : others.",
+    throughAFunction: "looked at through a function",
+    ofType: "of type",
+    type: "type",
+    saysWhichTypeItHas: "Says which type a value has. Example: n of type Int.",
+    withType: (type: string) => `of type ${type}`,
   },
   raw: {
     aPieceOfHaskellAsItStands: "A piece of Haskell, as it stands. Example: foldr (+) 0 [1, 2].",
@@ -252,6 +285,7 @@ export const blocks = {
     stepsOneAfterTheOther2: "steps one after the other",
     do: "do",
     whatToDo: "what to do",
+    lookInside: (name: string) => `look inside ${name}`,
     andCallItsResult: "and call its result",
     nameOfTheResult: "name of the result",
     doesSomethingAndNamesWhatComesOut:
@@ -290,9 +324,30 @@ export const blocks = {
     say: "say",
     text: "text",
     theRobotSaysSomething: "The robot says something. Example: say “done”.",
-    waitSeconds: "wait seconds",
+    wait: "wait",
     seconds: "seconds",
     waits: "Waits. Example: wait 2 seconds.",
+    drive: "drive",
+    centimetres: "centimetres",
+    drives:
+      "Drives so many centimetres ahead and stands still; back if the number is negative. Example: drive 50 cm.",
+    turn: "turn",
+    degrees: "degrees",
+    degreesUnit: "degrees",
+    turns:
+      "Turns on the spot, to the left; to the right if the number is negative. Example: turn 90 degrees is a quarter turn to the left.",
+    driveUntilABump: "drive until a bump",
+    drivesUntilABump:
+      "Drives ahead until a bumper is pressed, and stands still. Its result is the side of the bumper. Example: drive until a bump, then turn 180 degrees.",
+    driveUntil: "drive until",
+    functionThatGivesDone: "function that gives Done",
+    drivesUntil:
+      "Drives ahead until the function gives Done, and stands still. Example: drive until a button is pressed.",
+    blink: "blink",
+    colour: "colour",
+    blinks: "Half a second of light, half a second without. Example: blink Red.",
+    beep: "beep",
+    beeps: "A short sound. Example: drive until a bump, then beep.",
   },
   values: {
     number: "number",
@@ -315,6 +370,9 @@ export const blocks = {
     theValueThatSaysNothing: "The value that says nothing. Example: Done ().",
     nothingInParticular: "nothing in particular",
     onePartLess: "one part less",
+    aTupleWithOpenParts:
+      "A function that makes several values together, with parts still open. Example: (…, 1).",
+    otherPartsByTheirNames: "and all other parts by their names",
     severalValuesTogetherSentToTheRobot:
       "Several values together. Sent to the robot, all of them go out. Example: (Led1 Red, Led2 Red).",
     valuesTogether: (count: number) => `${count} values together`,

@@ -1,6 +1,14 @@
 /// What is said about types, refusals, names, files and unfinished programs in English.
 
+import {robot} from "./robot.generated.ts"
+
 export const sentences = {
+  conflicts: {
+    commands: {Velocity: "the velocity", Led1: "the first light", Led2: "the second light"},
+    bothSet: (loser: string, winner: string, what: string) =>
+      `\`${loser}\` and \`${winner}\` both set ${what}, and \`${winner}\` keeps winning.`,
+    waysOut: "Remember what happened with `Memory`, or let one function decide for both.",
+  },
   types: {
     something: "something",
     text: "text",
@@ -17,6 +25,8 @@ export const sentences = {
       `Here goes ${wanted}, and ${what} is ${found}.`,
     putSomethingElseHereOrChangeWhat: "Put something else here, or change what is around it.",
     cannot: (what: string, ability: string) => `${what} cannot ${ability}.`,
+    aNumberIsNoCommand: "A number is not a command for the robot.",
+    putAVelocityHere: "Put `Velocity` here, with the number in it.",
     useAnotherBlock: "Use another block here.",
     hasNoMeaning: (what: string) => `${what} has no meaning here.`,
     aNameIsKnownOnlyInside:
@@ -48,6 +58,17 @@ export const sentences = {
     writeItLikeVelocityMaybeSound: "Write it like Velocity -> Maybe Sound.",
     thereIsNoType: (name: string) => `There is no type ${name}.`,
     checkItsSpellingOrDefine: "Check its spelling, or define it.",
+    thereIsNoClass: (name: string) => `There is no class ${name}.`,
+    takesOtherArguments: (name: string) => `The type ${name} has too few or too many types behind it.`,
+    writeItLikeMaybeInt: "Write it with all its parts, like Maybe Int.",
+    needsAnotherClass: (of: string, name: string, wanted: string) =>
+      `${of} can only derive ${name} together with ${wanted}.`,
+    deriveThatToo: (wanted: string) => `Add ${wanted} to what it derives.`,
+    hasOnlyAType: (name: string) => `\`${name}\` has a type, but nothing says what it is.`,
+    addAnEquationFor: (name: string) =>
+      `Write an equation below it that begins with ${name}, or take the type away.`,
+    differentNumbersOfInputs: "The equations of this function take different numbers of inputs.",
+    giveEachEquationTheSame: "Give each equation the same number of inputs.",
     aDoneEndsATask: "A Done ends a task, and this is no task.",
     thisDoneDoesNotCarryWhat: "This Done does not carry what its task ends with.",
     putItIntoTheFunctions: "Put it into the functions of a task.",
@@ -85,6 +106,7 @@ export const sentences = {
     whatGoesHereMust: (ability: string, name: string, found: string) =>
       `Only what can ${ability} goes here, and ${name} is ${found}.`,
     cannot: (what: string, ability: string) => `${what} cannot ${ability}.`,
+    aNumberIsNoCommand: "A number is not a command; put `Velocity` here, with the number in it.",
     thenSomethingWouldGetMoreInputsThan: "Then something would get more inputs than it takes.",
     hasPartsNot: (name: string, wanted: number, found: number) =>
       `${name} has ${wanted} parts, not ${found}.`,
@@ -94,6 +116,9 @@ export const sentences = {
   },
   renaming: {
     thisBlockIsGone: "This block is gone.",
+    thisDefinitionIsBroken: "Mend this definition first. Then its names can be changed.",
+    somethingIsUnfinished:
+      "Something in the program is not finished. Mend it first, so that no place is forgotten.",
     isOneOfHaskellsOwnWords: (name: string) => `“${name}” is one of Haskell's own words.`,
     aNameIsOneWordThatStarts: "A name is one word that starts with a small letter.",
     alreadyMeansSomethingElseWhereThisName: (name: string) =>
@@ -103,6 +128,8 @@ export const sentences = {
     thereIsAnotherAlready: (name: string) => `There is another \`${name}\` already.`,
     isNotOfThisProgramSo: (old: string) => `\`${old}\` is not of this program, so it keeps its name.`,
     aTypeIsRenamedInItsBlock: "A type is renamed in its block and wherever it is named.",
+    isAlsoTheNameOfAPart: (name: string) =>
+      `${name} stands alone in braces, for a part and for its value. Write ${name} = ${name} there first.`,
     cannotBeRenamedFrom: (old: string) => `\`${old}\` cannot be renamed from here.`,
     thisNameIsOneWordThatStarts: "This name is one word that starts with a capital letter.",
   },
@@ -115,6 +142,11 @@ export const sentences = {
     thisProjectWasSavedByANewer: "This project was saved by a newer Rosy.",
     itsVersionIsAndThisRosyReads: (rosy: number, version: number) =>
       `Its version is ${rosy}, and this Rosy reads up to ${version}; update Rosy to open it.`,
+    theBlocksAreArrangedAnew:
+      "The places of the blocks in this file are damaged. The program is whole; its blocks are arranged anew.",
+    someBlocksSaidSomethingElse:
+      "Some blocks in this file said something else than its text. The text is taken; the blocks now say the same.",
+    theyAre: (names: string) => `Look at: ${names}.`,
     thisProjectFileIsDamaged: "This project file is damaged.",
   },
   program: {
@@ -124,6 +156,9 @@ export const sentences = {
     itMayComeFromANewerVersion: "It may come from a newer version.",
     putItIntoASocketOrThrow: "Put it into a socket, or throw it away.",
     somethingIsMissing: "Something is missing here.",
+    andMore: (count: number) => `… and ${count.toLocaleString("en")} more`,
+    moreLines: (count: number) =>
+      `… and ${count.toLocaleString("en")} more ${count === 1 ? "line" : "lines"}. Change them in the text.`,
     fillTheEmptySocket: (socket: string) => `Click the empty place to see what fits: ${socket}.`,
     thisBlockDoesNotBelong: "This block does not belong here.",
     takeItOutAndPutAnother: "Take it out, and put another in its place.",
@@ -135,6 +170,7 @@ export const sentences = {
     addASimulateBlock: "Add a simulate block.",
   },
   nouns: {
+    ...robot.nouns,
     Double: "a number",
     Float: "a number",
     Int: "a whole number",
@@ -142,36 +178,8 @@ export const sentences = {
     Word: "a whole number",
     Bool: "a yes or no",
     Char: "a character",
-    Led1: "a light",
-    Led2: "a light",
-    LedColor: "a colour",
-    Sound: "a sound",
-    Say: "something to say",
-    Bumper: "a bumper event",
-    Cliff: "a cliff event",
-    Wheel: "a wheel event",
-    Button: "a button event",
-    BumperSide: "a side of the bumper",
-    ButtonStatus: "Pressed or Released",
-    CliffStatus: "Hole or Floor",
-    WheelStatus: "Air or Ground",
     Seconds: "a time in seconds",
-    CliffSide: "a side of the cliff sensor",
-    WheelSide: "LeftWheel or RightWheel",
-    ButtonNumber: "Button0, Button1 or Button2",
-    RobotStatus: "Online or Offline",
     Ordering: "LT, EQ or GT",
-    BumperLeft: "a left bumper event",
-    BumperCenter: "a center bumper event",
-    BumperRight: "a right bumper event",
-    CliffLeft: "a left cliff event",
-    CliffCenter: "a center cliff event",
-    CliffRight: "a right cliff event",
-    WheelLeft: "a left wheel event",
-    WheelRight: "a right wheel event",
-    ButtonZero: "an event of button 0",
-    ButtonOne: "an event of button 1",
-    ButtonTwo: "an event of button 2",
     Clock: "a time of day",
     StdGen: "a source of chance",
     Never: "something that never happens",

@@ -1,85 +1,15 @@
 /// Rosy's own constructors and types, and an example for each name of the library that the toolbox shows in English.
 
+import {robot} from "./robot.generated.ts"
+
 export const vocabulary = {
   constructors: {
-    Bumper: {
-      parts: ["side", "status"],
-      tooltip: "A bumper was pressed or released. Example: Bumper LeftBumper Pressed.",
-    },
-    BumperLeft: {
-      parts: ["status"],
-      tooltip: "The left bumper was pressed or released. Example: BumperLeft Pressed.",
-    },
-    BumperCenter: {
-      parts: ["status"],
-      tooltip: "The front bumper was pressed or released. Example: BumperCenter Pressed.",
-    },
-    BumperRight: {
-      parts: ["status"],
-      tooltip: "The right bumper was pressed or released. Example: BumperRight Pressed.",
-    },
-    Cliff: {
-      parts: ["side", "status"],
-      tooltip: "The robot came to a hole or back to the floor. Example: Cliff LeftCliff Hole.",
-    },
-    CliffLeft: {
-      parts: ["status"],
-      tooltip: "The left cliff sensor saw a hole or the floor. Example: CliffLeft Hole.",
-    },
-    CliffCenter: {
-      parts: ["status"],
-      tooltip: "The front cliff sensor saw a hole or the floor. Example: CliffCenter Hole.",
-    },
-    CliffRight: {
-      parts: ["status"],
-      tooltip: "The right cliff sensor saw a hole or the floor. Example: CliffRight Hole.",
-    },
-    Wheel: {
-      parts: ["side", "status"],
-      tooltip: "A wheel left the ground or touched it again. Example: Wheel LeftWheel Air.",
-    },
-    WheelLeft: {
-      parts: ["status"],
-      tooltip: "The left wheel left the ground or touched it again. Example: WheelLeft Air.",
-    },
-    WheelRight: {
-      parts: ["status"],
-      tooltip: "The right wheel left the ground or touched it again. Example: WheelRight Air.",
-    },
-    Button: {
-      parts: ["button", "status"],
-      tooltip: "A button was pressed or released. Example: Button Button0 Pressed.",
-    },
-    ButtonZero: {
-      parts: ["status"],
-      tooltip: "Button 0 was pressed or released. Example: ButtonZero Pressed.",
-    },
-    ButtonOne: {parts: ["status"], tooltip: "Button 1 was pressed or released. Example: ButtonOne Pressed."},
-    ButtonTwo: {parts: ["status"], tooltip: "Button 2 was pressed or released. Example: ButtonTwo Pressed."},
-    Velocity: {
-      parts: ["speed, metres a second", "turning, radians a second"],
-      tooltip: "How fast the robot drives and turns. Example: Velocity 0.5 0 drives straight on.",
-    },
-    Position: {
-      parts: ["x, metres", "y, metres"],
-      tooltip: "Where the robot is, seen from where it started. Example: Position 1 0 is one metre ahead.",
-    },
-    Orientation: {
-      parts: ["angle, radians"],
-      tooltip: "Which way the robot looks; left turns count up. Example: Orientation pi looks back.",
-    },
-    Pose: {
-      parts: ["position", "orientation"],
-      tooltip: "Where the robot is and which way it looks. Example: Pose here facing.",
-    },
+    ...robot.constructors,
     Seconds: {parts: ["seconds"], tooltip: "A time in seconds. Example: Seconds 2."},
     Clock: {
       parts: ["hours", "minutes", "seconds", "milliseconds"],
       tooltip: "The time of day. Example: Clock 8 30 0 0 is half past eight.",
     },
-    Led1: {parts: ["colour"], tooltip: "Sets the first light. Example: Led1 Orange."},
-    Led2: {parts: ["colour"], tooltip: "Sets the second light. Example: Led2 Green."},
-    Say: {parts: ["text"], tooltip: 'The robot says something. Example: Say "hello".'},
     Just: {parts: ["value"], tooltip: "There is a value, and this is it. Example: just 3.", word: "just"},
     Nothing: {parts: [], tooltip: "There is no value. Example: send nothing.", word: "nothing"},
     Left: {
@@ -100,18 +30,11 @@ export const vocabulary = {
     Param: {parts: ["value"], tooltip: "What all tasks of the program remember together. Example: Param 0."},
     Done: {parts: ["result"], tooltip: "Ends the task with a result. Example: Done ()."},
   },
+  charts: robot.charts,
   makesAValue: (name: string) => `Makes a value with ${name || "a constructor"}. Example: ${name || "Go"}.`,
+  valueLabels: robot.values,
   whats: {
-    BumperSide: "side",
-    ButtonStatus: "status",
-    CliffSide: "side",
-    CliffStatus: "status",
-    WheelSide: "side",
-    WheelStatus: "status",
-    ButtonNumber: "button",
-    RobotStatus: "status",
-    LedColor: "colour",
-    Sound: "sound",
+    ...robot.whats,
     Bool: "yes or no",
     Ordering: "order",
   },

@@ -2,7 +2,7 @@
 
 import * as ours from "blockly/msg/de"
 import type {Words} from "../index.ts"
-import {measuresOf} from "../measures.ts"
+import {measuresOf} from "../number_formats.ts"
 
 const {count} = measuresOf("de")
 
@@ -19,8 +19,11 @@ export const blocks: Words["blocks"] = {
   fitsHere: "Das passt hier. Enter nimmt das erste",
   nothingFits: "Nichts im Werkzeugkasten passt hier",
   typeToFind: "Tippe, um einen Block zu finden",
+  referenceLeft: name => `${name} wird jetzt hier verwendet`,
   notFound: "Kein Block hat diese Wörter",
   found: n => count(n, {one: "1 Block gefunden", other: n => `${n} Blöcke gefunden`}),
+  lookInside: "Hineinschauen",
+  noLookInside: "Setze zuerst eine Funktion in die leere Stelle. Was darin ist, hängt von ihrem Typ ab.",
   undo: "Rückgängig",
   redo: "Wiederholen",
   copy: "Kopieren",
@@ -30,12 +33,18 @@ export const blocks: Words["blocks"] = {
   nextEmpty: "Nächster leerer Platz",
   noneEmpty: "Kein Platz ist mehr leer",
   fill: "Den leeren Platz füllen",
+  fillNext: "Den nächsten leeren Platz füllen",
+  runOneMore: "Noch eine laufen lassen",
+  nextNumber: "Nächste Zahl",
+  noNumber: "Keine Zahl ist da",
+  typeNumber: "Eine Zahl schreiben",
+  searchKeys:
+    "Enter setzt den ersten Block an den gewählten Platz. Umschalt und Enter sucht danach für den nächsten leeren Platz.",
+  dropToDelete: "Hier fallen lassen zum Löschen",
+  deleted: "Gelöschte Blöcke",
   zoom: "Zoom",
   zoomOut: "Kleiner",
   zoomIn: "Größer",
-  broken: "Bring diese Definition erst in Ordnung. Dann lassen sich ihre Namen ändern.",
-  unfinished:
-    "Etwas im Programm ist noch nicht fertig. Bring es erst in Ordnung, damit keine Stelle vergessen wird.",
 }
 
 const {default: _, ...german} = ours

@@ -1,17 +1,23 @@
 /// German, as one speaks to somebody of twelve years. Haskell's words and the robot's stay English.
 
 import {de} from "@rosy/codegen/words/de"
-import {measuresOf} from "../measures.ts"
-import type {Table} from "../table.ts"
+import type {Table} from "../language_table.ts"
+import {measuresOf} from "../number_formats.ts"
 import {blockly, blocks} from "./blocks.ts"
+import {classroom} from "./classroom.ts"
+import {diagram} from "./diagram.ts"
 import {keys} from "./keys.ts"
+import {lessons} from "./lessons.ts"
 import {page} from "./page.ts"
+import {preview} from "./preview.ts"
+import {roomTests} from "./room_tests.ts"
 import {world} from "./rooms.ts"
+import {why} from "./why.ts"
 
 export const german: Table = {
   tag: "de",
   direction: "ltr",
-  page: {...page, blocks, world, keys, blockly},
+  page: {...page, blocks, classroom, world, diagram, roomTests, preview, keys, lessons, why, blockly},
   measures: measuresOf("de"),
   blocks: de,
 }

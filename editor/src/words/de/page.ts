@@ -1,11 +1,23 @@
 /// The sentences and labels of the page in German.
 
 import type {Words} from "../index.ts"
-import {measuresOf} from "../measures.ts"
+import {measuresOf} from "../number_formats.ts"
 
 const {short, seconds, count} = measuresOf("de")
 
-export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
+export const page: Omit<
+  Words,
+  | "blocks"
+  | "classroom"
+  | "world"
+  | "diagram"
+  | "roomTests"
+  | "preview"
+  | "keys"
+  | "lessons"
+  | "why"
+  | "blockly"
+> = {
   rosy: "Rosy",
   run: "Start",
   stop: "Stopp",
@@ -17,6 +29,8 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
   sameAgainHint: "Noch einmal genauso: mit demselben Glück beim Würfeln und bei rutschenden Rädern",
   pause: "Pause",
   resume: "Weiter",
+  continueHere: "Von hier aus weiter",
+  continueHint: "Läuft von diesem Moment an weiter, mit dem Programm, wie es jetzt ist",
   forward: "Ein Schritt (0,02 s)",
   lookBack: "Im Lauf zurückschauen",
   saveTable: "Als Tabelle speichern (CSV)",
@@ -33,17 +47,6 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
     x: "x",
     y: "y",
     heading: "Richtung",
-    bumperLeft: "Stoßstange links",
-    bumperCenter: "Stoßstange Mitte",
-    bumperRight: "Stoßstange rechts",
-    cliffLeft: "Bodensensor links",
-    cliffCenter: "Bodensensor Mitte",
-    cliffRight: "Bodensensor rechts",
-    wheelLeft: "Linkes Rad",
-    wheelRight: "Rechtes Rad",
-    button0: "Knopf 0",
-    button1: "Knopf 1",
-    button2: "Knopf 2",
     believedX: "Geglaubtes x",
     believedY: "Geglaubtes y",
     believedHeading: "Geglaubte Richtung",
@@ -77,8 +80,8 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
   yourProgram: "Dein Programm",
   saved: {saved: "gespeichert", changed: "speichert …", failed: "nicht gespeichert"},
   view: "Ansicht",
-  views: {blocks: "Blöcke", both: "Blöcke + Haskell", haskell: "Haskell"},
-  regions: {blocks: "Blöcke", haskell: "Haskell", room: "Raum"},
+  views: {blocks: "Blöcke", both: "Blöcke + Haskell", haskell: "Haskell", diagram: "Diagramm"},
+  regions: {blocks: "Blöcke", haskell: "Haskell", diagram: "Diagramm", room: "Raum"},
   region: "Zeigen",
   canvasHeight: "Höhe des Raums",
   arrange: {
@@ -103,6 +106,8 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
   clock: "Zeit des Laufs",
   tabs: {console: "Ausgabe", charts: "Kurven", sensors: "Werte", problems: "Probleme"},
   emptyConsole: "Hier erscheint, was der Roboter spürt und sagt.",
+  moreEvents: n => count(n, {one: "Noch ein Ereignis zeigen", other: k => `Noch ${k} Ereignisse zeigen`}),
+  fewerEvents: "Nur die wichtigsten Ereignisse zeigen",
   noProblems: "Keine Probleme.",
   times: n => `×${n}`,
   plays: "spielt",
@@ -132,6 +137,11 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
     "Control character": "Unsichtbares Zeichen",
   },
   showIt: "Zeig es mir",
+  waysOut: {
+    memory: () => "Mit Memory merken",
+    either: () => "Eine Funktion mit Either",
+    mux: ({loser}) => `${loser} eine Sekunde lang vorlassen (mux)`,
+  },
   readMore: "Mehr lesen",
   fromToolbox: "Aus dem Werkzeugkasten",
   writeType: signature => `Den Typ hinschreiben: ${signature}`,
@@ -143,11 +153,28 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
   openFile: "Datei öffnen …",
   saveFile: "Als Datei speichern",
   saveHaskell: "Das Haskell speichern",
+  share: {
+    menu: "Teilen oder drucken…",
+    title: "Teilen",
+    lead: "Der Link enthält das ganze Programm und seinen Raum. Nichts wird hochgeladen.",
+    making: "Der Link entsteht…",
+    link: "Link",
+    copy: "Kopieren",
+    copied: "Kopiert.",
+    notCopied: "Drücke Strg+C, um ihn zu kopieren.",
+    code: "Der Link als QR-Code",
+    codeHint: "Der QR-Code enthält das Programm und seinen Raum, aber nicht die Plätze der Blöcke.",
+    noCode: "Dieses Programm ist zu lang für einen QR-Code. In den Link passt es.",
+    embed: "Zum Einbetten in eine eigene Seite",
+    print: "Blöcke und Haskell drucken",
+    openInRosy: "In Rosy öffnen",
+  },
   driveByHand: "Von Hand fahren (ROS)",
   help: {
     title: "Haskells eigene Namen",
     lead: "Diese kennt jedes Haskell-Programm. Jeder steht mit seinem Typ und einem Beispiel da.",
   },
+  about: "Über Rosy: Lizenzen",
   language: "Sprache",
   theme: "Farben",
   themes: {auto: "Wie das System", light: "Hell", dark: "Dunkel"},
@@ -156,10 +183,37 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
   galleryLoading: "Die Beispiele werden gesucht …",
   galleryFailed:
     "Die Beispiele konnten nicht geladen werden. Rosys Dienst antwortet nicht; versuch es gleich noch einmal.",
+  exampleLevels: {
+    start: "Erste Schritte",
+    react: "Reagieren und merken",
+    tasks: "Eins nach dem anderen",
+    large: "Größere Programme",
+  },
+  otherExamples: "Weitere Beispiele",
   moreAbout: title => `Was ${title} zeigt`,
   again: "Noch einmal versuchen",
-  yourPrograms: "Deine Programme",
-  invite: ["Ändere", "0.5", " und starte noch einmal."],
+  myPrograms: {
+    title: "Meine Programme",
+    lead: "Dieser Browser behält jedes Programm, das du änderst.",
+    none: "Ändere ein Beispiel oder beginne ein neues Programm; hier findest du es wieder.",
+    open: "gerade offen",
+    rename: name => `${name} umbenennen`,
+    newName: name => `Neuer Name für ${name}`,
+    duplicate: name => `${name} verdoppeln`,
+    remove: name => `${name} löschen`,
+    removed: name => `${name} ist gelöscht.`,
+    undo: "Rückgängig",
+    deleted: "Gelöschte Programme",
+    restore: name => `${name} wiederherstellen`,
+    restoreShort: "Wiederherstellen",
+  },
+  invite: {
+    change: "Ändere",
+    from: "+",
+    to: "in",
+    into: "-",
+    after: "und starte noch einmal. Wohin fährt der Roboter jetzt?",
+  },
   haskellPane: "Das Programm in Haskell",
   haskellKeys: "Escape und dann Tab verlässt den Text. F8 geht zum nächsten Problem.",
   blocksPane: "Das Programm in Blöcken",
@@ -179,7 +233,7 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
       ? "Der Raum ist voll. Dein Programm ist als nächstes dran."
       : `Der Raum ist voll. ${count(place - 1, {one: "Ein Programm ist", other: n => `${n} Programme sind`})} vor deinem dran.`,
   roomLabel: world =>
-    `Der Raum ${world} von oben, mit dem Roboter darin. Während das Programm läuft, schieben die Pfeiltasten den Roboter, Komma und Punkt drehen ihn, und B nimmt stattdessen ein Ding zum Schieben; Plus und Minus zoomen, F folgt ihm.`,
+    `Der Raum ${world} von oben, mit dem Roboter darin. Während das Programm läuft, schieben die Pfeiltasten den Roboter, Komma und Punkt drehen ihn, und B nimmt stattdessen ein Ding zum Schieben; Plus und Minus zoomen, F folgt ihm. W fragt, warum er sich so bewegt, und P, warum er dort ist.`,
   sight: "Wie man den Raum sieht",
   follow: "Dem Roboter folgen",
   followHint: "Dem Roboter folgen (F)",
@@ -215,7 +269,7 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
     safetyOnHint: "Er weicht vor Wänden und Löchern zurück, bevor dein Programm wieder fahren darf.",
     safetyOff: "Weicht nicht zurück",
     safetyOffHint:
-      "Wer Rosy gestartet hat, hat das für diesen Roboter abgeschaltet: Pass auf seinen Weg auf.",
+      "Die Sicherheitsregeln sind ausgeschaltet: Behalte seinen Weg im Auge. Der Schild über dem Raum schaltet sie ein.",
     backing: "Weicht zurück …",
     limits: speed => `höchstens ${short(speed, 2)} m/s`,
     estop: "Notstopp",
@@ -225,9 +279,25 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
     region: name => `Der Roboter ${name}`,
     floor: name => `Der Weg des Roboters ${name}, wie er ihn selbst misst; Plus und Minus zoomen.`,
   },
+  topics: {
+    title: "Nachrichten von Hand",
+    send: "Senden",
+    runFirst: "Drück zuerst auf Start: Nur ein laufendes Programm bekommt Nachrichten",
+    ofRobot: topic => `Die Nachrichten auf ${topic} sendet der Roboter selbst.`,
+    computed: type =>
+      `Das Programm berechnet den Namen des Topics von ${type}, daher gibt es dafür kein Formular: Schreib den Namen als einen Text.`,
+  },
+  safety: {
+    name: "Sicherheitsregeln",
+    on: "Die Sicherheitsregeln sind an: Der Roboter weicht vor Wänden und Löchern zurück, bevor dein Programm weiterfährt, hier und auf echten Robotern",
+    off: "Die Sicherheitsregeln sind aus: Nur dein Programm fährt, hier und auf echten Robotern",
+    overrides: "Sicherheitsregeln: weicht zurück…",
+    tookOver: "Die Sicherheitsregeln übernehmen: weicht zurück",
+  },
   goals: "Ziele",
   goalStates: {open: "offen", done: "geschafft", missed: "verfehlt"},
   hands: "Den Roboter anfassen",
+  shortButton: n => `Knopf ${n}`,
   robotButton: n => `Knopf ${n} des Roboters drücken`,
   holdsThing: (kind, n) =>
     `${kind === "box" ? "Kiste" : "Tonne"} ${n}: Die Pfeiltasten schieben sie. Escape nimmt wieder den Roboter.`,
@@ -246,12 +316,17 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
     done: "Fertig",
     error: "Durch ein Problem beendet",
     stuck: "Durch ein Problem beendet",
+    hole: "An einer leeren Stelle angehalten",
     stopped: "Angehalten",
     time: "Die Zeit ist um",
     refused: "Nicht gestartet",
     lost: "Verbindung verloren",
   },
   notices: {
+    diverged: {
+      message: time => `Dein geändertes Programm tut ab ${time} etwas anderes.`,
+      hint: "Es lief vom Anfang bis zu dem Moment, den du gewählt hast.",
+    },
     notText: {
       message: name => `In ${name} steht kein Text.`,
       hint: "Rosy öffnet Programme: Dateien, die auf .rosy oder .hs enden.",
@@ -284,7 +359,7 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
     },
     notSaved: {
       message: "Dieser Browser hat keinen Platz, um dein Programm zu behalten.",
-      hint: "Speichere es als Datei, mit dem Menü oben in der Ecke.",
+      hint: "Lösche Programme unter „Meine Programme“, oder speichere dieses als Datei, mit dem Menü oben in der Ecke.",
     },
     robotGone: {
       message: name => `Du hast ${name} nicht mehr.`,
@@ -294,9 +369,17 @@ export const page: Omit<Words, "blocks" | "world" | "keys" | "blockly"> = {
       message: name => `${name} wurde angehalten, weil niemand diese Seite sah.`,
       hint: "Lass die Seite sichtbar, solange ein echter Roboter fährt.",
     },
-    openedElsewhere: {
-      message: "Dieses Programm ist auch in einem anderen Tab offen.",
-      hint: "Änderungen hier werden als Kopie aufbewahrt.",
+    damagedLink: {
+      message: "Dieser Link ist beschädigt.",
+      hint: "Kopiere den ganzen Link und öffne ihn noch einmal.",
+    },
+    becameTwo: {
+      message: name => `${name === "" ? "Dein Programm" : name} wurde in zwei Tabs zugleich geändert.`,
+      hint: copy => `Jetzt sind es zwei: dieses heißt ${copy}.`,
+    },
+    noStorage: {
+      message: "Dieser Browser behält nichts für diese Seite.",
+      hint: "Speichere dein Programm als Datei, bevor du die Seite schließt.",
     },
   },
 }

@@ -2,7 +2,7 @@
 
 import type {Spot} from "../../worlds/world.ts"
 import type {Words} from "../index.ts"
-import {measuresOf} from "../measures.ts"
+import {measuresOf} from "../number_formats.ts"
 
 const {metres, degrees} = measuresOf("de")
 const place = ([x, y]: Spot) => `${metres(x)} / ${metres(y)}`
@@ -81,6 +81,7 @@ export const world: Words["world"] = {
   within: "Zeit",
   avoids: {bumps: "Der Roboter soll nirgends anstoßen", holes: "Kein Rad soll hineinfallen"},
   realistic: "Die Räder rutschen, wie auf echtem Boden",
+  dock: "Eine Ladestation, wo der Roboter startet",
   openFile: "Raum öffnen …",
   saveFile: "Diesen Raum speichern",
   start: "Start des Roboters",

@@ -1,6 +1,6 @@
 /// The words around the blocks in English: toolbox, menus, buttons. What stands on blocks is codegen's.
 
-import {measuresOf} from "../measures.ts"
+import {measuresOf} from "../number_formats.ts"
 
 const {count} = measuresOf("en")
 
@@ -17,8 +17,11 @@ export const blocks = {
   fitsHere: "Fits here. Enter takes the first",
   nothingFits: "Nothing in the toolbox fits here",
   typeToFind: "Type to find a block",
+  referenceLeft: (name: string) => `${name} is used here now`,
   notFound: "No block has these words",
   found: (n: number) => count(n, {one: "1 block found", other: n => `${n} blocks found`}),
+  lookInside: "Look inside",
+  noLookInside: "First put a function into the empty place. What is inside depends on its type.",
   undo: "Undo",
   redo: "Redo",
   copy: "Copy",
@@ -28,10 +31,16 @@ export const blocks = {
   nextEmpty: "Next empty place",
   noneEmpty: "No empty place is left",
   fill: "Fill the empty place",
+  fillNext: "Fill the next empty place",
+  runOneMore: "Run one more",
+  nextNumber: "Next number",
+  noNumber: "No number is there",
+  typeNumber: "Write a number",
+  searchKeys:
+    "Enter puts the first one into the chosen place. Shift and Enter then search for the next empty place.",
+  dropToDelete: "Drop here to delete",
+  deleted: "Deleted blocks",
   zoom: "Zoom",
   zoomOut: "Zoom out",
   zoomIn: "Zoom in",
-  /// Why a name in the text cannot be changed.
-  broken: "Mend this definition first. Then its names can be changed.",
-  unfinished: "Something in the program is not finished. Mend it first, so that no place is forgotten.",
 } as const

@@ -1,15 +1,27 @@
 /// Every sentence and label of the page in English: what the other languages translate.
 
 import {blocks} from "./blocks.ts"
+import {classroom} from "./classroom.ts"
+import {diagram} from "./diagram.ts"
 import {keys} from "./keys.ts"
+import {lessons} from "./lessons.ts"
 import {page} from "./page.ts"
+import {preview} from "./preview.ts"
+import {roomTests} from "./room_tests.ts"
 import {world} from "./rooms.ts"
+import {why} from "./why.ts"
 
 export const en = {
   ...page,
   blocks,
   world,
+  classroom,
+  diagram,
+  roomTests,
+  preview,
   keys,
+  lessons,
+  why,
   /// Blockly's own words, where they are not its English ones.
   blockly: {} as Readonly<Record<string, string>>,
 } as const

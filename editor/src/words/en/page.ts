@@ -1,6 +1,6 @@
 /// The sentences and labels of the page in English.
 
-import {measuresOf} from "../measures.ts"
+import {measuresOf} from "../number_formats.ts"
 
 const {short, seconds, count} = measuresOf("en")
 
@@ -16,6 +16,8 @@ export const page = {
   sameAgainHint: "The same run again: the same luck with dice and slipping wheels",
   pause: "Pause",
   resume: "Go on",
+  continueHere: "Continue from here",
+  continueHint: "Run on from this moment, with the program as it is now",
   forward: "One step (0.02 s)",
   lookBack: "Look back in the run",
   saveTable: "Save as a table (CSV)",
@@ -32,17 +34,6 @@ export const page = {
     x: "x",
     y: "y",
     heading: "Heading",
-    bumperLeft: "Left bumper",
-    bumperCenter: "Centre bumper",
-    bumperRight: "Right bumper",
-    cliffLeft: "Left cliff",
-    cliffCenter: "Centre cliff",
-    cliffRight: "Right cliff",
-    wheelLeft: "Left wheel",
-    wheelRight: "Right wheel",
-    button0: "Button 0",
-    button1: "Button 1",
-    button2: "Button 2",
     believedX: "Believed x",
     believedY: "Believed y",
     believedHeading: "Believed heading",
@@ -78,8 +69,8 @@ export const page = {
   yourProgram: "Your program",
   saved: {saved: "saved", changed: "saving…", failed: "not saved"},
   view: "View",
-  views: {blocks: "Blocks", both: "Blocks + Haskell", haskell: "Haskell"},
-  regions: {blocks: "Blocks", haskell: "Haskell", room: "Room"},
+  views: {blocks: "Blocks", both: "Blocks + Haskell", haskell: "Haskell", diagram: "Diagram"},
+  regions: {blocks: "Blocks", haskell: "Haskell", diagram: "Diagram", room: "Room"},
   region: "Show",
   canvasHeight: "Height of the room",
   arrange: {
@@ -104,6 +95,8 @@ export const page = {
   clock: "Time of the run",
   tabs: {console: "Console", charts: "Charts", sensors: "Values", problems: "Problems"},
   emptyConsole: "What the robot senses and says appears here.",
+  moreEvents: (n: number) => count(n, {one: "Show one more event", other: k => `Show ${k} more events`}),
+  fewerEvents: "Show only the most important events",
   noProblems: "No problems.",
   times: (n: number) => `×${n}`,
   plays: "plays",
@@ -134,6 +127,11 @@ export const page = {
     "Control character": "Invisible character",
   },
   showIt: "Show it",
+  waysOut: {
+    memory: () => "Remember it with Memory",
+    either: () => "One function with Either",
+    mux: ({loser}: {readonly loser: string}) => `Let ${loser} go first for a second (mux)`,
+  },
   readMore: "Read more",
   fromToolbox: "From the toolbox",
   writeType: (signature: string) => `Write its type: ${signature}`,
@@ -145,12 +143,29 @@ export const page = {
   openFile: "Open a file…",
   saveFile: "Save as a file",
   saveHaskell: "Save the Haskell",
+  share: {
+    menu: "Share or print…",
+    title: "Share",
+    lead: "The link contains the whole program and its room. Nothing is uploaded.",
+    making: "Making the link…",
+    link: "Link",
+    copy: "Copy",
+    copied: "Copied.",
+    notCopied: "Press Ctrl+C to copy it.",
+    code: "The link as a QR code",
+    codeHint: "The QR code contains the program and its room, but not the places of the blocks.",
+    noCode: "This program is too long for a QR code. The link has room for it.",
+    embed: "To put it into a page of your own",
+    print: "Print blocks and Haskell",
+    openInRosy: "Open in Rosy",
+  },
   driveByHand: "Drive by hand (ROS)",
   /// The page that help links to Haskell's own names lead to.
   help: {
     title: "Haskell's own names",
     lead: "Every Haskell program knows these. Each stands with its type and an example.",
   },
+  about: "About Rosy: licences",
   language: "Language",
   theme: "Colours",
   themes: {auto: "As the system", light: "Light", dark: "Dark"},
@@ -158,10 +173,38 @@ export const page = {
   galleryLead: "Open one, run it, change it. Your own program is kept.",
   galleryLoading: "Looking for the examples…",
   galleryFailed: "The examples could not be loaded. Rosy's service does not answer; try again in a moment.",
+  exampleLevels: {
+    start: "First steps",
+    react: "React and remember",
+    tasks: "One thing after another",
+    large: "Larger programs",
+  },
+  otherExamples: "More examples",
   moreAbout: (title: string) => `What ${title} teaches`,
   again: "Try again",
-  yourPrograms: "Your programs",
-  invite: ["Change", "0.5", ", and run again."] as const,
+  myPrograms: {
+    title: "My programs",
+    lead: "This browser keeps every program that you change.",
+    none: "Change an example or begin a new program, and it is kept here.",
+    open: "open now",
+    rename: (name: string) => `Rename ${name}`,
+    newName: (name: string) => `New name for ${name}`,
+    duplicate: (name: string) => `Duplicate ${name}`,
+    remove: (name: string) => `Delete ${name}`,
+    removed: (name: string) => `${name} is deleted.`,
+    undo: "Undo",
+    deleted: "Deleted programs",
+    restore: (name: string) => `Restore ${name}`,
+    restoreShort: "Restore",
+  },
+  /// An experiment with the first program: a text of the program, and what to put instead.
+  invite: {
+    change: "Change",
+    from: "+",
+    to: "to",
+    into: "-",
+    after: "and run again. Which way does the robot drive now?",
+  },
   haskellPane: "The program in Haskell",
   haskellKeys: "Escape, then Tab leaves the text. F8 goes to the next problem.",
   blocksPane: "The program in blocks",
@@ -183,7 +226,7 @@ export const page = {
         ? "The room is full. One program is before yours."
         : `The room is full. ${place - 1} programs are before yours.`,
   roomLabel: (world: string) =>
-    `The room ${world} from above, with the robot in it. While it runs, the arrow keys move the robot, comma and full stop turn it, and B takes a thing to push instead; plus and minus zoom, F follows it.`,
+    `The room ${world} from above, with the robot in it. While it runs, the arrow keys move the robot, comma and full stop turn it, and B takes a thing to push instead; plus and minus zoom, F follows it. W asks why it moves like this, and P why it is there.`,
   sight: "How to see the room",
   follow: "Follow the robot",
   followHint: "Follow the robot (F)",
@@ -218,7 +261,8 @@ export const page = {
     safetyOn: "Backs off by itself",
     safetyOnHint: "It backs off from walls and holes before your program may drive again.",
     safetyOff: "Does not back off",
-    safetyOffHint: "Whoever started Rosy has switched that off for this robot: watch its way.",
+    safetyOffHint:
+      "The safety rules are switched off: watch its way. The shield above the room switches them on.",
     backing: "Backing off…",
     limits: (speed: number) => `at most ${short(speed, 2)} m/s`,
     estop: "Emergency stop",
@@ -228,9 +272,25 @@ export const page = {
     region: (name: string) => `The robot ${name}`,
     floor: (name: string) => `The way of the robot ${name}, as it measures it itself; plus and minus zoom.`,
   },
+  topics: {
+    title: "Messages by hand",
+    send: "Send",
+    runFirst: "Press Run first: only a running program gets messages",
+    ofRobot: (topic: string) => `The robot itself sends the messages on ${topic}.`,
+    computed: (type: string) =>
+      `The program works out the name of the topic of ${type}, so there is no form for it: write the name as one text.`,
+  },
+  safety: {
+    name: "Safety rules",
+    on: "Safety rules are on: the robot backs off from walls and holes before your program drives on, here and on real robots",
+    off: "Safety rules are off: only your program drives, here and on real robots",
+    overrides: "Safety rules: backing off…",
+    tookOver: "The safety rules take over: backing off",
+  },
   goals: "Goals",
   goalStates: {open: "open", done: "done", missed: "missed"},
   hands: "Touch the robot",
+  shortButton: (n: number) => `Button ${n}`,
   robotButton: (n: number) => `Press button ${n} of the robot`,
   holdsThing: (kind: "box" | "drum", n: number) =>
     `${kind === "box" ? "Box" : "Drum"} ${n}: the arrow keys push it. Escape takes the robot again.`,
@@ -250,6 +310,7 @@ export const page = {
     done: "Finished",
     error: "Ended by a problem",
     stuck: "Ended by a problem",
+    hole: "Stopped at an empty place",
     stopped: "Stopped",
     time: "Time is up",
     refused: "Not started",
@@ -257,6 +318,10 @@ export const page = {
   },
   /// What the page itself has to say: first what, then what to do.
   notices: {
+    diverged: {
+      message: (time: string) => `Your changed program does something else from ${time} on.`,
+      hint: "It ran from the start to the moment that you chose.",
+    },
     notText: {
       message: (name: string) => `${name} does not hold text.`,
       hint: "Rosy opens programs: files that end in .rosy or .hs.",
@@ -289,7 +354,7 @@ export const page = {
     },
     notSaved: {
       message: "This browser has no room to keep your program.",
-      hint: "Save it as a file with the menu at the top right.",
+      hint: "Delete programs in My programs, or save this one as a file with the menu at the top right.",
     },
     robotGone: {
       message: (name: string) => `You no longer have ${name}.`,
@@ -299,9 +364,17 @@ export const page = {
       message: (name: string) => `${name} was stopped because nobody saw this page.`,
       hint: "Keep the page in view while a real robot drives.",
     },
-    openedElsewhere: {
-      message: "This program is open in another tab too.",
-      hint: "Changes here are kept as a copy.",
+    damagedLink: {
+      message: "This link is damaged.",
+      hint: "Copy the whole link and open it again.",
+    },
+    becameTwo: {
+      message: (name: string) => `${name === "" ? "Your program" : name} was changed in two tabs at once.`,
+      hint: (copy: string) => `Now there are two: this one is called ${copy}.`,
+    },
+    noStorage: {
+      message: "This browser keeps nothing for this page.",
+      hint: "Save your program as a file before you close the page.",
     },
   },
 } as const

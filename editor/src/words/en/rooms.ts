@@ -1,7 +1,7 @@
 /// The words of the world editor and of the gallery of rooms in English.
 
 import type {Spot} from "../../worlds/world.ts"
-import {measuresOf} from "../measures.ts"
+import {measuresOf} from "../number_formats.ts"
 
 const {metres, degrees} = measuresOf("en")
 const place = ([x, y]: Spot) => `${metres(x)}, ${metres(y)}`
@@ -80,6 +80,7 @@ export const world = {
   within: "Time",
   avoids: {bumps: "The robot should bump into nothing", holes: "No wheel should drop"},
   realistic: "Wheels slip, as on a real floor",
+  dock: "A dock where the robot starts",
   openFile: "Open a room…",
   saveFile: "Save this room",
   start: "Start of the robot",

@@ -1,8 +1,8 @@
 -- |
 -- Module      : Rosy.Kobuki.Command
--- Description : What the base is told in a packet.
+-- Description : Encoder of command packets.
 --
--- In: speeds, lights, sounds. Out: the bytes for the serial line. Identifiers and lengths are those of
+-- In: speeds and commands. Out: the bytes for the serial line. Identifiers and lengths are those of
 -- kobuki_driver's "Protocol Specification", Command Packets.
 module Rosy.Kobuki.Command
   ( -- * Moving
@@ -13,23 +13,24 @@ module Rosy.Kobuki.Command
     -- * Lights and power
     Outputs,
     powerOn,
-    withLed1,
-    withLed2,
+    obeying,
     outputs,
 
     -- * The rest
-    soundSequence,
+    ownPacket,
     requestVersions,
   )
 where
 
-import Data.Bits (complement, shiftL, shiftR, (.&.), (.|.))
+import Data.Bits (shiftR, (.&.))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as B
 import Data.Int (Int16)
 import Data.Word (Word16, Word8)
+import Rosy.Channel (Action)
 import Rosy.Kobuki.Frame (packet)
-import Rosy.Robot (LedColor (..), Sound)
+import Rosy.Kobuki.Table (serialTable)
+import Rosy.Robots.SerialCodec (singleByte, withOutput)
 
 -- | Metres between the wheels (kobuki_driver, diff_drive.cpp: bias).
 wheelbase :: Double
@@ -67,27 +68,17 @@ newtype Outputs = Outputs Word16
 powerOn :: Outputs
 powerOn = Outputs 0x00F0
 
-withLed1, withLed2 :: LedColor -> Outputs -> Outputs
-withLed1 = withLed 8
-withLed2 = withLed 10
-
--- | Two bits per light, red and green; both are orange.
-withLed :: Int -> LedColor -> Outputs -> Outputs
-withLed bit colour (Outputs o) = Outputs ((o .&. complement (3 `shiftL` bit)) .|. (bits `shiftL` bit))
-  where
-    bits = case colour of
-      Black -> 0
-      Red -> 1
-      Green -> 2
-      Orange -> 3
+-- | The outputs after a command; unchanged when it is no command to an output.
+obeying :: Action -> Outputs -> Outputs
+obeying a (Outputs o) = Outputs (withOutput serialTable a o)
 
 -- | Identifier 12.
 outputs :: Outputs -> ByteString
 outputs (Outputs o) = packet (B.pack [12, 2] <> u16 o)
 
--- | Identifier 4: the seven sounds are numbered as 'Sound' lists them.
-soundSequence :: Sound -> ByteString
-soundSequence s = packet (B.pack [4, 1, fromIntegral (fromEnum s)])
+-- | The packet of a command that has one of its own: a sound.
+ownPacket :: Action -> Maybe ByteString
+ownPacket a = (\(ident, byte) -> packet (B.pack [ident, 1, byte])) <$> singleByte serialTable a
 
 -- | Identifier 9: hardware, firmware and serial number (flags 1, 2, 8).
 requestVersions :: ByteString

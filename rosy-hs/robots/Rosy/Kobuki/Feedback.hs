@@ -1,8 +1,8 @@
 -- |
 -- Module      : Rosy.Kobuki.Feedback
--- Description : What the base says in a packet.
+-- Description : Decoder of feedback packets.
 --
--- In: a payload. Out: its parts, of which unknown ones are skipped by their length. Numbers are little-endian.
+-- In: the parts of a payload. Out: those with odometry and versions; "Rosy.Robots.SerialCodec" reads the others. Numbers are little-endian.
 -- Identifiers and lengths are those of kobuki_driver's "Protocol Specification", Feedback Packets.
 module Rosy.Kobuki.Feedback
   ( Feedback (..),
@@ -23,6 +23,7 @@ import qualified Data.ByteString as B
 import Data.Int (Int16)
 import Data.Maybe (listToMaybe)
 import Data.Word (Word16, Word32, Word8)
+import Rosy.Robots.SerialCodec (Parts)
 
 data Feedback
   = CoreSensors Core
@@ -48,9 +49,7 @@ data Core = Core
     -- | ticks, wraps at 65536
     leftEncoder, rightEncoder :: !Word16,
     -- | button n is bit n
-    buttons :: !Word8,
-    -- | 0.1 V
-    battery :: !Word8
+    buttons :: !Word8
   }
   deriving (Eq, Show)
 
@@ -67,20 +66,14 @@ data Inertia = Inertia
 data Version = Version Int Int Int
   deriving (Eq, Ord, Show)
 
--- | The parts of a payload; what is cut off at its end is left out.
-readFeedback :: ByteString -> [Feedback]
-readFeedback payload = case B.unpack (B.take 2 payload) of
-  [ident, n]
-    | B.length body < fromIntegral n -> []
-    | otherwise -> part ident (B.take (fromIntegral n) body) : readFeedback (B.drop (fromIntegral n) body)
-    where
-      body = B.drop 2 payload
-  _ -> []
+-- | What the parts of a payload say that needs more than a table: odometry and versions.
+readFeedback :: Parts -> [Feedback]
+readFeedback = map (uncurry part)
 
 part :: Word8 -> ByteString -> Feedback
 part ident d
   | ident == 1 && B.length d >= 15 =
-    CoreSensors (Core (u16 0) (u8 2) (u8 3) (u8 4) (u16 5) (u16 7) (u8 11) (u8 13))
+    CoreSensors (Core (u16 0) (u8 2) (u8 3) (u8 4) (u16 5) (u16 7) (u8 11))
   | ident == 4 && B.length d >= 4 = InertiaSensor (Inertia (fromIntegral (u16 0)) (fromIntegral (u16 2)))
   | ident == 10 && B.length d >= 2 = Hardware version
   | ident == 11 && B.length d >= 2 = Firmware version

@@ -2,7 +2,7 @@
 -- Module      : Rosy.Kobuki.Sensing
 -- Description : From packets to events and odometry.
 --
--- In: the core and inertia parts of packets, one after another. Out: an event for every bit that changed, and
+-- In: the parts of packets, one packet after another. Out: messages of all channels that changed, by the robot's serial table, and
 -- odometry: place from the wheels, heading from the gyroscope. Pure; order and signs are kobuki_driver's
 -- (event_manager.cpp: update) and kobuki_node's (odometry.cpp), which publish events before the odometry of
 -- the same packet.
@@ -15,18 +15,19 @@ module Rosy.Kobuki.Sensing
   )
 where
 
-import Data.Bits (Bits, testBit)
 import Data.Int (Int16)
-import Data.Word (Word16, Word8)
-import Rosy.Core (Message (..), Odometry (..))
+import Data.Word (Word16)
+import Rosy.Channel (Message)
 import Rosy.Kobuki.Feedback
+import Rosy.Kobuki.Table (serialTable)
 import Rosy.Robot
+import Rosy.Robots.SerialCodec
 
 -- | What the packets so far have said.
 data Sensing = Sensing
   { -- | the packet before, and the gyroscope's heading in the first one
     before :: !(Maybe (Core, Int16)),
-    pressedBefore :: !Bits4,
+    reported :: !Reported,
     -- | where the robot looked in that first packet, radians
     lookedAt :: !Double,
     atX, atY, heading :: !Double,
@@ -34,12 +35,8 @@ data Sensing = Sensing
     doubts :: !Int
   }
 
--- | Buttons, bumpers, cliffs and wheels that were reported: at first none, so that a bumper which is pressed
--- from the start is told in the first packet.
-data Bits4 = Bits4 !Word8 !Word8 !Word8 !Word8
-
 unsensed :: Sensing
-unsensed = Sensing Nothing (Bits4 0 0 0 0) 0 0 0 0 0
+unsensed = Sensing Nothing nothingReported 0 0 0 0 0
 
 -- | After a time without packets: place and heading stay, and what the counters did meanwhile does not count.
 resumed :: Sensing -> Sensing
@@ -52,12 +49,17 @@ metresPerTick = 0.00243691687 * 0.035
 
 -- | Takes one packet. A checksum of eight bits lets one corrupted packet in 256 pass, so what no robot can do is not
 -- believed, unless it goes on: then the base has been somewhere else meanwhile.
-sense :: Core -> Maybe Inertia -> Sensing -> ([Message], Sensing)
-sense core inertia s
-  | believable core s = taken core inertia s {doubts = 0}
-  | doubts s < patience = ([], s {doubts = doubts s + 1})
-  | possible core = taken core inertia (resumed s) {doubts = 0}
-  | otherwise = ([], s)
+sense :: Parts -> Sensing -> ([Message], Sensing)
+sense parts s = case coreOf feedback of
+  Nothing -> ([], s)
+  Just core
+    | believable core s -> taken parts core inertia s {doubts = 0}
+    | doubts s < patience -> ([], s {doubts = doubts s + 1})
+    | possible core -> taken parts core inertia (resumed s) {doubts = 0}
+    | otherwise -> ([], s)
+  where
+    feedback = readFeedback parts
+    inertia = inertiaOf feedback
 
 -- | A tenth of a second at 50 Hz.
 patience :: Int
@@ -77,11 +79,10 @@ believable c s = possible c && maybe True (follows . fst) (before s)
         passed = fromIntegral (timeStamp c - timeStamp old) :: Int
         turned wheel = abs (fromIntegral (fromIntegral (wheel c - wheel old :: Word16) :: Int16)) :: Int
 
-taken :: Core -> Maybe Inertia -> Sensing -> ([Message], Sensing)
-taken core inertia s = (events ++ [OdometryMessage odometry], s {before = Just (core, firstAngle), pressedBefore = now, atX = x, atY = y, heading = theta})
+taken :: Parts -> Core -> Maybe Inertia -> Sensing -> ([Message], Sensing)
+taken parts core inertia s = (messages ++ [OdometryMessage odometry], s {before = Just (core, firstAngle), reported = now, atX = x, atY = y, heading = theta})
   where
-    now = Bits4 (buttons core) (bumpers core) (cliffs core) (wheelDrops core)
-    events = edges (pressedBefore s) now
+    (messages, now) = changes serialTable parts (reported s)
     firstAngle = maybe (maybe 0 angle inertia) snd (before s)
     -- The difference of 16 bit counters, however often they have wrapped.
     moved new old = fromIntegral (fromIntegral (new - old :: Word16) :: Int16) * metresPerTick
@@ -113,17 +114,3 @@ wrapped a
   | a > pi = wrapped (a - 2 * pi)
   | a <= negate pi = wrapped (a + 2 * pi)
   | otherwise = a
-
--- | Buttons 0 to 2, then bumpers and cliffs left, centre, right, then wheels left, right.
-edges :: Bits4 -> Bits4 -> [Message]
-edges (Bits4 b0 u0 c0 w0) (Bits4 b1 u1 c1 w1) =
-  concat
-    [ [ButtonMessage (Button n (status b1 i)) | (n, i) <- zip [Button0 ..] [0, 1, 2], changed b0 b1 i],
-      [BumperMessage (Bumper side (status u1 i)) | (side, i) <- zip [LeftBumper ..] [2, 1, 0], changed u0 u1 i],
-      [CliffMessage (Cliff side (if testBit c1 i then Hole else Floor)) | (side, i) <- zip [LeftCliff ..] [2, 1, 0], changed c0 c1 i],
-      [WheelMessage (Wheel side (if testBit w1 i then Air else Ground)) | (side, i) <- zip [LeftWheel ..] [1, 0], changed w0 w1 i]
-    ]
-  where
-    status bits i = if testBit bits i then Pressed else Released
-    changed :: Bits a => a -> a -> Int -> Bool
-    changed old new i = testBit old i /= testBit new i

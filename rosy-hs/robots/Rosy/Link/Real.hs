@@ -1,19 +1,19 @@
 -- |
 -- Module      : Rosy.Link.Real
--- Description : The link to a real robot, whichever way it is reached.
+-- Description : The link to a real robot, independent of its transport.
 --
--- A program on a real robot hears what comes as it comes, with ten ticks a second in between; nothing waits for it.
--- Everything it wants passes the guard ("Rosy.Robots.Guard"). A velocity is repeated by the program's own
--- turning loop and by nothing else: when the program hangs, the base hears nothing more and stops by itself.
+-- A program on a real robot gets messages as they arrive, with ten ticks a second in between; nothing waits for it.
+-- All commands pass the guard ("Rosy.Robots.Guard"). A velocity is repeated by the program's own
+-- loop and by nothing else: when the program hangs, the base gets no commands and stops by itself.
 module Rosy.Link.Real
   ( -- * The link
     realLink,
 
-    -- * What a person holds
-    Reins,
-    newReins,
-    stopAsked,
-    halt,
+    -- * Control of a run
+    RunControl,
+    newRunControl,
+    requestStop,
+    haltRobot,
 
     -- * Time
     Clock (..),
@@ -28,38 +28,40 @@ import Control.Exception (throwIO)
 import Control.Monad (forM_, when)
 import Data.IORef
 import Data.Maybe (isNothing)
-import Data.Time.Clock.POSIX (getPOSIXTime)
 import GHC.Clock (getMonotonicTime)
-import Rosy.Core (Action (..), Message)
+import Rosy.Channel (Message)
 import Rosy.Link
 import Rosy.Problem (Fault (..))
-import Rosy.Robots.Base
+import Rosy.Robot
+import Rosy.Robots.Connection
 import Rosy.Robots.Guard
 import System.IO (hPutStrLn, stderr)
 import System.Random (randomIO)
 
--- | What a person holds while a program drives: the wish to stop, and the guard.
-data Reins = Reins {stopWanted :: TVar Bool, guarded :: TVar Guard}
+-- | Control of a run from outside: the stop flag, and the guard.
+data RunControl = RunControl {stopWanted :: TVar Bool, guarded :: TVar Guard}
 
-newReins :: Guard -> IO Reins
-newReins g = Reins <$> newTVarIO False <*> newTVarIO g
+newRunControl :: Guard -> IO RunControl
+newRunControl g = RunControl <$> newTVarIO False <*> newTVarIO g
 
--- | The program is to end in good order.
-stopAsked :: Reins -> IO ()
-stopAsked r = atomically (writeTVar (stopWanted r) True)
+-- | Requests an orderly end of the program.
+requestStop :: RunControl -> IO ()
+requestStop r = atomically (writeTVar (stopWanted r) True)
 
--- | The wheels stand from now on, whatever the program is doing.
-halt :: Reins -> Base -> IO ()
-halt r base = atomically (stateTVar (guarded r) halting) >>= mapM_ (tell base)
+-- | Halts the wheels; later commands of the program have no effect.
+haltRobot :: RunControl -> Connection -> IO ()
+haltRobot r connection = atomically (stateTVar (guarded r) haltWheels) >>= mapM_ (sendCommand connection)
 
 data Clock = Clock
-  { -- | seconds since 1970
+  { -- | seconds of a monotonic clock
     now :: IO Double,
-    -- | becomes true when a tick is due; who takes the tick sets it back
+    -- | the time of day, seconds
+    today :: IO Double,
+    -- | becomes true when a tick is due; taking the tick resets it
     tickDue :: TVar Bool
   }
 
--- | The system's time, and ten ticks a second (LANGUAGE: the default rate) while the action runs. A program that
+-- | The system's clocks, and ten ticks a second (the default rate, rule R3) while the action runs. A program that
 -- is late gets one tick, not all that it has missed.
 withClock :: (Clock -> IO a) -> IO a
 withClock use = do
@@ -70,47 +72,48 @@ withClock use = do
         threadDelay (max 0 (ceiling ((began + fromIntegral n / 10 - t) * 1e6)))
         atomically (writeTVar due True)
         beat (n + 1 :: Int)
-  withAsync (beat 1) (const (use (Clock (realToFrac <$> getPOSIXTime) due)))
+  withAsync (beat 1) (const (use (Clock getMonotonicTime secondsOfDay due)))
 
 -- | The robot as a link. The number is how many seconds a lost robot is waited for before the run ends.
-realLink :: Clock -> Double -> Reins -> Base -> IO Link
-realLink clock patience r base = do
+realLink :: Clock -> Double -> RunControl -> Connection -> IO Link
+realLink clock patience r connection = do
   steps <- newIORef 0
   early <- newIORef []
   ticked <- newIORef False
   lostSince <- newIORef Nothing
+  beganAt <- newIORef 0
   let guarding :: (Guard -> (b, Guard)) -> IO b
       guarding f = atomically (stateTVar (guarded r) f)
-      -- What the program is to hear, in order; what a person should know goes to the terminal.
-      passes :: Heard -> IO [Message]
+      -- Messages of an event for the program, in order; notices go to the terminal.
+      passes :: RobotEvent -> IO [Message]
       passes h = do
-        wasHere <- isHere <$> readTVarIO (guarded r)
+        wasHere <- isConnected <$> readTVarIO (guarded r)
         case h of
-          Gone why | wasHere -> do
+          Disconnected why | wasHere -> do
             complain (IsLost why)
             t <- now clock
             writeIORef lostSince (Just (t, why))
-          Gone why -> complain (IsAwaited why)
-          Here -> do
+          Disconnected why -> complain (IsAwaited why)
+          Connected -> do
             lost <- readIORef lostSince
             complain (if isNothing lost then IsThere else IsBack)
             writeIORef lostSince Nothing
-          Heard _ -> pure ()
-        (messages, actions) <- guarding (hearing h)
-        messages <$ mapM_ (tell base) actions
+          Received _ -> pure ()
+        (messages, actions) <- guarding (onEvent h)
+        messages <$ mapM_ (sendCommand connection) actions
       drive t a = do
         case a of
-          SayText s -> putStrLn s
+          SayCommand (Say s) -> putStrLn s
           _ -> pure ()
-        guarding (commanding t a) >>= mapM_ (tell base)
+        forM_ (resolveCommand connection a) $ \a' -> guarding (onCommand t a') >>= mapM_ (sendCommand connection)
       untilHere = do
         found <- atomically $ do
           stop <- readTVar (stopWanted r)
-          if stop then pure Nothing else Just <$> hear base
+          if stop then pure Nothing else Just <$> takeEvents connection
         forM_ found $ \hs -> do
           ms <- concat <$> mapM passes hs
           modifyIORef' early (++ ms)
-          arrived <- isHere <$> readTVarIO (guarded r)
+          arrived <- isConnected <$> readTVarIO (guarded r)
           if arrived then pure () else untilHere
       following = do
         waiting <- readIORef early
@@ -119,7 +122,7 @@ realLink clock patience r base = do
           if stop
             then pure Nothing
             else do
-              hs <- hear base `orElse` pure []
+              hs <- takeEvents connection `orElse` pure []
               tick <- swapTVar (tickDue clock) False
               check (tick || not (null hs && null waiting))
               pure (Just (hs, tick))
@@ -135,25 +138,28 @@ realLink clock patience r base = do
               else do
                 n <- atomicModifyIORef' steps (\i -> (i + 1, i))
                 writeIORef ticked tick
-                pure (Just (Batch n t ms tick False))
+                since <- readIORef beganAt
+                pure (Just (Batch n (t - since) ms tick False False))
   pure
     Link
-      { open = do
+      { open = \topics -> do
+          registerTopics connection topics >>= mapM_ (hPutStrLn stderr)
           complain (IsAwaited "")
           untilHere
-          Opening <$> randomIO,
+          now clock >>= writeIORef beganAt
+          Opening <$> randomIO <*> today clock,
         next = following,
         answer = \a -> do
           t <- now clock
           mapM_ (drive t) (answerActions a)
           tick <- readIORef ticked
-          when tick (guarding (ticking t) >>= mapM_ (tell base)),
+          when tick (guarding (onTick t) >>= mapM_ (sendCommand connection)),
         end = \a _ -> do
           t <- now clock
           mapM_ (drive t) (answerActions a)
-          halt r base,
+          haltRobot r connection,
         atWork = const (pure ()),
         atRest = pure ()
       }
   where
-    complain = hPutStrLn stderr . explainNotice (baseName base)
+    complain = hPutStrLn stderr . explainNotice (connectionName connection)

@@ -1,10 +1,12 @@
+{-# LANGUAGE PatternSynonyms #-}
+
 -- |
 -- Module      : Rosy.Link.Ros
 -- Description : A robot on ROS 1.
 --
--- In: where the master is and what the base's topics are called. Out: a 'Base' while an action runs: the program is
--- a ROS node called @/rosy@. The robot is there when its odometry arrives and it listens to what it is told, and lost when
--- nobody publishes odometry any more or it has been silent for a second. A newer node of the same name takes the robot over.
+-- In: the address of the master and the names of the base's topics. Out: a 'Connection' while an action runs: the program is
+-- a ROS node called @/rosy@. The robot is connected when its odometry arrives and it has subscribed to commands, and lost when
+-- odometry has no publisher or was missing for a second. A newer node of the same name takes over the robot.
 module Rosy.Link.Ros
   ( withRos,
   )
@@ -13,130 +15,137 @@ where
 import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (withAsync)
 import Control.Concurrent.STM
-import Control.Monad (unless, when)
+import Control.Monad (forM_, unless, when)
+import qualified Data.Aeson as Aeson
+import Data.Aeson.Encoding (encodingToLazyByteString)
+import Data.Foldable (toList)
+import Data.List.NonEmpty (NonEmpty (..))
+import qualified Data.Map.Strict as Map
 import Data.Maybe (isNothing)
-import qualified Ros.Geometry_msgs.Point as Point
-import qualified Ros.Geometry_msgs.Pose as Pose
-import qualified Ros.Geometry_msgs.PoseWithCovariance as PoseWithCovariance
-import qualified Ros.Geometry_msgs.Quaternion as Quaternion
-import Ros.Geometry_msgs.Twist (Twist, angular, linear)
-import qualified Ros.Geometry_msgs.TwistWithCovariance as TwistWithCovariance
-import qualified Ros.Geometry_msgs.Vector3 as Vector3
-import qualified Ros.Kobuki_msgs.BumperEvent as BumperEvent
-import qualified Ros.Kobuki_msgs.ButtonEvent as ButtonEvent
-import qualified Ros.Kobuki_msgs.CliffEvent as CliffEvent
-import Ros.Kobuki_msgs.Led (Led (..))
-import qualified Ros.Kobuki_msgs.RobotStateEvent as RobotStateEvent
-import qualified Ros.Kobuki_msgs.Sound as Sound
-import qualified Ros.Kobuki_msgs.WheelDropEvent as WheelDropEvent
-import Ros.Lens
-import Ros.Message (def)
-import qualified Ros.Message as Ros
-import qualified Ros.Nav_msgs.Odometry as Odometry
+import Data.Proxy (Proxy)
+import qualified Data.Set as Set
+import qualified Data.Text as T
+import GHC.TypeLits (SomeSymbol (..), someSymbolVal)
 import qualified Ros.Net.Master as Master
 import Ros.Node
 import Ros.Node.Core (master)
-import qualified Ros.Std_msgs.String as Ros
-import Rosy.Core (Action (..), Message (..), Odometry (..))
+import qualified Ros.Topic as Ros
+import Rosy.Channel (Action (..), Channel (..), Field, Message)
+import Rosy.Codec
+import Rosy.Core (Topic (..), TopicUse (..))
 import Rosy.Robot
-import Rosy.Robots.Base
-import Rosy.Robots.Target (Profile (..))
+import Rosy.Robots.Connection
+import Rosy.Robots.DynamicMessage
+import Rosy.Robots.Target (odometryTopic)
+import Rosy.Topic (pattern OpenAction, pattern OpenMessage)
 
-withRos :: Settings -> String -> Profile -> (Base -> IO a) -> IO a
-withRos settings name p use = withNodeIn settings "rosy" $ do
-  hearing <- liftIO newHearing
+withRos :: Settings -> String -> [Route] -> (Connection -> IO a) -> IO a
+withRos settings name known use = withNodeIn settings "rosy" $ do
+  hearing <- liftIO newEventQueue
   count <- liftIO (newTVarIO (0 :: Int))
   present <- liftIO (newTVarIO False)
-  let events :: Ros.Message a => String -> (a -> Maybe Message) -> Node ()
-      events topic understood = do
-        arriving <- subscribe (prefix p ++ "/events/" ++ topic)
-        runHandler_ (mapM_ (atomically . heard hearing . Heard) . understood) arriving
-      arrives listening o = do
+  let arrives listening o = do
         there <- readTVarIO present
         unless there listening
         atomically $ do
-          known <- swapTVar present True
-          unless known (heard hearing Here)
+          wasPresent <- swapTVar present True
+          unless wasPresent (enqueue hearing Connected)
           modifyTVar' count (+ 1)
-          heard hearing (Heard (OdometryMessage (odometryFrom o)))
-  events "button" (\(ButtonEvent.ButtonEvent n s) -> fmap ButtonMessage (Button <$> nth n <*> nth' [Released, Pressed] s))
-  events "bumper" (\(BumperEvent.BumperEvent n s) -> fmap BumperMessage (Bumper <$> nth n <*> nth' [Released, Pressed] s))
-  events "cliff" (\(CliffEvent.CliffEvent n s _) -> fmap CliffMessage (Cliff <$> nth n <*> nth' [Floor, Hole] s))
-  events "wheel_drop" (\(WheelDropEvent.WheelDropEvent n s) -> fmap WheelMessage (Wheel <$> nth n <*> nth' [Ground, Air] s))
-  events "robot_state" (\(RobotStateEvent.RobotStateEvent s) -> StatusMessage <$> nth' [Offline, Online] s)
-  odometry <- subscribe (odometryTopic p)
-  velocity <- publisher (velocityTopic p)
-  led1 <- publisherWith kept (prefix p ++ "/commands/led1")
-  led2 <- publisherWith kept (prefix p ++ "/commands/led2")
-  sound <- publisher (prefix p ++ "/commands/sound")
-  said <- publisher "/rosy/say"
+          enqueue hearing (Received o)
+      isOdometry r = routeChannel r == odometryChannel
+      described = filter (hasDefinition . T.unpack . routeType)
+  -- The topics of programs: those that are taken, and the publishers of those that are sent.
+  taken <- liftIO (newTVarIO Set.empty)
+  sent <- liftIO (newTVarIO Map.empty)
+  let ownToo (first :| _) v = do
+        let topic = T.unpack (routeTopic first)
+        isTaken <- Set.member topic <$> readTVarIO taken
+        when isTaken (atomically (enqueue hearing (Received (OpenMessage topic v))))
+  forM_ (sensorTopics (described known)) $ \carried ->
+    unless (any isOdometry carried) (receive carried (atomically . enqueue hearing . Received) (ownToo carried))
+  publishers <- Map.fromList <$> mapM (\r -> (,) (channelNumber (routeChannel r)) <$> sender r) (described (commandRoutes known))
   -- The first sound of a program would be lost on a base whose odometry comes a moment before it has connected to ours.
-  nodeIO (\run -> run (runHandler_ (arrives (run (awaitListeners silence))) odometry))
-  let base =
-        Base
-          { baseName = name,
-            tell = \case
-              SetVelocity v w -> publish velocity (def & linear . Vector3.x .~ v & angular . Vector3.z .~ w :: Twist)
-              SetLed1 c -> publish led1 (Led (fromIntegral (fromEnum c)))
-              SetLed2 c -> publish led2 (Led (fromIntegral (fromEnum c)))
-              PlaySound s -> publish sound (Sound.Sound (fromIntegral (fromEnum s)))
-              SayText s -> publish said (Ros.String s),
-            hear = hearAll hearing
+  forM_ (filter (any isOdometry) (sensorTopics known)) $ \carried -> nodeIO (\run -> run (receive carried (arrives (run (awaitListeners silenceTimeout))) (ownToo carried)))
+  let ownTopic t
+        | not (hasDefinition (topicType t)) = pure ["There is no description of the message " ++ topicType t ++ ", which " ++ topicName t ++ " has. Put its .msg file in a folder of ROSY_MSG_PATH."]
+        | topicUse t == Taken = do
+          isNew <- liftIO . atomically $ do
+            before <- readTVar taken
+            writeTVar taken (Set.insert (topicName t) before)
+            pure (Set.notMember (topicName t) before && T.pack (topicName t) `notElem` map routeTopic (described (sensorRoutes known)))
+          [] <$ when isNew (receiveOwn t (atomically . enqueue hearing . Received . OpenMessage (topicName t)))
+        | T.pack (topicName t) `elem` map routeTopic (commandRoutes known) = pure []
+        | otherwise = do
+          before <- liftIO (readTVarIO sent)
+          [] <$ unless (Map.member (topicName t) before) (senderOwn t >>= \s -> liftIO (atomically (modifyTVar' sent (Map.insert (topicName t) s))))
+  ownTopics <- nodeIO (\run -> pure (run . fmap concat . mapM ownTopic))
+  let connection =
+        Connection
+          { connectionName = name,
+            connectionRoutes = known,
+            registerTopics = ownTopics,
+            sendCommand = \case
+              OpenAction topic message -> readTVarIO sent >>= mapM_ ($ message) . Map.lookup topic
+              Action c fields -> forM_ (Map.lookup (channelNumber c) publishers) ($ fields),
+            takeEvents = awaitEvents hearing
           }
-      -- Only a robot that was there can fall silent.
+      -- Only a connected robot can be lost.
       watch = do
         atomically (readTVar present >>= check)
         before <- readTVarIO count
-        came <- patiently silence (atomically (readTVar count >>= check . (/= before)))
+        came <- timeoutInSlices silenceTimeout (atomically (readTVar count >>= check . (/= before)))
         when (isNothing came) . atomically $ do
           writeTVar present False
-          heard hearing (Gone "nothing was heard of it for a second")
+          enqueue hearing (Disconnected "nothing was heard of it for a second")
         watch
   core <- askCore
   let -- Until the robot is there: what it waits for.
-      advise told = do
-        threadDelay silence
+      reportMissing told = do
+        threadDelay silenceTimeout
         there <- readTVarIO present
         answer <- if there then pure Nothing else Just <$> Master.hasParam (master core) "/run_id"
         let why = case answer of
               Nothing -> ""
               Just (Left _) -> "no ROS master answers; does roscore run there?"
-              Just (Right _) -> "the ROS master answers and nobody tells it odometry as " ++ odometryTopic p ++ "; does the base's own program run?"
-        when (why /= told && not (null why)) (atomically (heard hearing (Gone why)))
-        advise why
+              Just (Right _) -> "the ROS master answers and no node publishes odometry as " ++ odometryTopic known ++ "; does the base's own program run?"
+        when (why /= told && not (null why)) (atomically (enqueue hearing (Disconnected why)))
+        reportMissing why
   nodeIO $ \run ->
-    withAsync watch $ \_ -> withAsync (advise "") $ \_ ->
-      withAsync (run awaitEnd >>= atomically . heard hearing . Gone . because) (const (use base))
+    withAsync watch $ \_ -> withAsync (reportMissing "") $ \_ ->
+      withAsync (run awaitEnd >>= atomically . enqueue hearing . Disconnected . because) (const (use connection))
   where
-    kept = publisherOptions {latched = True}
     because why = case why of
       AskedTo reason -> reason
       _ -> "this node ended"
 
--- | Nothing heard for so long means that the robot is lost, microseconds: fifty odometry messages are missing.
-silence :: Int
-silence = 1000000
+-- | Time without a message after which the robot counts as lost, microseconds: fifty odometry messages are missing.
+silenceTimeout :: Int
+silenceTimeout = 1000000
 
--- | A side or a button by its number in kobuki_msgs.
-nth :: (Enum a, Bounded a, Integral n) => n -> Maybe a
-nth = nth' [minBound ..]
+-- | Runs an action on every message of the channels of a topic, what does not fit left out, and another on the whole message.
+receive :: NonEmpty Route -> (Message -> IO ()) -> (Aeson.Value -> IO ()) -> Node ()
+receive carried@(r :| _) use whole = case someSymbolVal (T.unpack (routeType r)) of
+  SomeSymbol (_ :: Proxy name) -> do
+    arriving <- subscribe (T.unpack (routeTopic r)) :: Node (Ros.Topic IO (DynamicMessage name))
+    runHandler_ (\(DynamicMessage v) -> either (const (pure ())) (mapM_ use) (readMessages (toList carried) (routeTopic r) v) >> whole v) arriving
 
--- | None when the base says a number that has no meaning.
-nth' :: Integral n => [a] -> n -> Maybe a
-nth' values n = case drop (fromIntegral n) values of
-  v : _ -> Just v
-  [] -> Nothing
+-- | Runs an action on every message of a topic of the program's own.
+receiveOwn :: Topic -> (Aeson.Value -> IO ()) -> Node ()
+receiveOwn t use = case someSymbolVal (topicType t) of
+  SomeSymbol (_ :: Proxy name) -> do
+    arriving <- subscribe (topicName t) :: Node (Ros.Topic IO (DynamicMessage name))
+    runHandler_ (\(DynamicMessage v) -> use v) arriving
 
-odometryFrom :: Odometry.Odometry -> Odometry
-odometryFrom o =
-  Odometry
-    (Position (at ^. Pose.position . Point.x) (at ^. Pose.position . Point.y))
-    (Orientation (wrapped (2 * atan2 (at ^. Pose.orientation . Quaternion.z) (at ^. Pose.orientation . Quaternion.w))))
-    (Velocity (moving ^. linear . Vector3.x) (moving ^. angular . Vector3.z))
-  where
-    at = o ^. Odometry.pose . PoseWithCovariance.pose
-    moving = o ^. Odometry.twist . TwistWithCovariance.twist
-    wrapped a
-      | a > pi = a - 2 * pi
-      | a <= negate pi = a + 2 * pi
-      | otherwise = a
+-- | What publishes the messages of a topic of the program's own. Latched, so that a listener that connects later gets the last one.
+senderOwn :: Topic -> Node (Aeson.Value -> IO ())
+senderOwn t = case someSymbolVal (topicType t) of
+  SomeSymbol (_ :: Proxy name) -> do
+    publisher' <- publisherWith publisherOptions {latched = True} (topicName t) :: Node (Publisher (DynamicMessage name))
+    pure (publish publisher' . DynamicMessage)
+
+-- | What publishes the commands of a channel.
+sender :: Route -> Node ([Field] -> IO ())
+sender r = case someSymbolVal (T.unpack (routeType r)) of
+  SomeSymbol (_ :: Proxy name) -> do
+    publisher' <- publisherWith publisherOptions {latched = routeLatched r} (T.unpack (routeTopic r)) :: Node (Publisher (DynamicMessage name))
+    pure (mapM_ (publish publisher' . DynamicMessage) . Aeson.decode . encodingToLazyByteString . encode r)

@@ -1,11 +1,12 @@
 {-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE PatternSynonyms #-}
 
 -- |
 -- Module      : Rosy.Link.Rosbridge
 -- Description : A robot behind a rosbridge server.
 --
--- In: where the server is and what the base's topics are called. Out: a 'Base' while an action runs. A thread
--- connects, and again whenever the connection is lost; the robot is there when its odometry arrives, and lost
+-- In: the address of the server and the names of the base's topics. Out: a 'Connection' while an action runs. A thread
+-- connects, and again whenever the connection is lost; the robot is connected when its odometry arrives, and lost
 -- when nothing has arrived for a second.
 module Rosy.Link.Rosbridge
   ( withRosbridge,
@@ -17,96 +18,111 @@ import Control.Concurrent.Async (race, race_, withAsync)
 import Control.Concurrent.STM
 import Control.Exception (Handler (..), IOException, bracket, catches, finally)
 import Control.Monad (forM_, forever, void, when)
+import qualified Data.ByteString.Lazy as L
 import Data.IORef
 import Data.Maybe (isNothing)
 import Data.Text (Text)
 import Network.Socket (close)
 import qualified Network.WebSockets as WS
 import Ros.Net.Rpc (connectTo)
-import Rosy.Core (Action, Message (..))
-import Rosy.Robots.Base
-import Rosy.Robots.Reason (reason)
-import Rosy.Robots.Rosbridge
+import Rosy.Codec (Route)
+import Rosy.Core (Topic (..), TopicUse (..))
+import Rosy.Robot (pattern OdometryMessage)
+import Rosy.Robots.Connection
+import Rosy.Robots.ConnectionError (explainConnectionError)
+import Rosy.Robots.RosbridgeCodec
 import Rosy.Robots.Target
 import System.Timeout (timeout)
 
-withRosbridge :: String -> Int -> String -> Profile -> (Base -> IO a) -> IO a
-withRosbridge host port path profile use = do
-  hearing <- newHearing
+withRosbridge :: String -> Int -> String -> [Route] -> (Connection -> IO a) -> IO a
+withRosbridge host port path known use = do
+  hearing <- newEventQueue
   outgoing <- newTQueueIO
   connected <- newTVarIO False
-  let base =
-        Base
-          { baseName = "the robot at ws://" ++ host ++ ":" ++ show port ++ path,
-            tell = \a -> atomically (readTVar connected >>= \c -> if c then writeTQueue outgoing (Just a) else pure ()),
-            hear = hearAll hearing
+  own <- newTVarIO []
+  let connection =
+        Connection
+          { connectionName = "the robot at ws://" ++ host ++ ":" ++ show port ++ path,
+            connectionRoutes = known,
+            registerTopics = \topics -> do
+              atomically $ do
+                before <- readTVar own
+                let new = filter (`notElem` before) topics
+                writeTVar own (before ++ new)
+                isConnected <- readTVar connected
+                when isConnected (mapM_ (writeTQueue outgoing . Just) (topicFrames new))
+              pure [],
+            sendCommand = \a -> atomically (readTVar connected >>= \c -> when c (mapM_ (writeTQueue outgoing . Just) (encodeCommand known a))),
+            takeEvents = awaitEvents hearing
           }
       -- What was told last, a stop, is to arrive: the base would notice the silence only 0.6 s later. The server answers a goodbye
       -- behind it; a connection that is closed with odometry unread takes along what is still under way.
-      goodbye = timeout farewell $ do
+      goodbye = timeout flushTimeout $ do
         atomically (readTVar connected >>= \c -> when c (writeTQueue outgoing Nothing))
         atomically (readTVar connected >>= check . not)
-  withAsync (keepConnected host port path profile hearing outgoing connected) $ \_ -> use base `finally` goodbye
+  withAsync (keepConnected host port path known own hearing outgoing connected) $ \_ -> use connection `finally` goodbye
 
 -- | Half a second, in microseconds.
-farewell :: Int
-farewell = 500000
+flushTimeout :: Int
+flushTimeout = 500000
 
--- | Nothing heard for so long means that the robot is lost, microseconds: fifty odometry messages are missing.
-silence :: Int
-silence = 1000000
+-- | Time without a message after which the robot counts as lost, microseconds: fifty odometry messages are missing.
+silenceTimeout :: Int
+silenceTimeout = 1000000
 
-keepConnected :: String -> Int -> String -> Profile -> Hearing -> TQueue (Maybe Action) -> TVar Bool -> IO ()
-keepConnected host port path profile hearing outgoing connected = go firstPause ""
+keepConnected :: String -> Int -> String -> [Route] -> TVar [Topic] -> EventQueue -> TQueue (Maybe L.ByteString) -> TVar Bool -> IO ()
+keepConnected host port path known own hearing outgoing connected = go firstPause ""
   where
     go pause said = do
-      why <- (converse >> pure "the connection ended") `catches` [Handler (\e -> pure (reason (e :: IOException))), Handler (\e -> pure (ended (e :: WS.ConnectionException))), Handler (\(_ :: WS.HandshakeException) -> pure "what listens there is no rosbridge server")]
+      why <- (runConnection >> pure "the connection ended") `catches` [Handler (\e -> pure (explainConnectionError (e :: IOException))), Handler (\e -> pure (ended (e :: WS.ConnectionException))), Handler (\(_ :: WS.HandshakeException) -> pure "what listens there is no rosbridge server")]
       wasConnected <- atomically (swapTVar connected False <* flushTQueue outgoing)
-      if wasConnected || why /= said then atomically (heard hearing (Gone why)) else pure ()
+      if wasConnected || why /= said then atomically (enqueue hearing (Disconnected why)) else pure ()
       threadDelay pause
       go (if wasConnected then firstPause else min lastPause (pause * 2)) why
-    converse = bracket (connectTo host port) close $ \s ->
+    runConnection = bracket (connectTo host port) close $ \s ->
       WS.runClientWithSocket s (host ++ ":" ++ show port) path WS.defaultConnectionOptions [] $ \c -> do
-        forM_ (greeting profile) (WS.sendTextData c)
-        atomically (writeTVar connected True)
-        race_ (speak c) (listen c)
-    speak c =
+        forM_ (openingFrames known) (WS.sendTextData c)
+        topics <- atomically (writeTVar connected True >> readTVar own)
+        forM_ (topicFrames topics) (WS.sendTextData c)
+        race_ (sendFrames c) (receiveFrames c)
+    sendFrames c =
       atomically (readTQueue outgoing) >>= \case
-        Just a -> WS.sendTextData c (command profile a) >> speak c
-        Nothing -> WS.sendClose c ("" :: Text) >> threadDelay farewell -- the answer ends the conversation
-    listen c = do
+        Just frame -> WS.sendTextData c frame >> sendFrames c
+        Nothing -> WS.sendClose c ("" :: Text) >> threadDelay flushTimeout -- the answer ends the conversation
+    receiveFrames c = do
       present <- newIORef False
-      -- Somebody who waits has been told that the server has no odometry.
+      -- A caller that waits has been told that the server has no odometry.
       missing <- newIORef False
-      lastWords <- newTVarIO (0 :: Int)
+      messageCount <- newTVarIO (0 :: Int)
       let read' = forever $ do
             frame <- WS.receiveData c
-            forM_ (understand profile frame) $ \m -> do
-              known <- readIORef present
+            taken <- map topicName . filter ((== Taken) . topicUse) <$> readTVarIO own
+            forM_ (decodeFrame known taken frame) $ \m -> do
+              wasPresent <- readIORef present
               atomically $ do
-                modifyTVar' lastWords (+ 1)
+                modifyTVar' messageCount (+ 1)
                 case m of
-                  OdometryMessage _ | not known -> heard hearing Here
+                  OdometryMessage _ | not wasPresent -> enqueue hearing Connected
                   _ -> pure ()
-                heard hearing (Heard m)
+                enqueue hearing (Received m)
               case m of
                 OdometryMessage _ -> writeIORef present True
                 _ -> pure ()
-          -- Only a robot that was there can fall silent.
+          -- Only a connected robot can be lost.
           watch = do
-            before <- readTVarIO lastWords
-            came <- patiently silence (atomically (readTVar lastWords >>= check . (/= before)))
-            known <- readIORef present
+            before <- readTVarIO messageCount
+            came <- timeoutInSlices silenceTimeout (atomically (readTVar messageCount >>= check . (/= before)))
+            wasPresent <- readIORef present
             lately <- readIORef missing
-            if isNothing came && known
+            if isNothing came && wasPresent
               then do
                 writeIORef present False
-                atomically (heard hearing (Gone "nothing was heard of it for a second"))
-              else when (isNothing came && not lately) (atomically (heard hearing (Gone (noOdometry profile))))
+                atomically (enqueue hearing (Disconnected "nothing was heard of it for a second"))
+              else when (isNothing came && not lately) (atomically (enqueue hearing (Disconnected noOdometry)))
             writeIORef missing (isNothing came)
             watch
       void (race read' watch)
-    noOdometry p = "the server answers and has no odometry called " ++ odometryTopic p ++ "; does the base's own program run?"
+    noOdometry = "the server answers and has no odometry called " ++ odometryTopic known ++ "; does the base's own program run?"
     ended e = case e of
       WS.CloseRequest _ _ -> "the server closed the connection"
       WS.ConnectionClosed -> "the connection was closed"

@@ -1,33 +1,37 @@
 -- |
 -- Module      : Rosy.Robots.Guard
--- Description : What stands between a program and real wheels.
+-- Description : Speed limits, repetition and safety rules between a program and the wheels.
 --
--- In: what the robot says, what the program wants, and the time. Out: what the program hears, and what the robot is
--- told. Pure. It keeps speeds within limits, repeats a velocity that is not zero, because the base stops when it
--- hears nothing for 0.6 s (kobuki_node: cmd_vel_timeout), forgets it when the robot is lost, lets the safety
--- rules go first, and moves odometry so that the program starts at the origin.
+-- In: messages of the robot, commands of the program, and the time. Out: messages for the program, and commands for the
+-- robot. Pure. Speeds are kept within limits. A velocity other than zero is repeated (rule R9), because the base stops
+-- without a command for 0.6 s (kobuki_node: cmd_vel_timeout); it is forgotten when the robot is lost. While the safety rules
+-- are on, they override the program. Odometry is moved so that the program starts at the origin (rule R22).
+--
+-- @sim-service/rosy_sim/run/velocity_guard.py@ does the same for the simulator; @protocol/goldens/safety.json@ holds the two together.
 module Rosy.Robots.Guard
   ( -- * What it is
     Guard,
     newGuard,
     Limits (..),
-    isHere,
+    isConnected,
     isEvading,
+    isSafe,
 
-    -- * What comes
-    hearing,
-    commanding,
-    ticking,
-    halting,
-    renewing,
-    watching,
+    -- * Events
+    onEvent,
+    onCommand,
+    onTick,
+    haltWheels,
+    startRun,
+    setWatched,
+    setSafetyRules,
   )
 where
 
 import Data.Maybe (fromMaybe)
-import Rosy.Core (Action (..), Message (..), Odometry (..))
+import Rosy.Channel (Action, Message)
 import Rosy.Robot
-import Rosy.Robots.Base (Heard (..))
+import Rosy.Robots.Connection (RobotEvent (..))
 import Rosy.Robots.Safety
 
 -- | The fastest that a program may go: m/s and rad/s.
@@ -36,39 +40,45 @@ data Limits = Limits {maxSpeed :: !Double, maxTurn :: !Double}
 
 data Guard = Guard
   { limits :: !Limits,
-    -- | with the safety rules, what they have noticed
-    trouble :: !(Maybe Trouble),
-    -- | until when the safety rules own the wheels, seconds
+    -- | whether the safety rules are on
+    safe :: !Bool,
+    -- | sensors that touch something, also while the safety rules are off
+    hazards :: !Hazards,
+    -- | until when the safety rules own the wheels, seconds; 0 while they do not
     ownedUntil :: !Double,
-    -- | what the wheels were told last, to be repeated
+    -- | the latest velocity of the program, to be repeated
     kept :: !(Double, Double),
-    here :: !Bool,
+    connected :: !Bool,
     halted :: !Bool,
-    -- | whether somebody watches the robot; wheels turn only then
+    -- | whether the robot is watched; wheels turn only then
     watched :: !Bool,
     origin :: !(Maybe Odometry)
   }
 
 newGuard :: Limits -> Bool -> Guard
-newGuard l safe = Guard l (if safe then Just noTrouble else Nothing) 0 (0, 0) False False True Nothing
+newGuard l yes = Guard l yes noHazards 0 (0, 0) False False True Nothing
 
-isHere :: Guard -> Bool
-isHere = here
+isConnected :: Guard -> Bool
+isConnected = connected
 
 -- | Whether the safety rules own the wheels.
 isEvading :: Guard -> Bool
 isEvading g = ownedUntil g > 0
 
--- | What the program is to hear of it, and what the robot is told at once: one that is lost is told to stand. Perhaps it hears that
--- at once, perhaps when it is found again, behind all that was under way to it meanwhile.
-hearing :: Heard -> Guard -> (([Message], [Action]), Guard)
-hearing h g = case h of
-  Here -> (([], []), g {here = True})
-  Gone _ -> (([StatusMessage Offline | here g], [SetVelocity 0 0 | here g]), g {here = False, kept = (0, 0)})
-  Heard (OdometryMessage o) -> (([OdometryMessage (from start o)], []), g {origin = Just start})
+-- | Whether the safety rules are on.
+isSafe :: Guard -> Bool
+isSafe = safe
+
+-- | Messages for the program and commands for the robot after an event. A lost robot is sent a stop, which may reach it
+-- at once or when it is connected again, behind all commands that were under way.
+onEvent :: RobotEvent -> Guard -> (([Message], [Action]), Guard)
+onEvent h g = case h of
+  Connected -> (([], []), g {connected = True})
+  Disconnected _ -> (([RobotStatusMessage Offline | connected g], [VelocityCommand (Velocity 0 0) | connected g]), g {connected = False, kept = (0, 0)})
+  Received (OdometryMessage o) -> (([OdometryMessage (from start o)], []), g {origin = Just start})
     where
       start = fromMaybe o (origin g)
-  Heard m -> (([m], []), g {trouble = notice m <$> trouble g})
+  Received m -> (([m], []), g {hazards = updateHazards m (hazards g)})
 
 -- | Odometry in the frame of where the program started.
 from :: Odometry -> Odometry -> Odometry
@@ -82,19 +92,23 @@ from (Odometry (Position x0 y0) (Orientation a0) _) (Odometry (Position x y) (Or
       | t <= negate pi = t + 2 * pi
       | otherwise = t
 
--- | What the robot is told when the program wants this, at a time in seconds.
-commanding :: Double -> Action -> Guard -> ([Action], Guard)
-commanding t a g = case a of
-  SetVelocity v w
-    | not (here g) || halted g || t < ownedUntil g -> ([], g)
-    | not (watched g) -> ([], g {kept = limited})
-    | otherwise -> ([uncurry SetVelocity limited], g {kept = limited})
+-- | Commands for the robot after a command of the program, at a time in seconds.
+onCommand :: Double -> Action -> Guard -> ([Action], Guard)
+onCommand t a g = case a of
+  VelocityCommand (Velocity v w)
+    | not (connected g) || halted g -> ([], g)
+    | not (watched g) || t < ownedUntil g -> ([], g {kept = limited})
+    | otherwise -> ([uncurry driveAt limited], g {kept = limited})
     where
       limited = (within (maxSpeed (limits g)) v, within (maxTurn (limits g)) w)
-  _ | here g -> ([a], g)
-  -- What a program says is for people: it needs no robot.
-  SayText _ -> ([a], g)
+  _ | connected g -> ([a], g)
+  -- A text of a program is for people: it needs no robot.
+  SayCommand (Say _) -> ([a], g)
   _ -> ([], g)
+
+-- | A velocity as a command.
+driveAt :: Double -> Double -> Action
+driveAt v w = VelocityCommand (Velocity v w)
 
 -- | No number beyond the limit, in either direction; what is no number is zero.
 within :: Double -> Double -> Double
@@ -102,31 +116,39 @@ within limit x
   | isNaN x || isInfinite x = 0
   | otherwise = max (negate limit) (min limit x)
 
--- | Ten times a second: what the robot is told without the program.
-ticking :: Double -> Guard -> ([Action], Guard)
-ticking t g
-  | not (here g) || halted g || not (watched g) = ([], g)
-  | Just (v, w) <- trouble g >>= evade = ([SetVelocity v w], g {ownedUntil = t + holds, kept = (0, 0)})
-  | ownedUntil g > 0 && t >= ownedUntil g = ([SetVelocity 0 0], g {ownedUntil = 0})
-  | kept g /= (0, 0) = ([uncurry SetVelocity (kept g)], g)
-  | otherwise = ([], g)
+-- | Ten times a second: commands for the robot without a new command of the program. The safety rules own the wheels while
+-- a sensor touches something and 0.2 s longer; then the latest velocity of the program holds again (rule R9).
+onTick :: Double -> Guard -> ([Action], Guard)
+onTick t g
+  | not (connected g) || halted g || not (watched g) = ([], g)
+  | safe g, Just (v, w) <- evasiveVelocity (hazards g) = ([driveAt v w], g {ownedUntil = t + holds})
+  | isEvading g && t >= ownedUntil g = ([uncurry driveAt (kept g)], g {ownedUntil = 0})
+  | isEvading g || kept g == (0, 0) = ([], g)
+  | otherwise = ([uncurry driveAt (kept g)], g)
 
--- | How long the safety rules own the wheels after they have spoken, seconds (safe_random_walker_app, the
--- multiplexer's timeout). Afterwards the robot stands until the program says something new.
+-- | How long the safety rules own the wheels after the last contact, seconds: the timeout of the multiplexer of
+-- safe_random_walker_app.
 holds :: Double
 holds = 0.2
 
--- | The person stops the robot: whatever the program wants from now on, the wheels stand.
-halting :: Guard -> ([Action], Guard)
-halting g = ([SetVelocity 0 0], g {halted = True, kept = (0, 0), ownedUntil = 0})
+-- | Switches the safety rules. When they are switched off while they own the wheels, the latest velocity of the program
+-- holds again at once.
+setSafetyRules :: Bool -> Guard -> ([Action], Guard)
+setSafetyRules yes g
+  | yes || not (isEvading g) = ([], g {safe = yes})
+  | otherwise = ([uncurry driveAt (kept g) | connected g && not (halted g) && watched g], g {safe = False, ownedUntil = 0})
+
+-- | Halts the wheels; commands of the program have no effect from now on.
+haltWheels :: Guard -> ([Action], Guard)
+haltWheels g = ([VelocityCommand (Velocity 0 0)], g {halted = True, kept = (0, 0), ownedUntil = 0})
 
 -- | Another program begins: it starts where the robot is, may drive, and what is pressed is still pressed.
-renewing :: Guard -> Guard
-renewing g = g {halted = False, watched = True, kept = (0, 0), ownedUntil = 0, origin = Nothing}
+startRun :: Guard -> Guard
+startRun g = g {halted = False, watched = True, kept = (0, 0), ownedUntil = 0, origin = Nothing}
 
--- | Whether somebody watches. Unwatched wheels stand; what the program wanted last is done again when somebody is back.
-watching :: Bool -> Guard -> ([Action], Guard)
-watching yes g
+-- | Whether the robot is watched. Unwatched wheels stand; the last command of the program is carried out again afterwards.
+setWatched :: Bool -> Guard -> ([Action], Guard)
+setWatched yes g
   | watched g == yes = ([], g)
   | yes = ([], g {watched = True})
-  | otherwise = ([SetVelocity 0 0 | here g], g {watched = False, ownedUntil = 0})
+  | otherwise = ([VelocityCommand (Velocity 0 0) | connected g], g {watched = False, ownedUntil = 0})

@@ -1,30 +1,30 @@
 -- |
 -- Module      : Rosy.Robots.Safety
--- Description : Backing off from what the robot has run into.
+-- Description : Safety rules: the robot backs off from obstacles and edges.
 --
--- In: events. Out: a velocity that goes before the program's while the robot is in trouble. The rules and speeds
--- are those of kobuki_safety_controller (safety_controller.hpp: spinOnce): the first that fits wins.
+-- In: events. Out: a velocity that overrides that of the program. The rules and speeds are those of
+-- kobuki_safety_controller (safety_controller.hpp: spinOnce): the first that fits wins.
 module Rosy.Robots.Safety
-  ( Trouble,
-    noTrouble,
-    notice,
-    evade,
+  ( Hazards,
+    noHazards,
+    updateHazards,
+    evasiveVelocity,
   )
 where
 
 import qualified Data.Set as Set
-import Rosy.Core (Message (..))
+import Rosy.Channel (Message)
 import Rosy.Robot
 
--- | What is pressed, what looks into a hole, which wheels hang.
-data Trouble = Trouble {pressed :: !(Set.Set BumperSide), over :: !(Set.Set CliffSide), hanging :: !(Set.Set WheelSide)}
+-- | Pressed bumpers, cliff sensors above a hole, and hanging wheels.
+data Hazards = Hazards {pressed :: !(Set.Set BumperSide), over :: !(Set.Set CliffSide), hanging :: !(Set.Set WheelSide)}
   deriving (Eq, Show)
 
-noTrouble :: Trouble
-noTrouble = Trouble Set.empty Set.empty Set.empty
+noHazards :: Hazards
+noHazards = Hazards Set.empty Set.empty Set.empty
 
-notice :: Message -> Trouble -> Trouble
-notice m t = case m of
+updateHazards :: Message -> Hazards -> Hazards
+updateHazards m t = case m of
   BumperMessage (Bumper side s) -> t {pressed = change (s == Pressed) side (pressed t)}
   CliffMessage (Cliff side s) -> t {over = change (s == Hole) side (over t)}
   WheelMessage (Wheel side s) -> t {hanging = change (s == Air) side (hanging t)}
@@ -34,8 +34,8 @@ notice m t = case m of
 
 -- | m/s and rad/s: stand still with a wheel in the air, otherwise back off, away from the side that is in trouble.
 -- Left and right together count as left, as there.
-evade :: Trouble -> Maybe (Double, Double)
-evade t
+evasiveVelocity :: Hazards -> Maybe (Double, Double)
+evasiveVelocity t
   | not (Set.null (hanging t)) = Just (0, 0)
   | at CenterBumper CenterCliff = Just (-0.1, 0)
   | at LeftBumper LeftCliff = Just (-0.1, -0.4)

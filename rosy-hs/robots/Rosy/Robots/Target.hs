@@ -3,14 +3,14 @@
 -- Description : Which robot, how it is reached, and what its topics are called.
 --
 -- In: @ws://HOST:9090@, @ros://HOST:11311@ or @serial:/dev/kobuki@, with options behind a question mark. Out: a
--- 'Target', or a sentence. Options: @ros=1|2@, @prefix@, @odometry@, @velocity@, @messages@, @max_speed@,
+-- 'Target', or a sentence. Options: @robot@, @ros=1|2@, @prefix@, @odometry@, @velocity@, @messages@, @max_speed@,
 -- @max_turn@ (m/s, rad/s), @safety=on|off@, @patience@ (s) and @profile=FILE@, a JSON object with any of these.
 module Rosy.Robots.Target
   ( Target (..),
-    Way (..),
+    Transport (..),
     Profile (..),
-    turtlebot2,
-    kobukiRos2,
+    targetRoutes,
+    odometryTopic,
     readTarget,
     withFile,
     profileFile,
@@ -27,17 +27,21 @@ import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString as B
 import Data.Char (isDigit, isHexDigit)
 import Data.Either (fromRight)
-import Data.List (isPrefixOf, partition, stripPrefix)
-import Data.Maybe (fromMaybe)
+import Data.List (find, isPrefixOf, partition, stripPrefix)
+import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Text as T
 import Numeric (readHex)
+import Rosy.Codec
+import Rosy.Profile
+import Rosy.Robot (odometryChannel)
+import Rosy.Robot.Known (robots)
 import Rosy.Robots.Guard (Limits (..))
 import Text.Read (readMaybe)
 
 data Target = Target
   { -- | as it was written
     targetAddress :: String,
-    targetWay :: Way,
+    targetTransport :: Transport,
     targetProfile :: Profile,
     targetLimits :: Limits,
     -- | whether the safety rules go before the program
@@ -47,7 +51,7 @@ data Target = Target
   }
   deriving (Eq, Show)
 
-data Way
+data Transport
   = -- | host, port, path
     Rosbridge String Int String
   | -- | host and port of the master
@@ -56,32 +60,36 @@ data Way
     Serial FilePath
   deriving (Eq, Show)
 
--- | What the base's topics and messages are called.
+-- | A robot, with the variables of its topics and types.
 data Profile = Profile
-  { -- | before @/events/bumper@ and @/commands/led1@
-    prefix :: String,
-    odometryTopic :: String,
-    velocityTopic :: String,
-    -- | the package of the base's messages
-    messagePackage :: String,
+  { profileRobot :: Robot,
+    profileVariables :: Variables,
     -- | ROS 2 writes @package/msg/Name@
     isRos2 :: Bool
   }
-  deriving (Eq, Show)
 
--- | A TurtleBot 2: kobuki_node called @mobile_base@, its odometry remapped (turtlebot_bringup,
--- kobuki/mobile_base.launch.xml).
-turtlebot2 :: Profile
-turtlebot2 = Profile "/mobile_base" "/odom" "/mobile_base/commands/velocity" "kobuki_msgs" False
+-- | By name and variables.
+instance Eq Profile where
+  a == b = (robotName (profileRobot a), profileVariables a, isRos2 a) == (robotName (profileRobot b), profileVariables b, isRos2 b)
 
--- | kobuki_ros: topics relative to the namespace, messages in a package of another name
--- (kobuki_node, kobuki_ros.cpp; kobuki_ros_interfaces).
-kobukiRos2 :: Profile
-kobukiRos2 = Profile "" "/odom" "/commands/velocity" "kobuki_ros_interfaces" True
+instance Show Profile where
+  show p = show (robotName (profileRobot p), profileVariables p, isRos2 p)
+
+-- | The channels of the robot with the names that they have there.
+targetRoutes :: Target -> [Route]
+targetRoutes t = [if isRos2 p then r {routeType = T.replace (T.pack "/") (T.pack "/msg/") (routeType r)} else r | r <- routes (profileRobot p) (profileVariables p)]
+  where
+    p = targetProfile t
+
+-- | Where odometry comes from.
+odometryTopic :: [Route] -> String
+odometryTopic known = maybe "" (T.unpack . routeTopic) (routeFor known odometryChannel)
 
 data TargetError
   = -- | Not one of the three.
     StrangeTarget String
+  | -- | No robot has this name.
+    UnknownRobot String
   | StrangeOption String
   | -- | An option's value: name, value.
     StrangeValue String String
@@ -92,11 +100,12 @@ data TargetError
 explainTargetError :: TargetError -> String
 explainTargetError e = case e of
   StrangeTarget t -> "\"" ++ t ++ "\" is no robot. A robot is ws://HOST:9090, ros://HOST:11311 or serial:/dev/kobuki."
+  UnknownRobot n -> "There is no robot called \"" ++ n ++ "\". There are " ++ unwords (map robotName robots) ++ "."
   StrangeOption o -> "A robot has no option \"" ++ o ++ "\". There are " ++ unwords known ++ "."
   StrangeValue o v -> "\"" ++ v ++ "\" does not fit the option " ++ o ++ "."
   StrangeProfile f -> "The profile " ++ f ++ " cannot be read. It is a JSON object of options, such as {\"prefix\": \"/robot1\"}."
   where
-    known = ["ros", "prefix", "odometry", "velocity", "messages", "max_speed", "max_turn", "safety", "patience", "profile"]
+    known = ["robot", "ros", "prefix", "odometry", "velocity", "messages", "max_speed", "max_turn", "safety", "patience", "profile"]
 
 -- | The profile that is named there, if one is: its options come before those of the address.
 profileFile :: String -> Maybe FilePath
@@ -110,14 +119,20 @@ withFile :: Maybe B.ByteString -> String -> Either TargetError Target
 withFile profile t = do
   way <- maybe (Left (StrangeTarget t)) Right (readWay (takeWhile (/= '?') t))
   let named = optionsOf t
-      begun = Target t way (startProfile (named ++ maybe [] (fromRight [] . fromJson "") profile)) (Limits 0.7 pi) True 10
+      first = named ++ maybe [] (fromRight [] . fromJson "") profile
+      robot = lookup "robot" first
+  chosen <- maybe (maybe (Left (UnknownRobot "")) Right (listToMaybe robots)) (\n -> maybe (Left (UnknownRobot n)) Right (find ((== n) . robotName) robots)) robot
   fromProfile <- maybe (Right []) (fromJson (fromMaybe "" (lookup "profile" named))) profile
+  let (speed, turn) = robotLimits chosen
+      begun = Target t way (startProfile chosen (lookup "ros" first)) (Limits speed turn) True 10
   foldM option begun (prefixFirst (fromProfile ++ filter ((/= "profile") . fst) named))
   where
     -- It moves the topics that are not named.
     prefixFirst = uncurry (++) . partition ((== "prefix") . fst)
     -- Which ROS it is decides where the other options start from, wherever it is written.
-    startProfile os = if fmap (takeWhile (/= '.')) (lookup "ros" os) == Just "2" then kobukiRos2 else turtlebot2
+    startProfile chosen version = Profile chosen (fromMaybe [] (lookup (if ros2 then "ros2" else "ros1") (robotProfiles chosen))) ros2
+      where
+        ros2 = fmap (takeWhile (/= '.')) version == Just "2"
 
 fromJson :: FilePath -> B.ByteString -> Either TargetError [(String, String)]
 fromJson file text = case Aeson.decodeStrict' text of
@@ -136,13 +151,12 @@ option t (k, v) = case k of
   "ros"
     | takeWhile (/= '.') v `elem` ["1", "2"] -> Right t
     | otherwise -> bad
-  -- A topic that lies below the prefix follows it; a TurtleBot's odometry does not.
-  "prefix" -> Right t {targetProfile = p {prefix = v, odometryTopic = moved (odometryTopic p), velocityTopic = moved (velocityTopic p)}}
-    where
-      moved n = maybe n (v ++) (stripPrefix (prefix p) n)
-  "odometry" -> topic (\n -> p {odometryTopic = n})
-  "velocity" -> topic (\n -> p {velocityTopic = n})
-  "messages" -> if null v then bad else Right t {targetProfile = p {messagePackage = v}}
+  "robot" -> Right t
+  -- A topic that is defined below the prefix follows it; a TurtleBot's odometry does not.
+  "prefix" -> Right t {targetProfile = p {profileVariables = set k v (profileVariables p)}}
+  "odometry" -> topic
+  "velocity" -> topic
+  "messages" -> if null v then bad else Right t {targetProfile = p {profileVariables = set k v (profileVariables p)}}
   "max_speed" -> number (\x -> t {targetLimits = (targetLimits t) {maxSpeed = x}})
   "max_turn" -> number (\x -> t {targetLimits = (targetLimits t) {maxTurn = x}})
   "patience" -> number (\x -> t {targetPatience = x})
@@ -154,12 +168,13 @@ option t (k, v) = case k of
   where
     p = targetProfile t
     bad = Left (StrangeValue k v)
-    topic f = if "/" `isPrefixOf` v then Right t {targetProfile = f v} else bad
+    topic = if "/" `isPrefixOf` v then Right t {targetProfile = p {profileVariables = set k v (profileVariables p)}} else bad
+    set name value = map (\(n, old) -> (n, if n == name then value else old))
     number f = case readMaybe (if take 1 v == "." then '0' : v else v) of
       Just x | x >= 0, not (isInfinite x) -> Right (f x)
       _ -> bad
 
-readWay :: String -> Maybe Way
+readWay :: String -> Maybe Transport
 readWay t
   | Just rest <- stripPrefix "ws://" t = hostPort 9090 rest >>= \(h, p, path) -> Just (Rosbridge h p (if null path then "/" else path))
   | Just rest <- stripPrefix "ros://" t = hostPort 11311 rest >>= \(h, p, path) -> if path `elem` ["", "/"] then Just (Ros1 h p) else Nothing

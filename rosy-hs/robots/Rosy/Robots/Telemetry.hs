@@ -1,104 +1,118 @@
 {-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE PatternSynonyms #-}
 
 -- |
 -- Module      : Rosy.Robots.Telemetry
--- Description : What a person who watches a robot is told of it, as lines.
+-- Description : State of a robot for display, as lines.
 --
--- In: what the robot senses and what it is told. Out: a picture of it, and the lines of @protocol/README.md@
+-- In: messages and commands. Out: the state of the robot, and the lines of @protocol/README.md@
 -- section 7. Pure.
 module Rosy.Robots.Telemetry
-  ( -- * The picture
-    Picture,
-    blank,
-    sensed,
-    told,
-    firedBy,
+  ( -- * State
+    RobotState,
+    initialState,
+    applyMessage,
+    applyCommand,
+    recordFirings,
     frameLine,
-    restarted,
+    restart,
 
     -- * The other lines
     holdingLine,
     linkLine,
     saidLine,
     soundLine,
+    commandsLine,
     endedLine,
     stoppedLine,
   )
 where
 
-import Data.Aeson (Value, object, (.=))
+import Data.Aeson (Value (Null), object, (.=))
 import qualified Data.Aeson as Aeson
-import Data.Bits (clearBit, setBit)
+import qualified Data.Aeson.Key as Key
 import qualified Data.ByteString.Lazy as L
+import qualified Data.Map.Strict as Map
 import Data.Text (Text)
-import Rosy.Core (Action (..), Message (..), Odometry (..))
+import Rosy.Channel
+import Rosy.Profile
 import Rosy.Robot
-import Rosy.Robots.Base (Notice (..))
+import Rosy.Robots.Connection (Notice (..))
+import Rosy.Topic (pattern OpenAction)
 
--- | The robot as it is known to be. Bits as in kobuki_msgs/SensorState: right 1, centre 2, left 4; wheels right 1, left 2;
--- button n is bit n.
-data Picture = Picture
+-- | The known state of a robot.
+data RobotState = RobotState
   { at :: !Odometry,
-    bumpers, cliffs, wheels, buttons :: !Int,
-    led1, led2 :: !LedColor,
+    -- | By the number of its channel: its name, and its values or the state of each of its places.
+    channels :: !(Map.Map Int (String, [Field])),
     -- | since the last frame, newest first
-    fired :: ![Text]
+    fired :: ![Text],
+    -- | events since the last frame as Haskell shows them, newest first
+    events :: ![String]
   }
 
-blank :: Picture
-blank = Picture (Odometry (Position 0 0) (Orientation 0) (Velocity 0 0)) 0 0 0 0 Black Black []
+-- | The state before the first message.
+initialState :: Robot -> RobotState
+initialState robot = RobotState originOdometry (Map.fromList (places ++ held)) [] []
+  where
+    places = [(channelNumber c, (channelName c, replicate (channelPlaces c) (Whole 0))) | m <- robotMappings robot, let c = mappingChannel m, channelKind c == EventChannel, channelPlaces c > 0]
+    held = [(channelNumber c, (channelName c, values)) | (c, values) <- robotHeld robot]
+
+originOdometry :: Odometry
+originOdometry = Odometry (Position 0 0) (Orientation 0) (Velocity 0 0)
 
 -- | Another run: it starts where the robot is, and what is pressed or lit stays so.
-restarted :: Picture -> Picture
-restarted p = p {at = at blank, fired = []}
+restart :: RobotState -> RobotState
+restart p = p {at = originOdometry, fired = [], events = []}
 
-sensed :: Message -> Picture -> Picture
-sensed m p = case m of
+applyMessage :: Message -> RobotState -> RobotState
+applyMessage m@(Message c fields) p = case m of
   OdometryMessage o -> p {at = o}
-  -- Sides are counted from the left, bits from the right.
-  BumperMessage (Bumper n s) -> p {bumpers = bit' (s == Pressed) (2 - fromEnum n) (bumpers p)}
-  CliffMessage (Cliff n s) -> p {cliffs = bit' (s == Hole) (2 - fromEnum n) (cliffs p)}
-  WheelMessage (Wheel n s) -> p {wheels = bit' (s == Air) (1 - fromEnum n) (wheels p)}
-  ButtonMessage (Button n s) -> p {buttons = bit' (s == Pressed) (fromEnum n) (buttons p)}
-  StatusMessage _ -> p
+  _ | channelKind c == EventChannel -> (set c fields p) {events = take 50 (tellMessage m : events p)}
+  _ -> set c fields p
+
+-- | Keeps the lasting effect of a command.
+applyCommand :: Action -> RobotState -> RobotState
+applyCommand (Action c fields) p
+  | Map.member (channelNumber c) (channels p) = set c fields p
+  | otherwise = p
+
+-- | The values of a channel; a place of one that has several.
+set :: Channel -> [Field] -> RobotState -> RobotState
+set c fields p = p {channels = Map.alter (Just . (,) (channelName c) . change . maybe [] snd) (channelNumber c) (channels p)}
   where
-    bit' yes n x = if yes then setBit x n else clearBit x n
+    change old = case fields of
+      [Whole i, state] | channelPlaces c > 0 -> [if j == i then state else x | (j, x) <- zip [0 ..] (old ++ replicate (channelPlaces c - length old) (Whole 0))]
+      _ -> fields
 
-told :: Action -> Picture -> Picture
-told a p = case a of
-  SetLed1 c -> p {led1 = c}
-  SetLed2 c -> p {led2 = c}
-  _ -> p
+-- | Names of functions; the latest two hundred are kept.
+recordFirings :: [Text] -> RobotState -> RobotState
+recordFirings names p = p {fired = take 200 (reverse names ++ fired p)}
 
--- | Names of functions; a picture remembers the latest two hundred.
-firedBy :: [Text] -> Picture -> Picture
-firedBy names p = p {fired = take 200 (reverse names ++ fired p)}
-
--- | The line of a picture so many seconds after the run began, and the picture after it was shown. @backing@: the safety
+-- | The frame at a time in seconds since the run began, and the state with empty lists of firings and events. @backing@: the safety
 -- rules own the wheels.
-frameLine :: Double -> Bool -> Picture -> (L.ByteString, Picture)
+frameLine :: Double -> Bool -> RobotState -> (L.ByteString, RobotState)
 frameLine time backing p =
   ( line
       [ "op" .= ("frame" :: Text),
         "time" .= time,
-        "x" .= x,
-        "y" .= y,
-        "theta" .= theta,
-        "v" .= v,
-        "w" .= w,
-        "bumpers" .= bumpers p,
-        "cliffs" .= cliffs p,
-        "wheels" .= wheels p,
-        "buttons" .= buttons p,
-        "led1" .= fromEnum (led1 p),
-        "led2" .= fromEnum (led2 p),
+        "pose" .= object ["x" .= x, "y" .= y, "theta" .= theta],
+        "channels" .= object (("Velocity" .= [v, w]) : [Key.fromString name .= map fieldValue fields | (name, fields) <- Map.elems (channels p)]),
         "fired" .= reverse (fired p),
+        "sensed" .= reverse (events p),
         "backing" .= backing
       ],
-    p {fired = []}
+    p {fired = [], events = []}
   )
   where
     Odometry (Position x y) (Orientation theta) (Velocity v w) = at p
+
+fieldValue :: Field -> Value
+fieldValue field = case field of
+  Number n -> Aeson.toJSON n
+  Whole n -> Aeson.toJSON n
+  Text s -> Aeson.toJSON s
+  Structure tree -> tree
 
 -- | Whether the safety rules are on, and the fastest that a program may go: m/s and rad/s.
 holdingLine :: Bool -> Double -> Double -> L.ByteString
@@ -119,6 +133,15 @@ saidLine time text = line ["op" .= ("said" :: Text), "time" .= time, "text" .= t
 
 soundLine :: Double -> Sound -> L.ByteString
 soundLine time s = line ["op" .= ("sound" :: Text), "time" .= time, "sound" .= fromEnum s]
+
+-- | The commands of a step in which these functions fired, and how many each of them sent. A message on a topic of the program's own
+-- has no channel.
+commandsLine :: Double -> [Text] -> [Int] -> [Action] -> L.ByteString
+commandsLine time names sent commands =
+  line ["op" .= ("commands" :: Text), "time" .= time, "fired" .= names, "sent" .= sent, "commands" .= map command commands]
+  where
+    command (OpenAction _ _) = object ["channel" .= Null, "values" .= ([] :: [Value])]
+    command (Action c fields) = object ["channel" .= channelName c, "values" .= map fieldValue fields]
 
 -- | How a run ended, and the problem as the program told it.
 endedLine :: Double -> Text -> Maybe Value -> L.ByteString

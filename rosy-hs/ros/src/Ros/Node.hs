@@ -117,7 +117,7 @@ type ParamName = Name
 -- a handler or a topic fails, the node ends and the exception is thrown here.
 runNode :: String -> Node a -> IO ()
 runNode name node = do
-  -- What is printed is wanted now, also when it goes to a file, and a line at a time, whoever else is talking.
+  -- What is printed is wanted now, also when it goes to a file, and a line at a time, whatever else is printed.
   mapM_ (`hSetBuffering` LineBuffering) [stdout, stderr]
   settings <- settingsFromSystem
   why <- withNodeIn settings name (interruptible' (node >> awaitEnd))
@@ -221,7 +221,7 @@ awaitPublishers topic n = do
   t <- resolved topic
   liftIO (atomically (publisherCount core t >>= check . (>= n)))
 
--- | Whether somebody publishes this topic to us now; for transactions that wait for a change.
+-- | Whether this topic has a publisher now; for transactions that wait for a change.
 isConnectedTo :: TopicName -> Node (STM Bool)
 isConnectedTo topic = do
   core <- askCore

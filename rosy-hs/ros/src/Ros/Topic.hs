@@ -3,7 +3,7 @@
 -- Description : A topic as a stream of actions.
 --
 -- A topic is an action that gives one value and the rest of the topic. Nothing happens until
--- somebody pulls. In the laws below a topic stands for the list of values it gives:
+-- values are pulled. In the laws below a topic stands for the list of values it gives:
 --
 -- > fmap f t   = map f t
 -- > f <*> t    = zipWith ($) f t      -- lock step: left is pulled first

@@ -28,7 +28,8 @@ import Foreign.C.Types (CInt (..), CSize (..))
 import Foreign.Marshal.Utils (copyBytes)
 import Foreign.Ptr (Ptr, castPtr, nullPtr, plusPtr)
 import Foreign.Storable (peek, poke)
-import Rosy.Core (Message, nameBytes)
+import Rosy.Channel (Message)
+import Rosy.Core (Topic (..), TopicUse (..), nameBytes)
 import Rosy.Link
 import Rosy.Problem (Fault (..))
 import Rosy.Wire
@@ -43,20 +44,23 @@ pipeLink :: CInt -> Ptr Word32 -> IO Link
 pipeLink descriptor page = do
   rest <- newIORef ByteString.empty
   tracing <- newIORef False
+  taken <- newIORef []
   let heard = do
         bytes <- readLineFrom descriptor rest
-        case readLine bytes of
+        names <- readIORef taken
+        case readLineTaking names bytes of
           Right l -> pure l
           Left _ -> throwIO (Malformed (Char8.unpack (ByteString.take 500 bytes)))
   pure
     Link
-      { open = do
+      { open = \topics -> do
           l <- heard
           case l of
-            StartLine 1 seed trace -> do
+            StartLine 1 seed clock trace -> do
               writeIORef tracing trace
-              send descriptor writeOpening
-              pure (Opening seed)
+              writeIORef taken [topicName t | t <- topics, topicUse t == Taken]
+              send descriptor (writeOpening topics)
+              pure (Opening seed clock)
             _ -> throwIO (Malformed "the first line is not a start of protocol 1"),
         next = batch heard [],
         answer = \a -> do
@@ -74,8 +78,8 @@ batch :: IO Line -> [Message] -> IO (Maybe Batch)
 batch heard messages = do
   l <- heard
   case l of
-    SensorLine message -> batch heard (message : messages)
-    StepLine step time looks -> pure (Just (Batch step time (reverse messages) (step `mod` ticksEvery == 0) looks))
+    SensorLine found -> batch heard (reverse found ++ messages)
+    StepLine step time looks watches -> pure (Just (Batch step time (reverse messages) (step `mod` ticksEvery == 0) looks watches))
     StopLine -> pure Nothing
     StartLine {} -> throwIO (Malformed "a second start")
 

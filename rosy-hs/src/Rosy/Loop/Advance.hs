@@ -2,7 +2,7 @@
 
 -- |
 -- Module      : Rosy.Loop.Advance
--- Description : Tasks (rule 10): beginning, ending, calling and stopping them.
+-- Description : Tasks (rule R10): beginning, ending, calling and stopping them.
 module Rosy.Loop.Advance
   ( -- * Getting on
     stepLimit,
@@ -12,10 +12,12 @@ module Rosy.Loop.Advance
     beside,
     against,
     finish,
+    isMark,
 
     -- * Calls
     startCalls,
     reports,
+    turn,
 
     -- * Stopping
     stopRunning,
@@ -24,6 +26,8 @@ where
 
 import Data.Dynamic (Dynamic, dynTypeRep, fromDynamic, toDyn)
 import qualified Data.IntMap.Strict as IntMap
+import Data.List (partition)
+import Rosy.Channel (Channel (..))
 import Rosy.Core
 import Rosy.Loop.Fire
 import Rosy.Loop.State
@@ -76,6 +80,10 @@ against left x y k = case y of
     advance left (k (Right v))
   _ -> pure (Against x y k)
 
+-- | From here on tasks begin and end because of this.
+turn :: Cause -> Step ()
+turn cause = change (\w -> w {turning = cause})
+
 -- | A scope of its own: a new, empty memory.
 freshScope :: Step ScopeId
 freshScope = Step (\w k -> k (nextScope w) w {nextScope = nextScope w + 1})
@@ -83,26 +91,31 @@ freshScope = Step (\w k -> k (nextScope w) w {nextScope = nextScope w + 1})
 -- | Says that a function with this mark has fired.
 data Fired = Fired
 
+-- | Whether the value of an ending is only this mark.
+isMark :: Dynamic -> Bool
+isMark value = case fromDynamic value of
+  Just Fired -> True
+  Nothing -> False
+
 -- | The function, marked so that the ending tells whether it fired.
 marked :: Function -> Function
 marked (Function name inputs give) = Function name inputs (append . give)
   where
-    append Nothing' = Then (End (toDyn Fired)) Nothing'
+    append Nothing' = Then (End (toDyn Fired) "") Nothing'
     append (Then effect rest) = Then effect (append rest)
 
 -- | The ending, unless it is only the mark.
 ofDone :: Given -> Maybe Given
-ofDone given@(Given _ value) = case fromDynamic value of
-  Just Fired -> Nothing
-  Nothing -> Just given
+ofDone given@(Given _ value) = if isMark value then Nothing else Just given
 
 -- | Fire if all inputs can be read now; says whether it did.
 tryNow :: ScopeId -> Function -> Step Bool
 tryNow scope (Function name (Sense tell shape) give) = case shape of
   Triggered _ -> pure False
   Level reading -> do
-    there <- world (arrived . env)
-    if needsOdometry reading && not there then pure False else True <$ fire scope name tell give reading
+    now <- world env
+    cause <- world turning
+    if canRead now reading then True <$ fire cause scope name tell give reading else pure False
 
 startTask :: Int -> Spec end -> (end -> Program r) -> Step (Running r)
 startTask left spec k = do
@@ -119,6 +132,7 @@ startTask left spec k = do
 -- | The start has fired: install the controller, unless the start has ended the task.
 afterStart :: Int -> ScopeId -> Int -> Spec end -> (end -> Program r) -> Step (Running r)
 afterStart left scope born spec k = do
+  turn (ByTask scope)
   over <- takeEnding
   case over >>= ofDone of
     Just given -> finish left scope given [] spec k
@@ -129,12 +143,14 @@ install left scope born spec k = do
   case specStopped spec of
     Nothing -> pure ()
     Just function -> change (\w -> w {cleanups = IntMap.insert scope function (cleanups w)})
+  change (\w -> w {begun = reverse (specTasks spec) ++ begun w})
   called <- startCalls (left - 1) scope
   pure (Working scope (map (liven born) (specFunctions spec)) called spec k)
 
--- | A command given once is no task: nothing may end there, and nothing may be called, for nobody stays to hear of it.
+-- | A command given once is no task: nothing may end there, and nothing may be called, for nothing stays to hear of it.
 afterOnce :: Int -> ScopeId -> Program r -> Step (Running r)
 afterOnce left scope rest = do
+  turn (ByTask scope)
   over <- takeEnding
   called <- world begun
   change (\w -> w {begun = []})
@@ -144,11 +160,12 @@ afterOnce left scope rest = do
     Just (Given name _) | not (null called) -> Step (\w _ -> abandon (CalledInOnce (nameText name)) w)
     _ -> advance (left - 1) rest
 
--- | The task has ended: its functions are gone, its calls are stopped, the value is handed on (rule 10).
+-- | The task has ended: its functions are gone, its calls are stopped, the value is handed on (rule R10).
 finish :: Int -> ScopeId -> Given -> [Called] -> Spec end -> (end -> Program r) -> Step (Running r)
 finish left scope given@(Given _ value) called spec k = case specEnd spec value of
   Nothing -> wrongEnd given (specType spec)
   Just x -> do
+    turn (ByTask scope)
     mapM_ stopCalled called
     change (\w -> w {cleanups = IntMap.delete scope (cleanups w), begun = []})
     forget scope
@@ -180,11 +197,18 @@ stopRunning running = case running of
         atOnce scope name inputs give
         -- A task that is being stopped can neither end nor call.
         change (\v -> v {ending = ending w, begun = begun w})
+    standStill scope
     forget scope
   Waiting _ _ -> pure ()
   Paused _ -> pure ()
   Beside a b _ -> stopRunning a >> stopRunning b
   Against a b _ -> stopRunning a >> stopRunning b
+
+-- | Tell the robot to stand if a function of this scope set it in motion last (rule R10).
+standStill :: ScopeId -> Step ()
+standStill scope = change $ \w -> case partition ((== scope) . snd) (moving w) of
+  ([], _) -> w
+  (own, others) -> w {actions = [Action c rest | (c, _) <- own, Just rest <- [channelRest c]] ++ actions w, moving = others}
 
 stopCalled :: Called -> Step ()
 stopCalled (Called running _ _ _) = stopRunning running
@@ -200,7 +224,9 @@ startCalls left scope = do
       )
   case calls of
     [] -> pure []
-    _ -> concat <$> mapM start calls
+    _ -> do
+      cause <- world turning
+      concat <$> mapM (\calling -> turn cause >> start calling) calls
   where
     -- What the caller's functions ended with is not for the called, and comes first.
     start (Calling program canceller feedback response) = do
@@ -213,17 +239,18 @@ startCalls left scope = do
         Nothing -> pure called
         Just _ -> called <$ change (\w -> w {ending = ended})
 
--- | Carry out what the caller does with feedback and with the end. Feedback that nobody here takes goes further out.
+-- | Carry out what the caller does with feedback and with the end. Feedback that is not taken here goes further out.
 reports :: [Dynamic] -> ScopeId -> Called -> Step [Called]
 reports outer scope called@(Called running _ feedback response) = do
   own <- takeFed
   change (\w -> w {fed = outer})
+  cause <- world turning
   mapM_ tell (reverse own)
   case running of
-    Returned x -> [] <$ carry (response x)
+    Returned x -> [] <$ (turn cause >> carry (response x))
     _ -> pure [called]
   where
     tell value = case feedback value of
-      Just function -> carry function
+      Just function -> turn ByFeedback >> carry function
       Nothing -> change (\w -> w {fed = value : fed w})
     carry (Function name inputs give) = atOnce scope name inputs give

@@ -2,7 +2,7 @@
 
 -- |
 -- Module      : Rosy.Loop.Deliver
--- Description : Tasks (rule 10): letting everything that runs see what happened.
+-- Description : Tasks (rule R10): letting everything that runs see what happened.
 module Rosy.Loop.Deliver
   ( deliver,
   )
@@ -35,10 +35,10 @@ deliver occurrence running = case running of
     | Emitted _ <- occurrence -> pure running
     | otherwise -> do
       now <- world (envTime . env)
-      if now + rounding >= moment then advance stepLimit rest else pure running
+      if now + rounding >= moment then turn ByInstant >> advance stepLimit rest else pure running
   Paused rest
     | Emitted _ <- occurrence -> pure running
-    | otherwise -> advance stepLimit rest
+    | otherwise -> turn ByInstant >> advance stepLimit rest
   Beside a b k -> do
     x <- deliver occurrence a
     y <- deliver occurrence b
@@ -71,7 +71,7 @@ work scope occurrence live0 called0 spec k = leaves live0 [] []
       quiet <- world uneventful
       if quiet then leaves ls (l' : seen) fresh else leafDone l' ls seen fresh
     leafDone l' ls seen fresh = do
-      more <- startCalls stepLimit scope
+      more <- givenCalls scope
       over <- takeEnding
       case over of
         Nothing -> leaves ls (l' : seen) (if null more then fresh else fresh ++ more)
@@ -79,13 +79,19 @@ work scope occurrence live0 called0 spec k = leaves live0 [] []
     calls [] kept live fresh = pure (Working scope live (if null kept then fresh else reverse kept ++ fresh) spec k)
     calls (c : cs) kept live fresh = do
       result <- deliverCalled scope occurrence c
-      more <- startCalls stepLimit scope
+      more <- givenCalls scope
       over <- takeEnding
       case over of
         Nothing -> calls cs (result ++ kept) live (if null more then fresh else fresh ++ more)
         Just given -> finish stepLimit scope given (reverse kept ++ result ++ cs ++ fresh ++ more) spec k
 
--- | Nobody ended or called anything: by far the most firings.
+-- | Start what the latest firing of the scope has called.
+givenCalls :: ScopeId -> Step [Called]
+givenCalls scope = do
+  none <- world (null . begun)
+  if none then pure [] else turn (ByTask scope) >> startCalls stepLimit scope
+
+-- | Nothing ended or was called: by far the most firings.
 uneventful :: World -> Bool
 uneventful w = case ending w of
   Nothing -> null (begun w)
@@ -97,7 +103,7 @@ deliverCalled scope occurrence (Called running cancel feedback response) = do
   cancel' <- traverse (offerIf scope occurrence) cancel
   cancelled <- takeEnding
   case cancelled of
-    Just _ -> [] <$ stopRunning running
+    Just _ -> [] <$ (turn (ByTask scope) >> stopRunning running)
     Nothing -> do
       outer <- takeFed
       running' <- deliver occurrence running

@@ -2,7 +2,7 @@
 
 -- |
 -- Module      : Rosy.Loop.Fire
--- Description : One function: what makes it fire (rules 1 to 5), and what its firing does (rules 6, 7, 9, 11).
+-- Description : One function: what makes it fire (rules R1 to R5), and what its firing does (rules R6, R7, R9, R11).
 module Rosy.Loop.Fire
   ( -- * Firing
     fire,
@@ -21,34 +21,38 @@ where
 import Data.Bits ((.|.))
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.Map.Strict as Map
+import Data.Sequence (Seq (..), (|>))
+import Rosy.Channel (Channel (..))
 import Rosy.Core
 import Rosy.Loop.State
 
--- | Fire with inputs that are there: one transaction (rule 6).
-fire :: ScopeId -> FunctionName -> Telling n -> (n -> Effects) -> Reading n -> Step ()
-fire scope name tell give (Reading _ used' look) = Step $ \w k ->
+-- | Fire with inputs that are there: one transaction (rule R6).
+fire :: Cause -> ScopeId -> FunctionName -> Telling n -> (n -> Effects) -> Reading n -> Step ()
+fire cause scope name tell give (Reading _ used' look) = Step $ \w k ->
   let before = env w
       here = if envScope before == scope then before else before {envScope = scope}
       inputs = look here
       effects = give inputs
       w' = if used' == 0 then w else w {env = withoutGenerators used' before}
-   in Fires (Firing name (tell inputs []) effects (cleanUp w)) (carryOut scope name effects w' (k ()))
+   in Fires (Firing name scope cause (tell inputs []) effects (cleanUp w)) (carryOut scope name effects w' (k ()))
 
 -- | Do what a firing says, in order.
 carryOut :: ScopeId -> FunctionName -> Effects -> World -> (World -> Turn) -> Turn
 carryOut _ _ Nothing' !w k = k w
 carryOut scope name (Then effect rest) !w k = carryOut scope name rest (w `after` effect) k
   where
-    after v (Act action) = v {actions = action : actions v}
+    after v (Act action@(Action c fields)) = case channelRest c of
+      Just rest -> v {actions = action : actions v, moving = [(c, scope) | fields /= rest] ++ filter ((/= c) . fst) (moving v)}
+      Nothing -> v {actions = action : actions v}
     after v (Emit value text) =
       v {queue = Event (emitted v) value text : queue v, emitted = emitted v + 1, heard = text : heard v}
     after v (Remember key value) =
       v {env = (env v) {envMemories = IntMap.insertWith (\_ old -> Map.insert key value old) scope (Map.singleton key value) (envMemories (env v))}}
     after v (Share key value) = v {env = (env v) {envParams = Map.insert key value (envParams (env v))}}
-    after v (End value) = case ending v of
+    after v (End value _) = case ending v of
       Nothing -> v {ending = Just (Given name value)}
       Just _ -> v
-    after v (Feed value) = v {fed = value : fed v}
+    after v (Feed value _) = v {fed = value : fed v}
     after v (StartCall calling) = v {begun = calling : begun v}
 
 -- | End the program at once.
@@ -60,7 +64,7 @@ cleanUp :: World -> Turn
 cleanUp w = case IntMap.maxViewWithKey (cleanups w) of
   Nothing -> Ended (reportOf w)
   Just ((scope, Function name inputs give), rest) ->
-    let w' = w {cleanups = rest}
+    let w' = w {cleanups = rest, turning = ByEnd}
      in runStep (atOnce scope name inputs give) w' (const cleanUp)
 
 -- | Fire if all inputs can be read now; functions that would have to wait are passed over.
@@ -68,8 +72,9 @@ atOnce :: ScopeId -> FunctionName -> Sense n -> (n -> Effects) -> Step ()
 atOnce scope name (Sense tell shape) give = case shape of
   Triggered _ -> pure ()
   Level reading -> do
-    there <- world (arrived . env)
-    if needsOdometry reading && not there then pure () else fire scope name tell give reading
+    now <- world env
+    cause <- world turning
+    if canRead now reading then fire cause scope name tell give reading else pure ()
 
 -- | What the steps since the last look have left for the outside.
 reportOf :: World -> Report
@@ -78,37 +83,43 @@ reportOf w = Report (reverse (actions w)) (reverse (heard w))
 -- | A function with fresh inputs.
 liven :: Int -> Function -> Live
 liven born (Function name (Sense tell shape) give) = case shape of
-  Level reading -> Steady name (if needsOdometry reading then odometryInterest else interestIn Tick) tell reading give
+  Level reading -> Steady name (if needs reading == 0 then interestIn Tick else clockInterest) tell reading give
   Triggered t -> case passing t of
-    Just arrivals -> Passing name (kinds t) born tell arrivals [] give
-    Nothing -> Keeping name (kinds t) born tell t (unused t) [] give
+    Just arrivals -> Passing name (kinds t) born tell arrivals Empty give
+    Nothing -> Keeping name (kinds t) born tell t (unused t) Empty give
   where
-    kinds t = if mayWait t then interest t .|. odometryInterest else interest t
+    kinds t = interest t .|. mayNeed t
 
 -- | Let a function that listens see what happened, and fire as often as it has unused values. Stops at a 'Done'.
 offerTo :: ScopeId -> Occurrence -> Live -> Step Live
 offerTo scope occurrence live = case live of
-  Steady name _ tell reading give -> live <$ fire scope name tell give reading
+  Steady name _ tell reading give -> do
+    now <- world env
+    if canRead now reading then live <$ fire (ByOccurrence occurrence) scope name tell give reading else pure live
   Passing name kinds born tell arrivals waiting0 give -> do
-    there <- world (arrived . env)
-    let fires = fire scope name tell give
+    now <- world env
+    let fires = fire (ByOccurrence occurrence) scope name tell give
         same waiting = Passing name kinds born tell arrivals waiting give
-        late [] = go (arrivals occurrence)
-        late (r : rs) = fires r >> unlessOver (same []) (late rs)
-        go NoMore = pure (if null waiting0 then live else same [])
-        go (Arrival reading more) = fires reading >> unlessOver (same []) (go more)
+        -- What waited for a state goes first.
+        late waiting Empty = sift waiting (arrivals occurrence)
+        late waiting (r :<| rs)
+          | canRead now r = fires r >> unlessOver (same waiting) (late waiting rs)
+          | otherwise = late (waiting |> r) rs
         -- Some of several arrivals may have to wait while others do not.
+        sift Empty NoMore = pure (if null waiting0 then live else same Empty)
         sift waiting NoMore = pure (same waiting)
         sift waiting (Arrival reading more)
-          | needsOdometry reading = sift (waiting ++ [reading]) more
-          | otherwise = fires reading >> unlessOver (same waiting) (sift waiting more)
-    if there then late waiting0 else sift waiting0 (arrivals occurrence)
+          | canRead now reading = fires reading >> unlessOver (same waiting) (sift waiting more)
+          | otherwise = sift (waiting |> reading) more
+    late Empty waiting0
   Keeping name kinds born tell trigger state0 waiting0 give -> do
-    there <- world (arrived . env)
-    let fires = fire scope name tell give
+    now <- world env
+    let fires = fire (ByOccurrence occurrence) scope name tell give
         same s waiting = Keeping name kinds born tell trigger s waiting give
-        late [] = turn [] 0 state0
-        late (r : rs) = fires r >> unlessOver (same state0 []) (late rs)
+        late waiting Empty = turn waiting 0 state0
+        late waiting (r :<| rs)
+          | canRead now r = fires r >> unlessOver (same state0 waiting) (late waiting rs)
+          | otherwise = late (waiting |> r) rs
         turn waiting i s
           | i == turns trigger = pure (same s waiting)
           | otherwise =
@@ -117,10 +128,10 @@ offerTo scope occurrence live = case live of
                   Nothing -> turn waiting (i + 1) s'
                   Just reading ->
                     let !s'' = used trigger s'
-                     in if needsOdometry reading && not there
-                          then turn (waiting ++ [reading]) (i + 1) s''
-                          else fires reading >> unlessOver (same s'' waiting) (turn waiting (i + 1) s'')
-    if there then late waiting0 else turn waiting0 0 state0
+                     in if canRead now reading
+                          then fires reading >> unlessOver (same s'' waiting) (turn waiting (i + 1) s'')
+                          else turn (waiting |> reading) (i + 1) s''
+    late Empty waiting0
 
 -- | 'offerTo', for a function that may not listen.
 offerIf :: ScopeId -> Occurrence -> Live -> Step Live

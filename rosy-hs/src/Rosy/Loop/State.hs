@@ -8,13 +8,14 @@ module Rosy.Loop.State
   ( -- * What comes out
     Turn (..),
     Firing (..),
+    Cause (..),
     Outcome (..),
     Report (..),
 
     -- * The state
     Network (..),
     World (..),
-    arrived,
+    canRead,
     Given (..),
     Live (..),
     Telling,
@@ -33,6 +34,8 @@ where
 
 import Data.Dynamic (Dynamic)
 import Data.IntMap.Strict (IntMap)
+import Data.Sequence (Seq)
+import Rosy.Channel (Channel (..))
 import Rosy.Core
 
 -- ---------------------------------------------------------------------------------------------
@@ -55,13 +58,31 @@ data Turn
 -- | A function at work.
 data Firing = Firing
   { firingName :: !FunctionName,
-    -- | What it was given, as Haskell shows it. Computed only when something asks.
-    firingInputs :: [String],
+    -- | The task that it belongs to.
+    firingScope :: !ScopeId,
+    firingCause :: !Cause,
+    -- | What it was given, and where that was read. Computed only when something asks.
+    firingInputs :: [InputValue],
     -- | Evaluating this is the firing. It throws what the function throws.
     firingEffects :: Effects,
     -- | What follows when it threw: the clean-up of the tasks that were live then, and 'Ended'.
     firingFailed :: Turn
   }
+
+-- | Why a function fires (rule R12).
+data Cause
+  = -- | A message, the tick or a user event completed its inputs.
+    ByOccurrence !Occurrence
+  | -- | It is carried out at once, because the program began.
+    ByStart
+  | -- | It is carried out at once, because a time had passed, or the steps of the instant before were used up.
+    ByInstant
+  | -- | It is carried out at once, because of what the latest firing in this scope gave: a @Done@, a call, a start.
+    ByTask !ScopeId
+  | -- | It is carried out at once, because of the latest @Feedback@.
+    ByFeedback
+  | -- | It is a clean-up at the end of the program.
+    ByEnd
 
 -- | How a program ends by itself.
 data Outcome
@@ -102,7 +123,11 @@ data World = World
     begun :: ![Calling],
     nextScope :: !ScopeId,
     -- | What the live tasks do when they are stopped.
-    cleanups :: !(IntMap Function)
+    cleanups :: !(IntMap Function),
+    -- | The channels that are not at rest, each with the scope that sent its command in force.
+    moving :: ![(Channel, ScopeId)],
+    -- | What led to the latest change of tasks: the cause of what is carried out at once.
+    turning :: !Cause
   }
 
 -- | The value of a @Done@, and the function that gave it.
@@ -110,17 +135,17 @@ data Given = Given !FunctionName !Dynamic
 
 -- | A function with the state of its inputs. Each has a name, what it listens to, how its inputs are told, and what it does.
 -- Those that follow events have a birth: user events with a smaller serial were emitted before and are not for it.
--- Firings may wait for the first odometry message, oldest first.
+-- Firings may wait for states that have not arrived, oldest first; a sequence, because events keep coming meanwhile.
 data Live
   = -- | Nothing to keep: reads states and samples.
     forall n. Steady !FunctionName !Interest (Telling n) !(Reading n) !(n -> Effects)
   | -- | Takes every value as it comes.
-    forall n. Passing !FunctionName !Interest !Int (Telling n) !(Occurrence -> Arrivals n) ![Reading n] !(n -> Effects)
+    forall n. Passing !FunctionName !Interest !Int (Telling n) !(Occurrence -> Arrivals n) !(Seq (Reading n)) !(n -> Effects)
   | -- | Keeps values until their partners come.
-    forall n s. Keeping !FunctionName !Interest !Int (Telling n) !(Trigger s n) !s ![Reading n] !(n -> Effects)
+    forall n s. Keeping !FunctionName !Interest !Int (Telling n) !(Trigger s n) !s !(Seq (Reading n)) !(n -> Effects)
 
--- | How inputs are told in an error message.
-type Telling n = n -> [String] -> [String]
+-- | How inputs are told.
+type Telling n = n -> [InputValue] -> [InputValue]
 
 -- | Whether an occurrence of this kind may concern the function.
 listens :: Interest -> Occurrence -> Live -> Bool
@@ -133,11 +158,9 @@ listens kind occurrence live = case live of
       Emitted e -> eventSerial e >= born
       _ -> True
 
--- | Whether odometry is there.
-arrived :: Env -> Bool
-arrived e = case envOdometry e of
-  Nothing -> False
-  Just _ -> True
+-- | Whether all states that a reading needs have arrived.
+canRead :: Env -> Reading a -> Bool
+canRead e reading = not (needs reading `lacks` envArrived e)
 
 -- | What runs until it gives an @r@.
 data Running r

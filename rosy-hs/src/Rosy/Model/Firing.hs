@@ -2,7 +2,7 @@
 -- Module      : Rosy.Model.Firing
 -- Description : When a function fires, and what one firing does.
 --
--- Rules 1 to 9 as pure code; what becomes of tasks is in "Rosy.Model". Two notions carry everything:
+-- Rules R1 to R9 as pure code; what becomes of tasks is in "Rosy.Model". Two notions carry everything:
 --
 -- * An __arrival__ is a value that an input gets from one happening ('arrivals'). A function fires at each arrival of its input.
 -- * A __turn__: an v'Either' has a turn for each of its sides, the left one first, so that a happening that
@@ -10,11 +10,14 @@
 module Rosy.Model.Firing
   ( -- * The state of the world
     World (..),
+    Turning (..),
+    turn,
     Doing,
     get,
     gets,
     modify,
     passTime,
+    say,
 
     -- * Inputs
     Occurrence (..),
@@ -30,6 +33,15 @@ module Rosy.Model.Firing
     notice,
     dones,
     atOnce,
+    causeOf,
+
+    -- * What depends on what
+    Sending (..),
+    concerns,
+    mightFire,
+    mentionsState,
+    turnOn,
+    settlePhantoms,
   )
 where
 
@@ -37,8 +49,12 @@ import Control.Monad (when)
 import Control.Monad.Trans.Class (lift)
 import Control.Monad.Trans.Except (ExceptT, throwE)
 import qualified Control.Monad.Trans.State.Strict as State
-import Data.Maybe (catMaybes, fromMaybe, isJust)
+import qualified Data.IntSet as IntSet
+import Data.List (nub)
+import Data.Maybe (catMaybes, fromMaybe, isJust, isNothing)
 import Rosy.Model.Program
+import Rosy.Model.Relevance
+import Prelude hiding (Read, reads)
 
 -- ---------------------------------------------------------------------------------------------
 -- The state of the world
@@ -46,11 +62,12 @@ import Rosy.Model.Program
 -- | All that the program's past has left.
 data World = World
   { time :: Int,
-    odometry :: Maybe Int,
-    -- | By scope and type. Params have scope 'paramScope'.
-    memory :: [((Int, Type), Value)],
-    -- | Emitted and not delivered, each with its number.
-    queue :: [(Int, (Type, Value))],
+    -- | What odometry said last, and in which instant.
+    odometry :: Maybe (Int, Int),
+    -- | By scope and type, with the firing that wrote it. Params have scope 'paramScope'.
+    memory :: [((Int, Type), (Value, Int))],
+    -- | Emitted and not delivered.
+    queue :: [(Sending, (Type, Value))],
     emitted :: Int,
     scopes :: Int,
     -- | How many random generators were read.
@@ -59,8 +76,29 @@ data World = World
     said :: [(Int, Said)],
     fed :: [Value],
     -- | What the live tasks do when they are stopped, by scope.
-    cleanups :: [(Int, Function)]
+    cleanups :: [(Int, Function)],
+    -- | The scope that commanded the velocity in force, unless that is 0.
+    driver :: Maybe Int,
+    -- | How many instants there were.
+    instants :: Int,
+    -- | Newest first.
+    firings :: [Firing],
+    -- | What the firing at work has read, newest first.
+    taken :: [(Read, Value)],
+    -- | The latest firing of each scope, and the latest that gave feedback.
+    latest :: [(Int, Int)],
+    latestFed :: Int,
+    -- | What led to the latest change of tasks: the cause of what is carried out at once.
+    turning :: Turning,
+    -- | On what all this may depend (rule R12), the user events that might be under way in this instant, and all functions, with
+    -- their number and scope.
+    labels :: Labels,
+    absent :: Phantoms,
+    known :: [(Int, Int, Function)]
   }
+
+-- | What leads to a change of tasks: the last three are what the latest firing in a scope gave, the latest feedback, and the end of the program.
+data Turning = AtStart | InThisInstant | After Int | Feeding | AtEnd
 
 -- | What changes the world, and may end the program.
 type Doing = ExceptT Ending (State.State World)
@@ -77,6 +115,10 @@ gets = lift . State.gets
 modify :: (World -> World) -> Doing ()
 modify = lift . State.modify
 
+-- | From here on tasks begin and end because of this.
+turn :: Turning -> Doing ()
+turn what = modify (\w -> w {turning = what})
+
 paramScope :: Int
 paramScope = -1
 
@@ -84,28 +126,32 @@ paramScope = -1
 passTime :: Int -> Doing ()
 passTime t = modify (\w -> w {time = t})
 
+-- | Say something now.
 say :: Said -> Doing ()
 say what = modify (\w -> w {said = (time w, what) : said w})
 
 -- ---------------------------------------------------------------------------------------------
 -- Inputs
 
--- | Something a function may notice: a happening, or the value of a user event with its number.
-data Occurrence = Outside Happening | Inside Int Type Value
+-- | Something a function may notice: a happening, or the value of a user event with its number and the firing that emitted it.
+data Occurrence = Outside Happening | Inside Sending Type Value
 
--- | The value of an arrival, read in the task's scope when the function fires. 'needsState' arrivals wait for odometry (rule 5).
+-- | Of a user event: its number, the firing that emitted it, and on what it depends.
+data Sending = Sending Int Int Label
+
+-- | The value of an arrival, read in the task's scope when the function fires. 'needsState' arrivals wait for odometry (rule R5).
 data Arrival = Arrival {needsState :: Bool, readIn :: Int -> Doing Value}
 
 -- | What each occurrence of a history brings to an input, turn by turn.
 arrivals :: Input -> [Occurrence] -> [[Maybe Arrival]]
 arrivals i history = case i of
-  Event t -> [[fmap (Arrival False . const . pure) (eventOf t o)] | o <- history]
-  State -> [[if isOdometry o then Just (level State) else Nothing] | o <- history] -- rule 2, and rule 4 inside Either
-  Either a b -> zipWith (++) (side InLeft a) (side InRight b) -- rule 4
+  Event t -> [[fmap (Arrival False . const . take' ReadEvent) (eventOf t o)] | o <- history]
+  State -> [[if isOdometry o then Just (level State) else Nothing] | o <- history] -- rule R2, and rule R4 inside Either
+  Either a b -> zipWith (++) (side InLeft a) (side InRight b) -- rule R4
   All members -> case flatten members of
     [] -> map (const [Nothing]) history
     inputs -> joined inputs history
-  _ -> map (const [Nothing]) history -- rule 3
+  _ -> map (const [Nothing]) history -- rule R3
   where
     side f = map (map (fmap (\a -> a {readIn = fmap f . readIn a}))) . (`arrivals` history)
 
@@ -147,7 +193,7 @@ transposed columns
 flatten :: [Input] -> [Input]
 flatten = concatMap (\i -> case i of All inner -> flatten inner; _ -> [i])
 
--- | Whether the input has values of its own in time: rules 1 to 4.
+-- | Whether the input has values of its own in time: rules R1 to R4.
 isEvent :: Input -> Bool
 isEvent i = case i of
   Event _ -> True
@@ -158,17 +204,21 @@ isEvent i = case i of
 -- | The current value of states and samples.
 level :: Input -> Arrival
 level i = case i of
-  State -> Arrival True (\_ -> gets (Int . fromMaybe 0 . odometry))
-  Memory t -> Arrival False (\s -> recall (s, t)) -- rule 7
-  Param t -> Arrival False (\_ -> recall (paramScope, t))
-  Time -> Arrival False (\_ -> gets (Int . time))
-  Clock -> Arrival False (\_ -> gets (Tuple . map Int . onTheClock . time))
-  Chance -> Arrival False (\_ -> Int <$> gets chances <* modify (\w -> w {chances = chances w + 1}))
+  State -> Arrival True (\_ -> gets (fromMaybe (0, 0) . odometry) >>= \(v, instant) -> take' (ReadState instant) (Int v))
+  Memory t -> Arrival False (\s -> recall (ReadMemory t) (s, t)) -- rule R7
+  Param t -> Arrival False (\_ -> recall (ReadParam t) (paramScope, t))
+  Time -> Arrival False (\_ -> gets (Int . time) >>= take' ReadTime)
+  Clock -> Arrival False (\_ -> gets (Tuple . map Int . onTheClock . time) >>= take' ReadTime)
+  Chance -> Arrival False (\_ -> gets chances >>= \n -> modify (\w -> w {chances = n + 1}) >> take' (ReadChance n) (Int n))
   All members -> Arrival (any (needsState . level) members) (\s -> Tuple <$> mapM ((`readIn` s) . level) (flatten members))
   _ -> Arrival False (\_ -> pure (Tuple []))
   where
-    recall key = gets (fromMaybe (Int 0) . lookup key . memory)
+    recall from key = gets (lookup key . memory) >>= maybe (take' (from Nothing) (Int 0)) (\(v, by) -> take' (from (Just by)) v)
     onTheClock t = [t `div` 3600000 `mod` 24, t `div` 60000 `mod` 60, t `div` 1000 `mod` 60, t `mod` 1000]
+
+-- | A value, which the firing at work reads there.
+take' :: Read -> Value -> Doing Value
+take' from v = v <$ modify (\w -> w {taken = (from, v) : taken w})
 
 -- | Whether a level is refreshed by odometry.
 isState :: Input -> Bool
@@ -189,16 +239,19 @@ isOdometry _ = False
 -- Functions
 
 -- | A function with all that it could notice since it was born, newest first.
-data Live = Live {function :: Function, born :: Int, noticed :: [Occurrence], waits :: [Arrival]}
+data Live = Live {function :: Function, numbered :: Int, born :: Int, noticed :: [Occurrence], waits :: [Arrival]}
 
 -- | A function begins to notice.
-live :: Int -> Function -> Live
-live b f = Live f b [] []
+live :: Int -> Int -> Function -> Doing Live
+live scope b f = do
+  n <- gets (length . known)
+  modify (\w -> w {known = (n, scope, f) : known w})
+  pure (Live f n b [] [])
 
 -- | What fires now, in order. An arrival that needs a state waits until there is one.
 due :: Occurrence -> World -> Live -> ([Arrival], Live)
 due o w l
-  | Inside number _ _ <- o, number < born l = ([], l)
+  | Inside (Sending number _ _) _ _ <- o, number < born l = ([], l)
   | hasState = (waits l ++ new, l' {waits = []})
   | otherwise = ([a | a <- new, not (needsState a)], l' {waits = waits l ++ [a | a <- new, needsState a]})
   where
@@ -212,25 +265,39 @@ due o w l
       | Outside Tick <- o = [level i]
       | otherwise = []
 
--- | One transaction: read, compute, write, all at once (rule 6). A function that fails has done nothing, not even read (rule 11).
-fire :: Int -> Function -> Arrival -> Doing [Given]
-fire scope f a = do
+-- | One transaction: read, compute, write, all at once (rule R6). A function that fails has done nothing, not even read (rule R11).
+fire :: Cause -> Label -> Int -> Function -> Arrival -> Doing [Given]
+fire why label scope f a = do
   before <- get
+  let needs = IntSet.unions (label : map (`labelOf` labels before) (readPlaces scope (input f)))
+  modify (\w -> w {taken = []})
   v <- readIn a scope
   let outputs = body f v
   when (or [True | Fail <- outputs]) (modify (const before) >> throwE (Failed (name f)))
   say (Fired (name f))
-  mapM_ carryOut outputs
+  number <- gets (length . firings)
+  modify (\w -> w {firings = Firing (time w) (name f) scope why (reverse (taken w)) outputs needs : firings w, latest = (scope, number) : filter ((/= scope) . fst) (latest w)})
+  mapM_ (carryOut number needs) outputs
+  mapM_ (mightGive needs scope) [o | o <- outlets f, not (any (o `isOutletOf`) outputs)]
+  mightRead label f
   pure (map (Given (name f)) outputs)
   where
-    carryOut out = case out of
-      Command v -> say (Commanded v) -- rule 9
-      Write t v -> remember (scope, t) v
-      Share t v -> remember (paramScope, t) v
-      Emit t v -> modify (\w -> w {queue = queue w ++ [(emitted w, (t, v))], emitted = emitted w + 1})
-      Feedback v -> modify (\w -> w {fed = fed w ++ [v]})
+    carryOut number needs out = case out of
+      Command v -> say (Commanded v) -- rule R9
+      Drive v -> say (Driven v) >> modify (\w -> w {driver = if v == 0 then Nothing else Just scope})
+      Write t v -> remember number needs (scope, t) v
+      Share t v -> remember number needs (paramScope, t) v
+      Emit t v -> modify (\w -> w {queue = queue w ++ [(Sending (emitted w) number needs, (t, v))], emitted = emitted w + 1})
+      Feedback v -> modify (\w -> w {fed = fed w ++ [v], latestFed = number})
       _ -> pure ()
-    remember key v = modify (\w -> w {memory = (key, v) : filter ((/= key) . fst) (memory w)})
+    remember number needs key@(s, t) v =
+      modify (\w -> w {memory = (key, (v, number)) : filter ((/= key) . fst) (memory w), labels = replaceLabel (Remembered s t) needs (labels w)})
+
+-- | The cause of a firing whose inputs an occurrence completes.
+causeOf :: Occurrence -> Doing Cause
+causeOf o = case o of
+  Outside _ -> gets (\w -> Occurred (instants w - 1))
+  Inside (Sending number by _) _ _ -> pure (Received number by)
 
 -- | An output, and the function that gave it.
 data Given = Given String Output
@@ -240,13 +307,16 @@ notice :: Int -> Occurrence -> Live -> Doing (Live, [Given])
 notice scope o l = do
   w <- get
   let (fires, l') = due o w l
-  outputs <- untilDone fires
+  why <- causeOf o
+  label <- concerns o l
+  when (null fires) (mapM_ (mightFire scope (function l)) label)
+  outputs <- untilDone why (fromMaybe IntSet.empty label) fires
   pure (l', outputs)
   where
-    untilDone [] = pure []
-    untilDone (a : as) = do
-      outputs <- fire scope (function l) a
-      if givesDone outputs then pure outputs else (outputs ++) <$> untilDone as
+    untilDone _ _ [] = pure []
+    untilDone why label (a : as) = do
+      outputs <- fire why label scope (function l) a
+      if givesDone outputs then pure outputs else (outputs ++) <$> untilDone why label as
 
 -- | The values that end a task of this type, if the first 'Done' fits it.
 dones :: Type -> [Given] -> Doing [Value]
@@ -265,4 +335,128 @@ atOnce scope f = do
   arrived <- gets (isJust . odometry)
   if isEvent (input f) || (isState (input f) && not arrived)
     then pure Nothing
-    else Just <$> fire scope f (level (input f))
+    else do
+      why <- gets carried
+      label <- gets (labelOf TaskTree . labels)
+      Just <$> fire why label scope f (level (input f))
+  where
+    carried w = case turning w of
+      AtStart -> Began
+      InThisInstant -> Resumed (instants w - 1)
+      After s -> maybe Began Followed (lookup s (latest w))
+      Feeding -> Followed (latestFed w)
+      AtEnd -> Ended
+
+-- ---------------------------------------------------------------------------------------------
+-- What depends on what (rule R12)
+
+-- | All that an input may read.
+readPlaces :: Int -> Input -> [Place]
+readPlaces scope i = nub $ case i of
+  State -> [Measured]
+  Memory t -> [Remembered scope t]
+  Param t -> [Remembered paramScope t]
+  Chance -> [Generators]
+  All members -> concatMap (readPlaces scope) members
+  Either a b -> readPlaces scope a ++ readPlaces scope b
+  _ -> []
+
+-- | Whether an output is of this kind.
+isOutletOf :: Outlet -> Output -> Bool
+isOutletOf outlet out = case (outlet, out) of
+  (MayWrite t, Write t' _) -> t == t'
+  (MayShare t, Share t' _) -> t == t'
+  (MayEmit t, Emit t' _) -> t == t'
+  _ -> False
+
+-- | A function might have given this with another input.
+mightGive :: Label -> Int -> Outlet -> Doing ()
+mightGive label scope outlet = case outlet of
+  MayWrite t -> depend (Remembered scope t) label
+  MayShare t -> depend (Remembered paramScope t) label
+  MayEmit t -> modify (\w -> w {absent = addPhantom t label (absent w)})
+  MayTurn -> turnOn label
+
+-- | A function that did not fire might have fired.
+mightFire :: Int -> Function -> Label -> Doing ()
+mightFire scope f label = mapM_ (mightGive label scope) (outlets f) >> mightRead label f
+
+-- | A function might read, and use up, a random generator.
+mightRead :: Label -> Function -> Doing ()
+mightRead label f = mapM_ (`depend` label) [Generators | Generators <- readPlaces 0 (input f)]
+
+-- | From now on a place depends on this as well.
+depend :: Place -> Label -> Doing ()
+depend place label = modify (\w -> w {labels = addLabel place label (labels w)})
+
+-- | From now on it depends on this which tasks live.
+turnOn :: Label -> Doing ()
+turnOn = depend TaskTree
+
+-- | On what it depends whether a function fires at an occurrence; nothing if the occurrence does not concern it. All that it may give then
+-- depends on that.
+concerns :: Occurrence -> Live -> Doing (Maybe Label)
+concerns o l = do
+  w <- get
+  let f = function l
+      i = input f
+      ofOccurrence = case o of
+        Outside _ -> IntSet.singleton (instants w - 1)
+        Inside (Sending _ _ found) _ _ -> found
+      keeps = Kept (numbered l)
+      base = IntSet.unions ([labelOf TaskTree (labels w), labelOf keeps (labels w)] ++ [labelOf FirstMeasured (labels w) | isEvent i, mentionsState i])
+      triggered = not (null [() | isEvent i || isState i, Just _ <- concat (arrivals (openly i) [o])]) || (not (isEvent i || isState i) && isTick o)
+      released = isEvent i && mentionsState i && isOdometry o
+      label
+        | triggered = Just (IntSet.union ofOccurrence base)
+        | released = Just base
+        | otherwise = Nothing
+  case label of
+    Nothing -> pure ()
+    Just found -> do
+      when (triggered && keepsNow w i) (depend keeps found)
+  pure label
+  where
+    isTick (Outside Tick) = True
+    isTick _ = False
+    -- Any part of an input that keeps values is concerned as soon as one of its parts is.
+    openly i = case i of
+      All members | isEvent i -> foldr (Either . openly) (Event "nothing") (filter isEvent (flatten members))
+      Either a b -> Either (openly a) (openly b)
+      other -> other
+
+-- | Whether an input reads the state anywhere.
+mentionsState :: Input -> Bool
+mentionsState i = Measured `elem` readPlaces 0 i
+
+-- | Whether an input keeps values now: until their partners come, or the first state.
+keepsNow :: World -> Input -> Bool
+keepsNow w i = isKeeping i || (mentionsState i && isNothing (odometry w))
+
+-- | Whether an input keeps values until their partners come.
+isKeeping :: Input -> Bool
+isKeeping i = case i of
+  All members -> length (filter isEvent (flatten members)) > 1 || any isKeeping members
+  Either a b -> isKeeping a || isKeeping b
+  _ -> False
+
+-- | What functions would do with the events that might be under way.
+settlePhantoms :: Doing ()
+settlePhantoms = do
+  before <- gets absent
+  mapM_ reach (phantoms before)
+  after <- gets absent
+  if before == after then pure () else settlePhantoms
+  where
+    reach (t, label) = do
+      functions' <- gets known
+      mapM_ (reached label) [k | k@(_, _, f) <- functions', t `elem` eventsOf (input f)]
+    reached label (n, scope, f) = do
+      w <- get
+      when (keepsNow w (input f)) (depend (Kept n) label)
+      mightFire scope f label
+    eventsOf i = case i of
+      Event t -> [t]
+      All members -> concatMap eventsOf members
+      Either a b -> eventsOf a ++ eventsOf b
+      _ -> []

@@ -11,6 +11,7 @@ module Rosy.Model.Program
     Calling (..),
     Input (..),
     Output (..),
+    Outlet (..),
     Value (..),
     Type,
 
@@ -18,8 +19,17 @@ module Rosy.Model.Program
     Happening (..),
     Said (..),
     Ending (..),
+
+    -- * Provenance
+    Firing (..),
+    Cause (..),
+    Read (..),
   )
 where
+
+import Data.IntSet (IntSet)
+import Prelude hiding (Read, reads)
+import qualified Prelude
 
 -- ---------------------------------------------------------------------------------------------
 -- Programs
@@ -29,7 +39,7 @@ type Type = String
 
 -- | Enough values to tell things apart.
 data Value = Int Int | InLeft Value | InRight Value | Tuple [Value]
-  deriving (Eq, Ord, Show, Read)
+  deriving (Eq, Ord, Show, Prelude.Read)
 
 -- | What a function takes.
 data Input
@@ -56,6 +66,8 @@ data Input
 -- | What a function gives.
 data Output
   = Command Value
+  | -- | A velocity; 0 is standing still.
+    Drive Int
   | Write Type Value
   | Share Type Value
   | Emit Type Value
@@ -70,8 +82,14 @@ data Output
 data Function = Function
   { name :: String,
     input :: Input,
+    -- | All that it may give, as its type says; only rule R12 looks at it.
+    outlets :: [Outlet],
     body :: Value -> [Output]
   }
+
+-- | What a function may give, apart from commands: the memory of a type, a user event of a type, what concerns tasks ('Done', 'Feedback', 'Call').
+data Outlet = MayWrite Type | MayShare Type | MayEmit Type | MayTurn
+  deriving (Eq, Show)
 
 -- | Tasks in sequence and side by side, up to the value at the end.
 data Program
@@ -88,6 +106,8 @@ data Spec = Spec
     ends :: Type,
     start :: Maybe Function,
     functions :: [Function],
+    -- | Tasks of the controller: they start with it and run beside its functions.
+    tasks :: [Calling],
     stopped :: Maybe Function
   }
 
@@ -103,24 +123,65 @@ data Calling = Calling
 -- ---------------------------------------------------------------------------------------------
 -- Time
 
--- | What an instant is about. Rule 1 calls the first an event; odometry refreshes the state. The last two come from outside, between
+-- | What an instant is about. Rule R1 calls the first an event; odometry refreshes the state. The last two come from outside, between
 -- two instants: the program is told to stop, and the connection to the robot is lost.
 data Happening = Happens Type Value | Odometry Int | Tick | Stop | Loss
   deriving (Eq, Show)
 
--- | What is heard of a program: 'Halt' is the command to stand still.
-data Said = Fired String | Commanded Value | Halt | Over Ending
+-- | What is heard of a program: the names of functions that fire, commands, velocities, and how it ended.
+data Said = Fired String | Commanded Value | Driven Int | Over Ending
   deriving (Eq, Show)
 
 -- | How a program ends. Three ways name the function that is to blame.
 data Ending
   = Finished
   | Stopped
-  | -- | Nobody hears the program any more. What stands between it and the robot must tell the robot to stop.
+  | -- | The program has no listener any more. What stands between it and the robot must tell the robot to stop.
     Lost
   | Failed String
   | -- | It gave a 'Done' of another type than its task's.
     EndedWrongly String
-  | -- | It gave a 'Call' where nobody is left to hear from the called task.
+  | -- | It gave a 'Call' where nothing is left to hear from the called task.
     CalledInOnce String
+  deriving (Eq, Show)
+
+-- ---------------------------------------------------------------------------------------------
+-- Provenance (rule R12)
+
+-- | One firing of a run. Firings, instants and user events are numbered from 0, tasks by their scope.
+data Firing = Firing
+  { firedAt :: Int,
+    firedBy :: String,
+    inTask :: Int,
+    cause :: Cause,
+    reads :: [(Read, Value)],
+    gave :: [Output],
+    -- | The instants that it may depend on, whichever others there were.
+    dependsOn :: IntSet
+  }
+
+-- | Why a function fired then.
+data Cause
+  = -- | The happening of this instant completed its inputs.
+    Occurred Int
+  | -- | A user event did, which this firing sent.
+    Received Int Int
+  | -- | It was carried out at once: because the program began,
+    Began
+  | -- | because a wait was over in this instant,
+    Resumed Int
+  | -- | because of what this firing gave,
+    Followed Int
+  | -- | or because the program ends.
+    Ended
+  deriving (Eq, Show)
+
+-- | Where a firing took a value from. A memory has the firing that wrote it, a state the instant of its odometry, a generator its number.
+data Read
+  = ReadEvent
+  | ReadState Int
+  | ReadMemory Type (Maybe Int)
+  | ReadParam Type (Maybe Int)
+  | ReadTime
+  | ReadChance Int
   deriving (Eq, Show)

@@ -1,18 +1,27 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- |
--- Description : What stands between a program and real wheels.
+-- Description : Guard of real robots: limits, repetition, safety rules, odometry.
 module Test.Robots.Guard (tests) where
 
+import Control.Applicative ((<|>))
+import Control.Monad ((>=>))
+import Data.Aeson (Object, (.:), (.:?))
+import qualified Data.Aeson as Aeson
+import Data.Aeson.Types (Parser, parseEither)
+import qualified Data.ByteString.Char8 as C
+import Data.Foldable (toList)
 import Data.List (mapAccumL)
-import Rosy.Core (Action (..), Message (..), Odometry (..))
+import Rosy.Channel (Action)
 import Rosy.Robot
-import Rosy.Robots.Base
+import Rosy.Robots.Connection
 import Rosy.Robots.Guard
 import Test.Tasty
 import Test.Tasty.HUnit
 import Test.Tasty.QuickCheck
 
 -- | What can happen to a guard, a tenth of a second apart.
-data Happening = Says Heard | Wants Action | Ticks | Halts | Watched Bool | Renewed
+data Happening = Says RobotEvent | Wants Action | Ticks | Halts | Watched Bool | Renewed | Switched Bool
   deriving (Show)
 
 tests :: TestTree
@@ -20,29 +29,33 @@ tests =
   testGroup
     "the guard"
     [ testCase "repeats a velocity that is not zero, and zero only once" $
-        told False [Wants (SetVelocity 0.2 0), Ticks, Ticks, Wants (SetVelocity 0 0), Ticks]
-          @?= [[SetVelocity 0.2 0], [SetVelocity 0.2 0], [SetVelocity 0.2 0], [SetVelocity 0 0], []],
+        told False [Wants (VelocityCommand (Velocity 0.2 0)), Ticks, Ticks, Wants (VelocityCommand (Velocity 0 0)), Ticks]
+          @?= [[VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0 0)], []],
       testCase "tells a robot that is lost to stand, and forgets its velocity" $
-        told False [Wants (SetVelocity 0.2 0), Says (Gone "away"), Ticks, Wants (SetVelocity 0.3 0), Says Here, Ticks]
-          @?= [[SetVelocity 0.2 0], [SetVelocity 0 0], [], [], [], []],
+        told False [Wants (VelocityCommand (Velocity 0.2 0)), Says (Disconnected "away"), Ticks, Wants (VelocityCommand (Velocity 0.3 0)), Says Connected, Ticks]
+          @?= [[VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0 0)], [], [], [], []],
       testCase "tells the program that the robot is lost, once" $
-        fst (hearing (Gone "x") (snd (hearing (Gone "x") (snd (hearing Here (newGuard limits' False)))))) @?= ([], []),
+        fst (onEvent (Disconnected "x") (snd (onEvent (Disconnected "x") (snd (onEvent Connected (newGuard limits' False)))))) @?= ([], []),
       testCase "lets nothing move after a halt" $
-        told False [Wants (SetVelocity 0.2 0), Halts, Ticks, Wants (SetVelocity 0.2 0), Wants (SetLed1 Red)]
-          @?= [[SetVelocity 0.2 0], [SetVelocity 0 0], [], [], [SetLed1 Red]],
-      testCase "stands while nobody watches, and goes on when somebody does" $
-        told False [Wants (SetVelocity 0.2 0), Watched True, Watched False, Watched False, Ticks, Wants (SetVelocity 0.3 0), Watched True, Ticks]
-          @?= [[SetVelocity 0.2 0], [], [SetVelocity 0 0], [], [], [], [], [SetVelocity 0.3 0]],
-      testCase "does not back off while nobody watches" $
-        told True [Watched False, bump LeftBumper Pressed, Ticks, Watched True, Ticks] @?= [[SetVelocity 0 0], [], [], [], [back (-0.4)]],
+        told False [Wants (VelocityCommand (Velocity 0.2 0)), Halts, Ticks, Wants (VelocityCommand (Velocity 0.2 0)), Wants (Led1Command (Led1 Red))]
+          @?= [[VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0 0)], [], [], [Led1Command (Led1 Red)]],
+      testCase "stands while it is not watched, and goes on when it is" $
+        told False [Wants (VelocityCommand (Velocity 0.2 0)), Watched True, Watched False, Watched False, Ticks, Wants (VelocityCommand (Velocity 0.3 0)), Watched True, Ticks]
+          @?= [[VelocityCommand (Velocity 0.2 0)], [], [VelocityCommand (Velocity 0 0)], [], [], [], [], [VelocityCommand (Velocity 0.3 0)]],
+      testCase "does not back off while it is not watched" $
+        told True [Watched False, bump LeftBumper Pressed, Ticks, Watched True, Ticks] @?= [[VelocityCommand (Velocity 0 0)], [], [], [], [back (-0.4)]],
       testCase "begins anew after a halt, with nothing left of the velocity and all of what is pressed" $
-        told True [Wants (SetVelocity 0.2 0), Halts, bump CenterBumper Pressed, Renewed, Ticks] @?= [[SetVelocity 0.2 0], [SetVelocity 0 0], [], [], [back 0]],
-      testCase "backs off before the program may drive again, and then stands until it says something" $
-        told True [Wants (SetVelocity 0.3 0), bump LeftBumper Pressed, Ticks, Wants (SetVelocity 0.3 0), Ticks, bump LeftBumper Released, Ticks, Ticks, Ticks, Wants (SetVelocity 0.1 0)]
-          @?= [[SetVelocity 0.3 0], [], [back (-0.4)], [], [back (-0.4)], [], [SetVelocity 0 0], [], [], [SetVelocity 0.1 0]],
+        told True [Wants (VelocityCommand (Velocity 0.2 0)), Halts, bump CenterBumper Pressed, Renewed, Ticks] @?= [[VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0 0)], [], [], [back 0]],
+      testCase "backs off, and 0.2 s later the latest velocity of the program holds again" $
+        told True [Wants (VelocityCommand (Velocity 0.3 0)), bump LeftBumper Pressed, Ticks, Wants (VelocityCommand (Velocity 0.3 0)), Ticks, bump LeftBumper Released, Ticks, Ticks, Ticks, Wants (VelocityCommand (Velocity 0.1 0))]
+          @?= [[VelocityCommand (Velocity 0.3 0)], [], [back (-0.4)], [], [back (-0.4)], [], [VelocityCommand (Velocity 0.3 0)], [VelocityCommand (Velocity 0.3 0)], [VelocityCommand (Velocity 0.3 0)], [VelocityCommand (Velocity 0.1 0)]],
+      testCase "does what the table says, which also holds the guard of the simulator" $ do
+        cases <- C.lines <$> C.readFile "protocol/goldens/safety.jsonl"
+        assertBool "cases" (length cases > 5)
+        mapM_ (either assertFailure replay . (Aeson.eitherDecodeStrict' >=> parseEither tableCase)) cases,
       testGroup
         "the safety rules, first that fits"
-        [ rule "a wheel in the air stands" [wheel Air, bump CenterBumper Pressed] (SetVelocity 0 0),
+        [ rule "a wheel in the air stands" [wheel Air, bump CenterBumper Pressed] (VelocityCommand (Velocity 0 0)),
           rule "the centre backs straight" [bump CenterBumper Pressed, bump LeftBumper Pressed] (back 0),
           rule "the left turns right" [cliff LeftCliff Hole, bump RightBumper Pressed] (back (-0.4)),
           rule "the right turns left" [bump RightBumper Pressed] (back 0.4)
@@ -51,11 +64,11 @@ tests =
         let all' = concat (told True (map fromSeed (happenings :: [(Int, Double, Double)])))
          in conjoin [counterexample (show a) (fine a) | a <- all'],
       testCase "endless numbers and no numbers become zero" $
-        told False [Wants (SetVelocity (0 / 0) (1 / 0))] @?= [[SetVelocity 0 0]],
+        told False [Wants (VelocityCommand (Velocity (0 / 0) (1 / 0)))] @?= [[VelocityCommand (Velocity 0 0)]],
       testCase "moves odometry to where the program started" $ do
-        let at x y a = Heard (OdometryMessage (Odometry (Position x y) (Orientation a) (Velocity 0.1 0.2)))
-            g1 = snd (hearing (at 3 4 (pi / 2)) (newGuard limits' False))
-            ((ms, _), _) = hearing (at 3 5 pi) g1
+        let at x y a = Received (OdometryMessage (Odometry (Position x y) (Orientation a) (Velocity 0.1 0.2)))
+            g1 = snd (onEvent (at 3 4 (pi / 2)) (newGuard limits' False))
+            ((ms, _), _) = onEvent (at 3 5 pi) g1
         case ms of
           [OdometryMessage (Odometry (Position x y) (Orientation a) v)] -> do
             assertBool (show (x, y, a)) (abs (x - 1) < 1e-9 && abs y < 1e-9 && abs (a - pi / 2) < 1e-9)
@@ -64,29 +77,60 @@ tests =
     ]
   where
     limits' = Limits 0.7 pi
-    bump side s = Says (Heard (BumperMessage (Bumper side s)))
-    cliff side s = Says (Heard (CliffMessage (Cliff side s)))
-    wheel s = Says (Heard (WheelMessage (Wheel LeftWheel s)))
-    back = SetVelocity (-0.1)
+    bump side s = Says (Received (BumperMessage (Bumper side s)))
+    cliff side s = Says (Received (CliffMessage (Cliff side s)))
+    wheel s = Says (Received (WheelMessage (Wheel LeftWheel s)))
+    back = VelocityCommand . Velocity (-0.1)
     rule name happenings expected = testCase name $ last (told True (happenings ++ [Ticks])) @?= [expected]
     fine a = case a of
-      SetVelocity v w -> abs v <= 0.7 && abs w <= pi
+      VelocityCommand (Velocity v w) -> abs v <= 0.7 && abs w <= pi
       _ -> True
     fromSeed (n, v, w) = case n `mod` 5 of
       0 -> Ticks
       1 -> bump LeftBumper (if v > 0 then Pressed else Released)
-      2 -> Wants (SetVelocity (v / (w - w)) (1 / 0))
-      _ -> Wants (SetVelocity (v * 10) (w * 10))
+      2 -> Wants (VelocityCommand (Velocity (v / (w - w)) (1 / 0)))
+      _ -> Wants (VelocityCommand (Velocity (v * 10) (w * 10)))
 
--- | What the robot is told at each happening, once it is there.
+-- | A case of the table: its name, whether the safety rules are on, and what happens when, with the expected command.
+type TableCase = (String, Bool, [(Double, Happening, Maybe (Double, Double))])
+
+tableCase :: Object -> Parser TableCase
+tableCase o = (,,) <$> o .: "case" <*> o .: "on" <*> (o .: "happenings" >>= mapM happening)
+  where
+    happening h = (,,) <$> h .: "at" <*> (switched h <|> wants h <|> hears h <|> ticks h) <*> h .:? "told"
+    switched h = Switched <$> h .: "on"
+    wants h = (\(v, w) -> Wants (VelocityCommand (Velocity v w))) <$> h .: "command"
+    ticks h = do
+      True <- h .: "tick"
+      pure Ticks
+    hears h = do
+      (channel, place, number) <- h .: "hear"
+      let state = number == (1 :: Int)
+      Says . Received <$> case channel :: String of
+        "Bumper" -> pure (BumperMessage (Bumper (toEnum place) (if state then Pressed else Released)))
+        "Cliff" -> pure (CliffMessage (Cliff (toEnum place) (if state then Hole else Floor)))
+        "Wheel" -> pure (WheelMessage (Wheel (toEnum place) (if state then Air else Ground)))
+        _ -> fail channel
+
+replay :: TableCase -> Assertion
+replay (name, on, happenings) =
+  assertEqual name [[VelocityCommand (Velocity v w) | (v, w) <- toList expected] | (_, _, expected) <- happenings] $
+    toldAt (Limits 0.7 3) on [(t, h) | (t, h, _) <- happenings]
+
+-- | What the robot is told at each happening, a tenth of a second apart, once it is there.
 told :: Bool -> [Happening] -> [[Action]]
-told safe = snd . mapAccumL step (snd (hearing Here (newGuard (Limits 0.7 pi) safe))) . zip [0, 0.1 ..]
+told safe = toldAt (Limits 0.7 pi) safe . zip [0, 0.1 ..]
+
+-- | What the robot is told at each happening at its time, seconds, once the robot is there.
+toldAt :: Limits -> Bool -> [(Double, Happening)] -> [[Action]]
+toldAt limits safe = snd . mapAccumL step (snd (onEvent Connected (newGuard limits safe)))
   where
     step g (t, h) = case h of
-      Says x -> let ((_, as), g') = hearing x g in (g', as)
-      Wants a -> swap (commanding t a g)
-      Ticks -> swap (ticking t g)
-      Halts -> swap (halting g)
-      Watched yes -> swap (watching yes g)
-      Renewed -> (renewing g, [])
+      Says x -> let ((_, as), g') = onEvent x g in (g', as)
+      Wants a -> swap (onCommand t a g)
+      Ticks -> swap (onTick t g)
+      Halts -> swap (haltWheels g)
+      Watched yes -> swap (setWatched yes g)
+      Renewed -> (startRun g, [])
+      Switched yes -> swap (setSafetyRules yes g)
     swap (a, b) = (b, a)

@@ -1,20 +1,22 @@
 -- |
 -- Description : The serial protocol, byte by byte.
-module Test.Robots.Kobuki (tests, corePacket, anHour) where
+module Test.Robots.Kobuki (tests, corePacket, senseCore, anHour) where
 
 import Data.Bits (shiftR, xor, (.&.))
 import qualified Data.ByteString as B
+import Data.Foldable (fold)
 import Data.List (foldl')
 import Data.Word (Word16, Word8)
 import Numeric (readHex)
-import Rosy.Core (Action (..), Message (..), Odometry (..))
+import Rosy.Channel (Channel (..), Kind (..), Message (..), tellMessage)
 import Rosy.Kobuki.Command
 import Rosy.Kobuki.Feedback
 import Rosy.Kobuki.Frame
 import Rosy.Kobuki.Sensing
 import Rosy.Robot
-import Rosy.Robots.Base (Heard (..))
+import Rosy.Robots.Connection (RobotEvent (..))
 import Rosy.Robots.Guard
+import Rosy.Robots.SerialCodec (readParts)
 import System.Random (mkStdGen, randomR)
 import Test.Tasty
 import Test.Tasty.HUnit
@@ -43,11 +45,15 @@ commands =
           testCase "a radius beyond 16 bits is the largest there is, as in the driver" $
             map (uncurry wheelCommand) [(0.5, 0.001), (0.5, -0.001), (40, 0)] @?= [(500, 32767), (500, -32768), (32767, 0)]
         ],
-      golden "LED 1 orange, power on" (outputs (withLed1 Orange powerOn)) "AA 55 04 0C 02 F0 03 F9",
-      golden "the sound of a button" (soundSequence ButtonSound) "AA 55 03 04 01 03 05",
+      golden "LED 1 orange, power on" (outputs (obeying (Led1Command (Led1 Orange)) powerOn)) "AA 55 04 0C 02 F0 03 F9",
+      golden "the sound of a button" (fold (ownPacket (SoundCommand ButtonSound))) "AA 55 03 04 01 03 05",
       golden "which versions are you" requestVersions "AA 55 04 09 02 0B 00 04",
+      testCase "one power connector is switched off, and on again" $ do
+        let off = obeying (ExternalPowerCommand (ExternalPower Power12V5A PowerOff)) powerOn
+        outputs off @?= packet (B.pack [12, 2, 0xB0, 0])
+        obeying (ExternalPowerCommand (ExternalPower Power12V5A PowerOn)) off @?= powerOn,
       testCase "lights do not disturb each other or the power" $
-        outputs (withLed2 Green (withLed1 Red (withLed2 Orange powerOn))) @?= packet (B.pack [12, 2, 0xF0, 0x09]),
+        outputs (obeying (Led2Command (Led2 Green)) (obeying (Led1Command (Led1 Red)) (obeying (Led2Command (Led2 Orange)) powerOn))) @?= packet (B.pack [12, 2, 0xF0, 0x09]),
       testProperty "speeds are within 16 bits, whatever was asked for" $ \v w ->
         let (s, r) = wheelCommand v w in s >= minBound && r <= maxBound,
       testProperty "the base does what was asked for, to a millimetre" $
@@ -103,11 +109,11 @@ feedback =
   testGroup
     "feedback"
     [ testCase "core sensors, gyroscope, versions and serial number are read; unknown parts are skipped" $
-        readFeedback (B.concat [B.pack [99, 2, 1, 2], corePart 1000 4 2 1 7 8 2, B.pack [4, 7, 0x9C, 0xFF, 10, 0, 0, 0, 0], B.pack [11, 4, 4, 1, 1, 0], B.pack [19, 12, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0]])
-          @?= [Other 99, CoreSensors (Core 1000 4 2 1 7 8 2 160), InertiaSensor (Inertia (-100) 10), Firmware (Version 1 1 4), Udid 1 2 3],
+        readFeedback (readParts (B.concat [B.pack [99, 2, 1, 2], corePart 1000 4 2 1 7 8 2, B.pack [4, 7, 0x9C, 0xFF, 10, 0, 0, 0, 0], B.pack [11, 4, 4, 1, 1, 0], B.pack [19, 12, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0]]))
+          @?= [Other 99, CoreSensors (Core 1000 4 2 1 7 8 2), InertiaSensor (Inertia (-100) 10), Firmware (Version 1 1 4), Udid 1 2 3],
       testCase "a part that is cut off is left out" $
-        readFeedback (B.pack [1, 15, 0, 0]) @?= [],
-      testProperty "any bytes are read" $ \bytes -> all (\f -> f == f) (readFeedback (B.pack bytes))
+        readFeedback (readParts (B.pack [1, 15, 0, 0])) @?= [],
+      testProperty "any bytes are read" $ \bytes -> all (\f -> f == f) (readFeedback (readParts (B.pack bytes)))
     ]
 
 -- | Time stamp, bumpers, wheel drops, cliffs, encoders, buttons.
@@ -118,18 +124,28 @@ corePart t b d c l r n = B.pack ([1, 15] ++ u16 t ++ [b, d, c] ++ u16 l ++ u16 r
 
 -- | A whole packet.
 corePacket :: Core -> Inertia -> B.ByteString
-corePacket (Core t b d c l r n _) (Inertia a rate) = packet (corePart t b d c l r n <> B.pack ([4, 7] ++ i16 a ++ i16 rate ++ [0, 0, 0]))
+corePacket core i = packet (corePart' core <> inertiaPart i)
+
+corePart' :: Core -> B.ByteString
+corePart' (Core t b d c l r n) = corePart t b d c l r n
+
+inertiaPart :: Inertia -> B.ByteString
+inertiaPart (Inertia a rate) = B.pack ([4, 7] ++ i16 a ++ i16 rate ++ [0, 0, 0])
   where
     i16 x = let w = fromIntegral x :: Word16 in [fromIntegral (w .&. 255), fromIntegral (w `shiftR` 8)]
+
+-- | Takes a packet with these parts.
+senseCore :: Core -> Maybe Inertia -> Sensing -> ([Message], Sensing)
+senseCore core i = sense (readParts (corePart' core <> foldMap inertiaPart i))
 
 sensing :: TestTree
 sensing =
   testGroup
     "sensing"
     [ testCase "a bit that changes is an event, in the base's order; a bit that stays is none" $ do
-        let (first, s1) = sense (still 20) {bumpers = 5, wheelDrops = 1, buttons = 2, cliffs = 4} Nothing unsensed
-            (again, s2) = sense (still 40) {bumpers = 5, wheelDrops = 1, buttons = 2, cliffs = 4} Nothing s1
-            (later, _) = sense (still 60) Nothing s2
+        let (first, s1) = senseCore (still 20) {bumpers = 5, wheelDrops = 1, buttons = 2, cliffs = 4} Nothing unsensed
+            (again, s2) = senseCore (still 40) {bumpers = 5, wheelDrops = 1, buttons = 2, cliffs = 4} Nothing s1
+            (later, _) = senseCore (still 60) Nothing s2
         events first
           @?= [ ButtonMessage (Button Button1 Pressed),
                 BumperMessage (Bumper LeftBumper Pressed),
@@ -138,9 +154,18 @@ sensing =
                 WheelMessage (Wheel RightWheel Air)
               ]
         events again @?= []
-        map show (events later) @?= map (swap . show) (events first),
+        map tellMessage (events later) @?= map (swap . tellMessage) (events first),
+      testCase "battery, charger, dock, gyroscope and inputs are told when they change, by the robot's description" $ do
+        let payload t = corePart t 0 0 0 0 0 0 <> inertiaPart (Inertia 0 18000) <> B.pack ([3, 3, 2, 0, 1] ++ [16, 16, 5, 0, 0xFF, 0x0F] ++ replicate 12 0)
+            (first, s1) = sense (readParts (payload 20)) unsensed
+            (again, _) = sense (readParts (payload 40)) s1
+            other m = case m of OdometryMessage _ -> False; TurnRateMessage _ -> False; _ -> True
+        [r | TurnRateMessage (TurnRate r) <- first] `nearly` [pi]
+        map tellMessage (filter other first)
+          @?= ["Battery 16.0", "Discharging", "DockInfraRed NearLeft NoSignal NearCenter", "DigitalInput True False True False", "AnalogInput 3.3 0.0 0.0 0.0"]
+        length again @?= 1,
       testCase "counters and time stamps that wrap move the robot on" $ do
-        let path = [Core (fromIntegral (65500 + 20 * i :: Int)) 0 0 0 (at i) (at i) 0 160 | i <- [0 .. 10]]
+        let path = [Core (fromIntegral (65500 + 20 * i :: Int)) 0 0 0 (at i) (at i) 0 | i <- [0 .. 10]]
             at i = fromIntegral (65400 + 100 * i :: Int)
             odometry = odometries (run [(c, Just (Inertia 0 0)) | c <- path])
         map odometryVelocity (take 1 odometry) @?= [Velocity 0 0]
@@ -152,30 +177,31 @@ sensing =
             odometry = odometries (run (map turnTo [0 .. 5 :: Int]))
         assertBool (show (map odometryOrientation odometry)) (and (zipWith (\i o -> abs (angleOf o - fromIntegral i * pi / 180) < 1e-9) [0 :: Int ..] odometry)),
       testCase "what no robot can do is not believed once, but when it goes on" $ do
-        let (_, s1) = sense (still 20) Nothing unsensed
+        let (_, s1) = senseCore (still 20) Nothing unsensed
             far t = (still t) {leftEncoder = 20000, rightEncoder = 20000}
-            outcomes = drop 1 (scanl (\(_, s) t -> sense (far t) Nothing s) ([], s1) [40, 60 ..])
+            outcomes = drop 1 (scanl (\(_, s) t -> senseCore (far t) Nothing s) ([], s1) [40, 60 ..])
         map (length . fst) (take 7 outcomes) @?= [0, 0, 0, 0, 0, 1, 1]
         map (odometryPosition . snd') (concatMap fst (take 7 outcomes)) @?= [Position 0 0, Position 0 0],
       testCase "an hour of packets of which one in a hundred is spoilt gives no event that was not there, no leap, and no command but the program's" $
         anHour 7 @?= 0
     ]
   where
-    still t = Core t 0 0 0 0 0 0 160
-    events = filter (\case OdometryMessage _ -> False; _ -> True)
+    nearly found expected = assertBool (show found) (length found == length expected && and (zipWith (\a b -> abs (a - b) < 1e-9) found expected))
+    still t = Core t 0 0 0 0 0 0
+    events = filter (\(Message c _) -> channelKind c == EventChannel)
     snd' m = case m of OdometryMessage o -> o; _ -> Odometry (Position 9 9) (Orientation 9) (Velocity 9 9)
     odometries ms = [o | OdometryMessage o <- ms]
-    run = concat . fst . foldl' (\(seen, s) (c, i) -> let (ms, s') = sense c i s in (seen ++ [ms], s')) ([], unsensed)
+    run = concat . fst . foldl' (\(seen, s) (c, i) -> let (ms, s') = senseCore c i s in (seen ++ [ms], s')) ([], unsensed)
     angleOf o = let Orientation a = odometryOrientation o in a
-    swap s = unwords (map (\w -> case w of "Pressed)" -> "Released)"; "Hole)" -> "Floor)"; "Air)" -> "Ground)"; _ -> w) (words s))
+    swap s = unwords (map (\w -> case w of "Pressed" -> "Released"; "Hole" -> "Floor"; "Air" -> "Ground"; _ -> w) (words s))
 
 -- | Events, leaps and commands that should not have been, in an hour of packets of which one in a hundred is spoilt by this chance.
 anHour :: Int -> Int
 anHour seed = wrongs
   where
-    (wrongs, _, _, _, _) = foldl' step (0 :: Int, noBytes, unsensed, snd (hearing Here (newGuard (Limits 0.7 pi) True)), mkStdGen seed) [0 .. 180000 - 1 :: Int]
-    still t = Core t 0 0 0 0 0 0 160
-    events = filter (\case OdometryMessage _ -> False; _ -> True)
+    (wrongs, _, _, _, _) = foldl' step (0 :: Int, noBytes, unsensed, snd (onEvent Connected (newGuard (Limits 0.7 pi) True)), mkStdGen seed) [0 .. 180000 - 1 :: Int]
+    still t = Core t 0 0 0 0 0 0
+    events = filter (\(Message c _) -> channelKind c == EventChannel)
     -- The robot stands still, so every event is a wrong one; the program wants one speed ten times a second, so the safety rules have
     -- nothing to say, and every other speed is a wrong one.
     step (wrong, frames, s, guard', g) i =
@@ -183,18 +209,18 @@ anHour seed = wrongs
           (spoilt, g1) = randomR (1, 100 :: Int) g
           (sent, g2) = if spoilt == 1 then spoil bytes g1 else (bytes, g1)
           Feeding found _ frames' = feed frames sent
-          (messages, s') = foldl' (\(ms, st) p -> let fs = readFeedback p in maybe (ms, st) (\c -> let (m, st') = sense c (inertiaOf fs) st in (ms ++ m, st')) (coreOf fs)) ([], s) found
-          heard' = foldl' (\gd m -> snd (hearing (Heard m) gd)) guard' messages
+          (messages, s') = foldl' (\(ms, st) p -> let (m, st') = sense (readParts p) st in (ms ++ m, st')) ([], s) found
+          heard' = foldl' (\gd m -> snd (onEvent (Received m) gd)) guard' messages
           (told, guard2)
             | i `mod` 5 /= 0 = ([], heard')
             | otherwise =
               let at' = fromIntegral i / 50
-                  (as, gd) = commanding at' wanted heard'
-                  (bs, gd') = ticking at' gd
+                  (as, gd) = onCommand at' wanted heard'
+                  (bs, gd') = onTick at' gd
                in (as ++ bs, gd')
           bad = length (filter (/= wanted) told) + length [() | i `mod` 5 == 0, length told /= 2] + length (events messages) + length [() | OdometryMessage (Odometry (Position x _) _ _) <- messages, abs x > 0.03]
        in bad `seq` guard2 `seq` (wrong + bad, frames', s', guard2, g2)
-    wanted = SetVelocity 0.2 0
+    wanted = VelocityCommand (Velocity 0.2 0)
     -- Up to four bytes changed, or the end missing, or bytes in between.
     spoil bytes g =
       let (how, g1) = randomR (0, 5 :: Int) g

@@ -33,6 +33,11 @@ tests ready = localOption (mkTimeout 300000000) . withResource (newIORef []) pri
              "a cable is pulled between two computers"
              [story ready rig name (cutOff times) | (name, rig) <- [("rosbridge on ROS 1", rosbridge "1"), ("rosbridge on ROS 2", rosbridge "2"), ("ROS 1", rospy)]],
            testGroup "ROS 1 alone" [story ready rospy "a sound that is played at once is heard by a base that begins to listen just then" singsAtOnce],
+           testGroup
+             "a sensor and a command of the program's own"
+             [ story ready (rosbridge "1") "rosbridge on ROS 1" (ownTopics (\r -> void (hears (robot r) "subscribed /dock/core")) (pure ())),
+               story ready rospy "ROS 1" (\r -> ownTopics (\_ -> mapM_ (agreed r) [("connected", "/dock/core 1"), ("listening", "/report"), ("listening", "/mobile_base/commands/sound")]) (mapM_ (say (robot r)) ["pub /dock/core kobuki_msgs/SensorState", "sub /report geometry_msgs/Twist", "sub /mobile_base/commands/sound kobuki_msgs/Sound"]) r)
+             ],
            testGroup "rosbridge alone" [story ready (rosbridge "1") "garbage is passed over, and a lost server is found again" (lostServer times)],
            testGroup
              "serial alone"
@@ -92,6 +97,27 @@ stories =
     ),
     ("it stops when the program is done", \times r -> driving r "off" "done" $ \p -> standsAfter times r "the program's end" (bumped r) >> exits p 0)
   ]
+
+-- | The messages of a topic reach the program, and its answers the robot's side: the same as in the simulator (test_own_topics.py).
+ownTopics :: (Rig -> IO ()) -> IO () -> Rig -> IO ()
+ownTopics connected prepare r = do
+  prepare
+  streaming r
+  asProgram r "on" "reports" $ \_ -> do
+    connected r
+    say (robot r) "send /dock/core {\"battery\": 160}"
+    sees r "the first report" ("got /report {\"linear\": {\"x\": 160.5, \"y\": 0" `isPrefixOf`)
+    say (robot r) "send /dock/core {\"battery\": 120}"
+    -- Each topic has a connection of its own on ROS 1, so the order of the two is open.
+    let answers = [(== "got /mobile_base/commands/sound {\"value\": 3}"), ("got /report {\"linear\": {\"x\": 120.5, \"y\": 1" `isPrefixOf`)]
+        complete heard = all (`any` heard) answers
+    awaitTranscript (robot r) complete
+    heard <- transcript (robot r)
+    assertBool ("a sound and a second report: " ++ unlines heard) (complete heard)
+
+-- | The ROS node says so too.
+agreed :: Rig -> (String, String) -> IO ()
+agreed r (what, topic) = say (robot r) (what ++ " " ++ topic) >> void (hears (robot r) (what ++ " " ++ takeWhile (/= ' ') topic))
 
 -- | A program of its own process, from when the robot moves.
 driving :: Rig -> String -> String -> (Peer -> IO a) -> IO a

@@ -5,21 +5,21 @@ module Test.Robots.Played (Hands (..), playing, awaiting) where
 import Control.Concurrent.Async (wait, withAsync)
 import Control.Concurrent.STM
 import Data.IORef
-import Rosy.Core (Action (..), Message (..))
+import Rosy.Channel (Action)
 import Rosy.Launch (onLink)
 import Rosy.Link (Answer (..), Batch (..), Link (..), Opening (..))
 import Rosy.Link.Real
-import Rosy.Robot (RobotStatus (..))
-import Rosy.Robots.Base
+import Rosy.Robot
+import Rosy.Robots.Connection
 import Rosy.Robots.Guard
 import System.Timeout (timeout)
-import Test.Robots.Recorded (timeOf)
+import Test.Robots.Recorded (isTold, timeOf)
 import Test.Tasty.HUnit (assertFailure)
 
 -- | How far a program has come on its link: messages and ticks answered, what it wanted at each, newest first.
 data Progress = Progress {answered, ticked :: Int, wanted :: [[Action]], over :: Bool}
 
--- | The link, with chance as it was, and somebody who looks on.
+-- | The link, with chance as it was, watched all the time.
 watched :: TVar Progress -> Link -> IO Link
 watched progress link = do
   current <- newIORef Nothing
@@ -27,24 +27,24 @@ watched progress link = do
         b <- readIORef current
         atomically . modifyTVar' progress $ \p ->
           p
-            { answered = answered p + maybe 0 (length . batchMessages) b,
+            { answered = answered p + maybe 0 (length . filter isTold . batchMessages) b,
               ticked = ticked p + maybe 0 (fromEnum . batchTick) b,
               wanted = actions : wanted p,
               over = ended
             }
   pure
     link
-      { open = Opening 1 <$ open link,
+      { open = fmap (const (Opening 1 0)) . open link,
         next = next link >>= \b -> b <$ writeIORef current b,
         answer = \a -> answer link a >> note False (answerActions a),
-        end = \a e -> end link a e >> note True (answerActions a ++ [SetVelocity 0 0])
+        end = \a e -> end link a e >> note True (answerActions a ++ [VelocityCommand (Velocity 0 0)])
       }
 
 -- | What a test does to a program on a robot.
 data Hands = Hands
   { -- | what happens now happens in this step
     at :: Int -> IO (),
-    -- | waits until so many more messages are answered
+    -- | waits until so many more messages are answered, not counting those that only packets have
     answers :: Int -> IO (),
     -- | the clock ticks, and that is answered
     tick :: IO (),
@@ -54,7 +54,7 @@ data Hands = Hands
   }
 
 -- | A program on a base, which may be there already. The action plays the stream. Gives all that the program wanted.
-playing :: IO () -> Base -> Bool -> (Hands -> IO ()) -> IO [[Action]]
+playing :: IO () -> Connection -> Bool -> (Hands -> IO ()) -> IO [[Action]]
 playing main' base known play = do
   time <- newTVarIO 0
   due <- newTVarIO False
@@ -63,8 +63,8 @@ playing main' base known play = do
   let unknown = newGuard (Limits 0.7 pi) False
       comes f goal = awaiting (atomically (readTVar progress >>= \p -> check (f p >= goal || over p)))
   there <- newTVarIO False
-  reins <- newReins (if known then snd (hearing Here unknown) else unknown)
-  link <- realLink (Clock (readTVarIO time) due) 10 reins (neverLost there base) >>= watched progress
+  reins <- newRunControl (if known then snd (onEvent Connected unknown) else unknown)
+  link <- realLink (Clock (readTVarIO time) (pure 0) due) 10 reins (neverLost there base) >>= watched progress
   let hands =
         Hands
           { at = atomically . writeTVar time . timeOf,
@@ -75,18 +75,18 @@ playing main' base known play = do
           }
   withAsync (onLink link main') $ \running -> do
     play hands
-    stopAsked reins
+    requestStop reins
     awaiting (wait running)
   soFar hands
 
 -- | A robot that a busy machine holds up for longer than a robot may be silent is not lost here: time is in the test's hands.
-neverLost :: TVar Bool -> Base -> Base
-neverLost there base = base {hear = hear base >>= fmap concat . mapM kept >>= \hs -> hs <$ check (not (null hs))}
+neverLost :: TVar Bool -> Connection -> Connection
+neverLost there base = base {takeEvents = takeEvents base >>= fmap concat . mapM kept >>= \hs -> hs <$ check (not (null hs))}
   where
     kept h = case h of
-      Gone _ -> pure []
-      Heard (StatusMessage Offline) -> pure []
-      Heard (StatusMessage Online) -> (\again -> [h | not again]) <$> swapTVar there True
+      Disconnected _ -> pure []
+      Received (RobotStatusMessage Offline) -> pure []
+      Received (RobotStatusMessage Online) -> (\again -> [h | not again]) <$> swapTVar there True
       _ -> pure [h]
 
 awaiting :: IO () -> IO ()

@@ -6,7 +6,7 @@
 module Test.Robots.Programs (byName, functions, remembering, afterOneAnother) where
 
 import Rosy
-import Rosy.Program (Generic, Value)
+import Rosy.Program (Generic, Plan, Sense, Value, commandTopics, sensorTopics, withTopics)
 
 -- | A program by its name on the command line.
 byName :: String -> IO ()
@@ -18,11 +18,40 @@ byName n = case n of
   "hangs" -> simulate (steady, hanging)
   "sings" -> simulate (sings, steady)
   "done" -> simulate (task steady pressed)
+  "reports" -> reporting
   _ -> errorWithoutStackTrace ("no program is called " ++ n)
 
 -- | Forwards at the default rate.
 steady :: Velocity
 steady = Velocity 0.2 0
+
+-- | With a sensor and two commands of its own (rule R23).
+reporting :: IO ()
+reporting =
+  withTopics
+    [sensorTopics (sensor :: Sense Charge), commandTopics (command :: Plan Buzz), commandTopics (command :: Plan Report)]
+    (simulate warn)
+
+newtype Charge = Charge Int
+  deriving (Generic)
+
+instance Value Charge
+
+instance Sensor Charge where
+  sensor = topic "/dock/core" "kobuki_msgs/SensorState" (Charge <$> field "battery")
+
+data Buzz = Buzz
+
+instance Command Buzz where
+  command = publish "/mobile_base/commands/sound" "kobuki_msgs/Sound" (\Buzz -> [("value", whole 3)])
+
+data Report = Report Double Int
+
+instance Command Report where
+  command = publish "/report" "geometry_msgs/Twist" (\(Report x n) -> [("linear", record [("x", decimal x), ("y", whole n)])])
+
+warn :: Charge -> Memory Int -> (Memory Int, Maybe Buzz, Report)
+warn (Charge level) (Memory n) = (Memory (n + 1), if level < 130 then Just Buzz else Nothing, Report (fromIntegral level + 0.5) n)
 
 failing :: Bumper -> Led1
 failing _ = error "the bumper broke me"

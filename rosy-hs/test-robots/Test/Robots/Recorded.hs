@@ -1,13 +1,13 @@
 -- |
 -- Description : A drive as the base's sensors saw it.
-module Test.Robots.Recorded (recorded, starting, timeOf, ticksAt, odometryJson) where
+module Test.Robots.Recorded (recorded, isTold, starting, timeOf, ticksAt, odometryJson) where
 
 import qualified Data.ByteString as B
-import Rosy.Core (Message (..), Odometry (..))
+import Rosy.Channel (Channel (..), Kind (..), Message (..))
 import Rosy.Kobuki.Feedback (Core (..), Inertia (..))
 import Rosy.Kobuki.Sensing
 import Rosy.Robot
-import Test.Robots.Kobuki (corePacket)
+import Test.Robots.Kobuki (corePacket, senseCore)
 
 -- | Four seconds of a drive: two straight on, faster and faster, then a quarter turn to the left and a little back; on the way bumps, a
 -- hole, a wheel in the air and buttons. Counters wrap.
@@ -16,7 +16,7 @@ recorded = go unsensed [0 .. 199 :: Int]
   where
     go s is = case is of
       [] -> []
-      i : rest -> let (ms, s') = sense (core i) (Just (inertia i)) s in (corePacket (core i) (inertia i), ms) : go s' rest
+      i : rest -> let (ms, s') = senseCore (core i) (Just (inertia i)) s in (corePacket (core i) (inertia i), filter isTold ms) : go s' rest
     core i =
       Core
         { timeStamp = fromIntegral (63000 + 20 * i),
@@ -25,8 +25,7 @@ recorded = go unsensed [0 .. 199 :: Int]
           cliffs = if within' i [(60, 64), (150, 155)] then 2 else 0,
           leftEncoder = ticks (\d turn -> d - turn * 0.115) i,
           rightEncoder = ticks (\d turn -> d + turn * 0.115) i,
-          buttons = if within' i [(95, 98)] then 1 else if within' i [(110, 112)] then 4 else if within' i [(160, 165)] then 2 else 0,
-          battery = 160
+          buttons = if within' i [(95, 98)] then 1 else if within' i [(110, 112)] then 4 else if within' i [(160, 165)] then 2 else 0
         }
     inertia i = Inertia (fromIntegral (hundredths (turned i))) (fromIntegral (50 * (hundredths (turned (i + 1)) - hundredths (turned i))))
     within' i = any (\(a, b) -> a <= i && i < b)
@@ -36,6 +35,10 @@ recorded = go unsensed [0 .. 199 :: Int]
     gone i = if i < 100 then 0.000055 * sq i else 0.55 - 0.001 * fromIntegral (max 0 (i - 185)) :: Double
     turned i = if i < 100 then 0 else 0.0185 * fromIntegral (min 185 i - 100) :: Double
     sq i = fromIntegral (i * i)
+
+-- | Whether every link tells it; the states that only packets have are left out.
+isTold :: Message -> Bool
+isTold (Message c _) = channelKind c /= StateChannel
 
 -- | How long a step is, seconds, and from how many to the next tick (protocol/README.md).
 timeOf :: Int -> Double
@@ -54,5 +57,5 @@ odometryJson (Odometry (Position x y) (Orientation a) (Velocity v w)) =
 -- | The base is there.
 starting :: [[Message]] -> [[Message]]
 starting steps = case steps of
-  ms : rest -> (StatusMessage Online : ms) : rest
+  ms : rest -> (RobotStatusMessage Online : ms) : rest
   [] -> []

@@ -6,7 +6,17 @@
 -- The stream was made from packets of the base. It goes through the simulator's pipe, through a robot in the simulator's
 -- place, through a rosbridge server of either kind, through ROS 1 and down a serial line, with the same chance and the same
 -- time; each time the same programs answer, and what the robot was told must be what the simulator was told.
-module Test.Robots.Same (tests) where
+module Test.Robots.Same
+  ( tests,
+
+    -- * For other streams
+    commandOf,
+    messageTo,
+    reached,
+    withProgramAtPipe,
+    hexadecimal,
+  )
+where
 
 import Control.Concurrent.Async (wait, waitSTM, withAsync)
 import Control.Concurrent.STM
@@ -19,7 +29,6 @@ import Data.Bifunctor (first)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as C
-import qualified Data.ByteString.Lazy as L
 import qualified Data.ByteString.Lazy.Char8 as LC
 import Data.IORef
 import Data.List (group, intercalate, stripPrefix)
@@ -28,16 +37,16 @@ import Foreign.Ptr (nullPtr)
 import Network.Socket (Family (..), Socket, SocketType (..), close, defaultProtocol, socketPair, withFdSocket)
 import Network.Socket.ByteString (recv)
 import Network.Socket.ByteString.Lazy (sendAll)
-import Rosy.Core (Action (..), Message (..))
+import Rosy.Channel (Action, Message)
 import Rosy.Kobuki.Command (wheelCommand)
 import Rosy.Launch (onLink)
 import Rosy.Link.Pipe (pipeLink)
 import Rosy.Robot
-import Rosy.Robots.Base
-import Rosy.Robots.Drive (withBase)
+import Rosy.Robots.Connection
 import Rosy.Robots.Guard
-import Rosy.Robots.Pipe
-import Rosy.Robots.Serve (Pace (..), Witness (noticed, wants), onTerminal, serve)
+import Rosy.Robots.LockstepRun (Observer (onNotice, onProgramCommand), Pace (..), onTerminal, runLockstep)
+import Rosy.Robots.PipeCodec
+import Rosy.Robots.RobotRun (withConnection)
 import Rosy.Robots.Target
 import System.Posix.IO (FdOption (..), setFdOption)
 import System.Posix.Types (Fd (..))
@@ -92,9 +101,9 @@ reference main' = withProgramAtPipe main' $ \socket -> do
   talk <- lineReader socket
   let wishes = do
         l <- talk
-        case readWish l of
-          Just (Wants a) -> first (a :) <$> wishes
-          Just NamesTopics -> wishes
+        case readProgramLine l of
+          Just (Commands a) -> first (a :) <$> wishes
+          Just (DeclaresTopic _) -> wishes
           Just (HasEnded _ _) -> pure ([], True)
           Just _ -> pure ([], False)
           Nothing -> assertFailure (show l)
@@ -104,7 +113,7 @@ reference main' = withProgramAtPipe main' $ \socket -> do
           say' socket (batchLines n (timeOf n) ms)
           (as, ended) <- wishes
           (as ++) <$> if ended then pure [] else go (n + 1) rest
-  say' socket (startLine 1)
+  say' socket (startLine 1 0)
   _ <- wishes
   go 0 (starting (map snd recorded))
 
@@ -139,7 +148,7 @@ differ = do
   all' <- mapM (reference . snd) plays
   forM_ (zip plays all') $ \((name, _), as) -> assertBool (name ++ " does little: " ++ show (once as)) (length (once as) > 2)
   let used = concat all'
-  forM_ (map SetLed1 [Black ..] ++ map SetLed2 [Black ..] ++ map PlaySound [OnSound, OffSound, ErrorSound, CleaningStartSound]) $ \a ->
+  forM_ (map (Led1Command . Led1) [Black ..] ++ map (Led2Command . Led2) [Black ..] ++ map SoundCommand [OnSound, OffSound, ErrorSound, CleaningStartSound]) $ \a ->
     assertBool (show a) (a `elem` used)
   forM_ (zip all' (drop 1 all')) $ \(a, b) -> assertBool "two programs do the same" (a /= b)
 
@@ -147,15 +156,15 @@ differ = do
 channels :: [(String, Action -> Bool)]
 channels =
   [ ("velocity", isVelocity),
-    ("LED 1", \case SetLed1 _ -> True; _ -> False),
-    ("LED 2", \case SetLed2 _ -> True; _ -> False),
-    ("sound", \case PlaySound _ -> True; _ -> False),
-    ("words", \case SayText _ -> True; _ -> False)
+    ("LED 1", \case Led1Command (Led1 _) -> True; _ -> False),
+    ("LED 2", \case Led2Command (Led2 _) -> True; _ -> False),
+    ("sound", \case SoundCommand _ -> True; _ -> False),
+    ("words", \case SayCommand (Say _) -> True; _ -> False)
   ]
 
 isVelocity :: Action -> Bool
 isVelocity a = case a of
-  SetVelocity _ _ -> True
+  VelocityCommand (Velocity _ _) -> True
   _ -> False
 
 -- | The same in every channel. A heading that went through a quaternion is another in its last digit.
@@ -168,7 +177,7 @@ sameAs who got expected = forM_ channels $ \(channel, is) -> do
     assertFailure (unlines [who ++ ", " ++ channel ++ ", from number " ++ show same, "expected: " ++ show (take 5 (drop same e)), " but got: " ++ show (take 5 (drop same g))])
 
 near :: Action -> Action -> Bool
-near (SetVelocity v w) (SetVelocity v' w') = abs (v - v') < 1e-9 && abs (w - w') < 1e-9
+near (VelocityCommand (Velocity v w)) (VelocityCommand (Velocity v' w')) = abs (v - v') < 1e-9 && abs (w - w') < 1e-9
 near a b = a == b
 
 -- | Repetitions of what was said are no new commands.
@@ -180,7 +189,7 @@ through :: [Action] -> [Action]
 through as = once (map limited (filter isVelocity as)) ++ filter (not . isVelocity) as
   where
     limited a = case a of
-      SetVelocity v w -> SetVelocity (max (-0.7) (min 0.7 v)) (max (negate pi) (min pi w))
+      VelocityCommand (Velocity v w) -> VelocityCommand (Velocity (max (-0.7) (min 0.7 v)) (max (negate pi) (min pi w)))
       _ -> a
 
 -- ---------------------------------------------------------------------------------------------
@@ -193,14 +202,15 @@ inPlace (name, main') = do
   wishes <- newTVarIO []
   begun <- newTVarIO 0
   released <- newTVarIO 0
-  hearing' <- newHearing
+  hearing' <- newEventQueue
   stop <- newTVarIO False
   guarded <- newTVarIO (newGuard (Limits 0.7 pi) False)
-  let base = Base "a robot" (\a -> atomically (modifyTVar' told (a :))) (hearAll hearing')
-      witness = (onTerminal "a robot") {wants = \a -> atomically (modifyTVar' wishes (a :)), noticed = const (pure ())}
+  let base = Connection "a robot" [] (const (pure [])) (\a -> atomically (modifyTVar' told (a :))) (awaitEvents hearing')
+      observer = (onTerminal "a robot") {onProgramCommand = \a -> atomically (modifyTVar' wishes (a :)), onNotice = const (pure ())}
       pace =
         Pace
-          { chance = pure 1,
+          { newSeed = pure 1,
+            timeOfDay = pure 0,
             timeNow = timeOf . subtract 1 <$> readTVarIO begun,
             awaitStep = atomically (modifyTVar' begun (+ 1)) >> atomically ((>=) <$> readTVar released <*> readTVar begun >>= check)
           }
@@ -208,11 +218,11 @@ inPlace (name, main') = do
       step running n act = do
         awaiting (atomically ((readTVar begun >>= check . (== n)) `orElse` void (waitSTM running)))
         atomically (act >> writeTVar released n)
-      hears' = mapM_ (heard hearing' . Heard)
+      hears' = mapM_ (enqueue hearing' . Received)
       steps = starting (map snd recorded)
   withProgramAtPipe main' $ \socket -> do
-    atomically (heard hearing' Here >> mapM_ hears' (take 1 steps))
-    withAsync (serve pace witness (readTVar stop) 10 guarded base socket) $ \running -> do
+    atomically (enqueue hearing' Connected >> mapM_ hears' (take 1 steps))
+    withAsync (runLockstep pace observer (readTVar stop) 10 guarded base socket) $ \running -> do
       step running 1 (pure ())
       forM_ (zip [2 ..] (drop 1 steps)) $ \(n, ms) -> step running n (hears' ms)
       step running (length steps + 1) (writeTVar stop True)
@@ -221,8 +231,8 @@ inPlace (name, main') = do
   readTVarIO told >>= \as -> sameAs name (through (reverse as)) (through expected)
 
 -- | The robot's address, with nothing between the program and the wheels but the limits.
-reached :: Rig -> (Base -> IO a) -> IO a
-reached r use = either (assertFailure . explainTargetError) pure (readTarget (url r ++ "?safety=off" ++ options r)) >>= (`withBase` use)
+reached :: Rig -> (Connection -> IO a) -> IO a
+reached r use = either (assertFailure . explainTargetError) pure (readTarget (url r ++ "?safety=off" ++ options r)) >>= (`withConnection` use)
 
 -- | Messages go in as JSON, and commands come out so. All programs drive over one connection.
 jsonRobot :: String -> Rig -> IO ()
@@ -233,7 +243,7 @@ jsonRobot prefix' r = do
     before <- length <$> transcript (robot r)
     got <- concat <$> playing main' base known (\hands -> unless known (attached r) >> stream hands)
     sameAs name got e
-    let told ls = mapMaybe command' (drop before ls)
+    let told ls = mapMaybe (commandOf prefix') (drop before ls)
     awaitTranscript (robot r) (\ls -> all (\(_, is) -> filter is (through (told ls)) == filter is (through got)) channels)
     transcript (robot r) >>= \ls -> sameAs (name ++ ", told") (through (told ls)) (through got)
   where
@@ -242,26 +252,35 @@ jsonRobot prefix' r = do
       ended <- isOver hands
       unless ended $ do
         at hands n
-        forM_ (ms ++ [StatusMessage Online | n == 0]) $ \m -> say (robot r) (sending m) >> answers hands 1
+        forM_ (ms ++ [RobotStatusMessage Online | n == 0]) $ \m -> say (robot r) (messageTo prefix' m) >> answers hands 1
         when (ticksAt n) (tick hands)
-    command' line = do
-      (topic, text) <- break (== ' ') <$> (stripPrefix ("got " ++ prefix' ++ "/commands/") line `orIf` stripPrefix "got /rosy/" line)
-      Object o <- Aeson.decode (LC.pack text)
-      case topic of
-        "velocity" -> parseMaybe (\m -> SetVelocity <$> (m .: "linear" >>= (.: "x")) <*> (m .: "angular" >>= (.: "z"))) o
-        "led1" -> SetLed1 . toEnum <$> parseMaybe (.: "value") o
-        "led2" -> SetLed2 . toEnum <$> parseMaybe (.: "value") o
-        "sound" -> PlaySound . toEnum <$> parseMaybe (.: "value") o
-        "say" -> SayText <$> parseMaybe (.: "data") o
-        _ -> Nothing
+
+-- | The command in a line of a robot whose topics have this prefix.
+commandOf :: String -> String -> Maybe Action
+commandOf prefix' line = do
+  (topic, text) <- break (== ' ') <$> (stripPrefix ("got " ++ prefix' ++ "/commands/") line `orIf` stripPrefix "got /rosy/" line)
+  Object o <- Aeson.decode (LC.pack text)
+  case topic of
+    "velocity" -> parseMaybe (\m -> fmap VelocityCommand (Velocity <$> (m .: "linear" >>= (.: "x")) <*> (m .: "angular" >>= (.: "z")))) o
+    "led1" -> Led1Command . Led1 . toEnum <$> parseMaybe (.: "value") o
+    "led2" -> Led2Command . Led2 . toEnum <$> parseMaybe (.: "value") o
+    "sound" -> SoundCommand . toEnum <$> parseMaybe (.: "value") o
+    "say" -> SayCommand . Say <$> parseMaybe (.: "data") o
+    _ -> Nothing
+  where
     orIf a b = if isJust a then a else b
-    sending m = case m of
-      OdometryMessage o -> "send /odom " ++ odometryJson o
-      BumperMessage (Bumper n s) -> event "bumper" [("bumper", fromEnum n), ("state", fromEnum (s == Pressed))]
-      CliffMessage (Cliff n s) -> event "cliff" [("sensor", fromEnum n), ("state", fromEnum (s == Hole)), ("bottom", 0)]
-      WheelMessage (Wheel n s) -> event "wheel_drop" [("wheel", fromEnum n), ("state", fromEnum (s == Air))]
-      ButtonMessage (Button n s) -> event "button" [("button", fromEnum n), ("state", fromEnum (s == Pressed))]
-      StatusMessage s -> event "robot_state" [("state", fromEnum (s == Online))]
+
+-- | The line that makes such a robot send a message.
+messageTo :: String -> Message -> String
+messageTo prefix' m = case m of
+  OdometryMessage o -> "send /odom " ++ odometryJson o
+  BumperMessage (Bumper n s) -> event "bumper" [("bumper", fromEnum n), ("state", fromEnum (s == Pressed))]
+  CliffMessage (Cliff n s) -> event "cliff" [("sensor", fromEnum n), ("state", fromEnum (s == Hole)), ("bottom", 0)]
+  WheelMessage (Wheel n s) -> event "wheel_drop" [("wheel", fromEnum n), ("state", fromEnum (s == Air))]
+  ButtonMessage (Button n s) -> event "button" [("button", fromEnum n), ("state", fromEnum (s == Pressed))]
+  RobotStatusMessage s -> event "robot_state" [("state", fromEnum (s == Online))]
+  _ -> error ("nothing to send for " ++ show m)
+  where
     event topic fields = "send " ++ prefix' ++ "/events/" ++ topic ++ " {" ++ intercalate ", " [show (k :: String) ++ ": " ++ show v | (k, v) <- fields] ++ "}"
 
 -- | Packets go in, and the wheels' speeds come out as the base encodes them. It is plugged in anew for each program.
@@ -282,7 +301,7 @@ serialRobot r = do
           ended <- isOver hands
           unless ended $ do
             at hands n
-            say (robot r) ("replay " ++ concatMap hex (B.unpack bytes))
+            say (robot r) ("replay " ++ hexadecimal bytes)
             answers hands (length ms + fromEnum (n == 0))
             soFar hands >>= settled
             when (ticksAt n) (tick hands >> soFar hands >>= settled)
@@ -291,8 +310,9 @@ serialRobot r = do
     ls <- transcript (robot r)
     forM_ ["control", "led1", "led2", "sound"] $ \k ->
       assertBool (unlines [name, "told: " ++ show (toldAs k got), "heard: " ++ show (heardAs k (drop before ls))]) (fits (heardAs k (drop before ls)) (toldAs k got))
-  where
-    hex b = map (toEnum . fromIntegral) (L.unpack (Builder.toLazyByteString (Builder.word8HexFixed b)))
+
+hexadecimal :: B.ByteString -> String
+hexadecimal = LC.unpack . Builder.toLazyByteString . Builder.byteStringHex
 
 -- | What the base says that it was told: speed and radius are the last words.
 heardAs :: String -> [String] -> [String]
@@ -301,10 +321,10 @@ heardAs kind ls = [unwords (if kind == "control" then drop 2 rest else rest) | k
 -- | What it is told, by message or tick: the last of each kind, if it is another than before.
 toldAs :: String -> [[Action]] -> [String]
 toldAs kind batches = case kind of
-  "control" -> drop 1 (once ("0 0" : lasts (\case SetVelocity v w -> Just (control v w); _ -> Nothing)))
-  "led1" -> once ("0" : lasts (\case SetLed1 c -> Just (light c); _ -> Nothing))
-  "led2" -> once ("0" : lasts (\case SetLed2 c -> Just (light c); _ -> Nothing))
-  _ -> [show (fromEnum sound) | PlaySound sound <- concat batches]
+  "control" -> drop 1 (once ("0 0" : lasts (\case VelocityCommand (Velocity v w) -> Just (control v w); _ -> Nothing)))
+  "led1" -> once ("0" : lasts (\case Led1Command (Led1 c) -> Just (light c); _ -> Nothing))
+  "led2" -> once ("0" : lasts (\case Led2Command (Led2 c) -> Just (light c); _ -> Nothing))
+  _ -> [show (fromEnum sound) | SoundCommand sound <- concat batches]
   where
     lasts f = concatMap (take 1 . reverse . mapMaybe f . through) batches
     control v w = let (speed, radius) = wheelCommand v w in unwords [show speed, show radius]

@@ -1,10 +1,19 @@
+{-# LANGUAGE DataKinds #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
 -- Description : Addresses of robots.
 module Test.Robots.Target (tests) where
 
+import Data.Aeson (object, (.=))
+import qualified Data.ByteString as B
+import Data.Proxy (Proxy (..))
+import qualified Ros.Message as Ros
+import Rosy.Codec
+import Rosy.Robot
+import Rosy.Robots.DynamicMessage
 import Rosy.Robots.Guard (Limits (..))
+import Rosy.Robots.RosbridgeCodec (decodeFrame)
 import Rosy.Robots.Target
 import Test.Tasty
 import Test.Tasty.HUnit
@@ -14,23 +23,38 @@ tests =
   testGroup
     "addresses"
     [ testCase "the three ways, with and without ports" $ do
-        fmap targetWay (readTarget "ws://pi:9091/bridge") @?= Right (Rosbridge "pi" 9091 "/bridge")
-        fmap targetWay (readTarget "ws://pi") @?= Right (Rosbridge "pi" 9090 "/")
-        fmap targetWay (readTarget "ros://10.0.0.7") @?= Right (Ros1 "10.0.0.7" 11311)
-        fmap targetWay (readTarget "serial:/dev/kobuki?safety=off") @?= Right (Serial "/dev/kobuki"),
-      testCase "without options a robot is a TurtleBot 2 at a Kobuki's limits, with the safety rules" $
-        readTarget "ros://h" @?= Right (Target "ros://h" (Ros1 "h" 11311) turtlebot2 (Limits 0.7 pi) True 10),
+        fmap targetTransport (readTarget "ws://pi:9091/bridge") @?= Right (Rosbridge "pi" 9091 "/bridge")
+        fmap targetTransport (readTarget "ws://pi") @?= Right (Rosbridge "pi" 9090 "/")
+        fmap targetTransport (readTarget "ros://10.0.0.7") @?= Right (Ros1 "10.0.0.7" 11311)
+        fmap targetTransport (readTarget "serial:/dev/kobuki?safety=off") @?= Right (Serial "/dev/kobuki"),
+      testCase "without options a robot is a TurtleBot 2 at a Kobuki's limits, with the safety rules" $ do
+        fmap (\t -> (targetLimits t, targetSafety t, targetPatience t)) (readTarget "ros://h") @?= Right (Limits 0.7 pi, True, 10)
+        topics "ros://h" @?= Right (Just ("/odom", "nav_msgs/Odometry"), Just ("/mobile_base/commands/velocity", "geometry_msgs/Twist"), Just ("/mobile_base/commands/led1", "kobuki_msgs/Led")),
       testCase "ros=2 changes names, and a prefix moves the topics that follow it" $ do
-        fmap targetProfile (readTarget "ws://h?ros=2&prefix=/kitchen") @?= Right kobukiRos2 {prefix = "/kitchen", odometryTopic = "/kitchen/odom", velocityTopic = "/kitchen/commands/velocity"}
-        fmap targetProfile (readTarget "ros://h?prefix=/b") @?= Right turtlebot2 {prefix = "/b", velocityTopic = "/b/commands/velocity"}
-        fmap (velocityTopic . targetProfile) (readTarget "ros://h?velocity=/cmd_vel_mux/input/navi&prefix=/b") @?= Right "/cmd_vel_mux/input/navi"
-        fmap (velocityTopic . targetProfile) (readTarget "ws://h?ros=2&velocity=/cmd_vel&prefix=/kitchen") @?= Right "/cmd_vel"
-        fmap (odometryTopic . targetProfile) (withFile (Just "{\"ros\": 2, \"odometry\": \"/o\", \"prefix\": \"/a\"}") "ws://h?prefix=/b&profile=x") @?= Right "/o",
+        topics "ws://h?ros=2&prefix=/kitchen" @?= Right (Just ("/kitchen/odom", "nav_msgs/msg/Odometry"), Just ("/kitchen/commands/velocity", "geometry_msgs/msg/Twist"), Just ("/kitchen/commands/led1", "kobuki_ros_interfaces/msg/Led"))
+        topics "ros://h?prefix=/b" @?= Right (Just ("/odom", "nav_msgs/Odometry"), Just ("/b/commands/velocity", "geometry_msgs/Twist"), Just ("/b/commands/led1", "kobuki_msgs/Led"))
+        fmap velocity (topics "ros://h?velocity=/cmd_vel_mux/input/navi&prefix=/b") @?= Right (Just "/cmd_vel_mux/input/navi")
+        fmap velocity (topics "ws://h?ros=2&velocity=/cmd_vel&prefix=/kitchen") @?= Right (Just "/cmd_vel")
+        fmap (odometryTopic . targetRoutes) (withFile (Just "{\"ros\": 2, \"odometry\": \"/o\", \"prefix\": \"/a\"}") "ws://h?prefix=/b&profile=x") @?= Right "/o",
       testCase "a profile's options come first, those of the address win" $
         fmap (\t -> (targetLimits t, targetProfile t)) (withFile (Just "{\"max_speed\": 0.3, \"max_turn\": 1, \"ros\": \"2\"}") "ws://h?profile=x.json&max_speed=.2")
-          @?= Right (Limits 0.2 1, kobukiRos2),
+          @?= fmap ((,) (Limits 0.2 1) . targetProfile) (readTarget "ws://h?ros=2"),
       testCase "a profile's numbers may be numbers" $
-        fmap (\t -> (targetProfile t, targetPatience t)) (withFile (Just "{\"ros\": 2, \"patience\": 5}") "ws://h?profile=x.json") @?= Right (kobukiRos2, 5),
+        fmap (\t -> (targetProfile t, targetPatience t)) (withFile (Just "{\"ros\": 2, \"patience\": 5}") "ws://h?profile=x.json") @?= fmap (\t -> (targetProfile t, 5)) (readTarget "ws://h?ros=2"),
+      testCase "robot=turtlesim has the topics, the types and the limits of a turtle" $ do
+        fmap (\t -> (named t odometryChannel, named t velocityChannel, named t led1Channel)) (readTarget "ros://h?robot=turtlesim")
+          @?= Right (Just ("/turtle1/pose", "turtlesim/Pose"), Just ("/turtle1/cmd_vel", "geometry_msgs/Twist"), Nothing)
+        fmap targetLimits (readTarget "ws://h?robot=turtlesim") @?= Right (Limits 2 2)
+        fmap (`named` odometryChannel) (readTarget "ws://h?robot=turtlesim&ros=2&prefix=/turtle2") @?= Right (Just ("/turtle2/pose", "turtlesim/msg/Pose")),
+      testCase "a turtle's pose is odometry, in the frames of a rosbridge server and in ROS 1's bytes" $ do
+        let known = either (const []) targetRoutes (readTarget "ros://h?robot=turtlesim")
+            turned = OdometryMessage (Odometry (Position 5.5 1) (Orientation 0.5) (Velocity 2 (-1)))
+        decodeFrame known [] "{\"op\":\"publish\",\"topic\":\"/turtle1/pose\",\"msg\":{\"x\":5.5,\"y\":1,\"theta\":0.5,\"linear_velocity\":2,\"angular_velocity\":-1}}" @?= [turned]
+        -- Five numbers of four bytes; the sum is the one that turtlesim announces.
+        let pose = DynamicMessage (object ["x" .= (5.5 :: Double), "y" .= (1 :: Int), "theta" .= (0.5 :: Double), "linear_velocity" .= (2 :: Int), "angular_velocity" .= (-1 :: Int)]) :: DynamicMessage "turtlesim/Pose"
+            bytes = Ros.encode pose
+        (B.length bytes, Ros.messageMd5 (Proxy :: Proxy (DynamicMessage "turtlesim/Pose"))) @?= (20, "863b248d5016ca62ea2e895ae5265cf9")
+        fmap (\(DynamicMessage v) -> readMessages known "/turtle1/pose" v) (Ros.decode bytes :: Either Ros.DecodeError (DynamicMessage "turtlesim/Pose")) @?= Right (Right [turned]),
       testCase "what cannot be read is said" $ do
         readTarget "http://h" @?= Left (StrangeTarget "http://h")
         readTarget "ws://h:99999" @?= Left (StrangeTarget "ws://h:99999")
@@ -38,4 +62,10 @@ tests =
         readTarget "ws://h?max_speed=-1" @?= Left (StrangeValue "max_speed" "-1")
         readTarget "ws://h?safety=maybe" @?= Left (StrangeValue "safety" "maybe")
         withFile (Just "[]") "ws://h?profile=x" @?= Left (StrangeProfile "x")
+        readTarget "ws://h?robot=hoover" @?= Left (UnknownRobot "hoover")
     ]
+  where
+    -- Topic and type of odometry, of velocity and of the first light.
+    topics address = fmap (\t -> (named t odometryChannel, named t velocityChannel, named t led1Channel)) (readTarget address)
+    named t c = fmap (\r -> (routeTopic r, routeType r)) (routeFor (targetRoutes t) c)
+    velocity (_, v, _) = fmap fst v

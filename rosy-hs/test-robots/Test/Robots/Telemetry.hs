@@ -13,10 +13,10 @@ import qualified Data.ByteString.Lazy as L
 import Data.List (nub, sort)
 import Data.Maybe (isJust, mapMaybe)
 import qualified Data.Text as T
-import Rosy.Core (Action (..), Message (..), Odometry (..))
 import Rosy.Robot
-import Rosy.Robots.Base (Notice (..))
-import Rosy.Robots.Hold (readRequest)
+import Rosy.Robot.Known (simulated)
+import Rosy.Robots.Connection (Notice (..))
+import Rosy.Robots.RobotProcess (readRequest)
 import Rosy.Robots.Telemetry
 import System.Directory (listDirectory)
 import Test.Tasty
@@ -33,23 +33,31 @@ tests =
       testCase "says nothing but what stands in the golden conversations" $ do
         golden <- spoken "holder"
         sort (nub (map shape golden)) @?= sort (nub (map shape said)),
-      testCase "shows sides as the base's bits, right first" $
-        map picture [BumperMessage (Bumper LeftBumper Pressed), CliffMessage (Cliff RightCliff Hole), WheelMessage (Wheel LeftWheel Air), ButtonMessage (Button Button2 Pressed)]
-          @?= [(4, 0, 0, 0), (0, 1, 0, 0), (0, 0, 2, 0), (0, 0, 0, 4)],
+      testCase "shows the state of each sensor, the left one first" $
+        map robotState [BumperMessage (Bumper LeftBumper Pressed), CliffMessage (Cliff RightCliff Hole), WheelMessage (Wheel LeftWheel Air), ButtonMessage (Button Button2 Pressed)]
+          @?= [([1, 0, 0], [0, 0, 0], [0, 0], [0, 0, 0]), ([0, 0, 0], [0, 0, 1], [0, 0], [0, 0, 0]), ([0, 0, 0], [0, 0, 0], [1, 0], [0, 0, 0]), ([0, 0, 0], [0, 0, 0], [0, 0], [0, 0, 1])],
       testCase "shows what is let go of no more" $
-        field "bumpers" (sensed (BumperMessage (Bumper LeftBumper Released)) (sensed (BumperMessage (Bumper LeftBumper Pressed)) blank)) @?= Just (Number 0),
+        numbers "Bumper" (applyMessage (BumperMessage (Bumper LeftBumper Released)) (applyMessage (BumperMessage (Bumper LeftBumper Pressed)) blank)) @?= [0, 0, 0],
+      testCase "shows the last command of each light, and none that does not last" $ do
+        numbers "Led1" (applyCommand (Led1Command (Led1 Red)) blank) @?= [3]
+        numbers "Sound" (applyCommand (SoundCommand ErrorSound) blank) @?= [],
+      testCase "tells each event once, as Haskell shows it" $ do
+        let (first, p) = frameLine 1 False (applyMessage (BumperMessage (Bumper LeftBumper Pressed)) blank)
+        (fieldOf "sensed" first, fieldOf "sensed" (fst (frameLine 1 False p))) @?= (Just (Aeson.toJSON ["Bumper LeftBumper Pressed" :: T.Text]), Just (Aeson.toJSON ([] :: [T.Text]))),
       testCase "tells each firing once" $ do
-        let (first, p) = frameLine 1 False (firedBy ["a", "b"] blank)
+        let (first, p) = frameLine 1 False (recordFirings ["a", "b"] blank)
         (fieldOf "fired" first, fieldOf "fired" (fst (frameLine 1 False p))) @?= (Just (Aeson.toJSON ["a", "b" :: T.Text]), Just (Aeson.toJSON ([] :: [T.Text])))
     ]
   where
-    picture m = let p = sensed m blank in (number "bumpers" p, number "cliffs" p, number "wheels" p, number "buttons" p)
-    number k p = case field k p of Just (Number n) -> truncate n :: Int; _ -> -1
-    field k = fieldOf k . fst . frameLine 0 False
+    blank = initialState simulated
+    robotState m = let p = applyMessage m blank in (numbers "Bumper" p, numbers "Cliff" p, numbers "Wheel" p, numbers "Button" p)
+    numbers k p = case fieldOf "channels" (fst (frameLine 0 False p)) of
+      Just (Object o) | Just v <- KeyMap.lookup k o, Aeson.Success ns <- Aeson.fromJSON v -> ns :: [Int]
+      _ -> []
     fieldOf k l = case Aeson.decode l of Just (Object o) -> KeyMap.lookup k o; _ -> Nothing
     said =
-      mapMaybe Aeson.decode ([holdingLine True 0.7 3.14, saidLine 0 "hi", soundLine 0 OnSound, endedLine 0 "done" Nothing, endedLine 0 "error" (Just (Aeson.object [])), stoppedLine True, fst (frameLine 0 False moved)] ++ map linkLine [IsAwaited "", IsThere, IsLost "x"])
-    moved = told (SetLed1 Red) (sensed (OdometryMessage (Odometry (Position 1 2) (Orientation 3) (Velocity 4 5))) blank)
+      mapMaybe Aeson.decode ([holdingLine True 0.7 3.14, saidLine 0 "hi", soundLine 0 OnSound, commandsLine 0 ["move"] [] [VelocityCommand (Velocity 0.2 0)], endedLine 0 "done" Nothing, endedLine 0 "error" (Just (Aeson.object [])), stoppedLine True, fst (frameLine 0 False moved)] ++ map linkLine [IsAwaited "", IsThere, IsLost "x"])
+    moved = applyCommand (Led1Command (Led1 Red)) (applyMessage (OdometryMessage (Odometry (Position 1 2) (Orientation 3) (Velocity 4 5))) blank)
 
 -- | A line's word and the names of its fields.
 shape :: Value -> [String]

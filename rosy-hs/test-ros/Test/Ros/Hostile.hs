@@ -41,7 +41,7 @@ strangeCallers ros = withNodeIn (settingsFor ros []) "us" $ do
     garbage =
       ["\0\255\254\r\n\r\n", "GET / HTTP/1.1\r\n\r\n", C.replicate 70000 'x', posted "<methodCall><methodName>publisherUpdate</methodName>", posted "\0\1\2", posted ""]
         ++ ["POST / HTTP/1.1\r\nContent-Length: " <> n <> "\r\n\r\n" | n <- ["99999999999", "-5", "many"]]
-        -- Deeper than anybody can read.
+        -- Deeper than the decoder reads.
         ++ [posted ("<methodCall><methodName>getPid</methodName><params><param>" <> B.concat (replicate 50000 "<value><array><data>")), posted (C.replicate 3000000 '<')]
     posted body = "POST / HTTP/1.1\r\nContent-Length: " <> C.pack (show (B.length body)) <> "\r\n\r\n" <> body
 

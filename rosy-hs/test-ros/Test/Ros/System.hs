@@ -56,7 +56,7 @@ tests = withResource acquire release $ \ready ->
       story ready "2,000 messages go each way without loss, in order" twoThousand,
       story ready "roscpp listens to it and talks to it" withRoscpp,
       story ready "a base that is killed and comes back is heard again" baseRestart,
-      story ready "a slow subscriber loses the oldest, and holds up nobody" slowSubscriber,
+      story ready "a slow subscriber loses the oldest, and delays no other" slowSubscriber,
       story ready "a node that takes its name ends it, and it ends one whose name it takes" nameClash,
       story ready "a node that was killed can be started again under its name" startedAgain,
       story ready "the example that prints a topic prints a bumper" printsATopic,
@@ -215,7 +215,7 @@ baseRestart ros = node ros "us" $ do
   liftIO $ do
     withPeer ros "mobile_base" $ \base -> do
       talk base 1 t
-      killPeer base -- still registered, at an address where nobody is
+      killPeer base -- still registered, at an address where nothing listens
     withPeer ros "mobile_base" $ \base -> talk base 2 t
   where
     talk base n t = do
@@ -279,7 +279,7 @@ nameClash ros = do
         _ -> assertFailure "it ended for another reason"
   withPeer ros "same" $ \theirs -> node ros "same" (publisher "/x" >>= \p -> liftIO (publish p (Int32.Int32 1) >> void (hears theirs "shutdown")))
 
--- | The master still knows one that nobody has heard of since; whoever looks first, it or we, that one is no rival.
+-- | The master still knows one that has not been heard of since; whichever looks first, it or we, that one is no rival.
 startedAgain :: Ros -> IO ()
 startedAgain ros = withPeer ros "peer" $ \peer -> do
   say peer "sub /x std_msgs/Int32"

@@ -100,7 +100,7 @@ joined =
         xs <- T.take 2000 (merge (finite [0, 2 .. 1998]) (finite [1, 3 .. 1999]))
         sort xs @?= [0 .. 1999 :: Int]
         filter even xs @?= [0, 2 .. 1998],
-      testCase "a failing source fails whoever pulls" $ do
+      testCase "a failing source fails its puller" $ do
         r <- try (T.take 5 (merge (T.repeatM (throwIO (ErrorCall "sensor"))) (T.repeatM (newEmptyMVar >>= takeMVar))))
         either (\(ErrorCall e) -> e) (show :: [()] -> String) r @?= "sensor",
       testCase "a source without rhythm is not pulled far ahead of its reader" $ do
@@ -143,7 +143,7 @@ shared :: TestTree
 shared =
   testGroup
     "share"
-    [ testProperty "tee: both readers see everything, whoever is faster, and effects happen once" $ \(order :: [Bool]) -> ioProperty $ do
+    [ testProperty "tee: both readers see everything, whichever is faster, and effects happen once" $ \(order :: [Bool]) -> ioProperty $ do
         pulled <- newIORef (0 :: Int)
         (a, b) <- tee (T.repeatM (atomicModifyIORef' pulled (\n -> (n + 1, n))))
         (xs, ys) <- inTurn order a b
@@ -155,7 +155,7 @@ shared =
         case readers of
           [a, b] -> concurrently (T.take 500 a) (T.take 500 b) >>= (@?= ([0 .. 499], [0 .. 499]))
           _ -> assertFailure "two readers were asked for",
-      testCase "teeEager: both readers see everything, and nobody needs to read for it to be pulled" $ do
+      testCase "teeEager: both readers see everything, and it is pulled without being read" $ do
         pulled <- newEmptyMVar
         (a, b) <- teeEager (T.repeatM (takeMVar pulled))
         mapM_ (putMVar pulled) [0 .. 9 :: Int]

@@ -3,9 +3,9 @@
 
 -- |
 -- Module      : Test.Worker.Client
--- Description : A service for tests: starts the real worker and talks to it.
+-- Description : Test client: starts the real worker and plays the service.
 --
--- Every wait has a limit; a worker that says nothing fails the test instead of hanging it.
+-- Every wait has a limit; a worker that does not answer fails the test.
 module Test.Worker.Client
   ( -- * A worker
     Worker (..),
@@ -35,7 +35,10 @@ module Test.Worker.Client
 
     -- * Looking at processes
     childrenOf,
+    allChildrenOf,
     descriptorsOf,
+    threadStatus,
+    anonymousMemory,
     isAlive,
     eventually,
   )
@@ -151,8 +154,8 @@ run worker i source memory = do
   (mine, theirs) <- socketPair AF_UNIX Stream defaultProtocol
   mapM_ (`withFdSocket` (\fd -> setFdOption (Fd fd) CloseOnExec True)) [mine, theirs]
   let line = Lazy.toStrict (encode (object ["op" .= ("run" :: Text), "id" .= i, "source" .= source, "memory" .= memory])) <> "\n"
-  sent <- withFdSocket (socketOf worker) $ \to -> withFdSocket theirs $ \passenger ->
-    unsafeUseAsCStringLen line (\(bytes, size) -> test_send_with to bytes (fromIntegral size) passenger)
+  sent <- withFdSocket (socketOf worker) $ \to -> withFdSocket theirs $ \descriptor ->
+    unsafeUseAsCStringLen line (\(bytes, size) -> test_send_with to bytes (fromIntegral size) descriptor)
   tellBytes worker (ByteString.drop (fromIntegral sent) line)
   close theirs
   Link mine <$> newIORef ""
@@ -205,6 +208,21 @@ allChildrenOf pid = do
 
 descriptorsOf :: Int -> IO Int
 descriptorsOf pid = length <$> listDirectory ("/proc/" ++ show pid ++ "/fd")
+
+-- | A field of each thread of a process. proc(5), @/proc/pid/task/tid/status@.
+threadStatus :: String -> Int -> IO [String]
+threadStatus name pid = listDirectory tasks >>= fmap concat . mapM ofThread
+  where
+    tasks = "/proc/" ++ show pid ++ "/task"
+    ofThread thread = do
+      found <- try (readFile (tasks ++ "/" ++ thread ++ "/status") >>= \s -> length s `seq` pure s) :: IO (Either IOException String)
+      pure [value | l <- either (const []) lines found, (key, ':' : rest) <- [break (== ':') l], key == name, value <- take 1 (words rest)]
+
+-- | Bytes of memory of a process that no file backs; 0 when it has ended. proc(5), @statm@, in pages of 4 kB.
+anonymousMemory :: Int -> IO Int
+anonymousMemory pid = do
+  found <- try (readFile ("/proc/" ++ show pid ++ "/statm") >>= \s -> length s `seq` pure s) :: IO (Either IOException String)
+  pure (case words (fromRight "" found) of _ : resident : shared : _ -> (read resident - read shared) * 4096; _ -> 0)
 
 isAlive :: Int -> IO Bool
 isAlive pid = doesDirectoryExist ("/proc/" ++ show pid)

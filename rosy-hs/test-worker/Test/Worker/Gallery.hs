@@ -2,10 +2,10 @@
 
 -- |
 -- Module      : Test.Worker.Gallery
--- Description : The mistakes that learners make, and what they read.
+-- Description : Tests of the gallery of mistakes and their explanations.
 --
--- Each folder of @gallery@ is a program with a mistake and what is said about it. UPDATE_GOLDENS=1 writes the answers, and the
--- page that shows them all, anew; read the difference before you keep it.
+-- Each folder of @gallery@ has a program with a mistake and the expected explanations. UPDATE_GOLDENS=1 rewrites them and the gallery page; read
+-- the difference before you commit it.
 module Test.Worker.Gallery (tests) where
 
 import Control.Monad (forM)
@@ -26,7 +26,7 @@ import System.FilePath ((</>))
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
 import Test.Worker.Client
-import Test.Worker.Pretty (pretty)
+import Test.Worker.PrettyJson (pretty)
 
 tests :: IO Worker -> IO TestTree
 tests start = do
@@ -69,6 +69,7 @@ judged start name = do
   problems <- said worker name
   assertBool "nothing was said" (not (null problems))
   mapM_ plainWords problems
+  mapM_ translatable problems
   let file = gallery </> name </> "expected.json"
       answer = object ["problems" .= problems]
   update <- updating
@@ -127,6 +128,17 @@ plainWords problem = do
   assertBool ("one sentence or none: " ++ show hint) (Text.null hint || Text.length hint < 110 && Text.takeEnd 1 hint `elem` [".", "?"] || ": " `Text.isInfixOf` hint)
   assertBool ("begins like a sentence: " ++ show message) (maybe False (\(c, _) -> isUpper c || c == '‘') (Text.uncons message))
   mapM_ (\w -> assertBool ("jargon: " ++ show w) (w `notElem` wordsOf message && w `notElem` wordsOf hint)) jargon
+
+-- | Every sentence has an id, which other languages translate. A text without a translation has none, such as a compiler's own.
+translatable :: Value -> Assertion
+translatable problem = do
+  let sentences = field "sentences" problem
+  mapM_ (\name -> assertBool ("no id: " ++ show (text name problem)) (Text.null (text name problem) || hasId (field name sentences))) ["message", "hint"]
+  mapM_ (\fix -> assertBool ("no id: " ++ show (text "title" fix)) (hasId (field "sentence" fix))) (elements (field "fixes" problem))
+  where
+    hasId s = case field "id" s of
+      String t -> not (Text.null t)
+      _ -> False
 
 -- | The page of all mistakes.
 page :: Worker -> [FilePath] -> Assertion

@@ -1,3 +1,3 @@
 main = simulate move
 
-move = Velocity { velocityLinear = 0.5 }
+move = Velocity { positionX = 0.5 }

@@ -1,1 +1,4 @@
-main = simulate (replicate 4 (say "x"))
+go :: Task ()
+go = replicate 4 (say "x")
+
+main = simulate go

@@ -3,5 +3,5 @@ main = simulate (accelerate, pause)
 accelerate :: Velocity -> Velocity
 accelerate (Velocity v w) = Velocity (v + 0.5) w
 
-pause :: Task ()
-pause = wait 1
+pause :: Bumper -> Task ()
+pause _ = wait 1

@@ -2,13 +2,13 @@
 
 -- |
 -- Module      : Test.Rosy.Controller
--- Description : Every shape of LANGUAGE.md section 1, and rules 1 to 9 of section 2, as stories.
+-- Description : The shapes of rules R14 to R17 and the execution rules R1 to R9, as stories.
 module Test.Rosy.Controller (tests) where
 
 import Rosy
-import Rosy.Core (Message (..))
 import Rosy.Loop (What)
 import Rosy.Program
+import Rosy.Robot
 import Support.Story
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
@@ -44,15 +44,15 @@ tests :: TestTree
 tests =
   testGroup
     "Controller"
-    [ testGroup "rule 1: events trigger" events,
-      testGroup "rule 2: states trigger when there is no event" states,
-      testGroup "rule 3: samples never trigger" samples,
-      testGroup "rule 4: Either, as it comes" eithers,
-      testGroup "rule 5: a state that has not arrived is waited for" waiting,
-      testGroup "rule 6: firing is one transaction" transactions,
-      testGroup "rule 7: memory" memories,
-      testGroup "rule 8: user events" users,
-      testGroup "rule 9 and outputs" outputs,
+    [ testGroup "rule R1: events trigger" events,
+      testGroup "rule R2: states trigger when there is no event" states,
+      testGroup "rule R3: samples never trigger" samples,
+      testGroup "rule R4: Either, as it comes" eithers,
+      testGroup "rule R5: a state that has not arrived is waited for" waiting,
+      testGroup "rule R6: firing is one transaction" transactions,
+      testGroup "rule R7: memory" memories,
+      testGroup "rule R8: user events" users,
+      testGroup "rule R9 and outputs" outputs,
       testGroup "controllers and names" controllers
     ]
 
@@ -96,7 +96,7 @@ events =
           (\side -> "Say " ++ show side)
           (map show [LeftBumper ..] ++ map show [LeftCliff ..] ++ map show [LeftWheel ..] ++ map show [Button0 ..]),
     testCase "the robot's going on line and off is an event" $
-      commandsOf (\s -> Say (show (s :: RobotStatus))) [at 0.1 (sensed (StatusMessage s)) | s <- [Online, Offline]] @?= ["Say \"Online\"", "Say \"Offline\""],
+      commandsOf (\s -> Say (show (s :: RobotStatus))) [at 0.1 (sensed (RobotStatusMessage s)) | s <- [Online, Offline]] @?= ["Say \"Online\"", "Say \"Offline\""],
     testCase "() is the tick, and an event" $
       told (\() (Velocity v _) -> Say (show v)) [at 0 ticked, at 0.02 (moving 1), at 0.04 (moving 2), at 0.1 ticked]
         @?= [(0.02, "Say \"1.0\""), (0.1, "Say \"2.0\"")],
@@ -210,7 +210,7 @@ users =
       commandsOf (\(Bumper _ _) -> [Ping 1, Ping 2, Ping 3], \(Ping n) -> Say (show n)) [at 0 bump] @?= ["Say \"1\"", "Say \"2\"", "Say \"3\""],
     testCase "may carry a type parameter, and then the parameter counts" $
       commandsOf (\(Bumper _ _) -> (Pair 'a' 'b', Pair True False), \(Pair a b) -> Say [b, a]) [at 0 bump] @?= ["Say \"ba\""],
-    testCase "are gone when nobody takes them" $
+    testCase "are gone when they are not taken" $
       commandsOf (\(Bumper _ _) -> Ping 1) [at 0 bump, at 1 bump] @?= [],
     testCase "two functions that feed each other do not stop the world" $ do
       let story = hear (\b p -> pong (b :: Maybe Bumper) p, \(Button _ _) -> Say "still here", \(Bumper _ _) -> Ping 0, \(Ping n) -> Ping (n + 1)) [at 0 bump, at 0.1 push]

@@ -26,6 +26,11 @@ tests =
       testProperty "extending keeps the direction" $ \(Positive x) y (Positive d) ->
         near (magnitudeVec (extVec (x, y) d)) (magnitudeVec (x, y) + d) && near (angleVec (extVec (x, y) d)) (angleVec (x, y)),
       testProperty "positions and vectors are the same numbers" $ \x y -> vecToPosition (positionToVec (Position x y)) === Position x y,
+      testCase "a line through a circle, a tangent, a line beside it, and no line" $
+        [circleLineIntersection ((1, 1), 2) line | line <- [((-3, 1), (1, 1)), ((0, 3), (1, 3)), ((0, 4), (1, 4)), ((1, 1), (1, 1))]]
+          @?= [[(3, 1), (-1, 1)], [(1, 3)], [], []],
+      testProperty "a circle and a line meet on both" $ \centre (Positive radius) from to ->
+        and [near (distVec centre p) radius && near (crossProdVec (subVec to from) (subVec p from)) 0 | distVec from to > 0.1, p <- circleLineIntersection (centre, radius) (from, to)],
       testCase "orientations and seconds are numbers" $ (realToFrac (Orientation 1 + 0.5) :: Double, 2 * Seconds 3 > 5) @?= (1.5, True)
     ]
   where

@@ -11,13 +11,12 @@ import Control.Exception (evaluate)
 import Data.Word (Word64)
 import GHC.Stats
 import Rosy
-import Rosy.Core (Message (..))
 import Rosy.Loop
 import Rosy.Program (Names (..))
+import Rosy.Robot
 import Rosy.Runnable (program)
 import Support.Story
 import System.Mem (performMajorGC)
-import System.Random (mkStdGen)
 import Test.QuickCheck hiding (collect, once)
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
@@ -26,8 +25,9 @@ import Test.Tasty.QuickCheck (testProperty)
 {- HLINT ignore "Use >=>" -}
 {- HLINT ignore "Use <&>" -}
 
-tests :: TestTree
-tests =
+-- | With the number of instants after which memory is compared.
+tests :: Int -> TestTree
+tests instants =
   testGroup
     "Laws"
     [ testGroup
@@ -69,11 +69,12 @@ tests =
             simple (\() -> Memory (1 :: Int, errorWithoutStackTrace "oh" :: Int))
           ]
           @?= replicate 3 ["function 1", "failed: oh"],
-      testCaseInfo "a million instants of a busy controller run in constant space" $ do
-        sizes <- liveSizes (div 1000000 5) 5
-        let slope = fromIntegral (last sizes - head sizes) / 800000 :: Double
-        assertBool ("it grows: live bytes after each fifth are " ++ show sizes) (slope < 0.05)
-        pure ("peak " ++ show (div (maximum sizes) 1000) ++ " kB, slope " ++ show slope ++ " bytes an instant")
+      testCaseInfo (show instants ++ " instants of a busy controller run in constant space") $ do
+        sizes <- liveSizes (div instants 5) 5
+        let growth = fromIntegral (last sizes) - fromIntegral (head sizes) :: Integer
+        -- A word that is kept in every thirtieth instant exceeds it; counters and the first uses of each function stay below 10 kB.
+        assertBool ("it grows: live bytes after each fifth are " ++ show sizes) (growth < 40000)
+        pure ("peak " ++ show (div (maximum sizes) 1000) ++ " kB, growth " ++ show growth ++ " bytes")
     ]
   where
     simple :: Runnable (c, Velocity -> Say) => c -> [Heard]
@@ -87,7 +88,7 @@ tests =
 busy :: (Velocity -> Memory Int -> (Memory Int, Maybe Say), Bumper -> StdGen -> Memory Int, Either Button Velocity -> Seconds -> Memory (Double, Int) -> (Memory (Double, Int), Led1))
 busy = (\(Velocity _ _) (Memory n) -> (Memory (n + 1), if n `mod` 10 == 0 then Just (Say (show n)) else Nothing), \(Bumper _ _) g -> Memory (fst (randomR (0, 9) g)), \_ (Seconds s) (Memory (_, n)) -> (Memory (s, n + 1), Led1 Green))
 
--- | Still more at once: memory that nobody reads, a partner that never comes, events of the program's own, tasks without end,
+-- | Still more at once: memory that is never read, a partner that never comes, events of the program's own, tasks without end,
 -- beside each other, on call and cancelled.
 busier :: Task ()
 busier = void (parallel (task () (busy, unread, alone, calling) :: Task ()) (forever (race (walk 3) (wait 0.5))))
@@ -104,11 +105,11 @@ busier = void (parallel (task () (busy, unread, alone, calling) :: Task ()) (for
 
 -- | Bytes that are live after each of so many stretches of so many instants, forgetting all reports.
 liveSizes :: Int -> Int -> IO [Word64]
-liveSizes stretch = go 0 (begin (Start 0 (mkStdGen 1)) (program (Names []) busier))
+liveSizes stretch = go 0 (begin (Start 0 0 (mkStdGen 1)) (program (Names []) busier))
   where
     go :: Int -> Turn -> Int -> IO [Word64]
     go !_ _ 0 = pure []
-    go !k turn left = case turn of
+    go !k next left = case next of
       Fires firing after -> evaluate (firingEffects firing) >> go k after left
       Settled network
         | k > 0 && k `mod` stretch == 0 -> do

@@ -6,7 +6,7 @@
 -- Description : What a learner reads when something is thrown, and whom it names.
 module Test.Rosy.Problem (tests) where
 
-import Control.Exception (SomeException, evaluate, try)
+import Control.Exception (ErrorCall (..), SomeException, TypeError (..), evaluate, throw, toException, try)
 import Data.List (isInfixOf)
 import qualified Data.Map as Map
 import Data.Maybe (fromJust)
@@ -46,9 +46,20 @@ tests =
           says "a field of another constructor" (side Point) "f asked for a field that this value does not have.",
           says "a field without a value" (side Square {}) "f used a field that was never given a value.",
           says "a function that an instance leaves out" (tell Point) "f used a function that an instance leaves out.",
+          says "a memory of a type without a finite default" (throw (NoDefault "Loop")) "f reads a memory of Loop, which has no first value.",
           says "a message without end" (error (cycle "no ")) ("f stopped with an error: " ++ take 300 (cycle "no ")),
           says "a message that fails in its turn" (let message = 'a' : error message in error message) "f stopped with an error: a..."
         ],
+      testCase "a run that comes to an empty place names the one at the position of GHC's message, or the next one inside of the expression" $ do
+        let places = [((1, 25), (1, 26), "second", "b"), ((1, 17), (1, 22), "first", "a"), ((4, 3), (4, 4), "third", "c")]
+            at said = let p = atEmptyPlace places (problemFrom (Just "f") [] Nothing (toException (TypeError said))) in (problemKind p, problemMessage p, problemHint p, problemPlace p)
+        at "Main.hs:1:25: error:" @?= ("hole", "second", "b", Just ((1, 25), (1, 26)))
+        at "Main.hs:1:17-21: error:" @?= ("hole", "first", "a", Just ((1, 17), (1, 22)))
+        at "Main.hs:1:8-26: error:" @?= ("hole", "first", "a", Just ((1, 17), (1, 22)))
+        at "Main.hs:(2,1)-(4,4): error:" @?= ("hole", "third", "c", Just ((4, 3), (4, 4)))
+        at "Main.hs:9:1: error:" @?= ("hole", "third", "c", Just ((4, 3), (4, 4)))
+        at "nowhere" @?= ("hole", "f came to an empty place.", "Put a value in it.", Nothing)
+        problemMessage (atEmptyPlace places (problemFrom (Just "f") [] Nothing (toException (ErrorCall "Main.hs:1:17: x")))) @?= "f stopped with an error: Main.hs:1:17: x",
       testCase "a task that cannot be computed is blamed on its definition, and live tasks clean up" $ do
         heard <- rehearse [Steps 0 [] True] (program (Names []) (parallel guarded (within "plan" (const broken))))
         (concatMap heardCommands heard, heardEnd (last heard))

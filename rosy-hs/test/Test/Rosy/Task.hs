@@ -2,13 +2,13 @@
 
 -- |
 -- Module      : Test.Rosy.Task
--- Description : Rule 10 as stories: one thing after another, beside each other, on call.
+-- Description : Rule R10 as stories: one thing after another, beside each other, on call.
 module Test.Rosy.Task (tests) where
 
 import Rosy
-import Rosy.Core (Message (..))
 import Rosy.Loop (What)
 import Rosy.Program
+import Rosy.Robot
 import Support.Story
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
@@ -41,6 +41,7 @@ tests =
       testGroup "values and types" values,
       testGroup "waiting, saying" small,
       testGroup "beside each other" together,
+      testGroup "among functions" amongFunctions,
       testGroup "stopped" stopping,
       testGroup "called" calls
     ]
@@ -118,6 +119,26 @@ small =
       map (length . heardCommands) story @?= [64, 64, 64]
   ]
 
+amongFunctions :: [TestTree]
+amongFunctions =
+  [ testCase "a task in a tuple runs beside the functions" $
+      told (\(Bumper _ _) -> Say "bump", say "a" >> wait 0.1 >> say "b") [at 0 bump, at 0.1 bump, at 0.2 bump]
+        @?= [(0, "Say \"a\""), (0, "Say \"bump\""), (0.1, "Say \"bump\""), (0.1, "Say \"b\""), (0.2, "Say \"bump\"")],
+    testCase "the program goes on when it has ended" $
+      map heardEnd (hear (Led1 Red, wait 0.1) [at (0.1 * k) ticked | k <- [0 .. 3]]) @?= replicate 5 Nothing,
+    testCase "it has a memory of its own" $
+      commandsOf (countBumps "outside", task () (countBumps "inside" :: Bumper -> Memory Int -> (Memory Int, Say)) :: Task ()) [at 0 bump, at 0.1 bump]
+        @?= ["Say \"outside 0\"", "Say \"inside 0\"", "Say \"outside 1\"", "Say \"inside 1\""],
+    testCase "it is stopped with the task around it" $
+      commandsOf (task () (untilBump, taskWith taskOptions {stopped = Led1 Red} (\Never -> Done ())) >> say "end") [at 0 still, at 0.1 bump]
+        @?= ["Led1 Red", "Say \"end\""],
+    testCase "its result is ignored" $
+      commandsOf (wait 0.1 >> pure 'x', say "b") [at 0 still, at 0.1 still] @?= ["Say \"b\""]
+  ]
+  where
+    countBumps :: String -> Bumper -> Memory Int -> (Memory Int, Say)
+    countBumps who _ (Memory n) = (Memory (n + 1), Say (who ++ " " ++ show n))
+
 together :: [TestTree]
 together =
   [ testCase "parallel waits for both, also when both give the same type" $
@@ -126,13 +147,19 @@ together =
     testCase "parallel gives both values, each from its place" $
       commandsOf (parallel (task () (\(Button _ _) -> Done 1)) (task () (\(Bumper _ _) -> Done (2 :: Int))) >>= \r -> say (show (r :: (Int, Int)))) [at 0 bump, at 0.1 push]
         @?= ["Say \"(1,2)\""],
+    testCase "the loser of a race stands" $
+      told (race (task (Velocity 0.3 0) untilPush) (wait 0.1) >> wait 0.1) [at (0.1 * k) ticked | k <- [0 .. 1]]
+        @?= [(0, "Velocity 0.3 0.0"), (0.1, "Velocity 0.0 0.0")],
+    testCase "the loser of a race does not stop what another function drives" $
+      told (\() -> Velocity 0.2 0, race (task (Velocity 0.3 0) untilPush) (wait 0.1)) [at (0.1 * k) ticked | k <- [0 .. 1]]
+        @?= [(0, "Velocity 0.3 0.0"), (0, "Velocity 0.2 0.0"), (0.1, "Velocity 0.2 0.0")],
     testCase "race ends with the first, told by its place" $
       commandsOf (race (wait 3 >> pure 'a') (wait 1 >> pure 'b') >>= say . show) [at (0.5 * k) ticked | k <- [0 .. 8]] @?= ["Say \"Right 'b'\""],
     testCase "when both end at once the left one wins" $
       commandsOf (race (task () untilBump) (task () untilBump) >>= say . show) [at 0 bump] @?= ["Say \"Left ()\""],
     testCase "the loser of a race drives no more" $
       told (race (task () (Velocity 0.5 0) :: Task ()) (task () untilBump) >> wait 0.2) [at 0 ticked, at 0.1 ticked, at 0.15 bump, at 0.2 ticked, at 0.3 ticked]
-        @?= [(0, "Velocity 0.5 0.0"), (0.1, "Velocity 0.5 0.0")],
+        @?= [(0, "Velocity 0.5 0.0"), (0.1, "Velocity 0.5 0.0"), (0.15, "Velocity 0.0 0.0")],
     testCase "side by side, each has its own memory" $
       commandsOf (parallel count count) [at 0 bump, at 0.1 bump] @?= ["Say \"0\"", "Say \"0\"", "Say \"1\"", "Say \"1\""]
   ]
@@ -143,7 +170,7 @@ together =
 stopping :: [TestTree]
 stopping =
   [ testCase "the loser of a race cleans up once, before anything else" $
-      commandsOf (race guarded (task () untilBump) >> say "won") [at 0 ticked, at 0.1 bump] @?= ["Velocity 0.5 0.0", "Led1 Red", "Say \"won\""],
+      commandsOf (race guarded (task () untilBump) >> say "won") [at 0 ticked, at 0.1 bump] @?= ["Velocity 0.5 0.0", "Led1 Red", "Velocity 0.0 0.0", "Say \"won\""],
     testCase "a task that ends by itself is not stopped" $
       commandsOf (taskWith taskOptions {stopped = Led1 Red} untilBump) [at 0 bump] @?= [],
     testCase "an error in one function stops every live task" $ do
@@ -180,13 +207,13 @@ calls =
         @?= ["Say \"LeftBumper\"", "Say \"LeftBumper\""],
     testCase "a cancelled sequence stops in whatever step it is, and cleans up once" $
       commandsOf (\(Button n _) -> if n == Button0 then Just (call twoSteps quiet {cancelOn = \(ButtonOne _) -> Just Cancel}) else Nothing) story
-        @?= ["Say \"one\"", "Say \"two\"", "Velocity 0.5 0.0", "Led1 Red"],
+        @?= ["Say \"one\"", "Say \"two\"", "Velocity 0.5 0.0", "Led1 Red", "Velocity 0.0 0.0"],
     testCase "two calls at once are two tasks" $
       commandsOf (\(Button _ _) -> call (wait 0.1 >> say "done") quiet) [at 0 push, at 0.05 push, at 0.1 ticked, at 0.15 ticked, at 0.2 ticked]
         @?= ["Say \"done\"", "Say \"done\""],
     testCase "the end of the caller stops what it called, before the next task" $
       commandsOf (task () (\(Button _ _) -> call guarded quiet, untilBump) >> say "next") [at 0 push, at 0.1 ticked, at 0.2 bump, at 0.3 ticked]
-        @?= ["Velocity 0.5 0.0", "Led1 Red", "Say \"next\""],
+        @?= ["Velocity 0.5 0.0", "Led1 Red", "Velocity 0.0 0.0", "Say \"next\""],
     testCase "a Done in the answer ends the caller" $
       commandsOf (task () (\(Button _ _) -> call (wait 0.1 >> pure 'x') callOptions {onEnd = Done}) >>= \c -> say [c]) [at 0 push, at 0.1 ticked]
         @?= ["Say \"x\""]

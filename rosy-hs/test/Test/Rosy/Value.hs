@@ -11,8 +11,11 @@ module Test.Rosy.Value (tests) where
 import Control.Exception (ErrorCall, evaluate, try)
 import Data.Either (isLeft)
 import qualified Data.Map as Map
+import Data.Maybe (fromMaybe, isJust)
+import Rosy.Model (Built (..), Declarations, defaultOf)
+import Rosy.Problem (Fault (NoDefault))
 import Rosy.Program
-import Rosy.Value (settled, shown)
+import Rosy.Value (nonePending, settled, shown)
 import Test.QuickCheck
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
@@ -57,6 +60,53 @@ instance Value H
 
 instance Default H
 
+-- | The first constructor needs the type itself.
+data Stack = Push Int Stack | Empty
+  deriving (Eq, Show, Generic)
+
+instance Value Stack
+
+instance Default Stack
+
+-- | Two types that need each other.
+data Even = Odd1 Odd | Zero
+  deriving (Eq, Show, Generic)
+
+data Odd = Even1 Even | One
+  deriving (Eq, Show, Generic)
+
+instance Value Even
+
+instance Default Even
+
+instance Value Odd
+
+instance Default Odd
+
+-- | No finite value at all.
+data Loop = Loop Int Loop | Again Loop
+  deriving (Show, Generic)
+
+instance Value Loop
+
+instance Default Loop
+
+-- | Finite only through containers, which start empty.
+data Tree = Node Int [Tree] (Maybe Tree)
+  deriving (Eq, Show, Generic)
+
+instance Value Tree
+
+instance Default Tree
+
+-- | Each level needs a larger application of the type.
+data Nest a = Deep (Nest [a]) | Flat a
+  deriving (Eq, Show, Generic)
+
+instance Value a => Value (Nest a)
+
+instance Value a => Default (Nest a)
+
 instance Arbitrary a => Arbitrary (Thing a) where
   arbitrary = sized go
     where
@@ -68,6 +118,50 @@ instance Arbitrary a => Arbitrary (Thing a) where
             (1, Of <$> arbitrary <*> arbitrary),
             (if n > 0 then 2 else 0, (:*:) <$> arbitrary <*> (choose (0, 2) >>= flip vectorOf (go (n `div` 3))))
           ]
+
+-- | The declarations of the types above, for the model.
+declared :: Declarations
+declared =
+  constructorsIn
+    [ ("HA", [("HA", ["Int"]), ("HB", [])]),
+      ("Stack", [("Push", ["Int", "Stack"]), ("Empty", [])]),
+      ("Even", [("Odd1", ["Odd"]), ("Zero", [])]),
+      ("Odd", [("Even1", ["Even"]), ("One", [])]),
+      ("Tree", [("Node", ["Int", "List", "Maybe"])]),
+      ("Int", [("0", [])]),
+      ("List", [("[]", [])]),
+      ("Maybe", [("Nothing", []), ("Just", ["Tree"])])
+    ]
+
+constructorsIn :: [(String, [(String, [String])])] -> Declarations
+constructorsIn types name = fromMaybe [] (lookup name types)
+
+-- | The default of a Haskell type, of the model, and the expected one.
+begins :: Show a => String -> a -> Built -> TestTree
+begins name value wanted = testCase name $ do
+  defaultOf declared name @?= Just wanted
+  show value @?= written 0 wanted
+  where
+    written :: Int -> Built -> String
+    written _ (Built c []) = c
+    written d (Built c fields) = (if d > 10 then \s -> "(" ++ s ++ ")" else id) (unwords (c : map (written 11) fields))
+
+-- | Up to five types that refer to each other.
+declarations :: Gen [(String, [(String, [String])])]
+declarations = do
+  n <- choose (1, 5)
+  let names = take n ["A", "B", "C", "D", "E"]
+  mapM (\name -> (,) name <$> resize 3 (listOf ((,) <$> elements ["X", "Y", "Z"] <*> resize 3 (listOf (elements names))))) names
+
+-- | The types that have a finite value: the least fixed point.
+inhabited :: [(String, [(String, [String])])] -> [String]
+inhabited types = go []
+  where
+    go known
+      | next == known = known
+      | otherwise = go next
+      where
+        next = [name | (name, constructors) <- types, any (all (`elem` known) . snd) constructors]
 
 tests :: TestTree
 tests =
@@ -90,7 +184,23 @@ tests =
         [ testCase "the first constructor, even if it has fields" $ defaultValue @?= HA 0,
           testCase "False, 0, the empty text, Nothing, the left side" $
             defaultValue @?= (False, 0 :: Int, "", Nothing :: Maybe Int, Left 0 :: Either Double Bool),
-          testCase "a function that always gives the beginning of its result" $ (initial :: Bool -> Int) True @?= 0
+          testCase "a function that always gives the beginning of its result" $ fmap ($ True) (initial nonePending :: Maybe (Bool -> Int)) @?= Just 0,
+          testGroup
+            "what the model says"
+            [ begins "HA" (defaultValue :: H) (Built "HA" [Built "0" []]),
+              begins "Stack" (defaultValue :: Stack) (Built "Empty" []),
+              begins "Even" (defaultValue :: Even) (Built "Odd1" [Built "One" []]),
+              begins "Odd" (defaultValue :: Odd) (Built "Even1" [Built "Zero" []]),
+              begins "Tree" (defaultValue :: Tree) (Built "Node" [Built "0" [], Built "[]" [], Built "Nothing" []])
+            ],
+          testCase "a smaller application of its own type" $ (defaultValue :: Either (Either Int Bool) Int) @?= Left (Left 0),
+          testCase "never a larger application of its own type" $ (defaultValue :: Nest Int) @?= Flat 0,
+          testCase "nothing, where every value is infinite" $ do
+            result <- try (evaluate (defaultValue :: Loop))
+            either Just (const Nothing) result @?= Just (NoDefault "Loop"),
+          testProperty "in the model, exactly when the type has a finite value" $
+            forAllShow declarations show $ \types ->
+              conjoin [isJust (defaultOf (constructorsIn types) name) === (name `elem` inhabited types) | (name, _) <- types]
         ],
       testGroup
         "finishes"

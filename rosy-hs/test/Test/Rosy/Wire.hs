@@ -9,7 +9,7 @@
 -- With UPDATE_GOLDENS=1 in the environment the files are written anew instead; read the difference before you keep it.
 module Test.Rosy.Wire (tests) where
 
-import Control.Exception (bracket)
+import Control.Exception (bracket, catch)
 import Data.Aeson (Value (..), object, (.:), (.=))
 import qualified Data.Aeson as Aeson
 import Data.Aeson.Types (parseMaybe)
@@ -24,11 +24,13 @@ import Foreign.Storable (peek, peekByteOff, poke)
 import Network.Socket
 import Network.Socket.ByteString (recv, sendAll)
 import Rosy
-import Rosy.Core (Message (..), Odometry (..), functionName, nameBytes)
-import Rosy.Launch (onPipe)
+import Rosy.Core (functionName, nameBytes)
+import Rosy.Launch (onLink)
 import Rosy.Link (atRest, atWork)
 import Rosy.Link.Pipe (pipeLink)
+import Rosy.Problem (Fault)
 import Rosy.Program (Names (..), simulateNamed, taskNamed)
+import Rosy.Robot
 import Rosy.Wire
 import System.Directory (listDirectory)
 import System.Environment (lookupEnv)
@@ -52,7 +54,7 @@ tests =
         length [() | a <- answer, "two" `isInfixOf` show a] @?= 0,
       testCase "a main without simulate ends as done, with the wheels at rest" $ do
         answer <- held [start] (pure ())
-        map Line' answer @?= map Line' [object ["op" .= publish, "topic" .= velocity, "msg" .= object ["linear" .= object ["x" .= zero], "angular" .= object ["z" .= zero]]], object ["op" .= ended, "how" .= done, "fired" .= ([] :: [String])]],
+        map Line' answer @?= map Line' [object ["op" .= publishes, "topic" .= velocity, "msg" .= object ["linear" .= object ["x" .= zero], "angular" .= object ["z" .= zero]]], object ["op" .= ended, "how" .= done, "fired" .= ([] :: [String])]],
       testCase "the name of the function at work is whole at every moment: the next is written beside the one that is shown" $
         allocaBytes 4096 $ \page -> do
           poke page (0 :: Word32)
@@ -76,13 +78,13 @@ tests =
           atRest' @?= 0,
       testCase "a heading comes out of the quaternion" $
         case readLine (odom "0.5" "0.8660254037844386") of
-          Right (SensorLine (OdometryMessage o)) -> do
+          Right (SensorLine [OdometryMessage o]) -> do
             (odometryPosition o, odometryVelocity o) @?= (Position 1 2, Velocity 0.5 0.25)
             assertBool (show o) (abs (odometryOrientation o - Orientation (pi / 3)) < 1e-9)
           other -> assertFailure (show other),
       testCase "a heading is never outside -π to π" $
         case readLine (odom "-0.7071067811865476" "-0.7071067811865475") of
-          Right (SensorLine (OdometryMessage o)) -> assertBool (show o) (abs (odometryOrientation o - Orientation (pi / 2)) < 1e-9)
+          Right (SensorLine [OdometryMessage o]) -> assertBool (show o) (abs (odometryOrientation o - Orientation (pi / 2)) < 1e-9)
           other -> assertFailure (show other),
       testCase "a number out of range is refused" $
         assertBool "" (either (const True) (const False) (readLine "{\"op\":\"publish\",\"topic\":\"/mobile_base/events/bumper\",\"msg\":{\"bumper\":3,\"state\":1}}"))
@@ -91,7 +93,7 @@ tests =
     start = "{\"op\":\"start\",\"protocol\":1,\"seed\":1,\"trace\":false}"
     step0 = "{\"op\":\"step\",\"step\":0,\"time\":0}"
     stop' = "{\"op\":\"stop\"}"
-    (publish, velocity, ended, done) = ("publish", "/mobile_base/commands/velocity", "ended", "done") :: (String, String, String, String)
+    (publishes, velocity, ended, done) = ("publish", "/mobile_base/commands/velocity", "ended", "done") :: (String, String, String, String)
     zero = 0 :: Double
     odom z w =
       ByteString.concat
@@ -114,9 +116,16 @@ programs =
     ("error", simulateNamed (Names [Name "retreat"]) [retreat]),
     ("done", simulate (taskNamed (Name "start") (Names [Name "accelerate", Name "untilBump"]) (Led1 Green) (accelerate, untilBump))),
     ("events", simulateNamed (Names [Name "lift", Name "alarm", Name "count"]) (lift, alarm, count)),
-    ("memory", simulateNamed (Names [Name "hold", Name "share"]) (hold, share))
+    ("memory", simulateNamed (Names [Name "hold", Name "share"]) (hold, share)),
+    ("firings", simulateNamed (Names [Name "bump", Name "forwardBackward", Name "report"]) (remember, forwardBackward, report))
   ]
   where
+    remember :: Bumper -> (Memory Bool, Cancel)
+    remember _ = (Memory True, Cancel)
+    forwardBackward :: Memory Bool -> Velocity -> Velocity
+    forwardBackward (Memory hit) (Velocity v w) = if hit then Velocity (v - 0.5) w else Velocity (v + 0.5) w
+    report :: Cancel -> Seconds -> Say
+    report _ s = Say (show s)
     accelerate :: Velocity -> Velocity
     accelerate (Velocity v w) = Velocity (v + 0.5) w
     play :: Bumper -> Maybe Sound
@@ -139,7 +148,7 @@ programs =
     lift _ (Memory n) = Right (Memory (n + 10))
     alarm :: Cancel -> Orientation -> Sound
     alarm Cancel _ = ErrorSound
-    -- A value without end and one that nobody can show.
+    -- A value without end and one that cannot be shown.
     hold :: Button -> Memory Int -> (Memory Int, Memory [Int], Memory [Int -> Int])
     hold _ (Memory n) = (Memory (n + 1), Memory [n ..], Memory [(+ n)])
     share :: Bumper -> Param Bool
@@ -191,11 +200,14 @@ held :: [ByteString.ByteString] -> IO () -> IO [Value]
 held ls main' = bracket (socketPair AF_UNIX Stream defaultProtocol) (\(a, b) -> close a >> close b) $ \(ours, theirs) -> do
   sendAll ours (Char8.unlines ls)
   shutdown ours ShutdownSend
-  withFdSocket theirs (\fd -> onPipe fd nullPtr main')
+  -- Not onPipe, which takes the standard output of the process: the tests print at the same time.
+  withFdSocket theirs (\fd -> (pipeLink fd nullPtr >>= (`onLink` main')) `catch` lost)
   shutdown theirs ShutdownSend
   bytes <- readAll ours
   pure (map decoded (Char8.lines bytes))
   where
+    lost :: Fault -> IO ()
+    lost _ = pure ()
     readAll s = do
       piece <- recv s 65536
       if ByteString.null piece then pure "" else (piece <>) <$> readAll s

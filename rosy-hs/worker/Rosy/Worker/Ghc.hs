@@ -4,10 +4,9 @@
 
 -- |
 -- Module      : Rosy.Worker.Ghc
--- Description : The one door to the compiler.
+-- Description : Interface to the compiler.
 --
--- A program's text in, what the compiler thinks of it out, and a program that can be started. This module and
--- the folder of its name are the only ones that import the compiler; all that leaves it is in our own nouns.
+-- Analyses and loads programs. Only this module and its folder import the GHC API; all exported types are independent of it.
 module Rosy.Worker.Ghc
   ( -- * A session
     Library (..),
@@ -16,84 +15,90 @@ module Rosy.Worker.Ghc
     compilerVersion,
 
     -- * Asking
-    Guard (..),
-    Aim (..),
+    Restriction (..),
+    Purpose (..),
     Analysis (..),
-    analyse,
+    analyseProgram,
     complete,
 
     -- * Running
     Ready,
+    EmptyPlace,
     load,
     asMain,
   )
 where
 
 import Control.Monad (void)
+import Data.List (nub)
+import Data.Maybe (mapMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Word (Word32)
 import Foreign.C.Types (CInt)
 import Foreign.Ptr (Ptr)
-import GHC.Core.Opt.Monad (CoreToDo (..))
-import GHC.Data.Bag (bagToList, filterBag)
+import GHC.Data.Bag (bagToList)
 import GHC.Data.StringBuffer (stringToStringBuffer)
-import GHC.Driver.Pipeline (compileOne')
-import GHC.Driver.Plugins (Plugin (..), PluginWithArgs (..), StaticPlugin (..), defaultPlugin)
-import GHC.Driver.Session (DynFlags (..), SafeHaskellMode (..), xopt_set)
-import GHC.Driver.Types
-import GHC.Hs hiding (Warning)
-import GHC.HsToCore.Binds (dsTopLHsBinds)
-import GHC.HsToCore.Monad (initDs)
+import GHC.Driver.Plugins (Plugin)
+import GHC.Driver.Session (DynFlags (..), xopt_set)
 import GHC.LanguageExtensions.Type (Extension (ForeignFunctionInterface))
-import GHC.Runtime.Linker (getHValue, unload)
 import GHC.Settings.Config (cProjectVersion)
-import GHC.Tc.Module (tcRnModule)
 import GHC.Tc.Types (TcGblEnv (..))
 import GHC.TopHandler (runMainIO)
 import GHC.Types.Name (Name, getName, getOccString, nameModule_maybe)
 import GHC.Types.SrcLoc
-import GHC.Unit.Module (mkModuleName)
 import GHCi.RemoteTypes (localRef, withForeignRef)
-import Rosy.Worker.Ghc.Add
-import Rosy.Worker.Ghc.Blame
-import Rosy.Worker.Ghc.Complete
-import Rosy.Worker.Ghc.Describe
-import Rosy.Worker.Ghc.Names (leaves)
-import Rosy.Worker.Ghc.Read
-import Rosy.Worker.Ghc.Report
-import Rosy.Worker.Ghc.Twice
-import Rosy.Worker.Ghc.Types
-import Rosy.Worker.Ghc.Warm
-import Rosy.Worker.Place (Columns, columnsOf)
-import Rosy.Worker.Problem (Declaration, Function, Place (..), Problem (severity), Severity (..), Typed, isError, problemAt, problemNowhere)
-import Rosy.Worker.Raw (Outline (..), Raw (..), noOutline)
+import Rosy.Worker.CompilerMessage (Category (Hole, MissingMethods, Types), CompilerMessage (..), ProgramOutline (..), emptyOutline)
+import Rosy.Worker.Ghc.Compat.Driver
+import Rosy.Worker.Ghc.Compat.Syntax
+import Rosy.Worker.Ghc.Completion
+import Rosy.Worker.Ghc.ConnectionChecks
+import Rosy.Worker.Ghc.DeclarationWarnings
+import Rosy.Worker.Ghc.Declarations
+import Rosy.Worker.Ghc.Diagnostics
+import Rosy.Worker.Ghc.DuplicateSimulate
+import Rosy.Worker.Ghc.FiniteDefault
+import Rosy.Worker.Ghc.FunctionNames (functionNames)
+import Rosy.Worker.Ghc.Parsing
+import Rosy.Worker.Ghc.ProgramFacts (programFacts)
+import Rosy.Worker.Ghc.ProgramGraph (programGraph)
+import Rosy.Worker.Ghc.Session
+import Rosy.Worker.Ghc.SpanTypes
+import Rosy.Worker.Ghc.TaskAttribution
+import Rosy.Worker.Ghc.TopicConnections (topicConnections)
+import Rosy.Worker.Ghc.TreeRewrite hiding (added)
+import Rosy.Worker.Graph (Connection, Part)
+import Rosy.Worker.Problem (Declaration (..), Function, Position (..), Problem (kind, place, severity), Severity (..), Typed, isError, problemAt, problemNowhere)
+import qualified Rosy.Worker.Problem as Placed (Span (end, start))
+import Rosy.Worker.Sentence
+import Rosy.Worker.StaticAdvice (Facts)
+import Rosy.Worker.TabStops (TabStops, tabStopsOf)
 import Unsafe.Coerce (unsafeCoerce)
 
--- | As the worker's @ready@ says it.
+-- | As reported in the worker's @ready@.
 compilerVersion :: Text
 compilerVersion = Text.pack cProjectVersion
 
--- | A session that has compiled a program already. Most of what the compiler knows about the library it finds out only when it
--- is needed; what it found out before a fork, every child knows.
+-- | Opens a session and compiles a sample program in it. GHC loads most facts about the library on demand; what is loaded before a fork is
+-- shared by every child.
 start :: Library -> IO Session
 start library = do
-  session <- warm library
-  _ <- analyse Guarded ToKnow session practice
-  practised <- analyse Guarded ToRun session practice
+  session <- openSession library
+  _ <- analyseProgram Restricted ForCheck session warmUpProgram
+  practised <- analyseProgram Restricted ForRun session warmUpProgram
   case ready practised of
     Just sample -> do
       _ <- load session sample
-      -- The linker keeps what it has linked by name: without this every program's main would be the practice's.
-      unload (environment session) []
+      -- The linker caches linked names: without this every program's main would be that of the sample.
+      unloadAll (environment session)
     Nothing -> pure ()
-  _ <- analyse Guarded ToKnow session "hole = _ :: Velocity\nwrong = not hole + \"\" + undefinedName\n"
-  _ <- complete session "asked :: Velocity -> Memory Bool -> Velocity\nasked v (Memory m) = \nmain = simulate asked\n" (Place 2 22)
+  _ <- analyseProgram Restricted ForCheck session "hole = _ :: Velocity\nwrong = not hole + \"\" + undefinedName\n"
+  _ <- complete session "asked :: Velocity -> Memory Bool -> Velocity\nasked v (Memory m) = \nmain = simulate asked\n" (Position 2 22)
   pure session
 
--- | A program that touches most of the library.
-practice :: Text
-practice =
+-- | A sample program that uses most of the library.
+warmUpProgram :: Text
+warmUpProgram =
   Text.unlines
     [ "import qualified Data.Map as Map",
       "import Data.List (sortOn)",
@@ -125,110 +130,141 @@ practice =
       "main = if length (show Go) > 3 then simulate (accelerate, play, hits, walk) else simulate square"
     ]
 
--- | What is known about a program after reading it and checking its types.
+-- | Result of parsing and type checking.
 data Analysis = Analysis
-  { -- | Rosy's own findings: what may not be imported, no @main@.
+  { -- | Problems found by the worker: refused imports, no @main@.
     refusals :: [Problem],
-    -- | The compiler's findings.
-    messages :: [Raw],
-    outline :: Outline,
+    -- | Messages of the compiler.
+    messages :: [CompilerMessage],
+    outline :: ProgramOutline,
+    -- | Present for a check of a program without errors.
+    facts :: Maybe Facts,
     declared :: [Declaration],
     connected :: [Function],
+    -- | The network of functions and tasks that @main@ simulates.
+    network :: [Part],
+    -- | The topics that the program connects its own types to, in the order of the text.
+    onTopics :: [Connection],
     typed :: [Typed],
-    -- | Present when nothing stands in the way of a run.
+    -- | Present if the program can run, unless a type error remains that has another cause than an empty place.
     ready :: Maybe Ready
   }
 
--- | A program that has passed the type checker.
+-- | A type-checked program.
 data Ready = Ready HscEnv ModSummary TcGblEnv Name
 
--- | What for: to say what is wrong and of what types things are, or to run it. Knowing is quicker.
-data Aim = ToKnow | ToRun
+-- | Purpose of an analysis: to report problems and types, or to run the program. A check is faster.
+data Purpose = ForCheck | ForRun
   deriving (Eq)
 
--- | Reads and checks a program.
-analyse :: Guard -> Aim -> Session -> Text -> IO Analysis
-analyse guarded aim session source = do
-  options <- optionsOf guarded (allowing (hsc_dflags (environment session))) columns source buffer
+-- | Parses and type-checks a program.
+analyseProgram :: Restriction -> Purpose -> Session -> Text -> IO Analysis
+analyseProgram restriction purpose session source = do
+  options <- programOptions restriction (allowing (hsc_dflags (environment session))) columns source buffer
   case options of
     Left found -> pure (stopped found [])
     Right flags -> case readProgram flags columns buffer of
       Left raws -> pure (stopped [] raws)
       Right (L at parsed, warnings) -> do
-        let listed = if guarded == Guarded then refusalsIn columns source parsed else []
-        unsafe <- if guarded == Unguarded || not (null listed) then pure [] else unsafeImports (environment session) {hsc_dflags = flags} columns parsed
+        let listed = if restriction == Restricted then treeRefusals columns source parsed else []
+        unsafe <- if restriction == Unrestricted || not (null listed) then pure [] else unsafeImports (withFlags flags (environment session)) columns parsed
         let refused = listed ++ unsafe
         if null refused
-          then check aim session flags columns source (L at parsed) warnings
+          then check restriction purpose session flags columns source (L at parsed) warnings
           else pure (stopped refused warnings)
   where
-    columns = columnsOf source
+    columns = tabStopsOf source
     buffer = stringToStringBuffer (Text.unpack source)
     allowing flags
-      | guarded /= Unguarded = flags
-      | otherwise = (xopt_set flags ForeignFunctionInterface) {safeHaskell = Sf_None, staticPlugins = [StaticPlugin (PluginWithArgs withoutStubs [])]}
-    stopped found raws = Analysis found raws (noOutline source) [] [] [] Nothing
+      | restriction /= Unrestricted = flags
+      | otherwise = (xopt_set flags ForeignFunctionInterface) {safeHaskell = Sf_None}
+    stopped found raws = Analysis found raws (emptyOutline source) Nothing [] [] [] [] [] Nothing
 
--- | For the tests of the other protections: a program that calls foreign functions is linked without the C file that the
--- compiler would write for it, and could not, so that the calls are made and the other protections have something to stop.
+-- | Used by tests of the other protections: links a program with foreign calls without the C stubs that GHC would generate and cannot write
+-- here.
 withoutStubs :: Plugin
-withoutStubs = defaultPlugin {installCoreToDos = \_ passes -> pure (CoreDoPluginPass "without stubs" (\guts -> pure guts {mg_foreign = NoStubs}) : passes)}
+withoutStubs = corePlugin "without stubs" (\guts -> pure guts {mg_foreign = NoStubs})
 
 -- * Checking
 
-check :: Aim -> Session -> DynFlags -> Columns -> Text -> Located HsModule -> [Raw] -> IO Analysis
-check aim session flags columns source (L at parsed) warnings = do
-  let added = addRosy instances (linesWith (map Text.pack namingWords) source) (broughtWith flags (brought session)) parsed
-      env = (environment session) {hsc_dflags = flags}
-      summary = summaryOf flags source
-      placed = definitionSpans (placeOf columns) parsed
-      outlined = Outline source placed (signatureSpans (placeOf columns) parsed) [] []
-  ((warned, failed), outcome) <- tcRnModule env summary False (parsedModule (L at (program added)))
-  let found = warnings ++ map (fromMessage flags columns) (bagToList failed ++ bagToList warned)
-      bad = any ((== Error) . gravity)
+check :: Restriction -> Purpose -> Session -> DynFlags -> TabStops -> Text -> Located SyntaxTree -> [CompilerMessage] -> IO Analysis
+check restriction purpose session flags columns source (L at parsed) warnings = do
+  let added = rewriteProgram instances (onLinesContaining (map Text.pack controllerFunctions) source) (implicitNamesWith flags (implicitNames session)) parsed
+      env = addPlugins [withoutStubs | restriction == Unrestricted] (withFlags flags (environment session))
+      summary = summaryOf env source
+      placed = definitionSpans (spanAt columns) parsed
+      outlined = (emptyOutline source) {bindings = placed, signatures = signatureSpans (spanAt columns) parsed}
+  (diagnostics, outcome) <- typecheck env summary (L at (program added))
+  let first = warnings ++ map (completeDerivations . fromTypeChecker flags columns) diagnostics
+      names = nub (concatMap functionNames (controllers added))
+      connectionErrors = filter isConnectionError . map (fromTypeChecker flags columns)
+  others <-
+    if any isConnectionError first && length names > 1
+      then filter ((`elem` map (Just . snd) placed) . messageSpan) . connectionErrors . fst <$> typecheck env summary (L at (withConnectionChecks (filter (/= "main") names) (program added)))
+      else pure []
+  let found = first ++ others
+      bad = any ((== Error) . messageSeverity)
+      hasHoles = any ((== Hole) . category)
+      -- All errors of a program with holes may be about types that depend on what is put into them.
+      mayBeUnfinished raws = hasHoles raws && all ((== Types) . category) (filter ((== Error) . messageSeverity) raws)
       mains = [() | ("main", _) <- placed]
-      twice = [(problemAt s "second-simulate" "A program simulates once, and this is the second time." "Put all functions into one: simulate (f, g); tasks follow one another in a do.") {severity = Warning} | Just s <- [secondSimulate parsed >>= placeOf columns]]
-      noMain = [problemNowhere "no-main" "The program does not say what the robot should do." "Add a line that starts with: main = simulate" | null mains]
+      connectedTopics = topicConnections parsed
+      twice = [(problemAt s "second-simulate" (tr "A program simulates once, and this is the second time.") (tr "Put all functions into one: simulate (f, g); tasks follow one another in a do.")) {severity = Warning} | Just s <- [duplicateSimulate parsed >>= spanAt columns]]
+      doubtful = filter (not . isRefused) (declarationWarnings (spanAt columns) (implicitNames session) parsed)
+      -- An instance that is refused has one problem.
+      isRefused p = kind p == "empty-instance" && or [fmap lineOf (messageSpan m) == fmap lineOf (place p) | m <- found, messageSeverity m == Error]
+      lineOf = line . Placed.start
+      noMain = [problemNowhere "no-main" (tr "The program does not say what the robot should do.") (tr "Add a line that starts with: main = simulate") | null mains]
       whole raws tcg next =
-        let describe spelling = describeFunctions flags spelling (map Text.pack (concatMap leaves (controllers added))) tcg
+        let describe spelling = describeFunctions flags spelling (map Text.pack names) tcg
             connections = describe AsWritten
-            known = outlined {connectedTo = connections, spelledOut = describe SpelledOut}
-         in Analysis (noMain ++ twice) raws known (describeDeclarations flags placed tcg) connections (typesAt (showType flags) (placeOf columns) (derivedPlaces parsed) tcg) next
+            declarations = describeDeclarations flags placed tcg
+            known = outlined {connectedTo = connections, spelledOut = describe SpelledOut, typesOfNames = [(declares d, ofType d) | d <- declarations]}
+         in Analysis (noMain ++ twice ++ doubtful ++ endless tcg) raws known (factsOf raws) declarations connections (if bad raws && not (mayBeUnfinished raws) then [] else programGraph (showType flags) (spanAt columns) connectedTopics parsed tcg) connectedTopics (typesAt (showType flags) (spanAt columns) (derivedSpans parsed) tcg) next
+      factsOf raws = if purpose == ForCheck && not (bad raws || hasHoles raws) then Just (programFacts (spanAt columns) (`onLinesContaining` source) (map Text.pack names) parsed) else Nothing
+      endless tcg =
+        [ problemAt s "no-default" (trWith "A memory of ‘{name}’ has no first value." ["name" =: name]) (tr "Every way to make one needs a value that has none either. Add a constructor without fields.")
+          | (spot, t) <- memoriesWithoutDefault (ownDefaults parsed) tcg,
+            let name = showType flags t,
+            Just s <- [spanAt columns spot]
+        ]
   case outcome of
-    Nothing -> pure (Analysis noMain found outlined [] [] [] Nothing)
+    Nothing -> pure (Analysis (noMain ++ doubtful) found outlined Nothing [] [] [] connectedTopics [] Nothing)
     Just tcg
-      | bad found -> pure (whole found tcg Nothing)
+      | mayBeUnfinished found, not (any isError (noMain ++ endless tcg)), purpose == ForRun -> pure (whole found tcg (Ready env summary tcg <$> mainOf tcg))
+      | bad found || hasHoles found -> pure (whole found tcg Nothing)
       | otherwise -> do
-        -- The compiler finds missing cases only now. What it derives has none.
-        ((doubts, failures), _) <- initDs env tcg (dsTopLHsBinds (filterBag (isWritten . getLoc) (tcg_binds tcg)))
-        let raws = found ++ map (fromMessage flags columns) (bagToList failures ++ bagToList doubts)
+        -- The desugarer reports missing cases. Derived code has none.
+        doubts <- desugarDiagnostics env tcg (filter (isWritten . spanOf) (bagToList (tcg_binds tcg)))
+        let raws = found ++ map (fromTypeChecker flags columns) doubts
         pure $
-          if bad raws || any isError noMain || aim == ToKnow
+          if bad raws || any isError (noMain ++ endless tcg) || purpose == ForCheck
             then whole raws tcg Nothing
             else whole raws tcg (Ready env summary tcg <$> mainOf tcg)
   where
-    -- A program that speaks of Generic may want the real thing.
-    instances = if aim == ToKnow && not ("Generic" `Text.isInfixOf` source) then Promised else Whole
-    isWritten = not . standsIn (derivedPlaces parsed)
+    -- A program that mentions Generic may use the real instances.
+    instances = if purpose == ForCheck && not ("Generic" `Text.isInfixOf` source) then EmptyBodies else GenericBodies
+    isWritten = not . isInside (derivedSpans parsed)
+    -- An instance without methods fails when it is used. Written by hand it may be on purpose, derived it is not.
+    completeDerivations m
+      | category m == MissingMethods, Just s <- messageSpan m, any (contains s) (mapMaybe (spanAt columns) (derivedSpans parsed)) = m {messageSeverity = Error}
+      | otherwise = m
+    contains inner outer = Placed.start outer <= Placed.start inner && Placed.end inner <= Placed.end outer
     mainOf tcg = case [getName i | i <- typeEnvIds (tcg_type_env tcg), getOccString i == "main", nameModule_maybe (getName i) == Just (tcg_mod tcg)] of
       n : _ -> Just n
       [] -> Nothing
 
 -- * Running
 
--- | Compiles a checked program to bytecode in this process and gives the action that runs it: over a link's
--- descriptor, with a page for the name of the function at work.
-load :: Session -> Ready -> IO (CInt -> Ptr Word32 -> IO ())
-load session (Ready env plain checked name) = do
-  let flags = ms_hspp_opts plain
-      summary = plain {ms_hspp_opts = flags {staticPlugins = blaming : staticPlugins flags}}
-  compiled <- compileOne' (Just checked) Nothing env summary 1 1 Nothing Nothing SourceModified
-  let home = env {hsc_HPT = addToHpt (hsc_HPT env) (mkModuleName "Main") compiled}
-  value <- getHValue home name
-  -- The type checker has made sure that main is an IO action.
+-- | Compiles a checked program to bytecode in this process. The result runs it over a link's descriptor, with a shared page for the name of the
+-- active function and the empty places of the program.
+load :: Session -> Ready -> IO (CInt -> Ptr Word32 -> [EmptyPlace] -> IO ())
+load session (Ready env summary checked name) = do
+  value <- compileAndLink (addPlugins [taskAttribution] env) summary checked name
+  -- The type checker has verified that main is an IO action.
   action <- withForeignRef value localRef
-  pure (\fd page -> launcher session fd page (void (unsafeCoerce action :: IO ())))
+  pure (\fd page places -> launcher session fd page places (void (unsafeCoerce action :: IO ())))
 
--- | Runs an action as a program's main thread, the one that is told when the heap is full.
+-- | Runs an action as main thread, which receives heap overflow exceptions.
 asMain :: IO () -> IO ()
 asMain = runMainIO

@@ -1,6 +1,6 @@
 -- |
 -- Module      : Rosy.Worker.Options
--- Description : The command line of rosy-worker, and where the library is when nobody says.
+-- Description : Command line options, and the default location of the library.
 module Rosy.Worker.Options
   ( Options (..),
     parseOptions,
@@ -11,7 +11,7 @@ where
 
 import Data.List (isPrefixOf, isSuffixOf, sort, sortOn)
 import Data.Word (Word64)
-import Rosy.Worker.Child (Layers (..), allLayers)
+import Rosy.Worker.ChildProcess (Protections (..), allProtections)
 import Rosy.Worker.Ghc (Library (..))
 import System.Directory (doesDirectoryExist, listDirectory)
 import System.Environment (getExecutablePath)
@@ -25,10 +25,12 @@ data Options = Options
     databases :: [FilePath],
     unit :: Maybe String,
     libdir :: Maybe FilePath,
-    withLayers :: Layers,
+    enabledProtections :: Protections,
     checkSeconds :: Double,
     checkMemory :: Word64,
-    checksTogether :: Int,
+    checkLimit :: Int,
+    -- | Bytes of memory of all children; half of the machine's when it is not given.
+    totalMemory :: Maybe Word64,
     runCpu :: Word64
   }
 
@@ -36,13 +38,14 @@ usage :: String
 usage =
   unlines
     [ "rosy-worker [--fd N] [--package-db DIR] [--rosy-unit ID] [--libdir DIR]",
-      "            [--check-seconds S] [--check-memory BYTES] [--checks N] [--run-seconds S]",
+      "            [--check-seconds S] [--check-memory BYTES] [--total-memory BYTES] [--checks N]",
+      "            [--run-seconds S]",
       "            [--without language|lists|system-calls|limits|memory|processes|files|computing|privileges]",
       "Serves one Unix stream socket, descriptor 3 unless told otherwise. See protocol/README.md, section 3."
     ]
 
 parseOptions :: [String] -> Either String Options
-parseOptions = go (Options 3 [] Nothing Nothing allLayers 10 (512 * 1024 * 1024) 2 3600)
+parseOptions = go (Options 3 [] Nothing Nothing allProtections 10 (512 * 1024 * 1024) 2 Nothing 3600)
   where
     go o arguments = case arguments of
       [] -> Right o
@@ -52,11 +55,12 @@ parseOptions = go (Options 3 [] Nothing Nothing allLayers 10 (512 * 1024 * 1024)
       "--libdir" : d : rest -> go o {libdir = Just d} rest
       "--check-seconds" : n : rest | Just x <- readMaybe n, x > 0 -> go o {checkSeconds = x} rest
       "--check-memory" : n : rest | Just x <- readMaybe n -> go o {checkMemory = x} rest
-      "--checks" : n : rest | Just x <- readMaybe n, x > 0 -> go o {checksTogether = x} rest
+      "--total-memory" : n : rest | Just x <- readMaybe n, x > 0 -> go o {totalMemory = Just x} rest
+      "--checks" : n : rest | Just x <- readMaybe n, x > 0 -> go o {checkLimit = x} rest
       "--run-seconds" : n : rest | Just x <- readMaybe n, x > 0 -> go o {runCpu = x} rest
-      "--without" : l : rest | Just f <- lookup l layerNames -> go o {withLayers = f (withLayers o)} rest
+      "--without" : l : rest | Just f <- lookup l protectionNames -> go o {enabledProtections = f (enabledProtections o)} rest
       other : _ -> Left ("rosy-worker does not understand " ++ other ++ ".\n" ++ usage)
-    layerNames =
+    protectionNames =
       [ ("language", \l -> l {language = False}),
         ("lists", \l -> l {lists = False}),
         ("system-calls", \l -> l {systemCalls = False}),

@@ -2,10 +2,10 @@
 
 -- |
 -- Module      : Rosy.Worker.Server
--- Description : The parent: one loop that relays between the service and the children it forks.
+-- Description : Event loop of the worker: relays between the service and forked children.
 --
--- Waits in one place for the service, the children's answers and their ends. It compiles nothing itself and runs nothing
--- of a learner's, so no program can harm it; a child may die at any moment and is always reaped.
+-- Waits in one poll for requests, answers of children and their exits. It compiles nothing itself and runs no learner's code, so no
+-- program can harm it; every child is reaped.
 module Rosy.Worker.Server
   ( Config (..),
     serve,
@@ -21,25 +21,30 @@ import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Map.Strict as Map
+import Data.Maybe (isNothing)
 import Data.Sequence (Seq (..), (|>))
 import qualified Data.Sequence as Seq
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8With)
 import Data.Text.Encoding.Error (lenientDecode)
+import Data.Word (Word64)
 import GHC.Clock (getMonotonicTime)
 import Rosy.Problem (tooMuchMemory)
-import Rosy.Worker.Checkers
-import Rosy.Worker.Child
+import Rosy.Worker.CheckerPool
+import Rosy.Worker.ChildProcess
 import Rosy.Worker.Ghc (Session, compilerVersion)
-import Rosy.Worker.Page (wordOf)
-import Rosy.Worker.Problem (Completion (..), Problem (..), emptyReport, problemNowhere)
-import Rosy.Worker.Remember
-import Rosy.Worker.Sys
-import Rosy.Worker.Wire
+import Rosy.Worker.LruCache
+import Rosy.Worker.MemoryCeiling (Usage (Usage), ceilings, compilingInterval, overdraft, runningInterval)
+import Rosy.Worker.Problem (Completion (..), Problem (..), problemNowhere)
+import Rosy.Worker.Protocol
+import Rosy.Worker.Report (emptyReport)
+import Rosy.Worker.Sentence
+import Rosy.Worker.SharedMemory (activeFunctionName)
+import Rosy.Worker.SystemCalls
 import System.Mem (performMajorGC)
 import System.Posix.IO (closeFd)
-import System.Posix.Process (forkProcess)
+import System.Posix.Process (forkProcess, getProcessID)
 import System.Posix.Signals (sigKILL, signalProcess)
 import System.Posix.Types (Fd)
 
@@ -48,124 +53,135 @@ data Config = Config
     settings :: Settings,
     -- | Wall-clock seconds that reading and checking a program may take.
     compileSeconds :: Double,
-    checksAtOnce :: Int
+    -- | How many checks, and how many runs besides, compile at once.
+    maxConcurrentChecks :: Int,
+    -- | Bytes of memory of all children.
+    memoryTotal :: Word64
   }
 
 -- | A run.
 data Job = Job
   { jobId :: Id,
-    -- | The page with the function at work.
-    page :: Page,
+    -- | Shared page with the active function.
+    page :: SharedPage,
     -- | Whether the program has started.
     started :: Bool,
-    -- | Until the child has closed it.
+    -- | Present until the child has closed it.
     answers :: Maybe Fd,
-    heard :: Lines,
-    -- | When compiling must be done; 'getMonotonicTime'.
+    inputBuffer :: LineBuffer,
+    -- | Deadline of compilation; 'getMonotonicTime'.
     deadline :: Maybe Double,
     answered :: Bool,
-    -- | Ended by the worker for taking too long.
-    late :: Bool,
-    -- | What the compiler said when it failed itself.
-    lastWords :: Text
+    -- | The limit for which it was killed.
+    overrun :: Maybe Overrun,
+    -- | Failure of the compiler itself.
+    compilerFailure :: Text
   }
 
+-- | A run that waits for others to be compiled: id, source, bytes of memory, link.
+data RunRequest = RunRequest Id Text Int Fd
+
 data State = State
-  { incoming :: Lines,
-    -- | Descriptors that rode in, for the run lines to come.
-    passengers :: Seq Fd,
+  { incoming :: LineBuffer,
+    -- | Received descriptors whose run request has not arrived yet.
+    pendingDescriptors :: Seq Fd,
     outgoing :: Seq ByteString,
     -- | By process id.
     jobs :: Map.Map Int Job,
-    checkers :: Checkers,
-    -- | Questions that nobody works on yet.
+    pool :: CheckerPool,
+    -- | Questions that are not assigned yet.
     waiting :: Seq (Id, Question),
+    -- | Runs whose compilation has not begun.
+    waitingRuns :: Seq RunRequest,
+    -- | When memory is looked at again; 'getMonotonicTime'.
+    nextLook :: Double,
     -- | By 'questionBytes'.
-    cache :: Remembered ByteString ByteString,
+    cache :: LruCache ByteString ByteString,
     peerGone :: Bool
   }
 
--- | Serves until the service closes its end; then every child dies with this process.
+-- | Serves until the service closes its end; then all children are killed.
 serve :: Config -> Session -> IO ()
 serve config session = do
   ended <- watchChildren
   performMajorGC
-  let begun = State noLines Seq.empty (Seq.singleton (answerLine (ReadyNow compilerVersion))) Map.empty noCheckers Seq.empty nothingYet False
+  let begun = State emptyLineBuffer Seq.empty (Seq.singleton (answerLine (Ready compilerVersion))) Map.empty emptyPool Seq.empty Seq.empty 0 emptyCache False
   loop config session ended begun
 
 loop :: Config -> Session -> Fd -> State -> IO ()
 loop config session ended = go
   where
     go s
-      | peerGone s = forM_ (Map.keys (jobs s) ++ map fst (ears (checkers s))) (signalProcess sigKILL . fromIntegral)
+      | peerGone s = forM_ (Map.keys (jobs s) ++ map fst (pollDescriptors (pool s))) (signalProcess sigKILL . fromIntegral)
       | otherwise = do
         now <- getMonotonicTime
         let listening = [(fd, pid) | (pid, Job {answers = Just fd}) <- Map.toList (jobs s)]
-            asking = ears (checkers s)
-            next = minimum (60 : map (subtract now) (nextDeadline (checkers s) ++ [t | Job {deadline = Just t} <- Map.elems (jobs s)]))
+            asking = pollDescriptors (pool s)
+            look = [nextLook s | isOccupied s]
+            next = minimum (60 : map (subtract now) (look ++ pendingDeadlines (pool s) ++ [t | Job {deadline = Just t} <- Map.elems (jobs s)]))
         ready <-
           poll
-            ((socket config, if Seq.null (outgoing s) then ToRead else ToWriteOrRead) : (ended, ToRead) : [(fd, ToRead) | (fd, _) <- listening] ++ map snd asking)
+            ((socket config, if Seq.null (outgoing s) then Readable else ReadableOrWritable) : (ended, Readable) : [(fd, Readable) | (fd, _) <- listening] ++ map snd asking)
             (max 0 (ceiling (next * 1000)))
         case ready of
           (mine, canWrite) : (reaping, _) : others -> do
             let (children, askers) = splitAt (length listening) others
-            s0 <- foldM attend s (zip (map fst asking) askers)
-            s1 <- foldM (\st ((fd, pid), (yes, _)) -> if yes then hear fd pid st else pure st) s0 (zip listening children)
-            s2 <- if reaping then drain ended >> reapAll s1 else pure s1
-            s3 <- expire s2
-            s4 <- if mine then listen config session s3 else pure s3
-            s5 <- beginAnswers config session s4
+            s0 <- foldM serveChecker s (zip (map fst asking) askers)
+            s1 <- foldM (\st ((fd, pid), (yes, _)) -> if yes then receiveFromRun fd pid st else pure st) s0 (zip listening children)
+            s2 <- if reaping then drain ended >> reapChildren s1 else pure s1
+            s3 <- killExpired s2 >>= enforceCeilings config
+            s4 <- if mine then receiveRequests config s3 else pure s3
+            s5 <- dispatchQuestions config session s4 >>= dispatchRuns config session
             s6 <- if canWrite || not (Seq.null (outgoing s5)) then flush config s5 else pure s5
             go s6
           _ -> go s
 
--- * The service
+-- * Requests
 
-listen :: Config -> Session -> State -> IO State
-listen config session s = do
+receiveRequests :: Config -> State -> IO State
+receiveRequests config s = do
   got <- receive (socket config)
   case got of
-    NothingYet -> pure s
+    WouldBlock -> pure s
     Closed -> pure s {peerGone = True}
-    Bytes bytes passenger -> do
-      let (lines', rest) = cut (incoming s) bytes
-      taken <- case passenger of
-        Nothing -> pure (passengers s)
+    Bytes bytes descriptor -> do
+      let (lines', rest) = splitLines (incoming s) bytes
+      taken <- case descriptor of
+        Nothing -> pure (pendingDescriptors s)
         Just fd
-          | Seq.length (passengers s) >= mostPassengers -> passengers s <$ closeFd fd
-          | otherwise -> pure (passengers s |> fd)
-      foldM (handle config session) s {incoming = rest, passengers = taken} lines'
+          | Seq.length (pendingDescriptors s) >= maxPendingDescriptors -> pendingDescriptors s <$ closeFd fd
+          | otherwise -> pure (pendingDescriptors s |> fd)
+      foldM handle s {incoming = rest, pendingDescriptors = taken} lines'
 
--- | Descriptors that may wait for their run line.
-mostPassengers :: Int
-mostPassengers = 64
+-- | Maximal number of descriptors that wait for their run request.
+maxPendingDescriptors :: Int
+maxPendingDescriptors = 64
 
-handle :: Config -> Session -> State -> Cut -> IO State
-handle _ _ s TooLong = pure (reply (Failed Null "This line is too long.") s)
-handle config session s (Line bytes)
+handle :: State -> BufferedLine -> IO State
+handle s TooLong = pure (reply (Failed Null "This line is too long.") s)
+handle s (Line bytes)
   | ByteString.null bytes = pure s
   | otherwise = case parseRequest bytes of
     Left (i, sentence) -> do
-      -- A run that cannot be read still brought its descriptor.
+      -- An invalid run request has still sent its descriptor.
       s' <- if "\"run\"" `ByteString.isInfixOf` bytes then dropPassenger s else pure s
       pure (reply (Failed i sentence) s')
-    Right (Ask i question) -> case recall (questionBytes question) (cache s) of
+    Right (Ask i question) -> case lookupEntry (questionBytes question) (cache s) of
       Just (fields, after) -> do
-        -- The remembered bytes may be given back before this has been sent.
+        -- The cached bytes may be freed before this has been sent.
         own <- evaluate (ByteString.copy fields)
-        pure (reply (Known question i own) s {cache = after})
+        pure (reply (QuestionAnswered question i own) s {cache = after})
       Nothing -> pure s {waiting = waiting s |> (i, question)}
-    Right (Run i source memory) -> case passengers s of
+    Right (Run i source memory) -> case pendingDescriptors s of
       Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
-      fd :<| others -> startRun config session i source memory fd s {passengers = others}
+      fd :<| others -> pure s {pendingDescriptors = others, waitingRuns = waitingRuns s |> RunRequest i source memory fd}
     Right (Kill i) -> kill i s
     Right (Ping i) -> pure (reply (Pong i) s)
 
 dropPassenger :: State -> IO State
-dropPassenger s = case passengers s of
+dropPassenger s = case pendingDescriptors s of
   Empty -> pure s
-  fd :<| others -> s {passengers = others} <$ closeFd fd
+  fd :<| others -> s {pendingDescriptors = others} <$ closeFd fd
 
 reply :: Answer -> State -> State
 reply answer s = s {outgoing = outgoing s |> answerLine answer}
@@ -176,7 +192,7 @@ flush config s = case outgoing s of
   first :<| rest -> do
     sent <- send (socket config) first
     case sent of
-      Gone -> pure s {peerGone = True}
+      PeerClosed -> pure s {peerGone = True}
       Sent n
         | n == ByteString.length first -> flush config s {outgoing = rest}
         | otherwise -> pure s {outgoing = ByteString.drop n first :<| rest}
@@ -184,172 +200,206 @@ flush config s = case outgoing s of
 kill :: Id -> State -> IO State
 kill i s = do
   forM_ [pid | (pid, job) <- Map.toList (jobs s), jobId job == i] (signalProcess sigKILL . fromIntegral)
-  stopAsking i (checkers s)
+  cancelQuestion i (pool s)
   let (dropped, kept) = Seq.partition ((== i) . fst) (waiting s)
-  pure (foldr (\_ -> reply (GoneNow i (Right 9) Nothing Nothing)) s {waiting = kept} dropped)
+      (droppedRuns, keptRuns) = Seq.partition (\(RunRequest j _ _ _) -> j == i) (waitingRuns s)
+  forM_ droppedRuns (\(RunRequest _ _ _ link) -> closeFd link)
+  let ends = length dropped + length droppedRuns
+  pure (foldr (\_ -> reply (RunEnded i (Right 9) Nothing Nothing)) s {waiting = kept, waitingRuns = keptRuns} [1 .. ends])
 
 -- * Children
 
--- | Begins with the questions for which there is room.
-beginAnswers :: Config -> Session -> State -> IO State
-beginAnswers config session s
+-- | Assigns waiting questions while there are free slots.
+dispatchQuestions :: Config -> Session -> State -> IO State
+dispatchQuestions config session s
   | (i, question) :<| others <- waiting s,
-    hasRoom (checksAtOnce config) (checkers s) = do
+    hasFreeSlot (maxConcurrentChecks config) (pool s) = do
     now <- getMonotonicTime
-    asked <- askOne newChecker (now + compileSeconds config) i question (checkers s)
-    beginAnswers config session s {waiting = others, checkers = asked}
+    asked <- assignQuestion newChecker (now + compileSeconds config) i question (pool s)
+    dispatchQuestions config session s {waiting = others, pool = asked}
   | otherwise = pure s
   where
     newChecker = do
-      (mine, theirs) <- newPair
-      pid <- forkProcess (answerChild (settings config) session theirs)
+      (mine, theirs) <- newSocketPair
+      pid <- forkProcess (runChecker (settings config) session theirs)
       closeFd theirs
       pure (fromIntegral pid, mine)
 
--- | Serves a checker that is ready to be heard or told more.
-attend :: State -> (Int, (Bool, Bool)) -> IO State
-attend s (pid, (canRead, canWrite)) = do
-  told <- if canWrite then sendMore pid (checkers s) else pure (checkers s)
-  (said, after) <- if canRead then listenTo pid told else pure ([], told)
-  foldM (flip report) s {checkers = after} said
+-- | Reads from and writes to a checker whose channel is ready.
+serveChecker :: State -> (Int, (Bool, Bool)) -> IO State
+serveChecker s (pid, (canRead, canWrite)) = do
+  told <- if canWrite then flushQuestion pid (pool s) else pure (pool s)
+  (said, after) <- if canRead then receiveAnswers pid told else pure ([], told)
+  foldM (flip report) s {pool = after} said
 
--- | Passes on what became of a question.
-report :: Heard -> State -> IO State
-report heard' s = case heard' of
-  Answered i question fields -> keepAnswer question fields (reply (Known question i fields) s)
-  Broken i _ (Signalled 9) False _ -> pure (reply (GoneNow i (Right 9) Nothing Nothing) s)
-  Broken i question how tooLate words' -> pure (reply (Known question i (fieldsOf question (compileProblem tooLate words' how))) s)
+-- | Sends the result of a question to the service.
+report :: CheckResult -> State -> IO State
+report result s = case result of
+  CheckAnswered i question fields -> cacheAnswer question fields (reply (QuestionAnswered question i fields) s)
+  CheckerCrashed i _ (Signalled 9) Nothing _ -> pure (reply (RunEnded i (Right 9) Nothing Nothing) s)
+  CheckerCrashed i question how exceeded words' -> pure (reply (QuestionAnswered question i (fieldsOf question (compileProblem exceeded words' how))) s)
   where
     fieldsOf question p = Lazy.toStrict . encodingToLazyByteString . pairs $ case question of
       Check _ -> reportFields (emptyReport [p])
       Complete _ _ -> completionFields (Completion Nothing [])
 
+-- | Starts waiting runs while few enough compile. A page has at most one, so pages take turns.
+dispatchRuns :: Config -> Session -> State -> IO State
+dispatchRuns config session s
+  | RunRequest i source memory link :<| others <- waitingRuns s,
+    length (filter isCompiling (Map.elems (jobs s))) < maxConcurrentChecks config =
+    startRun config session i source memory link s {waitingRuns = others} >>= dispatchRuns config session
+  | otherwise = pure s
+
+isCompiling :: Job -> Bool
+isCompiling job = not (answered job)
+
 startRun :: Config -> Session -> Id -> Text -> Int -> Fd -> State -> IO State
 startRun config session i source memory link s = do
-  (mine, theirs) <- newPair
-  shared <- newPage
-  pid <- forkProcess (runChild (settings config) session theirs link shared (fromIntegral (max 0 memory)) source)
-  keepPage shared
+  (mine, theirs) <- newSocketPair
+  shared <- newSharedPage
+  pid <- forkProcess (runProgram (settings config) session theirs link shared (fromIntegral (max 0 memory)) source)
+  unmapInChildren shared
   closeFd theirs
   closeFd link
   now <- getMonotonicTime
-  pure s {jobs = Map.insert (fromIntegral pid) (Job i shared False (Just mine) noLines (Just (now + compileSeconds config)) False False "") (jobs s)}
+  pure s {jobs = Map.insert (fromIntegral pid) (Job i shared False (Just mine) emptyLineBuffer (Just (now + compileSeconds config)) False Nothing "") (jobs s)}
 
--- | Takes what a child has to say.
-hear :: Fd -> Int -> State -> IO State
-hear fd pid s = case Map.lookup pid (jobs s) of
+-- | Reads the output of a run.
+receiveFromRun :: Fd -> Int -> State -> IO State
+receiveFromRun fd pid s = case Map.lookup pid (jobs s) of
   Nothing -> pure s
   Just job -> do
     got <- receive fd
     case got of
-      NothingYet -> pure s
+      WouldBlock -> pure s
       Closed -> s {jobs = Map.insert pid job {answers = Nothing} (jobs s)} <$ closeFd fd
-      Bytes bytes passenger -> do
-        mapM_ closeFd passenger
-        let (found, rest) = cut (heard job) bytes
-            s' = s {jobs = Map.insert pid job {heard = rest} (jobs s)}
-        hear fd pid (foldl (flip (understand pid)) s' found)
+      Bytes bytes descriptor -> do
+        mapM_ closeFd descriptor
+        let (found, rest) = splitLines (inputBuffer job) bytes
+            s' = s {jobs = Map.insert pid job {inputBuffer = rest} (jobs s)}
+        receiveFromRun fd pid (foldl (flip (handleRunLine pid)) s' found)
 
--- | One line of a child. Only the first counts: a program may have got hold of the descriptor by then.
-understand :: Int -> Cut -> State -> State
-understand pid (Line bytes) s
+-- | Handles one line of a child. Only the first counts: afterwards the program itself may write to the descriptor.
+handleRunLine :: Int -> BufferedLine -> State -> State
+handleRunLine pid (Line bytes) s
   | Just job <- Map.lookup pid (jobs s),
     not (answered job) =
     let done answer runs = reply answer s {jobs = Map.insert pid job {answered = True, deadline = Nothing, started = runs} (jobs s)}
      in case Char8.uncons bytes of
           Just ('S', fields) -> done (Started (jobId job) fields) True
           Just ('R', fields) -> done (Refused (jobId job) fields) False
-          Just ('!', words') -> s {jobs = Map.insert pid job {lastWords = decodeUtf8With lenientDecode words'} (jobs s)}
+          Just ('!', words') -> s {jobs = Map.insert pid job {compilerFailure = decodeUtf8With lenientDecode words'} (jobs s)}
           _ -> s
-understand _ _ s = s
+handleRunLine _ _ s = s
 
--- | Keeps an answer for those who ask again.
-keepAnswer :: Question -> ByteString -> State -> IO State
-keepAnswer question fields s = do
-  asked <- outside (questionBytes question)
-  known <- outside fields
-  (gone, after) <- evaluate (remember mostRemembered asked (ByteString.length asked + ByteString.length known) known (cache s))
-  forM_ gone (\(k, v) -> giveBack k >> giveBack v)
+-- | Adds an answer to the cache.
+cacheAnswer :: Question -> ByteString -> State -> IO State
+cacheAnswer question fields s = do
+  asked <- copyOffHeap (questionBytes question)
+  known <- copyOffHeap fields
+  (gone, after) <- evaluate (insertEntry cacheBytes asked (ByteString.length asked + ByteString.length known) known (cache s))
+  forM_ gone (\(k, v) -> freeOffHeap k >> freeOffHeap v)
   pure s {cache = after}
 
--- | Bytes of questions and answers that are kept for those who ask again: those of a class that each go back and forth between a dozen
--- programs.
-mostRemembered :: Int
-mostRemembered = 4 * 1024 * 1024
+-- | Size of the cache, bytes: enough for a class in which each learner alternates between a dozen programs.
+cacheBytes :: Int
+cacheBytes = 4 * 1024 * 1024
 
--- | Ends what compiles for too long.
-expire :: State -> IO State
-expire s = do
+-- | Kills children that exceed their deadline.
+killExpired :: State -> IO State
+killExpired s = do
   now <- getMonotonicTime
   let over job = maybe False (<= now) (deadline job)
   forM_ [pid | (pid, job) <- Map.toList (jobs s), over job] (signalProcess sigKILL . fromIntegral)
-  asked <- overdue now (checkers s)
-  pure s {checkers = asked, jobs = Map.map (\job -> if over job then job {deadline = Nothing, late = True} else job) (jobs s)}
+  asked <- killOverdue now (pool s)
+  pure s {pool = asked, jobs = Map.map (\job -> if over job then job {deadline = Nothing, overrun = Just TooLate} else job) (jobs s)}
 
-reapAll :: State -> IO State
-reapAll s = do
-  one <- reap
+-- | Whether a child compiles or a program runs.
+isOccupied :: State -> Bool
+isOccupied s = not (Map.null (jobs s)) || any snd (memberProcesses (pool s))
+
+-- | Kills children so that all together stay below the ceilings of memory.
+enforceCeilings :: Config -> State -> IO State
+enforceCeilings config s = do
+  now <- getMonotonicTime
+  if not (isOccupied s) || now < nextLook s
+    then pure s
+    else do
+      own <- getProcessID >>= anonymousMemory . fromIntegral
+      let members = [(pid, isCompiling job) | (pid, job) <- Map.toList (jobs s)] ++ memberProcesses (pool s)
+          usage (pid, works) = (\all' -> Usage pid works (all' - min all' own)) <$> anonymousMemory pid
+      victims <- overdraft (ceilings (memoryTotal config) (compileMemory (settings config))) <$> mapM usage members
+      let isVictim pid = pid `elem` victims
+          interval = if any snd members then compilingInterval else runningInterval
+      forM_ (filter isVictim (Map.keys (jobs s))) (signalProcess sigKILL . fromIntegral)
+      asked <- killTooLarge victims (pool s)
+      pure s {nextLook = now + interval, pool = asked, jobs = Map.mapWithKey (\pid job -> if isVictim pid then job {deadline = Nothing, overrun = Just TooLarge} else job) (jobs s)}
+
+reapChildren :: State -> IO State
+reapChildren s = do
+  one <- reapChild
   case one of
     Nothing -> pure s
     Just (pid, how) -> do
-      -- What it said before it ended may still be on its way.
-      s' <- maybe (pure s) (\fd -> hear fd pid s) (answers =<< Map.lookup pid (jobs s))
-      (said, after) <- buried pid how (checkers s')
-      foldM (flip report) s' {checkers = after} said >>= bury pid how >>= reapAll
+      -- Output written before the exit may still be unread.
+      s' <- maybe (pure s) (\fd -> receiveFromRun fd pid s) (answers =<< Map.lookup pid (jobs s))
+      (said, after) <- removeExited pid how (pool s')
+      foldM (flip report) s' {pool = after} said >>= finishRun pid how >>= reapChildren
 
--- | The last word about a child.
-bury :: Int -> Ended -> State -> IO State
-bury pid how s = case Map.lookup pid (jobs s) of
+-- | Reports the end of a run.
+finishRun :: Int -> ProcessEnd -> State -> IO State
+finishRun pid how s = case Map.lookup pid (jobs s) of
   Nothing -> pure s
   Just job -> do
     mapM_ closeFd (answers job)
     let rest = s {jobs = Map.delete pid (jobs s)}
         i = jobId job
-        wasKilled = how == Signalled 9 && not (late job)
-        gone = GoneNow i (case how of Exited n -> Left n; Signalled n -> Right n)
-    -- Copied once: what is looked at below changes no more, whoever writes.
-    firing <- wordOf <$> pageBytes (page job)
-    freePage (page job)
+        wasKilled = how == Signalled 9 && isNothing (overrun job)
+        gone = RunEnded i (case how of Exited n -> Left n; Signalled n -> Right n)
+    -- Copied once, because other processes may still write to the page.
+    firing <- activeFunctionName <$> readSharedPage (page job)
+    freeSharedPage (page job)
     pure $
       if started job
-        then let atWork = if Text.null firing || isExit how then Nothing else Just firing in reply (gone atWork (endedBy atWork how)) rest
+        then let atWork = if Text.null firing || isExit how then Nothing else Just firing in reply (gone atWork (endProblem job atWork how)) rest
         else
           if answered job
             then rest
             else
               if wasKilled
                 then reply (gone Nothing Nothing) rest
-                else reply (Refused i (Lazy.toStrict (encode (object ["problems" .= [compileProblem (late job) (lastWords job) how]])))) rest
+                else reply (Refused i (Lazy.toStrict (encode (object ["problems" .= [compileProblem (overrun job) (compilerFailure job) how]])))) rest
   where
-    endedBy atWork ended
-      | outOfMemory ended = Just (memoryProblem atWork)
-      | ended == Signalled tookTooLong = Just timeProblem
+    endProblem job atWork ended
+      | overrun job == Just TooLarge || outOfMemory ended = Just (memoryProblem atWork)
+      | ended == Signalled cpuLimitSignal = Just timeProblem
       | otherwise = Nothing
-    isExit (Exited n) = n /= ranOutOfMemory
+    isExit (Exited n) = n /= heapOverflowExitCode
     isExit _ = False
 
--- | The run-time system leaves with a code of its own when its limit is reached, and aborts when the kernel's is.
-outOfMemory :: Ended -> Bool
-outOfMemory how = how `elem` [Exited ranOutOfMemory, Signalled sigABRT']
+-- | The run-time system exits with a code of its own at its limit, and aborts at the kernel's limit.
+outOfMemory :: ProcessEnd -> Bool
+outOfMemory how = how `elem` [Exited heapOverflowExitCode, Signalled sigABRT']
   where
     sigABRT' = 6
 
--- | The signal of a process that has computed for longer than it may (SIGXCPU).
-tookTooLong :: Int
-tookTooLong = 24
+-- | Signal at the CPU time limit (SIGXCPU).
+cpuLimitSignal :: Int
+cpuLimitSignal = 24
 
 timeProblem :: Problem
-timeProblem = problemNowhere "time" "The program has computed for too long." "Press Run to start it again."
+timeProblem = problemNowhere "time" (tr "The program has computed for too long.") (tr "Press Run to start it again.")
 
--- | For a program that has no memory left to say it itself. Takes the function at work.
+-- | For a program that had no memory left to report it. Takes the active function.
 memoryProblem :: Maybe Text -> Problem
-memoryProblem atWork = (problemNowhere "memory" (Text.pack message) (Text.pack hint)) {function = atWork}
+memoryProblem atWork = (problemNowhere "memory" (verbatim (Text.pack what)) (verbatim (Text.pack why))) {function = atWork}
   where
-    (message, hint) = tooMuchMemory (Text.unpack <$> atWork)
+    (what, why) = tooMuchMemory (Text.unpack <$> atWork)
 
--- | Why a compilation ended without an answer.
-compileProblem :: Bool -> Text -> Ended -> Problem
-compileProblem tooLate words' how
-  | tooLate = problemNowhere "too-long" "The program takes too long to check." "Make it shorter, or split large expressions into several functions."
-  | outOfMemory how = problemNowhere "too-large" "The program takes too much memory to check." "Make it shorter, or split large expressions into several functions."
-  | otherwise = (problemNowhere "compiler" "The program could not be checked." "Undo the last change and try again.") {ghc = words'}
+-- | Problem for a compilation that ended without an answer.
+compileProblem :: Maybe Overrun -> Text -> ProcessEnd -> Problem
+compileProblem exceeded words' how
+  | exceeded == Just TooLate = problemNowhere "too-long" (tr "The program takes too long to check.") (tr "Make it shorter, or split large expressions into several functions.")
+  | exceeded == Just TooLarge || outOfMemory how = problemNowhere "too-large" (tr "The program takes too much memory to check.") (tr "Make it shorter, or split large expressions into several functions.")
+  | otherwise = (problemNowhere "compiler" (tr "The program could not be checked.") (tr "Undo the last change and try again.")) {ghc = words'}

@@ -102,7 +102,7 @@ getParamNames m = fmap names <$> ask m "getParamNames" []
     names (VArray vs) = [n | VString n <- vs]
     names _ = []
 
--- | Every topic that somebody listens to, with the names of those nodes.
+-- | Every topic with subscribers, with the names of those nodes.
 allSubscribers :: Master -> IO (Either RpcError [(String, [String])])
 allSubscribers m = fmap listed <$> ask m "getSystemState" []
   where

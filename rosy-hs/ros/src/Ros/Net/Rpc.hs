@@ -75,7 +75,7 @@ showUri :: Uri -> String
 showUri (Uri h p) = "http://" ++ h ++ ":" ++ show p ++ "/"
 
 data RpcError
-  = -- | Nobody answers there.
+  = -- | No answer from that address.
     Unreachable Uri String
   | -- | It took too long.
     Slow Uri

@@ -3,7 +3,7 @@
 -- Description : What a running node is made of.
 --
 -- The state that publications, subscriptions, the answering server and the end of the node share. Each
--- part that runs is a thread that the node knows and ends. Nothing here talks to anybody.
+-- part that runs is a thread that the node knows and ends. Nothing here opens a connection.
 module Ros.Node.Core
   ( -- * The node
     Core (..),
@@ -153,7 +153,7 @@ data Inlet = Inlet
 freshId :: Core -> IO Int
 freshId core = atomically (stateTVar (counter core) (\n -> (n, n + 1)))
 
--- | A thread that lives no longer than the node, and can be ended also when whoever starts it cannot.
+-- | A thread that lives no longer than the node, and can be ended also when its starter cannot.
 spawn :: Core -> IO () -> IO (Async ())
 spawn core act = mask_ $ do
   n <- freshId core

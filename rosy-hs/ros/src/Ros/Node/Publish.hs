@@ -3,8 +3,8 @@
 -- Description : Topics that this node publishes.
 --
 -- In: messages from the program, connections from subscribers. Out: every message to every subscriber,
--- in order; a subscriber that is slow loses the oldest ones once its queue is full, and holds up
--- nobody else. A message goes out in the thread that publishes it when the system takes it at once, and otherwise in the
+-- in order; a slow subscriber loses the oldest ones once its queue is full, and delays
+-- no other. A message goes out in the thread that publishes it when the system takes it at once, and otherwise in the
 -- connection's own: a switch of threads less is a tenth of a round trip.
 module Ros.Node.Publish
   ( Publisher,
@@ -79,7 +79,7 @@ publish :: Message a => Publisher a -> a -> IO ()
 publish (Publisher _ p) message = do
   n <- atomically (stateTVar (pubNext p) (\i -> (i, i + 1)))
   let bytes = frame (put (numbered n message))
-  -- Here, so that an error in the message belongs to whoever publishes it.
+  -- Here, so that an error in the message is thrown in the publisher's thread.
   bytes `seq` mask_ $ do
     free <- atomically $ do
       when (pubLatched p) (writeTVar (pubLast p) (Just bytes))
@@ -164,7 +164,7 @@ deliver core s p peer = do
         writer
       -- A subscriber says nothing; when its side closes, this notices before the next message would.
       untilClosed = recv s 4096 >>= \b -> unless (B.null b) untilClosed
-      -- The socket is closed afterwards: nobody may be sending any more.
+      -- The socket is closed afterwards: no thread may be sending any more.
       leave = do
         atomically (modifyTVar' (pubOutlets p) (Map.delete n))
         atomically (readTVar (outletBusy outlet) >>= check . not)

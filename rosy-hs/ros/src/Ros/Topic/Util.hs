@@ -3,8 +3,8 @@
 -- Description : Topics that run side by side, are shared, or keep a rate.
 --
 -- Joining two topics that speak when they please needs a thread for each. Those threads start at the
--- first pull, wait while nobody takes what they have found, end when nobody can any more, and hand
--- an exception of their source to whoever pulls.
+-- first pull, wait while what they have found is not taken, end when it cannot be taken any more, and hand
+-- an exception of their source to the puller.
 module Ros.Topic.Util
   ( -- * Two topics as one
     (<+>),
@@ -145,7 +145,7 @@ firstThenSecond l r = Topic.catMaybes (Topic.mapAccum step Nothing (l <+> r))
 tee :: Topic IO a -> IO (Topic IO a, Topic IO a)
 tee t = (\shared -> (shared, shared)) <$> remembered t
 
--- | As 'tee', and the values are pulled as soon as there are any, also when nobody reads: the oldest wait when there are many.
+-- | As 'tee', and the values are pulled as soon as there are any, also without a reader: the oldest wait when there are many.
 teeEager :: Topic IO a -> IO (Topic IO a, Topic IO a)
 teeEager t = forkTopic t >>= tee
 

@@ -67,7 +67,7 @@ restartable folder act = withFreePort $ \port -> do
       start inner = running env' "/usr/bin/rosmaster" ["--core", "-p", show port, "-w", "3"] (\_ -> awaitMaster uri >> inner)
   act (Ros uri env') start
 
--- | A port that nobody else is given. It is bound here and not listened to: the system chooses it for nobody, and a master,
+-- | A port of this process alone. It is bound here and not listened to: the system gives it to no other process, and a master,
 -- which wants its address reused, may listen there.
 withFreePort :: (Int -> IO a) -> IO a
 withFreePort use = bracket (socket AF_INET Stream defaultProtocol) close $ \s -> do
@@ -141,7 +141,7 @@ hearsWhere p what wanted = do
 transcript :: Peer -> IO [String]
 transcript p = reverse <$> readTVarIO (peerAll p)
 
--- | Waits until all that it has said is so; whoever asserts then what it said tells what is wrong better than a time limit.
+-- | Waits until all that it has said is so; an assertion about what it said tells what is wrong better than a time limit.
 awaitTranscript :: Peer -> ([String] -> Bool) -> IO ()
 awaitTranscript p wanted = void . timeout 120000000 . atomically $ readTVar (peerAll p) >>= check . wanted . reverse
 

@@ -1,0 +1,288 @@
+/// Module reader: the pieces of a file in order: header, definitions, and what stands between them.
+///
+/// The slices of all pieces, one after the other, are the file, byte for byte. A definition is converted when its text has not been seen in
+/// the reading before; the rest is taken over, node for node.
+
+import type {Language, Parser, Tree} from "web-tree-sitter"
+import type {Fixities, Fixity} from "../haskell/fixity.ts"
+import {fixitiesIn, redefinedOperators} from "../haskell/fixity.ts"
+import {namesBoundBy} from "../model/bound_names.ts"
+import {everyNode} from "../model/child_nodes.ts"
+import type {Cause} from "../model/raw_reasons.ts"
+import {reasons} from "../model/raw_reasons.ts"
+import type {Declaration} from "../model/syntax_tree.ts"
+import type {Range} from "../source/lexer.ts"
+import type {Comment, Lexed} from "../source/top_level_items.ts"
+import {lex} from "../source/top_level_items.ts"
+import type {Part} from "../source/top_level_sections.ts"
+import {partsOf} from "../source/top_level_sections.ts"
+import {Context} from "./conversion_context.ts"
+import {readTop} from "./declarations.ts"
+import {maskCandidates, masked} from "./error_masking.ts"
+import type {NodeNames, Parsed, Syntax} from "./parse_tree.ts"
+import {copyTree, namedChildren, nodeNames} from "./parse_tree.ts"
+import type {Word} from "./semantic_tokens.ts"
+import {wordsOf} from "./semantic_tokens.ts"
+import {grammarVariants} from "./source_rewriting.ts"
+
+/// A part of a file. `header` holds `module`, imports, pragmas and directives, which have no blocks; `end` what follows the last definition.
+export interface Piece extends Range {
+  readonly kind: "header" | "declaration" | "end"
+  /// From the end of the piece before to the end of this one: `text.slice(start, end)`.
+  readonly slice: string
+  /// The definition itself, in the file; without the comment above it. Empty for other kinds.
+  readonly core: Range
+  /// The comment directly above the definition.
+  readonly remark: Range | undefined
+  /// The words of that comment; where `declaration.comment` says more, the rest stood inside the definition.
+  readonly remarkText: string
+  /// The names it defines: a function, a type, or all names of a pattern.
+  readonly names: readonly string[]
+  /// What it says. A raw one has the exact text, and the reason why blocks cannot say it. Absent in a header.
+  readonly declaration: Declaration | undefined
+  /// It holds something that is not Haskell, or lacks something.
+  readonly broken: boolean
+  /// Where each node of `declaration` stands, counted from `core.start`.
+  readonly spans: ReadonlyMap<object, Range>
+  /// What its names are there for, in their order, counted from `core.start`; also of a broken one.
+  readonly words: readonly Word[]
+}
+
+export interface Module {
+  readonly text: string
+  readonly pieces: readonly Piece[]
+  /// Operators whose binding the file declares.
+  readonly fixities: ReadonlyMap<string, Fixity>
+}
+
+interface Converted {
+  readonly declaration: Declaration
+  readonly broken: boolean
+  readonly spans: ReadonlyMap<object, Range>
+  readonly words: readonly Word[]
+}
+
+/// Longer definitions are kept as text: they are not shown as blocks, and a broken one would cost the parser seconds.
+const longest = 40_000
+
+/// Longer definitions that are broken are kept as text as a whole, so that a key press stays fast.
+const longestPartly = 4000
+
+/// Reads Haskell; remembers the last reading so that the next one costs only what changed.
+export class Reader {
+  private readonly parser: Parser
+  private readonly names: NodeNames
+  private known = new Map<string, Converted>()
+
+  /// @internal Use `openReader`.
+  constructor(parser: Parser, language: Language) {
+    this.parser = parser
+    this.names = nodeNames(language)
+  }
+
+  read(text: string): Module {
+    const lexed = lex(text)
+    const parts = partsOf(text, lexed)
+    const declared = fixitiesOf(text, lexed)
+    const redefined = redefinedOperators(
+      parts.map(p => p.name),
+      declared,
+    )
+    const fixities = new Map([...redefined, ...declared])
+    const key = JSON.stringify([...fixities])
+    const seen = new Map<string, Converted>()
+    const pieces: Piece[] = []
+    let start = 0
+    for (const part of parts) {
+      let piece: Omit<Piece, "slice" | "start" | "end" | "kind">
+      if (part.kind === "declaration") {
+        const source = JSON.stringify([key, part.trouble ?? "", part.column, part.comment, part.source])
+        // Two equal definitions must not share their nodes.
+        const converted =
+          (seen.has(source) ? undefined : this.known.get(source)) ?? this.convert(part, fixities)
+        seen.set(source, converted)
+        piece = {
+          ...converted,
+          core: part.core,
+          remark: part.remark,
+          remarkText: part.comment,
+          names: namesOf(converted.declaration, part.name),
+        }
+      } else
+        piece = {
+          core: part.core,
+          remark: undefined,
+          remarkText: "",
+          names: [],
+          declaration: undefined,
+          broken: false,
+          spans: new Map(),
+          words: [],
+        }
+      pieces.push({...piece, kind: part.kind, slice: text.slice(start, part.end), start, end: part.end})
+      start = part.end
+    }
+    this.known = seen
+    return {text, pieces, fixities}
+  }
+
+  private convert(part: Part, fixities: Fixities): Converted {
+    const comments = part.inner.map(c => ({
+      ...c,
+      start: c.start - part.core.start,
+      end: c.end - part.core.start,
+    }))
+    // The first line keeps its column: what stands below is indented against it. (The grammar sees the indentation of
+    // a line only behind a line end.)
+    const above = part.column === 0 ? "" : `\n${" ".repeat(part.column)}`
+    const shift = above.length
+    const source = above + part.source
+    const shifted = comments.map(c => ({...c, start: c.start + shift, end: c.end + shift}))
+    const parsed =
+      part.trouble !== undefined || part.source.length > longest ? undefined : this.parse(source, part, shift)
+    const words = parsed === undefined ? [] : wordsOf(parsed.root, shift)
+    const whole = new Context(source, shifted, fixities, parsed?.pragmas)
+    const isBroken = parsed?.broken === true && bracketDepth(source) <= deepestBrackets
+    const partly = isBroken ? this.readPartly(source, part, shift, shifted, fixities) : undefined
+    const context = partly?.context ?? whole
+    const made: Declaration | Cause =
+      part.trouble ??
+      partly?.made ??
+      (parsed === undefined
+        ? "large"
+        : parsed.broken
+          ? isBroken
+            ? "broken"
+            : "deep"
+          : readTop(topOf(parsed.root), context))
+    const remarkAbove = part.comment === "" ? [] : part.comment.split("\n")
+    if (typeof made !== "string") {
+      const beside = context.takeComments(0, source.length).comment
+      const remarks = [
+        ...remarkAbove,
+        ...(made.kind === "raw-declaration" || beside === undefined ? [] : [beside]),
+      ]
+      const declaration = remarks.length === 0 ? made : {...made, comment: remarks.join("\n")}
+      const spans =
+        shift === 0
+          ? context.spans
+          : new Map([...context.spans].map(([node, span]) => [node, moved(span, -shift)]))
+      spans.set(declaration, {start: 0, end: part.source.length})
+      return {declaration, broken: isBroken, spans, words}
+    }
+    const declaration: Declaration = {
+      kind: "raw-declaration",
+      text: part.source.replaceAll("\r\n", "\n"),
+      reason: reasons[made],
+      ...(remarkAbove.length === 0 ? {} : {comment: remarkAbove.join("\n")}),
+    }
+    return {
+      declaration,
+      broken: made === "broken",
+      spans: new Map([[declaration, {start: 0, end: part.source.length}]]),
+      words,
+    }
+  }
+
+  /// A broken definition with the part that holds the error as text; undefined where no such part is found.
+  private readPartly(
+    source: string,
+    part: Part,
+    shift: number,
+    comments: readonly Comment[],
+    fixities: Fixities,
+  ): {made: Declaration; context: Context} | undefined {
+    if (source.length > longestPartly) return undefined
+    for (const mask of maskCandidates(source)) {
+      const parsed = this.parse(masked(source, mask), part, shift)
+      if (parsed === undefined || parsed.broken) continue
+      const context = new Context(source, comments, fixities, parsed.pragmas, mask)
+      const made = readTop(topOf(parsed.root), context)
+      if (typeof made !== "string" && made.kind !== "raw-declaration" && context.isMaskRead)
+        return {made, context}
+    }
+    return undefined
+  }
+
+  /// The first variant of the source that parses without an error, or else the first one.
+  private parse(source: string, part: Part, shift: number): Parsed | undefined {
+    const dashed = part.dashed.map(d => moved(d, shift - part.core.start))
+    let first: Parsed | undefined
+    for (const {text, place} of grammarVariants(source, dashed)) {
+      const tree: Tree | null = this.parser.parse(`${text}\n`)
+      if (tree === null) return undefined
+      const parsed = copyTree(tree, this.names, place)
+      tree.delete()
+      if (!parsed.broken) return parsed
+      first ??= parsed
+    }
+    return first
+  }
+}
+
+/// Nested brackets from which on the grammar may find errors that are none: its scanner keeps a bounded stack of contexts.
+const deepestBrackets = 150
+
+function bracketDepth(source: string): number {
+  let depth = 0
+  let deepest = 0
+  for (const c of source)
+    if ("([{".includes(c)) deepest = Math.max(deepest, ++depth)
+    else if (")]}".includes(c)) depth--
+  return deepest
+}
+
+function moved(span: Range, by: number): Range {
+  return {start: span.start + by, end: span.end + by}
+}
+
+function topOf(root: Syntax): Syntax[] {
+  return namedChildren(root).flatMap(c => (c.type === "declarations" ? namedChildren(c) : [c]))
+}
+
+/// The fixity declarations of the top level. (Those inside a definition keep that definition from becoming blocks.)
+function fixitiesOf(text: string, lexed: Lexed): Map<string, Fixity> {
+  const found = new Map<string, Fixity>()
+  for (const item of lexed.items)
+    if (item.kind === "declaration" && text.startsWith("infix", item.start))
+      for (const [op, fixity] of fixitiesIn(text.slice(item.start, item.end))) found.set(op, fixity)
+  return found
+}
+
+function namesOf(d: Declaration, guessed: string): readonly string[] {
+  switch (d.kind) {
+    case "function":
+    case "data":
+    case "synonym":
+      return [d.name]
+    case "binding":
+      return namesBoundBy(d.pattern)
+    case "instance":
+    case "raw-declaration":
+      return guessed === "" ? [] : [guessed]
+  }
+}
+
+/// How many expressions a definition holds, and those that were kept as text.
+export function expressionsIn(d: Declaration): {
+  all: number
+  raw: readonly {text: string; reason: string | undefined}[]
+} {
+  let all = 0
+  const raw: {text: string; reason: string | undefined}[] = []
+  for (const node of everyNode(d)) {
+    if (node.kind === "raw") raw.push({text: node.text, reason: node.reason})
+    if (isExpression(node.kind)) all++
+  }
+  return {all, raw}
+}
+
+const expressionKinds = new Set(
+  "variable constructor-name number string character apply infix negate section lambda if branches case lambda-case let do tuple list range comprehension typed record update hole raw".split(
+    " ",
+  ),
+)
+
+function isExpression(kind: string): boolean {
+  return expressionKinds.has(kind)
+}

@@ -1,0 +1,336 @@
+/// Type inference for expressions and for the statements of a `do`.
+
+import {isFractionalLiteral} from "../haskell/lexemes.ts"
+import type {Alternative, Expr, Statement} from "../model/syntax_tree.ts"
+import {unreachable} from "../model/syntax_tree.ts"
+import {
+  inferBinding,
+  inferGroup,
+  inferGuards,
+  inferParameters,
+  inferQualifiers,
+  inferRightHandSide,
+} from "./binding_inference.ts"
+import {expand} from "./environment.ts"
+import type {InferenceState} from "./inference_state.ts"
+import {freshMeta, recordWatched, unknownType} from "./inference_state.ts"
+import {checkDistinct, inferPattern} from "./pattern_inference.ts"
+import type {Scope} from "./scope.ts"
+import type {Type} from "./type.ts"
+import {
+  app,
+  asFunction,
+  bool,
+  con,
+  fun,
+  funs,
+  listOf,
+  spine,
+  string,
+  substitute,
+  tupleOf,
+  unit,
+  variablesIn,
+} from "./type.ts"
+import {
+  instantiate,
+  isPossiblyImported,
+  openConstructor,
+  readSignature,
+  requireClass,
+  typeOfConstructor,
+  typeOfName,
+  typeOfOperator,
+  unifyAt,
+} from "./type_lookup.ts"
+import {unify} from "./unification.ts"
+
+/// The type of a stack of steps without a step, where nothing else decides it.
+const emptyTask: Type = app(con("Task"), unit)
+
+export function checkExpression(s: InferenceState, e: Expr, type: Type, scope: Scope): void {
+  s.found.set(e, type)
+  switch (e.kind) {
+    case "variable":
+      unifyAt(s, type, typeOfName(s, e.name, e, scope), e)
+      return
+    case "constructor-name":
+      unifyAt(s, type, typeOfConstructor(s, e.name, e), e)
+      return
+    case "number":
+      requireClass(s, isFractionalLiteral(e.text.replace("-", "")) ? "Fractional" : "Num", type, e)
+      return
+    case "string":
+      if (s.env.overloadedStrings === true) s.holes.push(type)
+      else unifyAt(s, type, string, e)
+      return
+    case "character":
+      unifyAt(s, type, con("Char"), e)
+      return
+    case "apply": {
+      const fn = freshMeta(s)
+      checkExpression(s, e.fn, fn, scope)
+      inferApplication(s, fn, e.args, type, e, scope)
+      return
+    }
+    case "infix":
+      if (e.op === "$") {
+        const fn = freshMeta(s)
+        checkExpression(s, e.left, fn, scope)
+        inferApplication(s, fn, [e.right], type, e, scope)
+      } else inferApplication(s, typeOfOperator(s, e.op, e, scope), [e.left, e.right], type, e, scope)
+      return
+    case "negate":
+      requireClass(s, "Num", type, e)
+      checkExpression(s, e.expr, type, scope)
+      return
+    case "section": {
+      const [a, b, c] = [freshMeta(s), freshMeta(s), freshMeta(s)]
+      unifyAt(s, typeOfOperator(s, e.op, e, scope), funs([a, b], c), e)
+      unifyAt(s, type, e.side === "left" ? fun(b, c) : fun(a, c), e)
+      checkExpression(s, e.operand, e.side === "left" ? a : b, scope)
+      return
+    }
+    case "lambda": {
+      const inner = scope.inner()
+      const result = inferParameters(s, e.parameters, type, inner)
+      checkExpression(s, e.body, result, inner)
+      return
+    }
+    case "if":
+      checkExpression(s, e.condition, bool, scope)
+      checkExpression(s, e.yes, type, scope)
+      checkExpression(s, e.no, type, scope)
+      return
+    case "branches":
+      for (const g of e.branches) checkExpression(s, g.body, type, inferGuards(s, g.guards, scope))
+      return
+    case "case": {
+      const scrutinee = freshMeta(s)
+      checkExpression(s, e.scrutinee, scrutinee, scope)
+      inferAlternatives(s, e.alternatives, scrutinee, type, scope)
+      return
+    }
+    case "lambda-case": {
+      const [from, to] = [freshMeta(s), freshMeta(s)]
+      unifyAt(s, type, fun(from, to), e)
+      inferAlternatives(s, e.alternatives, from, to, scope)
+      return
+    }
+    case "let":
+      checkExpression(s, e.body, type, inferGroup(s, e.declarations, scope, false))
+      return
+    case "do":
+      inferStatements(s, e.statements, type, scope)
+      return
+    case "tuple": {
+      const items = e.items.map(() => freshMeta(s))
+      const open = items.filter((_, i) => e.items[i]?.kind === "gap")
+      if (open.length > 0) {
+        unifyAt(s, type, funs(open, tupleOf(items)), e)
+        for (const [i, item] of e.items.entries())
+          if (item.kind !== "gap") checkExpression(s, item, items[i] ?? freshMeta(s), scope)
+        return
+      }
+      const [only] = items
+      unifyAt(s, type, items.length === 1 && only !== undefined ? only : tupleOf(items), e)
+      for (const [i, item] of e.items.entries()) checkExpression(s, item, items[i] ?? freshMeta(s), scope)
+      return
+    }
+    case "list": {
+      const item = freshMeta(s)
+      unifyAt(s, type, listOf(item), e)
+      for (const i of e.items) checkExpression(s, i, item, scope)
+      return
+    }
+    case "range": {
+      const item = freshMeta(s)
+      unifyAt(s, type, listOf(item), e)
+      requireClass(s, "Enum", item, e)
+      for (const part of [e.first, e.second, e.last])
+        if (part !== undefined) checkExpression(s, part, item, scope)
+      return
+    }
+    case "comprehension":
+      inferComprehension(s, e, type, scope)
+      return
+    case "typed": {
+      const scheme = readSignature(s, e.type.text, e.type)
+      const inner = scheme === undefined ? type : instantiate(s, scheme, e)
+      unifyAt(s, type, inner, e)
+      checkExpression(s, e.expr, inner, scope)
+      return
+    }
+    case "type-apply":
+      // Which variable the type stands for, GHC knows.
+      s.holes.push(type)
+      readSignature(s, e.type.text, e.type)
+      checkExpression(s, e.fn, unknownType(s), scope)
+      return
+    case "gap":
+      return
+    case "record":
+      inferRecord(s, e, type, scope)
+      return
+    case "update":
+      inferUpdate(s, e, type, scope)
+      return
+    case "hole":
+      if (e.steps === true && spine(type).head.kind === "meta") unifyAt(s, type, emptyTask, e)
+      s.holes.push(type)
+      s.sockets.add(type)
+      recordWatched(s, e.from, type, scope)
+      return
+    case "raw":
+      // GHC will say; until then it fits anywhere and decides nothing, but that it is a function where it says so.
+      s.holes.push(type)
+      if (/^\\ *case(?![\p{L}\p{N}_'])/u.test(e.text.trim()))
+        unifyAt(s, type, fun(unknownType(s), unknownType(s)), e)
+      return
+    default:
+      unreachable(e)
+  }
+}
+
+function inferAlternatives(
+  s: InferenceState,
+  all: readonly Alternative[],
+  of: Type,
+  type: Type,
+  scope: Scope,
+): void {
+  for (const a of all) {
+    checkDistinct(s, [a.pattern])
+    const inner = scope.inner()
+    inferPattern(s, a.pattern, of, inner)
+    inferRightHandSide(s, a.right, type, inner)
+  }
+}
+
+export function inferApplication(
+  s: InferenceState,
+  fn: Type,
+  args: readonly Expr[],
+  type: Type,
+  node: Expr,
+  scope: Scope,
+): void {
+  const wanted: Type[] = []
+  let result = fn
+  for (const _ of args) {
+    let f = asFunction(result)
+    if (f === undefined) {
+      f = {from: freshMeta(s), to: freshMeta(s)}
+      const clash = unify(result, fun(f.from, f.to))
+      if (clash !== undefined) s.problems.push({kind: "too-many-arguments", node, type: fn})
+    }
+    wanted.push(f.from)
+    result = f.to
+  }
+  // The result first: what is wanted from outside explains best why an argument does not fit.
+  unifyAt(s, type, result, node)
+  for (const [i, a] of args.entries()) checkExpression(s, a, wanted[i] ?? freshMeta(s), scope)
+}
+
+export function inferRecord(s: InferenceState, e: Expr & {kind: "record"}, type: Type, scope: Scope): void {
+  const info = s.env.constructors.get(e.name)
+  if (info === undefined || info.scheme.unknown === true) {
+    if (info === undefined && !isPossiblyImported(s, e.name))
+      s.problems.push({kind: "unknown-name", node: e, name: e.name})
+    s.holes.push(type)
+    for (const f of e.fields) checkExpression(s, f.value, unknownType(s), scope)
+    return
+  }
+  const {fields, result} = openConstructor(s, info.scheme, info.fields.length, e)
+  unifyAt(s, type, result, e)
+  for (const f of e.fields) {
+    const at = info.fieldNames.indexOf(f.name)
+    if (at < 0) s.problems.push({kind: "unknown-name", node: e, name: f.name})
+    checkExpression(s, f.value, fields[at] ?? freshMeta(s), scope)
+  }
+}
+
+/// A changed copy may have another type: all that no kept part is made of is open again. (Haskell 2010 report §3.15.3)
+export function inferUpdate(s: InferenceState, e: Expr & {kind: "update"}, type: Type, scope: Scope): void {
+  const names = e.fields.map(f => f.name)
+  const of = findRecordType(s, names)
+  if (of === undefined) {
+    const [unknown] = names.filter(n => findRecordType(s, [n]) === undefined)
+    const name = unknown ?? names[0] ?? ""
+    const known = s.env.values.get(name)?.unknown === true || isPossiblyImported(s, name)
+    if (!known) s.problems.push({kind: "unknown-name", node: e, name})
+    s.holes.push(type)
+    checkExpression(s, e.record, unknownType(s), scope)
+    for (const f of e.fields) checkExpression(s, f.value, unknownType(s), scope)
+    return
+  }
+  const {name, parameters, constructors} = of
+  const kept = new Set<string>()
+  const changed = new Map<string, Type>()
+  for (const c of constructors)
+    c.fields.forEach((field, i) => {
+      const at = c.fieldNames[i]
+      if (at !== undefined && names.includes(at)) changed.set(at, field)
+      else for (const v of variablesIn(field)) kept.add(v)
+    })
+  const before = new Map(parameters.map(p => [p, freshMeta(s) as Type]))
+  const after = new Map([...before].map(([p, t]) => [p, kept.has(p) ? t : freshMeta(s)]))
+  unifyAt(s, type, app(con(name), ...after.values()), e)
+  checkExpression(s, e.record, app(con(name), ...before.values()), scope)
+  for (const f of e.fields) {
+    const field = changed.get(f.name)
+    checkExpression(
+      s,
+      f.value,
+      field === undefined ? freshMeta(s) : expand(substitute(field, after), s.env),
+      scope,
+    )
+  }
+}
+
+/// The type whose constructors have all these fields, with the constructors that have them.
+function findRecordType(s: InferenceState, names: readonly string[]) {
+  const [first = ""] = names
+  const selector = s.env.values.get(first)
+  const head = selector === undefined ? undefined : asFunction(selector.type)
+  const name = head === undefined ? undefined : spine(head.from).head
+  const entry = name?.kind === "con" ? s.env.types.get(name.name) : undefined
+  if (name?.kind !== "con" || entry === undefined) return undefined
+  const constructors = entry.constructors
+    .flatMap(c => s.env.constructors.get(c) ?? [])
+    .filter(c => names.every(n => c.fieldNames.includes(n)))
+  return constructors.length === 0 ? undefined : {name: name.name, parameters: entry.parameters, constructors}
+}
+
+export function inferComprehension(
+  s: InferenceState,
+  e: Expr & {kind: "comprehension"},
+  type: Type,
+  scope: Scope,
+): void {
+  const item = freshMeta(s)
+  unifyAt(s, type, listOf(item), e)
+  checkExpression(s, e.body, item, inferQualifiers(s, e.statements, scope, listOf))
+}
+
+export function inferStatements(
+  s: InferenceState,
+  statements: readonly Statement[],
+  type: Type,
+  scope: Scope,
+): void {
+  const monad = freshMeta(s)
+  let inner = scope
+  statements.forEach((step, i) => {
+    const last = i === statements.length - 1
+    if (step.kind === "statement") {
+      const result = last ? type : app(monad, freshMeta(s))
+      if (last) unifyAt(s, type, app(monad, freshMeta(s)), step.expr)
+      checkExpression(s, step.expr, result, inner)
+      if (statements.length > 1) requireClass(s, "Monad", monad, step.expr)
+    } else {
+      inner = inferBinding(s, step, inner, element => app(monad, element))
+      if (step.kind === "bind") requireClass(s, "Monad", monad, step.expr)
+    }
+  })
+}

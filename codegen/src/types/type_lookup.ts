@@ -1,0 +1,158 @@
+/// Types of names, constructors, operators and written signatures, as they are used at one place.
+
+import {unqualified} from "../haskell/lexemes.ts"
+import type {Expr, Node} from "../model/syntax_tree.ts"
+import {expand} from "./environment.ts"
+import type {InferenceState} from "./inference_state.ts"
+import {freshMeta, unknownType} from "./inference_state.ts"
+import {isKnownClass, misappliedType, typeNamesIn} from "./kinds.ts"
+import {Scope} from "./scope.ts"
+import type {Scheme, Type} from "./type.ts"
+import {asFunction, con, funs, listOf, substitute, tupleOf} from "./type.ts"
+import {isBeyondHaskell2010, isHigherRank, parseScheme, withQualifiersApart} from "./type_parser.ts"
+import type {TypeProblem} from "./type_problems.ts"
+import {unify} from "./unification.ts"
+
+/// Names of types and classes without a qualifier.
+const unqualifiedNames = /(?<![\p{L}\p{N}_'.])\p{Lu}[\p{L}\p{N}_']*(?![\p{L}\p{N}_'.])/gu
+
+/// The last parts of names with a qualifier.
+const qualifiedNames = /\p{Lu}[\p{L}\p{N}_'.]*\.(\p{Lu}[\p{L}\p{N}_']*)/gu
+
+/// A type with variables of its own inside, which is GHC's to judge.
+export function isHigherRankSignature(s: InferenceState, text: string): boolean {
+  return isHigherRank(text, s.env.ranked)
+}
+
+// --- Types as they are written -----------------------------------------------------------------------------------
+
+export function readSignature(s: InferenceState, text: string, node: Node): Scheme | undefined {
+  if (isHigherRankSignature(s, text)) return undefined
+  const scheme = parseScheme(withQualifiersApart(text, s.env.ownTypes))
+  if (scheme === undefined) {
+    if (text.trim() !== "" && !isBeyondHaskell2010(text)) s.problems.push({kind: "bad-signature", node, text})
+    return undefined
+  }
+  checkTypeNames(s, scheme, text, node)
+  const here = (type: Type) => substitute(expand(type, s.env), s.scoped)
+  return {
+    variables: scheme.variables.filter(name => !s.scoped.has(name)),
+    constraints: scheme.constraints.map(c => ({name: c.name, type: here(c.type)})),
+    type: here(scheme.type),
+  }
+}
+
+/// Reports unknown and hidden types, unknown classes, and types with too few or too many arguments. A name with a qualifier belongs to an import,
+/// and any name may come from a module whose exports are unknown.
+function checkTypeNames(s: InferenceState, scheme: Scheme, text: string, node: Node): void {
+  const strangers = [...text.matchAll(qualifiedNames)].flatMap(([name]) =>
+    isQualifier(s, name.slice(0, name.lastIndexOf("."))) ? [] : [name],
+  )
+  for (const name of new Set(strangers)) s.problems.push({kind: "unknown-type", node, name})
+  if (s.env.open === true || strangers.length > 0) return
+  const qualified = new Set([...text.matchAll(qualifiedNames)].map(([, name = ""]) => name))
+  const problems = new Map<string, TypeProblem>()
+  for (const name of typeNamesIn(scheme.type))
+    if (
+      !s.env.types.has(name) &&
+      !isKnownClass(s.env, name) &&
+      !qualified.has(name.replace(/'.*$/, "")) &&
+      !/^(?:->|\[\]|\(,*\))$/.test(name)
+    )
+      problems.set(name, {kind: "unknown-type", node, name})
+  for (const [name] of text.matchAll(unqualifiedNames))
+    if (s.env.hidden.has(name)) problems.set(name, {kind: "unknown-type", node, name})
+  for (const {name} of scheme.constraints)
+    if (!qualified.has(name) && !isKnownClass(s.env, name))
+      problems.set(name, {kind: "unknown-class", node, name})
+  s.problems.push(...problems.values())
+  if (problems.size > 0) return
+  const wrong = misappliedType(scheme.type, s.env)
+  if (wrong !== undefined) s.problems.push({kind: "kind", node, name: wrong})
+}
+
+/// What may stand before the dot of a name: a module that is imported, also without being named, or the program's own.
+function isQualifier(s: InferenceState, name: string): boolean {
+  return (
+    s.env.qualifiers?.has(name) === true || ["Prelude", "Rosy", s.env.moduleName ?? "Main"].includes(name)
+  )
+}
+
+// --- Names and unification --------------------------------------------------------------------------------------
+
+export function typeOfName(s: InferenceState, name: string, node: Node, scope: Scope): Type {
+  const scheme = scope.get(name) ?? s.env.values.get(name)
+  if (scheme !== undefined) return instantiate(s, scheme, node)
+  if (s.lenient) {
+    const stray = s.strays.get(name) ?? freshMeta(s)
+    s.strays.set(name, stray)
+    return stray
+  }
+  if (!isPossiblyImported(s, name)) s.problems.push({kind: "unknown-name", node, name})
+  return unknownType(s)
+}
+
+/// Whether a name may come from a module whose exports are unknown.
+export function isPossiblyImported(s: InferenceState, name: string): boolean {
+  const qualifier = /^(.*)\.[^.]/.exec(name)?.[1]
+  return s.env.open === true || (qualifier !== undefined && isQualifier(s, qualifier))
+}
+
+export function typeOfOperator(s: InferenceState, op: string, node: Expr, scope: Scope): Type {
+  if (op === ":") {
+    const item = freshMeta(s)
+    return funs([item, listOf(item)], listOf(item))
+  }
+  return /^[:\p{Lu}]/u.test(unqualified(op)) ? typeOfConstructor(s, op, node) : typeOfName(s, op, node, scope)
+}
+
+export function typeOfConstructor(s: InferenceState, name: string, node: Node): Type {
+  if (name === "()") return con("()")
+  if (name === "[]") return listOf(freshMeta(s))
+  if (name === ":") return typeOfOperator(s, ":", node as Expr, new Scope())
+  if (/^\(,+\)$/.test(name)) {
+    const items = [...name.slice(1)].map(() => freshMeta(s))
+    return funs(items, tupleOf(items))
+  }
+  const info = s.env.constructors.get(name)
+  if (info !== undefined) return instantiate(s, info.scheme, node)
+  if (!isPossiblyImported(s, name)) s.problems.push({kind: "unknown-name", node, name})
+  return unknownType(s)
+}
+
+export function instantiate(s: InferenceState, scheme: Scheme, node: Node): Type {
+  if (scheme.unknown === true) return unknownType(s)
+  if (scheme.variables.length === 0) {
+    for (const c of scheme.constraints) requireClass(s, c.name, c.type, node)
+    return expand(scheme.type, s.env)
+  }
+  const isOpen = (v: string) => scheme.open?.includes(v) === true
+  const by = new Map(scheme.variables.map(v => [v, isOpen(v) ? unknownType(s) : freshMeta(s)] as const))
+  for (const c of scheme.constraints) requireClass(s, c.name, substitute(c.type, by), node)
+  return expand(substitute(scheme.type, by), s.env)
+}
+
+export function requireClass(s: InferenceState, name: string, type: Type, node: Node): void {
+  s.wanted.push({name, type, node})
+}
+
+export function unifyAt(s: InferenceState, wanted: Type, found: Type, node: Node): void {
+  if (unify(wanted, found) !== undefined) s.problems.push({kind: "mismatch", node, wanted, found})
+}
+
+export function openConstructor(
+  s: InferenceState,
+  scheme: Scheme,
+  count: number,
+  node: Node,
+): {fields: Type[]; result: Type} {
+  let result = instantiate(s, scheme, node)
+  const fields: Type[] = []
+  for (let i = 0; i < count; i++) {
+    const f = asFunction(result)
+    if (f === undefined) break
+    fields.push(f.from)
+    result = f.to
+  }
+  return {fields, result}
+}

@@ -1,0 +1,10 @@
+/// Every word of blocks, types and refusals in Portuguese.
+
+import type {Words} from "../index.ts"
+import {blocks} from "./blocks.ts"
+import {reasons} from "./reasons.ts"
+import {sentences} from "./sentences.ts"
+import {toolbox} from "./toolbox.ts"
+import {vocabulary} from "./vocabulary.ts"
+
+export const pt: Words = {...blocks, ...vocabulary, ...sentences, toolbox, reasons}

@@ -1,0 +1,142 @@
+/// Exact printing: an edit of blocks changes only the characters of what was edited.
+
+import {beforeAll, expect, test} from "vitest"
+import type {Reader, View} from "../../src/reader/index.ts"
+import {openView, syncBlocks, workspaceOf} from "../../src/reader/index.ts"
+import type {SavedBlock} from "../../src/serialized_blocks.ts"
+import {cases, rerun, seed} from "../extent.ts"
+import {Dice} from "../generate/random.ts"
+import {breathe} from "../process.ts"
+import {editKinds, everyBlock, outcomeOf, randomEdit} from "./exact_edits.ts"
+import {corpus, testReader} from "./open.ts"
+
+// `EDITS=20000 npx vitest run test/reader/exact.test.ts` makes more edits and reports what they changed.
+const edits = Number(process.env.EDITS ?? cases(5000))
+
+let reader: Reader
+beforeAll(async () => {
+  reader = await testReader()
+})
+
+test("random edits change their own characters, and the text says what the workspace says", async () => {
+  const dice = new Dice(seed)
+  const views = corpus.map(p => openView(reader, p.text))
+  const counts = new Map<string, {edits: number; larger: number; printed: number; characters: number}>()
+  for (let done = 0, tried = 0; done < edits && tried < 20 * edits; tried++) {
+    const kind = editKinds[tried % editKinds.length] ?? "number"
+    const view = dice.pick(views)
+    const edit = randomEdit(view, dice, kind)
+    if (edit === undefined) continue
+    if (done++ % 50 === 0) await breathe()
+    const outcome = outcomeOf(reader, view, edit)
+    const message = `${kind}, ${rerun}\n${outcome.before}\n=====>\n${outcome.after}`
+    expect(outcome.agrees, message).toBe(true)
+    expect(outcome.comments, message).toBe(true)
+    expect(outcome.own, message).toBe(true)
+    const count = counts.get(kind) ?? {edits: 0, larger: 0, printed: 0, characters: 0}
+    counts.set(kind, {
+      edits: count.edits + 1,
+      larger: count.larger + outcome.larger,
+      printed: count.printed + outcome.printed,
+      characters: count.characters + outcome.changed,
+    })
+  }
+  const all = [...counts.values()].reduce((sum, c) => sum + c.edits, 0)
+  const printed = [...counts.values()].reduce((sum, c) => sum + c.printed, 0)
+  if (process.env.EDITS !== undefined) console.table(Object.fromEntries(counts))
+  expect(all).toBe(edits)
+  expect(printed).toBeLessThanOrEqual(all / 20)
+}, 1_200_000)
+
+/// The view after a change of the blocks of one definition.
+function changed(text: string, change: (blocks: readonly SavedBlock[]) => void): string {
+  const view: View = openView(reader, text)
+  const workspace = structuredClone(workspaceOf(view))
+  change(workspace.blocks.blocks.flatMap(everyBlock))
+  return syncBlocks(reader, view, workspace).text
+}
+
+function setNumber(blocks: readonly SavedBlock[], from: string, to: string): void {
+  for (const b of blocks) if (b.type === "number" && b.extraState?.value === from) b.extraState = {value: to}
+}
+
+test.each([
+  ["layout and comments by hand", "f   x=(  1 )+ x -- tail\n  where  {- inner -} y  =   2   ; z=3\n"],
+  ["brackets that are not needed", "f x = ((1)) + (2 * (3))\n"],
+  ["a list over lines", "xs =\n  [ 1 -- first\n  , 2 -- second\n  ]\n"],
+  ["steps without $", "main = do\n  when b do\n    say 1\n    wait 2\n  f x   \\y -> do\n    g y\n"],
+  ["steps after $", "main = do\n  when  b  $  do\n    say 1\n    wait 2\n  stop\n"],
+  ["one step after $", 'main = do\n\twhen b $ do\n\t\tsay "a"\n\twait 1\n'],
+  ["equations beside each other", "f 0 = 1 ; f n = n - 2\n"],
+  ["a main without a type", "main  =  simulate (go 1)\n"],
+])("a number keeps %s", (_, text) => {
+  expect(changed(text, blocks => setNumber(blocks, "1", "42"))).toBe(text.replace("1", "42"))
+})
+
+test("items below the place of an edit keep their column", () => {
+  const text = "f b = g 1 $ case b of True -> 2 -- yes\n                      False -> 3\n"
+  expect(changed(text, blocks => setNumber(blocks, "1", "4711"))).toBe(
+    "f b = g 4711 $ case b of True -> 2 -- yes\n                         False -> 3\n",
+  )
+})
+
+test("brackets are written where the new part needs them, and go with the part that needed them", () => {
+  const wrap = (blocks: readonly SavedBlock[]): void => {
+    const sum = blocks.find(b => b.type === "infix" && b.extraState?.op === "+")
+    const number = sum?.inputs?.L
+    const times = blocks.find(b => b.type === "infix" && b.extraState?.op === "*")
+    if (times?.inputs !== undefined && number !== undefined) times.inputs.L = number
+  }
+  expect(changed("f x = (1   +   x) * 2 {- two -}\n", wrap)).toBe("f x = 1 * 2 {- two -}\n")
+})
+
+test("a new type that is too long for its line begins on a line of its own", () => {
+  const type = "Seconds -> Memory M -> Either (M1 Velocity) (M2 Velocity) -> Maybe (Velocity, Memory M)"
+  const after = changed("muxVelocity :: Int -- later\nmuxVelocity   = mux\n", ([block]) => {
+    if (block === undefined) throw new Error("expected the definition")
+    block.extraState = {...block.extraState, signature: type}
+  })
+  expect(after).toBe(
+    [
+      "muxVelocity ::",
+      "  Seconds ->",
+      "  Memory M ->",
+      "  Either (M1 Velocity) (M2 Velocity) ->",
+      "  Maybe (Velocity, Memory M) -- later",
+      "muxVelocity   = mux",
+      "",
+    ].join("\n"),
+  )
+})
+
+test("a step that moves takes its comment and its own layout along", () => {
+  const text = [
+    "main = do",
+    "  -- first",
+    "  say   (show 1)",
+    "  wait   2 -- seconds",
+    '  say "end"',
+    "",
+  ].join("\n")
+  const after = changed(text, blocks => {
+    const stack = blocks.find(b =>
+      Object.values(b.inputs ?? {}).some(i => i.block?.next?.block !== undefined),
+    )
+    const slot = Object.values(stack?.inputs ?? {}).find(i => i.block?.next !== undefined)
+    const [a, b] = [slot?.block, slot?.block?.next?.block]
+    if (slot === undefined || a === undefined || b === undefined) throw new Error("no steps")
+    const rest = b.next
+    slot.block = b
+    b.next = {block: a}
+    if (rest !== undefined) a.next = rest
+  })
+  expect(after).toBe(
+    ["main = do", "  wait   2 -- seconds", "  -- first", "  say   (show 1)", '  say "end"', ""].join("\n"),
+  )
+})
+
+test("a step with a block argument keeps its form when a number in it or beside it changes", () => {
+  const text = `steps :: Task ()\nsteps = do\n  when True do\n    say "a"\n    wait 1\n  wait 2\n\nmain = simulate steps\n`
+  expect(changed(text, blocks => setNumber(blocks, "1", "7"))).toBe(text.replace("wait 1", "wait 7"))
+  expect(changed(text, blocks => setNumber(blocks, "2", "7"))).toBe(text.replace("wait 2", "wait 7"))
+})

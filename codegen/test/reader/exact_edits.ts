@@ -1,0 +1,189 @@
+/// Random edits of blocks, and what each of them may change in the text.
+
+import {readTree} from "../../src/blocks/block_reader.ts"
+import {blockView, spanOf} from "../../src/index.ts"
+import {commentWords} from "../../src/reader/exact_texts.ts"
+import type {Reader, View} from "../../src/reader/index.ts"
+import {spansOf, syncBlocks, workspaceOf} from "../../src/reader/index.ts"
+import {meaningOf} from "../../src/reader/model_parts.ts"
+import {writeBack} from "../../src/reader/text_patches.ts"
+import type {SavedBlock, SavedWorkspace} from "../../src/serialized_blocks.ts"
+import type {Dice} from "../generate/random.ts"
+
+export const editKinds = ["number", "wrap", "swap", "delete-step", "copy-step", "replace"] as const
+export type EditKind = (typeof editKinds)[number]
+
+export interface Edited {
+  readonly kind: EditKind
+  /// The number of the edited definition in the view.
+  readonly definition: number
+  readonly workspace: SavedWorkspace
+  /// The blocks whose text may change.
+  readonly touched: readonly string[]
+}
+
+export function everyBlock(block: SavedBlock): SavedBlock[] {
+  const below = [...Object.values(block.inputs ?? {}).map(i => i.block), block.next?.block]
+  return [block, ...below.flatMap(b => (b === undefined ? [] : everyBlock(b)))]
+}
+
+/// The sockets of a definition that hold an expression, with the block around each.
+function socketsIn(block: SavedBlock): {holder: SavedBlock; input: string; inner: SavedBlock}[] {
+  return everyBlock(block).flatMap(holder =>
+    Object.entries(holder.inputs ?? {}).flatMap(([input, {block: inner}]) =>
+      inner !== undefined && blockView(inner.type)?.meaning.as === "expression"
+        ? [{holder, input, inner}]
+        : [],
+    ),
+  )
+}
+
+/// One random edit of a random definition; undefined when the definition has no place for it.
+export function randomEdit(view: View, dice: Dice, kind: EditKind): Edited | undefined {
+  const workspace = structuredClone(workspaceOf(view))
+  const definition = dice.below(Math.max(1, view.declarations.length))
+  const top = workspace.blocks.blocks[definition]
+  if (top === undefined || top.type === "raw_definition" || view.declarations[definition]?.dimmed)
+    return undefined
+  const done = (...touched: (string | undefined)[]): Edited => ({
+    kind,
+    definition,
+    workspace,
+    touched: touched.flatMap(t => (t === undefined ? [] : [t])),
+  })
+  const sockets = socketsIn(top)
+  switch (kind) {
+    case "number": {
+      const numbers = everyBlock(top).filter(b => b.type === "number")
+      if (numbers.length === 0) return undefined
+      const number = dice.pick(numbers)
+      number.extraState = {value: String(7000 + dice.below(900))}
+      return done(number.id)
+    }
+    case "replace": {
+      if (sockets.length === 0) return undefined
+      const {holder, input, inner} = dice.pick(sockets)
+      ;(holder.inputs ?? {})[input] = {block: {type: "number", id: "x1", extraState: {value: "7"}}}
+      return done(inner.id, holder.id)
+    }
+    case "wrap": {
+      if (sockets.length === 0) return undefined
+      const {holder, input, inner} = dice.pick(sockets)
+      const sum: SavedBlock = {
+        type: "infix",
+        id: "x1",
+        extraState: {op: dice.pick(["+", "*", "&&"])},
+        inputs: {L: {block: inner}, R: {block: {type: "number", id: "x2", extraState: {value: "7"}}}},
+      }
+      ;(holder.inputs ?? {})[input] = {block: sum}
+      return done(inner.id, holder.id)
+    }
+    case "swap": {
+      const pairs = everyBlock(top).filter(b => sockets.filter(s => s.holder === b).length >= 2)
+      if (pairs.length === 0) return undefined
+      const holder = dice.pick(pairs)
+      const [a, b] = sockets.filter(s => s.holder === holder)
+      if (a === undefined || b === undefined) return undefined
+      ;(holder.inputs ?? {})[a.input] = {block: b.inner}
+      ;(holder.inputs ?? {})[b.input] = {block: a.inner}
+      return done(holder.id)
+    }
+    case "delete-step":
+    case "copy-step": {
+      const steps = everyBlock(top).filter(b => b !== top && b.next?.block !== undefined)
+      if (steps.length === 0) return undefined
+      const step = dice.pick(steps)
+      const next = step.next?.block
+      if (next === undefined) return undefined
+      if (kind === "delete-step") {
+        // The last step gives the result and stays.
+        if (next.next?.block === undefined) return undefined
+        step.next = {block: next.next.block}
+        return done(step.id, next.id, next.next.block.id)
+      }
+      const {next: _, ...alone} = structuredClone(step)
+      for (const [i, b] of everyBlock(alone).entries()) b.id = `x${i}`
+      step.next = {block: {...alone, next: {block: next}}}
+      return done(step.id, next.id)
+    }
+  }
+}
+
+/// What one edit did to the text.
+export interface Outcome {
+  readonly before: string
+  readonly after: string
+  /// Characters that were removed or inserted between the common start and the common end.
+  readonly changed: number
+  /// Definitions for which a node around the changed one was written, and those that were printed as a whole.
+  readonly larger: number
+  readonly printed: number
+  /// The whole program is read as the workspace says it.
+  readonly agrees: boolean
+  readonly comments: boolean
+  /// For an edit of a number: only its own characters changed, and lines below moved with what they are aligned to.
+  readonly own: boolean
+}
+
+const counted = {exact: 0, larger: 0, printed: 0}
+
+export function outcomeOf(reader: Reader, view: View, edit: Edited): Outcome {
+  const {larger, printed} = {...counted}
+  const after = syncBlocks(reader, view, edit.workspace, {count: counted})
+  const before = view.text
+  let start = 0
+  while (start < before.length && before[start] === after.text[start]) start++
+  let end = 0
+  while (
+    end < Math.min(before.length, after.text.length) - start &&
+    before[before.length - 1 - end] === after.text[after.text.length - 1 - end]
+  )
+    end++
+  const [own] = readTree(edit.workspace.blocks.blocks[edit.definition] as SavedBlock).declarations
+  const shown = view.declarations[edit.definition]
+  const piece = after.module.pieces[shown?.piece ?? -1]
+  const signed = own?.kind === "function" && piece?.declaration?.kind === "function"
+  const signature = piece?.declaration?.kind === "function" ? piece.declaration.signature : undefined
+  const wanted =
+    own === undefined
+      ? undefined
+      : reader.read(
+          writeBack(view.module, {
+            pieces: new Map([[shown?.piece ?? -1, signed ? {...own, signature} : own]]),
+            added: [],
+          }),
+        ).pieces[shown?.piece ?? -1]?.declaration
+  const [touched] = edit.touched
+  const span = touched === undefined ? undefined : spanOf(spansOf(view), touched)
+  return {
+    before,
+    after: after.text,
+    larger: counted.larger - larger,
+    printed: counted.printed - printed,
+    changed: before.length - end - start + (after.text.length - end - start),
+    agrees:
+      wanted !== undefined &&
+      piece?.declaration !== undefined &&
+      meaningOf(wanted) === meaningOf(piece.declaration),
+    comments:
+      edit.kind === "delete-step" || edit.kind === "replace" || edit.kind === "copy-step"
+        ? true
+        : commentWords(before) === commentWords(after.text),
+    own:
+      edit.kind !== "number" ||
+      (span !== undefined && start >= span.start && onlyMoved(before.slice(span.end), after.text)),
+  }
+}
+
+/// Whether `after` ends with the lines of `rest`, where the lines below the first may have moved as far as the end of the first.
+function onlyMoved(rest: string, after: string): boolean {
+  const was = rest.split("\n")
+  const is = after.split("\n").slice(-was.length)
+  const [first = "", ...below] = was
+  if (is.length !== was.length || !is[0]?.endsWith(first)) return false
+  const moves = below.flatMap((line, i) => {
+    const now = is[i + 1] ?? ""
+    return line === now ? [] : [line.trimStart() === now.trimStart() ? now.length - line.length : Number.NaN]
+  })
+  return new Set(moves).size <= 1 && !moves.some(Number.isNaN)
+}

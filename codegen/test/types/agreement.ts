@@ -1,0 +1,443 @@
+/// Minimal programs on which inference and GHC must not contradict each other.
+///
+/// `accepted`: GHC compiles the program, and inference must report nothing. `refused`: GHC refuses it, and inference must report a problem of
+/// that kind. `test/types/agreement.test.ts` asks inference, and GHC where it is installed.
+
+import type {TypeProblem} from "../../src/types/type_problems.ts"
+
+export const accepted: {readonly [name: string]: string} = {
+  "an import without a space before its list": `import Data.Char(toLower)
+main = print (map toLower "AbC")`,
+  "a hidden name without a space": `import Data.List hiding(insert)
+insert :: Int -> Int
+insert n = n
+main = print (insert (length (nub [1, 2, 2])))`,
+  "guards in a pattern binding": `(low, high)
+  | limit > 3 = (1, limit)
+  | otherwise = (0, 3)
+limit :: Int
+limit = 5
+main = print (low + high)`,
+  "guards in a local pattern binding": `f :: Int -> Int
+f n = a + b
+  where
+    (a, b)
+      | n > 3 = (1, n)
+      | Just m <- lookup n [(1, 2)] = (m, m)
+      | otherwise = (0, 3)
+main = print (f 2)`,
+  "a derived Functor": `data Tree a = Leaf | Branch (Tree a) a (Tree a) deriving (Show, Functor, Foldable, Traversable)
+main = print (fmap (+ 1) (Branch Leaf 1 Leaf), sum (Branch Leaf 1 Leaf)) >> mapM_ print (traverse Just (Branch Leaf 2 Leaf))`,
+  "a derived Functor of a type with two parameters": `data Tagged t a = Tagged t a deriving (Show, Functor)
+main = print (fmap not (Tagged 'x' True))`,
+  Rational: `import Data.Ratio
+half :: Rational
+half = 1 % 2
+main = print (half + 1, fromRational half :: Double, numerator half)`,
+  "Rational without an import": `half :: Rational
+half = 0.5
+main = print (half * 2 + toRational 3)`,
+  "a composition with read in a where": `total :: String -> Int
+total text = add text
+  where
+    add = sum . map read . words
+main = print (total "1 2 3")`,
+  "a composition with read in a where that defaulting decides": `main = do
+  contents <- getContents
+  print (add contents)
+  where
+    add = sum . map read . words`,
+  "a constructor with the name of a Prelude type": `import Prelude hiding ((<>))
+data Token = Char Char | Double Double deriving Show
+main = print (Char 'x')`,
+  "instances for two lists": `{-# LANGUAGE FlexibleInstances #-}
+class Named a where
+  nameOf :: a -> String
+instance Named [Int] where
+  nameOf _ = "numbers"
+instance Named [Char] where
+  nameOf _ = "text"
+main = putStrLn (nameOf "x" ++ nameOf [1 :: Int])`,
+  "a signature for several names": `low, high :: Int
+low = 1
+high = low + 2
+main = print (fromIntegral low + 0.5, high)`,
+  "a constraint synonym": `{-# LANGUAGE ConstraintKinds #-}
+type Plain a = (Show a, Eq a)
+f :: Plain a => a -> String
+f n = if n == n then show n else ""
+main = putStrLn (f True)`,
+  "a type with a type as parameter": `newtype Fix f = Fix (f (Fix f))
+depth :: Fix Maybe -> Int
+depth (Fix Nothing) = 0
+depth (Fix (Just rest)) = 1 + depth rest
+main = print (depth (Fix (Just (Fix Nothing))))`,
+  "a class of an imported module": `import Data.Bits
+import Data.Ix (Ix, range)
+both :: (Bits a, Num a) => a -> a
+both n = n .&. 3
+data Mode = Go | Halt deriving (Eq, Ord, Ix, Show)
+main = print (both (6 :: Int), range (Go, Halt))`,
+  "a constraint that two types are equal": `{-# LANGUAGE GADTs #-}
+f :: (a ~ Int) => a -> Int
+f n = n + 1
+main = print (f 2)`,
+  "a type of a module imported with a qualifier": `import qualified Data.Map as M
+phone :: M.Map String Int -> Maybe Int
+phone book = M.lookup "me" book
+main = print (phone (M.fromList [("me", 1)]))`,
+  "a qualified type of an unknown module": `import qualified Data.Array as A
+type Board = A.Array Int Bool
+size :: A.Array Int a -> Int
+size cells = let (a, b) = A.bounds cells in b - a + 1
+board :: Board
+board = A.listArray (0, 2) [True, False, True]
+main = print (size board, board A.! 1)`,
+  IOException: `import Control.Exception
+handler :: IOException -> IO ()
+handler e = putStrLn ("no file: " ++ show e)
+main = catch (readFile "x" >>= putStrLn) handler`,
+  IOError: `import System.IO.Error
+handler :: IOError -> IO ()
+handler e
+  | isDoesNotExistError e = putStrLn "no file"
+  | otherwise = ioError e
+main = catchIOError (readFile "x" >>= putStrLn) handler`,
+  "a curried context": `biggest :: Ord a => Show a => [a] -> String
+biggest items = show (maximum items)
+main = putStrLn (biggest [1 :: Int, 2])`,
+  "a context in two pairs of brackets": `biggest :: ((Ord a, Show a)) => [a] -> String
+biggest items = show (maximum items)
+main = putStrLn (biggest [1 :: Int, 2])`,
+  "a constraint in brackets": `biggest :: ((Ord a), (Show a)) => [a] -> String
+biggest items = show (maximum items)
+main = putStrLn (biggest [1 :: Int, 2])`,
+  "text under OverloadedStrings": `{-# LANGUAGE OverloadedStrings #-}
+import Data.String (IsString (..))
+newtype Name = Name String deriving (Show, Eq)
+instance IsString Name where
+  fromString = Name
+me :: Name
+me = "Ada"
+isMe :: Name -> Bool
+isMe "Ada" = True
+isMe _ = False
+main = print (isMe me)`,
+  "a method with a type of its own in an instance with a variable": `{-# LANGUAGE InstanceSigs #-}
+newtype Carry s a = Carry (s -> (a, s))
+instance Functor (Carry s) where
+  fmap :: (a -> b) -> Carry s a -> Carry s b
+  fmap f (Carry g) = Carry (\\s -> let (a, s') = g s in (f a, s'))
+main = case fmap not (Carry (\\s -> (True, s))) of Carry g -> print (g 'x')`,
+  "a method with a type of its own that says the head's variables anew": `{-# LANGUAGE InstanceSigs #-}
+newtype Compose f g a = Compose (f (g a))
+instance (Functor f, Functor g) => Functor (Compose f g) where
+  fmap :: (a -> b) -> Compose f g a -> Compose f g b
+  fmap f (Compose t) = Compose (fmap (fmap f) t)
+instance (Foldable f, Foldable g) => Foldable (Compose f g) where
+  foldMap :: Monoid m => (a -> m) -> Compose f g a -> m
+  foldMap f (Compose t) = foldMap (foldMap f) t
+main = case fmap not (Compose (Just [True])) of Compose t -> print t`,
+  "a method with a more general type than its class asks for": `{-# LANGUAGE InstanceSigs #-}
+class Named a where
+  nameOf :: a -> Int -> String
+instance Named Bool where
+  nameOf :: Show n => Bool -> n -> String
+  nameOf b n = show b ++ show n
+main = putStrLn (nameOf True 1)`,
+  "a file that is indented below its module": `  import Data.Char
+  import Control.Applicative
+  digits :: String -> Int
+  digits = length . filter isDigit
+  main = print (digits "a1", Nothing <|> Just 1)`,
+  "a pattern with a type": `{-# LANGUAGE ScopedTypeVariables #-}
+main = do
+  line <- getLine
+  let numbers :: [Int] = map read (words line)
+      first = head numbers
+  print first`,
+  "classes that a newtype takes over": `{-# LANGUAGE GeneralizedNewtypeDeriving #-}
+import Control.Applicative
+newtype Bag a = Bag [a] deriving (Show, Functor, Applicative, Monad, Alternative)
+main = print (Bag [1] <|> (Bag [2] >>= pure))`,
+  "a local constant of a type that only GHC knows": `import qualified Data.Array as A
+isSmaller :: A.Array Int a -> A.Array Int a -> Bool
+isSmaller a b = m <= n
+  where
+    m = A.bounds a
+    n = A.bounds b
+main = print (isSmaller (A.listArray (0, 1) "ab") (A.listArray (0, 1) "ab"))`,
+  "a type that shares its name with a qualified one": `import qualified Control.Monad.ST as S
+import qualified Data.Map as M
+newtype Map = Map (M.Map String Int)
+type ST = (S.ST () Int, Map)
+size :: Map -> Int
+size (Map m) = M.size m
+names :: M.Map String Int -> [String]
+names = M.keys
+main = print (size (Map (M.fromList [("a", 1)])), names (M.fromList []))`,
+  "types that belong to a class": `{-# LANGUAGE TypeFamilies #-}
+class Container f where
+  type Elem f
+  empty :: f
+  insert :: Elem f -> f -> f
+  items :: f -> [Elem f]
+instance Container [a] where
+  type Elem [a] = a
+  empty = []
+  insert = (:)
+  items all = all
+data Counted f = Counted (Elem f) Int
+first :: Container f => f -> Elem f
+first = head . items
+main = print (items (insert (1 :: Int) [])) >> print (first [True])`,
+  "types that are computed from types": `{-# LANGUAGE TypeFamilies #-}
+type family Next a
+type instance Next Bool = Int
+next :: Bool -> Next Bool
+next b = if b then 1 else 0
+main = print (next True + 1)`,
+  "qualified operators": `import qualified Data.Map as M
+import qualified Data.Sequence as Seq
+second :: Seq.Seq a -> Maybe a
+second (_ Seq.:<| (x Seq.:<| _)) = Just x
+second _ = Nothing
+at :: Int -> M.Map Int a -> a
+at k = (M.! k)
+main = print (M.fromList [(1, 2)] M.! 1 + at 1 (M.fromList [(1, 2)]), second (Seq.fromList "ab" Seq.|> 'c'))`,
+  "own classes with instances of many forms": `{-# LANGUAGE FlexibleInstances, DeriveAnyClass, StandaloneDeriving #-}
+type Label = String
+class Show a => Named a where
+  nameOf :: a -> String
+  nameOf = show
+data Mode = Go | Halt deriving (Show, Named)
+newtype Box a = Box a deriving Show
+instance Named Label where
+  nameOf label = label
+instance Named Bool
+deriving instance Named Int
+instance Named a => Named (Maybe a)
+instance Show a => Named (Box a)
+instance (Named a, Named b) => Named (a, b)
+main = do
+  putStrLn (nameOf "a" ++ nameOf Go ++ nameOf True ++ nameOf (1 :: Int))
+  putStrLn (nameOf (Just Halt) ++ nameOf (Box 'x') ++ nameOf ("b", False))`,
+  "an own class for every type": `{-# LANGUAGE FlexibleInstances #-}
+class Sized a where
+  sizeOf :: a -> Int
+instance Sized a where
+  sizeOf _ = 1
+main = print (sizeOf 'x' + sizeOf [True])`,
+  "an own class for a type that is computed": `{-# LANGUAGE FlexibleInstances #-}
+class Holder f where
+  held :: f a -> Int
+instance Holder Maybe where
+  held = length
+instance Holder ((->) r) where
+  held _ = 1
+instance Holder (Either e) where
+  held = length
+main = print (held (Just 1), held not, held (Left 'x'))`,
+  "an own class that shares its name with the Prelude's": `import Prelude hiding (Monoid, mempty)
+class Monoid a where
+  mempty :: a
+instance Monoid (a, b) where
+  mempty = undefined
+instance Monoid Bool where
+  mempty = False
+main = print (mempty || True)`,
+  "an instance for one list beside the Prelude's": `{-# LANGUAGE FlexibleInstances #-}
+data Mode = Go
+instance {-# OVERLAPPING #-} Show [Mode] where
+  show _ = "modes"
+main = print [Go]`,
+  "instances that the Prelude does not have": `instance Num a => Num (Maybe a) where
+  (+) = undefined
+  (*) = undefined
+  abs = id
+  signum = id
+  negate = id
+  fromInteger = Just . fromInteger
+instance Show (a -> b) where
+  show _ = "a function"
+main = print (1 :: Maybe Int) >> print not`,
+  "signatures apart from their definitions": `{-# LANGUAGE PatternSynonyms #-}
+low, high :: Int
+(low, high) = (1, 2)
+(<+>) :: Int -> Int -> Int
+infixl 6 <+>
+a <+> b = a + b
+apart :: Int
+low' :: Int -> Int
+low' n = n
+apart = k 1
+  where
+    k, j :: Int -> Int
+    j n = n
+    k n = j n
+main = print (low <+> high, apart)`,
+  "the Prelude as a qualifier": `size :: Prelude.String -> Prelude.Int
+size name = Prelude.length name Prelude.+ 1
+main = print (size "a")`,
+  "strings beside text under OverloadedStrings": `{-# LANGUAGE OverloadedStrings #-}
+import qualified Data.Map as M
+names :: M.Map String Int
+names = M.fromList [("a", 1)]
+main = putStrLn "hello" >> print (M.lookup "a" names) >> mapM_ putStrLn ["b", "c"]`,
+}
+
+export const refused: {readonly [name: string]: readonly [TypeProblem["kind"], string]} = {
+  "a type without its argument": [
+    "kind",
+    `f :: Maybe -> Int
+f _ = 1
+main = print 1`,
+  ],
+  "a type with too many arguments": [
+    "kind",
+    `f :: Int Bool -> Int
+f _ = 1
+main = print 1`,
+  ],
+  "a part without its argument": [
+    "kind",
+    `data Box = Box Maybe
+main = print 1`,
+  ],
+  "Show derived for a function": [
+    "no-instance",
+    `data Rule = Rule (Int -> Int) deriving Show
+main = print 1`,
+  ],
+  "Eq derived for a part without Eq": [
+    "no-instance",
+    `data Rule = Rule (Int -> Int)
+data Rules = Rules [Rule] deriving (Show, Eq)
+main = print 1`,
+  ],
+  "equations with different numbers of arguments": [
+    "clause-arity",
+    `f :: Int -> Int -> Int
+f 0 = \\n -> n
+f m n = m + n
+main = print (f 1 2)`,
+  ],
+  "Ord derived without Eq": [
+    "missing-superclass",
+    `import qualified Data.Map as M
+data Mode = Go | Halt deriving Ord
+main = print 1`,
+  ],
+  "an instance without its superclass": [
+    "no-instance",
+    `newtype Step a = Step a
+instance Monad Step where
+  Step a >>= f = f a
+main = print 1`,
+  ],
+  "a method with another type than its class asks for": [
+    "mismatch",
+    `{-# LANGUAGE InstanceSigs #-}
+newtype Box a = Box a
+instance Functor Box where
+  fmap :: (a -> a) -> Box a -> Box a
+  fmap f (Box a) = Box (f a)
+main = print 1`,
+  ],
+  "a type that is a name for itself": [
+    "unknown-type",
+    `type Way = (Way, Way, Way)
+f :: Way -> Unknown
+f _ = f
+main = print 1`,
+  ],
+  "an unknown class in a signature": [
+    "unknown-class",
+    `f :: Showable a => a -> Int
+f _ = 1
+main = print (f True)`,
+  ],
+  "an unknown class of an instance": [
+    "unknown-class",
+    `data Mode = Go
+instance Shows Mode where
+  show Go = "go"
+main = print 1`,
+  ],
+  "an unknown derived class": [
+    "unknown-class",
+    `data Mode = Go deriving (Shown)
+main = print 1`,
+  ],
+  "an own type without an instance of an own class": [
+    "no-instance",
+    `class Shape a where
+  area :: a -> Double
+data Square = Square Double
+instance Shape Square where
+  area (Square n) = n * n
+data Dot = Dot
+main = print (area (Square 1) + area Dot)`,
+  ],
+  "a Prelude type without an instance of an own class": [
+    "no-instance",
+    `class Shape a where
+  area :: a -> Double
+instance Shape a => Shape [a] where
+  area = sum . map area
+main = print (area [True])`,
+  ],
+  "a superclass of an own class without an instance": [
+    "no-instance",
+    `class Show a => Pretty a where
+  pretty :: a -> String
+data Rule = Rule (Int -> Int)
+instance Pretty Rule where
+  pretty _ = "a rule"
+main = putStrLn (pretty (Rule id))`,
+  ],
+  "an unknown superclass": [
+    "unknown-class",
+    `class Showable a => Pretty a where
+  pretty :: a -> String
+main = print 1`,
+  ],
+  "an instance that the Prelude has": [
+    "second-instance",
+    `import Data.Monoid
+instance (Monoid a, Monoid b) => Monoid (a, b) where
+  mempty = (mempty, mempty)
+main = print 1`,
+  ],
+  "a type without an equation": [
+    "no-binding",
+    `f :: Int -> Int
+main = print 1`,
+  ],
+  "an operator with a type and no equation": [
+    "no-binding",
+    `(<+>) :: Int -> Int -> Int
+infixl 6 <+>
+main = print 1`,
+  ],
+  "a local type without an equation": [
+    "no-binding",
+    `main = print (f 1)
+  where
+    f n = n
+    g :: Int`,
+  ],
+  "a qualified type without its import": [
+    "unknown-type",
+    `import Data.Map
+names :: M.Map Int String -> Int
+names _ = 1
+main = print 1`,
+  ],
+  "a missing Show": [
+    "too-general",
+    `f :: a -> String
+f n = show n
+main = putStrLn (f 1)`,
+  ],
+}

@@ -1,0 +1,15 @@
+/// Test runner settings. The build needs none of them, and works without the test runner installed (`vite.config.ts`).
+
+import {defineConfig} from "vitest/config"
+
+export default defineConfig({
+  test: {
+    // A limit for tests that hang; a busy machine takes long for the large ones.
+    testTimeout: 600_000,
+    hookTimeout: 600_000,
+    include: ["test/**/*.test.ts"],
+    setupFiles: ["test/yield_between_tests.ts"],
+    // One module graph for all files: reading the language and its library costs a second for each of forty.
+    isolate: false,
+  },
+})

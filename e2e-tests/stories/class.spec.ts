@@ -1,0 +1,287 @@
+/// Class mode: pupils join on the teacher's computer, nothing that was reported as saved is lost, and the teacher sees who needs help.
+
+import {mkdtempSync, rmSync} from "node:fs"
+import {tmpdir} from "node:os"
+import {join} from "node:path"
+import {AxeBuilder} from "@axe-core/playwright"
+import {type Browser, expect, type Page} from "@playwright/test"
+import {Learner, screenshot} from "./learner.ts"
+import {startService, type Talker} from "./service.ts"
+import {test} from "./story.ts"
+
+interface Class {
+  readonly service: Talker
+  readonly address: string
+  readonly code: string
+  readonly board: string
+}
+
+let classes: string
+let running: Class
+
+/// Starts the class; with `port` a class whose service was killed starts again.
+async function startClass(port: string | null = null): Promise<Class> {
+  const on = port === null ? [] : ["--port", port]
+  const service = startService(["--class", "7b", "--host", "127.0.0.1", ...on], {
+    ...process.env,
+    ROSY_CLASSES: classes,
+  })
+  const [, address] = await service.says(/Rosy is ready at (\S+)\//)
+  const [, code] = await service.says(/Class code +(\S+)/)
+  const [, board] = await service.says(/Teacher's board +(\S+)/)
+  return {service, address: address ?? "", code: code ?? "", board: board ?? ""}
+}
+
+test.beforeEach(async () => {
+  classes = mkdtempSync(join(tmpdir(), "rosy-classes-"))
+  running = await startClass()
+})
+
+test.afterEach(async () => {
+  await running.service.ends()
+  rmSync(classes, {recursive: true, force: true})
+})
+
+/// A device of its own for a pupil or the teacher.
+async function device(browser: Browser): Promise<Page> {
+  const context = await browser.newContext({viewport: {width: 1440, height: 900}})
+  return context.newPage()
+}
+
+async function joins(browser: Browser, nickname: string): Promise<{learner: Learner; words: string}> {
+  const page = await device(browser)
+  await page.goto(`${running.address}/?example=forwardBackward#class=${running.code}`)
+  const card = page.getByRole("dialog", {name: "Join your class"})
+  await expect(card.getByRole("textbox", {name: "Class code"})).toHaveValue(running.code)
+  await card.getByRole("textbox", {name: "Nickname"}).fill(nickname)
+  await card.getByRole("button", {name: "Join the class"}).click()
+  await expect(page.getByTestId("three-words")).toBeVisible()
+  const words = (await page.getByTestId("three-words").textContent()) ?? ""
+  expect(words.trim().split(" ")).toHaveLength(3)
+  await page.getByRole("button", {name: "I wrote them down"}).click()
+  const learner = new Learner(page)
+  await expect(learner.haskell()).toContainText("simulate")
+  return {learner, words}
+}
+
+async function continues(browser: Browser, words: string): Promise<Learner> {
+  const page = await device(browser)
+  await page.goto(`${running.address}/`)
+  const card = page.getByRole("dialog", {name: "Join your class"})
+  await card.getByRole("button", {name: "I joined before"}).click()
+  await card.getByRole("textbox", {name: "Class code"}).fill(running.code.toUpperCase())
+  await card.getByRole("textbox", {name: "Your three words"}).fill(` ${words.toUpperCase()} `)
+  await card.getByRole("button", {name: "Go on with my work"}).click()
+  await page.getByRole("button", {name: "I wrote them down"}).click()
+  return new Learner(page)
+}
+
+const savedIn = ({page}: Learner) => expect(page.getByTestId("class-saved")).toHaveText("Saved in the class")
+
+test("a pupil's last letter is on another device, also after the service was killed", async ({browser}) => {
+  const {learner: ada, words} = await joins(browser, "Ada")
+  await ada.changesNumber("0.5", "0.25")
+  await expect(ada.haskell()).toContainText("0.25")
+  await savedIn(ada)
+  await ada.page.context().close()
+
+  const tablet = await continues(browser, words)
+  await expect(tablet.haskell()).toContainText("0.25")
+  await expect(tablet.page.getByTestId("class-bar")).toContainText("Ada")
+
+  await running.service.ends("SIGKILL")
+  await expect(tablet.page.getByTestId("class-saved")).toContainText("No connection to the class")
+  // Work goes on without the service, and reaches it when it is back.
+  await tablet.changesNumber("0.25", "0.75")
+  await expect(tablet.haskell()).toContainText("0.75")
+  running = await startClass(new URL(running.address).port)
+  await savedIn(tablet)
+  const text = await tablet.haskellText()
+  await tablet.page.context().close()
+
+  const third = await continues(browser, words)
+  await expect.poll(() => third.haskellText()).toBe(text)
+  await third.page.context().close()
+})
+
+test("what two devices changed without each other becomes two programs", async ({browser}) => {
+  const {learner: ada, words} = await joins(browser, "Ada")
+  await ada.changesNumber("0.5", "0.25")
+  await expect(ada.haskell()).toContainText("0.25")
+  await savedIn(ada)
+  const tablet = await continues(browser, words)
+  await expect(tablet.haskell()).toContainText("0.25")
+
+  await running.service.ends("SIGKILL")
+  for (const learner of [ada, tablet])
+    await expect(learner.page.getByTestId("class-saved")).toContainText("No connection to the class")
+  await ada.changesNumber("0.25", "0.35")
+  await expect(ada.haskell()).toContainText("0.35")
+  await tablet.changesNumber("0.25", "0.45")
+  await expect(tablet.haskell()).toContainText("0.45")
+  running = await startClass(new URL(running.address).port)
+  await savedIn(ada)
+  await savedIn(tablet)
+
+  // The device that saved second has a program of another name, and both are in the class.
+  const third = await continues(browser, words)
+  await savedIn(third)
+  await third.page.getByRole("button", {name: "My programs"}).first().click()
+  const programs = third.page.getByRole("dialog", {name: "My programs"})
+  await expect(programs.getByText("forwardBackward", {exact: true})).toBeVisible()
+  await expect(programs.getByText("forwardBackward 2", {exact: true})).toBeVisible()
+  for (const learner of [ada, tablet, third]) await learner.page.context().close()
+})
+
+/// What axe-core finds wrong with a page (WCAG 2.2 A and AA).
+async function faults(page: Page): Promise<unknown[]> {
+  const {violations} = await new AxeBuilder({page})
+    .withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"])
+    .exclude(".blocks-host")
+    .analyze()
+  return violations.map(violation => [violation.id, violation.nodes.map(node => node.html)])
+}
+
+test("the board shows two pupils live, their programs and a raised hand, and every page looks up", async ({
+  browser,
+}) => {
+  const teacher = await device(browser)
+  await teacher.goto(running.board)
+  await expect(teacher.getByText("No pupil has joined yet.")).toBeVisible()
+  expect(teacher.url()).not.toContain("key")
+  const {learner: ada} = await joins(browser, "Ada <b>")
+  const {learner: ben} = await joins(browser, "Ben")
+  const adaOnBoard = teacher.getByTestId("pupil Ada <b>")
+  const benOnBoard = teacher.getByTestId("pupil Ben")
+  await expect(adaOnBoard.getByRole("heading", {name: "Ada <b>"})).toBeVisible()
+  await expect(benOnBoard.getByText("no program saved yet")).toBeVisible()
+
+  await ada.changesNumber("0.5", "0.25")
+  await expect(ada.haskell()).toContainText("0.25")
+  await savedIn(ada)
+  await expect(adaOnBoard.getByText("forwardBackward")).toBeVisible()
+  const room = adaOnBoard.getByRole("img", {name: "Room of Ada <b>"})
+  await expect(room).toBeVisible()
+  const picture = () => room.evaluate(canvas => (canvas as HTMLCanvasElement).toDataURL())
+  const parked = await picture()
+  await ada.runs()
+  await expect(adaOnBoard.getByText("running", {exact: true})).toBeVisible()
+  await expect.poll(picture).not.toBe(parked)
+
+  await ben.page.getByRole("button", {name: "Raise hand"}).click()
+  await expect(benOnBoard.getByText("Raised hand")).toBeVisible()
+  await teacher.setViewportSize({width: 390, height: 844})
+  await teacher.screenshot({path: screenshot("board-phone")})
+  await teacher.setViewportSize({width: 1440, height: 900})
+  await teacher.screenshot({path: screenshot("board")})
+  expect(await faults(teacher)).toEqual([])
+  await benOnBoard.getByRole("button", {name: "I have seen it"}).click()
+  await expect(ben.page.getByRole("button", {name: "Raise hand"})).toBeVisible()
+
+  await teacher.getByRole("textbox", {name: "Message to all"}).fill("Look at me")
+  await teacher.getByRole("button", {name: "Eyes up"}).click()
+  for (const learner of [ada, ben]) await expect(learner.page.getByTestId("eyes-up")).toHaveText("Look at me")
+  await teacher.getByRole("button", {name: "Let them go on"}).click()
+  for (const learner of [ada, ben]) await expect(learner.page.getByTestId("eyes-up")).toHaveCount(0)
+  await ada.stops()
+
+  await adaOnBoard.getByRole("button", {name: "Look at the program of Ada <b>"}).click()
+  const copy = teacher.frameLocator("iframe")
+  await expect(copy.getByTestId("haskell")).toContainText("0.25")
+  for (const page of [ada.page, ben.page, teacher]) await page.context().close()
+})
+
+test("a pupil hands in, hands in again until the teacher ends the task, and reads the comment", async ({
+  browser,
+}) => {
+  const teacher = await device(browser)
+  await teacher.goto(running.board)
+  const {learner: ada} = await joins(browser, "Ada")
+  const {learner: ben} = await joins(browser, "Ben")
+  await expect(ada.page.getByRole("button", {name: "Hand in"})).toHaveCount(0)
+  await teacher.getByRole("textbox", {name: "Title of a task"}).fill("Drive a square")
+  await teacher.getByRole("button", {name: "Open the task"}).click()
+  await expect(teacher.getByTestId("open-task")).toContainText("0 of 2 have handed in.")
+
+  const task = ada.page.getByTestId("class-task")
+  await expect(task).toContainText("Drive a square")
+  await ada.page.getByRole("button", {name: "Hand in", exact: true}).click()
+  await expect(task).toContainText("handed in at")
+  await expect(teacher.getByTestId("open-task")).toContainText("1 of 2 have handed in.")
+  await expect(teacher.getByTestId("hand-in Ben")).toContainText("not yet")
+  await ben.page.getByRole("button", {name: "Hand in", exact: true}).click()
+  await expect(teacher.getByTestId("hand-in Ben")).toContainText("The same program as Ada")
+  await ada.changesNumber("0.5", "0.25")
+  await expect(ada.haskell()).toContainText("0.25")
+  const again = ada.page.getByRole("button", {name: "Hand in again"})
+  await again.click()
+  await expect(again).toBeEnabled()
+  await expect(teacher.getByTestId("hand-in Ben")).not.toContainText("The same program")
+  const download = teacher.waitForEvent("download")
+  await teacher.getByRole("button", {name: "Download all, with a table (ZIP)"}).click()
+  expect((await download).suggestedFilename()).toBe("Drive a square.zip")
+
+  const row = teacher.getByTestId("hand-in Ada")
+  await row.getByRole("textbox", {name: "Comment for Ada"}).fill("Look at the corner.")
+  await row.getByRole("button", {name: "Send"}).click()
+  await expect(task).toContainText("Look at the corner.")
+  await expect(ben.page.getByTestId("class-task")).not.toContainText("Look at the corner.")
+  expect(await faults(teacher)).toEqual([])
+  expect(await faults(ada.page)).toEqual([])
+  await teacher.screenshot({path: screenshot("board-task")})
+  await ada.page.screenshot({path: screenshot("class-task")})
+  for (const page of [teacher, ada.page]) await page.setViewportSize({width: 390, height: 844})
+  await teacher.screenshot({path: screenshot("board-task-phone"), fullPage: true})
+  await ada.page.screenshot({path: screenshot("class-task-phone")})
+  for (const page of [teacher, ada.page]) await page.setViewportSize({width: 1440, height: 900})
+  await task.getByRole("button", {name: "I have read it"}).click()
+  await expect(task).not.toContainText("Look at the corner.")
+
+  await teacher.getByRole("button", {name: "End the task"}).click()
+  await expect(ben.page.getByTestId("class-task").getByRole("button")).toHaveCount(0)
+  await expect(task.getByRole("button")).toHaveCount(0)
+  await row.getByRole("button", {name: "Look at what Ada handed in"}).click()
+  await expect(teacher.frameLocator("iframe").getByTestId("haskell")).toContainText("0.25")
+  await teacher.getByRole("button", {name: "Close"}).click()
+
+  // Both programs are checked in the room that they were handed in with; a tab of its own shows one in its worst room.
+  await teacher.getByText("Check all in rooms").click()
+  await teacher.getByRole("combobox", {name: "How many"}).selectOption("1")
+  await teacher.getByRole("button", {name: "Check all"}).click()
+  for (const nickname of ["Ada", "Ben"])
+    await expect(teacher.getByTestId(`result ${nickname}`)).toContainText("0 of 1")
+  await expect(teacher.getByRole("button", {name: "Check all"})).toBeVisible()
+  expect(await faults(teacher)).toEqual([])
+  await teacher.screenshot({path: screenshot("board-check"), fullPage: true})
+  const opening = teacher.waitForEvent("popup")
+  await teacher.getByRole("button", {name: "Open the worst room of Ada"}).click()
+  const worst = new Learner(await opening)
+  await expect(worst.haskell()).toContainText("0.25")
+  expect(new URL(worst.page.url()).searchParams.get("seed")).toMatch(/^\d+$/)
+  await worst.page.close()
+  await teacher.setViewportSize({width: 390, height: 844})
+  await teacher.screenshot({path: screenshot("board-check-phone"), fullPage: true})
+  for (const page of [ada.page, ben.page, teacher]) await page.context().close()
+})
+
+test("the board asks for the key, and the card to join is usable by everybody", async ({browser}) => {
+  const page = await device(browser)
+  await page.goto(`${running.address}/board`)
+  await page.getByLabel("Teacher's key").fill("not the key")
+  await page.getByRole("button", {name: "Open the board"}).click()
+  await expect(page.getByRole("alert")).toContainText("This is not the teacher's key")
+  expect(await faults(page)).toEqual([])
+  await page.goto(running.address)
+  const card = page.getByRole("dialog", {name: "Join your class"})
+  await card.getByRole("textbox", {name: "Class code"}).fill("wrong")
+  await card.getByRole("textbox", {name: "Nickname"}).fill("Ada")
+  await card.getByRole("button", {name: "Join the class"}).click()
+  await expect(card.getByRole("alert")).toContainText("This is not the code of the class.")
+  expect(await faults(page)).toEqual([])
+  await page.screenshot({path: screenshot("class-join")})
+  await page.setViewportSize({width: 390, height: 844})
+  await page.screenshot({path: screenshot("class-join-phone")})
+  await card.getByRole("button", {name: "Without the class"}).click()
+  await expect(card).toHaveCount(0)
+  await page.context().close()
+})

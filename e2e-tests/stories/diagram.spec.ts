@@ -1,0 +1,90 @@
+/// The diagram of a program: it leads to block and text, shows values while the program runs, and is there for keyboard and screen reader.
+
+import {AxeBuilder} from "@axe-core/playwright"
+import {expect, type Page} from "@playwright/test"
+import {atRest} from "./at_rest.ts"
+import {Learner} from "./learner.ts"
+import {test} from "./story.ts"
+
+const diagram = (page: Page) => page.getByRole("region", {name: "Diagram", exact: true})
+const node = (page: Page, name: RegExp) => diagram(page).getByRole("button", {name})
+
+async function showsDiagram(page: Page) {
+  await page.getByRole("button", {name: "Diagram", exact: true}).click()
+  await expect(node(page, /^spin: function/)).toBeVisible()
+}
+
+test("a node of the random walker leads to its block and its lines, and values travel while it runs", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await learner.opens("randomWalk")
+  await showsDiagram(page)
+  await learner.keeps("diagram")
+  await expect(node(page, /^Bumper: robot event; to bumper$/)).toBeVisible()
+  await node(page, /^chgdir: function/).click()
+  await expect(page.locator(".blocklySelected").first()).toContainText("chgdir")
+  await expect(page.locator(".source-host .hs-linked-line").first()).toContainText("chgdir")
+  await learner.runs()
+  // The default rate is above five a second: the edge shows the rate and what it carries.
+  const carried = diagram(page).locator("text.carried")
+  await expect(carried.filter({hasText: /^\d+\/s · (Go|Turn )/}).first()).toBeAttached()
+  await expect(node(page, /^Memory Mode: memory/).locator(".value")).toHaveText(/Go|Turn|Stop/)
+  await expect(node(page, /^Bumper: robot event/).locator(".value")).toHaveText(
+    /^\w+Bumper (Pressed|Released)$/,
+  )
+  await learner.keeps("diagram-running")
+  await learner.stops()
+})
+
+test("the diagram goes by keyboard, is a list for a screen reader, and becomes a file", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("randomWalk")
+  await showsDiagram(page)
+  await node(page, /^Cliff: robot event/).focus()
+  await page.keyboard.press("ArrowRight")
+  await expect(node(page, /^cliff: function/)).toBeFocused()
+  await page.keyboard.press("Enter")
+  await expect(page.locator(".source-host .hs-linked-line").first()).toContainText("cliff")
+  const {violations} = await new AxeBuilder({page}).include(".region.diagram").analyze()
+  expect(violations).toEqual([])
+  const saved = page.waitForEvent("download")
+  await diagram(page).getByRole("button", {name: "Save as SVG"}).click()
+  expect((await saved).suggestedFilename()).toBe("randomWalk diagram.svg")
+  const picture = page.waitForEvent("download")
+  await diagram(page).getByRole("button", {name: "Save as PNG"}).click()
+  expect((await picture).suggestedFilename()).toBe("randomWalk diagram.png")
+  await diagram(page).getByRole("button", {name: "As a list"}).click()
+  const list = diagram(page).getByRole("listitem")
+  await expect(
+    list.filter({hasText: "spin: function; runs on tick; reads Memory Mode, Seconds"}),
+  ).toBeVisible()
+  const inList = await new AxeBuilder({page}).include(".region.diagram").analyze()
+  expect(inList.violations).toEqual([])
+})
+
+test("an edit of one function moves no other node", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("randomWalk")
+  await showsDiagram(page)
+  const places = () =>
+    page.evaluate(() =>
+      Object.fromEntries(
+        [...document.querySelectorAll<SVGGElement>("svg.diagram [data-node]")].map(g => [
+          g.dataset["node"],
+          g.style.transform,
+        ]),
+      ),
+    )
+  const before = await atRest(page, places)
+  for (const [was, becomes] of [
+    ["Led2, Maybe", "Led1, Maybe"],
+    ["Led2 Orange, Just", "Led1 Orange, Just"],
+    ["Led2 Black, Nothing", "Led1 Black, Nothing"],
+  ] as const) {
+    await learner.findsInHaskell(was)
+    await page.keyboard.type(becomes)
+  }
+  await expect(node(page, /^cliff: function; runs on Cliff; gives Led1/)).toBeVisible()
+  expect(await atRest(page, places)).toEqual(before)
+})

@@ -1,0 +1,11 @@
+/// Extent of long tables of stories: `./rosy test` plays a share that changes daily, `./rosy test nightly` all of them.
+
+/// Whether all stories are played.
+export const isFull = Number(process.env["ROSY_TEST_SHARE"] ?? 0.1) >= 1
+
+const seed = Number(process.env["ROSY_TEST_SEED"] ?? 1)
+
+/// All rows, or every `parts`-th: the next ones with the next seed, so that each row has its turn.
+export function rotated<Row>(rows: readonly Row[], parts: number): readonly Row[] {
+  return rows.filter((_, i) => isFull || (i + seed) % parts === 0)
+}

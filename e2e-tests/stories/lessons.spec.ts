@@ -1,0 +1,122 @@
+/// Lessons from the list to their end: one in blocks with a wrong attempt and a hint on the way, one in text.
+
+import {expect, type Locator, type Page} from "@playwright/test"
+import {Learner} from "./learner.ts"
+import {test} from "./story.ts"
+
+class Pupil extends Learner {
+  panel(): Locator {
+    return this.page.getByRole("complementary", {name: "Lesson"})
+  }
+
+  async opensLesson(name: string): Promise<void> {
+    await this.page.goto("/")
+    await expect(this.haskell()).toContainText("simulate")
+    await this.page.getByRole("button", {name: "Lessons"}).click()
+    await this.page.getByRole("dialog").getByRole("button", {name}).click()
+    await expect(this.panel().getByRole("heading", {name})).toBeVisible()
+    // Lessons take their time in seconds of the run: the clock goes faster here.
+    await this.page.getByRole("combobox", {name: "Speed"}).selectOption("4")
+  }
+
+  async answers(text: string): Promise<void> {
+    await this.panel().getByRole("button", {name: text}).click()
+  }
+
+  async goesOn(): Promise<void> {
+    await this.panel().getByRole("button", {name: "Next step"}).click()
+  }
+
+  check(text: string): Locator {
+    return this.panel().locator(".check", {hasText: text})
+  }
+
+  /// Runs the program, from a stand.
+  async tries(): Promise<void> {
+    // A run may end by itself between a look at the button and the press.
+    await expect(async () => {
+      if ((await this.runButton().textContent()) === "Stop") await this.runButton().click()
+      await expect(this.runButton()).toHaveText("Run", {timeout: 1000})
+    }).toPass()
+    await this.runs()
+  }
+
+  /// Replaces the program at once, as by pasting.
+  async writes(program: string): Promise<void> {
+    await this.emptiesHaskell()
+    await this.page.keyboard.insertText(program)
+  }
+}
+
+const pupil = (page: Page) => new Pupil(page)
+
+test("a lesson is followed in blocks: guess, run, look, change, make, and its end leads to the next", async ({
+  page,
+}) => {
+  const one = pupil(page)
+  await one.opensLesson("Hello, robot")
+  await expect(page.getByRole("textbox", {name: "Name of the program"})).toHaveValue("Hello, robot")
+  await one.answers("Where it is now")
+  await one.goesOn()
+  await expect(one.panel()).toContainText("Your guess: Where it is now")
+  await one.tries()
+  await expect(one.panel()).toContainText("does not stop by itself")
+  await one.goesOn()
+  await one.answers("The second, 0")
+  await expect(one.panel()).toContainText("The second number is for turning")
+  await one.answers("The first, 0.2")
+  await one.goesOn()
+  await one.tries()
+  await expect(one.check("It drives backwards")).toContainText("It did not drive backwards.")
+  await one.panel().getByRole("button", {name: "Give me a hint"}).click()
+  await expect(one.panel()).toContainText("What number is the opposite of 0.2?")
+  await one.changesNumber("0.2", "-0.2")
+  await expect(one.haskell()).toContainText("Velocity (-0.2) 0")
+  await one.tries()
+  await expect(one.check("It drives backwards")).toHaveAttribute("data-check-state", "done")
+  await one.goesOn()
+  await one.panel().getByRole("button", {name: "Begin this step again"}).click()
+  await expect(one.haskell()).toContainText("Velocity 0.2 0")
+  await one.tries()
+  await expect(one.check("In the ring at 5 s")).toContainText("metres away from it at 5.0 s.")
+  await one.changesNumber("0.2", "0.4")
+  await one.tries()
+  await expect(one.panel()).toContainText("Lesson finished!")
+  await one.keeps("lesson-finished")
+  await one.panel().getByRole("button", {name: "Next lesson"}).click()
+  await expect(one.panel().getByRole("heading", {name: "Turn on the spot"})).toBeVisible()
+  await page.getByRole("button", {name: "Lessons"}).click()
+  await expect(page.getByRole("dialog").getByRole("button", {name: "Hello, robot"})).toContainText("finished")
+})
+
+test("a lesson is followed in text, survives a reload, and is left for free play", async ({page}) => {
+  const one = pupil(page)
+  await one.opensLesson("Bump!")
+  await one.answers("Two")
+  await one.goesOn()
+  await one.tries()
+  await expect(one.panel()).toContainText("One when it is pressed, one when it is released.")
+  await one.goesOn()
+  await one.answers("For any bumper event")
+  await one.goesOn()
+  await page.reload()
+  await expect(one.panel()).toContainText("Choose another sound.")
+  await expect(one.haskell()).toContainText("simulate")
+  const start = "start :: RobotStatus -> Velocity\nstart _ = Velocity 0.3 0\n\n"
+  await one.writes(
+    `${start}bump :: Bumper -> (Velocity, Sound)\nbump _ = (Velocity (-0.3) 0, ButtonSound)\n\nmain = simulate (start, bump)\n`,
+  )
+  await one.tries()
+  await expect(one.check("ButtonSound")).toHaveAttribute("data-check-state", "done")
+  await one.goesOn()
+  await one.tries()
+  await expect(one.check("No sound when it lets go")).toContainText("something followed that should not")
+  await one.writes(
+    `${start}bump :: Bumper -> (Velocity, Maybe Sound)\nbump (Bumper _ Pressed) = (Velocity (-0.3) 0, Just ErrorSound)\nbump _ = (Velocity (-0.3) 0, Nothing)\n\nmain = simulate (start, bump)\n`,
+  )
+  await one.tries()
+  await expect(one.panel()).toContainText("Lesson finished!")
+  await one.panel().getByRole("button", {name: "Play freely with this program"}).click()
+  await expect(one.panel()).toBeHidden()
+  await expect(one.haskell()).toContainText("Just ErrorSound")
+})

@@ -1,0 +1,76 @@
+/// What is wrong with how a page looks: axe-core's findings (WCAG 2.2 A and AA), controls under others, blocks that are cut, scrolling to the side.
+
+import {AxeBuilder} from "@axe-core/playwright"
+import type {Page} from "@playwright/test"
+
+const standard = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]
+
+/// What axe has against a part of the page, or all of it. What blocks look like is drawn, and `families.test.ts` holds its
+/// contrast.
+export async function faults(page: Page, part = "body"): Promise<readonly string[]> {
+  const {violations} = await new AxeBuilder({page})
+    .include(part)
+    .exclude(".blocklyWorkspace")
+    .withTags(standard)
+    .analyze()
+  return violations.flatMap(({id, nodes}) => nodes.map(node => `${id}: ${node.target.join(" ")}`))
+}
+
+/// Controls that are in sight, but have something else at their middle. With an open dialog only its own.
+export function covered(page: Page): Promise<readonly string[]> {
+  return page.evaluate(() => {
+    const root = document.querySelector("dialog[open]") ?? document.body
+    const controls = [...root.querySelectorAll("button, a[href], input, select, textarea")]
+    const middle = (box: DOMRect) => ({x: box.x + box.width / 2, y: box.y + box.height / 2})
+    const inside = ({x, y}: {x: number; y: number}, box: DOMRect) =>
+      x >= box.left && x < box.right && y >= box.top && y < box.bottom
+    /// Not scrolled out of what is around it.
+    const isInSight = (one: Element) => {
+      const at = middle(one.getBoundingClientRect())
+      if (!inside(at, new DOMRect(0, 0, innerWidth, innerHeight))) return false
+      for (let around = one.parentElement; around !== null; around = around.parentElement)
+        if (getComputedStyle(around).overflow !== "visible" && !inside(at, around.getBoundingClientRect()))
+          return false
+      return one.checkVisibility({visibilityProperty: true, opacityProperty: true})
+    }
+    return controls.filter(isInSight).flatMap(one => {
+      const {x, y} = middle(one.getBoundingClientRect())
+      const there = document.elementFromPoint(x, y)
+      const own =
+        there === null || one.contains(there) || there.contains(one) || there.closest("label")?.contains(one)
+      const name = (element: Element) =>
+        `${element.tagName} ${element.getAttribute("aria-label") ?? element.textContent?.slice(0, 30) ?? ""}`
+      return own ? [] : [`${name(one)} is under ${name(there)}`]
+    })
+  })
+}
+
+/// Blocks that stick out of the visible workspace.
+export function cutBlocks(page: Page): Promise<readonly string[]> {
+  return page.evaluate(() => {
+    const view = document.querySelector(".blocklySvg")!.getBoundingClientRect()
+    const left = document.querySelector(".blocklyToolbox")?.getBoundingClientRect().right ?? view.left
+    return [
+      ...document.querySelectorAll(".blocklySvg .blocklyBlockCanvas .blocklyDraggable > .blocklyPath"),
+    ].flatMap(path => {
+      const box = path.getBoundingClientRect()
+      const fits = box.left >= left - 1 && box.right <= view.right + 1 && box.bottom <= view.bottom + 1
+      return fits ? [] : [path.getAttribute("aria-label") ?? "a block"]
+    })
+  })
+}
+
+/// Lines of the Haskell that are higher than the lowest one: they are wrapped.
+export function wrappedLines(page: Page): Promise<readonly string[]> {
+  return page.evaluate(() => {
+    const lines = [...document.querySelectorAll("[data-testid=haskell] .cm-line")]
+    const heights = lines.map(line => line.getBoundingClientRect().height)
+    const lowest = Math.min(...heights)
+    return lines.flatMap((line, i) => (heights[i]! > 1.5 * lowest ? [line.textContent ?? ""] : []))
+  })
+}
+
+/// Pixels by which the page is wider than the window.
+export function excessWidth(page: Page): Promise<number> {
+  return page.evaluate(() => Math.max(0, (document.scrollingElement?.scrollWidth ?? 0) - innerWidth))
+}

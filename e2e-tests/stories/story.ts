@@ -1,0 +1,88 @@
+/// Test function of the stories: Playwright's, with pages that draw at most twenty times a second. `ROSY_SLOW=4` gives the
+/// pages a processor that is four times as slow, so that stories which depend on timing fail here and not on a busy machine.
+/// `ROSY_LATE=2000` delays each answer of the service to a request by a random time of up to so many milliseconds, so that stories
+/// which depend on the order of arrivals fail: a program or a list that comes after a click changes the page. Messages of WebSockets
+/// are not delayed: passed on one by one, the frames of a run are more than a slow page can take. All of it holds for the browser contexts that a story opens by itself as well.
+///
+/// Without a GPU each frame is composed by the processor. At 60 frames per second this takes more than the page, the service
+/// and the programs together, and no story depends on the rate. The first frame after a pause comes at once.
+
+import {type BrowserContext, test as base, type Page} from "@playwright/test"
+
+/// Milliseconds between two frames.
+const interval = 50
+
+async function limitFrameRate(context: BrowserContext): Promise<void> {
+  await context.addInitScript(milliseconds => {
+    const request = window.requestAnimationFrame.bind(window)
+    const cancel = window.cancelAnimationFrame.bind(window)
+    const waiting = new Map<number, () => void>()
+    let last = Number.NEGATIVE_INFINITY
+    let count = 0
+    window.requestAnimationFrame = callback => {
+      const id = ++count
+      const onFrame = (time: number): void => {
+        waiting.delete(id)
+        last = performance.now()
+        callback(time)
+      }
+      const requestFrame = (): void => {
+        const frame = request(onFrame)
+        waiting.set(id, () => cancel(frame))
+      }
+      const pause = last + milliseconds - performance.now()
+      if (pause <= 0) requestFrame()
+      else {
+        const timer = setTimeout(requestFrame, pause)
+        waiting.set(id, () => clearTimeout(timer))
+      }
+      return id
+    }
+    window.cancelAnimationFrame = id => {
+      waiting.get(id)?.()
+      waiting.delete(id)
+    }
+  }, interval)
+}
+
+/// How many times slower pages compute. Chromium throttles the main thread of each page.
+const slowness = Number(process.env["ROSY_SLOW"] ?? 1)
+
+async function slowDown(page: Page): Promise<void> {
+  const client = await page.context().newCDPSession(page)
+  await client.send("Emulation.setCPUThrottlingRate", {rate: slowness})
+}
+
+/// The longest delay of an answer of the service, ms.
+const lateness = Number(process.env["ROSY_LATE"] ?? 0)
+
+const delay = () => Math.random() * lateness
+
+async function delayAnswers(context: BrowserContext): Promise<void> {
+  await context.route("**/api/**", async route => {
+    await new Promise(resolve => setTimeout(resolve, delay()))
+    // The page may have been closed meanwhile.
+    await route.continue().catch(() => {})
+  })
+}
+
+async function prepare(context: BrowserContext): Promise<BrowserContext> {
+  await limitFrameRate(context)
+  if (lateness > 0) await delayAnswers(context)
+  // A page that closes at once needs no throttling.
+  if (slowness !== 1) context.on("page", page => void slowDown(page).catch(() => {}))
+  return context
+}
+
+export const test = base.extend({
+  // The context of a story is one that this opens.
+  browser: [
+    async ({browser}, use) => {
+      const open = browser.newContext.bind(browser)
+      browser.newContext = async options => prepare(await open(options))
+      await use(browser)
+      browser.newContext = open
+    },
+    {scope: "worker"},
+  ],
+})

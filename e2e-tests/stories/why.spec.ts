@@ -1,0 +1,73 @@
+/// Questions about a run: why, one step further back, and why not; the answer in sentences, diagram, blocks, text and time line.
+
+import {AxeBuilder} from "@axe-core/playwright"
+import {expect, type Page} from "@playwright/test"
+import {Learner} from "./learner.ts"
+import {test} from "./story.ts"
+
+const answer = (page: Page) => page.getByTestId("why-answer")
+const time = String.raw`\d+\.\d\d s`
+
+test("the robot backs off from a wall: why, and one step back to the bumper", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("forwardBackward")
+  await page.getByRole("button", {name: "Diagram", exact: true}).click()
+  await learner.runs()
+  await expect(page.getByTestId("console")).toContainText("Bumper CenterBumper Pressed")
+  await page.getByRole("button", {name: "Pause", exact: true}).click()
+  await page.getByRole("button", {name: "Why does the robot move like this?"}).click()
+
+  // The sentences.
+  await expect(answer(page)).toContainText(new RegExp(`^At ${time} forwardBackward sent Velocity`))
+  await expect(answer(page)).toContainText(
+    new RegExp(`Memory Bool was True since ${time}: bump remembered it\\.`),
+  )
+  // The path in the blocks, the text, the diagram, and on the time line.
+  const blocks = page.locator(".rosyWhy")
+  await expect(blocks).toHaveCount(2)
+  await expect(page.locator(".hs-why").filter({hasText: "forwardBackward ("})).toHaveCount(1)
+  await expect(page.locator(".hs-why").filter({hasText: "bump _ ="})).toHaveCount(1)
+  const nodes = page.locator("svg.diagram .node.why")
+  await expect(nodes).toHaveCount(6)
+  await expect(page.locator(".why-marks i").first()).toBeAttached()
+  await learner.keeps("why")
+  const {violations} = await new AxeBuilder({page}).include(".region.room").analyze()
+  expect(violations).toEqual([])
+
+  // One step further back.
+  await answer(page).getByRole("button", {name: "bump", exact: true}).first().click()
+  await expect(answer(page)).toContainText(
+    new RegExp(`bump ran at ${time} because the centre bumper was (pressed|released)\\.`),
+  )
+  await expect(page.locator(".hs-why").filter({hasText: "forwardBackward ("})).toHaveCount(0)
+  await expect(blocks).toHaveCount(1)
+  // And to the question before.
+  await page.getByTestId("why").getByRole("button", {name: "Back"}).click()
+  await expect(blocks).toHaveCount(2)
+  await page.keyboard.press("Escape")
+  await expect(page.getByTestId("why")).toHaveCount(0)
+  await expect(blocks).toHaveCount(0)
+  await learner.stops()
+})
+
+test("a function that waits for a bumper: why did it not run, and why was no sound played", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  // Slow enough that the robot is paused before it comes to a wall.
+  await page.getByLabel("Speed", {exact: true}).selectOption("0.1")
+  await learner.runs()
+  await expect(learner.robot("time")).not.toHaveText("0.00")
+  await page.getByRole("button", {name: "Pause", exact: true}).click()
+  await learner.definition("play").click({button: "right", position: {x: 8, y: 8}})
+  await page.getByRole("menuitem", {name: "Why did play not run?"}).click()
+  await expect(answer(page)).toHaveText(
+    new RegExp(`^play takes a Bumper; none came between ${time} and ${time}\\. None had come before\\.$`),
+  )
+  await expect(page.locator(".rosyWhy")).toHaveCount(1)
+  await page.getByTestId("why").getByRole("button", {name: "Why no Sound?"}).click()
+  await expect(page.getByTestId("why").getByRole("heading")).toHaveText("Why did play send no Sound?")
+  await expect(answer(page)).toContainText("play takes a Bumper; none came")
+  await learner.stops()
+})

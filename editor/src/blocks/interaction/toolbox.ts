@@ -1,0 +1,471 @@
+/// The toolbox: codegen's ready blocks in categories, each with a swatch of its family's colour and outline, a search field, and the names in scope at the selected socket.
+
+import type {BlockView, Family, Level, SavedBlock, ToolboxItem} from "@rosy/codegen"
+import * as Blockly from "blockly/core"
+import {words} from "../../words/index.ts"
+import {outlineOf, pen, sides} from "../appearance/outlines.ts"
+import type {Language} from "../language.ts"
+
+/// Key of the category that is filled with names when it is opened.
+export const scopeKey = "ROSY_NAMES_IN_SCOPE"
+const searchKind = "rosySearch"
+const categoryKind = "rosyCategory"
+
+type ItemInfo = Blockly.utils.toolbox.ToolboxItemInfo
+type FlyoutInfo = Blockly.utils.toolbox.FlyoutItemInfoArray
+
+interface CategoryInfo {
+  readonly kind: string
+  readonly name: string
+  readonly family?: Family
+  readonly items?: readonly SearchEntry[]
+  readonly contents?: ItemInfo[]
+  readonly custom?: string
+  readonly toolboxitemid?: string
+}
+
+/// An entry of the flyout for a ready block.
+export function flyoutBlock(item: Pick<ToolboxItem, "block">): ItemInfo {
+  return {kind: "block", ...withoutIds(item.block)} as unknown as ItemInfo
+}
+
+/// Ids belong to blocks on the workspace: a copy gets its own.
+function withoutIds(block: ToolboxItem["block"]): ToolboxItem["block"] {
+  const {id: _, x: __, y: ___, ...rest} = block
+  const copy: ToolboxItem["block"] = {...rest}
+  if (copy.inputs !== undefined) {
+    copy.inputs = Object.fromEntries(
+      Object.entries(copy.inputs).map(([name, input]) => [
+        name,
+        input.block === undefined ? input : {...input, block: withoutIds(input.block)},
+      ]),
+    )
+  }
+  if (copy.next?.block !== undefined) copy.next = {...copy.next, block: withoutIds(copy.next.block)}
+  return copy
+}
+
+const levels: readonly Level[] = ["tasks", "reactions", "haskell"]
+
+/// All that the search finds: what this level shows comes first, but a level hides nothing from it.
+export function searchable(language: Language, level: Level): readonly ToolboxItem[] {
+  const found = new Map<string, ToolboxItem>()
+  for (const one of [level, ...levels]) {
+    for (const item of language.toolbox(one).flatMap(category => category.items)) {
+      const key = JSON.stringify(item.block)
+      if (!found.has(key)) found.set(key, item)
+    }
+  }
+  const shown = new Set([...found.values()].map(item => bareKey(item.block)))
+  return [...found.values(), ...language.libraryItems().filter(item => !shown.has(bareKey(item.block)))]
+}
+
+/// A block without what fills it: a ready block of the toolbox stands for the name from the library.
+function bareKey({type, extraState}: SavedBlock): string {
+  const {name, con, op, args} = extraState ?? {}
+  return JSON.stringify([type, name ?? con ?? op ?? extraState, args === 0])
+}
+
+/// What Blockly shows beside the workspace.
+export function toolboxInfo(language: Language, level: Level): Blockly.utils.toolbox.ToolboxInfo {
+  const categories = language.toolbox(level)
+  const items = searchEntries(searchable(language, level), language.blockTypes)
+  const search: CategoryInfo = {kind: searchKind, name: words.blocks.search, items, contents: []}
+  const shown = categories.map(
+    (category): CategoryInfo => ({
+      kind: categoryKind,
+      name: category.name,
+      family: category.family,
+      contents: category.items.map(flyoutBlock),
+    }),
+  )
+  const scope: CategoryInfo = {
+    kind: categoryKind,
+    name: words.blocks.namesInScope,
+    family: "own",
+    custom: scopeKey,
+  }
+  return {
+    kind: "categoryToolbox",
+    contents: [search, ...shown, scope] as unknown as ItemInfo[],
+  }
+}
+
+/// An item with the words it can be found by.
+export interface SearchEntry {
+  readonly item: ToolboxItem
+  readonly label: string
+  /// What stands on its blocks: labels, names, constructors.
+  readonly words: string
+}
+
+/// A text as the search compares it: small letters without accents, so that "meme" finds "même"; spaces of any width are alike.
+function searchKey(text: string): string {
+  return text.toLowerCase().normalize("NFD").replace(/\p{M}/gu, "").replace(/\s/g, " ")
+}
+
+/// Items with their words, from the shapes of their blocks.
+export function searchEntries(
+  items: readonly ToolboxItem[],
+  views: readonly BlockView[],
+): readonly SearchEntry[] {
+  const byType = new Map(views.map(view => [view.type, view]))
+  function* said(block: SavedBlock): Generator<string> {
+    for (const part of byType
+      .get(block.type)
+      ?.shape(block.extraState ?? {})
+      .rows.flat() ?? []) {
+      if (part.kind === "label") yield part.text
+      else if ("value" in part) yield part.value
+    }
+    for (const input of Object.values(block.inputs ?? {}))
+      if (input.block !== undefined) yield* said(input.block)
+    if (block.next?.block !== undefined) yield* said(block.next.block)
+  }
+  return items.map(item => ({
+    item,
+    label: searchKey(item.label),
+    words: searchKey([...said(item.block), item.also ?? ""].join(" ")),
+  }))
+}
+
+/// How well the query as it stands fits a label. More than its words can count one by one.
+function phraseRank(label: string, phrase: string): number {
+  if (label === phrase) return 200
+  if (label.startsWith(phrase)) return 100
+  return label.includes(` ${phrase}`) ? 50 : 0
+}
+
+/// Items whose words hold every word of the query, best first: the query as it stands; then each word at the start of
+/// the label, of a word of the label, anywhere in it, on the blocks.
+export function search(items: readonly SearchEntry[], query: string): readonly ToolboxItem[] {
+  const words = searchKey(query)
+    .split(/\s+/)
+    .filter(word => word !== "")
+  if (words.length === 0) return []
+  const phrase = words.join(" ")
+  const rank = ({label, words: others}: SearchEntry) =>
+    words.reduce(
+      (sum, word) => {
+        const at = label.indexOf(word)
+        if (label === word) return sum + 6
+        if (at >= 0) return sum + (at === 0 ? 4 : label[at - 1] === " " ? 3 : 2)
+        return others.includes(word) ? sum + 1 : Number.NEGATIVE_INFINITY
+      },
+      phraseRank(label, phrase),
+    )
+  return items
+    .map((found, order) => ({item: found.item, order, rank: rank(found)}))
+    .filter(found => found.rank > 0)
+    .sort((one, two) => two.rank - one.rank || one.order - two.order)
+    .map(found => found.item)
+}
+
+/// How many of the items found are asked whether they fit: those that a learner sees at once.
+const askedAbout = 16
+
+/// What is found, ordered by what the learner probably wants at the chosen place: what fits there and is called so, names of the library
+/// after ready blocks and names of the program (`own`); what stands alone and is called so, what was typed itself (`typed`), then what only has the words somewhere.
+function bestFirst(
+  found: readonly ToolboxItem[],
+  typed: readonly ToolboxItem[],
+  query: string,
+  fits: ReturnType<ToolboxContext["fitting"]>,
+  own: ReadonlySet<string>,
+): readonly ToolboxItem[] {
+  if (fits === undefined) return [...found, ...typed]
+  const asked = searchKey(query)
+  const place = (item: ToolboxItem): number => {
+    const label = searchKey(item.label)
+    // An operator is the whole of a word, a name may be the beginning of one.
+    const called = /^\p{L}/u.test(asked) ? label.startsWith(asked) : label.split(" ").includes(asked)
+    switch (fits(item)) {
+      case "here":
+        if (typed.includes(item)) return 2
+        return !called ? 3 : isName(item) && !own.has(item.label) ? 0.5 : 0
+      case "near":
+        return called && !typed.includes(item) ? 2.5 : 3.5
+      case "alone":
+        return called ? 1 : 4
+      case "nowhere":
+        return typed.includes(item) ? Number.POSITIVE_INFINITY : 5
+    }
+  }
+  return [...found.slice(0, askedAbout), ...typed, ...found.slice(askedAbout)]
+    .map((item, at) => ({item, place: at < askedAbout + typed.length ? place(item) : 5}))
+    .filter(one => one.place < Number.POSITIVE_INFINITY)
+    .sort((one, two) => one.place - two.place)
+    .map(one => one.item)
+}
+
+/// Whether an item is nothing but a name.
+function isName({label, block}: ToolboxItem): boolean {
+  return block.type === "name" && block.extraState?.name === label
+}
+
+/// A small picture of a family: its outline in its colour.
+function swatch(family: Family): SVGSVGElement {
+  const outline = sides[outlineOf[family]]
+  const height = 14
+  const left = outline.left.width(height)
+  const right = outline.right.width(height)
+  const middle = 18 - left - right
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg")
+  svg.setAttribute("class", "rosySwatch")
+  svg.setAttribute("viewBox", "0 0 18 14")
+  svg.setAttribute("aria-hidden", "true")
+  const path = document.createElementNS("http://www.w3.org/2000/svg", "path")
+  const d =
+    `M ${left},0 h ${middle}${outline.right.path(height, pen(true, false))}` +
+    ` h ${-middle}${outline.left.path(height, pen(false, true))} z`
+  path.setAttribute("d", d)
+  path.setAttribute("fill", `var(--${family})`)
+  if (family === "memory") {
+    path.setAttribute("stroke", "var(--paper)")
+    path.setAttribute("stroke-width", "1")
+    const ring = path.cloneNode() as SVGPathElement
+    ring.setAttribute("stroke", `var(--${family})`)
+    ring.setAttribute("stroke-width", "3.6")
+    svg.append(ring)
+  }
+  svg.append(path)
+  return svg
+}
+
+class Category extends Blockly.ToolboxCategory {
+  protected override createIconDom_(): Element {
+    return swatch((this.toolboxItemDef_ as unknown as CategoryInfo).family ?? "own")
+  }
+
+  // The swatch has the colour already.
+  protected override addColourBorder_(): void {}
+
+  override onNodeFocus(): void {
+    afterFocus(this, () => super.onNodeFocus())
+  }
+}
+
+/// Blockly opens a category while it is still handing the focus over. When the focus comes from a block that was
+/// offered, opening moves it once more: Blockly refuses that, and would then refuse every later move too.
+function afterFocus(node: Blockly.IFocusableNode, open: () => void): void {
+  queueMicrotask(() => {
+    if (Blockly.getFocusManager().getFocusedNode() === node) open()
+  })
+}
+
+/// What the toolbox asks of the view it belongs to.
+export interface ToolboxContext {
+  level(): Level
+  setLevel(level: Level): void
+  /// Names that can be used there, as items.
+  names(): readonly ToolboxItem[]
+  /// What was typed, as blocks of their own.
+  typed(query: string): readonly ToolboxItem[]
+  /// Tells of an item whether it fits there, in another place of the chosen block, or stands alone; undefined when no
+  /// place is chosen.
+  fitting(): ((item: ToolboxItem) => "here" | "near" | "alone" | "nowhere") | undefined
+  /// Ready blocks and names that fit there, best first; undefined when no place is chosen.
+  suggestions(): readonly ToolboxItem[] | undefined
+  /// How the chosen place is read aloud, as a sentence; empty when it has no name.
+  placeName(): string
+  /// Puts a block into the chosen place, or beside the others. `thenNext`: then chooses the next empty place; answers whether there is one.
+  put(block: SavedBlock, thenNext: boolean): boolean
+}
+
+const nearby = new WeakMap<Blockly.WorkspaceSvg, ToolboxContext>()
+
+export function setToolboxContext(workspace: Blockly.WorkspaceSvg, answers: ToolboxContext): void {
+  nearby.set(workspace, answers)
+}
+
+class Search extends Blockly.ToolboxCategory {
+  private field: HTMLInputElement | undefined
+  private best: ToolboxItem | undefined
+  /// The place has changed, and `best` belongs to the one before. Keys can be quicker than the drawing that `match` waits for.
+  private isStale = false
+
+  protected override createDom_(): HTMLDivElement {
+    const dom = super.createDom_()
+    const field = document.createElement("input")
+    field.id = this.getId()
+    dom.removeAttribute("id")
+    field.type = "search"
+    field.className = "rosySearch"
+    field.placeholder = words.blocks.searchHint
+    field.setAttribute("aria-label", words.blocks.search)
+    field.setAttribute("aria-description", words.blocks.searchKeys)
+    field.autocomplete = "off"
+    field.addEventListener("input", () => this.match())
+    field.addEventListener("keydown", event => this.key(event))
+    // A press into the field is the field's: the toolbox would close what is found.
+    field.addEventListener("pointerdown", event => {
+      field.inputMode = "search"
+      event.stopPropagation()
+    })
+    this.rowDiv_?.classList.add("rosySearchRow")
+    this.rowContents_?.replaceChildren(field)
+    dom.append(this.levels())
+    this.field = field
+    return dom
+  }
+
+  protected override addColourBorder_(): void {}
+
+  override getFocusableElement(): HTMLElement | SVGElement {
+    return this.field ?? super.getFocusableElement()
+  }
+
+  override onNodeFocus(): void {
+    this.isStale = true
+    afterFocus(this, () => {
+      super.onNodeFocus()
+      // What was searched last is shown again, and typing replaces it.
+      this.field?.select()
+    })
+    void Blockly.renderManagement.finishQueuedRenders().then(() => this.match())
+  }
+
+  /// Offers what fits the chosen place: what was searched before was for another. Without keys, no keyboard appears on a screen until
+  /// the field is pressed.
+  offer(withKeys: boolean): void {
+    if (this.field !== undefined) {
+      this.field.value = ""
+      this.field.inputMode = withKeys ? "search" : "none"
+    }
+    if (Blockly.getFocusManager().getFocusedNode() === this) this.match()
+    else Blockly.getFocusManager().focusNode(this)
+  }
+
+  /// The choice of a level: it filters and orders what is offered, and locks nothing.
+  private levels(): HTMLElement {
+    const label = document.createElement("label")
+    label.className = "rosyLevel"
+    const select = document.createElement("select")
+    for (const level of levels) select.add(new Option(words.blocks.levels[level], level))
+    // The view is asked one turn later: the toolbox is made before the view is.
+    queueMicrotask(() => {
+      select.value = nearby.get(this.workspace_)?.level() ?? "reactions"
+    })
+    select.addEventListener("change", () => nearby.get(this.workspace_)?.setLevel(select.value as Level))
+    // Keys and presses are the menu's here, not the toolbox's.
+    for (const heard of ["keydown", "pointerdown", "click"]) {
+      select.addEventListener(heard, event => event.stopPropagation())
+    }
+    label.append(words.blocks.level, select)
+    return label
+  }
+
+  // Letters belong to the field, but the arrows lead on to the categories and the blocks found.
+  private key(event: KeyboardEvent): void {
+    const navigator = this.parentToolbox_.getNavigator()
+    if (event.key === "Enter") {
+      if (this.isStale) this.best = this.find(this.field?.value.trim() ?? "").found[0]
+      if (this.best === undefined) return
+      event.preventDefault()
+      event.stopPropagation()
+      Blockly.keyboardNavigationController.setIsActive(true)
+      if (nearby.get(this.workspace_)?.put(withoutIds(this.best.block), event.shiftKey)) this.offer(true)
+      return
+    }
+    const end = this.field?.selectionStart === this.field?.value.length
+    const to =
+      event.key === "ArrowDown"
+        ? navigator.getNextNode()
+        : event.key === "ArrowRight" && end
+          ? navigator.getInNode()
+          : undefined
+    if (to) {
+      event.preventDefault()
+      Blockly.getFocusManager().focusNode(to)
+    } else if (event.key === "Escape" && this.field !== undefined && this.field.value !== "") {
+      this.field.value = ""
+      event.stopPropagation()
+      this.match()
+    }
+  }
+
+  /// What the search finds, best first; `fitsHere`: these are suggestions for the chosen place.
+  private find(query: string): {readonly found: readonly ToolboxItem[]; readonly fitsHere: boolean} {
+    const items = (this.toolboxItemDef_ as unknown as CategoryInfo).items ?? []
+    const here = nearby.get(this.workspace_)
+    const suggested = query === "" ? here?.suggestions() : undefined
+    const names = here?.names() ?? []
+    const found =
+      suggested ??
+      bestFirst(
+        search([...searchEntries(names, []), ...items], query),
+        here?.typed(query) ?? [],
+        query,
+        here?.fitting(),
+        new Set(names.map(({label}) => label)),
+      )
+    return {found, fitsHere: suggested !== undefined}
+  }
+
+  private match(): void {
+    const query = this.field?.value.trim() ?? ""
+    const {found, fitsHere} = this.find(query)
+    this.isStale = false
+    const label = (text: string) => ({kind: "label", text}) as unknown as ItemInfo
+    const heading = fitsHere
+      ? found.length > 0
+        ? words.blocks.fitsHere
+        : words.blocks.nothingFits
+      : query === ""
+        ? words.blocks.typeToFind
+        : found.length === 0
+          ? words.blocks.notFound
+          : undefined
+    const counted = words.blocks.found(found.length)
+    if (query !== "" || fitsHere)
+      Blockly.utils.aria.announceDynamicAriaState(
+        fitsHere ? `${nearby.get(this.workspace_)?.placeName() ?? ""} ${counted}` : counted,
+      )
+    this.best = found[0]
+    this.flyoutItems_ = [
+      ...(heading === undefined ? [] : [label(heading)]),
+      ...found.map(flyoutBlock),
+    ] as FlyoutInfo
+    this.parentToolbox_.refreshSelection()
+    const flyout = this.parentToolbox_.getFlyout()
+    if (flyout instanceof Blockly.Flyout) flyout.scrollToStart()
+  }
+}
+
+class Toolbox extends Blockly.Toolbox {
+  protected override createContentsContainer_(): HTMLDivElement {
+    const contents = super.createContentsContainer_()
+    contents.setAttribute("aria-label", words.blocks.toolbox)
+    return contents
+  }
+
+  override onTreeFocus(node: Blockly.IFocusableNode, from: Blockly.IFocusableTree | null): void {
+    afterFocus(node, () => super.onTreeFocus(node, from))
+  }
+}
+
+/// Tells Blockly about our toolbox and its categories; once for the page.
+export function registerToolbox(): void {
+  const {registry} = Blockly
+  registry.register(registry.Type.TOOLBOX, registry.DEFAULT, Toolbox, true)
+  registry.register(registry.Type.TOOLBOX_ITEM, categoryKind, Category, true)
+  registry.register(registry.Type.TOOLBOX_ITEM, searchKind, Search, true)
+}
+
+/// Puts the cursor into the search field.
+export function focusSearch(workspace: Blockly.WorkspaceSvg): void {
+  const field = searchOf(workspace)
+  if (field !== undefined) Blockly.getFocusManager().focusNode(field)
+}
+
+/// Puts the cursor into the search field, which offers what fits the chosen place.
+export function offerBlocks(workspace: Blockly.WorkspaceSvg, withKeys = true): void {
+  searchOf(workspace)?.offer(withKeys)
+}
+
+function searchOf(workspace: Blockly.WorkspaceSvg): Search | undefined {
+  return workspace
+    .getToolbox()
+    ?.getToolboxItems()
+    .find(item => item instanceof Search)
+}

@@ -1,0 +1,66 @@
+/// WebSocket connection to the service. It connects, reconnects after a loss, and passes decoded messages on.
+
+import type {Decoded} from "../state/decode.ts"
+import {readServiceMessage} from "../state/message_decoder.ts"
+import type {PageMessage, ServiceMessage} from "../state/messages.ts"
+
+export interface ServiceConnection {
+  /// Sends now, or drops the message when there is no connection: the state sends anew after `hello`.
+  send(message: PageMessage): void
+  close(): void
+}
+
+export interface ConnectionListener {
+  received(message: ServiceMessage): void
+  lost(): void
+  /// A message that does not follow the protocol; the rest of the conversation goes on.
+  malformed(message: string): void
+}
+
+/// Waits between attempts to come back, in milliseconds; the last one repeats.
+const waits = [250, 500, 1000, 2000, 4000]
+
+export function openConnection(address: string, listener: ConnectionListener): ServiceConnection {
+  let socket: WebSocket | null = null
+  let attempt = 0
+  let timer: ReturnType<typeof setTimeout> | undefined
+  let closed = false
+
+  const connect = () => {
+    const own = new WebSocket(address)
+    socket = own
+    own.onmessage = event => {
+      const read: Decoded<ServiceMessage> = readServiceMessage(String(event.data))
+      if (read.kind === "mismatch") return listener.malformed(read.message)
+      if (read.value.op === "hello") attempt = 0
+      listener.received(read.value)
+    }
+    own.onclose = () => {
+      if (closed || socket !== own) return
+      listener.lost()
+      timer = setTimeout(connect, waits[Math.min(attempt, waits.length - 1)])
+      attempt += 1
+    }
+  }
+  connect()
+
+  return {
+    send(message) {
+      if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(message))
+    },
+    close() {
+      closed = true
+      clearTimeout(timer)
+      socket?.close()
+    },
+  }
+}
+
+/// The service's address as seen from a page at `location`.
+export function sessionAddress(location: Location): string {
+  const url = new URL("api/session", location.href)
+  url.protocol = url.protocol === "https:" ? "wss:" : "ws:"
+  url.search = ""
+  url.hash = ""
+  return url.href
+}

@@ -1,0 +1,212 @@
+/// Messages of the teacher's board, both ways (protocol §11).
+
+import {
+  boolean,
+  type Decoded,
+  type Decoder,
+  decode,
+  list,
+  Mismatch,
+  number,
+  object,
+  oneOf,
+  optional,
+  parseJson,
+  string,
+} from "../state/decode.ts"
+import type {Pose, World} from "../worlds/world.ts"
+import {readWorld} from "../worlds/world_decoder.ts"
+import {type LessonProgress, type Refusal, refusals} from "./class_messages.ts"
+import {
+  type Checking,
+  type CheckRequest,
+  type CheckResult,
+  checking,
+  checkResult,
+  type RunInRoom,
+  runInRoom,
+} from "./hand_in_checks.ts"
+
+export type Need = "hand" | "error" | "idle"
+
+export interface PupilOnBoard {
+  readonly id: number
+  readonly nickname: string
+  readonly words: string
+  readonly online: boolean
+  readonly running: boolean
+  /// The program that was stored last, and the seconds since then.
+  readonly program: string | null
+  readonly changed: number | null
+  readonly lesson: LessonProgress | null
+  readonly needs: readonly Need[]
+}
+
+export interface Place extends Pose {
+  readonly pupil: number
+}
+
+/// A pupil's newest hand-in for a task; `at` in seconds since 1970.
+export interface HandedIn {
+  readonly pupil: number
+  readonly at: number
+  readonly name: string
+  readonly comment: string
+  /// Pupils whose programs differ from it in comments, layout and names of their own only.
+  readonly alike: readonly number[]
+}
+
+/// Times in seconds since 1970.
+export interface BoardTask {
+  readonly id: number
+  readonly title: string
+  readonly opened: number
+  readonly deadline: number | null
+  readonly open: boolean
+  readonly handedIn: readonly HandedIn[]
+}
+
+export type BoardMessage =
+  | {
+      readonly op: "board"
+      readonly code: string
+      readonly addresses: readonly string[]
+      readonly attention: string | null
+    }
+  | {readonly op: "pupils"; readonly pupils: readonly PupilOnBoard[]}
+  | {readonly op: "room"; readonly pupil: number; readonly world: World}
+  | {readonly op: "places"; readonly places: readonly Place[]}
+  | {readonly op: "program"; readonly pupil: number; readonly name: string; readonly text: string | null}
+  | {readonly op: "sent"; readonly pages: number}
+  | {readonly op: "refused"; readonly reason: Refusal}
+  | {readonly op: "tasks"; readonly tasks: readonly BoardTask[]}
+  | ({readonly op: "checking"} & Checking)
+  | {
+      readonly op: "result"
+      readonly task: number
+      readonly pupil: number
+      readonly result: CheckResult | null
+    }
+  | ({readonly op: "run"} & RunInRoom)
+
+export type BoardRequest =
+  | {readonly op: "unlock"; readonly key: string}
+  | {readonly op: "open"; readonly pupil: number; readonly program: string | null}
+  | {readonly op: "attention"; readonly message: string | null}
+  | {readonly op: "lower"; readonly pupil: number}
+  | {readonly op: "send"; readonly name: string; readonly text: string}
+  | {readonly op: "open-task"; readonly title: string; readonly deadline: number | null}
+  | {readonly op: "close-task"; readonly task: number}
+  | {readonly op: "open-hand-in"; readonly task: number; readonly pupil: number}
+  | {readonly op: "comment"; readonly task: number; readonly pupil: number; readonly text: string}
+  | CheckRequest
+  | {readonly op: "cancel-check"}
+  | {readonly op: "show-results"; readonly task: number}
+  | {readonly op: "open-run"; readonly task: number; readonly pupil: number}
+
+const lesson = object<LessonProgress>(get => ({
+  name: get("name", string),
+  done: get("done", number),
+  steps: get("steps", number),
+}))
+const pupil = object<PupilOnBoard>(get => ({
+  id: get("id", number),
+  nickname: get("nickname", string),
+  words: get("words", string),
+  online: get("online", boolean),
+  running: get("running", boolean),
+  program: get("program", optional(string, null)),
+  changed: get("changed", optional(number, null)),
+  lesson: get("lesson", optional(lesson, null)),
+  needs: get("needs", list(oneOf("hand", "error", "idle"))),
+}))
+const handedIn = object<HandedIn>(get => ({
+  pupil: get("pupil", number),
+  at: get("at", number),
+  name: get("name", string),
+  comment: get("comment", string),
+  alike: get("alike", list(number)),
+}))
+const task = object<BoardTask>(get => ({
+  id: get("id", number),
+  title: get("title", string),
+  opened: get("opened", number),
+  deadline: get("deadline", optional(number, null)),
+  open: get("open", boolean),
+  handedIn: get("handed_in", list(handedIn)),
+}))
+const world: Decoder<World> = (value, path) => {
+  const read = readWorld(value)
+  if (read.kind === "fault") throw new Mismatch(path, "a room")
+  return read.world
+}
+const place: Decoder<Place> = (value, path) => {
+  const [id, x, y, theta] = list(number)(value, path)
+  if (id === undefined || x === undefined || y === undefined || theta === undefined)
+    throw new Mismatch(path, "a pupil and a pose")
+  return {pupil: id, x, y, theta}
+}
+
+const boardMessage: Decoder<BoardMessage> = (value, path) => {
+  const op = object(get =>
+    get(
+      "op",
+      oneOf(
+        "board",
+        "pupils",
+        "room",
+        "places",
+        "program",
+        "sent",
+        "refused",
+        "tasks",
+        "checking",
+        "result",
+        "run",
+      ),
+    ),
+  )(value, path)
+  if (op === "checking") return {op, ...checking(value, path)}
+  if (op === "run") return {op, ...runInRoom(value, path)}
+  return object<BoardMessage>(get => {
+    switch (op) {
+      case "board":
+        return {
+          op,
+          code: get("code", string),
+          addresses: get("addresses", list(string)),
+          attention: get("attention", optional(string, null)),
+        }
+      case "pupils":
+        return {op, pupils: get("pupils", list(pupil))}
+      case "room":
+        return {op, pupil: get("pupil", number), world: get("world", world)}
+      case "places":
+        return {op, places: get("places", list(place))}
+      case "program":
+        return {
+          op,
+          pupil: get("pupil", number),
+          name: get("name", string),
+          text: get("text", optional(string, null)),
+        }
+      case "sent":
+        return {op, pages: get("pages", number)}
+      case "refused":
+        return {op, reason: get("reason", oneOf(...refusals))}
+      case "tasks":
+        return {op, tasks: get("tasks", list(task))}
+      case "result":
+        return {
+          op,
+          task: get("task", number),
+          pupil: get("pupil", number),
+          result: get("result", optional(checkResult, null)),
+        }
+    }
+  })(value, path)
+}
+
+export function readBoardMessage(text: string): Decoded<BoardMessage> {
+  return decode(boardMessage, parseJson(text))
+}

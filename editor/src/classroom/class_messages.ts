@@ -1,0 +1,221 @@
+/// Messages of a pupil's page in class mode, both ways (protocol §11).
+
+import {
+  boolean,
+  type Decoded,
+  type Decoder,
+  decode,
+  list,
+  number,
+  object,
+  oneOf,
+  optional,
+  parseJson,
+  string,
+} from "../state/decode.ts"
+
+export const refusals = [
+  "code",
+  "words",
+  "token",
+  "key",
+  "attempts",
+  "taken",
+  "full",
+  "request",
+  "deadline",
+  "tasks",
+  "disk",
+  "rooms",
+  "nickname-empty",
+  "nickname-long",
+  "nickname-letters",
+] as const
+export type Refusal = (typeof refusals)[number]
+
+export type SaveReason = "change" | "run"
+
+/// A program of the pupil as the service has it.
+export interface ProgramEntry {
+  readonly id: string
+  readonly name: string
+  readonly version: number
+  /// Seconds since 1970.
+  readonly at: number
+}
+
+export interface LessonProgress {
+  readonly name: string
+  readonly done: number
+  readonly steps: number
+}
+
+export interface PageStatus {
+  readonly errors: boolean
+  readonly running: boolean
+  readonly lesson: LessonProgress | null
+}
+
+/// A task as the pupil sees it. Times in seconds since 1970.
+export interface OwnTask {
+  readonly id: number
+  readonly title: string
+  readonly open: boolean
+  readonly deadline: number | null
+  /// Seconds until the deadline, when the message was sent; clocks of devices differ.
+  readonly left: number | null
+  readonly handedIn: {readonly at: number; readonly name: string; readonly comment: string} | null
+}
+
+export type PupilMessage =
+  | {readonly op: "join"; readonly code: string; readonly nickname: string; readonly language: string}
+  | {readonly op: "resume"; readonly code: string; readonly words: string}
+  | {readonly op: "enter"; readonly token: string}
+  | {readonly op: "forget"}
+  | {readonly op: "here"; readonly session: string}
+  | {
+      readonly op: "save"
+      readonly program: string
+      readonly name: string
+      readonly text: string
+      readonly reason: SaveReason
+      readonly base: number
+      readonly mark: string
+      readonly unacknowledged: readonly string[]
+    }
+  | {readonly op: "read"; readonly program: string}
+  | ({readonly op: "status"} & PageStatus)
+  | {readonly op: "hand"; readonly up: boolean}
+  | {readonly op: "hand-in"; readonly task: number; readonly name: string; readonly text: string}
+
+export type ClassMessage =
+  | {
+      readonly op: "entered"
+      readonly pupil: number
+      readonly nickname: string
+      readonly words: string
+      readonly token: string | null
+      readonly hand: boolean
+      readonly programs: readonly ProgramEntry[]
+    }
+  | {readonly op: "refused"; readonly reason: Refusal}
+  | {
+      readonly op: "program"
+      readonly program: string
+      readonly version: number
+      readonly name: string
+      readonly text: string
+    }
+  | {readonly op: "saved"; readonly program: string; readonly mark: string; readonly version: number}
+  | {
+      readonly op: "conflict"
+      readonly program: string
+      readonly mark: string
+      readonly version: number
+      readonly name: string
+      readonly text: string
+    }
+  | {readonly op: "unsaved"; readonly program: string; readonly mark: string}
+  | {readonly op: "attention"; readonly message: string | null}
+  | {readonly op: "handout"; readonly id: string; readonly name: string; readonly text: string}
+  | {readonly op: "lowered"}
+  | {readonly op: "tasks"; readonly tasks: readonly OwnTask[]}
+  | {readonly op: "not-handed-in"; readonly task: number; readonly reason: "late" | "full"}
+
+const entry = object<ProgramEntry>(get => ({
+  id: get("id", string),
+  name: get("name", string),
+  version: get("version", number),
+  at: get("at", number),
+}))
+
+const handedIn = object<NonNullable<OwnTask["handedIn"]>>(get => ({
+  at: get("at", number),
+  name: get("name", string),
+  comment: get("comment", string),
+}))
+const ownTask = object<OwnTask>(get => ({
+  id: get("id", number),
+  title: get("title", string),
+  open: get("open", boolean),
+  deadline: get("deadline", optional(number, null)),
+  left: get("left", optional(number, null)),
+  handedIn: get("handed_in", optional(handedIn, null)),
+}))
+
+const classMessage: Decoder<ClassMessage> = (value, path) => {
+  const op = object(get =>
+    get(
+      "op",
+      oneOf(
+        "entered",
+        "refused",
+        "program",
+        "saved",
+        "conflict",
+        "unsaved",
+        "attention",
+        "handout",
+        "lowered",
+        "tasks",
+        "not-handed-in",
+      ),
+    ),
+  )(value, path)
+  return object<ClassMessage>(get => {
+    switch (op) {
+      case "entered":
+        return {
+          op,
+          pupil: get("pupil", number),
+          nickname: get("nickname", string),
+          words: get("words", string),
+          token: get("token", optional(string, null)),
+          hand: get("hand", boolean),
+          programs: get("programs", list(entry)),
+        }
+      case "refused":
+        return {op, reason: get("reason", oneOf(...refusals))}
+      case "program":
+        return {
+          op,
+          program: get("program", string),
+          version: get("version", number),
+          name: get("name", string),
+          text: get("text", string),
+        }
+      case "saved":
+        return {
+          op,
+          program: get("program", string),
+          mark: get("mark", string),
+          version: get("version", number),
+        }
+      case "conflict":
+        return {
+          op,
+          program: get("program", string),
+          mark: get("mark", string),
+          version: get("version", number),
+          name: get("name", string),
+          text: get("text", string),
+        }
+      case "unsaved":
+        return {op, program: get("program", string), mark: get("mark", string)}
+      case "attention":
+        return {op, message: get("message", optional(string, null))}
+      case "handout":
+        return {op, id: get("id", string), name: get("name", string), text: get("text", string)}
+      case "lowered":
+        return {op}
+      case "tasks":
+        return {op, tasks: get("tasks", list(ownTask))}
+      case "not-handed-in":
+        return {op, task: get("task", number), reason: get("reason", oneOf("late", "full"))}
+    }
+  })(value, path)
+}
+
+export function readClassMessage(text: string): Decoded<ClassMessage> {
+  return decode(classMessage, parseJson(text))
+}

@@ -1,0 +1,157 @@
+/// State of class mode on a pupil's page: what the card, the class bar and the eyes-up message show. Pure.
+
+import {hashOf} from "@rosy/codegen"
+import type {ClassMessage, OwnTask, Refusal} from "./class_messages.ts"
+
+export interface Handout {
+  readonly id: string
+  readonly name: string
+  readonly text: string
+}
+
+export interface ClassState {
+  readonly link: "connecting" | "open" | "lost"
+  readonly member: {readonly nickname: string; readonly words: string} | null
+  /// `join` asks for code and nickname, `words` shows the three words.
+  readonly card: "join" | "words" | null
+  /// A request of the card waits for its answer.
+  readonly asked: boolean
+  readonly refused: Refusal | null
+  readonly saved: "saved" | "saving" | "failed"
+  readonly hand: boolean
+  readonly attention: string | null
+  /// A program from the teacher that was not opened yet.
+  readonly handout: Handout | null
+  /// The open task, and those for which the pupil handed in, oldest first.
+  readonly tasks: readonly OwnTask[]
+  /// The last press of "Hand in": it waits for its answer, or why the program was not handed in.
+  readonly handIn: {readonly task: number; readonly state: HandInState} | null
+  /// Comments that the pupil has closed, by `commentKey`.
+  readonly readComments: readonly string[]
+}
+
+export type HandInState = "asked" | "late" | "full" | "offline"
+
+/// Names a comment; a changed comment on the same hand-in is another one.
+export const commentKey = (task: OwnTask): string => `${task.id} ${hashOf(task.handedIn?.comment ?? "")}`
+
+export const firstClassState: ClassState = {
+  link: "connecting",
+  member: null,
+  card: null,
+  asked: false,
+  refused: null,
+  saved: "saved",
+  hand: false,
+  attention: null,
+  handout: null,
+  tasks: [],
+  handIn: null,
+  readComments: [],
+}
+
+export type ClassEvent =
+  | {readonly kind: "heard"; readonly message: ClassMessage}
+  | {readonly kind: "link"; readonly link: ClassState["link"]}
+  | {readonly kind: "card"; readonly card: ClassState["card"]}
+  | {readonly kind: "asked"}
+  | {readonly kind: "saved"; readonly saved: ClassState["saved"]}
+  | {readonly kind: "hand"; readonly up: boolean}
+  | {readonly kind: "handout-closed"}
+  | {readonly kind: "hand-in"; readonly task: number; readonly state: HandInState}
+  | {readonly kind: "task-ended"; readonly task: number}
+  | {readonly kind: "comments-read"; readonly comments: readonly string[]}
+  | {readonly kind: "left"}
+
+/// `receivedHandouts` are those that this browser has shown before.
+export function reduceClass(
+  state: ClassState,
+  event: ClassEvent,
+  receivedHandouts: readonly string[] = [],
+): ClassState {
+  switch (event.kind) {
+    case "heard":
+      return heard(state, event.message, receivedHandouts)
+    case "link":
+      return {...state, link: event.link, asked: false, handIn: lostHandIn(state, event.link)}
+    case "card":
+      return {...state, card: event.card, refused: null}
+    case "asked":
+      return {...state, asked: true, refused: null}
+    case "saved":
+      return {...state, saved: event.saved}
+    case "hand":
+      return {...state, hand: event.up}
+    case "handout-closed":
+      return {...state, handout: null}
+    case "hand-in":
+      return {...state, handIn: {task: event.task, state: event.state}}
+    case "task-ended":
+      return {...state, tasks: ended(state.tasks, event.task)}
+    case "comments-read":
+      return {...state, readComments: event.comments}
+    case "left":
+      return {...firstClassState, link: state.link, card: "join"}
+  }
+}
+
+/// A hand-in whose answer was lost with the connection.
+function lostHandIn({handIn}: ClassState, link: ClassState["link"]): ClassState["handIn"] {
+  return link === "lost" && handIn?.state === "asked" ? {...handIn, state: "offline"} : handIn
+}
+
+/// A task whose deadline has passed is shown on if the pupil handed in.
+function ended(tasks: readonly OwnTask[], id: number): readonly OwnTask[] {
+  return tasks
+    .map(task => (task.id === id ? {...task, open: false} : task))
+    .filter(task => task.open || task.handedIn !== null)
+}
+
+/// The tasks that the bar shows: the open one, and those with a comment that the pupil has not closed.
+export function shownTasks({tasks, readComments}: ClassState): readonly OwnTask[] {
+  const newest = tasks.at(-1)
+  return tasks.filter(task => task.open || task === newest || isUnread(task, readComments))
+}
+
+export function isUnread(task: OwnTask, readComments: readonly string[]): boolean {
+  return task.handedIn !== null && task.handedIn.comment !== "" && !readComments.includes(commentKey(task))
+}
+
+function heard(state: ClassState, message: ClassMessage, receivedHandouts: readonly string[]): ClassState {
+  switch (message.op) {
+    case "entered": {
+      const {nickname, words, hand, token} = message
+      const card = token === null ? null : "words"
+      // A hand that was raised while there was no connection stays up.
+      return {
+        ...state,
+        member: {nickname, words},
+        hand: hand || (state.hand && state.member !== null),
+        asked: false,
+        refused: null,
+        card,
+        attention: null,
+      }
+    }
+    case "refused":
+      if (message.reason === "request") return state
+      // A browser that the class does not know any more asks for the code.
+      if (message.reason === "token") return {...state, member: null, card: "join", asked: false}
+      return {...state, refused: message.reason, asked: false}
+    case "attention":
+      return {...state, attention: message.message}
+    case "handout":
+      return receivedHandouts.includes(message.id) ? state : {...state, handout: message}
+    case "lowered":
+      return {...state, hand: false}
+    case "tasks":
+      return {...state, tasks: message.tasks, handIn: state.handIn?.state === "asked" ? null : state.handIn}
+    case "not-handed-in":
+      return {...state, handIn: {task: message.task, state: message.reason}}
+    case "program":
+    case "saved":
+    case "conflict":
+    case "unsaved":
+      return state
+  }
+}

@@ -1,0 +1,297 @@
+/// Class mode on a pupil's page: connects the class socket, the synchronization, and the card and bar. Loaded when the service says that it has a class.
+
+import {signal} from "@preact/signals"
+import {parseProject, saveProject} from "@rosy/codegen"
+import {render} from "preact"
+import type {BrowserStorage} from "../browser/browser_storage.ts"
+import type {ProgramStore} from "../browser/program_store.ts"
+import {freshName, freshPlace} from "../controller/autosave.ts"
+import type {ProgramLoader} from "../controller/program_loader.ts"
+import {isDone} from "../lessons/lesson_state.ts"
+import type {PageState} from "../state/page_state.ts"
+import {isActive} from "../state/run_state.ts"
+import type {Store} from "../state/store.ts"
+import {words} from "../words/index.ts"
+import "../styles/class.css"
+import {ClassBar, type ClassDesk, ClassDialogs} from "./class_bar.tsx"
+import {
+  type ClassMessage,
+  type OwnTask,
+  type PageStatus,
+  type PupilMessage,
+  readClassMessage,
+  type SaveReason,
+} from "./class_messages.ts"
+import {openClassSocket} from "./class_socket.ts"
+import {type ClassEvent, type ClassState, commentKey, firstClassState, reduceClass} from "./class_state.ts"
+import {openClassSync} from "./class_sync.ts"
+import {readMembership, teacherKey, writeMembership} from "./membership.ts"
+
+/// Milliseconds between a change and its being sent to the service.
+const savePause = 2000
+
+const skippedKey = "rosy.class.skipped"
+const handoutKey = "rosy.class.handout"
+const commentsKey = "rosy.class.comments"
+
+/// Comments that a browser remembers as read; older ones may be shown again.
+const mostReadComments = 50
+
+/// Longest timer that browsers keep, in milliseconds (HTML, timer initialization: a signed 32-bit number).
+const longestTimer = 2 ** 31 - 1
+
+export interface PageOfClass {
+  readonly store: Store
+  readonly loader: ProgramLoader
+  readonly shelf: ProgramStore
+  readonly storage: BrowserStorage
+  /// The class code that the page's address contained; empty if none.
+  readonly code: string
+}
+
+export function openClassroom({store, loader, shelf, storage, code}: PageOfClass): void {
+  const isTeacher = storage.shared.getItem(teacherKey) !== null
+  const readComments = (): readonly string[] => (storage.shared.getItem(commentsKey) ?? "").split("\n")
+  const state = signal<ClassState>({...firstClassState, readComments: readComments()})
+  const receivedHandouts = () => (storage.shared.getItem(handoutKey) ?? "").split(" ")
+  const dispatch = (event: ClassEvent) => {
+    state.value = reduceClass(state.value, event, receivedHandouts())
+  }
+  /// A change waits for the pause after it.
+  let isPending = false
+  const showSaved = () => dispatch({kind: "saved", saved: isPending ? "saving" : sync.state()})
+  const socket = openClassSocket<PupilMessage, ClassMessage>("api/class", readClassMessage, {
+    opened() {
+      dispatch({kind: "link", link: "open"})
+      const member = readMembership(storage.shared)
+      if (member !== null) socket.send({op: "enter", token: member.token})
+      else if (!isTeacher && storage.tab.getItem(skippedKey) === null) dispatch({kind: "card", card: "join"})
+    },
+    lost() {
+      sync.lost()
+      dispatch({kind: "link", link: "lost"})
+    },
+    received: heard,
+  })
+  const sync = openClassSync(
+    storage.shared,
+    shelf,
+    {
+      id: loader.storedId,
+      store: loader.store,
+      show: (id, text) => loader.openText(words.yourProgram, text, {id}),
+      becomeTwo() {
+        store.dispatch({kind: "renamed", name: store.now.name})
+        loader.store()
+      },
+    },
+    {name: freshName, place: freshPlace, renamed},
+    message => state.value.member !== null && socket.send(message),
+    showSaved,
+  )
+  const status = openStatus(store, message => state.value.member !== null && socket.send(message))
+  const pause = openPause(store)
+  const endTasks = openTaskTimers(task => dispatch({kind: "task-ended", task}))
+
+  function heard(message: ClassMessage): void {
+    if (message.op === "entered" && message.token !== null)
+      writeMembership(storage.shared, {token: message.token, nickname: message.nickname, programs: {}})
+    if (message.op === "refused" && message.reason === "token") writeMembership(storage.shared, null)
+    const wasUp = state.value.hand
+    dispatch({kind: "heard", message})
+    if (message.op === "entered") {
+      sync.entered(message.programs, message.token !== null)
+      if (wasUp && !message.hand) socket.send({op: "hand", up: state.value.hand})
+      status.repeat()
+    } else if (
+      message.op === "program" ||
+      message.op === "saved" ||
+      message.op === "conflict" ||
+      message.op === "unsaved"
+    )
+      sync.heard(message)
+    if (message.op === "tasks") endTasks(message.tasks)
+    if (message.op === "attention" || message.op === "entered") pause(state.value.attention !== null)
+  }
+  watchChanges(
+    store,
+    () => state.value.member !== null,
+    () => {
+      isPending = true
+      showSaved()
+    },
+    reason => {
+      isPending = false
+      sync.save(reason)
+    },
+  )
+
+  const desk: ClassDesk = {
+    state,
+    code,
+    isTeacher,
+    join(typedCode, nickname) {
+      dispatch({kind: "asked"})
+      if (!socket.send({op: "join", code: typedCode, nickname, language: document.documentElement.lang}))
+        dispatch({kind: "link", link: "lost"})
+    },
+    resume(typedCode, typedWords) {
+      dispatch({kind: "asked"})
+      if (!socket.send({op: "resume", code: typedCode, words: typedWords}))
+        dispatch({kind: "link", link: "lost"})
+    },
+    showCard(card) {
+      if (card === null && state.value.member === null) storage.tab.setItem(skippedKey, "yes")
+      dispatch({kind: "card", card})
+    },
+    raiseHand(up) {
+      dispatch({kind: "hand", up})
+      socket.send({op: "hand", up})
+    },
+    openHandout() {
+      const {handout} = state.value
+      if (handout === null) return
+      storage.shared.setItem(handoutKey, `${receivedHandouts().slice(-20).join(" ")} ${handout.id}`)
+      loader.openText(handout.name, handout.text)
+      dispatch({kind: "handout-closed"})
+    },
+    closeHandout() {
+      const {handout} = state.value
+      if (handout !== null)
+        storage.shared.setItem(handoutKey, `${receivedHandouts().slice(-20).join(" ")} ${handout.id}`)
+      dispatch({kind: "handout-closed"})
+    },
+    handIn(task) {
+      sync.save("change")
+      const message = {op: "hand-in", task, name: store.now.name, text: loader.projectText()} as const
+      dispatch({kind: "hand-in", task, state: socket.send(message) ? "asked" : "offline"})
+    },
+    closeComment(task) {
+      const read = [...readComments().slice(-mostReadComments), commentKey(task)]
+      storage.shared.setItem(commentsKey, read.join("\n"))
+      dispatch({kind: "comments-read", comments: read})
+    },
+    leave() {
+      sync.save("change")
+      const programs = readMembership(storage.shared)?.programs ?? {}
+      if (sync.state() !== "saved") return
+      const current = loader.storedId()
+      if (current !== null && programs[current] !== undefined) loader.newProgram()
+      for (const id of Object.keys(programs)) shelf.remove(id, Date.now())
+      socket.send({op: "forget"})
+      writeMembership(storage.shared, null)
+      storage.shared.removeItem(commentsKey)
+      dispatch({kind: "left"})
+    },
+  }
+  const bar = document.getElementById("class-bar")
+  if (bar === null) throw new Error("expected #class-bar on the page, found nothing")
+  render(<ClassBar desk={desk} />, bar)
+  const dialogs = document.createElement("div")
+  document.body.append(dialogs)
+  render(<ClassDialogs desk={desk} />, dialogs)
+}
+
+/// Calls `touched` at each change of the program and `save` some time after it, and at every run.
+function watchChanges(
+  store: Store,
+  isMember: () => boolean,
+  touched: () => void,
+  save: (reason: SaveReason) => void,
+): void {
+  let seen = {document: store.now.document.program, name: store.now.name, world: store.now.worldName}
+  let runs = store.now.runs
+  let timer: ReturnType<typeof setTimeout> | undefined
+  const saveNow = (reason: SaveReason) => {
+    clearTimeout(timer)
+    timer = undefined
+    if (isMember()) save(reason)
+  }
+  store.onEvent(({document, name, worldName, runs: newest}) => {
+    if (newest !== runs) {
+      runs = newest
+      // After the event: saving dispatches events of its own.
+      queueMicrotask(() => saveNow("run"))
+    }
+    if (document.program === seen.document && name === seen.name && worldName === seen.world) return
+    seen = {document: document.program, name, world: worldName}
+    if (isMember()) touched()
+    timer ??= setTimeout(() => saveNow("change"), savePause)
+  })
+  const flush = () => timer !== undefined && saveNow("change")
+  window.addEventListener("pagehide", flush)
+  document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && flush())
+}
+
+/// Tells the board what the page shows, whenever it changes.
+function openStatus(store: Store, send: (message: PupilMessage) => boolean) {
+  let told = ""
+  let session: string | null = null
+  const tell = (state: PageState) => {
+    if (state.session !== session && state.session !== null && send({op: "here", session: state.session}))
+      session = state.session
+    const now = statusOf(state)
+    const text = JSON.stringify(now)
+    if (text !== told && send({op: "status", ...now})) told = text
+  }
+  store.onFrame(tell)
+  return {
+    repeat() {
+      told = ""
+      session = null
+      tell(store.now)
+    },
+  }
+}
+
+function statusOf(state: PageState): PageStatus {
+  const {open} = state.lessons
+  const isError = (finding: {readonly severity: string}) => finding.severity === "error"
+  return {
+    errors: state.findings.compiler.some(isError) || state.findings.run.some(isError),
+    running: isActive(state.run),
+    lesson:
+      open === null
+        ? null
+        : {
+            name: open.lesson.title,
+            done: open.lesson.steps.filter(step => isDone(state.lessons, step)).length,
+            steps: open.lesson.steps.length,
+          },
+  }
+}
+
+/// Ends tasks on the page at their deadlines.
+function openTaskTimers(end: (task: number) => void): (tasks: readonly OwnTask[]) => void {
+  let timers: ReturnType<typeof setTimeout>[] = []
+  return tasks => {
+    timers.forEach(clearTimeout)
+    timers = tasks.flatMap(({id, open, left}) =>
+      open && left !== null && left * 1000 <= longestTimer ? [setTimeout(() => end(id), left * 1000)] : [],
+    )
+  }
+}
+
+/// Stops the clock of a simulated run while the class looks up, and lets it go on afterwards. A real robot is stopped.
+function openPause(store: Store): (paused: boolean) => void {
+  let isOurs = false
+  return paused => {
+    const {run, clock, robots} = store.now
+    if (paused && isActive(run)) {
+      if (robots.held !== null) store.dispatch({kind: "stop-pressed"})
+      else if (clock === "going") {
+        store.dispatch({kind: "pause-pressed"})
+        isOurs = true
+      }
+    } else if (!paused && isOurs) {
+      isOurs = false
+      if (isActive(run) && clock === "standing") store.dispatch({kind: "resume-pressed"})
+    }
+  }
+}
+
+/// A project file with another name; a file that cannot be read stays as it is.
+function renamed(text: string, name: string): string {
+  const parsed = parseProject(text)
+  return parsed.ok ? saveProject({...parsed.project, name}) : text
+}

@@ -1,0 +1,148 @@
+/// Checks of all hand-ins of a task: the teacher's choices, the request made of them, the results, and the project of a pupil's program in its worst room (protocol §11).
+
+import {
+  firstChoices,
+  type PropertyChoices,
+  problem,
+  runSeconds,
+  type TestedRoom,
+  testedRoom,
+  wordsOf,
+} from "../rooms/room_test.ts"
+import {list, number, object, oneOf, optional, parseJson, string} from "../state/decode.ts"
+
+/// Rooms that need no room to begin with, and the room of each hand-in.
+export const roomFamilies = ["own", "obstacles", "maze", "pits"] as const
+type RoomFamily = (typeof roomFamilies)[number]
+
+export interface CheckChoices extends PropertyChoices {
+  /// With a program of the teacher's: its room, and rooms like it.
+  readonly where: RoomFamily | {readonly program: string}
+  readonly rooms: number
+  readonly seed: number
+}
+
+export const firstCheck: CheckChoices = {
+  properties: firstChoices.properties,
+  amounts: firstChoices.amounts,
+  where: "own",
+  rooms: 10,
+  seed: 1,
+}
+
+/// Rooms of a check; of one alone it is the room that was chosen.
+export const checkedRoomCounts = [1, 5, 10, 20, 50, 100] as const
+
+export interface CheckRequest {
+  readonly op: "check-all"
+  readonly task: number
+  readonly family: RoomFamily | "room"
+  readonly rooms: number
+  readonly seed: number
+  readonly seconds: number
+  readonly properties: string
+  readonly world?: unknown
+}
+
+/// `read` gives the project file of a program of the teacher's.
+export function checkRequest(
+  task: number,
+  choices: CheckChoices,
+  read: (program: string) => string | null,
+): CheckRequest {
+  const {where, rooms, seed} = choices
+  const properties = wordsOf(choices)
+  const test = {op: "check-all", task, rooms, seed, seconds: runSeconds, properties} as const
+  if (typeof where === "string") return {...test, family: where}
+  const {world} = projectOf(read(where.program) ?? "")
+  return {...test, family: "room", world: world ?? defaultRoom}
+}
+
+/// Room of a project that names none (`gallery.py`).
+const defaultRoom = "room"
+
+/// Programs that were checked, of so many, and the rooms tried.
+export interface Checking {
+  readonly task: number | null
+  readonly done: number
+  readonly of: number
+  readonly rooms: number
+}
+
+export const faults = ["compile", "room", "time", "lost"] as const
+type Fault = (typeof faults)[number]
+
+export interface CheckResult {
+  readonly rooms: number
+  readonly passed: number
+  /// Why there are no outcomes; `problems` are those of a program that does not compile.
+  readonly fault: Fault | null
+  readonly problems: readonly string[]
+  readonly worst: TestedRoom | null
+}
+
+export const checkResult = object<CheckResult>(get => ({
+  rooms: get("rooms", number),
+  passed: get("passed", number),
+  fault: get("fault", optional(oneOf(...faults), null)),
+  problems: get("problems", list(problem)),
+  worst: get("worst", optional(testedRoom, null)),
+}))
+
+export const checking = object<Checking>(get => ({
+  task: get("task", optional(number, null)),
+  done: get("done", number),
+  of: get("of", number),
+  rooms: get("rooms", number),
+}))
+
+/// The results of a task by pupil.
+export type Results = ReadonlyMap<number, CheckResult>
+
+/// Pupils with their results: programs without outcomes first, then those that passed in the fewest rooms, the earliest failure first.
+export function worstFirst<Pupil extends {readonly id: number}>(
+  pupils: readonly Pupil[],
+  results: Results,
+): readonly (readonly [Pupil, CheckResult])[] {
+  const rows = pupils.flatMap(pupil => {
+    const result = results.get(pupil.id)
+    return result === undefined ? [] : [[pupil, result] as const]
+  })
+  const share = ({fault, passed, rooms}: CheckResult) => (fault !== null ? -1 : passed / rooms)
+  const time = ({worst}: CheckResult) => worst?.time ?? 0
+  return rows.sort(([, a], [, b]) => share(a) - share(b) || time(a) - time(b))
+}
+
+/// The project file of a pupil's program with a room.
+export function projectInRoom(text: string, name: string, world: unknown): string {
+  return JSON.stringify({...projectOf(text), name, world})
+}
+
+interface Project {
+  readonly world?: unknown
+  readonly [field: string]: unknown
+}
+
+/// A text that is no project file is a program itself.
+function projectOf(text: string): Project {
+  const value = parseJson(text)
+  const isProject = typeof value === "object" && value !== null && !Array.isArray(value)
+  return isProject ? {...value} : {rosy: 1, haskell: text}
+}
+
+/// A message's pupil with the program, the room as JSON, and the seed.
+export interface RunInRoom {
+  readonly pupil: number
+  readonly name: string
+  readonly text: string | null
+  readonly world: unknown
+  readonly seed: number
+}
+
+export const runInRoom = object<RunInRoom>(get => ({
+  pupil: get("pupil", number),
+  name: get("name", string),
+  text: get("text", optional(string, null)),
+  world: get("world", value => value),
+  seed: get("seed", number),
+}))

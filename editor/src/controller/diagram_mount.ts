@@ -1,0 +1,147 @@
+/// The diagram in the page: loads it when it is shown for the first time, gives it programs and frames, and leads from a node to its block and line.
+
+import {download, downloadBlob, fileName} from "../browser/local_files.ts"
+import type {DiagramNode, DiagramView} from "../diagram/index.ts"
+import type {AppController} from "../page/app_context.ts"
+import {viewOf} from "../state/arrangement.ts"
+import type {PageState} from "../state/page_state.ts"
+import {innermostBlock, offsetOf, type Program, textRangeOf} from "../state/program.ts"
+import {framesBetween} from "../state/recording.ts"
+import {shownFrame} from "../state/room_state.ts"
+import type {Store} from "../state/store.ts"
+import {causalPath, noPath} from "../why/causal_path.ts"
+import type {Explanation} from "../why/explanation.ts"
+import {words} from "../words/index.ts"
+import type {PageParts} from "./page_parts.ts"
+
+export interface DiagramMount {
+  mount(host: HTMLElement): void
+  readonly commands: AppController["diagram"]
+  /// Once per frame.
+  update(state: PageState, now: number): void
+}
+
+export function openDiagramMount(store: Store, parts: PageParts): DiagramMount {
+  let host: HTMLElement | null = null
+  let view: DiagramView | null = null
+  let isLoading = false
+  let shown: PageState["network"] = null
+  let run: number | null = null
+  /// Seconds of the run up to which frames have been seen.
+  let seenTo = Number.NEGATIVE_INFINITY
+  let lookedAt: number | null = null
+  let explained: Explanation | null = null
+
+  const drawn = (outcome: PageState["diagram"]["outcome"]) => store.dispatch({kind: "diagram", outcome})
+  const load = async (into: HTMLElement) => {
+    isLoading = true
+    try {
+      const {openDiagram} = await import("../diagram/index.ts")
+      view = openDiagram(into, {
+        words: words.diagram,
+        chosen: node => choose(store, parts, node),
+        typeOf: node => store.now.declared.find(d => d.name === node.key)?.type ?? null,
+        drawn,
+      })
+      store.redraw()
+    } catch {
+      drawn("failed")
+    }
+  }
+
+  const live = (state: PageState, diagram: DiagramView, now: number) => {
+    const {room} = state
+    if (room.run !== run || room.lookedAt !== lookedAt) {
+      diagram.clear()
+      run = room.run
+      lookedAt = room.lookedAt
+      // After looking back only what is new lights up; values come with the first frame.
+      seenTo =
+        lookedAt === null && room.frame !== null && room.frame.time > 1
+          ? room.frame.time - 1
+          : Number.NEGATIVE_INFINITY
+    }
+    if (lookedAt !== null) {
+      diagram.at(shownFrame(room), now)
+      return
+    }
+    const frames = [...framesBetween(room.recording, seenTo, Number.POSITIVE_INFINITY)].filter(
+      f => f.time > seenTo,
+    )
+    seenTo = frames.at(-1)?.time ?? seenTo
+    if (diagram.live(frames, now)) store.redraw()
+  }
+
+  return {
+    mount(into) {
+      host = into
+    },
+    update(state, now) {
+      if (host === null || !isShown(state)) return
+      if (view === null) {
+        if (!isLoading) void load(host)
+        return
+      }
+      if (state.network !== shown && state.network !== null) {
+        shown = state.network
+        view.show(shown.parts, shown.text)
+      }
+      const answer = state.why.open?.answer ?? null
+      if (answer !== explained) {
+        explained = answer
+        view.explain(answer === null ? noPath : causalPath(answer))
+      }
+      view.select(selectedFunction(state.document.program, state.selected))
+      live(state, view, now)
+    },
+    commands: {
+      tidy: () => view?.tidy(),
+      list: () => view?.list() ?? [],
+      choose: id => view?.chooseById(id),
+      saveSvg() {
+        if (view !== null) download(nameOf(store, "svg"), view.svgFile(), "image/svg+xml")
+      },
+      savePng() {
+        void view?.pngFile().then(file => file !== null && downloadBlob(nameOf(store, "png"), file))
+      },
+    },
+  }
+}
+
+const nameOf = (store: Store, extension: string) =>
+  fileName(`${store.now.name} ${words.diagram.file}`.trim(), extension)
+
+/// Whether the diagram is to be seen.
+function isShown({size, region, arrangement}: PageState): boolean {
+  if (size === "phone") return region === "diagram"
+  return size === "tablet" ? viewOf(arrangement) === "diagram" : !arrangement.hidden.includes("diagram")
+}
+
+/// The definition that holds the selected block.
+function selectedFunction(program: Program, selected: string | null): string | null {
+  const range = selected === null ? null : textRangeOf(program.spans, selected)
+  if (range === null) return null
+  return program.definitions.find(d => d.start <= range.start && range.end <= d.end)?.name ?? null
+}
+
+/// Selects the block of a node and shows its text.
+function choose(store: Store, parts: PageParts, node: DiagramNode): void {
+  const {program} = store.now.document
+  const definition = program.definitions.find(d => d.name === node.key)
+  const {at} = node
+  const isCurrent = store.now.network?.text === program.text
+  const place =
+    at === null || !isCurrent
+      ? null
+      : {
+          start: offsetOf(program.text, at),
+          end: offsetOf(program.text, {line: at.endLine, column: at.endColumn}),
+        }
+  const range = definition ?? place
+  if (range === null) return
+  const block = definition?.block ?? innermostBlock(program.spans, range)
+  parts.source?.reveal({start: range.start, end: range.end})
+  if (block === null) return
+  store.dispatch({kind: "selected", block, in: "blocks"})
+  if (!store.now.arrangement.hidden.includes("blocks")) parts.blocks?.select(block)
+}

@@ -1,0 +1,76 @@
+/// Debounce of text edits: the blocks are updated after the frame that shows the key press, never before it. If an update takes noticeably long, it waits for a pause between
+/// key presses.
+
+import type {ChangeSet} from "../state/text_changes.ts"
+
+/// Milliseconds that following may cost without being felt, as long as a task of the browser may take (W3C Long Tasks §1.1); the longest pause to wait
+/// for instead; and how long the blocks may stay behind uninterrupted typing.
+const quick = 50
+const longestPause = 400
+const furthestBehind = 2000
+
+/// Edits of the text that the document does not have yet.
+export interface PendingEdit {
+  readonly text: string
+  /// From the document's text to `text`.
+  readonly changes: ChangeSet
+}
+
+export interface EditDebounce {
+  /// Whether an edit is pending.
+  waits(): boolean
+  /// The text was changed, to `text`.
+  typed(text: string, changes: ChangeSet): void
+  /// The edits since the last call, to be applied now.
+  take(): PendingEdit | null
+  /// Drops the pending edit: another program is open.
+  forget(): void
+  /// Following the last text has cost so many milliseconds more.
+  cost(more: number): void
+}
+
+export function openEditDebounce(follow: () => void): EditDebounce {
+  let pending: PendingEdit | null = null
+  /// When the first of it was typed, and what following cost the last time, in milliseconds.
+  let since = 0
+  let cost = 0
+  let gap: ReturnType<typeof setTimeout> | undefined
+  let picture = 0
+
+  const hold = () => {
+    clearTimeout(gap)
+    cancelAnimationFrame(picture)
+  }
+  const soon = () => {
+    hold()
+    if (performance.now() - since > furthestBehind) return follow()
+    const pause = cost < quick ? 0 : Math.min(longestPause, cost)
+    if (document.visibilityState === "hidden") gap = setTimeout(follow, pause)
+    else
+      picture = requestAnimationFrame(() => {
+        gap = setTimeout(follow, pause)
+      })
+  }
+  return {
+    waits: () => pending !== null,
+    typed(text, changes) {
+      if (pending === null) since = performance.now()
+      pending = {text, changes: pending === null ? changes : pending.changes.compose(changes)}
+      soon()
+    },
+    take() {
+      hold()
+      const taken = pending
+      pending = null
+      if (taken !== null) cost = 0
+      return taken
+    },
+    forget() {
+      hold()
+      pending = null
+    },
+    cost(more) {
+      cost += more
+    },
+  }
+}

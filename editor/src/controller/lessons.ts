@@ -1,0 +1,175 @@
+/// Commands of the lessons: their list, opening one, its steps and programs, and the progress in the browser's storage.
+
+import {newProject, saveProject} from "@rosy/codegen"
+import {fetchLesson, fetchLessons} from "../browser/remote_resources.ts"
+import {fragmentOf} from "../browser/share_link.ts"
+import type {Lesson} from "../lessons/lesson.ts"
+import {isLessonFile, readLessonFile} from "../lessons/lesson_file.ts"
+import {firstOpenStep, type LessonEvent, programAt} from "../lessons/lesson_state.ts"
+import {readProgress, writeProgress} from "../lessons/progress.ts"
+import type {AppController} from "../page/app_context.ts"
+import type {PageState} from "../state/page_state.ts"
+import type {Store} from "../state/store.ts"
+import type {PageParts} from "./page_parts.ts"
+import type {Origin, ProgramLoader} from "./program_loader.ts"
+
+type LessonCommands = Pick<
+  AppController,
+  "openLessons" | "openLesson" | "lessonLink" | "goToStep" | "restartStep" | "leaveLesson"
+>
+
+const progressKey = "rosy.lessons"
+/// The lesson that this tab had open, over a reload: its name, and its text if it came from a file or a link.
+const openKey = "rosy.lesson"
+const openFileKey = "rosy.lesson.file"
+
+export function lessonCommands(store: Store, loader: ProgramLoader): LessonCommands {
+  const dispatch = (event: LessonEvent) => store.dispatch({kind: "lesson", event})
+  return {
+    openLessons() {
+      store.dispatch({kind: "dialog", dialog: "lessons"})
+      if (store.now.lessons.list.kind === "there") return
+      dispatch({kind: "listed", list: {kind: "asked"}})
+      void fetchLessons(document.documentElement.lang).then(answer =>
+        dispatch({
+          kind: "listed",
+          list: answer.kind === "there" ? {kind: "there", lessons: answer.value} : {kind: "failed"},
+        }),
+      )
+    },
+    openLesson(name) {
+      const isCurrent = loader.request()
+      void fetchLesson(name, document.documentElement.lang).then(answer => {
+        if (!isCurrent()) return
+        if (answer.kind === "failed")
+          return store.dispatch({kind: "notice", notice: {kind: "lesson-missing", name}})
+        show(store, loader, answer.value)
+      })
+    },
+    lessonLink: async file => `${window.location.origin}/${await fragmentOf(file, "lesson")}`,
+    goToStep(to) {
+      const {open} = store.now.lessons
+      const step = open?.lesson.steps[to]
+      if (open === null || step === undefined || to === open.at) return
+      dispatch({kind: "stepped", to, runs: store.now.runs})
+      if (step.program !== null) openProgram(loader, open.lesson, to)
+      // Opening a program chooses the room again; the service receives the step to check afterwards.
+      if (step.program !== null) dispatch({kind: "stepped", to, runs: store.now.runs})
+    },
+    restartStep() {
+      const {open} = store.now.lessons
+      if (open === null) return
+      openProgram(loader, open.lesson, open.at)
+      dispatch({kind: "stepped", to: open.at, runs: store.now.runs})
+    },
+    leaveLesson: () => dispatch({kind: "closed"}),
+  }
+}
+
+function show(store: Store, loader: ProgramLoader, lesson: Lesson, origin: Origin = {}): void {
+  const at = firstOpenStep(lesson, store.now.lessons.progress)
+  openProgram(loader, lesson, at, origin)
+  store.dispatch({kind: "lesson", event: {kind: "opened", lesson, at, runs: store.now.runs}})
+}
+
+/// Opens a lesson from a file or a link; false, with a notice that calls it by `name`, for a damaged one.
+export function openLessonText(
+  store: Store,
+  loader: ProgramLoader,
+  name: string,
+  text: string,
+  origin: Origin = {},
+): boolean {
+  const read = readLessonFile(text, document.documentElement.lang)
+  if (read.kind === "lesson") show(store, loader, read.lesson, origin)
+  else store.dispatch({kind: "notice", notice: {kind: "damaged-lesson", name, at: read.at}})
+  return read.kind === "lesson"
+}
+
+/// The loader, which opens a file with a lesson as a lesson.
+export function withLessonFiles(store: Store, loader: ProgramLoader): ProgramLoader {
+  return {
+    ...loader,
+    openFile(name, text) {
+      if (text !== null && isLessonFile(text)) openLessonText(store, loader, name, text)
+      else loader.openFile(name, text)
+    },
+  }
+}
+
+function openProgram(loader: ProgramLoader, lesson: Lesson, at: number, origin: Origin = {}): void {
+  const project = {...newProject(lesson.title), haskell: programAt(lesson, at), world: lesson.room}
+  loader.openText(lesson.title, saveProject(project), {...origin, inLesson: true})
+}
+
+/// Keeps the progress, and opens the lesson again that was open before a reload.
+export function storeLessons(store: Store, storage: {readonly shared: Storage; readonly tab: Storage}): void {
+  let kept = store.now.lessons
+  store.onFrame(({lessons}) => {
+    if (lessons.progress !== kept.progress) {
+      // Another tab may have finished a lesson meanwhile.
+      const others = readProgress(storage.shared.getItem(progressKey))
+      tryToKeep(storage.shared, progressKey, writeProgress({...others, ...lessons.progress}))
+    }
+    if (lessons.open?.lesson.name !== kept.open?.lesson.name) {
+      const lesson = lessons.open?.lesson
+      for (const [key, text] of [
+        [openKey, lesson?.name],
+        [openFileKey, lesson?.file],
+      ] as const)
+        if (text == null) storage.tab.removeItem(key)
+        else tryToKeep(storage.tab, key, text)
+    }
+    kept = lessons
+  })
+}
+
+/// Opens the lesson again that this tab had open. Its program is opened as well, unless the learner's own version of it is open.
+export function resumeLesson(store: Store, loader: ProgramLoader, storage: {readonly tab: Storage}): void {
+  const name = storage.tab.getItem(openKey)
+  if (name === null || store.now.lessons.open !== null) return
+  const isCurrent = loader.request()
+  void storedLesson(name, storage.tab.getItem(openFileKey)).then(lesson => {
+    if (lesson === null || !isCurrent() || store.now.lessons.open !== null) return
+    const at = firstOpenStep(lesson, store.now.lessons.progress)
+    const {worldName} = store.now
+    const isItsRoom = typeof worldName === "object" && worldName?.name === lesson.room.name
+    if (!isItsRoom) openProgram(loader, lesson, at, {isFirst: true})
+    store.dispatch({kind: "lesson", event: {kind: "opened", lesson, at, runs: store.now.runs}})
+  })
+}
+
+/// `null` when it can be had no more.
+async function storedLesson(name: string, file: string | null): Promise<Lesson | null> {
+  const language = document.documentElement.lang
+  if (file !== null) {
+    const read = readLessonFile(file, language)
+    return read.kind === "lesson" ? read.lesson : null
+  }
+  const answer = await fetchLesson(name, language)
+  return answer.kind === "failed" ? null : answer.value
+}
+
+export function storedLessons(storage: {readonly shared: Storage}): Pick<PageState, "lessons"> {
+  const progress = readProgress(storage.shared.getItem(progressKey))
+  return {lessons: {list: {kind: "unasked"}, progress, open: null}}
+}
+
+function tryToKeep(storage: Storage, key: string, text: string): void {
+  try {
+    storage.setItem(key, text)
+  } catch {
+    // Full: the progress is forgotten when the page is closed.
+  }
+}
+
+/// The toolbox shows what the open lesson allows.
+export function restrictToolbox(store: Store, parts: PageParts): void {
+  let shown: readonly string[] | null = null
+  store.onFrame(({lessons}) => {
+    const wanted = lessons.open?.lesson.toolbox ?? null
+    if (wanted === shown || parts.blocks === null) return
+    shown = wanted
+    parts.blocks.restrict(wanted)
+  })
+}

@@ -1,0 +1,87 @@
+/// Requests for programs that arrive later: examples, links, and the first program of the page. When the learner has opened another program in the meantime, the answer
+/// is dropped.
+
+import {
+  addressContains,
+  addressFragment,
+  exampleInAddress,
+  isReload,
+  setExampleInAddress,
+} from "../browser/browser_window.ts"
+import type {ProgramStore} from "../browser/program_store.ts"
+import {fetchExample} from "../browser/remote_resources.ts"
+import type {LinkedProgram} from "../browser/share_link.ts"
+import type {Store} from "../state/store.ts"
+import {words} from "../words/index.ts"
+import {openLessonText} from "./lessons.ts"
+import {type Origin, type ProgramLoader, programInAddress} from "./program_loader.ts"
+import {linkedProject} from "./sharing.ts"
+
+/// The program of a new learner.
+const firstExample = "accelerateAndPlay"
+
+interface ExampleOptions extends Origin {
+  /// Whether the address names the example while it is unchanged.
+  readonly inAddress?: boolean
+}
+
+export interface ProgramRequests {
+  /// False if the service has no such example.
+  openExample(name: string, options?: ExampleOptions): Promise<boolean>
+  /// Opens the program or the lesson that a link contains. A damaged link leaves the open program as it is.
+  openLink(fragment: string, origin?: Origin): Promise<LinkedProgram["kind"]>
+  /// Opens the program of the address, or else the one that was open last.
+  openFirst(): Promise<void>
+}
+
+export function programRequests(store: Store, loader: ProgramLoader, stored: ProgramStore): ProgramRequests {
+  const openExample = async (name: string, {inAddress = true, ...origin}: ExampleOptions = {}) => {
+    const isCurrent = loader.request()
+    const answer = await fetchExample(name)
+    if (!isCurrent()) return true
+    if (answer.kind === "there") {
+      loader.openText(name, answer.value, origin)
+      if (inAddress) setExampleInAddress(name)
+    } else store.dispatch({kind: "notice", notice: {kind: "example-missing", name}})
+    return answer.kind === "there"
+  }
+  const openLink = async (fragment: string, origin: Origin = {}) => {
+    const isCurrent = loader.request()
+    const linked = await linkedProject(fragment)
+    if (!isCurrent()) return linked.kind
+    if (linked.kind === "damaged") store.dispatch({kind: "notice", notice: {kind: "damaged-link"}})
+    if (linked.kind === "program") {
+      loader.openText(words.yourProgram, linked.text, origin)
+      addressContains(fragment)
+    }
+    if (linked.kind === "lesson") {
+      const isOpen = openLessonText(store, loader, words.lessons.linked, linked.text, origin)
+      if (!isOpen) return "damaged"
+    }
+    return linked.kind
+  }
+  const openLast = async () => {
+    const last = stored.current()
+    if (last !== null)
+      loader.openText(words.yourProgram, last.text, {id: last.id, reloaded: true, isFirst: true})
+    else await openExample(firstExample, {welcome: true, reloaded: true, isFirst: true, inAddress: false})
+  }
+  const openFirst = async () => {
+    const isChanged = isReload() && stored.left() === programInAddress()
+    if (!isChanged) stored.setLeft(null)
+    if (isChanged) return openLast()
+    const linked = await openLink(addressFragment(), {isFirst: true})
+    if (linked === "program" || linked === "lesson") return
+    const example = exampleInAddress()
+    if (linked === "none" && example === null) return openLast()
+    if (example !== null) {
+      const origin = {welcome: example === firstExample, reloaded: true, isFirst: true}
+      if (await openExample(example, origin)) return
+    }
+    // The link or the example is missing: the last program is opened, and the notice about the missing one is kept.
+    const {notice} = store.now
+    await openLast()
+    store.dispatch({kind: "notice", notice})
+  }
+  return {openExample, openLink, openFirst}
+}

@@ -1,0 +1,86 @@
+/// Runs of programs: the effects of state changes, the connection to the service, the keep-alive for real robots, and the access code of the robots.
+
+import {seedInAddress} from "../browser/browser_window.ts"
+import {download, fileName, pickFile} from "../browser/local_files.ts"
+import {openAccessCode, ownName, setOwnName} from "../browser/preferences.ts"
+import {openConnection} from "../browser/service_connection.ts"
+import type {Speaker} from "../room/sound_synthesis.ts"
+import type {PageEvent} from "../state/page_events.ts"
+import {awaitsProgram} from "../state/page_state.ts"
+import {isDriving} from "../state/robot_ownership.ts"
+import type {Store} from "../state/store.ts"
+import type {Effect} from "../state/transition.ts"
+import type {Completions} from "./completion_requests.ts"
+import type {DocumentEditor} from "./document_editor.ts"
+import type {PageParts} from "./page_parts.ts"
+
+/// Milliseconds between the last change and the check by the compiler.
+const checkPause = 150
+
+/// Milliseconds between two `alive` messages while the page drives a real robot (protocol §4).
+const alivePause = 100
+
+/// Performs the effects of state changes. Of the checks requested while the learner types only the last one is sent.
+export function effectHandler(
+  parts: PageParts,
+  speaker: Speaker,
+  dispatch: (event: PageEvent) => void,
+): (effect: Effect) => void {
+  let checkTimer: ReturnType<typeof setTimeout> | undefined
+  return effect => {
+    if (effect.kind === "play") speaker.play(effect.sound)
+    else if (effect.kind === "pick-world")
+      pickFile(".json", (name, text) => dispatch({kind: "world-file-read", name, text}))
+    else if (effect.kind === "save-world")
+      download(fileName(effect.name, "json"), effect.text, "application/json")
+    else if (effect.message.op === "check") {
+      clearTimeout(checkTimer)
+      checkTimer = setTimeout(() => parts.service?.send(effect.message), checkPause)
+    } else parts.service?.send(effect.message)
+  }
+}
+
+export function connectService(
+  address: string,
+  store: Store,
+  parts: PageParts,
+  completions: Completions,
+  openClass: () => void,
+): void {
+  parts.service = openConnection(address, {
+    received(message) {
+      if (message.op === "hello" && message.inClass === true) openClass()
+      if (message.op === "completed") completions.heard(message)
+      store.dispatch({kind: "heard", message})
+    },
+    lost: () => store.dispatch({kind: "link-lost"}),
+    malformed: message => console.warn(`Rosy's service sent something this page does not know: ${message}`),
+  })
+}
+
+/// Real robots drive only while a visible page sends `alive`.
+export function sendAlive(store: Store, parts: PageParts): void {
+  setInterval(() => {
+    if (isDriving(store.now) && document.visibilityState === "visible") parts.service?.send({op: "alive"})
+  }, alivePause)
+}
+
+/// Restores the access code and the learner's name, and stores them when they change.
+export function storeAccess(store: Store): void {
+  const code = openAccessCode(window)
+  const known = code.read()
+  if (known !== null) store.dispatch({kind: "robots-unlocked", code: known})
+  store.onFrame(({robots}) => {
+    if (robots.offered?.locked === false || robots.refused !== null) code.keep(robots.code)
+    if (robots.who !== ownName()) setOwnName(robots.who)
+  })
+}
+
+export function runProgram(store: Store, editor: DocumentEditor): void {
+  if (awaitsProgram(store.now)) return
+  editor.flush()
+  store.dispatch({kind: "run-pressed", seed: seedInAddress() ?? newSeed()})
+}
+
+/// Seed of a run: any integer that the service accepts (protocol §4).
+const newSeed = () => Math.floor(Math.random() * 2 ** 31)

@@ -1,0 +1,142 @@
+/// Mounts of the views that are not Preact components: each function creates a view in its element and connects it to the document and the store.
+
+import * as codegen from "@rosy/codegen"
+import {openBlocks} from "../blocks/index.ts"
+import type {SharedClipboard} from "../blocks/interaction/clipboard.ts"
+import type {ProgramStore} from "../browser/program_store.ts"
+import {openExplanations} from "../browser/remote_resources.ts"
+import type {NumberDragListener} from "../preview/number_grip.ts"
+import {openRoom} from "../room/room_view.ts"
+import {openWorldEditor} from "../room/world_editor_view.ts"
+import {openHaskellPane} from "../source/haskell_pane.ts"
+import {signatureFix} from "../state/program.ts"
+import type {Store} from "../state/store.ts"
+import {lookedBackFor, motionQuestion, type Question} from "../why/why_state.ts"
+import {words} from "../words/index.ts"
+import type {Tone} from "./colour_scheme.ts"
+import {type Completions, snippets} from "./completion_requests.ts"
+import type {DocumentCommands} from "./document_commands.ts"
+import {longestProgram} from "./document_conversion.ts"
+import type {DocumentEditor} from "./document_editor.ts"
+import type {PageParts} from "./page_parts.ts"
+
+export interface MountContext {
+  readonly store: Store
+  readonly parts: PageParts
+  readonly editor: DocumentEditor
+  readonly commands: DocumentCommands
+  readonly numbers: NumberDragListener
+}
+
+export function mountBlocks(
+  host: HTMLElement,
+  {store, parts, editor, commands, numbers}: MountContext,
+  programStore: ProgramStore,
+  clipboard: SharedClipboard,
+  tone: Tone,
+): void {
+  parts.blocksHost = host
+  host.inert = parts.reader === null
+  // The blocks are brought up to date before the learner opens an editor in them: loading blocks would close it.
+  host.addEventListener("pointerenter", () => {
+    editor.flush()
+    editor.showBlocks()
+  })
+  const blocks = openBlocks(host, {
+    language: codegen,
+    tone,
+    rightToLeft: document.documentElement.dir === "rtl",
+    level: programStore.level() ?? "reactions",
+    onLevel: level => programStore.setLevel(level),
+    clipboard,
+    outside: {
+      area: () => parts.source?.dropArea() ?? null,
+      over: commands.previewDrop,
+      left: () => parts.source?.previewDrop(null),
+      dropped: commands.drop,
+    },
+    numbers,
+    history: {
+      undo: commands.undo,
+      redo: commands.redo,
+      canUndo: () => store.now.history.past.length > 0,
+      canRedo: () => store.now.history.future.length > 0,
+    },
+    questions: {
+      canAsk: () => store.now.room.run !== null && store.now.robots.held === null,
+      whyNot(name) {
+        const until = store.now.room.lookedAt ?? store.now.room.frame?.time ?? 0
+        const since = Math.max(0, until - lookedBackFor)
+        const question = {kind: "not", function: name, command: "", since, until} as const
+        store.dispatch({kind: "why", event: {kind: "asked", question}})
+      },
+    },
+  })
+  parts.blocks = blocks
+  blocks.onChange(({workspace, inference}) => editor.blocksEdited(workspace, inference))
+  blocks.onSelect(block => store.dispatch({kind: "selected", block: block ?? null, in: "blocks"}))
+}
+
+/// `edited` is called with each edit, before the document has it.
+export function mountSource(
+  host: HTMLElement,
+  {store, parts, editor, commands, numbers}: MountContext,
+  completions: Completions,
+  edited: () => void,
+): void {
+  parts.source = openHaskellPane(host, {
+    label: words.haskellPane,
+    description: words.haskellKeys,
+    completer: {fitting: completions.fitting, snippets, fromToolbox: words.fromToolbox},
+    renamer: {rename: commands.rename, words: {label: words.newName, rename: words.rename}},
+    phrases: words.editor,
+    longest: longestProgram,
+    tooLong: () => store.dispatch({kind: "notice", notice: {kind: "too-large", name: words.pastedText}}),
+    format: commands.format,
+    explainer: {about: openExplanations().about, more: words.readMore},
+    cursorMoved: editor.cursorMoved,
+    mend: commands.applyFix,
+    numbers: {...numbers, hint: words.preview.dragNumber},
+    fixHere(offset) {
+      const {document, declared} = store.now
+      return signatureFix(document.program, declared, offset, words.writeType)
+    },
+    edited(text, changes) {
+      editor.typing.typed(text, changes)
+      edited()
+    },
+  })
+}
+
+/// The result removes the editor.
+export function mountWorldEditor(canvas: HTMLCanvasElement, {store, parts}: MountContext): () => void {
+  const view = openWorldEditor(canvas, {
+    changed: () => store.redraw(),
+    edited: edit => store.dispatch({kind: "world-edited", edit}),
+  })
+  parts.worldEditor = view
+  store.redraw()
+  return () => {
+    view.dispose()
+    parts.worldEditor = null
+  }
+}
+
+export function mountRoom(canvas: HTMLCanvasElement, {store, parts}: MountContext): void {
+  parts.roomCanvas = canvas
+  parts.room = openRoom(canvas, {
+    changed: () => store.redraw(),
+    placed: teleport => store.dispatch({kind: "hand", hand: {teleport}}),
+    pushed: (thing, pose) => store.dispatch({kind: "hand", hand: {move: {thing, ...pose}}}),
+    holds: thing => store.dispatch({kind: "held", thing}),
+    follows: follows => store.dispatch({kind: "follows", follows}),
+    asked(about) {
+      const {room, robots} = store.now
+      const time = room.lookedAt ?? room.frame?.time ?? null
+      if (room.run === null || robots.held !== null || time === null) return
+      const question: Question =
+        about.kind === "robot" ? motionQuestion(time) : {kind: "position", time: about.time ?? time}
+      store.dispatch({kind: "why", event: {kind: "asked", question}})
+    },
+  })
+}

@@ -1,0 +1,111 @@
+/// Updates of the views that are not Preact components (blocks, text, room) from the state, each only when its input changed; and the list of all keyboard shortcuts.
+
+import {blockKeys} from "../blocks/interaction/shortcut_list.ts"
+import {pageKeys} from "../browser/browser_window.ts"
+import type {Preferences} from "../browser/stored_values.ts"
+import {roomKeys} from "../room/gestures.ts"
+import {worldKeys} from "../room/world_editor_shortcuts.ts"
+import {textKeys} from "../source/shortcuts.ts"
+import type {PageState} from "../state/page_state.ts"
+import {textRangeOf} from "../state/program.ts"
+import {recentlyFired} from "../state/room_state.ts"
+import {isActive} from "../state/run_state.ts"
+import {type KeySection, keyLines} from "../state/shortcuts.ts"
+import {compiled, trustedFindings} from "../state/visible_findings.ts"
+import {causalPath, noPath} from "../why/causal_path.ts"
+import type {Explanation} from "../why/explanation.ts"
+import {words} from "../words/index.ts"
+import {blockProblem} from "./document_conversion.ts"
+import type {PageParts} from "./page_parts.ts"
+import {openValueUpdates} from "./value_updates.ts"
+
+/// Keys of the state that are stored in the browser as the learner's preferences.
+const preferenceKeys = [
+  "theme",
+  "muted",
+  "arrangement",
+  "layout",
+  "trail",
+  "charts",
+  "chartSpan",
+  "previewing",
+  "valuesShown",
+] as const
+
+export function openViewUpdates(
+  parts: PageParts,
+  /// Whether an edit of the text is pending that the document does not have yet.
+  isTyping: () => boolean,
+  redraw: () => void,
+  applyColours: () => void,
+  setPreferences: (preferences: Preferences) => void,
+): (state: PageState, now: number) => void {
+  const updateValues = openValueUpdates(parts)
+  let before: PageState | null = null
+  let glow = ""
+  let explained: Explanation | null = null
+  return (state, now) => {
+    const {blocks, source, room} = parts
+    const changed = (key: keyof PageState) => before === null || before[key] !== state[key]
+    const {program} = state.document
+    if (changed("document")) {
+      // A pending edit is newer than the document and must not be overwritten.
+      if (!isTyping()) source?.setProgram(program)
+      blocks?.dim(state.document.dimmed)
+    }
+    if (changed("findings") || changed("document") || changed("accepted") || changed("refused")) {
+      const {run} = state.findings
+      const compiler = compiled(state)
+      source?.mark([...trustedFindings(state), ...compiler, ...run])
+      // An empty socket is drawn dashed; it is reported as a problem only after Run.
+      const shown = [...compiler.filter(f => state.refused !== null || f.kind !== "hole"), ...run]
+      blocks?.mark(shown.flatMap(blockProblem), state.accepted)
+    }
+    if (changed("declared") || changed("types"))
+      source?.setTold({declared: state.declared, types: state.types})
+    if (changed("selected") || changed("selectedIn") || changed("document")) {
+      const {selected, selectedIn} = state
+      source?.link(selected === null ? null : textRangeOf(program.spans, selected))
+      blocks?.highlight(selected === null || selectedIn === "blocks" ? [] : [selected])
+      if (selected !== null && selectedIn === "haskell") blocks?.reveal(selected)
+    }
+    if (changed("room") || changed("run")) {
+      const names = isActive(state.run) ? recentlyFired(state.room) : []
+      if (names.length > 0) blocks?.glow(names)
+      if (names.join(" ") !== glow) {
+        glow = names.join(" ")
+        source?.glow(program.definitions.filter(d => names.includes(d.name)))
+      }
+    }
+    const answer = state.why.open?.answer ?? null
+    if (answer !== explained || (answer !== null && changed("document"))) {
+      explained = answer
+      const names = answer === null ? noPath.functions : causalPath(answer).functions
+      blocks?.explain([...names])
+      source?.explain(program.definitions.filter(d => names.has(d.name)))
+    }
+    updateValues(state, now)
+    if (changed("theme")) applyColours()
+    if (before !== null && preferenceKeys.some(changed))
+      setPreferences(Object.fromEntries(preferenceKeys.map(key => [key, state[key]])))
+    before = state
+    const sight = {
+      trail: state.trail,
+      follows: state.follows,
+      hands: state.run.kind === "running" && state.robots.held === null,
+      held: state.room.held,
+    }
+    if (room?.draw(state.room, sight, now)) redraw()
+  }
+}
+
+export function keySections(): readonly KeySection[] {
+  const {sections, page, blocks, text, room, world} = words.keys
+  return [
+    {title: sections.page, lines: keyLines(page, pageKeys)},
+    {title: sections.blocks, lines: keyLines(blocks, blockKeys())},
+    {title: sections.text, lines: keyLines(text, textKeys)},
+    {title: sections.room, lines: keyLines(room, roomKeys)},
+    {title: words.world.title, lines: keyLines(world, worldKeys)},
+  ]
+}

@@ -1,0 +1,127 @@
+/// The diagram, for the page: `openDiagram(host, options)`. It is loaded when it is shown for the first time.
+
+import type {Frame} from "../state/messages.ts"
+import type {ProgramPart} from "../state/program_graph.ts"
+import type {CausalPath} from "../why/causal_path.ts"
+import {type Activity, isFading, noActivity, observe} from "./activity.ts"
+import {type Layout, layOut} from "./layout.ts"
+import {openLayoutEngine} from "./layout_engine.ts"
+import {type DiagramNode, firstFolds, fold, type Network} from "./network.ts"
+import {networkOf} from "./network_builder.ts"
+import {type OutlineLine, outline} from "./outline.ts"
+import {pngOf, standalone} from "./picture.ts"
+import {openDrawing} from "./view.ts"
+import type {ViewOptions, ViewWords} from "./view_types.ts"
+
+export type {DiagramNode} from "./network.ts"
+export type {OutlineLine} from "./outline.ts"
+
+export interface DiagramOptions {
+  readonly words: ViewWords
+  chosen(node: DiagramNode): void
+  typeOf(node: DiagramNode): string | null
+  /// A new drawing is there, or none could be made.
+  drawn(outcome: "drawn" | "empty" | "failed"): void
+}
+
+export interface DiagramView {
+  /// Shows what a program runs; `text` is the program's.
+  show(parts: readonly ProgramPart[], text: string): void
+  /// The new frames of the run; `now` is the learner's time in ms. Returns whether more is to be drawn without a new frame.
+  live(frames: readonly Frame[], now: number): boolean
+  /// One frame of the past.
+  at(frame: Frame | null, now: number): void
+  /// A new run: nothing has happened yet.
+  clear(): void
+  select(name: string | null): void
+  /// Marks what led to the answer of a question.
+  explain(path: CausalPath): void
+  /// Places everything anew.
+  tidy(): void
+  list(): readonly OutlineLine[]
+  chooseById(id: string): void
+  svgFile(): string
+  pngFile(): Promise<Blob | null>
+}
+
+export function openDiagram(host: HTMLElement, options: DiagramOptions): DiagramView {
+  const engine = openLayoutEngine()
+  let whole: Network = {nodes: [], edges: []}
+  let network = whole
+  let layout: Layout | null = null
+  let folded: ReadonlySet<string> = new Set()
+  let activity: Activity = noActivity
+  let asked = 0
+
+  const drawing = openDrawing(host, {
+    words: options.words,
+    chosen: options.chosen,
+    typeOf: options.typeOf,
+    toggled(id) {
+      const next = new Set(folded)
+      if (!next.delete(id)) next.add(id)
+      folded = next
+      void draw()
+    },
+  } satisfies ViewOptions)
+
+  // Positions come later than the network; only those of the newest one are drawn.
+  const draw = async () => {
+    const mine = ++asked
+    const shown = fold(whole, folded)
+    try {
+      const placed = await layOut(shown, layout, engine.layOut)
+      if (mine !== asked) return
+      network = shown
+      layout = placed
+      drawing.show(network, placed)
+      options.drawn(whole.nodes.length === 0 ? "empty" : "drawn")
+    } catch {
+      if (mine === asked) options.drawn("failed")
+    }
+  }
+
+  return {
+    show(parts, text) {
+      const lines = text.split("\n")
+      const first = whole.nodes.length === 0
+      whole = networkOf(parts, at => textOf(lines, at))
+      if (first) folded = firstFolds(whole)
+      void draw()
+    },
+    live(frames, now) {
+      activity = observe(activity, frames, now)
+      drawing.live(activity, now, false)
+      return isFading(activity, now)
+    },
+    at(frame, now) {
+      activity = observe(noActivity, frame === null ? [] : [frame], now)
+      drawing.live(activity, now, true)
+    },
+    clear() {
+      activity = noActivity
+    },
+    select: drawing.select,
+    explain: drawing.explain,
+    tidy() {
+      layout = null
+      void draw()
+    },
+    list: () => outline(whole, options.words.list),
+    chooseById(id) {
+      const node = whole.nodes.find(one => one.id === id)
+      if (node !== undefined) options.chosen(node)
+    },
+    svgFile: () => standalone(drawing.svg, getComputedStyle(host).backgroundColor),
+    pngFile: () => pngOf(standalone(drawing.svg, getComputedStyle(host).backgroundColor)),
+  }
+}
+
+/// The first line of a piece of the text.
+function textOf(
+  lines: readonly string[],
+  {line, column, endLine, endColumn}: NonNullable<DiagramNode["at"]>,
+): string {
+  const characters = [...(lines[line - 1] ?? "")]
+  return characters.slice(column - 1, line === endLine ? endColumn - 1 : undefined).join("")
+}

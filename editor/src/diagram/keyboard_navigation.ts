@@ -1,0 +1,40 @@
+/// Keyboard navigation in the diagram: the node that an arrow key leads to. Pure.
+
+import type {Layout} from "./layout.ts"
+import {type DiagramNode, isJoin, type Network} from "./network.ts"
+
+/// The node that an arrow key leads to: along the edges to the left and to the right, else the next one above or below.
+export function neighbour(
+  network: Network,
+  places: Layout["boxes"],
+  node: DiagramNode,
+  key: string,
+): string | null {
+  const isStop = (id: string) => !isJoin(network, id)
+  const along = (id: string, forwards: boolean): string | null => {
+    for (const edge of network.edges) {
+      const next = forwards ? (edge.from === id ? edge.to : null) : edge.to === id ? edge.from : null
+      if (next === null) continue
+      const found = isStop(next) ? next : along(next, forwards)
+      if (found !== null) return found
+    }
+    return null
+  }
+  if (key === "ArrowRight") return along(node.id, true)
+  if (key === "ArrowLeft") return along(node.id, false)
+  if (key !== "ArrowUp" && key !== "ArrowDown") return null
+  const here = places.get(node.id)
+  if (here === undefined) return null
+  const sign = key === "ArrowDown" ? 1 : -1
+  let best: {id: string; distance: number} | null = null
+  for (const other of network.nodes) {
+    const box = places.get(other.id)
+    if (box === undefined || other.id === node.id || !isStop(other.id)) continue
+    const dy = (box.y - here.y) * sign
+    if (dy <= 0) continue
+    // What is straight above or below comes before what is nearer and to the side.
+    const distance = dy + 2 * Math.abs(box.x + box.w / 2 - here.x - here.w / 2)
+    if (best === null || distance < best.distance) best = {id: other.id, distance}
+  }
+  return best?.id ?? null
+}

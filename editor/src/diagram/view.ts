@@ -1,0 +1,194 @@
+/// Diagram as SVG: a network at its layout, keyboard and pointer, and the activity of the run.
+
+import {type CausalPath, noPath} from "../why/causal_path.ts"
+import {type Activity, type Appearance, appearanceOf, noActivity, textMs} from "./activity.ts"
+import {type DrawnEdge, drawEdge} from "./edge_drawing.ts"
+import {explained} from "./explained.ts"
+import {neighbour} from "./keyboard_navigation.ts"
+import type {Layout} from "./layout.ts"
+import {firstOf, isContainer, isJoin, type Network, shortened} from "./network.ts"
+import {type DrawnNode, drawNode, fitting} from "./node_drawing.ts"
+import {outline} from "./outline.ts"
+import {svgElement} from "./svg_element.ts"
+import type {DrawnDiagram, ViewOptions} from "./view_types.ts"
+
+/// A drawing is scrolled before it becomes smaller than this share of its size, so that it can be read at arm's length.
+const leastScale = 0.66
+
+/// Free space around the drawing.
+const border = 24
+
+export function openDrawing(host: HTMLElement, options: ViewOptions): DrawnDiagram {
+  const {words} = options
+  const svg = svgElement("svg", {
+    class: "diagram",
+    role: "group",
+    "aria-label": `${words.title}. ${words.keys}`,
+  })
+  const containers = svgElement("g")
+  const edgeLayer = svgElement("g")
+  const nodeLayer = svgElement("g")
+  const labelLayer = svgElement("g", {class: "labels"})
+  svg.append(containers, edgeLayer, nodeLayer, labelLayer)
+  host.append(svg)
+
+  let shownNetwork: Network = {nodes: [], edges: []}
+  const nodes = new Map<string, DrawnNode>()
+  const edges = new Map<string, DrawnEdge>()
+  let current: string | null = null
+  let selected: string | null = null
+  let appearance: Appearance = appearanceOf(shownNetwork, noActivity, 0, words.rate)
+  let places: Layout["boxes"] = new Map()
+  let path: CausalPath = noPath
+  /// When values were written last, in ms of the learner's time.
+  let wroteAt = Number.NEGATIVE_INFINITY
+
+  const show = (network: Network, layout: Layout) => {
+    const focused = current !== null && nodes.get(current)?.group === document.activeElement
+    shownNetwork = network
+    places = layout.boxes
+    const [w, h] = [layout.width + 2 * border, layout.height + 2 * border]
+    svg.setAttribute("viewBox", `${-border} ${-border} ${w} ${h}`)
+    svg.setAttribute("width", `${w}`)
+    svg.setAttribute("height", `${h}`)
+    svg.style.minWidth = `${w * leastScale}px`
+    const lines = new Map(outline(network, words.list).map(({id, text}) => [id, text]))
+    const before = new Map(nodes)
+    nodes.clear()
+    for (const node of network.nodes) {
+      const box = layout.boxes.get(node.id)
+      if (box === undefined) continue
+      // A node that stays keeps its element, so that its way to another place can be seen.
+      const known = before.get(node.id)
+      const group = known?.group ?? svgElement("g")
+      const drawn = drawNode(group, node, box, lines.get(node.id) ?? "", options)
+      group.style.transform = `translate(${box.x}px, ${box.y}px)`
+      if (known === undefined) (isContainer(node) && !node.folded ? containers : nodeLayer).append(group)
+      nodes.set(node.id, drawn)
+      before.delete(node.id)
+    }
+    for (const {group} of before.values()) group.remove()
+    edgeLayer.replaceChildren()
+    labelLayer.replaceChildren()
+    edges.clear()
+    for (const edge of network.edges) {
+      const route = layout.routes.get(edge.id)
+      if (route === undefined || route.length < 2) continue
+      const drawn = drawEdge(edge, route, isJoin(network, edge.to))
+      labelLayer.append(drawn.text)
+      edgeLayer.append(drawn.group)
+      edges.set(edge.id, drawn)
+    }
+    if (current === null || !nodes.has(current)) current = firstOf(network)?.id ?? null
+    setTabStop()
+    if (focused && current !== null) nodes.get(current)?.group.focus()
+    appearance = {lit: new Set(), onEdges: new Map(), atNodes: new Map()}
+    mark()
+  }
+
+  /// Tab leads to the current node only; arrow keys lead to the others.
+  const setTabStop = () => {
+    for (const [id, {group}] of nodes)
+      if (group.hasAttribute("tabindex")) group.tabIndex = id === current ? 0 : -1
+  }
+
+  const mark = () => {
+    const {marked, lines} = explained(shownNetwork, path)
+    for (const [id, {group}] of nodes) group.classList.toggle("why", marked.has(id))
+    for (const [id, {group}] of edges) group.classList.toggle("why", lines.has(id))
+    for (const {node, group} of nodes.values())
+      group.classList.toggle(
+        "selected",
+        selected !== null && node.kind === "function" && node.key === selected,
+      )
+  }
+
+  const live = (activity: Activity, now: number, atOnce: boolean) => {
+    const next = appearanceOf(shownNetwork, activity, now, words.rate)
+    const changed = (id: string) => next.lit.has(id) !== appearance.lit.has(id)
+    for (const [id, {group}] of nodes) if (changed(id)) group.classList.toggle("lit", next.lit.has(id))
+    for (const [id, {group}] of edges) if (changed(id)) group.classList.toggle("lit", next.lit.has(id))
+    if (!atOnce && now - wroteAt < textMs) {
+      appearance = {...appearance, lit: next.lit}
+      return
+    }
+    for (const [id, {node, value}] of nodes) {
+      const text = next.atNodes.get(id)
+      if (value !== null && text !== appearance.atNodes.get(id))
+        value.textContent = fitting(text ?? "", node, places.get(id)?.w ?? 0)
+    }
+    for (const [id, drawn] of edges) {
+      const text = next.onEdges.get(id)
+      if (text === appearance.onEdges.get(id)) continue
+      drawn.text.textContent =
+        text === undefined || drawn.most < leastLabel ? "" : shortened(text, drawn.most)
+      drawn.title.textContent = text ?? ""
+    }
+    appearance = next
+    wroteAt = now
+  }
+
+  // Type and last value, when they are asked for.
+  svg.addEventListener("pointerover", event => {
+    const drawn = nodeOf(event.target)
+    if (drawn === null) return
+    const {node} = drawn
+    const type = node.kind === "function" ? options.typeOf(node) : node.key
+    const value = appearance.atNodes.get(node.id)
+    const last = node.kind === "function" ? null : value === undefined ? words.notYet : words.lastValue(value)
+    const messages = node.topic === null ? [] : [node.topic.name, node.topic.type]
+    drawn.title.textContent = [node.label, type === null ? null : words.type(type), ...messages, last]
+      .filter(Boolean)
+      .join("\n")
+  })
+  const nodeOf = (target: EventTarget | null): DrawnNode | null => {
+    const group = target instanceof Element ? target.closest<SVGGElement>("[data-node]") : null
+    return nodes.get(group?.dataset.node ?? "") ?? null
+  }
+  const choose = (drawn: DrawnNode) => {
+    current = drawn.node.id
+    setTabStop()
+    if (drawn.node.folded) options.toggled(drawn.node.id)
+    else options.chosen(drawn.node)
+  }
+  svg.addEventListener("click", event => {
+    const drawn = nodeOf(event.target)
+    if (drawn?.group.hasAttribute("tabindex")) choose(drawn)
+  })
+  svg.addEventListener("keydown", event => {
+    const drawn = nodeOf(event.target)
+    if (drawn === null || event.ctrlKey || event.metaKey || event.altKey) return
+    if (event.key === "Enter" || event.key === " ") choose(drawn)
+    else {
+      const next = neighbour(shownNetwork, places, drawn.node, event.key)
+      if (next === null) return
+      nodes.get(next)?.group.focus()
+    }
+    event.preventDefault()
+    event.stopPropagation()
+  })
+  svg.addEventListener("focusin", event => {
+    const drawn = nodeOf(event.target)
+    if (drawn === null) return
+    current = drawn.node.id
+    setTabStop()
+  })
+
+  return {
+    svg,
+    show,
+    live,
+    select(name) {
+      if (name === selected) return
+      selected = name
+      mark()
+    },
+    explain(next) {
+      path = next
+      mark()
+    },
+  }
+}
+
+/// Characters below which nothing is written on an edge.
+const leastLabel = 4

@@ -1,0 +1,40 @@
+/// Interface of the drawn diagram: its words, its events, and what it can show.
+
+import type {CausalPath} from "../why/causal_path.ts"
+import type {Activity} from "./activity.ts"
+import type {Layout} from "./layout.ts"
+import type {DiagramNode, Network} from "./network.ts"
+import type {OutlineWords} from "./outline.ts"
+
+export interface ViewWords {
+  readonly title: string
+  readonly keys: string
+  readonly notYet: string
+  readonly lastValue: (value: string) => string
+  readonly rate: (perSecond: number) => string
+  readonly type: (type: string) => string
+  readonly unfold: (name: string) => string
+  readonly foldUp: (name: string) => string
+  readonly list: OutlineWords
+}
+
+export interface ViewOptions {
+  readonly words: ViewWords
+  /// The learner chose a node.
+  chosen(node: DiagramNode): void
+  /// A container was opened or closed.
+  toggled(id: string): void
+  /// The type of a function.
+  typeOf(node: DiagramNode): string | null
+}
+
+export interface DrawnDiagram {
+  readonly svg: SVGSVGElement
+  show(network: Network, layout: Layout): void
+  /// Marks the functions of this name.
+  select(name: string | null): void
+  /// Marks what led to the answer of a question.
+  explain(path: CausalPath): void
+  /// Texts change at most five times a second, unless `atOnce`.
+  live(activity: Activity, now: number, atOnce: boolean): void
+}

@@ -1,0 +1,129 @@
+/// The open lesson as a value, and the events that change it. Pure: the messages to send are part of the result.
+
+import type {Lesson, LessonChecks, LessonEntry, Step} from "./lesson.ts"
+import type {Progress} from "./progress.ts"
+
+export interface OpenLesson {
+  readonly lesson: Lesson
+  /// The step that is shown.
+  readonly at: number
+  /// The answer chosen in each question, by the id of its step.
+  readonly answers: {readonly [step: string]: string}
+  /// How many hints are shown.
+  readonly hints: number
+  /// What the service says about the shown step; `null` until it has said something.
+  readonly checks: LessonChecks | null
+  /// The number of the last run that is judged: an earlier run says nothing about this step.
+  readonly since: number
+}
+
+export type LessonList =
+  | {readonly kind: "unasked"}
+  | {readonly kind: "asked"}
+  | {readonly kind: "there"; readonly lessons: readonly LessonEntry[]}
+  | {readonly kind: "failed"}
+
+/// All about lessons that the page knows.
+export interface LessonsState {
+  readonly list: LessonList
+  readonly progress: Progress
+  readonly open: OpenLesson | null
+}
+
+export const noLessons: LessonsState = {list: {kind: "unasked"}, progress: {}, open: null}
+
+export type LessonEvent =
+  | {readonly kind: "listed"; readonly list: LessonList}
+  /// `runs` is the number of the newest run.
+  | {readonly kind: "opened"; readonly lesson: Lesson; readonly at: number; readonly runs: number}
+  | {readonly kind: "closed"}
+  | {readonly kind: "answered"; readonly answer: string}
+  | {readonly kind: "stepped"; readonly to: number; readonly runs: number}
+  | {readonly kind: "hint-wanted"}
+  | {readonly kind: "judged"; readonly checks: LessonChecks}
+
+/// What the service watches from now on; `null` for nothing.
+export type Watched = Step["watched"]
+
+export interface LessonTransition {
+  readonly state: LessonsState
+  /// Present when another step is to be checked by the service.
+  readonly watched?: Watched
+}
+
+export function currentStep(open: OpenLesson): Step | undefined {
+  return open.lesson.steps[open.at]
+}
+
+export function isDone(state: LessonsState, step: Step): boolean {
+  return state.open !== null && (state.progress[state.open.lesson.name] ?? []).includes(step.id)
+}
+
+/// The step that a learner goes on with: the first that is not done, or the first of all when the lesson was finished.
+export function firstOpenStep(lesson: Lesson, progress: Progress): number {
+  const done = progress[lesson.name] ?? []
+  const found = lesson.steps.findIndex(step => !done.includes(step.id))
+  return Math.max(0, found)
+}
+
+/// The program that a lesson begins with at a step.
+export function programAt(lesson: Lesson, at: number): string {
+  const own = lesson.steps.slice(0, at + 1).flatMap(step => step.program ?? [])
+  return own.at(-1) ?? lesson.start
+}
+
+/// What the service is to watch now.
+export function watchedNow(state: LessonsState): Watched {
+  return (state.open === null ? undefined : currentStep(state.open))?.watched ?? null
+}
+
+export function reduceLesson(state: LessonsState, event: LessonEvent): LessonTransition {
+  const {open} = state
+  switch (event.kind) {
+    case "listed":
+      return {state: {...state, list: event.list}}
+    case "opened": {
+      const {lesson, at, runs} = event
+      return shown({...state, open: {lesson, at, answers: {}, hints: 0, checks: null, since: runs}})
+    }
+    case "closed":
+      return open === null ? {state} : shown({...state, open: null})
+    case "answered": {
+      const step = open === null ? undefined : currentStep(open)
+      if (open === null || step === undefined) return {state}
+      const answered = {...state, open: {...open, answers: {...open.answers, [step.id]: event.answer}}}
+      // A guess cannot be wrong; the answer to a question can, and may be given again.
+      const isOver = step.kind === "predict" || event.answer === step.right
+      return {state: isOver ? withDone(answered, step) : answered}
+    }
+    case "stepped": {
+      if (open === null || open.lesson.steps[event.to] === undefined) return {state}
+      return shown({...state, open: {...open, at: event.to, hints: 0, checks: null, since: event.runs}})
+    }
+    case "hint-wanted":
+      return open === null ? {state} : {state: {...state, open: {...open, hints: open.hints + 1}}}
+    case "judged":
+      return {state: judged(state, event.checks)}
+  }
+}
+
+function shown(state: LessonsState): LessonTransition {
+  return {state, watched: watchedNow(state)}
+}
+
+function judged(state: LessonsState, checks: LessonChecks): LessonsState {
+  const {open} = state
+  const step = open === null ? undefined : currentStep(open)
+  if (open === null || step === undefined || step.watched === null) return state
+  if (checks.run !== null && checks.run <= open.since) return state
+  const seen = {...state, open: {...open, checks}}
+  return checks.passed ? withDone(seen, step) : seen
+}
+
+function withDone(state: LessonsState, step: Step): LessonsState {
+  if (state.open === null) return state
+  const {name} = state.open.lesson
+  const done = state.progress[name] ?? []
+  if (done.includes(step.id)) return state
+  return {...state, progress: {...state.progress, [name]: [...done, step.id]}}
+}

@@ -1,0 +1,111 @@
+/// Interface of the application controller as components use it, and the hooks that read it. A component is rendered again only when its selection of the state changes.
+
+import {useComputed} from "@preact/signals"
+import {createContext} from "preact"
+import {useContext} from "preact/hooks"
+import type {Outline} from "../browser/block_picture.ts"
+import type {ExamplePath} from "../browser/remote_resources.ts"
+import type {StoredProgram} from "../browser/stored_values.ts"
+import type {OutlineLine} from "../diagram/outline.ts"
+import type {RoomTests} from "../rooms/room_tests.ts"
+import type {PageState} from "../state/page_state.ts"
+import type {Finding, Fix} from "../state/program.ts"
+import type {KeySection} from "../state/shortcuts.ts"
+import type {Store} from "../state/store.ts"
+
+/// The programs of the program store, and the commands of their dialog.
+export interface MyPrograms {
+  list(): readonly StoredProgram[]
+  deleted(): readonly StoredProgram[]
+  picture(id: string): readonly Outline[]
+  isOpen(id: string): boolean
+  open(id: string): void
+  rename(id: string, name: string): void
+  duplicate(id: string): void
+  remove(id: string): void
+  restore(id: string): void
+}
+
+export interface AppController {
+  readonly store: Store
+  /// The three regions that are not Preact's: each is given its element once.
+  mountBlocks(host: HTMLElement): void
+  mountSource(host: HTMLElement): void
+  mountRoom(canvas: HTMLCanvasElement): void
+  mountDiagram(host: HTMLElement): void
+  readonly diagram: {
+    /// Places everything anew.
+    tidy(): void
+    list(): readonly OutlineLine[]
+    /// Selects the block and the text of a node.
+    choose(id: string): void
+    saveSvg(): void
+    savePng(): void
+  }
+  /// The world editor has its canvas; what it gives back ends with it.
+  mountWorldEditor(canvas: HTMLCanvasElement): () => void
+  /// Runs the program with a new random seed.
+  run(): void
+  openGallery(): void
+  /// The path that an example drives; `null` when the service cannot compute it.
+  examplePath(name: string): Promise<ExamplePath | null>
+  /// Shows the rooms that there are.
+  openRooms(): void
+  openExample(name: string): void
+  openMyPrograms(): void
+  /// Shows the list of lessons.
+  openLessons(): void
+  /// Opens a lesson and its program at the first step that is not done.
+  openLesson(name: string): void
+  /// The address that contains a lesson, given as its text.
+  lessonLink(file: string): Promise<string>
+  goToStep(place: number): void
+  /// Opens the program again that the step began with.
+  restartStep(): void
+  /// Closes the lesson; its program stays.
+  leaveLesson(): void
+  readonly myPrograms: MyPrograms
+  newProgram(): void
+  openFile(): void
+  saveFile(): void
+  saveHaskell(): void
+  readonly roomTests: RoomTests
+  /// Opens the share dialog.
+  share(): void
+  print(): void
+  /// Opens the program of an embedded page in a page of its own.
+  openInRosy(): void
+  /// The values of the run, for a spreadsheet.
+  saveTable(): void
+  /// Looks `factor` times as close at the room.
+  zoomRoom(factor: number): void
+  fitRoom(): void
+  savePicture(): void
+  /// Starts a film of the room, or ends it and saves it.
+  setRecording(going: boolean): void
+  undo(): void
+  redo(): void
+  /// The keys that the page listens to.
+  keys(): readonly KeySection[]
+  /// Mends the program, in one step.
+  applyFix(fix: Fix): void
+  /// Lays the text out anew, without losing anything.
+  format(): void
+  /// Opens the page again in another language.
+  chooseLanguage(language: string): void
+  /// Brings the block and the text of a problem into sight.
+  showFinding(finding: Finding): void
+}
+
+export const ControllerContext = createContext<AppController | null>(null)
+
+export function useController(): AppController {
+  const desk = useContext(ControllerContext)
+  if (desk === null) throw new Error("expected a panel inside the page, found none")
+  return desk
+}
+
+export function usePageState<T>(choose: (state: PageState) => T): T {
+  const {store} = useController()
+  return useComputed(() => choose(store.drawn.value)).value
+}

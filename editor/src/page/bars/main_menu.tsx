@@ -1,0 +1,99 @@
+/// Main menu: files, theme, language.
+
+import type {VNode} from "preact"
+import type {Theme} from "../../state/page_state.ts"
+import {words} from "../../words/index.ts"
+import {languages} from "../../words/language_choice.ts"
+import {useController, usePageState} from "../app_context.ts"
+import {SegmentedControl, usePopup} from "../controls.tsx"
+import {MoreIcon} from "../icons.tsx"
+import {UndoRedo} from "./run_controls.tsx"
+
+const themes: readonly Theme[] = ["auto", "light", "dark"]
+
+export function MainMenu(): VNode {
+  const {open, box, button, toggle} = usePopup("menu")
+  /// The entry that had the focus is gone then.
+  const leave = () => {
+    toggle(false)
+    button.current?.focus()
+  }
+  return (
+    <div class="menu" ref={box}>
+      <button
+        type="button"
+        class="plain icon"
+        ref={button}
+        title={words.menu}
+        aria-label={words.menu}
+        aria-expanded={open}
+        onClick={() => toggle(!open)}
+      >
+        <MoreIcon />
+      </button>
+      {open && <MenuItems close={leave} />}
+    </div>
+  )
+}
+
+function MenuItems({close}: {close: () => void}): VNode {
+  const desk = useController()
+  const size = usePageState(s => s.size)
+  const theme = usePageState(s => s.theme)
+  const offered = usePageState(s => s.robots.offered !== null)
+  const session = usePageState(s => s.session)
+  const item = (text: string, act: () => void) => (
+    <button
+      type="button"
+      class="item"
+      onClick={() => {
+        close()
+        act()
+      }}
+    >
+      {text}
+    </button>
+  )
+  return (
+    <div class="menu-items">
+      {size === "phone" && <UndoRedo />}
+      <div class="from-bar">
+        {item(words.lessons.title, desk.openLessons)}
+        {item(words.examples, desk.openGallery)}
+      </div>
+      {item(words.myPrograms.title, desk.openMyPrograms)}
+      {offered && item(words.robots.choose, () => desk.store.dispatch({kind: "dialog", dialog: "robots"}))}
+      {item(words.newProgram, desk.newProgram)}
+      {item(words.openFile, desk.openFile)}
+      {item(words.saveFile, desk.saveFile)}
+      {item(words.saveHaskell, desk.saveHaskell)}
+      {item(words.share.menu, desk.share)}
+      {session !== null && (
+        <a class="item" target="_blank" rel="noopener" href={`examples/teleop/?session=${session}`}>
+          {words.driveByHand}
+        </a>
+      )}
+      {item(words.roomTests.menu, desk.roomTests.open)}
+      {item(words.format, desk.format)}
+      {item(words.keys.menu, () => desk.store.dispatch({kind: "dialog", dialog: "keys"}))}
+      <a class="item" target="_blank" rel="noopener" href="licenses.txt">
+        {words.about}
+      </a>
+      <hr />
+      <p class="label">{words.theme}</p>
+      <SegmentedControl
+        label={words.theme}
+        options={themes.map(t => [t, words.themes[t]])}
+        value={theme}
+        choose={chosen => desk.store.dispatch({kind: "theme", theme: chosen})}
+      />
+      <p class="label">{words.language}</p>
+      <SegmentedControl
+        label={words.language}
+        options={Object.entries(languages).map(([language, name]) => [language, name] as const)}
+        value={document.documentElement.lang}
+        choose={desk.chooseLanguage}
+      />
+    </div>
+  )
+}

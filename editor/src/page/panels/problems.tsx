@@ -1,0 +1,108 @@
+/// Problems panel: a card per problem with its reason, its fixes, and a link to the block or text it concerns.
+
+import type {VNode} from "preact"
+import type {PageState} from "../../state/page_state.ts"
+import {type Finding, isOverlapping} from "../../state/program.ts"
+import {compiled, trustedFindings} from "../../state/visible_findings.ts"
+import {words} from "../../words/index.ts"
+import {useController, usePageState} from "../app_context.ts"
+import {conflictFixes} from "../conflict_fixes.ts"
+import {TextWithCode} from "../controls.tsx"
+
+/// All problems, errors first and notes last, each told once. An empty socket is the blocks' to tell; about everything else that
+/// both have found the compiler knows better.
+export function allFindings(
+  state: Pick<PageState, "findings" | "document" | "accepted" | "refused">,
+): readonly Finding[] {
+  const {run} = state.findings
+  const compiler = compiled(state)
+  const found = trustedFindings(state)
+  const holes = found.filter(f => f.kind === "hole")
+  const told = compiler.filter(f => !holes.some(h => h.block === f.block || isOverlapping(h, f)))
+  const blocks = found.filter(
+    f => f.kind === "hole" || !told.some(t => isOverlapping(t, f) || missSame(t, f)),
+  )
+  const all = onePerConflict([...blocks, ...run, ...told])
+  return (["error", "warning", "note"] as const).flatMap(severity => all.filter(f => f.severity === severity))
+}
+
+/// A conflict is found on two blocks, before a run and in it, and is one mistake.
+function onePerConflict(findings: readonly Finding[]): readonly Finding[] {
+  const told = new Set<string>()
+  return findings.filter(({kind, message}) => {
+    if (kind !== "conflict") return true
+    const isNew = !told.has(message)
+    told.add(message)
+    return isNew
+  })
+}
+
+/// A missing part has no place in the text: findings of the same kind are the same.
+function missSame(a: Finding, b: Finding): boolean {
+  return a.kind === b.kind && a.range === null && b.range === null
+}
+
+/// Notes are not counted.
+export function problemCount(state: PageState): number {
+  return allFindings(state).filter(f => f.severity !== "note").length
+}
+
+export function ProblemsPanel(): VNode {
+  const told = usePageState(s => s.findings)
+  const document = usePageState(s => s.document)
+  const accepted = usePageState(s => s.accepted)
+  const refused = usePageState(s => s.refused)
+  const findings = allFindings({findings: told, document, accepted, refused})
+  return (
+    <div class="problems" data-testid="problems">
+      {findings.length === 0 && <p class="quiet">{words.noProblems}</p>}
+      {findings.map((finding, i) => (
+        // The list is made anew whenever it changes.
+        <Card key={i} finding={finding} />
+      ))}
+    </div>
+  )
+}
+
+function Card({finding}: {finding: Finding}): VNode {
+  const desk = useController()
+  const document = usePageState(s => s.document)
+  const fixes = [...finding.fixes, ...conflictFixes(document, finding)]
+  const place = finding.block !== null || finding.range !== null
+  return (
+    <article class={`problem ${finding.severity}`} data-kind={finding.kind}>
+      <p>
+        <TextWithCode text={finding.message} strong={finding.function} />
+        {finding.time !== null && <span class="quiet"> {words.atTime(finding.time)}</span>}
+      </p>
+      {finding.hint !== "" && (
+        <p class="quiet">
+          <TextWithCode text={finding.hint} strong={null} />
+        </p>
+      )}
+      {finding.inputs.length > 0 && (
+        <p class="quiet">
+          {words.givenInputs} <code>{finding.inputs.join(", ")}</code>.
+        </p>
+      )}
+      <div class="actions">
+        {fixes.map(fix => (
+          <button type="button" key={fix.title} class="fix" onClick={() => desk.applyFix(fix)}>
+            {fix.title}
+          </button>
+        ))}
+        {place && (
+          <button type="button" class="link" onClick={() => desk.showFinding(finding)}>
+            {words.showIt}
+          </button>
+        )}
+        {finding.ghc !== "" && (
+          <details>
+            <summary>{words.compilerSays}</summary>
+            <pre>{finding.ghc}</pre>
+          </details>
+        )}
+      </div>
+    </article>
+  )
+}

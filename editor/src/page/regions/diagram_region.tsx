@@ -1,0 +1,85 @@
+/// The diagram region: drawing or list, and what can be done with it.
+
+import type {CSSProperties, VNode} from "preact"
+import {useLayoutEffect, useRef, useState} from "preact/hooks"
+import {words} from "../../words/index.ts"
+import {useController, usePageState} from "../app_context.ts"
+import {RegionHeader} from "./region_header.tsx"
+
+export function DiagramRegion({shown, style}: {shown: boolean; style: CSSProperties}): VNode {
+  const desk = useController()
+  const host = useRef<HTMLDivElement>(null)
+  const [asList, setAsList] = useState(false)
+  const {outcome} = usePageState(s => s.diagram)
+  const isStale = usePageState(s => s.network !== null && !s.accepted)
+  useLayoutEffect(() => {
+    if (host.current !== null) desk.mountDiagram(host.current)
+  }, [desk])
+  const {diagram} = words
+  const message = {waiting: diagram.waiting, empty: diagram.empty, failed: diagram.failed, drawn: null}[
+    outcome
+  ]
+  return (
+    <section class="region diagram" aria-label={diagram.title} hidden={!shown} style={style}>
+      <RegionHeader region="diagram" />
+      <div class="diagram-tools">
+        <button type="button" class="plain small" aria-pressed={asList} onClick={() => setAsList(!asList)}>
+          {diagram.asList}
+        </button>
+        <button
+          type="button"
+          class="plain small"
+          title={diagram.tidyHint}
+          onClick={() => desk.diagram.tidy()}
+        >
+          {diagram.tidy}
+        </button>
+        <span class="space" />
+        <button
+          type="button"
+          class="plain small"
+          aria-label={diagram.saveSvg}
+          title={diagram.saveSvg}
+          onClick={() => desk.diagram.saveSvg()}
+        >
+          SVG
+        </button>
+        <button
+          type="button"
+          class="plain small"
+          aria-label={diagram.savePng}
+          title={diagram.savePng}
+          onClick={() => desk.diagram.savePng()}
+        >
+          PNG
+        </button>
+      </div>
+      {message !== null && <p class="quiet diagram-message">{message}</p>}
+      {/* Haskell's names and arrows go from left to right in every language. */}
+      <div
+        class={`diagram-host${isStale ? " stale" : ""}`}
+        dir="ltr"
+        ref={host}
+        hidden={asList || outcome !== "drawn"}
+      />
+      {asList && shown && <DiagramList />}
+    </section>
+  )
+}
+
+function DiagramList(): VNode {
+  const desk = useController()
+  // A new drawing is a new list.
+  usePageState(s => s.diagram.drawings)
+  return (
+    <ul class="diagram-list">
+      {desk.diagram.list().map(({id, depth, text}) => (
+        <li key={id} style={{paddingInlineStart: `${depth * 1.4}rem`}}>
+          <button type="button" class="item" onClick={() => desk.diagram.choose(id)}>
+            {text}
+          </button>
+        </li>
+      ))}
+    </ul>
+  )
+}

@@ -1,0 +1,101 @@
+/// Bar of the room region: choice of the robot and of the room, status of the run, safety rules, sound.
+
+import type {VNode} from "preact"
+import {isActive} from "../../state/run_state.ts"
+import {words} from "../../words/index.ts"
+import {useController, usePageState} from "../app_context.ts"
+import {IconButton} from "../controls.tsx"
+import {runStatus} from "../descriptions.ts"
+import {nameOfRoom} from "../dialogs/galleries.tsx"
+import {ChevronIcon, EditIcon, ShieldIcon, SoundIcon} from "../icons.tsx"
+import {DragHandle, HideButton} from "./region_header.tsx"
+
+export function RoomBar(): VNode {
+  const desk = useController()
+  const {store} = desk
+  const name = usePageState(s => (s.room.world === null ? "" : nameOfRoom(s.room.world)))
+  const muted = usePageState(s => s.muted)
+  const there = usePageState(s => s.room.world !== null)
+  const held = usePageState(s => s.robots.held?.name ?? null)
+  const status = usePageState(runStatus)
+  const kind = usePageState(s =>
+    s.clock === "standing" && isActive(s.run) ? "standing" : s.run.kind === "ended" ? s.run.how : s.run.kind,
+  )
+  return (
+    <div class="roombar">
+      <DragHandle region="room" />
+      <h2>{words.room}</h2>
+      <RobotChoice />
+      {held === null && (
+        <button
+          type="button"
+          class="plain room-choice"
+          aria-label={words.world.choose(name)}
+          title={words.world.choose(name)}
+          onClick={() => desk.openRooms()}
+        >
+          <span>{name}</span>
+          <ChevronIcon />
+        </button>
+      )}
+      <IconButton
+        label={words.world.change}
+        hidden={held !== null}
+        disabled={!there}
+        onClick={() => store.dispatch({kind: "world-editor-opened"})}
+      >
+        <EditIcon />
+      </IconButton>
+      <span class="space" />
+      <span class={`state ${kind}`} role="status">
+        {status}
+      </span>
+      <SafetySwitch />
+      <IconButton
+        label={muted ? words.soundOff : words.soundOn}
+        aria-pressed={!muted}
+        onClick={() => store.dispatch({kind: "muted", muted: !muted})}
+      >
+        <SoundIcon muted={muted} />
+      </IconButton>
+      <HideButton region="room" />
+    </div>
+  )
+}
+
+/// Switch of the safety rules, which hold for the simulated robot and for real ones alike.
+function SafetySwitch(): VNode {
+  const {store} = useController()
+  const on = usePageState(s => s.safety.on)
+  return (
+    <IconButton
+      label={words.safety.name}
+      hint={on ? words.safety.on : words.safety.off}
+      aria-pressed={on}
+      data-testid="safety-switch"
+      onClick={() => store.dispatch({kind: "safety-switched", on: !on})}
+    >
+      <ShieldIcon on={on} />
+    </IconButton>
+  )
+}
+
+/// Which robot it is, where there is a choice.
+function RobotChoice(): VNode | null {
+  const {store} = useController()
+  const offered = usePageState(s => s.robots.offered !== null)
+  const held = usePageState(s => s.robots.held?.name ?? null)
+  if (!offered) return null
+  return (
+    <button
+      type="button"
+      class="plain robot-choice"
+      aria-label={`${words.robots.choose}: ${held ?? words.robots.simulated}`}
+      title={words.robots.choose}
+      data-testid="robot-choice"
+      onClick={() => store.dispatch({kind: "dialog", dialog: "robots"})}
+    >
+      {held ?? words.robots.simulatedShort}
+    </button>
+  )
+}

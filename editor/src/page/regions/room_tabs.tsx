@@ -1,0 +1,60 @@
+/// Tabs below the room: console, charts, sensors, problems.
+
+import type {VNode} from "preact"
+import {words} from "../../words/index.ts"
+import {useController, usePageState} from "../app_context.ts"
+import {ChartsPanel} from "../panels/charts.tsx"
+import {ProblemsPanel, problemCount} from "../panels/problems.tsx"
+import {ConsolePanel, SensorsPanel} from "../panels/run_panels.tsx"
+
+const tabs = ["console", "charts", "sensors", "problems"] as const
+
+export function Tabs(): VNode {
+  const {store} = useController()
+  const tab = usePageState(s => s.tab)
+  const count = usePageState(problemCount)
+  const go = (from: number, by: number) => {
+    const name = tabs[(from + by + tabs.length) % tabs.length] ?? "console"
+    store.dispatch({kind: "tab", tab: name})
+    document.getElementById(`tab-${name}`)?.focus()
+  }
+  return (
+    <div class="tabs">
+      <div role="tablist" aria-label={words.room}>
+        {tabs.map((name, i) => (
+          <button
+            type="button"
+            key={name}
+            role="tab"
+            id={`tab-${name}`}
+            aria-selected={tab === name}
+            aria-controls="tab-panel"
+            tabIndex={tab === name ? 0 : -1}
+            onClick={() => store.dispatch({kind: "tab", tab: name})}
+            onKeyDown={event => {
+              if (event.key === "ArrowLeft") go(i, -1)
+              else if (event.key === "ArrowRight") go(i, 1)
+            }}
+          >
+            {words.tabs[name]}
+            {name === "problems" && count > 0 && <span class="count">{count}</span>}
+          </button>
+        ))}
+      </div>
+      <div
+        class="tab-panel"
+        key={tab}
+        id="tab-panel"
+        role="tabpanel"
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by keys
+        tabIndex={0}
+        aria-labelledby={`tab-${tab}`}
+      >
+        {tab === "console" && <ConsolePanel />}
+        {tab === "charts" && <ChartsPanel />}
+        {tab === "sensors" && <SensorsPanel />}
+        {tab === "problems" && <ProblemsPanel />}
+      </div>
+    </div>
+  )
+}

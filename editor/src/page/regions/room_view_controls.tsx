@@ -1,0 +1,136 @@
+/// Controls over the room's canvas: zoom, follow the robot, style of the trail, pictures and recordings.
+
+import type {VNode} from "preact"
+import {canRecord} from "../../browser/canvas_recording.ts"
+import type {TrailStyle} from "../../state/room_state.ts"
+import {words} from "../../words/index.ts"
+import {useController, usePageState} from "../app_context.ts"
+import {IconButton, SegmentedControl, usePopup} from "../controls.tsx"
+import {CloserIcon, EyeIcon, FollowIcon, FurtherIcon, StopIcon} from "../icons.tsx"
+
+const trails: readonly TrailStyle[] = ["plain", "speed", "time"]
+
+export function RoomViewControls(): VNode {
+  const desk = useController()
+  const {store} = desk
+  const follows = usePageState(s => s.follows)
+  const films = usePageState(s => s.films)
+  return (
+    <>
+      <Legend />
+      {films && (
+        <button type="button" class="hand filming" onClick={() => desk.setRecording(false)}>
+          <StopIcon />
+          {words.endFilm}
+        </button>
+      )}
+      <fieldset class="sight" aria-label={words.sight}>
+        <IconButton
+          label={words.follow}
+          hint={words.followHint}
+          class="hand icon"
+          aria-pressed={follows}
+          onClick={() => store.dispatch({kind: "follows", follows: !follows})}
+        >
+          <FollowIcon />
+        </IconButton>
+        <IconButton label={words.further} class="hand icon" onClick={() => desk.zoomRoom(0.8)}>
+          <FurtherIcon />
+        </IconButton>
+        <IconButton label={words.closer} class="hand icon" onClick={() => desk.zoomRoom(1.25)}>
+          <CloserIcon />
+        </IconButton>
+        <RoomViewMenu />
+      </fieldset>
+    </>
+  )
+}
+
+function RoomViewMenu(): VNode {
+  const desk = useController()
+  const {store} = desk
+  const {open, box, button, toggle} = usePopup("sight")
+  const trail = usePageState(s => s.trail)
+  const films = usePageState(s => s.films)
+  const previewing = usePageState(s => s.previewing)
+  const valuesShown = usePageState(s => s.valuesShown)
+  const item = (text: string, act: () => void) => (
+    <button
+      type="button"
+      class="item"
+      onClick={() => {
+        toggle(false)
+        act()
+      }}
+    >
+      {text}
+    </button>
+  )
+  return (
+    <div ref={box}>
+      <button
+        type="button"
+        class="hand icon"
+        ref={button}
+        aria-label={words.sightMenu}
+        title={words.sightMenu}
+        aria-expanded={open}
+        onClick={() => toggle(!open)}
+      >
+        <EyeIcon />
+      </button>
+      {open && (
+        <div class="menu-items sight-items">
+          <p class="label">{words.trail}</p>
+          <SegmentedControl
+            label={words.trail}
+            options={trails.map(t => [t, words.trails[t]])}
+            value={trail}
+            choose={chosen => store.dispatch({kind: "trail", trail: chosen})}
+          />
+          <hr />
+          <label class="item check">
+            <input
+              type="checkbox"
+              checked={previewing}
+              onChange={() => store.dispatch({kind: "previewing", previewing: !previewing})}
+            />
+            {words.preview.show}
+          </label>
+          <label class="item check" title={words.why.valuesHint}>
+            <input
+              type="checkbox"
+              checked={valuesShown}
+              onChange={() => store.dispatch({kind: "values-shown", shown: !valuesShown})}
+            />
+            {words.why.values}
+          </label>
+          {item(words.wholeRoom, desk.fitRoom)}
+          {item(words.savePicture, desk.savePicture)}
+          {canRecord() && item(films ? words.endFilm : words.startFilm, () => desk.setRecording(!films))}
+        </div>
+      )}
+    </div>
+  )
+}
+
+/// What the trail's colours and widths mean.
+function Legend(): VNode | null {
+  const trail = usePageState(s => s.trail)
+  const there = usePageState(s => s.room.trail.length > 0)
+  if (trail === "plain" || !there) return null
+  const [from, to] = words.trailEnds[trail]
+  return (
+    <p class="legend">
+      {from}
+      {[1, 2, 3, 4, 5].map(level => (
+        <span
+          key={level}
+          aria-hidden="true"
+          style={{"--level": level, background: `var(--trail-${level})`}}
+        />
+      ))}
+      {to}
+    </p>
+  )
+}

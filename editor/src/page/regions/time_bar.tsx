@@ -1,0 +1,144 @@
+/// Time bar of the run: reset, pause, single step, repeat, seek, clock, speed.
+
+import type {VNode} from "preact"
+import type {Speed} from "../../state/messages.ts"
+import {spanOfTime} from "../../state/recording.ts"
+import {isUntouched} from "../../state/room_state.ts"
+import {mayContinue} from "../../state/run_reducer.ts"
+import {isActive} from "../../state/run_state.ts"
+import {WhyMarks} from "../../why/why_panel.tsx"
+import {measures, words} from "../../words/index.ts"
+import {useController, usePageState} from "../app_context.ts"
+import {IconButton} from "../controls.tsx"
+import {AgainIcon, GoIcon, PauseIcon, ResetIcon, StepIcon} from "../icons.tsx"
+
+const speeds: readonly Speed[] = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16, "max"]
+
+/// A step of the run, in seconds (protocol: 20 ms).
+const step = 0.02
+
+export function TimeBar(): VNode {
+  const {store} = useController()
+  const untouched = usePageState(s => isUntouched(s.room) && !isActive(s.run))
+  const active = usePageState(s => isActive(s.run))
+  const standing = usePageState(s => s.clock === "standing")
+  // Real time neither stands nor hurries.
+  const real = usePageState(s => s.robots.held !== null)
+  const again = usePageState(s => s.seed !== null && s.robots.held === null)
+  return (
+    <div class="timebar">
+      <IconButton
+        label={words.reset}
+        hint={words.resetHint}
+        disabled={untouched}
+        onClick={() => store.dispatch({kind: "reset-pressed"})}
+      >
+        <ResetIcon />
+      </IconButton>
+      <IconButton
+        label={standing ? words.resume : words.pause}
+        hidden={real}
+        disabled={!active}
+        onClick={() => store.dispatch({kind: standing ? "resume-pressed" : "pause-pressed"})}
+      >
+        {standing && active ? <GoIcon /> : <PauseIcon />}
+      </IconButton>
+      <IconButton
+        label={words.forward}
+        hidden={real}
+        disabled={!active || !standing}
+        onClick={() => store.dispatch({kind: "forward-pressed"})}
+      >
+        <StepIcon />
+      </IconButton>
+      <IconButton
+        label={words.sameAgain}
+        hint={words.sameAgainHint}
+        disabled={!again}
+        onClick={() => store.dispatch({kind: "run-pressed"})}
+      >
+        <AgainIcon />
+      </IconButton>
+      <LookBack />
+      {!real && <SpeedChoice />}
+    </div>
+  )
+}
+
+/// While a simulated run is looked back at: the run goes on from there.
+export function ContinueBar(): VNode | null {
+  const {store} = useController()
+  if (!usePageState(mayContinue)) return null
+  return (
+    <div class="continue-bar">
+      <button
+        type="button"
+        class="plain"
+        title={words.continueHint}
+        onClick={() => store.dispatch({kind: "continue-pressed"})}
+      >
+        {words.continueHere}
+      </button>
+    </div>
+  )
+}
+
+/// The whole run as a line; its handle looks back, and at the end it is now.
+function LookBack(): VNode {
+  const {store} = useController()
+  const from = usePageState(s => spanOfTime(s.room.recording)?.from ?? 0)
+  const to = usePageState(s => s.room.frame?.time ?? 0)
+  const at = usePageState(s => s.room.lookedAt ?? s.room.frame?.time ?? 0)
+  const fine = usePageState(s => s.clock === "standing" || s.room.lookedAt !== null)
+  const part = to > from ? (100 * (at - from)) / (to - from) : 0
+  return (
+    <>
+      <span class="lookback-line">
+        <input
+          type="range"
+          class="lookback"
+          aria-label={words.lookBack}
+          aria-valuetext={measures.seconds(at, 2)}
+          title={words.lookBack}
+          style={{"--part": `${part}%`}}
+          min={from}
+          max={to}
+          step={step}
+          value={at}
+          disabled={to <= from}
+          onInput={event => {
+            const time = Number(event.currentTarget.value)
+            store.dispatch({kind: "looked-back", time: time > to - step / 2 ? null : time + step / 4})
+          }}
+        />
+        <WhyMarks from={from} to={to} />
+      </span>
+      <span class="clock" title={words.clock} data-testid="clock">
+        {measures.seconds(at, fine ? 2 : 1)}
+      </span>
+    </>
+  )
+}
+
+function SpeedChoice(): VNode {
+  const {store} = useController()
+  const speed = usePageState(s => s.speed)
+  return (
+    <select
+      class="speed"
+      aria-label={words.speed}
+      title={words.speed}
+      value={String(speed)}
+      onChange={event => {
+        const chosen = speeds.find(s => String(s) === event.currentTarget.value)
+        if (chosen !== undefined) store.dispatch({kind: "speed-chosen", speed: chosen})
+      }}
+    >
+      {speeds.map(s => (
+        <option key={s} value={String(s)}>
+          {s === "max" ? words.fastest : `${measures.short(s, 2)}×`}
+        </option>
+      ))}
+    </select>
+  )
+}

@@ -1,0 +1,63 @@
+/// Comparison of a preview with the run that the page shows, as facts. Pure.
+
+import type {PageState} from "../state/page_state.ts"
+import {frameAt} from "../state/recording.ts"
+import {type Preview, placeAt, shownPreview} from "./preview.ts"
+
+export type Side = "left" | "right" | "up" | "down" | "up left" | "up right" | "down left" | "down right"
+
+export interface Comparison {
+  /// Whether it is about the program as it is now.
+  readonly current: boolean
+  /// How far from the run's place the robot would be, m, and on which side in the picture; `null` where it makes no difference.
+  readonly moved: {readonly distance: number; readonly side: Side} | null
+  /// When that is, s, unless both end then.
+  readonly at: number | null
+  readonly bumps: number
+  readonly goals: {readonly done: number; readonly all: number}
+  /// When the program would fail, s.
+  readonly fails: number | null
+}
+
+/// Less than this is the same place, m.
+const samePlace = 0.05
+
+/// A direction is named alone when the other is less than this share of it.
+const slant = 0.4
+
+/// `null` while there is nothing to compare.
+export function compare(state: Pick<PageState, "room">): Comparison | null {
+  const shown = shownPreview(state.room.preview)
+  if (shown === null) return null
+  const {preview, current} = shown
+  const failed = preview.ended === "error" || preview.ended === "stuck"
+  return {
+    current,
+    ...difference(state, preview),
+    bumps: preview.collisions.length,
+    goals: {done: preview.goals.filter(g => g.state === "done").length, all: preview.goals.length},
+    fails: failed ? preview.time : null,
+  }
+}
+
+/// Both at the same moment: the end of the shorter one.
+function difference({room}: Pick<PageState, "room">, preview: Preview): Pick<Comparison, "moved" | "at"> {
+  const ran = room.frame?.time ?? 0
+  const time = Math.min(ran, preview.time)
+  const before = frameAt(room.recording, time)
+  const after = placeAt(preview.path, time)
+  const at = Math.abs(ran - preview.time) < 0.1 ? null : time
+  if (before === null || after === null) return {moved: null, at}
+  const [dx, dy] = [after.x - before.x, after.y - before.y]
+  const distance = Math.hypot(dx, dy)
+  return {moved: distance < samePlace ? null : {distance, side: sideOf(dx, dy)}, at}
+}
+
+/// x points to the right of the picture, y up.
+function sideOf(dx: number, dy: number): Side {
+  const across = dx < 0 ? "left" : "right"
+  const along = dy < 0 ? "down" : "up"
+  if (Math.abs(dy) < slant * Math.abs(dx)) return across
+  if (Math.abs(dx) < slant * Math.abs(dy)) return along
+  return `${along} ${across}`
+}

@@ -1,0 +1,112 @@
+/// Preview of an edited program: the service's answer as a value, and the state of asking for it. Pure.
+
+import {type Decoder, list, Mismatch, number, object, oneOf, optional} from "../state/decode.ts"
+
+/// Where the robot would be, m, and when, s since the start.
+export interface PathPoint {
+  readonly time: number
+  readonly x: number
+  readonly y: number
+}
+
+/// protocol §4, `previewed`.
+export interface Preview {
+  readonly id: number
+  readonly ended: "time" | "done" | "error" | "stuck" | "refused" | "unrepeatable"
+  readonly time: number
+  readonly x: number
+  readonly y: number
+  readonly theta: number
+  readonly path: readonly PathPoint[]
+  /// Where the robot stands when it begins to touch something.
+  readonly collisions: readonly PathPoint[]
+  readonly goals: readonly PreviewGoal[]
+}
+
+/// A goal of the room, and when it would be done or missed, in s.
+export interface PreviewGoal {
+  readonly state: "open" | "done" | "missed"
+  readonly time: number | null
+}
+
+export interface PreviewState {
+  /// The program of the last run in this room; `null` when there has been none.
+  readonly ran: string | null
+  /// The newest question to the service; `null` when nothing is to be shown.
+  readonly asked: {readonly id: number; readonly text: string} | null
+  /// The newest answer; its preview is `null` when the program does not compile, or when the last run cannot be repeated.
+  readonly answer: {
+    readonly text: string
+    readonly preview: Preview | null
+    /// The last run had more inputs by the learner than the service records.
+    readonly unrepeatable?: true
+  } | null
+}
+
+export const noPreview: PreviewState = {ran: null, asked: null, answer: null}
+
+/// Shortest and longest run that is previewed, s; the service refuses longer ones.
+const shortest = 10
+const longest = 300
+
+/// How long to preview after a run of so many seconds.
+export const previewSeconds = (ran: number): number => Math.min(longest, Math.max(shortest, ran))
+
+/// Whether the answer to the newest question is still to come.
+export const isPending = ({asked, answer}: PreviewState): boolean =>
+  asked !== null && asked.text !== answer?.text
+
+/// What is drawn: the newest preview. `current` is false until the answer about the newest text has come.
+export function shownPreview(
+  state: PreviewState,
+): {readonly preview: Preview; readonly current: boolean} | null {
+  const preview = state.asked === null ? null : (state.answer?.preview ?? null)
+  return preview === null ? null : {preview, current: !isPending(state)}
+}
+
+/// Takes an answer; one to an older question changes nothing.
+export function hearPreview(state: PreviewState, preview: Preview): PreviewState {
+  const {asked} = state
+  if (asked === null || asked.id !== preview.id || !isPending(state)) return state
+  const {text} = asked
+  if (preview.ended === "unrepeatable") return {...state, answer: {text, preview: null, unrepeatable: true}}
+  return {...state, answer: {text, preview: preview.ended === "refused" ? null : preview}}
+}
+
+/// The pose on a path at a time, as its last point before.
+export function placeAt(path: readonly PathPoint[], time: number): PathPoint | null {
+  return path.findLast(point => point.time <= time + 1e-9) ?? path[0] ?? null
+}
+
+const triple: Decoder<readonly [number, number, number]> = (value, path) => {
+  const [a, b, c, ...more] = list(number)(value, path)
+  if (a === undefined || b === undefined || c === undefined || more.length > 0)
+    throw new Mismatch(path, "three numbers")
+  return [a, b, c]
+}
+
+const point: Decoder<PathPoint> = (value, path) => {
+  const [time, x, y] = triple(value, path)
+  return {time, x, y}
+}
+
+const goal = object<PreviewGoal>(get => ({
+  state: get("state", oneOf("open", "done", "missed")),
+  time: get("time", optional(number, null)),
+}))
+
+/// Problems of the run that it would be are not shown: the page shows those of its own runs.
+export const preview = object<Preview>(get => {
+  const [x, y, theta] = get("pose", triple)
+  return {
+    id: get("id", number),
+    ended: get("ended", oneOf("time", "done", "error", "stuck", "refused", "unrepeatable")),
+    time: get("time", number),
+    x,
+    y,
+    theta,
+    path: get("path", list(point)),
+    collisions: get("collisions", list(point)),
+    goals: get("goals", list(goal)),
+  }
+})

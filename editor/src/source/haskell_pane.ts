@@ -1,0 +1,207 @@
+/// Haskell pane: CodeMirror, synchronized with the blocks. Edits go out as text with their changes; text from blocks or undo is applied as a minimal change, so
+/// that cursor and scroll position are preserved.
+
+import {closeBrackets, closeBracketsKeymap} from "@codemirror/autocomplete"
+import {defaultKeymap, indentLess, indentMore} from "@codemirror/commands"
+import {bracketMatching} from "@codemirror/language"
+import {lintGutter, lintKeymap, openLintPanel, setDiagnostics} from "@codemirror/lint"
+import {highlightSelectionMatches, search, searchKeymap} from "@codemirror/search"
+import {Annotation, Compartment, EditorState} from "@codemirror/state"
+import {drawSelection, EditorView, keymap} from "@codemirror/view"
+import type {Finding} from "../state/program.ts"
+import {changesBetween} from "../state/text_changes.ts"
+import {compilerInfoField, completion, setCompilerInfo} from "./completion.ts"
+import {cursorCorrection, lineDecorations, setExplained, setGlowing, setLinked} from "./decorations.ts"
+import {diagnosticsOf, saidBy, standThere} from "./diagnostics.ts"
+import {openDropPreview} from "./drop_preview.ts"
+import type {HaskellPane, SourceOptions} from "./haskell_pane_types.ts"
+import {indentation} from "./indentation.ts"
+import {numberDragging} from "./number_drag.ts"
+import {renamePanel, renameShortcut} from "./rename_panel.ts"
+import {ownKeys} from "./shortcuts.ts"
+import {programShown, syntaxColouring} from "./syntax_colouring.ts"
+import {tooltips} from "./tooltips.ts"
+import {setValues, valueWidgets} from "./value_widgets.ts"
+
+/// Marks changes that come from the page and not from the learner.
+const fromPage = Annotation.define<true>()
+
+export function openHaskellPane(host: HTMLElement, options: SourceOptions): HaskellPane {
+  const editable = new Compartment()
+  // Tab indents after typing; in a walk through the page by keyboard it goes on to the next
+  // part (WCAG 2.2 §2.1.2: no keyboard trap).
+  let writing = false
+  /// Mends the problem at the cursor when there is one way to do it, and shows the ways when there are several.
+  const mendHere = (v: EditorView): boolean => {
+    const {head} = v.state.selection.main
+    const line = v.state.doc.lineAt(head)
+    const near = found.filter(f => f.range !== null && f.range.start <= line.to && f.range.end >= line.from)
+    const fixes = near.flatMap(f => f.fixes)
+    const [first] = fixes.length > 0 ? fixes : [options.fixHere(head)]
+    if (fixes.length > 1) return openLintPanel(v)
+    if (first === undefined || first === null) return false
+    options.mend(first)
+    return true
+  }
+  let found: readonly Finding[] = []
+  /// What the marks say that are shown, in the order of `found`.
+  let marked = ""
+  let markedLines = 0
+  const view = new EditorView({
+    parent: host,
+    state: EditorState.create({
+      extensions: [
+        editable.of(EditorState.readOnly.of(true)),
+        EditorView.contentAttributes.of({
+          "aria-label": options.label,
+          "aria-description": options.description,
+          "data-testid": "haskell",
+          spellcheck: "false",
+        }),
+        EditorView.lineWrapping,
+        drawSelection(),
+        bracketMatching(),
+        closeBrackets(),
+        highlightSelectionMatches(),
+        search({top: true}),
+        indentation,
+        compilerInfoField,
+        completion(options.completer),
+        tooltips(options.explainer),
+        renamePanel(options.renamer),
+        EditorState.phrases.of(options.phrases),
+        keymap.of([
+          {key: ownKeys.mend, run: mendHere},
+          renameShortcut,
+          {key: ownKeys.format, run: () => (options.format(), true)},
+          ...closeBracketsKeymap,
+          ...searchKeymap,
+          ...lintKeymap,
+          ...defaultKeymap,
+          {key: "Tab", run: v => writing && indentMore(v), shift: v => writing && indentLess(v)},
+          // Escape before Tab leaves after all; other uses of Escape go on.
+          {key: "Escape", run: () => (writing = false)},
+        ]),
+        // What is longer than a program may be costs the page minutes; it is refused as a whole, and nothing is cut.
+        EditorState.changeFilter.of(change => {
+          const {length, newLength} = change.changes
+          const fits = newLength <= options.longest || newLength <= length
+          if (fits || change.annotation(fromPage) === true) return true
+          options.tooLong()
+          return false
+        }),
+        // Tabs and foreign line ends become what the rest of the program has.
+        EditorState.tabSize.of(8),
+        EditorView.clipboardInputFilter.of(text => text.replaceAll("\t", "        ")),
+        // A browser puts its own cursor to the start of what comes into focus, and CodeMirror moves it from there a moment later. A letter that comes first is
+        // not to go astray.
+        EditorView.domEventObservers({focus: (_event, v) => v.focus()}),
+        numberDragging(options.numbers),
+        cursorCorrection,
+        syntaxColouring,
+        lineDecorations,
+        valueWidgets,
+        lintGutter(),
+        EditorView.updateListener.of(update => {
+          const mine = update.transactions.some(t => t.annotation(fromPage) === true)
+          if (update.docChanged && !mine) writing = true
+          if (update.focusChanged && !update.view.hasFocus) writing = false
+          if (update.docChanged && !mine) options.edited(update.state.doc.toString(), update.changes)
+          else if (update.selectionSet && update.transactions.some(t => t.isUserEvent("select")))
+            options.cursorMoved(update.state.selection.main.head)
+        }),
+      ],
+    }),
+  })
+
+  const carrying = openDropPreview(view)
+  return {
+    setProgram(program, known) {
+      const changes = known ?? changesBetween(view.state.doc.toString(), program.text)
+      view.dispatch({
+        ...(changes.empty ? {} : {changes}),
+        annotations: fromPage.of(true),
+        effects: programShown.of(program),
+      })
+    },
+    setEditable(on) {
+      view.dispatch({effects: editable.reconfigure(EditorState.readOnly.of(!on))})
+    },
+    setTold(told) {
+      view.dispatch({effects: setCompilerInfo.of(told)})
+    },
+    link(range) {
+      view.dispatch({effects: setLinked.of(range)})
+      if (range !== null && !view.hasFocus && range.start <= view.state.doc.length)
+        view.dispatch({effects: EditorView.scrollIntoView(range.start, {y: "nearest", yMargin: 40})})
+    },
+    glow(ranges) {
+      view.dispatch({effects: setGlowing.of(ranges)})
+    },
+    explain(ranges) {
+      view.dispatch({effects: setExplained.of(ranges)})
+    },
+    showValues(values) {
+      view.dispatch({effects: setValues.of(values)})
+    },
+    mark(findings) {
+      found = findings
+      // What is typed moves the places of a fix: it is taken as it is then.
+      const diagnostics = diagnosticsOf(findings, view.state.doc.length, (finding, n) => {
+        const fix = found[finding]?.fixes[n]
+        if (fix !== undefined) options.mend(fix)
+      })
+      const said = diagnostics.map(saidBy).join("\n\n")
+      const {lines} = view.state.doc
+      // Underlines move with the text; the dots beside it stay behind when lines come or go.
+      if (said === marked && lines === markedLines && standThere(view.state, diagnostics)) return
+      marked = said
+      markedLines = lines
+      view.dispatch(setDiagnostics(view.state, diagnostics))
+    },
+    cursor: () => view.state.selection.main.head,
+    reveal(range) {
+      const at = Math.min(range.start, view.state.doc.length)
+      view.dispatch({
+        selection: {anchor: at},
+        effects: EditorView.scrollIntoView(at, {y: "center"}),
+      })
+    },
+    offsetAt(x, y) {
+      return view.posAtCoords({x, y}, false)
+    },
+    previewDrop(carried) {
+      carrying.show(carried)
+    },
+    dropArea() {
+      if (view.state.readOnly || host.offsetParent === null) return null
+      const area = host.getBoundingClientRect()
+      return area.width === 0 || area.height === 0 ? null : area
+    },
+    position() {
+      const {anchor, head} = view.state.selection.main
+      const top = view.lineBlockAtHeight(view.scrollDOM.scrollTop).from
+      return {anchor, head, top, writes: view.hasFocus}
+    },
+    goTo({anchor, head, top, writes}) {
+      const within = (offset: number) => Math.max(0, Math.min(offset, view.state.doc.length))
+      view.dispatch({
+        selection: {anchor: within(anchor), head: within(head)},
+        effects: EditorView.scrollIntoView(within(top), {y: "start", yMargin: 0}),
+      })
+      if (writes) view.focus()
+    },
+    select(range) {
+      const {length} = view.state.doc
+      view.dispatch({
+        selection: {anchor: Math.min(range.start, length), head: Math.min(range.end, length)},
+        scrollIntoView: true,
+      })
+      view.focus()
+    },
+    dispose() {
+      carrying.show(null)
+      view.destroy()
+    },
+  }
+}

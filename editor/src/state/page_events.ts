@@ -1,0 +1,161 @@
+/// Events that change the page's state, grouped by the reducer that applies them.
+
+import type {LessonEvent} from "../lessons/lesson_state.ts"
+import type {WhyEvent} from "../why/why_state.ts"
+import type {WorldEdit} from "../worlds/editor_value.ts"
+import type {World, WorldFile} from "../worlds/world.ts"
+import type {Arrangement, Region, View} from "./arrangement.ts"
+import type {ChangeOrigin, Document, History} from "./history.ts"
+import type {Hand, ServiceMessage, Speed} from "./messages.ts"
+import type {
+  ChartSpan,
+  Gallery,
+  Layout,
+  Notice,
+  PageState,
+  ReplacedRoom,
+  Shared,
+  Size,
+  Tab,
+  Theme,
+} from "./page_state.ts"
+import type {BlockId} from "./program.ts"
+import type {TrailStyle} from "./room_state.ts"
+import type {ChangeDesc} from "./text_changes.ts"
+
+export interface Opened {
+  readonly name: string
+  readonly world: string | WorldFile | null
+  readonly document: Document
+  /// The steps of undo that were kept.
+  readonly history: History
+  /// The first program of a new learner: Run pulses once, and after the first run a line invites to change a number.
+  readonly welcome: boolean
+  /// A new program: it opens at the usual speed.
+  readonly isNew: boolean
+  /// It belongs to the open lesson, which stays open.
+  readonly inLesson?: boolean
+  /// The first program of the page: a dialog that was opened before it arrived stays open.
+  readonly isFirst?: boolean
+  /// Stored with the program while its room is a room of a test.
+  readonly replacedRoom?: ReplacedRoom | null
+}
+
+/// The connection to the service.
+export type ConnectionEvent =
+  | {readonly kind: "link-lost"}
+  | {readonly kind: "heard"; readonly message: ServiceMessage}
+
+/// Run, Stop, Reset, the clock of the run, and the learner's input in the room.
+export type RunEvent =
+  /// `seed` is a new random seed, chosen outside of the state; without it the run has the seed of the one before.
+  | {readonly kind: "run-pressed"; readonly seed?: number}
+  | {readonly kind: "stop-pressed"}
+  | {readonly kind: "reset-pressed"}
+  | {readonly kind: "pause-pressed"}
+  | {readonly kind: "resume-pressed"}
+  | {readonly kind: "forward-pressed"}
+  | {readonly kind: "speed-chosen"; readonly speed: Speed}
+  /// The learner looks at this time of the run; `null` is now.
+  | {readonly kind: "looked-back"; readonly time: number | null}
+  /// The run goes on from the moment that is looked at.
+  | {readonly kind: "continue-pressed"}
+  | {readonly kind: "hand"; readonly hand: Hand}
+  | {readonly kind: "safety-switched"; readonly on: boolean}
+  | {readonly kind: "values-shown"; readonly shown: boolean}
+
+/// Real robots.
+export type RobotEvent =
+  /// The learner gave the code of the real robots, or the page remembered it.
+  | {readonly kind: "robots-unlocked"; readonly code: string}
+  | {readonly kind: "robot-taken"; readonly robot: string; readonly who: string}
+  | {readonly kind: "robot-left"}
+  | {readonly kind: "estop-pressed"}
+  | {readonly kind: "free-pressed"}
+  /// The page is seen no more, in a hidden tab or on a locked screen.
+  | {readonly kind: "out-of-sight"}
+
+/// The program, its name, and what is stored of it.
+export type DocumentEvent =
+  | {readonly kind: "opened"; readonly opened: Opened}
+  /// Another tab changed and stored the open program; `at` is now, in milliseconds.
+  | {
+      readonly kind: "followed"
+      readonly name: string
+      readonly world: string | WorldFile | null
+      readonly replacedRoom: ReplacedRoom | null
+      readonly document: Document
+      readonly at: number
+    }
+  /// The learner changed the program in one of its views, or by a command; `at` is now, in milliseconds.
+  | {
+      readonly kind: "program-changed"
+      /// From the text before to the text of `document`; computed from the texts if absent.
+      readonly changes?: ChangeDesc
+      readonly document: Document
+      readonly by: ChangeOrigin
+      readonly at: number
+    }
+  /// Types were inferred for these blocks; `document` is the one before with what they tell.
+  | {readonly kind: "analysed"; readonly before: Document; readonly document: Document}
+  | {readonly kind: "undo-pressed"}
+  | {readonly kind: "redo-pressed"}
+  /// A drag of a number begins or ends.
+  | {readonly kind: "number-drag"; readonly going: boolean}
+  | {readonly kind: "renamed"; readonly name: string}
+  | {readonly kind: "stored"; readonly ok: boolean}
+
+/// The room, its editor, and its files.
+export type WorldEvent =
+  | {readonly kind: "world-chosen"; readonly world: string}
+  /// A room of a test takes the place of the learner's own, and the learner's own comes back.
+  | {readonly kind: "test-room-opened"; readonly world: World}
+  | {readonly kind: "own-room-restored"}
+  | {readonly kind: "world-editor-opened"}
+  | {readonly kind: "world-edited"; readonly edit: WorldEdit}
+  /// The edited room becomes the room of the page, or is discarded.
+  | {readonly kind: "world-editor-closed"; readonly keep: boolean}
+  /// The room as a file: to be asked for, to be handed out, and as it was read (`null` when it holds no text).
+  | {readonly kind: "world-file-wanted"}
+  | {readonly kind: "world-file-made"}
+  | {readonly kind: "world-file-read"; readonly name: string; readonly text: string | null}
+
+/// What the page shows, and the learner's settings.
+export type ViewEvent =
+  /// The keyboard takes hold of a movable thing, or of the robot again.
+  | {readonly kind: "held"; readonly thing: number | null}
+  | {readonly kind: "selected"; readonly block: BlockId | null; readonly in: "blocks" | "haskell"}
+  | {readonly kind: "charted"; readonly quantities: readonly string[]}
+  | {readonly kind: "chart-span"; readonly span: ChartSpan}
+  | {readonly kind: "tab"; readonly tab: Tab}
+  | {readonly kind: "region"; readonly region: Region}
+  | {readonly kind: "size"; readonly size: Size}
+  | {readonly kind: "view"; readonly view: View}
+  | {readonly kind: "arranged"; readonly arrangement: Arrangement}
+  | {readonly kind: "arranging"; readonly arranging: PageState["arranging"]}
+  | {readonly kind: "layout"; readonly layout: Layout}
+  /// A new diagram was drawn, or could not be.
+  | {readonly kind: "diagram"; readonly outcome: PageState["diagram"]["outcome"]}
+  | {readonly kind: "dialog"; readonly dialog: PageState["dialog"]}
+  | {readonly kind: "shared"; readonly shared: Shared | null}
+  | {readonly kind: "notice"; readonly notice: Notice | null}
+  | {readonly kind: "gallery"; readonly gallery: Gallery}
+  | {readonly kind: "rooms-read"; readonly rooms: readonly World[]}
+  | {readonly kind: "worlds-listed"; readonly worlds: readonly string[]}
+  | {readonly kind: "theme"; readonly theme: Theme}
+  | {readonly kind: "muted"; readonly muted: boolean}
+  | {readonly kind: "trail"; readonly trail: TrailStyle}
+  | {readonly kind: "all-events"; readonly allEvents: boolean}
+  | {readonly kind: "previewing"; readonly previewing: boolean}
+  | {readonly kind: "follows"; readonly follows: boolean}
+  | {readonly kind: "films"; readonly films: boolean}
+
+export type PageEvent =
+  | ConnectionEvent
+  | RunEvent
+  | RobotEvent
+  | DocumentEvent
+  | WorldEvent
+  | ViewEvent
+  | {readonly kind: "lesson"; readonly event: LessonEvent}
+  | {readonly kind: "why"; readonly event: WhyEvent}

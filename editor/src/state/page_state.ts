@@ -1,0 +1,270 @@
+/// The page's state as one value without a DOM, and its first value.
+
+import {type LessonsState, noLessons} from "../lessons/lesson_state.ts"
+import {noQuestion, type WhyState} from "../why/why_state.ts"
+import type {WorldEditor} from "../worlds/editor_value.ts"
+import type {World, WorldFile} from "../worlds/world.ts"
+import {type Arrangement, firstArrangement, type Region} from "./arrangement.ts"
+import {type Document, emptyDocument, emptyHistory, type History, type NumberDrag} from "./history.ts"
+import type {Declared, Speed, TypesAtPlaces, WorkerState} from "./messages.ts"
+import type {BlockId, Finding} from "./program.ts"
+import type {OwnTopic, ProgramPart} from "./program_graph.ts"
+import {noRobots, type RobotsState, type SafetyRules} from "./robots.ts"
+import {type ConsoleLine, emptyRoom, type RoomState, type TrailStyle} from "./room_state.ts"
+import type {RunState} from "./run_state.ts"
+
+/// How much room the window has: all regions, two of them, or one at a time.
+export type Size = "wide" | "tablet" | "phone"
+export type Tab = "console" | "charts" | "sensors" | "problems"
+/// Seconds that a strip chart shows, or all of the run.
+export type ChartSpan = 20 | 60 | "all"
+export type Theme = "auto" | "light" | "dark"
+
+export interface Example {
+  readonly name: string
+  readonly title: string
+  readonly teaches: string
+  /// The name of its group in the gallery; empty for an example without one.
+  readonly level: string
+}
+
+export type Gallery =
+  | {readonly kind: "unasked"}
+  | {readonly kind: "asked"}
+  | {readonly kind: "there"; readonly examples: readonly Example[]}
+  | {readonly kind: "failed"}
+
+/// What others need to open the program.
+export interface Shared {
+  readonly link: string
+  /// The link as a QR code; `null` when it is too long for one.
+  readonly code: {readonly size: number; readonly path: string} | null
+  /// Markup for a page elsewhere.
+  readonly embed: string
+}
+
+/// Something the page itself has to say; `words` has the sentences.
+export type Notice =
+  | {readonly kind: "unreadable-file"; readonly name: string; readonly message: string; readonly hint: string}
+  | {readonly kind: "not-text"; readonly name: string}
+  /// Text, but neither a program nor a room.
+  | {readonly kind: "not-program"; readonly name: string}
+  | {readonly kind: "too-large"; readonly name: string}
+  /// `path` is empty when it is about the whole file.
+  | {readonly kind: "unreadable-world"; readonly name: string; readonly path: string; readonly why: string}
+  | {readonly kind: "example-missing"; readonly name: string}
+  | {readonly kind: "lesson-missing"; readonly name: string}
+  /// `at` is the place of the mistake in the lesson's file.
+  | {readonly kind: "damaged-lesson"; readonly name: string; readonly at: string}
+  | {readonly kind: "refusal"; readonly message: string; readonly hint: string}
+  | {readonly kind: "no-film"}
+  | {readonly kind: "no-reader"}
+  | {readonly kind: "not-saved"}
+  /// So many definitions were left as they are when the text was laid out.
+  | {readonly kind: "not-formatted"; readonly left: number}
+  /// Two tabs changed the same program; this tab's version is stored as the copy.
+  | {readonly kind: "became-two"; readonly name: string; readonly copy: string}
+  /// The browser keeps nothing for this page.
+  | {readonly kind: "no-storage"}
+  | {readonly kind: "damaged-link"}
+  /// A changed program that goes on from a moment differs from the last run before that moment; seconds of the run.
+  | {readonly kind: "diverged"; readonly time: number}
+  | {readonly kind: "robot-gone"; readonly name: string; readonly why: string}
+  | {readonly kind: "out-of-sight"; readonly name: string}
+
+/// The learner's own room, while the page shows a room of a test in its place.
+export interface ReplacedRoom {
+  /// The name of the room of the test.
+  readonly by: string
+  readonly own: string | WorldFile
+}
+
+export interface PageState {
+  readonly name: string
+  readonly saved: "saved" | "changed" | "failed"
+  readonly document: Document
+  readonly history: History
+  readonly worldName: string | WorldFile | null
+  /// `null` while the room is the learner's own. Another choice of room leaves it; then `by` is not the name of the room.
+  readonly replacedRoom: ReplacedRoom | null
+  readonly link: "connecting" | "open" | "lost"
+  /// The name that ROS clients reach the robot by; `null` before the first connection.
+  readonly session: string | null
+  readonly worker: WorkerState
+  readonly run: RunState
+  /// The number of the newest run; each run takes the next.
+  readonly runs: number
+  /// The newest question to the compiler; an answer to an older one is dropped.
+  readonly checks: number
+  /// A number is being dragged.
+  readonly numberDrag: NumberDrag
+  /// The newest question for a preview; an answer to an older one is dropped.
+  readonly previews: number
+  /// Whether previews are shown.
+  readonly previewing: boolean
+  /// Whether blocks and text show the values of the displayed moment.
+  readonly valuesShown: boolean
+  /// The random seed of the newest run: runs with the same seed are equal to the last bit. `null` before the first.
+  readonly seed: number | null
+  /// The run's clock: it goes, or it stands at a step until it is let go.
+  readonly clock: "going" | "standing"
+  readonly speed: Speed
+  /// The program's own names with the types that the compiler found.
+  readonly declared: readonly Declared[]
+  /// The type of every piece of the text that the compiler has read last.
+  readonly types: TypesAtPlaces & {readonly text: string}
+  /// What the newest program without mistakes runs, and its text; `null` before the first.
+  readonly network: {readonly parts: readonly ProgramPart[]; readonly text: string} | null
+  /// The topics that the program connects its types to itself, of its newest text that the compiler could read.
+  readonly topics: readonly OwnTopic[]
+  /// What the diagram region shows, and how many drawings there have been.
+  readonly diagram: {readonly outcome: "waiting" | "drawn" | "empty" | "failed"; readonly drawings: number}
+  readonly room: RoomState
+  readonly robots: RobotsState
+  readonly safety: SafetyRules
+  readonly lines: readonly ConsoleLine[]
+  /// The console also shows the ends of events and the state of the robot's connection.
+  readonly allEvents: boolean
+  readonly findings: {
+    readonly compiler: readonly Finding[]
+    readonly run: readonly Finding[]
+  }
+  /// The compiler accepted the newest text it answered about. Then its answer replaces the findings of the blocks' inference,
+  /// which does not support every library and extension that a program from elsewhere may use.
+  readonly accepted: boolean
+  /// The text that Run refused last and the sockets that were empty in it; `null` if no run of this program was refused.
+  /// Only these empty sockets are problems.
+  readonly refused: Refused | null
+  readonly selected: BlockId | null
+  /// Where the cursor is that chose it.
+  readonly selectedIn: "blocks" | "haskell"
+  readonly welcome: "fresh" | "ran" | "over"
+  readonly gallery: Gallery
+  readonly dialog:
+    | "gallery"
+    | "lessons"
+    | "programs"
+    | "rooms"
+    | "menu"
+    | "sight"
+    | "robots"
+    | "arrange"
+    | "keys"
+    | "share"
+    | "room-tests"
+    | null
+  /// For the share dialog; `null` until it is made.
+  readonly shared: Shared | null
+  /// The page is part of another site: it shows and runs one program and stores nothing.
+  readonly embedded: boolean
+  readonly lessons: LessonsState
+  readonly why: WhyState
+  /// The rooms of the service, for their gallery; `null` until they have been read.
+  readonly rooms: readonly World[] | null
+  readonly notice: Notice | null
+  /// Where the regions are, and which of them are hidden.
+  readonly arrangement: Arrangement
+  /// A region is being moved: what it would be like to let it fall where it is; `next` is `null` where nothing would change.
+  readonly arranging: {readonly region: Region; readonly next: Arrangement | null} | null
+  /// The one region that a phone shows.
+  readonly region: Region
+  readonly size: Size
+  readonly tab: Tab
+  /// The keys of the quantities that have a curve.
+  readonly charts: readonly string[]
+  /// Seconds that a curve shows, or all of the run.
+  readonly chartSpan: ChartSpan
+  readonly theme: Theme
+  readonly muted: boolean
+  /// What the colour and the width of the trail tell.
+  readonly trail: TrailStyle
+  /// The picture of the room goes with the robot.
+  readonly follows: boolean
+  /// A film of the room is being made.
+  readonly films: boolean
+  readonly worlds: readonly string[]
+  readonly layout: Layout
+  /// The room that is being changed; `null` while none is.
+  readonly worldEditor: WorldEditor | null
+}
+
+/// Where borders inside regions are: the share of the room's picture in its height.
+export interface Layout {
+  readonly canvas: number
+}
+
+export const initialState: PageState = {
+  name: "",
+  saved: "saved",
+  document: emptyDocument,
+  history: emptyHistory,
+  worldName: null,
+  replacedRoom: null,
+  link: "connecting",
+  session: null,
+  worker: "starting",
+  run: {kind: "ready"},
+  runs: 0,
+  checks: 0,
+  numberDrag: null,
+  previews: 0,
+  previewing: true,
+  valuesShown: false,
+  seed: null,
+  clock: "going",
+  speed: 1,
+  declared: [],
+  types: {text: "", names: [], at: []},
+  network: null,
+  topics: [],
+  diagram: {outcome: "waiting", drawings: 0},
+  room: emptyRoom,
+  robots: noRobots,
+  safety: {on: false, since: null},
+  lines: [],
+  allEvents: false,
+  findings: {compiler: [], run: []},
+  accepted: false,
+  refused: null,
+  selected: null,
+  selectedIn: "blocks",
+  welcome: "over",
+  gallery: {kind: "unasked"},
+  dialog: null,
+  shared: null,
+  embedded: false,
+  lessons: noLessons,
+  why: noQuestion,
+  rooms: null,
+  notice: null,
+  arrangement: firstArrangement,
+  arranging: null,
+  region: "blocks",
+  size: "wide",
+  tab: "console",
+  charts: ["speed", "bumperCenter"],
+  chartSpan: 20,
+  theme: "auto",
+  muted: false,
+  trail: "plain",
+  follows: false,
+  films: false,
+  worlds: [],
+  layout: {canvas: 0.56},
+  worldEditor: null,
+}
+
+/// The room of the page is a room of a test, which replaced the learner's own.
+export function isTestRoomShown({replacedRoom, worldName}: PageState): boolean {
+  if (replacedRoom === null || worldName === null) return false
+  return replacedRoom.by === (typeof worldName === "string" ? worldName : worldName["name"])
+}
+
+/// The first program is still on its way: over a network that many share it takes a while.
+export const awaitsProgram = (state: Pick<PageState, "document">): boolean => state.document === emptyDocument
+
+export interface Refused {
+  readonly text: string
+  /// Keys of the empty sockets.
+  readonly sockets: ReadonlySet<string>
+}

@@ -1,0 +1,26 @@
+/// Reducers for lessons and questions about a run, whose changes may send a request to the service. Pure.
+
+import type {LessonTransition} from "../lessons/lesson_state.ts"
+import {reduceWhy, type WhyEvent} from "../why/why_state.ts"
+import type {PageState} from "./page_state.ts"
+import {sending, still, type Transition} from "./transition.ts"
+
+/// Stores the state of the lessons, and tells the service which step it checks from now on.
+export function withLessons(state: PageState, {state: lessons, watched}: LessonTransition): Transition {
+  const changed = {...state, lessons}
+  return watched === undefined || state.link !== "open"
+    ? still(changed)
+    : sending(changed, {op: "lesson", step: watched})
+}
+
+/// Stores a question about the run or a step between questions, and asks the service. On a phone the answer is in the region of the room.
+export function explain(state: PageState, event: WhyEvent): Transition {
+  const {state: why, request} = reduceWhy(state.why, event)
+  const asked = {
+    ...state,
+    why,
+    region: event.kind === "asked" && state.size === "phone" ? "room" : state.region,
+  } as const
+  if (request === null) return still(asked)
+  return state.link === "open" ? sending(asked, request) : still(state)
+}

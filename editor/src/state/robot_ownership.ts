@@ -1,0 +1,84 @@
+/// Robot ownership: the page's requests to take, stop and release a real robot, and the service's answers. Pure.
+
+import type {ServiceMessage} from "./messages.ts"
+import type {RobotEvent} from "./page_events.ts"
+import type {PageState} from "./page_state.ts"
+import {type OwnedRobot, openFloor} from "./robots.ts"
+import {clearRoom} from "./room_state.ts"
+import {isActive, nextRun} from "./run_state.ts"
+import {sending, still, type Transition} from "./transition.ts"
+
+export type RobotMessage = Extract<ServiceMessage, {op: "robots" | "robot"}>
+
+/// A real robot is driving, or is about to.
+export function isDriving(state: Pick<PageState, "robots" | "run">): boolean {
+  return state.robots.held !== null && isActive(state.run)
+}
+
+export function reduceRobotEvent(state: PageState, event: RobotEvent): Transition {
+  const {robots} = state
+  const {held} = robots
+  switch (event.kind) {
+    case "robots-unlocked": {
+      const asked = {...state, robots: {...robots, code: event.code, refused: null}}
+      return robots.offered?.locked ? sending(asked, {op: "unlock", code: event.code}) : still(asked)
+    }
+    case "robot-taken": {
+      const {robot, who} = event
+      const run = nextRun(state.run, {kind: "reset-pressed"})
+      const asked = {...state, run, robots: {...robots, who, refused: null}}
+      return sending(asked, {op: "take", robot, who, run: state.runs})
+    }
+    case "robot-left":
+      return held === null ? still(state) : sending(withoutRobot(state), {op: "leave"})
+    case "estop-pressed":
+      return held === null ? still(state) : sending(state, {op: "estop"})
+    case "free-pressed":
+      return held === null ? still(state) : sending(state, {op: "free"})
+    case "out-of-sight": {
+      if (held === null || !isActive(state.run)) return still(state)
+      const run = nextRun(state.run, {kind: "stop-pressed"})
+      const notice = {kind: "out-of-sight", name: held.name} as const
+      return sending({...state, run, notice}, {op: "stop"})
+    }
+  }
+}
+
+export function reduceRobotMessage(state: PageState, message: RobotMessage): Transition {
+  const {robots} = state
+  if (message.op === "robots") {
+    const {locked} = message
+    const told = {...state, robots: {...robots, offered: {locked, robots: message.robots}}}
+    // After a lost connection the page opens them again by itself.
+    return locked && robots.code !== null ? sending(told, {op: "unlock", code: robots.code}) : still(told)
+  }
+  const {link, ...rest} = message.robot
+  if (link === "gone") {
+    if (robots.held === null) return still(state)
+    const {name, why} = rest
+    return still({...withoutRobot(state), notice: {kind: "robot-gone", name, why}})
+  }
+  const held: OwnedRobot = {...rest, link}
+  if (robots.held?.name === held.name) return still({...state, robots: {...robots, held}})
+  const room = {...clearRoom(state.room, state.runs), world: openFloor(held.name)}
+  const dialog = state.dialog === "robots" ? null : state.dialog
+  return still({...state, robots: {...robots, held}, room, lines: [], follows: true, clock: "going", dialog})
+}
+
+/// Without the robot; the service then sends the room of the simulated one.
+export function withoutRobot(state: PageState): PageState {
+  return {
+    ...state,
+    run: isActive(state.run) ? nextRun(state.run, {kind: "stop-pressed"}) : state.run,
+    robots: {...state.robots, held: null},
+    room: {...clearRoom(state.room, null), world: null},
+    lines: [],
+    follows: false,
+  }
+}
+
+/// With a refusal about robots, which the dialog of robots shows.
+export function withRobotRefusal(state: PageState, message: string): PageState {
+  const code = state.robots.offered?.locked ? null : state.robots.code
+  return {...state, robots: {...state.robots, refused: message, code}}
+}

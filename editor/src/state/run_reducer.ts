@@ -1,0 +1,139 @@
+/// Reducer for a run: Run, Stop, Reset, the clock, looking back, the learner's input in the room. Pure.
+
+import {noPreview} from "../preview/preview.ts"
+import {emptyLog} from "../values/firing_log.ts"
+import {reduceWhy} from "../why/why_state.ts"
+import {setVisible} from "./arrangement.ts"
+import type {RunEvent} from "./page_events.ts"
+import type {PageState} from "./page_state.ts"
+import {isDriving} from "./robot_ownership.ts"
+import {clearRoom, roomUntil, shownFrame} from "./room_state.ts"
+import {isActive, nextRun} from "./run_state.ts"
+import {sending, still, type Transition, unreachable} from "./transition.ts"
+
+/// Applies a press of Run, Stop or Reset, a change of the clock, or the learner's input in the room.
+export function reduceRunEvent(state: PageState, event: RunEvent): Transition {
+  switch (event.kind) {
+    case "run-pressed":
+      return start(state, event.seed ?? state.seed)
+    case "stop-pressed": {
+      if (!isActive(state.run)) return still(state)
+      const stopped = {...state, run: nextRun(state.run, event)}
+      return state.run.kind === "waiting" ? still(stopped) : sending(stopped, {op: "stop"})
+    }
+    case "reset-pressed": {
+      const room = clearRoom(state.room, state.robots.held === null ? null : state.runs)
+      const run = nextRun(state.run, event)
+      const why = reduceWhy(state.why, {kind: "closed"}).state
+      return sending(
+        {...state, run, room, why, lines: [], findings: {...state.findings, run: []}},
+        {op: "reset"},
+      )
+    }
+    case "looked-back": {
+      const last = state.room.frame?.time ?? 0
+      // The end of the run is now: from there the picture goes on.
+      const lookedAt = event.time === null || event.time >= last ? null : event.time
+      const looking = {...state, room: {...state.room, lookedAt}}
+      // A real robot does not wait while its run is looked back at.
+      const stands =
+        lookedAt !== null && state.clock === "going" && isActive(state.run) && state.robots.held === null
+      return stands ? sending({...looking, clock: "standing"}, {op: "pause"}) : still(looking)
+    }
+    case "continue-pressed":
+      return continueRun(state)
+    case "hand":
+      return state.run.kind === "running" && state.robots.held === null
+        ? sending(present(state), {op: "input", ...event.hand})
+        : still(state)
+    case "safety-switched": {
+      const switched = {...state, safety: {on: event.on, since: null}}
+      return state.link === "open" ? sending(switched, {op: "safety", on: event.on}) : still(switched)
+    }
+    case "pause-pressed":
+      return isActive(state.run) && state.clock === "going" && !isDriving(state)
+        ? sending({...state, clock: "standing"}, {op: "pause"})
+        : still(state)
+    case "resume-pressed":
+      return state.clock === "standing"
+        ? sending({...present(state), clock: "going"}, {op: "resume"})
+        : still(state)
+    case "forward-pressed":
+      return isActive(state.run) && state.clock === "standing"
+        ? sending(present(state), {op: "forward"})
+        : still(state)
+    case "speed-chosen": {
+      const chosen = {...state, speed: event.speed}
+      return isActive(state.run) ? sending(chosen, {op: "speed", speed: event.speed}) : still(chosen)
+    }
+    case "values-shown": {
+      const {room} = state
+      const firings = {...emptyLog, isWhole: room.frame === null}
+      const chosen = {...state, valuesShown: event.shown, room: {...room, firings}}
+      return state.link === "open" ? sending(chosen, observeMessage(chosen)) : still(chosen)
+    }
+    default:
+      return unreachable(event)
+  }
+}
+
+/// Shows the newest moment of the run again.
+function present(state: PageState): PageState {
+  return {...state, room: {...state.room, lookedAt: null}}
+}
+
+/// A new run of the open program; without a connection it waits.
+function start(state: PageState, seed: number | null): Transition {
+  const connected = state.link === "open"
+  const run = state.runs + 1
+  const started: PageState = {
+    ...state,
+    run: nextRun(state.run, {kind: "run-pressed", connected, run}),
+    runs: run,
+    seed,
+    clock: "going",
+    room: {
+      ...clearRoom(state.room, run),
+      preview: {...noPreview, ran: state.robots.held === null ? state.document.program.text : null},
+    },
+    why: reduceWhy(state.why, {kind: "closed"}).state,
+    lines: [],
+    findings: {...state.findings, run: []},
+    welcome: state.welcome === "fresh" ? "ran" : state.welcome,
+    tab: state.tab === "problems" ? "console" : state.tab,
+    notice: null,
+    region: state.size === "phone" ? "room" : state.region,
+    // A real robot is not run without its picture in sight.
+    arrangement: setVisible(state.arrangement, "room", true),
+  }
+  return connected ? sending(started, runMessage(started, run)) : still(started)
+}
+
+/// Runs are recorded for questions; frames have the firings only while their values are shown.
+export const observeMessage = ({valuesShown}: PageState) =>
+  ({op: "observe", on: true, ...(valuesShown ? {frames: true} : {})}) as const
+
+/// Whether the last run can go on from the moment that is looked at.
+export function mayContinue({room, robots, link}: PageState): boolean {
+  return room.lookedAt !== null && room.run !== null && robots.held === null && link === "open"
+}
+
+/// A new run that begins with the last one up to the moment that is looked at. The service repeats that part at once.
+function continueRun(state: PageState): Transition {
+  const frame = shownFrame(state.room)
+  if (!mayContinue(state) || frame === null) return still(state)
+  const begun = start(state, state.seed).state
+  const continued = {
+    ...begun,
+    room: {...roomUntil(state.room, frame.time), run: begun.runs, preview: begun.room.preview},
+    lines: state.lines.filter(line => line.time <= frame.time),
+  }
+  return sending(continued, {...runMessage(continued, begun.runs), after: frame.step})
+}
+
+/// The request for the run with this number.
+export function runMessage(state: PageState, run: number) {
+  const {seed} = state
+  const seeded = seed === null ? {} : {seed}
+  return {op: "run", run, source: state.document.program.text, ...seeded, speed: state.speed} as const
+}

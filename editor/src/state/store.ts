@@ -1,0 +1,59 @@
+/// Store of the page's state. Events change the state at once; views are notified at most once per animation frame.
+
+import {signal} from "@preact/signals"
+import type {PageEvent} from "./page_events.ts"
+import {initialState, type PageState} from "./page_state.ts"
+import {reduce} from "./reducer.ts"
+import type {Effect} from "./transition.ts"
+
+export interface Store {
+  /// The newest state, also between frames.
+  readonly now: PageState
+  /// The state as it is drawn; panels subscribe to it.
+  readonly drawn: {readonly value: PageState}
+  dispatch(event: PageEvent): void
+  /// Called after each event, in the task of the event.
+  onEvent(heard: (state: PageState) => void): void
+  /// Called once per frame after something changed, or was asked for by `redraw`.
+  onFrame(draw: (state: PageState, now: number) => void): void
+  redraw(): void
+}
+
+export function createStore(perform: (order: Effect) => void, first: Partial<PageState>): Store {
+  let state: PageState = {...initialState, ...first}
+  const drawn = signal(state)
+  const drawers: ((state: PageState, now: number) => void)[] = []
+  const listeners: ((state: PageState) => void)[] = []
+  let asked = false
+
+  const redraw = () => {
+    if (asked) return
+    asked = true
+    requestAnimationFrame(now => {
+      asked = false
+      drawn.value = state
+      for (const draw of drawers) draw(state, now)
+    })
+  }
+
+  return {
+    get now() {
+      return state
+    },
+    drawn,
+    dispatch(event) {
+      const step = reduce(state, event)
+      state = step.state
+      for (const order of step.effects) perform(order)
+      for (const heard of listeners) heard(state)
+      redraw()
+    },
+    onEvent(heard) {
+      listeners.push(heard)
+    },
+    onFrame(draw) {
+      drawers.push(draw)
+    },
+    redraw,
+  }
+}

@@ -1,0 +1,140 @@
+/// Values of a program at the displayed moment, in place: what each function took last and gave, and what each memory holds. Pure.
+
+import type {Firing, FiringInput, FiringOutput} from "../state/firings.ts"
+import type {PageState} from "../state/page_state.ts"
+import type {Definition} from "../state/program.ts"
+import type {ProgramPart} from "../state/program_graph.ts"
+import {shownFrame} from "../state/room_state.ts"
+import {shortFractions, storedValue} from "../why/sentence_words.ts"
+import type {words as english} from "../words/index.ts"
+import type {Measures} from "../words/number_formats.ts"
+import {latestFirings} from "./firing_log.ts"
+
+/// A label at a definition.
+export interface ValueLabel {
+  readonly definition: Definition
+  /// At most `longestText` characters.
+  readonly text: string
+  readonly whole: string
+  /// Whether the values are older than `fresh`, or there are none yet.
+  readonly isOld: boolean
+}
+
+/// Characters of a label; what is longer is folded.
+export const longestText = 56
+/// Characters of what a function gave; what it took has the rest.
+const longestOutput = 26
+
+/// Values older than this are grey and have their time, s.
+const fresh = 1
+
+type Shown = Pick<PageState, "document" | "network" | "room" | "valuesShown">
+type LabelWords = Pick<(typeof english)["why"], "nothing" | "aCall" | "notYet">
+
+export function valueLabels(state: Shown, words: LabelWords, measures: Measures): readonly ValueLabel[] {
+  const {room, network, document} = state
+  const frame = shownFrame(room)
+  if (!state.valuesShown || room.run === null || frame === null) return []
+  const time = room.lookedAt ?? frame.time
+  const latest = latestFirings(room.firings, time)
+  const ever = latestFirings(room.firings, Number.POSITIVE_INFINITY)
+  const functions = new Set(network === null ? [] : functionNames(network.parts))
+  const label = (definition: Definition): readonly ValueLabel[] => {
+    const {name} = definition
+    const firing = latest.get(name)
+    if (firing !== undefined) return [firingLabel(definition, firing, time, words, measures)]
+    const memory = frame.memory?.find(({type}) => typesOf(definition, document.program.text).has(type))
+    if (memory !== undefined) return [labelOf(definition, shortFractions(memory.value), "", false)]
+    if (!functions.has(name)) return []
+    // Without a record of its firings it is not known what it took and gave.
+    const isKnown = ever.has(name) ? room.firings.isWhole : room.fired[name] === undefined
+    return isKnown ? [labelOf(definition, words.notYet, "", true)] : []
+  }
+  const seen = new Set<string>()
+  return document.program.definitions.flatMap(label).filter(({definition: {block}}) => {
+    const isFirst = !seen.has(block)
+    seen.add(block)
+    return isFirst
+  })
+}
+
+function firingLabel(
+  definition: Definition,
+  firing: Firing,
+  time: number,
+  words: LabelWords,
+  measures: Measures,
+): ValueLabel {
+  const took = firing.took.map(inputText).join(", ")
+  const gave = firing.gave.map(one => outputText(one, words)).join(", ") || words.nothing
+  const isOld = time - firing.time > fresh
+  const when = isOld ? `  ${measures.seconds(firing.time, 2)}` : ""
+  const arrow = (inputs: string, outputs: string) => `${inputs === "" ? "" : `${inputs} `}→ ${outputs}`
+  const whole = arrow(took, gave)
+  const most = longestText - when.length
+  const result = folding(gave, longestOutput)
+  const folded = arrow(folding(took, most - " → ".length - result.length), result)
+  return labelOf(definition, whole.length <= most ? whole : folded, when, isOld, whole)
+}
+
+function labelOf(
+  definition: Definition,
+  text: string,
+  when: string,
+  isOld: boolean,
+  whole = text,
+): ValueLabel {
+  return {
+    definition,
+    text: folding(text, longestText - when.length) + when,
+    whole: whole.replace(/\s+/g, " ") + when,
+    isOld,
+  }
+}
+
+/// The types of the memory that a definition of a type may be about. The service writes types without synonyms.
+function typesOf({name, start, end}: Definition, text: string): ReadonlySet<string> {
+  const meaning = /^type\s+\S+\s*=\s*(.*\S)\s*$/s.exec(text.slice(start, end))?.[1]?.replace(/\s+/g, " ")
+  return new Set(
+    [name, ...(meaning === undefined ? [] : [meaning, `(${meaning})`])].map(one => `Memory ${one}`),
+  )
+}
+
+/// A text on one line, cut at `longest` characters.
+function folding(text: string, longest: number): string {
+  const line = text.replace(/\s+/g, " ").trim()
+  return line.length <= longest ? line : `${line.slice(0, longest - 1)}…`
+}
+
+/// The label of a value that cannot be shown is its type.
+const inputText = ({value, type}: FiringInput): string =>
+  value === "_" && type !== "" ? type : shortFractions(value)
+
+function outputText({to, value, type}: FiringOutput, words: LabelWords): string {
+  switch (to) {
+    case "done":
+      return "Done"
+    case "call":
+      return words.aCall
+    case "memory":
+    case "param":
+      return value === "" || value === "_" ? type : storedValue(type, shortFractions(value))
+    default:
+      return value === "" || value === "_" ? type : shortFractions(value)
+  }
+}
+
+function functionNames(parts: readonly ProgramPart[]): readonly string[] {
+  return parts.flatMap((part): readonly string[] => {
+    switch (part.kind) {
+      case "function":
+        return [part.name]
+      case "task":
+        return functionNames([...part.start, ...part.parts])
+      case "step":
+        return []
+      default:
+        return functionNames(part.steps)
+    }
+  })
+}

@@ -1,0 +1,231 @@
+/// Panel of the answer to a question about the run: its sentences, of which every cause is a question that goes one step further back.
+
+import type {VNode} from "preact"
+import {useLayoutEffect, useRef} from "preact/hooks"
+import {useController, usePageState} from "../page/app_context.ts"
+import {IconButton} from "../page/controls.tsx"
+import {CloseIcon} from "../page/icons.tsx"
+import {measures, words} from "../words/index.ts"
+import {causalPath} from "./causal_path.ts"
+import {commandsOf} from "./commands_of.ts"
+import {fill, type Piece, pieces, shortFractions} from "./sentence_words.ts"
+import {isAsking, motionQuestion, otherQuestion, type Question} from "./why_state.ts"
+
+export function WhyPanel(): VNode | null {
+  const {store} = useController()
+  const open = usePageState(s => s.why.open)
+  const waits = usePageState(s => isAsking(s.why))
+  const section = useRef<HTMLElement>(null)
+  // Whether the keyboard was last on something in the panel.
+  const hadFocus = useRef(false)
+  useLayoutEffect(() => {
+    // The link that was followed is gone: the keyboard stays in the panel.
+    if (hadFocus.current && document.activeElement === document.body) section.current?.focus()
+  }, [open])
+  if (open === null) return null
+  const {answer, before, question} = open
+  const send = (event: "went-back" | "closed") => store.dispatch({kind: "why", event: {kind: event}})
+  return (
+    <section
+      class="why"
+      ref={section}
+      tabIndex={-1}
+      aria-label={words.why.title}
+      onFocusIn={() => {
+        hadFocus.current = true
+      }}
+      onFocusOut={event => {
+        // Without a next element the one with the focus was removed.
+        hadFocus.current = event.relatedTarget === null
+      }}
+      data-testid="why"
+      onKeyDown={event => {
+        if (event.key !== "Escape") return
+        event.stopPropagation()
+        send("closed")
+      }}
+    >
+      <header>
+        <h3>
+          <Pieces all={questionPieces(question)} />
+        </h3>
+        {before.length > 0 && (
+          <button type="button" class="link" title={words.why.backHint} onClick={() => send("went-back")}>
+            {words.why.back}
+          </button>
+        )}
+        <IconButton label={words.why.close} onClick={() => send("closed")}>
+          <CloseIcon />
+        </IconButton>
+      </header>
+      <div aria-live="polite" aria-busy={waits} data-testid="why-answer">
+        {answer === null ? (
+          <p class="quiet">{words.why.asking}</p>
+        ) : (
+          answer.sentences.map((sentence, i) => (
+            <p key={`${answer.id} ${i}`}>
+              <Pieces all={pieces(sentence.said, words.why, measures)} />
+            </p>
+          ))
+        )}
+      </div>
+      {question.kind === "not" && question.command === "" && <NotSent question={question} />}
+      <AboutRobot question={question} />
+    </section>
+  )
+}
+
+/// The commands that the function may give, each as a question of its own.
+function NotSent({question}: {question: Question & {kind: "not"}}): VNode | null {
+  const {store} = useController()
+  const parts = usePageState(s => s.network?.parts ?? null)
+  const commands = parts === null ? [] : commandsOf(parts, question.function)
+  if (commands.length === 0) return null
+  return (
+    <p>
+      {commands.map(command => (
+        <button
+          type="button"
+          class="link not-sent"
+          key={command}
+          onClick={() =>
+            store.dispatch({kind: "why", event: {kind: "followed", question: {...question, command}}})
+          }
+        >
+          {words.why.noCommand(command)}
+        </button>
+      ))}
+    </p>
+  )
+}
+
+/// From the motion of the robot to its place at that time, and back.
+function AboutRobot({question}: {question: Question}): VNode | null {
+  const {store} = useController()
+  const now = usePageState(s => s.room.lookedAt ?? s.why.open?.answer?.time ?? null)
+  const other = otherQuestion(question, now)
+  if (other === null) return null
+  return (
+    <p>
+      <button
+        type="button"
+        class="link not-sent"
+        onClick={() => store.dispatch({kind: "why", event: {kind: "followed", question: other}})}
+      >
+        {other.kind === "position" ? words.why.place : words.why.asked.motion}
+      </button>
+    </p>
+  )
+}
+
+function Pieces({all}: {all: readonly Piece[]}): VNode {
+  return (
+    <>
+      {all.map((piece, i) => (
+        <PieceShown key={i} piece={piece} />
+      ))}
+    </>
+  )
+}
+
+function PieceShown({piece}: {piece: Piece}): VNode {
+  const {store} = useController()
+  switch (piece.kind) {
+    case "text":
+      return <>{piece.text}</>
+    case "code":
+      return <code title={piece.text}>{shortFractions(piece.text)}</code>
+    case "function":
+      return <b>{piece.text}</b>
+    case "cause": {
+      const question: Question = {kind: "firing", firing: piece.firing, function: piece.text}
+      return (
+        <button
+          type="button"
+          class="link cause"
+          title={words.why.of(piece.text)}
+          onClick={() => store.dispatch({kind: "why", event: {kind: "followed", question}})}
+        >
+          {piece.text}
+        </button>
+      )
+    }
+  }
+}
+
+function questionPieces(question: Question): readonly Piece[] {
+  const {asked} = words.why
+  switch (question.kind) {
+    case "command":
+      return question.command === "Velocity" && question.value === ""
+        ? fill(asked.motion, {})
+        : fill(asked.command, {value: [{kind: "code", text: question.value || question.command}]})
+    case "firing":
+      return fill(asked.firing, {function: [{kind: "function", text: question.function}]})
+    case "memory":
+      return fill(asked.memory, {type: [{kind: "code", text: question.type}]})
+    case "event":
+      return fill(asked.event, {value: [{kind: "code", text: question.value}]})
+    case "position":
+      return fill(asked.place, {time: [{kind: "text", text: measures.seconds(question.time, 2)}]})
+    case "not": {
+      const name: Piece = {kind: "function", text: question.function}
+      return question.command === ""
+        ? fill(asked.notRun, {function: [name]})
+        : fill(asked.notSent, {function: [name], type: [{kind: "code", text: question.command}]})
+    }
+  }
+}
+
+/// A small button that asks a question.
+export function WhyButton({question, about}: {question: () => Question; about: string}): VNode {
+  const {store} = useController()
+  return (
+    <button
+      type="button"
+      class="link why-link"
+      aria-label={words.why.of(about)}
+      title={words.why.of(about)}
+      onClick={() => store.dispatch({kind: "why", event: {kind: "asked", question: question()}})}
+    >
+      {words.why.short}
+    </button>
+  )
+}
+
+/// Asks about the motion of the robot at the displayed moment.
+export function RobotWhy(): VNode | null {
+  const {store} = useController()
+  const there = usePageState(s => s.room.run !== null && s.room.frame !== null && s.robots.held === null)
+  if (!there) return null
+  return (
+    <button
+      type="button"
+      class="hand robot-why"
+      title={words.why.robot}
+      aria-label={words.why.robot}
+      onClick={() => {
+        const {room} = store.now
+        const time = room.lookedAt ?? room.frame?.time ?? null
+        store.dispatch({kind: "why", event: {kind: "asked", question: motionQuestion(time)}})
+      }}
+    >
+      {words.why.short}
+    </button>
+  )
+}
+
+/// Where the moments of the answer lie on the time line.
+export function WhyMarks({from, to}: {from: number; to: number}): VNode | null {
+  const answer = usePageState(s => s.why.open?.answer ?? null)
+  if (answer === null || to <= from) return null
+  return (
+    <span class="why-marks" aria-hidden="true">
+      {causalPath(answer)
+        .moments.filter(time => time >= from && time <= to)
+        .map(time => (
+          <i key={time} style={{insetInlineStart: `${(100 * (time - from)) / (to - from)}%`}} />
+        ))}
+    </span>
+  )
+}

@@ -1,0 +1,23 @@
+/// Portuguese of Brazil, as one speaks to a learner of twelve years. Haskell's words and the robot's stay English.
+
+import {pt} from "@rosy/codegen/words/pt"
+import type {Table} from "../language_table.ts"
+import {measuresOf} from "../number_formats.ts"
+import {blockly, blocks} from "./blocks.ts"
+import {classroom} from "./classroom.ts"
+import {diagram} from "./diagram.ts"
+import {keys} from "./keys.ts"
+import {lessons} from "./lessons.ts"
+import {page} from "./page.ts"
+import {preview} from "./preview.ts"
+import {roomTests} from "./room_tests.ts"
+import {world} from "./rooms.ts"
+import {why} from "./why.ts"
+
+export const portuguese: Table = {
+  tag: "pt",
+  direction: "ltr",
+  page: {...page, blocks, classroom, world, diagram, roomTests, preview, keys, lessons, why, blockly},
+  measures: measuresOf("pt-BR"),
+  blocks: pt,
+}

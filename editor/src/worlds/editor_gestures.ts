@@ -1,0 +1,128 @@
+/// Gestures of the world editor: the pointer goes down, moves, goes up. Pure.
+
+import {
+  defaultPart,
+  drawnPart,
+  finished,
+  isGoal,
+  paintLine,
+  point,
+  tileOf,
+  withPoint,
+} from "./drawing_tools.ts"
+import {type Gesture, remember, sameWorld, type WorldEditor} from "./editor_value.ts"
+import {type Handle, handlesOf, moveHandle} from "./part_handles.ts"
+import {partAt} from "./part_hit_testing.ts"
+import {movePart} from "./part_movement.ts"
+import {paintTile} from "./room_size.ts"
+import type {Spot, World, WorldGoal} from "./world.ts"
+import {hasRoomFor, type Part, samePart} from "./world_parts.ts"
+
+/// A pointer that moved less than this has only clicked, m.
+const click = 0.04
+/// Points of a shape that is drawn by hand lie so far apart, m.
+const drawStep = 0.2
+
+export function down(editor: WorldEditor, at: Spot, reach: number): WorldEditor {
+  const base = editor.world
+  const begin = (gesture: Gesture, now: Partial<WorldEditor> = {}): WorldEditor => ({
+    ...editor,
+    base,
+    gesture,
+    ...now,
+  })
+  const {tool, chosen, world} = editor
+  if (tool === "solid" || tool === "hole" || tool === "floor")
+    return begin({kind: "paint", last: at}, {world: paintTile(world, at, tileOf[tool]), chosen: null})
+  if (tool === "choose") {
+    const handle = chosen === null ? null : handleAt(world, chosen, at, reach)
+    if (chosen !== null && handle !== null) return begin({kind: "pull", part: chosen, handle, from: at})
+    const part = partAt(world, at, reach)
+    // A thing below the selected one is not selected by a drag of the selected one.
+    const mine = chosen !== null && part !== null && samePart(part, chosen)
+    return part === null
+      ? {...editor, chosen: null}
+      : begin({kind: "move", part: mine ? chosen : part, from: at}, {chosen: part})
+  }
+  if (tool === "visit" || tool === "draw") {
+    const longer = chosen === null ? null : withPoint(world, chosen, tool, point(editor, at))
+    if (chosen !== null && longer !== null) return begin({kind: "follow", part: chosen}, {world: longer})
+    if (!hasRoomFor(world, "goal")) return editor
+    const first = point(editor, at)
+    const goal: WorldGoal =
+      tool === "visit"
+        ? {kind: "visit", title: "", within: null, points: [first], r: 0.3}
+        : {kind: "draw", title: "", within: null, points: [first], tolerance: 0.15}
+    const part: Part = {kind: "goal", index: world.goals.length}
+    return begin({kind: "follow", part}, {world: {...world, goals: [...world.goals, goal]}, chosen: part})
+  }
+  const kind = tool === "wall" ? "wall" : isGoal(tool) ? "goal" : "box"
+  return hasRoomFor(world, kind) ? begin({kind: "make", from: at}, {chosen: null}) : editor
+}
+
+export function move(editor: WorldEditor, at: Spot): WorldEditor {
+  const {gesture, base, snap} = editor
+  // A click moves nothing, not even onto the grid.
+  const clicked = (from: Spot) => Math.hypot(at[0] - from[0], at[1] - from[1]) < click
+  switch (gesture?.kind) {
+    case "move":
+      if (clicked(gesture.from)) return {...editor, world: base}
+      return {
+        ...editor,
+        world: movePart(base, gesture.part, at[0] - gesture.from[0], at[1] - gesture.from[1], snap),
+      }
+    case "pull":
+      if (clicked(gesture.from)) return {...editor, world: base}
+      return {...editor, world: moveHandle(base, gesture.part, gesture.handle, at, snap)}
+    case "make": {
+      const made = drawnPart(editor, gesture.from, at)
+      return clicked(gesture.from)
+        ? {...editor, world: base, chosen: null}
+        : {...editor, world: made.world, chosen: made.part}
+    }
+    case "follow": {
+      const goal = gesture.part.kind === "goal" ? editor.world.goals[gesture.part.index] : undefined
+      if (goal?.kind !== "draw") return editor
+      const last = goal.points.at(-1)
+      const here = point(editor, at)
+      if (last !== undefined && Math.hypot(here[0] - last[0], here[1] - last[1]) < drawStep - 1e-9)
+        return editor
+      return {...editor, world: withPoint(editor.world, gesture.part, "draw", here) ?? editor.world}
+    }
+    case "paint": {
+      const {tool} = editor
+      if (tool !== "solid" && tool !== "hole" && tool !== "floor") return editor
+      return {
+        ...editor,
+        world: paintLine(editor.world, gesture.last, at, tileOf[tool]),
+        gesture: {kind: "paint", last: at},
+      }
+    }
+    case undefined:
+      return editor
+  }
+}
+
+export function up(editor: WorldEditor): WorldEditor {
+  const {gesture, base} = editor
+  if (gesture === null) return editor
+  // A click with a thing in hand puts down one of the usual size.
+  const now =
+    gesture.kind === "make" && editor.chosen === null
+      ? (({world, part}) => ({...editor, world, chosen: part}))(defaultPart(editor, gesture.from))
+      : editor
+  const whole = {...now, world: finished(now.world), gesture: null}
+  const done = sameWorld(whole.world, base) ? {...whole, world: base} : remember(whole, base)
+  // After something was put down it can be moved at once; tiles and points go on.
+  return gesture.kind === "make" ? {...done, tool: "choose"} : done
+}
+
+/// The nearest handle within the pointer's reach.
+function handleAt(world: World, part: Part, at: Spot, reach: number): Handle | null {
+  let best: {handle: Handle; gap: number} | null = null
+  for (const handle of handlesOf(world, part)) {
+    const gap = Math.hypot(handle.at[0] - at[0], handle.at[1] - at[1])
+    if (gap <= reach * 1.4 && (best === null || gap < best.gap)) best = {handle, gap}
+  }
+  return best?.handle ?? null
+}

@@ -1,0 +1,308 @@
+/// Synchronization of browsers with the class: a service in memory, two browsers, and a network that fails.
+
+import {describe, expect, test} from "vitest"
+import {memoryStorage} from "../../src/browser/memory_storage.ts"
+import {openProgramStore} from "../../src/browser/program_store.ts"
+import type {ClassMessage, ProgramEntry, PupilMessage} from "../../src/classroom/class_messages.ts"
+import {type ClassSync, openClassSync} from "../../src/classroom/class_sync.ts"
+import {readMembership, writeMembership} from "../../src/classroom/membership.ts"
+
+interface Version {
+  readonly version: number
+  readonly name: string
+  readonly text: string
+  readonly mark: string
+}
+
+/// Stores versions as `class_store.py` does.
+class Service {
+  readonly programs = new Map<string, Version>()
+  /// Every text that was ever stored.
+  readonly history = new Set<string>()
+  private version = 0
+
+  serve(message: PupilMessage): ClassMessage | null {
+    if (message.op === "read") {
+      const found = this.programs.get(message.program)
+      return found === undefined ? null : {...found, op: "program", program: message.program}
+    }
+    if (message.op !== "save") return null
+    const {program, name, text, base, mark, unacknowledged} = message
+    const latest = this.programs.get(program)
+    if (latest !== undefined && latest.text === text)
+      return {op: "saved", program, mark, version: latest.version}
+    if (latest !== undefined && latest.version !== base && !unacknowledged.includes(latest.mark))
+      return {...latest, op: "conflict", program, mark}
+    this.version += 1
+    this.history.add(text)
+    this.programs.set(program, {version: this.version, name, text, mark})
+    return {op: "saved", program, mark, version: this.version}
+  }
+
+  entries(): ProgramEntry[] {
+    return [...this.programs]
+      .map(([id, {name, version}]) => ({id, name, version, at: 0}))
+      .sort((a, b) => b.version - a.version)
+  }
+
+  texts(): string[] {
+    return [...this.programs.values()].map(({text}) => text).sort()
+  }
+}
+
+/// A browser with one page. `online` lets requests out, `answered` lets answers in.
+class Browser {
+  readonly storage = memoryStorage()
+  readonly shelf = openProgramStore(this.storage, memoryStorage())
+  readonly sync: ClassSync
+  readonly shown: string[] = []
+  online = true
+  answered = true
+  open: string | null = null
+  private count = 0
+  private answers: (ClassMessage | null)[] = []
+
+  private readonly service: Service
+  private readonly label: string
+
+  constructor(service: Service, label: string) {
+    this.service = service
+    this.label = label
+    writeMembership(this.storage, {token: "t", nickname: "Ada", programs: {}})
+    this.sync = openClassSync(
+      this.storage,
+      this.shelf,
+      {
+        id: () => this.open,
+        store: () => undefined,
+        show: (id, text) => {
+          this.open = id
+          this.page = text
+          this.shown.push(text)
+        },
+        becomeTwo: () => {
+          // As autosave does: the page keeps its text, under a new entry and name.
+          const copy = this.place()
+          this.shelf.insert(copy, "walk 2", this.page, 2)
+          this.open = copy
+        },
+      },
+      {name: () => "walk 2", place: () => this.place(), renamed: text => text},
+      message => {
+        if (!this.online) return false
+        const answer = this.service.serve(message)
+        if (this.answered) this.answers.push(answer)
+        return true
+      },
+      () => undefined,
+    )
+  }
+
+  /// The text that the page shows, and the one that was written on it last.
+  page = ""
+  written = ""
+
+  private place(): string {
+    this.count += 1
+    return `${this.label}${this.count}`
+  }
+
+  /// The learner changes the open program; autosave stores it.
+  write(text: string): void {
+    this.open ??= "p"
+    this.page = text
+    this.written = text
+    this.shelf.save(this.open, "walk", text, 1)
+  }
+
+  save(): void {
+    this.sync.save("change")
+    this.settle()
+  }
+
+  settle(): void {
+    for (let next = this.answers.shift(); next !== undefined; next = this.answers.shift())
+      if (next?.op === "program" || next?.op === "saved" || next?.op === "conflict") this.sync.heard(next)
+  }
+
+  enters(isNew = false): void {
+    this.online = true
+    this.answered = true
+    this.sync.entered(this.service.entries(), isNew)
+    this.settle()
+  }
+
+  disconnects(): void {
+    this.online = false
+    this.answers = []
+    this.sync.lost()
+  }
+
+  texts(): string[] {
+    return this.shelf
+      .programs()
+      .map(({id}) => this.shelf.read(id) ?? "")
+      .sort()
+  }
+}
+
+describe("a program in the class", () => {
+  test("is stored, and the same text is not stored twice", () => {
+    const service = new Service()
+    const browser = new Browser(service, "a")
+    browser.enters()
+    browser.write("one")
+    browser.save()
+    browser.save()
+    expect(service.texts()).toEqual(["one"])
+    expect(readMembership(browser.storage)?.programs["p"]?.version).toBe(1)
+    expect(browser.sync.state()).toBe("saved")
+  })
+
+  test("opens on a new device, the one that was changed last", () => {
+    const service = new Service()
+    const first = new Browser(service, "a")
+    first.enters()
+    first.write("one")
+    first.save()
+    const second = new Browser(service, "b")
+    second.enters(true)
+    expect(second.shown).toEqual(["one"])
+    expect(second.texts()).toEqual(["one"])
+  })
+
+  test("that was changed without a connection is stored when it is back", () => {
+    const service = new Service()
+    const browser = new Browser(service, "a")
+    browser.enters()
+    browser.write("one")
+    browser.save()
+    browser.disconnects()
+    browser.write("two")
+    browser.save()
+    expect(browser.sync.state()).toBe("saving")
+    browser.enters()
+    expect(service.texts()).toEqual(["two"])
+    expect(browser.sync.state()).toBe("saved")
+  })
+
+  test("whose answer was lost is no conflict with itself", () => {
+    const service = new Service()
+    const browser = new Browser(service, "a")
+    browser.enters()
+    browser.answered = false
+    browser.write("one")
+    browser.save()
+    browser.disconnects()
+    browser.write("two")
+    browser.enters()
+    expect(service.texts()).toEqual(["two"])
+    expect(browser.texts()).toEqual(["two"])
+  })
+
+  test("that another device changed replaces an unchanged copy", () => {
+    const service = new Service()
+    const first = new Browser(service, "a")
+    first.enters()
+    first.write("one")
+    first.save()
+    const second = new Browser(service, "b")
+    second.enters(true)
+    second.write("two")
+    second.save()
+    first.disconnects()
+    first.enters()
+    expect(first.texts()).toEqual(["two"])
+    expect(first.shown).toEqual(["two"])
+  })
+
+  test("that two devices changed becomes two programs on both, whichever comes first", () => {
+    const service = new Service()
+    const first = new Browser(service, "a")
+    first.enters()
+    first.write("one")
+    first.save()
+    const second = new Browser(service, "b")
+    second.enters(true)
+    first.disconnects()
+    first.write("of the first")
+    second.write("of the second")
+    second.save()
+    first.enters()
+    expect(service.texts()).toEqual(["of the first", "of the second"])
+    expect(first.texts()).toEqual(["of the first", "of the second"])
+    // The page still shows what was written on it.
+    expect(first.shelf.read(first.open ?? "")).toBe("of the first")
+    second.disconnects()
+    second.enters()
+    expect(second.texts()).toEqual(["of the first", "of the second"])
+  })
+
+  test("that is not open and was changed on two devices becomes two programs as well", () => {
+    const service = new Service()
+    const first = new Browser(service, "a")
+    first.enters()
+    first.write("one")
+    first.save()
+    const second = new Browser(service, "b")
+    second.enters(true)
+    second.write("of the second")
+    second.save()
+    first.disconnects()
+    first.write("of the first")
+    first.open = null
+    first.enters()
+    expect(service.texts()).toEqual(["of the first", "of the second"])
+    expect(first.texts()).toEqual(["of the first", "of the second"])
+  })
+
+  test("that was deleted here does not come back", () => {
+    const service = new Service()
+    const browser = new Browser(service, "a")
+    browser.enters()
+    browser.write("one")
+    browser.save()
+    browser.open = null
+    browser.shelf.remove("p", 3)
+    browser.disconnects()
+    browser.enters()
+    expect(browser.texts()).toEqual([])
+  })
+
+  test("keeps every text through random changes, losses and returns of two devices", () => {
+    for (let seed = 1; seed <= 40; seed++) {
+      let state = seed
+      const chance = (n: number) => {
+        state = (Math.imul(state, 1664525) + 1013904223) >>> 0
+        return Math.floor((state / 2 ** 32) * n)
+      }
+      const service = new Service()
+      const browsers = [new Browser(service, "a"), new Browser(service, "b")]
+      for (const browser of browsers) browser.enters(true)
+      let written = 0
+      for (let step = 0; step < 30; step++) {
+        const browser = browsers[chance(2)] as Browser
+        const act = chance(5)
+        if (act === 0) browser.disconnects()
+        else if (act === 1) browser.enters()
+        else if (act === 2) browser.answered = chance(2) === 0
+        else {
+          written += 1
+          browser.write(`${browser === browsers[0] ? "a" : "b"} ${written}`)
+          browser.save()
+        }
+      }
+      for (let round = 0; round < 3; round++)
+        for (const browser of browsers) {
+          browser.disconnects()
+          browser.enters()
+        }
+      // What a device wrote last was stored: it is the newest version of a program, or another version was made from it.
+      for (const browser of browsers) {
+        expect(browser.sync.state(), `seed ${seed}`).toBe("saved")
+        expect(browser.texts(), `seed ${seed}`).toEqual(service.texts())
+        if (browser.written !== "") expect([...service.history], `seed ${seed}`).toContain(browser.written)
+      }
+    }
+  })
+})

@@ -1,0 +1,25 @@
+/// The page of keys tells of every key, in every language.
+
+import {expect, test} from "vitest"
+import {pageKeys} from "../../src/browser/browser_window.ts"
+import {roomKeys} from "../../src/room/gestures.ts"
+import {worldKeys} from "../../src/room/world_editor_shortcuts.ts"
+import {textKeys} from "../../src/source/shortcuts.ts"
+import {german} from "../../src/words/de/index.ts"
+import {en} from "../../src/words/en/index.ts"
+import {spanish} from "../../src/words/es/index.ts"
+import {french} from "../../src/words/fr/index.ts"
+import {portuguese} from "../../src/words/pt/index.ts"
+
+test("each key of the page, the text, the room and the world editor is told, and nothing else", () => {
+  for (const {keys} of [en, german.page, portuguese.page, spanish.page, french.page]) {
+    expect(Object.keys(keys.page)).toEqual(expect.arrayContaining(Object.keys(pageKeys)))
+    expect(Object.keys(keys.room).sort()).toEqual(Object.keys(roomKeys).sort())
+    expect(Object.keys(keys.world).sort()).toEqual(Object.keys(worldKeys).sort())
+    expect(Object.keys(keys.text).sort()).toEqual(Object.keys(textKeys).sort())
+  }
+})
+
+test("what the text editor brings of its own has a key", () => {
+  expect(Object.entries(textKeys).filter(([, chords]) => chords.length === 0)).toEqual([])
+})

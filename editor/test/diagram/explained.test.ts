@@ -1,0 +1,67 @@
+/// What an answer marks in the diagram.
+
+import {describe, expect, it} from "vitest"
+import {explained} from "../../src/diagram/explained.ts"
+import {causalPath} from "../../src/why/causal_path.ts"
+import {explanation} from "../../src/why/explanation.ts"
+import {readGraph} from "./graphs.ts"
+
+describe("the path of an answer in the diagram", () => {
+  it("goes from the bumper through the memory to the velocity", () => {
+    const network = readGraph("forwardBackward")
+    const path = causalPath(
+      explanation(
+        {
+          id: 1,
+          time: 3.5,
+          sentences: [],
+          path: [
+            {
+              n: 1,
+              time: 3.42,
+              function: "bump",
+              task: 0,
+              cause: {by: "message", value: "Bumper CenterBumper Pressed", instant: 5},
+              took: [{from: "event", value: "Bumper CenterBumper Pressed"}],
+              gave: [{to: "memory", type: "Memory Bool", value: "True"}],
+            },
+            {
+              n: 2,
+              time: 3.5,
+              function: "forwardBackward",
+              task: 0,
+              cause: {by: "message", value: "Odometry", instant: 9},
+              took: [
+                {from: "memory", type: "Memory Bool", value: "Memory True", firing: 1},
+                {from: "state", channel: "Odometry", value: "Velocity 0.5 0.0"},
+              ],
+              gave: [{to: "command", type: "Velocity", value: "Velocity 0.0 0.0"}],
+            },
+          ],
+        },
+        "",
+      ),
+    )
+    const {marked, lines} = explained(network, path)
+    const names = network.nodes.filter(node => marked.has(node.id)).map(({kind, key}) => `${kind} ${key}`)
+    expect(names.sort()).toEqual([
+      "command Velocity",
+      "event Bumper",
+      "function bump",
+      "function forwardBackward",
+      "state Velocity",
+      "store Memory Bool",
+    ])
+    expect(lines.size).toBe(network.edges.length)
+    expect(path.moments).toEqual([3.42, 3.5])
+  })
+
+  it("is empty without one", () => {
+    const network = readGraph("forwardBackward")
+    const {marked, lines} = explained(
+      network,
+      causalPath(explanation({id: 1, time: 0, sentences: [], path: []}, "")),
+    )
+    expect([...marked, ...lines]).toEqual([])
+  })
+})

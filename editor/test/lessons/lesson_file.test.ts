@@ -1,0 +1,105 @@
+/// Lessons from files and links: what is read, and where the mistake is in what cannot be.
+
+import {readdirSync, readFileSync} from "node:fs"
+import {describe, expect, test} from "vitest"
+import {fragmentOf, programIn} from "../../src/browser/share_link.ts"
+import {isLessonFile, readLessonFile} from "../../src/lessons/lesson_file.ts"
+
+const question = {id: "look", kind: "investigate", answers: ["a", "b"], right: "a"}
+const made = {id: "go", kind: "make", seconds: 5, checks: [{kind: "moves", id: "far", metres: 1}]}
+const texts = {
+  title: "Mine",
+  idea: "I",
+  learned: "L",
+  steps: {look: {say: "Look", answers: {a: "A", b: "B"}}, go: {say: "Go"}},
+  checks: {far: "It drives far"},
+}
+const file = {
+  lesson: 1,
+  name: "mine",
+  room: {size: [4, 3], start: {x: 1, y: 1}},
+  start: "main = simulate (Velocity 0.2 0)\n",
+  steps: [question, made],
+  texts: {en: texts},
+}
+const read = (value: object) => readLessonFile(JSON.stringify(value), "de")
+
+describe("a lesson from a file", () => {
+  test("needs neither course nor place nor toolbox, and its name is kept apart from those of the service", () => {
+    const found = read(file)
+    expect(found).toMatchObject({
+      kind: "lesson",
+      lesson: {
+        name: "own mine",
+        number: null,
+        toolbox: null,
+        next: null,
+        title: "Mine",
+        room: {size: [4, 3], title: "Mine", name: "lesson own mine"},
+        file: JSON.stringify(file),
+      },
+    })
+  })
+
+  test("is told from programs and rooms", () => {
+    expect(isLessonFile(JSON.stringify(file))).toBe(true)
+    expect(isLessonFile(`\uFEFF${JSON.stringify(file)}`)).toBe(true)
+    for (const other of [
+      '{"rosy": 1}',
+      '{"size": [4, 3]}',
+      "main = simulate ()",
+      "3",
+      "null",
+      '{"lesson": 1',
+    ]) {
+      expect(isLessonFile(other), other).toBe(false)
+    }
+  })
+
+  const wrong: readonly (readonly [string, object])[] = [
+    ["lesson", {...file, lesson: 2}],
+    ["lesson", {...file, lesson: "1"}],
+    ["name", {...file, name: undefined}],
+    ["start", {...file, start: 3}],
+    ["room.size", {...file, room: {size: 4}}],
+    ["texts", {...file, texts: {}}],
+    ["texts.en.title", {...file, texts: {en: {...texts, title: 3}}}],
+    ["texts.steps.go", {...file, texts: {en: {...texts, steps: {look: texts.steps.look}}}}],
+    ["steps", {...file, steps: []}],
+    ["steps[0].kind", {...file, steps: [{...question, kind: "ponder"}, made]}],
+    ["steps[0].answers", {...file, steps: [{...question, answers: ["a"]}, made]}],
+    ["steps[0].right", {...file, steps: [{...question, right: "c"}, made]}],
+    ["steps[1].id", {...file, steps: [question, {...made, id: "look"}]}],
+    ["steps[1].seconds", {...file, steps: [question, {...made, seconds: undefined}]}],
+    ["steps[1].checks", {...file, steps: [question, {...made, checks: []}]}],
+    [
+      "steps[1].checks[0].kind",
+      {...file, steps: [question, {...made, checks: [{kind: "flies", id: "far"}]}]},
+    ],
+  ]
+  test.each(wrong)("a mistake at %s is found there", (at, value) => {
+    const found = read(value)
+    expect(found.kind === "damaged" && found.at).toBe(at)
+  })
+
+  test("knows every kind of check that a lesson of the repository has", () => {
+    const folder = new URL("../../../examples/lessons/", import.meta.url)
+    const kinds = readdirSync(folder, {withFileTypes: true})
+      .filter(entry => entry.isDirectory())
+      .map(entry => JSON.parse(readFileSync(new URL(`${entry.name}/lesson.json`, folder), "utf8")))
+      .flatMap(({steps}: {steps: {checks?: {kind: string}[]}[]}) => steps.flatMap(step => step.checks ?? []))
+      .map(check => check.kind)
+    for (const kind of new Set(kinds)) {
+      const found = read({...file, steps: [question, {...made, checks: [{kind, id: "far"}]}]})
+      expect(found.kind, kind).toBe("lesson")
+    }
+  })
+})
+
+test("a link to a lesson contains the lesson, and a changed letter is recognised", async () => {
+  const text = JSON.stringify(file)
+  const fragment = await fragmentOf(text, "lesson")
+  expect(fragment).toMatch(/^#lesson=/)
+  expect(await programIn(fragment)).toEqual({kind: "lesson", text})
+  expect(await programIn(fragment.slice(0, -6))).toEqual({kind: "damaged"})
+})

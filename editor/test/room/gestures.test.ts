@@ -1,0 +1,124 @@
+/// Clicks and keys in the room that ask a question, on a canvas without a page.
+
+import {beforeEach, describe, expect, it} from "vitest"
+import {type GestureHost, watchGestures} from "../../src/room/gestures.ts"
+import type {QuestionTarget} from "../../src/room/question_targets.ts"
+
+/// 100 pixels are one metre; the room's lower left corner is at the lower left of the canvas.
+const camera = {scale: 100, left: 0, bottom: 400}
+
+class FakeCanvas extends EventTarget {
+  readonly style = {cursor: ""}
+  readonly clientWidth = 500
+  readonly clientHeight = 400
+  getBoundingClientRect = () => ({left: 0, top: 0})
+  setPointerCapture = () => undefined
+}
+
+let canvas: FakeCanvas
+let asked: QuestionTarget[]
+let looked: (readonly [x: number, y: number])[]
+
+beforeEach(() => {
+  canvas = new FakeCanvas()
+  asked = []
+  looked = []
+  const ignore = () => undefined
+  const host: GestureHost = {
+    camera: () => camera,
+    robot: () => ({x: 1, y: 1, theta: 0}),
+    things: () => [],
+    held: () => null,
+    able: () => false,
+    placed: ignore,
+    pushed: ignore,
+    holds: ignore,
+    handled: ignore,
+    panned: ignore,
+    zoomed: ignore,
+    fitted: ignore,
+    followed: ignore,
+    targetAt(at) {
+      looked.push([at.x, at.y])
+      return at.x < 2 ? {kind: "place", time: at.x} : null
+    },
+    asked: about => asked.push(about),
+  }
+  watchGestures(canvas as unknown as HTMLCanvasElement, host)
+})
+
+const pointer = (type: string, x: number, y: number, more: object = {}) =>
+  canvas.dispatchEvent(
+    Object.assign(new Event(type), {
+      clientX: x,
+      clientY: y,
+      pointerId: 1,
+      button: 0,
+      pointerType: "mouse",
+      ...more,
+    }),
+  )
+const key = (name: string) => {
+  const event = Object.assign(new Event("keydown", {cancelable: true}), {
+    key: name,
+    ctrlKey: false,
+    metaKey: false,
+    altKey: false,
+    shiftKey: false,
+  })
+  canvas.dispatchEvent(event)
+  return event.defaultPrevented
+}
+
+describe("a click in the room", () => {
+  it("asks about what is there, in metres", () => {
+    pointer("pointerdown", 100, 200)
+    pointer("pointermove", 102, 201)
+    pointer("pointerup", 102, 201)
+    expect(looked).toEqual([[1, 2]])
+    expect(asked).toEqual([{kind: "place", time: 1}])
+  })
+
+  it("asks nothing where there is nothing to ask about", () => {
+    pointer("pointerdown", 300, 200)
+    pointer("pointerup", 300, 200)
+    expect(asked).toEqual([])
+  })
+
+  it("is none when the view was moved, even back to where it began", () => {
+    pointer("pointerdown", 100, 200)
+    pointer("pointermove", 120, 200)
+    pointer("pointermove", 100, 200)
+    pointer("pointerup", 100, 200)
+    expect(asked).toEqual([])
+  })
+
+  it("is none with a second finger or another button, nor when it was cancelled", () => {
+    pointer("pointerdown", 100, 200, {pointerType: "touch"})
+    pointer("pointerdown", 140, 200, {pointerType: "touch", pointerId: 2})
+    pointer("pointerup", 140, 200, {pointerType: "touch", pointerId: 2})
+    pointer("pointerup", 100, 200, {pointerType: "touch"})
+    pointer("pointerdown", 100, 200, {button: 2})
+    pointer("pointerup", 100, 200, {button: 2})
+    pointer("pointerdown", 100, 200)
+    pointer("pointercancel", 100, 200)
+    pointer("pointerup", 100, 200)
+    expect(asked).toEqual([])
+  })
+})
+
+describe("a pointer over the room", () => {
+  it("shows that a click would ask", () => {
+    pointer("pointermove", 100, 200)
+    expect(canvas.style.cursor).toBe("help")
+    pointer("pointermove", 300, 200)
+    expect(canvas.style.cursor).toBe("")
+  })
+})
+
+describe("a key in the room", () => {
+  it("asks about the motion of the robot, or about its place", () => {
+    expect([key("w"), key("p"), key("q")]).toEqual([true, true, false])
+    expect(asked).toEqual([{kind: "robot"}, {kind: "place", time: null}])
+  })
+})

@@ -1,0 +1,81 @@
+/// Runs that go on from a moment: what is asked for, what of the run before stays, and where a changed program differs.
+
+import {describe, expect, it} from "vitest"
+import type {Frame, ServiceMessage} from "../../src/state/messages.ts"
+import type {PageEvent} from "../../src/state/page_events.ts"
+import {initialState, type PageState} from "../../src/state/page_state.ts"
+import {framesBetween} from "../../src/state/recording.ts"
+import {reduce} from "../../src/state/reducer.ts"
+
+const hear = (message: ServiceMessage): PageEvent => ({kind: "heard", message})
+const frame = (run: number, step: number, fired: readonly string[] = []): PageEvent =>
+  hear({
+    op: "frame",
+    frame: {
+      run,
+      step,
+      time: step / 50,
+      x: step / 50,
+      y: 2,
+      theta: 0,
+      channels: {},
+      fired,
+      sensed: fired,
+      boxes: null,
+      ghost: null,
+      memory: null,
+    } satisfies Frame,
+  })
+const run: PageEvent = {kind: "run-pressed", seed: 3}
+const running = hear({op: "state", run: 1, state: "running"})
+const frames = [0, 25, 50, 75, 100].map(step => frame(1, step, [`f${step}`]))
+const before = [hear({op: "hello", session: "s"}), run, running, ...frames]
+const back: PageEvent = {kind: "looked-back", time: 1.2}
+const goOn: PageEvent = {kind: "continue-pressed"}
+
+function play(...events: readonly PageEvent[]) {
+  let state: PageState = initialState
+  let sent: readonly object[] = []
+  for (const event of events) {
+    const step = reduce(state, event)
+    state = step.state
+    sent = step.effects.flatMap(e => (e.kind === "send" ? [e.message] : []))
+  }
+  const times = [...framesBetween(state.room.recording, 0, 100)].map(f => f.time)
+  return {state, sent, times}
+}
+
+describe("a run that goes on from a moment", () => {
+  it("repeats the last run up to the step that is looked at", () => {
+    const {state, sent, times} = play(...before, back, goOn)
+    expect(sent).toEqual([{op: "run", run: 2, source: "", seed: 3, speed: 1, after: 50}])
+    expect(times).toEqual([0, 0.5, 1])
+    expect(state.room.frame?.time).toBe(1)
+    expect(state.room.trail.flat().map(point => point.time)).toEqual([0, 0.5, 1])
+    expect(state.lines.map(({text}) => text)).toEqual(["f0", "f25", "f50"])
+    expect(state.room.fired).toEqual({f0: 0, f25: 0.5, f50: 1})
+    expect([state.room.lookedAt, state.clock, state.run.kind]).toEqual([null, "going", "compiling"])
+  })
+
+  it("takes the frames that follow, and none of the run before", () => {
+    expect(play(...before, back, goOn, frame(1, 110), frame(2, 50), frame(2, 51)).times).toEqual([
+      0, 0.5, 1, 1.02,
+    ])
+  })
+
+  it("forgets what was different when the program was changed", () => {
+    const diverged = hear({op: "diverged", run: 2, time: 0.6})
+    const {state, times} = play(...before, back, goOn, diverged, frame(2, 35), frame(2, 50))
+    expect(times).toEqual([0, 0.5, 0.7, 1])
+    expect(state.notice).toEqual({kind: "diverged", time: 0.6})
+    expect(play(...before, back, goOn, hear({op: "diverged", run: 1, time: 0.6})).state.notice).toBeNull()
+  })
+
+  it.each<[string, readonly PageEvent[]]>([
+    ["now", [goOn]],
+    ["without the service", [back, {kind: "link-lost"}, goOn]],
+    ["after a reset", [back, {kind: "reset-pressed"}, goOn]],
+  ])("is not asked for %s", (_, events) => {
+    expect(play(...before, ...events).sent).toEqual([])
+  })
+})

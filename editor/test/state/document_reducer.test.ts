@@ -1,0 +1,86 @@
+/// What opening, changing and undoing do, also when another tab changes the program.
+
+import {describe, expect, it} from "vitest"
+import {type Document, emptyDocument, emptyHistory} from "../../src/state/history.ts"
+import type {PageEvent} from "../../src/state/page_events.ts"
+import {initialState} from "../../src/state/page_state.ts"
+import {document, hello, open, play, press, program, running, text} from "./event_player.ts"
+
+describe("a program that is opened", () => {
+  const opened = (world: string | null) => ({
+    kind: "opened" as const,
+    opened: {name: "new", world, document, history: emptyHistory, welcome: false, isNew: false},
+  })
+
+  it("brings its room", () => {
+    const {state, sent} = play({...open, worldName: "corridor"}, opened("maze"))
+    expect(state.worldName).toBe("maze")
+    expect(sent).toContainEqual({op: "world", world: "maze"})
+  })
+
+  it("closes the dialog it was chosen in; the first of the page leaves open what was opened before it arrived", () => {
+    const chosen = opened(null)
+    const first: PageEvent = {...chosen, opened: {...chosen.opened, isFirst: true}}
+    const inDialog: PageEvent = {kind: "dialog", dialog: "robots"}
+    expect(play(initialState, hello, inDialog, first).state.dialog).toBe("robots")
+    expect(play(initialState, hello, inDialog, first, inDialog, chosen).state.dialog).toBeNull()
+  })
+
+  it("that is new runs at the usual speed", () => {
+    const blank: PageEvent = {
+      kind: "opened",
+      opened: {name: "", world: "room", document, history: emptyHistory, welcome: false, isNew: true},
+    }
+    expect(play({...open, speed: 5}, blank).state.speed).toBe(1)
+  })
+
+  it("without a room of its own takes the one it is opened in, also after the connection was lost", () => {
+    const {state, ops} = play({...open, worldName: "corridor"}, opened(null))
+    expect(state.worldName).toBe("corridor")
+    expect(ops).toEqual(["reset", "check"])
+    expect(play(state, {kind: "link-lost"}, hello).sent).toContainEqual({op: "world", world: "corridor"})
+  })
+})
+
+describe("undo", () => {
+  it("brings back the program before, asks the compiler about it, and redo the one after", () => {
+    const other = {...document, program: {...program, text: "main = simulate ()\n"}}
+    const changed = play(open, {kind: "program-changed", document: other, by: "blocks", at: 0})
+    const back = play(changed.state, {kind: "undo-pressed"})
+    expect(back.state.document).toBe(document)
+    expect(back.sent).toMatchObject([{op: "check", source: text}])
+    expect(play(back.state, {kind: "redo-pressed"}).state.document).toBe(other)
+  })
+
+  it("does nothing when there is nothing to undo", () => {
+    expect(play(open, {kind: "undo-pressed"}).state).toBe(open)
+  })
+})
+
+describe("another tab stored the open program", () => {
+  const theirs: Document = {...emptyDocument, program: {...emptyDocument.program, text: "main = simulate go"}}
+  const followed = (world: string | null): PageEvent => ({
+    kind: "followed",
+    name: "walk",
+    world,
+    replacedRoom: null,
+    document: theirs,
+    at: 5,
+  })
+
+  it("shows it as saved, checks it, and can undo to what stood here", () => {
+    const {state, ops} = play(initialState, hello, followed(null))
+    expect(state.document).toBe(theirs)
+    expect([state.name, state.saved]).toEqual(["walk", "saved"])
+    expect(state.history.past).toEqual([emptyDocument])
+    expect(ops.at(-1)).toBe("check")
+  })
+
+  it("goes to its room, but not while a program runs here", () => {
+    expect(play(initialState, hello, followed("maze")).sent).toContainEqual({op: "world", world: "maze"})
+    const during = play(initialState, hello, {...press, seed: 1}, running(1), followed("maze"))
+    expect(during.ops).not.toContain("world")
+    expect(during.state.run.kind).toBe("running")
+    expect(during.state.worldName).toBe(initialState.worldName)
+  })
+})

@@ -1,0 +1,66 @@
+/// Sentences of explanations, as the page words them: in English the same as in the terminal.
+
+import {readFileSync} from "node:fs"
+import {describe, expect, it} from "vitest"
+import {said} from "../../src/why/explanation.ts"
+import {asText, pieces, shortFractions} from "../../src/why/sentence_words.ts"
+import {german} from "../../src/words/de/index.ts"
+import {en} from "../../src/words/en/index.ts"
+import {spanish} from "../../src/words/es/index.ts"
+import {french} from "../../src/words/fr/index.ts"
+import {measuresOf} from "../../src/words/number_formats.ts"
+import {portuguese} from "../../src/words/pt/index.ts"
+
+const golden = new URL("../../../protocol/goldens/explanations.jsonl", import.meta.url)
+const lines = readFileSync(golden, "utf8")
+  .trim()
+  .split("\n")
+  .map(line => JSON.parse(line) as {said: object; english: string})
+
+describe("a sentence of an explanation", () => {
+  it.each(lines)("$english", line => {
+    const shown = pieces(said(line.said, ""), en.why, measuresOf("en"))
+    expect(asText(shown)).toBe(line.english)
+  })
+
+  it("leads to the firing that is its cause", () => {
+    const shown = pieces(
+      said({id: "remembered", type: "Memory Bool", value: "True", since: 3.42, other: "bump", cause: 1}, ""),
+      en.why,
+      measuresOf("en"),
+    )
+    expect(shown).toContainEqual({kind: "cause", text: "bump", firing: 1})
+  })
+
+  it.each([german, portuguese, spanish, french])("has no empty place in $tag", table => {
+    for (const line of lines) {
+      const text = asText(pieces(said(line.said, ""), table.page.why, table.measures))
+      expect(text).not.toMatch(/%\{|``|\*\*\*\*|undefined| {2}/)
+    }
+  })
+
+  it.each([
+    ["Velocity (-0.8200000000000001) 0.0", "Velocity (-0.82) 0.0"],
+    ["Seconds 1.2999999999999998", "Seconds 1.3"],
+    ["Seconds 1.9999999999999998", "Seconds 2.0"],
+    ["Velocity 0.25 1.0e-2", "Velocity 0.25 0.01"],
+    ["3.0000000000000004e-2", "0.03"],
+    ["Position (-6.1e-5) (-6.1e-6)", "Position (-0.0001) 0.0"],
+    ["1.0e7", "1.0e7"],
+  ])("shortens %s to %s", (value, short) => {
+    expect(shortFractions(value)).toBe(short)
+  })
+
+  it.each([
+    [german, "Bei 1,02 s: die Stoßstange in der Mitte wurde gedrückt."],
+    [portuguese, "Aos 1,02 s, o para-choque do meio foi pressionado."],
+    [spanish, "A los 1,02 s: el parachoques central se pulsó."],
+  ])("writes numbers as the language does", (table, sentence) => {
+    const shown = pieces(
+      said({id: "sensed", time: 1.02, value: "Bumper CenterBumper Pressed"}, ""),
+      table.page.why,
+      table.measures,
+    )
+    expect(asText(shown)).toBe(sentence)
+  })
+})

@@ -1,0 +1,34 @@
+/// Test runner settings on top of the build's (`vite.config.ts`), which work without the test runner installed.
+
+import {mergeConfig} from "vite"
+import {defineConfig} from "vitest/config"
+import build from "./vite.config.ts"
+
+// Tests that need a browser.
+const web = "test/**/*.web.test.ts"
+
+export default mergeConfig(
+  build,
+  defineConfig({
+    test: {
+      environment: "node",
+      // A limit for tests that hang; a busy machine takes long for the large ones.
+      testTimeout: 600_000,
+      hookTimeout: 600_000,
+      projects: [
+        {
+          extends: true,
+          // One module graph for all files: they keep no state in modules.
+          test: {
+            name: "node",
+            include: ["test/**/*.test.{ts,tsx}", "vscode/*.test.ts"],
+            exclude: [web],
+            setupFiles: ["../codegen/test/yield_between_tests.ts"],
+            isolate: false,
+          },
+        },
+        {extends: true, test: {name: "web", include: [web], globalSetup: "test/blocks/browser_setup.ts"}},
+      ],
+    },
+  }),
+)

@@ -1,0 +1,5 @@
+go :: Task ()
+go = do
+  drive 100
+
+main = simulate go

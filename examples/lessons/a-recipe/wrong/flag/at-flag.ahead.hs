@@ -1,0 +1,5 @@
+go :: Task ()
+go = do
+  drive 200
+
+main = simulate go

@@ -1,0 +1,7 @@
+go :: Task ()
+go = do
+  drive 100
+  turn (-90)
+  drive 100
+
+main = simulate go

@@ -1,0 +1,7 @@
+go :: Task ()
+go = do
+  drive 50
+  turn 90
+  drive 50
+
+main = simulate go

@@ -1,0 +1,8 @@
+go :: Task ()
+go = do
+  drive 100
+  turn 90
+  drive 100
+  wait 60
+
+main = simulate go

@@ -1,0 +1,6 @@
+go :: Task ()
+go = do
+  drive 50
+  drive 50
+
+main = simulate go

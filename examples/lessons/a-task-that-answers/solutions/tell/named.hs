@@ -1,0 +1,13 @@
+explore :: Task Centimeters
+explore = task (Velocity 0.2 0) onBump
+
+onBump :: Bumper -> Position -> Done Centimeters
+onBump _ here = Done (metersToCentimeters (magnitudeVec (positionToVec here)))
+
+measure :: Task ()
+measure = do
+  far <- explore
+  let text = show (round far)
+  say text
+
+main = simulate measure

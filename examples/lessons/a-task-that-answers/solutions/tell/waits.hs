@@ -1,0 +1,13 @@
+explore :: Task Centimeters
+explore = task (Velocity 0.2 0) onBump
+
+onBump :: Bumper -> Position -> Done Centimeters
+onBump _ here = Done (metersToCentimeters (magnitudeVec (positionToVec here)))
+
+measure :: Task ()
+measure = do
+  distance <- explore
+  wait 1
+  say (show (round distance))
+
+main = simulate measure

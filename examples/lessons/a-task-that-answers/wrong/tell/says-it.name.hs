@@ -1,0 +1,12 @@
+explore :: Task Centimeters
+explore = task (Velocity 0.2 0) onBump
+
+onBump :: Bumper -> Position -> Done Centimeters
+onBump _ here = Done (metersToCentimeters (magnitudeVec (positionToVec here)))
+
+measure :: Task ()
+measure = do
+  distance <- explore
+  say "distance"
+
+main = simulate measure

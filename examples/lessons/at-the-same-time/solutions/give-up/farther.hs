@@ -1,0 +1,1 @@
+main = simulate (race (drive 400) (wait 4))

@@ -1,0 +1,1 @@
+main = simulate (race (wait 4) (drive 500))

@@ -1,0 +1,1 @@
+main = simulate (race (drive 500) (wait 4))

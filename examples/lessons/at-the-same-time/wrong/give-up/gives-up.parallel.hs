@@ -1,0 +1,1 @@
+main = simulate (parallel (drive 500) (wait 4))

@@ -1,0 +1,9 @@
+start :: RobotStatus -> Velocity
+start _ = Velocity 0.3 0
+
+bump :: Bumper -> (Velocity, Maybe Sound)
+bump (Bumper CenterBumper Pressed) = (Velocity (-0.2) 0, Just ErrorSound)
+bump (Bumper _ Pressed) = (Velocity (-0.2) 0, Just ButtonSound)
+bump _ = (Velocity (-0.2) 0, Nothing)
+
+main = simulate (start, bump)

@@ -1,0 +1,8 @@
+start :: RobotStatus -> Velocity
+start _ = Velocity 0.3 0
+
+bump :: Bumper -> (Velocity, Maybe Sound)
+bump (Bumper _ Pressed) = (Velocity (-0.3) 0, Nothing)
+bump (Bumper _ Released) = (Velocity (-0.3) 0, Just ErrorSound)
+
+main = simulate (start, bump)

@@ -1,0 +1,4 @@
+bump :: Bumper -> Sound
+bump _ = ButtonSound
+
+main = simulate bump

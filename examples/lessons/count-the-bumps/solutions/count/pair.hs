@@ -1,0 +1,12 @@
+go :: RobotStatus -> Velocity
+go _ = Velocity 0.3 0
+
+turn :: Bumper -> Velocity
+turn (Bumper _ Pressed) = Velocity (-0.2) 0.5
+turn (Bumper _ Released) = Velocity 0.3 0.3
+
+count :: Bumper -> Memory Int -> (Memory Int, Maybe Say)
+count (Bumper _ Pressed) (Memory n) = (Memory (n + 1), Just (Say (show (n + 1))))
+count _ (Memory n) = (Memory n, Nothing)
+
+main = simulate (go, turn, count)

@@ -1,0 +1,12 @@
+go :: RobotStatus -> Velocity
+go _ = Velocity 0.3 0
+
+turn :: Bumper -> Velocity
+turn (Bumper _ Pressed) = Velocity (-0.2) 0.5
+turn (Bumper _ Released) = Velocity 0.3 0.3
+
+say :: Bumper -> Maybe Say
+say (Bumper _ Pressed) = Just (Say "ouch")
+say _ = Nothing
+
+main = simulate (go, turn, say)

@@ -1,0 +1,9 @@
+bump :: Bumper -> Seconds -> Memory Seconds
+bump _ now = Memory (now + 1)
+
+drive :: Memory Seconds -> Seconds -> Velocity
+drive (Memory end) now
+  | now < end = Velocity (-0.2) 0
+  | otherwise = Velocity 0.3 0
+
+main = simulate (bump, drive)

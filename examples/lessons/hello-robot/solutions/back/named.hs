@@ -1,0 +1,4 @@
+back :: Velocity
+back = Velocity (-0.2) 0
+
+main = simulate back

@@ -1,0 +1,1 @@
+main = simulate (Velocity (2 / 5) 0)

@@ -1,0 +1,1 @@
+main = simulate (Led1 Orange)

@@ -1,0 +1,6 @@
+go :: Task ()
+go = do
+  driveUntilBump
+  drive (-50)
+
+main = simulate go

@@ -1,0 +1,15 @@
+untilBump :: Task ()
+untilBump = task start watch
+
+start :: Velocity
+start = Velocity 0.3 0
+
+watch :: Bumper -> Done ()
+watch _ = Done ()
+
+go :: Task ()
+go = do
+  untilBump
+  drive (-50)
+
+main = simulate go

@@ -1,0 +1,10 @@
+untilBump :: Task ()
+untilBump = task start watch
+
+start :: Velocity
+start = Velocity 0.3 0
+
+watch :: Bumper -> Done ()
+watch _ = Done ()
+
+main = simulate untilBump

@@ -1,0 +1,5 @@
+go :: Task ()
+go = do
+  drive (-50)
+
+main = simulate go

@@ -1,0 +1,16 @@
+data Blocked = Blocked
+
+go :: RobotStatus -> Velocity
+go _ = Velocity 0.2 0
+
+bumper :: Bumper -> Maybe Blocked
+bumper (Bumper _ Pressed) = Just Blocked
+bumper _ = Nothing
+
+cliff :: Cliff -> Blocked
+cliff _ = Blocked
+
+react :: Blocked -> (Velocity, Led1)
+react Blocked = (Velocity (-0.1) 0, Led1 Red)
+
+main = simulate (go, bumper, cliff, react)

@@ -1,0 +1,8 @@
+go :: RobotStatus -> Velocity
+go _ = Velocity 0.2 0
+
+back :: Either Bumper Cliff -> Velocity
+back (Left _) = Velocity (-0.1) 0
+back (Right _) = Velocity (-0.12) 0
+
+main = simulate (go, back)

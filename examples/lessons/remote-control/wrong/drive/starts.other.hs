@@ -1,0 +1,5 @@
+remote :: Button -> Maybe Velocity
+remote (Button Button1 Pressed) = Just (Velocity 0.2 0)
+remote _ = Nothing
+
+main = simulate remote

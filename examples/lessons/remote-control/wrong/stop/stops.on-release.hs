@@ -1,0 +1,6 @@
+remote :: Button -> Maybe Velocity
+remote (Button Button0 Pressed) = Just (Velocity 0.2 0)
+remote (Button Button2 Released) = Just (Velocity 0 0)
+remote _ = Nothing
+
+main = simulate remote

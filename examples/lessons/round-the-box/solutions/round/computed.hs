@@ -1,0 +1,1 @@
+main = simulate (Velocity 0.45 (0.45 / 1.5))

@@ -1,0 +1,6 @@
+go :: Position -> Velocity
+go (Position x _)
+  | x < 1.5 = Velocity 0.3 0
+  | otherwise = Velocity 0 0
+
+main = simulate go

@@ -1,0 +1,6 @@
+go :: Position -> Velocity
+go (Position x _)
+  | x < 2.1 = Velocity 0.3 0
+  | otherwise = Velocity 0.3 0
+
+main = simulate go

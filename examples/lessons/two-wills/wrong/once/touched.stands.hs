@@ -1,0 +1,4 @@
+back :: Bumper -> Velocity
+back _ = Velocity (-0.3) 0
+
+main = simulate back

@@ -1,0 +1,13 @@
+tour :: Seconds -> Velocity
+tour now
+  | now < 4 = Velocity 0.3 0
+  | now < 5 = Velocity (-0.3) 0
+  | now < 9 = Velocity 0 0.785
+  | now < 13 = Velocity 0.3 0
+  | otherwise = Velocity 0 0
+
+light :: Bumper -> Led1
+light (Bumper RightBumper Pressed) = Led1 Orange
+light _ = Led1 Black
+
+main = simulate (tour, light)

@@ -1,0 +1,256 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Rosy.Robots.LockstepRun
+-- Description : Run of a sandboxed program on a real robot, in lockstep.
+--
+-- In: a socket to a program that expects the simulator, and a connection to a robot. Out: how the run ended. The program runs
+-- in its sandbox and uses the protocol of the simulator: it gets steps of 20 ms with
+-- the real time, and its commands pass the guard. A run whose program does not answer a step is ended.
+module Rosy.Robots.LockstepRun
+  ( runLockstep,
+    Pace (..),
+    realPace,
+    Observer (..),
+    SettledStep (..),
+    onTerminal,
+    LockstepResult (..),
+    RunEnd (..),
+  )
+where
+
+import Control.Concurrent (threadDelay, threadWaitRead)
+import Control.Concurrent.STM
+import Control.Exception (IOException, try)
+import Control.Monad (forM_, unless, when)
+import Data.Aeson (Value)
+import qualified Data.ByteString as B
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Char8 as C
+import Data.IORef
+import Data.Text (Text)
+import qualified Data.Text as T
+import GHC.Clock (getMonotonicTime)
+import Network.Socket (Socket, withFdSocket)
+import Network.Socket.ByteString (recv)
+import Network.Socket.ByteString.Lazy (sendAll)
+import Rosy.Channel (Action, Message)
+import Rosy.Codec (routeTopic)
+import Rosy.Core (topicName)
+import Rosy.Robot
+import Rosy.Robots.Connection
+import Rosy.Robots.Guard
+import Rosy.Robots.PipeCodec
+import Rosy.Wire (pipeRoutes)
+import System.IO (hPutStrLn, stderr)
+import System.Posix.Types (Fd (..))
+import System.Random (randomRIO)
+
+-- | Callbacks of a run; none of them may block.
+data Observer = Observer
+  { -- | messages for the program, in its own frame
+    onMessages :: [Message] -> IO (),
+    -- | a command of the program, before the guard
+    onProgramCommand :: Action -> IO (),
+    -- | a step in which functions fired
+    onSettled :: SettledStep -> IO (),
+    -- | the robot is awaited, lost or back
+    onNotice :: Notice -> IO ()
+  }
+
+-- | A step that the program has done, with functions that fired.
+data SettledStep = SettledStep
+  { firedInStep :: [Text],
+    -- | how many of the commands each of them sent; empty when one function sent all of them
+    sentInStep :: [Int],
+    -- | in the order in which the program sent them
+    commandsInStep :: [Action]
+  }
+
+-- | For a terminal: texts of the program go to standard output, the state of the connection to standard error.
+onTerminal :: String -> Observer
+onTerminal name =
+  Observer
+    { onMessages = const (pure ()),
+      onProgramCommand = \case
+        SayCommand (Say s) -> putStrLn s
+        _ -> pure (),
+      onSettled = const (pure ()),
+      onNotice = hPutStrLn stderr . explainNotice name
+    }
+
+data LockstepResult = LockstepResult
+  { runEnd :: RunEnd,
+    -- | steps that the program has answered
+    stepsRun :: Int,
+    -- | where the robot was last, from where it started
+    lastPose :: Maybe (Position, Orientation)
+  }
+
+data RunEnd
+  = Finished
+  | Stopped
+  | -- | message and hint; the problem as the program reported it
+    Failed Text Text (Maybe Value)
+  | -- | it did not answer
+    Stuck
+  | -- | the program ended without a message
+    Died
+  | -- | the robot is gone, for this reason
+    RobotLost String
+  deriving (Eq, Show)
+
+-- | Sources of randomness and time of a run.
+data Pace = Pace
+  { -- | the random seed of this run
+    newSeed :: IO Int,
+    -- | seconds of a monotonic clock
+    timeNow :: IO Double,
+    -- | the time of day, seconds
+    timeOfDay :: IO Double,
+    -- | waits until the next step begins
+    awaitStep :: IO ()
+  }
+
+-- | Fifty steps a second from now on. One that came late is not caught up with.
+realPace :: IO Pace
+realPace = do
+  due <- getMonotonicTime >>= newIORef
+  pure
+    Pace
+      { newSeed = randomRIO (0, 2 ^ (31 :: Int) - 1),
+        timeNow = getMonotonicTime,
+        timeOfDay = secondsOfDay,
+        awaitStep = do
+          t <- getMonotonicTime
+          begins <- max (t - stepLength) <$> readIORef due
+          when (begins > t) (threadDelay (ceiling ((begins - t) * 1e6)))
+          writeIORef due (begins + stepLength)
+      }
+
+-- | Longest time in which a program may answer a step, microseconds. Longer than 0.6 s, after which the base has stopped by itself.
+stepTimeout :: Int
+stepTimeout = 1000000
+
+-- | A step, seconds (protocol/README.md).
+stepLength :: Double
+stepLength = 0.02
+
+-- | Steps from one tick of the default rate to the next (protocol/README.md).
+tickSteps :: Int
+tickSteps = 5
+
+-- | Runs until the program ends or is stopped. The number is how many seconds a lost robot is waited for.
+runLockstep :: Pace -> Observer -> STM Bool -> Double -> TVar Guard -> Connection -> Socket -> IO LockstepResult
+runLockstep pace observer stopWanted patience guarded connection socket = do
+  unread <- newIORef B.empty
+  own <- newIORef []
+  pose <- newIORef Nothing
+  lost <- newIORef Nothing
+  beganAt <- newIORef 0
+  -- Commands of this step, newest first.
+  commands <- newIORef []
+  let guarding :: (Guard -> (b, Guard)) -> IO b
+      guarding f = atomically (stateTVar guarded f)
+      now = timeNow pace
+      -- The next line of the program; nothing when it is gone or takes too long.
+      line = do
+        bytes <- readIORef unread
+        case C.elemIndex '\n' bytes of
+          Just i -> Right (B.take i bytes) <$ writeIORef unread (B.drop (i + 1) bytes)
+          Nothing -> do
+            some <- timeoutInSlices stepTimeout (withFdSocket socket (threadWaitRead . Fd))
+            case some of
+              Nothing -> pure (Left Stuck)
+              Just () ->
+                try (recv socket 65536) >>= \case
+                  Left e -> Left Died <$ pure (e :: IOException)
+                  Right b
+                    | B.null b -> pure (Left Died)
+                    | otherwise -> writeIORef unread (bytes <> b) >> line
+      -- Carries out commands of the program until it has settled.
+      listen = do
+        heard' <- line
+        case heard' of
+          Left e -> pure (Just e)
+          Right bytes -> case readProgramLine bytes of
+            Just (Commands a) -> modifyIORef' commands (a :) >> mapM_ carry (resolveCommand connection a) >> listen
+            Just (DeclaresTopic t) -> modifyIORef' own (++ [t | isOwn t]) >> listen
+            Just Ready -> do
+              missing <- readIORef own >>= registerTopics connection
+              pure
+                ( case missing of
+                    why : _ -> Just (Failed (T.pack why) "Another way to the robot may have it." Nothing)
+                    [] -> Nothing
+                )
+            Just (Settled fired sent) -> do
+              done <- readIORef commands <* writeIORef commands []
+              Nothing <$ unless (null fired) (onSettled observer (SettledStep fired sent (reverse done)))
+            Just (HasEnded "error" p) -> pure (Just (maybe (Failed "The program failed." "" Nothing) (\(m, hint, v) -> Failed m hint (Just v)) p))
+            Just (HasEnded "stopped" _) -> pure (Just Stopped)
+            Just (HasEnded _ _) -> pure (Just Finished)
+            Nothing -> pure (Just (Failed "The program said something that a robot does not understand." "" Nothing))
+      isOwn t = T.pack (topicName t) `notElem` map routeTopic pipeRoutes
+      carry a = do
+        onProgramCommand observer a
+        t <- now
+        guarding (onCommand t a) >>= mapM_ (sendCommand connection)
+      say builder = try (sendAll socket (Builder.toLazyByteString builder)) >>= either (\(_ :: IOException) -> pure ()) pure
+      -- Messages of an event for the program; notices go to the observer.
+      passes h = do
+        wasHere <- isConnected <$> readTVarIO guarded
+        case h of
+          Disconnected why
+            | wasHere -> onNotice observer (IsLost why) >> now >>= \t -> writeIORef lost (Just (t, why))
+            | otherwise -> onNotice observer (IsAwaited why)
+          Connected -> do
+            l <- readIORef lost
+            onNotice observer (if null l then IsThere else IsBack)
+            writeIORef lost Nothing
+          Received _ -> pure ()
+        (ms, actions) <- guarding (onEvent h)
+        mapM_ (sendCommand connection) actions
+        unless (null ms) (onMessages observer ms)
+        forM_ ms $ \case
+          OdometryMessage o -> writeIORef pose (Just (odometryPosition o, odometryOrientation o))
+          _ -> pure ()
+        pure ms
+      untilHere early = do
+        hs <- atomically ((Nothing <$ (stopWanted >>= check)) `orElse` (Just <$> takeEvents connection))
+        case hs of
+          Nothing -> pure early
+          Just some -> do
+            ms <- concat <$> mapM passes some
+            there <- isConnected <$> readTVarIO guarded
+            if there then pure (early ++ ms) else untilHere (early ++ ms)
+      steps n early = do
+        awaitStep pace
+        stop <- atomically stopWanted
+        l <- readIORef lost
+        t <- now
+        when (n == 0) (writeIORef beganAt t)
+        case l of
+          _ | stop -> ended n =<< (say stopLine >> listenToTheEnd)
+          Just (since, why) | t - since > patience -> say stopLine >> ended n (RobotLost why)
+          _ -> do
+            some <- atomically (takeEvents connection `orElse` pure [])
+            ms <- (early ++) . concat <$> mapM passes some
+            since <- readIORef beganAt
+            say (batchLines n (t - since) ms)
+            outcome <- listen
+            case outcome of
+              Just e -> ended n e
+              Nothing -> do
+                when (n `mod` tickSteps == 0) (now >>= \t' -> guarding (onTick t') >>= mapM_ (sendCommand connection))
+                steps (n + 1) []
+      listenToTheEnd = listen >>= maybe listenToTheEnd pure
+      ended n e = do
+        guarding haltWheels >>= mapM_ (sendCommand connection)
+        LockstepResult e n <$> readIORef pose
+  -- A robot that is held already is here.
+  there <- isConnected <$> readTVarIO guarded
+  early <- if there then pure [] else onNotice observer (IsAwaited "") >> untilHere []
+  seed <- newSeed pace
+  timeOfDay pace >>= say . startLine seed
+  opened <- listen
+  maybe (steps 0 early) (ended 0) opened

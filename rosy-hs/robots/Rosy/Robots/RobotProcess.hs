@@ -1,0 +1,253 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Rosy.Robots.RobotProcess
+-- Description : Process for one real robot and one owner, which runs one program after another.
+--
+-- In: a robot, requests of @protocol/README.md@ section 7 from the service, and programs' sockets. Out: lines
+-- about the robot's state. The robot is connected and reported before the first program, between programs and after the last. Its
+-- wheels turn only while a program runs, the owner's page is visible, and no emergency stop is active.
+module Rosy.Robots.RobotProcess
+  ( runRobotProcess,
+    Requests,
+    newRequests,
+    Request (..),
+    request,
+    readRequest,
+  )
+where
+
+import Control.Concurrent (threadDelay)
+import Control.Concurrent.Async (race_)
+import Control.Concurrent.STM
+import Control.Exception (bracket, finally)
+import Control.Monad (forM_, forever, unless, when)
+import Data.Aeson (Value (..), (.:))
+import qualified Data.Aeson as Aeson
+import Data.Aeson.Types (parseMaybe)
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Lazy as L
+import Data.Maybe (isNothing)
+import Data.Text (Text)
+import GHC.Clock (getMonotonicTime)
+import Network.Socket (Socket, close)
+import Rosy.Robot
+import Rosy.Robots.Connection
+import Rosy.Robots.Guard
+import Rosy.Robots.LockstepRun
+import Rosy.Robots.Target (Profile (..), Target (..))
+import Rosy.Robots.Telemetry
+
+data Request
+  = -- | a program waits at the next socket
+    Run
+  | Stop
+  | EmergencyStop
+  | -- | the emergency stop is over
+    Free
+  | -- | heartbeat: the owner's page is visible
+    Alive
+  | -- | the safety rules are to be on, or off
+    Safety Bool
+  | -- | the robot has no owner any more
+    Leave
+  deriving (Eq, Show)
+
+-- | Nothing for a line that protocol/README.md does not have.
+readRequest :: ByteString -> Maybe Request
+readRequest bytes = case Aeson.decodeStrict' bytes of
+  Just (Object o) -> case parseMaybe (.: "op") o of
+    Just "safety" -> Safety <$> parseMaybe (.: "on") o
+    op -> op >>= (`lookup` ops)
+  _ -> Nothing
+  where
+    ops = [("run" :: Text, Run), ("stop", Stop), ("estop", EmergencyStop), ("free", Free), ("alive", Alive)]
+
+-- | Queue of requests that are not handled yet.
+newtype Requests = Requests (TQueue Request)
+
+newRequests :: IO Requests
+newRequests = Requests <$> newTQueueIO
+
+request :: Requests -> Request -> IO ()
+request (Requests queue) = atomically . writeTQueue queue
+
+data RobotProcess = RobotProcess
+  { guarded :: TVar Guard,
+    robotState :: TVar RobotState,
+    -- | start of the process, then of each run; monotonic seconds
+    began :: TVar Double,
+    -- | start of the active emergency stop, monotonic seconds
+    stoppedAt :: TVar (Maybe Double),
+    -- | time of the latest heartbeat, monotonic seconds
+    aliveAt :: TVar Double,
+    -- | stop flag of the running program
+    running :: TVar (Maybe (TVar Bool)),
+    lines' :: TBQueue L.ByteString
+  }
+
+-- | Lines that wait for a service that does not read; more are dropped.
+maxQueuedLines :: Num n => n
+maxQueuedLines = 1000
+
+-- | Seconds without a heartbeat after which the wheels stand. With network latency and the check interval of 0.05 s they stand
+-- within 0.7 s.
+watchTimeout :: Double
+watchTimeout = 0.5
+
+-- | Seconds without a heartbeat after which the program is ended.
+abandonTimeout :: Double
+abandonTimeout = 3
+
+-- | Runs until the owner leaves. The caller provides an action that receives the next program's socket, which is closed when its run
+-- is over, and a writer of lines.
+runRobotProcess :: Target -> Connection -> Requests -> IO Socket -> (L.ByteString -> IO ()) -> IO ()
+runRobotProcess target connection (Requests asked) nextProgram write = do
+  t0 <- getMonotonicTime
+  runs <- newTQueueIO
+  h <-
+    RobotProcess
+      <$> newTVarIO (snd (haltWheels (newGuard (targetLimits target) (targetSafety target))))
+      <*> newTVarIO (initialState (profileRobot (targetProfile target)))
+      <*> newTVarIO t0
+      <*> newTVarIO Nothing
+      <*> newTVarIO t0
+      <*> newTVarIO Nothing
+      <*> newTBQueueIO maxQueuedLines
+  sendSettings h target
+  sendLine h (linkLine (IsAwaited ""))
+  let requests = do
+        r <- atomically (readTQueue asked)
+        case r of
+          Run -> atomically (writeTQueue runs ())
+          Stop -> stopRun h >> sendHalt h connection
+          EmergencyStop -> emergencyStop h connection
+          Free -> atomically (writeTVar (stoppedAt h) Nothing) >> sendLine h (stoppedLine False)
+          Safety on -> atomically (stateTVar (guarded h) (setSafetyRules on)) >>= mapM_ (sendCommand connection) >> sendSettings h target
+          Alive -> getMonotonicTime >>= atomically . writeTVar (aliveAt h)
+          Leave -> pure ()
+        unless (r == Leave) requests
+      programs = do
+        next <- atomically ((Nothing <$ readTQueue runs) `orElse` (Just <$> takeEvents connection))
+        case next of
+          Just hs -> mapM_ (passEvent h connection) hs
+          Nothing -> bracket nextProgram close (runProgram target connection h)
+        programs
+      writer = forever (atomically (readTBQueue (lines' h)) >>= write)
+  (requests `race_` programs `race_` writer `race_` sendFrames h `race_` superviseOwner h connection) `finally` sendHalt h connection
+
+-- | A line for the service; dropped when it does not read.
+sendLine :: RobotProcess -> L.ByteString -> IO ()
+sendLine h l = atomically $ do
+  full <- isFullTBQueue (lines' h)
+  unless full (writeTBQueue (lines' h) l)
+
+-- | Sends whether the safety rules are on, and the limits.
+sendSettings :: RobotProcess -> Target -> IO ()
+sendSettings h target = do
+  g <- readTVarIO (guarded h)
+  sendLine h (holdingLine (isSafe g) (maxSpeed (targetLimits target)) (maxTurn (targetLimits target)))
+
+elapsed :: RobotProcess -> IO Double
+elapsed h = (-) <$> getMonotonicTime <*> readTVarIO (began h)
+
+-- | Handles an event of the robot while no program runs.
+passEvent :: RobotProcess -> Connection -> RobotEvent -> IO ()
+passEvent h connection heard' = do
+  was <- isConnected <$> readTVarIO (guarded h)
+  case heard' of
+    Connected -> sendLine h (linkLine IsThere)
+    Disconnected why -> sendLine h (linkLine ((if was then IsLost else IsAwaited) why))
+    Received _ -> pure ()
+  actions <- atomically $ do
+    (ms, actions) <- stateTVar (guarded h) (onEvent heard')
+    actions <$ forM_ ms (modifyTVar' (robotState h) . applyMessage)
+  mapM_ (sendCommand connection) actions
+
+-- | Halts the wheels.
+sendHalt :: RobotProcess -> Connection -> IO ()
+sendHalt h connection = atomically (stateTVar (guarded h) haltWheels) >>= mapM_ (sendCommand connection)
+
+stopRun :: RobotProcess -> IO ()
+stopRun h = atomically (readTVar (running h) >>= mapM_ (`writeTVar` True))
+
+emergencyStop :: RobotProcess -> Connection -> IO ()
+emergencyStop h connection = do
+  t <- getMonotonicTime
+  atomically (writeTVar (stoppedAt h) (Just t))
+  sendHalt h connection
+  sendLine h (stoppedLine True)
+  stopRun h
+
+runProgram :: Target -> Connection -> RobotProcess -> Socket -> IO ()
+runProgram target connection h socket = do
+  stop <- newTVarIO False
+  t <- getMonotonicTime
+  held <- atomically $ do
+    held <- readTVar (stoppedAt h)
+    when (isNothing held) $ do
+      writeTVar (running h) (Just stop)
+      writeTVar (aliveAt h) t
+      writeTVar (began h) t
+      modifyTVar' (guarded h) startRun
+      modifyTVar' (robotState h) restart
+    pure held
+  case held of
+    Just _ -> sendLine h (endedLine 0 "stopped" Nothing)
+    Nothing -> do
+      pace <- realPace
+      served <- runLockstep pace (observer h) (readTVar stop) (targetPatience target) (guarded h) connection socket `finally` atomically (writeTVar (running h) Nothing)
+      time <- elapsed h
+      sendFrame h
+      sendLine h . uncurry (endedLine time) $ case runEnd served of
+        Finished -> ("done", Nothing)
+        Stopped -> ("stopped", Nothing)
+        Failed _ _ (Just p) -> ("error", Just p)
+        Failed {} -> ("broken", Nothing)
+        Stuck -> ("stuck", Nothing)
+        Died -> ("died", Nothing)
+        RobotLost _ -> ("lost", Nothing)
+
+observer :: RobotProcess -> Observer
+observer h =
+  Observer
+    { onMessages = \ms -> atomically (modifyTVar' (robotState h) (\p -> foldl (flip applyMessage) p ms)),
+      onProgramCommand = \a -> do
+        t <- elapsed h
+        atomically (modifyTVar' (robotState h) (applyCommand a))
+        case a of
+          SayCommand (Say s) -> sendLine h (saidLine t s)
+          SoundCommand s -> sendLine h (soundLine t s)
+          _ -> pure (),
+      onSettled = \(SettledStep fired sent commands) -> do
+        atomically (modifyTVar' (robotState h) (recordFirings fired))
+        unless (null commands) $ do
+          t <- elapsed h
+          sendLine h (commandsLine t fired sent commands),
+      onNotice = sendLine h . linkLine
+    }
+
+-- | Sends fifty frames a second, the rate at which the robot senses.
+sendFrames :: RobotProcess -> IO ()
+sendFrames h = forever (threadDelay 20000 >> sendFrame h)
+
+sendFrame :: RobotProcess -> IO ()
+sendFrame h = do
+  t <- elapsed h
+  l <- atomically $ do
+    here' <- readTVar (guarded h)
+    stateTVar (robotState h) (frameLine t (isEvading here'))
+  sendLine h l
+
+-- | Lets the wheels turn while heartbeats arrive, and repeats an emergency stop for a second.
+superviseOwner :: RobotProcess -> Connection -> IO ()
+superviseOwner h connection = forever $ do
+  threadDelay 50000
+  t <- getMonotonicTime
+  seen <- readTVarIO (aliveAt h)
+  runs <- readTVarIO (running h)
+  forM_ runs $ \_ -> do
+    atomically (stateTVar (guarded h) (setWatched (t - seen < watchTimeout))) >>= mapM_ (sendCommand connection)
+    when (t - seen > abandonTimeout) (stopRun h >> sendHalt h connection)
+  stopped <- readTVarIO (stoppedAt h)
+  forM_ stopped $ \since -> when (t - since < 1) (sendHalt h connection)

@@ -1,0 +1,105 @@
+-- |
+-- Module      : Rosy.Robots.RobotRun
+-- Description : One run of a program's main on a real robot.
+--
+-- In: which robot, and the program. Out: an exit status; messages for a person go to standard error. The robot
+-- is stopped first in every case: when the program is done, fails or is stopped, on Ctrl-C and on a
+-- signal of the system. A program that does not react is ended a second after that.
+module Rosy.Robots.RobotRun
+  ( runOnRobot,
+    runOnRobotFor,
+    runAfter,
+    withConnection,
+    onSignals,
+    terminationSignals,
+  )
+where
+
+import Control.Concurrent (forkIO, myThreadId, threadDelay)
+import Control.Exception
+import Control.Monad (unless, void)
+import Data.IORef
+import Ros.Names (readArguments)
+import Ros.Node (Settings (..))
+import Rosy.Launch (onLink)
+import Rosy.Link
+import Rosy.Link.Real
+import Rosy.Link.Ros
+import Rosy.Link.Rosbridge
+import Rosy.Link.Serial
+import Rosy.Problem
+import Rosy.Robots.Connection
+import Rosy.Robots.DriverLock (withDriverLock)
+import Rosy.Robots.Guard
+import Rosy.Robots.Target
+import System.Environment (getEnvironment)
+import System.Exit
+import System.IO (BufferMode (..), hPutStrLn, hSetBuffering, stderr, stdout)
+import System.Posix.Process (exitImmediately)
+import System.Posix.Signals (Handler (..), Signal, installHandler, sigHUP, sigINT, sigTERM, sigUSR1)
+
+-- | Connects to the robot of an address while an action runs.
+withConnection :: Target -> (Connection -> IO a) -> IO a
+withConnection target use = case targetTransport target of
+  Rosbridge host port path -> withRosbridge host port path (targetRoutes target) use
+  Serial device -> withSerial device use
+  Ros1 host port -> do
+    environment' <- getEnvironment
+    let at = "http://" ++ host ++ ":" ++ show port
+        settings = Settings (readArguments []) (("ROS_MASTER_URI", at) : filter ((/= "ROS_MASTER_URI") . fst) environment') "rosy"
+    withRos settings ("the robot at ros://" ++ host ++ ":" ++ show port) (targetRoutes target) use
+
+-- | Runs a program's @main@ on a robot.
+runOnRobot :: Target -> IO () -> IO ExitCode
+runOnRobot = runOnRobotFor Nothing
+
+-- | 'runOnRobot', for so many seconds at most.
+runOnRobotFor :: Maybe Double -> Target -> IO () -> IO ExitCode
+runOnRobotFor seconds target program = withDriverLock (targetAddress target) $ do
+  mapM_ (`hSetBuffering` LineBuffering) [stdout, stderr]
+  ended <- newIORef EndedDone
+  r <- newRunControl (newGuard (targetLimits target) (targetSafety target))
+  main' <- myThreadId
+  result <- try . withClock $ \clock -> withConnection target $ \connection -> do
+    let stopping = do
+          haltRobot r connection
+          requestStop r
+          void . forkIO $ do
+            threadDelay stopTimeout
+            throwTo main' UserInterrupt
+            -- Code that allocates nothing cannot be interrupted.
+            threadDelay stopTimeout
+            exitImmediately (ExitFailure 2)
+    mapM_ (`runAfter` stopping) seconds
+    link <- realLink clock (targetPatience target) r connection
+    onSignals terminationSignals stopping (onLink link {end = \as e -> writeIORef ended e >> end link as e} program)
+      `finally` haltRobot r connection
+  how <- readIORef ended
+  case result of
+    Left e -> ExitFailure 2 <$ told (problemFrom Nothing [] Nothing e)
+    Right () -> case how of
+      EndedError p -> ExitFailure 2 <$ told p
+      _ -> pure ExitSuccess
+  where
+    told p = do
+      hPutStrLn stderr (problemMessage p)
+      unless (null (problemHint p)) (hPutStrLn stderr (problemHint p))
+
+-- | A second, in microseconds: what a program that was asked to stop may still take (protocol/README.md, stop).
+stopTimeout :: Int
+stopTimeout = 1000000
+
+-- | Runs an action after a number of seconds, in a thread of its own. A thread's delay is counted in an Int of microseconds: a week fits.
+runAfter :: Double -> IO () -> IO ()
+runAfter seconds = void . forkIO . (threadDelay (ceiling (seconds * 1e6)) >>)
+
+-- | The signals that mean that a program is to end. The last is the emergency stop of @./rosy estop@.
+terminationSignals :: [Signal]
+terminationSignals = [sigINT, sigTERM, sigHUP, sigUSR1]
+
+-- | The first of these signals stops in good order. The handlers are put back afterwards.
+onSignals :: [Signal] -> IO () -> IO a -> IO a
+onSignals signals act body = bracket (mapM install signals) (mapM_ restore) (const body)
+  where
+    install s = (,) s <$> installHandler s (CatchOnce act) Nothing
+    restore (s, old) = installHandler s old Nothing

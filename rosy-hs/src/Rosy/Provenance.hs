@@ -1,0 +1,172 @@
+-- |
+-- Module      : Rosy.Provenance
+-- Description : Provenance of firings (rule R12): cause, reads with their versions, outputs.
+--
+-- The loop gives each firing with the occurrence that caused it. A 'Watch' follows the firings in order and adds what only the past
+-- tells: which firing wrote a memory that is read, which firing sent an event, which message refreshed a state. It is kept only
+-- while a run is observed; the loop itself keeps nothing for it. "Rosy.Model" says the same and is authoritative.
+module Rosy.Provenance
+  ( -- * Records
+    Record (..),
+    Reason (..),
+    Input (..),
+    Origin (..),
+    Output (..),
+    Sink (..),
+
+    -- * Following a run
+    Watch,
+    watchFrom,
+    Observed (..),
+    follow,
+  )
+where
+
+import Data.Dynamic (dynTypeRep)
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (mapAccumL)
+import qualified Data.Map.Strict as Map
+import Data.Typeable (TypeRep)
+import Rosy.Channel (Action (..), Channel (..), Message (..), tellAction, tellMessage)
+import Rosy.Core hiding (Action, Message)
+import Rosy.Loop
+
+-- ---------------------------------------------------------------------------------------------
+-- Records
+
+-- | One firing of a run.
+data Record = Record
+  { -- | Its number among the firings, from 0.
+    recordNumber :: !Int,
+    recordFunction :: String,
+    -- | The scope of its task; 0 is the first one of the program.
+    recordTask :: !ScopeId,
+    recordReason :: !Reason,
+    recordInputs :: [Input],
+    recordOutputs :: [Output]
+  }
+
+-- | Why it fired. Instants, firings and user events have numbers from 0; a firing before the observation began has none.
+data Reason
+  = -- | The message of this instant, as Haskell shows it.
+    OfMessage !Int String
+  | OfTick !Int
+  | -- | A user event, and the firing that sent it.
+    OfEvent !Int !(Maybe Int)
+  | -- | It was carried out at once: because the program began, because a wait was over at this instant, because of what this firing
+    -- gave, at the end of the program.
+    OfStart
+  | OfWait !Int
+  | OfFiring !(Maybe Int)
+  | OfEnd
+  deriving (Eq, Show)
+
+-- | A value that was read, as Haskell shows it.
+data Input = Input !Origin String
+  deriving (Eq, Show)
+
+-- | Where a value comes from.
+data Origin
+  = -- | The occurrence itself, or an earlier one that waited for its partners.
+    AnEvent
+  | -- | The state of this channel, as the message of this instant gave it.
+    AState String !(Maybe Int)
+  | -- | The memory of this type, as this firing wrote it.
+    AMemory String !(Maybe Int)
+  | AParam String !(Maybe Int)
+  | ATime
+  | -- | The generator with this number, from the start of the observation.
+    AGenerator !Int
+  deriving (Eq, Show)
+
+-- | A value that it gave, as Haskell shows it.
+data Output = Output !Sink String
+  deriving (Eq, Show)
+
+-- | Where a value goes.
+data Sink
+  = -- | A command of this type.
+    ACommand String
+  | -- | A user event of this type, with this number.
+    AnEmission String !Int
+  | IntoMemory String
+  | IntoParam String
+  | ADone
+  | AFeedback
+  | ACall
+  deriving (Eq, Show)
+
+-- ---------------------------------------------------------------------------------------------
+-- Following a run
+
+-- | What was written and sent last, by which firing.
+data Watch = Watch
+  { firings :: !Int,
+    instants :: !Int,
+    generatorsRead :: !Int,
+    emissions :: !Int,
+    writers :: !(Map.Map (Maybe ScopeId, TypeRep) Int),
+    emitters :: !(IntMap.IntMap Int),
+    refreshers :: !(IntMap.IntMap Int),
+    latestIn :: !(IntMap.IntMap Int),
+    latestFeedback :: !(Maybe Int)
+  }
+
+-- | The observation begins when so many user events have been sent.
+watchFrom :: Int -> Watch
+watchFrom sent = Watch 0 0 0 sent Map.empty IntMap.empty IntMap.empty IntMap.empty Nothing
+
+-- | What happened in order: an instant began, or a function fired.
+data Observed = AnInstant !What | AFiring !Firing
+
+-- | The firings as records, and the watch after them.
+follow :: Watch -> [Observed] -> (Watch, [Record])
+follow watch observed = concat <$> mapAccumL one watch observed
+  where
+    one w (AnInstant what) = (w {instants = instants w + 1, refreshers = refreshed what w}, [])
+    one w (AFiring firing) = (: []) <$> recorded w firing
+    refreshed what w = case what of
+      Hear (Message channel _) -> IntMap.insert (channelNumber channel) (instants w) (refreshers w)
+      TickNow -> refreshers w
+
+-- | The firings of so many user events are known: many times what one instant delivers. A choice of ours, so that the map is bounded.
+keptEmitters :: Int
+keptEmitters = 4096
+
+recorded :: Watch -> Firing -> (Watch, Record)
+recorded w firing = (w'' {firings = number + 1, latestIn = IntMap.insert scope number (latestIn w'')}, Record number (nameText (firingName firing)) scope reason inputs outputs)
+  where
+    number = firings w
+    scope = firingScope firing
+    now = instants w - 1
+    reason = case firingCause firing of
+      ByOccurrence (Sensed message) -> OfMessage now (tellMessage message)
+      ByOccurrence Tick -> OfTick now
+      ByOccurrence (Emitted event) -> OfEvent (eventSerial event) (IntMap.lookup (eventSerial event) (emitters w))
+      ByStart -> OfStart
+      ByInstant -> OfWait now
+      ByTask s -> OfFiring (IntMap.lookup s (latestIn w))
+      ByFeedback -> OfFiring (latestFeedback w)
+      ByEnd -> OfEnd
+    (w', inputs) = mapAccumL input w (firingInputs firing)
+    input v (InputValue source text) = case source of
+      FromEvent -> (v, Input AnEvent text)
+      FromState channel -> (v, Input (AState (channelName channel) (IntMap.lookup (channelNumber channel) (refreshers v))) text)
+      FromMemory what -> (v, Input (AMemory (typeText what) (Map.lookup (Just scope, what) (writers v))) text)
+      FromParam what -> (v, Input (AParam (typeText what) (Map.lookup (Nothing, what) (writers v))) text)
+      FromTime -> (v, Input ATime text)
+      FromGenerator -> (v {generatorsRead = generatorsRead v + 1}, Input (AGenerator (generatorsRead v)) text)
+    (w'', outputs) = mapAccumL output w' (listed (firingEffects firing))
+    output v effect = case effect of
+      Act action@(Action channel _) -> (v, Output (ACommand (channelName channel)) (tellAction action))
+      Emit value text -> (v {emissions = emissions v + 1, emitters = IntMap.insert (emissions v) number (snd (IntMap.split (emissions v - keptEmitters) (emitters v)))}, Output (AnEmission (show (dynTypeRep value)) (emissions v)) text)
+      Remember what (Kept _ text) -> (v {writers = Map.insert (Just scope, what) number (writers v)}, Output (IntoMemory (typeText what)) text)
+      Share what (Kept _ text) -> (v {writers = Map.insert (Nothing, what) number (writers v)}, Output (IntoParam (typeText what)) text)
+      End _ text -> (v, Output ADone text)
+      Feed _ text -> (v {latestFeedback = Just number}, Output AFeedback text)
+      StartCall _ -> (v, Output ACall "")
+    listed effects = case effects of
+      Nothing' -> []
+      Then (End value _) rest | isMark value -> listed rest
+      Then effect rest -> effect : listed rest
+    typeText what = showsPrec 11 what ""

@@ -1,0 +1,6 @@
+instance Sensor Int
+
+main = simulate shout
+
+shout :: Int -> Sound
+shout _ = ErrorSound

@@ -1,0 +1,3 @@
+instance Command Velocity
+
+main = simulate (Velocity 1 0)

@@ -1,0 +1,4 @@
+pause :: Task () ()
+pause = wait 1
+
+main = simulate pause

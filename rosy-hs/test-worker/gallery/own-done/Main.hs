@@ -1,0 +1,6 @@
+data Done = Done
+
+main = simulate stop
+
+stop :: Bumper -> Done
+stop _ = Done

@@ -1,0 +1,6 @@
+data Memory a = Memory a
+
+main = simulate count
+
+count :: Bumper -> Memory Int -> Memory Int
+count _ (Memory n) = Memory (n + 1)

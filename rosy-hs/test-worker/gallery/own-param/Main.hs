@@ -1,0 +1,6 @@
+newtype Param a = Param a
+
+main = simulate slow
+
+slow :: Bumper -> Param Double
+slow _ = Param 0.1

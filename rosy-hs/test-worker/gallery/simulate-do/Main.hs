@@ -1,0 +1,3 @@
+main = simulate do
+  say "hello"
+  wait 1

@@ -1,0 +1,132 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Rosy.Worker.Explanation.CommonSyntaxErrors
+-- Description : Syntax errors from habits of other languages and from wrong columns.
+--
+-- Recognises, for example, comments with #, @elif@, records with colons, and keywords in the wrong column. These checks come before the
+-- general ones of "Rosy.Worker.Explanation.SyntaxErrors".
+module Rosy.Worker.Explanation.CommonSyntaxErrors
+  ( commonSyntaxErrors,
+    fallbackSyntaxErrors,
+  )
+where
+
+import Data.Char (isLower)
+import Data.List (find)
+import Data.Maybe (listToMaybe)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Rosy.Worker.Explanation.MessageText
+import Rosy.Worker.Explanation.Tokenizer
+import Rosy.Worker.Problem
+import Rosy.Worker.Sentence
+
+-- | The likely causes, the most likely first. Takes the program, all its tokens, the tokens of the current definition before the error, and the
+-- position of the error.
+commonSyntaxErrors :: Text -> [Token] -> [Token] -> Position -> [Problem]
+commonSyntaxErrors source found current at =
+  concat
+    [ [ problemAt (tokenSpan t) "comment" (tr "A comment begins with two dashes.") (tr "Write: -- and behind it what you want to say.")
+        | Just t <- [firstOnLine],
+          any (`Text.isPrefixOf` word t) ["#", "//", "/*"]
+      ],
+      [ problemAt (tokenSpan t) "indentation" (trWith "‘{word}’ stands at the left edge, where something new begins." ["word" =: word t]) (tr "Put spaces in front of it: it belongs to the line above.")
+        | Just t <- [here],
+          column (from t) == 1,
+          word t `elem` ["where", "|", "then", "else", "of", "in", "=", "->"],
+          not (null current)
+      ],
+      [ problemAt (Span (from f) (tokenEnd l)) "missing-equals" (if line (from l) < line at then tr "At the end of this line an equals sign is missing." else tr "Here an equals sign is missing.") (trWith "Write: {code} = …" ["code" =: textAt source (Span (from f) (tokenEnd l))])
+        | given `elem` map Just ["if", "case", "let", "do", "\\"],
+          f : _ <- [current],
+          l : _ <- [reverse current],
+          line (from f) == line (from l),
+          Text.all isLower (Text.take 1 (word f)),
+          column (from f) == 1,
+          word f `notElem` ["if", "case", "let", "do", "data", "newtype", "type", "class", "instance", "import", "module", "where", "deriving", "infixl", "infixr", "infix"],
+          all (`notElem` words') ["=", "|", "::", "->", "<-", "if", "case", "let", "do", "$"]
+      ],
+      [ problemAt (tokenSpan t) "guard" (tr "In front of ‘otherwise’ a bar is missing.") (tr "Write: | otherwise = …")
+        | Just t <- [firstOnLine],
+          word t == "otherwise",
+          "|" `elem` words'
+      ],
+      [ problemAt (tokenSpan t) "unit" (tr "A number stands without its unit.") (tr "Write: degreesToRadians 90, or degreesToOrientation 90.")
+        | t : _ <- [filter (("°" `Text.isPrefixOf`) . word) current]
+      ],
+      [ problemAt (tokenSpan t) "word" (trWith "‘{word}’ is two words in Haskell." ["word" =: word t]) (tr "Write: else if.")
+        | t : _ <- [filter ((`elem` ["elif", "elsif", "elseif"]) . word) onLine]
+      ],
+      [ problemAt (tokenSpan t) "field-value" (tr "Between a field and its value stands an equals sign.") (trWith "Write: {code} = …" ["code" =: word f])
+        | given == Just ":",
+          "{" `elem` words',
+          take 1 words' `notElem` [["data"], ["newtype"]],
+          Just t <- [here],
+          f : _ <- [reverse current]
+      ],
+      [ problemAt (tokenSpan t) "missing-of" (tr "After ‘case’ and its value comes ‘of’.") (trWith "Write: {code}" ["code" =: Text.strip (Text.drop (column (from t) - 1) (fst (Text.breakOn "->" (lineOf source (line (from t)))))) <> " of"])
+        | given == Just "->",
+          length (filter (== "case") words') > length (filter (== "of") words'),
+          "\\" `notElem` words',
+          Just t <- [find ((== "case") . word) (reverse current)]
+      ],
+      [ problemAt (tokenSpan t) "missing-arrow" (tr "Behind a backslash and its names comes an arrow.") (trWith "Write: \\{name} -> …" ["name" =: maybe "x" word name])
+        | given == Just "=",
+          (names, slash : _) <- [break ((== "\\") . word) (reverse onLineBefore)],
+          word slash == "\\",
+          all ((`notElem` ["->", "="]) . word) names,
+          let name = listToMaybe names,
+          Just t <- [here]
+      ],
+      [ problemAt (tokenSpan t) "indentation" (tr "The names after ‘let’ do not begin in the same column.") (tr "Put them exactly below each other.")
+        | length (filter (== "let") words') > length (filter (== "in") words'),
+          "do" `notElem` words',
+          given /= Just "in",
+          "in" `elem` map word (takeWhile ((> 1) . column . from) (dropWhile ((< at) . from) found)),
+          Just t <- [find ((== "let") . word) (reverse current)]
+      ],
+      [ problemAt (tokenSpan t) "indentation" (tr "The lines of this ‘do’ do not begin in the same column.") (tr "Put them exactly below each other.")
+        | given == Just "do",
+          maybe True (`elem` ["=", "->", "then", "else", "(", "$", ">>", "<-"]) (listToMaybe (reverse words')),
+          Just t <- [here]
+      ],
+      [ problemAt (Span (Position l 1) (Position l (Text.length text + 1))) "missing-where" (tr "At the end of this line ‘where’ is missing.") (trWith "Write: {code}" ["code" =: Text.stripEnd text <> " where"])
+        | (l, text) : _ <- [dropWhile (Text.null . Text.strip . snd) (reverse (take (line at - 1) numbered))],
+          take 1 (Text.words text) `elem` [["class"], ["instance"]],
+          "where" `notElem` Text.words text,
+          column at > 1
+      ],
+      [ problemAt (tokenSpan t) "pattern" (tr "A pattern has no ‘or’.") (tr "Write one equation for each.")
+        | t : _ <- [[x | x <- take 1 (maybe id (:) here (reverse onLineBefore)) ++ take 1 (reverse onLineBefore), word x == "|"]],
+          open (map word (takeWhile ((< from t) . from) onLineBefore)) > 0,
+          all ((`notElem` ["=", "["]) . word) (takeWhile ((< from t) . from) onLineBefore)
+      ],
+      [ problemAt (tokenSpan t) "missing-arrow" (tr "In a type, arrows stand between the parts.") (tr "Write -> instead of the comma.")
+        | given == Just ",",
+          "::" `elem` map word onLineBefore,
+          all ((`notElem` ["->", "=", "("]) . word) onLineBefore,
+          Just t <- [here]
+      ]
+    ]
+  where
+    here = listToMaybe (dropWhile ((< at) . from) found)
+    given = word <$> here
+    words' = map word current
+    onLine = [t | t <- found, line (from t) == line at]
+    onLineBefore = takeWhile ((< at) . from) onLine
+    firstOnLine = listToMaybe onLine
+    numbered = zip [1 ..] (Text.splitOn "\n" source)
+    open ws = length (filter (== "(") ws) - length (filter (== ")") ws)
+
+-- | Causes that are checked last: a definition with two equals signs on the line before.
+fallbackSyntaxErrors :: [Token] -> Position -> [Problem]
+fallbackSyntaxErrors found at =
+  [ problemAt (tokenSpan t) "definition" (tr "A definition has a single equals sign.") (tr "Two of them compare: write = here.")
+    | let before = takeWhile ((< at) . from) found,
+      l : _ <- [reverse (map (line . from) before)],
+      let onLine = [x | x <- before, line (from x) == l],
+      all ((`notElem` ["=", "|", "if", "->", "<-", "case"]) . word) onLine,
+      maybe False ((> 1) . column . from) (listToMaybe onLine),
+      t : _ <- [filter ((== "==") . word) onLine]
+  ]

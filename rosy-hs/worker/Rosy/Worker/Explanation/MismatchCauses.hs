@@ -1,0 +1,190 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Rosy.Worker.Explanation.MismatchCauses
+-- Description : Type mismatches whose cause is visible in the text.
+--
+-- Recognises, for example, a dot for a field, commas between arguments, and a pattern without its constructor. These checks come before
+-- the types are compared.
+module Rosy.Worker.Explanation.MismatchCauses
+  ( mismatchCause,
+    partialConstructor,
+    unbracketedCalculation,
+  )
+where
+
+import Data.Char (isAlphaNum, isDigit, isLower, isSpace, isUpper)
+import Data.List (find, tails)
+import Data.Maybe (fromMaybe, isNothing, listToMaybe, mapMaybe)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Rosy.Worker.CompilerMessage
+import Rosy.Worker.Explanation.MessageText
+import Rosy.Worker.Explanation.RobotVocabulary (isNumber)
+import Rosy.Worker.Problem
+import Rosy.Worker.Sentence
+
+-- | The textual cause of a mismatch, if any. Takes the expected and the actual type.
+mismatchCause :: ProgramOutline -> CompilerMessage -> (Text -> Sentence -> Sentence -> Problem) -> Type -> Type -> Maybe Problem
+mismatchCause outline raw problem needed given = listToMaybe (concat [dotted, minus, pairPattern, commas, unfinished, joined, ofMain, inPattern, tasks])
+  where
+    source = messageSpan raw >>= snippet (text outline)
+    lineAt s = maybe "" snd (find ((== line (start s)) . fst) (zip [1 ..] (Text.splitOn "\n" (text outline))))
+    before = maybe "" (\s -> Text.take (column (start s) - 1) (lineAt s)) (messageSpan raw)
+    behind = maybe "" (\s -> Text.drop (column (end s) - 1) (lineAt s)) (messageSpan raw)
+    headOf t = fromMaybe "" (listToMaybe (typeAtoms t))
+    innerOf t = Text.unwords (drop 1 (typeAtoms t))
+
+    -- r.speed, where speed is a field.
+    dotted =
+      [ (problem "operator" (tr "A value has no parts behind a dot.") (trWith "To take a field, write its name in front: {field} {owner}." ["field" =: field, "owner" =: owner])) {place = Just (Span (Position (line (start s)) from) (Position (line (start s)) upTo))}
+        | Just s <- [messageSpan raw],
+          (owner, field, from, upTo) <- dots (lineAt s),
+          from <= column (end s),
+          upTo >= column (start s),
+          isField field
+      ]
+    isField f = any (\l -> any (`Text.isInfixOf` l) [f <> " ::", f <> "::"] && any (`Text.isInfixOf` l) ["{", ","]) (Text.lines (text outline))
+
+    -- Velocity 0 -0.5, which GHC reads as a subtraction.
+    minus =
+      [ (problem "negative-number" (tr "Here minus takes one thing from another.") (trWith "A negative number needs brackets: (-{number})." ["number" =: n])) {place = Just (Span (Position (line (start s)) i) (Position (line (start s)) (i + 1)))}
+        | isFunction given,
+          not (isFunction needed),
+          Just s <- [messageSpan raw],
+          (left, right) <- take 1 (Text.breakOnAll " -" (lineAt s)),
+          any (maybe False (isUpper . fst) . Text.uncons) (Text.words left),
+          let n = Text.takeWhile (\c -> isAlphaNum c || c `elem` ("._'" :: String)) (Text.drop 2 right),
+          not (Text.null n),
+          let i = Text.length left + 2
+      ]
+
+    -- drive (v, w) = …, where drive takes a Velocity.
+    pairPattern =
+      [ problem "pattern" (trWith "This takes {a needed}, but the pattern is a pair." ["needed" =: needed]) (trWith "Write the pattern as ({code})." ["code" =: Text.unwords (needed : parts)])
+        | isPattern,
+          needed `elem` ["Velocity", "Position"],
+          "(" `Text.isPrefixOf` given,
+          Just s <- [source],
+          Just inside <- [Text.stripPrefix "(" s >>= Text.stripSuffix ")"],
+          let parts = map Text.strip (Text.splitOn "," inside),
+          length parts == 2
+      ]
+
+    -- add(v, 0.5)
+    commas =
+      [ problem "arguments-with-commas" (tr "Values stand behind a function without commas.") (trWith "Write: {code}." ["code" =: Text.unwords (f : map argument parts)])
+        | "(" `Text.isPrefixOf` given,
+          "," `Text.isInfixOf` given,
+          not ("(" `Text.isPrefixOf` needed),
+          Just s <- [source],
+          Just inside <- [Text.stripPrefix "(" s >>= Text.stripSuffix ")"],
+          let parts = map Text.strip (Text.splitOn "," inside),
+          not (any (Text.any (`elem` ("([" :: String))) parts),
+          let f = Text.takeWhileEnd (\c -> isAlphaNum c || c `elem` ("_'" :: String)) (Text.stripEnd before),
+          not (Text.null f)
+      ]
+    argument t = if Text.any isSpace t || "-" `Text.isPrefixOf` t then "(" <> t <> ")" else t
+
+    -- Memory (Turn 1.5), where Turn needs one more.
+    unfinished =
+      [ missing c (init (splitArrows (stripped (innerOf given))))
+        | headOf given == headOf needed,
+          headOf given `elem` ["Memory", "Param", "Maybe", "Done"],
+          let parts = splitArrows (stripped (innerOf given)),
+          length parts > 1,
+          last parts == stripped (innerOf needed),
+          Just s <- [source],
+          c : _ <- [drop 1 (Text.words (Text.filter (`notElem` ("()" :: String)) s))]
+      ]
+    missing c rest = problem "missing-argument" (if length rest == 1 then trWith "‘{function}’ needs another value: {then types}." ["function" =: c, "types" =* rest] else trWith "‘{function}’ needs more values: {then types}." ["function" =: c, "types" =* rest]) (tr "Add what is missing.")
+    stripped t = fromMaybe t (Text.stripPrefix "(" t >>= Text.stripSuffix ")")
+
+    joined =
+      [ problem "operator" (trWith "‘++’ puts texts and lists together, but this is {a given}." ["given" =: given]) (tr "To add numbers, write +.")
+        | "[" `Text.isPrefixOf` needed || needed == "String",
+          isNumber given,
+          any (`Text.isInfixOf` (" " <> before <> behind)) ["++"],
+          "++" `Text.isPrefixOf` Text.stripStart behind && not ("\"" `Text.isInfixOf` behind)
+      ]
+
+    ofMain =
+      [ (problem "main-type" (tr "The type of ‘main’ is IO ().") (tr "Write main :: IO (), or leave that line out.")) {place = lookup "main" (signatures outline)}
+        | "IO" == headOf given,
+          "main" `elem` take 1 (Text.words (Text.stripStart before)),
+          Just _ <- [lookup "main" (signatures outline)]
+      ]
+
+    -- Before the equals sign or the arrow of a case.
+    isPattern = not (any (`elem` ["=", "->", "<-", "|"]) (Text.words before)) && any (`elem` ["=", "->", "|", "<-"]) (Text.words behind)
+    inPattern =
+      [ problem k m (trWith "Write the pattern as ({code})." ["code" =: c <> " " <> s'])
+        | isPattern,
+          (c, k, m) <- [("Memory", "missing-memory", trWith "This takes a whole Memory, but the pattern is that of {a given}." ["given" =: given]), ("Just", "missing-just", tr "The type says that this may be missing, but the pattern does not.")],
+          headOf needed == (if c == "Just" then "Maybe" else c),
+          stripped (innerOf needed) == given,
+          Just s <- [source],
+          let s' = if Text.any isSpace s && not ("(" `Text.isPrefixOf` s) then "(" <> s <> ")" else s
+      ]
+
+    tasks
+      | isFunction given, isFunction needed, w : _ <- filter (`elem` ["when", "unless"]) (Text.words line'), "()" `elem` map (last . splitArrows) [given, needed] = [(problem "too-many-arguments" (trWith "‘{word}’ takes two things: a condition and a task." ["word" =: w]) (trWith "Put brackets around the task: {word} c (say \"yes\")." ["word" =: w])) {place = wordPlace w}]
+      | source == Just "say", isFunction needed, input : _ <- splitArrows needed, input /= "String" = [problem "type-mismatch" (trWith "‘say’ takes a text, but here it is given {a type}." ["type" =: input]) (tr "Turn it into a text first: say . show.")]
+      | headOf given == "Task", isFunction needed, last (splitArrows needed) `elem` ["res", "see"] = [problem "controller-needed" (tr "This is a task, but here is the place of a function that gives a command.") (tr "Write for example: \\_ -> Say \"done\".")]
+      | openEnded, given `elem` ["Velocity", "Led1", "Led2", "Sound", "Say"] = [problem "task-needed" (trWith "A task is needed here, but this is {a given}." ["given" =: given]) (maybe (tr "Turn a command into a task with once.") (\s -> trWith "Turn a command into a task with once: {code}." ["code" =: "once " <> argument s]) source)]
+      | headOf needed /= "Task" = []
+      | given == "String" = [problem "task-needed" (tr "A task is needed here, but this is a text.") (maybe (tr "To show it, write say in front of it.") (\s -> trWith "To show it, write say in front of it: {code}." ["code" =: "say " <> s]) source)]
+      | "[Task" `Text.isPrefixOf` given = [problem "task-needed" (tr "One task is needed here, but this is a list of them.") (tr "Take them out of the list; sequence_ makes one task of a list, and replicateM_ does one several times.")]
+      | given == "Call" = [problem "task-needed" (tr "A task is needed here, but this is a ‘Call’.") (tr "In a task, write the called task itself, without call.")]
+      | otherwise = []
+
+    -- f a, where nothing says more.
+    openEnded = length (typeAtoms needed) == 2 && maybe False (isLower . fst) (Text.uncons (headOf needed)) && not (isFunction needed)
+    line' = maybe "" lineAt (messageSpan raw)
+    wordPlace w = do
+      s <- messageSpan raw
+      let from = Text.length (fst (Text.breakOn (w <> " ") line')) + 1
+      Just (Span (Position (line (start s)) from) (Position (line (start s)) (from + Text.length w)))
+
+-- | The names directly around each dot of a line, with the start and end column.
+dots :: Text -> [(Text, Text, Int, Int)]
+dots l = mapMaybe at [i | (i, '.') <- zip [0 ..] (Text.unpack l)]
+  where
+    at i =
+      let owner = Text.takeWhileEnd isName (Text.take i l)
+          field = Text.takeWhile isName (Text.drop (i + 1) l)
+          begins p t = maybe False (p . fst) (Text.uncons t)
+       in if begins isLower owner && begins isLower field then Just (owner, field, i + 1 - Text.length owner, i + 2 + Text.length field) else Nothing
+    isName c = isAlphaNum c || c `elem` ("_'" :: String)
+
+-- | The partially applied constructor of a definition without a signature, as in @go = Velocity 0.5@.
+partialConstructor :: ProgramOutline -> Text -> Maybe (Text, Span)
+partialConstructor outline name = do
+  s <- lookup name (bindings outline)
+  if isNothing (lookup name (signatures outline)) then Just () else Nothing
+  body <- snippetOf s
+  rest <- Text.stripPrefix name body >>= Text.stripPrefix "=" . Text.stripStart
+  c <- listToMaybe (Text.words rest)
+  if maybe False (isUpper . fst) (Text.uncons c) then Just (c, s) else Nothing
+  where
+    snippetOf s
+      | line (start s) == line (end s) = Just (Text.take (column (end s) - column (start s)) (Text.drop (column (start s) - 1) (Text.splitOn "\n" (text outline) !! (line (start s) - 1))))
+      | otherwise = Nothing
+
+-- | A constructor, and the calculation among its arguments that needs brackets, as in @Velocity 0 pi/2@ and @Velocity v * 2 0@.
+unbracketedCalculation :: Text -> Maybe (Text, Text)
+unbracketedCalculation = listToMaybe . mapMaybe behind . tails . Text.words
+  where
+    behind ws = case ws of
+      c : values | startsWith isUpper c, Text.all isAlphaNum c -> (,) c <$> listToMaybe (mapMaybe touching (takeWhile plain values) ++ apart (takeWhile plain values))
+      _ -> Nothing
+    touching w = case Text.break (`elem` signs) w of
+      (x, more) | not (Text.null x), startsWith isValue (Text.drop 1 more) -> Just w
+      _ -> Nothing
+    apart values = case values of
+      x : sign : y : _ | Text.length sign == 1, Text.all (`elem` signs) sign, startsWith isValue y -> [Text.unwords [x, sign, y]]
+      _ -> []
+    plain = Text.all (\c -> isAlphaNum c || c `elem` ("._'" :: String) || c `elem` signs)
+    startsWith p = maybe False (p . fst) . Text.uncons
+    isValue c = isLower c || isDigit c
+    signs = "+*/" :: String

@@ -1,0 +1,177 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Rosy.Worker.Protocol
+-- Description : Messages of the worker's socket and their encoding.
+--
+-- Requests and answers as defined in protocol/README.md, section 3, and a line buffer with bounded line length. Pure.
+module Rosy.Worker.Protocol
+  ( -- * Requests
+    Request (..),
+    Question (..),
+    questionBytes,
+    Id,
+    parseRequest,
+
+    -- * Answers
+    Answer (..),
+    answerLine,
+    reportFields,
+    completionFields,
+
+    -- * Cutting a stream into lines
+    LineBuffer,
+    emptyLineBuffer,
+    BufferedLine (..),
+    splitLines,
+    maxLineBytes,
+  )
+where
+
+import Data.Aeson (Series, Value (..), eitherDecodeStrict', encode, object, pairs, (.:), (.=))
+import Data.Aeson.Encoding (int, list, pair)
+import Data.Aeson.Types (Object, Parser, parseEither)
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as ByteString
+import qualified Data.ByteString.Char8 as Char8
+import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Data.Text.Encoding (encodeUtf8)
+import Rosy.Worker.Problem (Completion (..), Position (Position), Problem, Span (..), Typed (..))
+import Rosy.Worker.Report (Report (..))
+
+-- | Chosen by the service; any JSON value.
+type Id = Value
+
+data Request
+  = Ask Id Question
+  | -- | The source and the bytes of memory the run may take.
+    Run Id Text Int
+  | Kill Id
+  | -- | Liveness probe.
+    Ping Id
+  deriving (Eq, Show)
+
+-- | A question about a program.
+data Question
+  = Check Text
+  | Complete Text Position
+  deriving (Eq, Show)
+
+-- | Injective encoding of a question, used as cache key.
+questionBytes :: Question -> ByteString
+questionBytes question = case question of
+  Check source -> "check " <> encodeUtf8 source
+  Complete source (Position l c) -> Char8.pack (unwords ["complete", show l, show c, ""]) <> encodeUtf8 source
+
+-- | A request, or the id (null if there is none) and a sentence for @failed@.
+parseRequest :: ByteString -> Either (Id, Text) Request
+parseRequest line = case eitherDecodeStrict' line of
+  Left _ -> Left (Null, "This line is not JSON.")
+  Right (Object o) -> case parseEither (.: "id") o of
+    Left _ -> Left (Null, "A request needs an id.")
+    Right i -> either (\e -> Left (i, Text.pack e)) Right (parseEither (request i) o)
+  Right _ -> Left (Null, "A request is a JSON object.")
+
+request :: Id -> Object -> Parser Request
+request i o = do
+  op <- o .: "op"
+  case op :: Text of
+    "check" -> Ask i . Check <$> source
+    "complete" -> (\s l c -> Ask i (Complete s (Position l c))) <$> source <*> o .: "line" <*> o .: "column"
+    "run" -> Run i <$> source <*> o .: "memory"
+    "kill" -> pure (Kill i)
+    "ping" -> pure (Ping i)
+    other -> fail ("There is no request called " ++ show other ++ ".")
+  where
+    source = do
+      text <- o .: "source"
+      if Text.length text > maxSourceLength
+        then fail ("The source is longer than " ++ show maxSourceLength ++ " characters.")
+        else pure text
+
+-- | Characters. protocol/README.md, section 3.
+maxSourceLength :: Int
+maxSourceLength = 200000
+
+-- | Answers. The fields of a report come from a child in their final encoding.
+data Answer
+  = Ready Text
+  | -- | Answer to a question.
+    QuestionAnswered Question Id ByteString
+  | Started Id ByteString
+  | Refused Id ByteString
+  | -- | Exit code or signal, active function, and a problem reported by the worker.
+    RunEnded Id (Either Int Int) (Maybe Text) (Maybe Problem)
+  | Pong Id
+  | Failed Id Text
+
+answerLine :: Answer -> ByteString
+answerLine answer = case answer of
+  Ready version -> whole [op "ready", "protocol" .= (1 :: Int), "ghc" .= version]
+  QuestionAnswered (Check _) i fields -> spliced [op "checked", "id" .= i] fields
+  QuestionAnswered (Complete _ _) i fields -> spliced [op "completed", "id" .= i] fields
+  Started i fields -> spliced [op "started", "id" .= i] fields
+  Refused i fields -> spliced [op "refused", "id" .= i] fields
+  RunEnded i how firing problem ->
+    whole $
+      [op "gone", "id" .= i, either ("exit" .=) ("signal" .=) how]
+        ++ maybe [] (\f -> ["firing" .= f]) firing
+        ++ maybe [] (\p -> ["problem" .= p]) problem
+  Pong i -> whole [op "pong", "id" .= i]
+  Failed i message -> whole [op "failed", "id" .= i, "message" .= message]
+  where
+    op name = "op" .= (name :: Text)
+    whole members = Lazy.toStrict (encode (object members)) <> "\n"
+    -- Fields are a JSON object of at least one member.
+    spliced members fields = ByteString.init (Lazy.toStrict (encode (object members))) <> "," <> ByteString.drop 1 fields <> "\n"
+
+-- | The members of @checked@ besides @id@, as an object in bytes.
+reportFields :: Report -> Series
+reportFields report =
+  "problems" .= problems report
+    <> "declarations" .= declarations report
+    <> pair "graph" (pairs ("functions" .= functions report <> "parts" .= parts report <> "topics" .= topics report))
+    <> pair "types" (pairs ("names" .= Map.keys names <> pair "at" (list place (types report))))
+  where
+    -- Each type is written once; a position in the list is five numbers.
+    names = Map.fromDistinctAscList (zip (Set.toAscList (Set.fromList (map hasType (types report)))) [0 :: Int ..])
+    place (Typed (Span (Position l c) (Position l' c')) t) = list int [l, c, l', c', names Map.! t]
+
+-- | The members of @completed@ besides @id@.
+completionFields :: Completion -> Series
+completionFields completion = maybe mempty ("expected" .=) (expected completion) <> "names" .= offered completion
+
+-- | The incomplete line received so far, or the state of skipping a line that is too long.
+data LineBuffer = LineBuffer [ByteString] !Int | Skipping
+  deriving (Eq, Show)
+
+emptyLineBuffer :: LineBuffer
+emptyLineBuffer = LineBuffer [] 0
+
+data BufferedLine = Line ByteString | TooLong
+  deriving (Eq, Show)
+
+-- | Bytes. A source of maximal length with every character escaped takes about 2.4 million.
+maxLineBytes :: Int
+maxLineBytes = 4000000
+
+-- | The lines completed by some bytes. A line that is too long is reported once, when it passes the limit; its rest is discarded.
+splitLines :: LineBuffer -> ByteString -> ([BufferedLine], LineBuffer)
+splitLines state bytes = case (state, Char8.elemIndex '\n' bytes) of
+  (Skipping, Nothing) -> ([], Skipping)
+  (Skipping, Just n) -> splitLines emptyLineBuffer (ByteString.drop (n + 1) bytes)
+  (LineBuffer parts size, Nothing)
+    | size + ByteString.length bytes > maxLineBytes -> ([TooLong], Skipping)
+    | ByteString.null bytes -> ([], state)
+    | otherwise -> ([], LineBuffer (bytes : parts) (size + ByteString.length bytes))
+  (LineBuffer parts size, Just n)
+    | size + n > maxLineBytes -> prepend TooLong (splitLines emptyLineBuffer rest)
+    | otherwise -> prepend (Line (ByteString.concat (reverse (ByteString.take n bytes : parts)))) (splitLines emptyLineBuffer rest)
+    where
+      rest = ByteString.drop (n + 1) bytes
+  where
+    prepend x (xs, s) = (x : xs, s)

@@ -1,0 +1,132 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Rosy.Worker.StaticAdvice
+-- Description : Notes about correct programs: what can never happen, and what has no effect.
+--
+-- Takes the functions of a program with their inputs and outputs, and facts of its syntax tree. Types cannot tell that nothing sends an event or
+-- that a memory is never written. A note is given only where this is certain: not where a function is unknown by name, has an open type, or
+-- runs in a task. Pure.
+module Rosy.Worker.StaticAdvice
+  ( Facts (..),
+    DeclaredType (..),
+    Constructor (..),
+    staticAdvice,
+  )
+where
+
+import Control.Applicative ((<|>))
+import Data.Char (isAlphaNum, isLower)
+import Data.List (sortOn)
+import Data.Maybe (isNothing, listToMaybe)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Rosy.Worker.CompilerMessage (ProgramOutline (..))
+import Rosy.Worker.Explanation.MessageText
+import Rosy.Worker.Explanation.TypeErrors (typePlace)
+import Rosy.Worker.Problem
+import Rosy.Worker.Sentence
+
+-- | What the syntax tree tells.
+data Facts = Facts
+  { declaredTypes :: [DeclaredType],
+    -- | Constructors of these types that an expression builds.
+    built :: [Text],
+    -- | Constructors of these types in patterns, with their places.
+    matched :: [(Text, Span)],
+    -- | The names of all functions given to the robot.
+    connectedNames :: [Text],
+    -- | Those of them that the program applies to arguments, so that not every argument is an input.
+    appliedNames :: [Text],
+    -- | Worlds that the program names for @simulateIn@, with their places.
+    namedWorlds :: [(Text, Span)]
+  }
+
+-- | A @data@ or @newtype@ of the program.
+data DeclaredType = DeclaredType
+  { typeName :: Text,
+    constructors :: [Constructor],
+    -- | Whether values can come from elsewhere than constructors in expressions: derived classes such as @Enum@, instances of @Sensor@.
+    hasOtherSources :: Bool,
+    -- | Whether an instance of @Command@ says where values go to.
+    hasOtherTargets :: Bool
+  }
+
+-- | A constructor, and the names of the types of its fields.
+data Constructor = Constructor {constructorName :: Text, fieldTypes :: [Text]}
+
+-- | In the order of the text.
+staticAdvice :: ProgramOutline -> Facts -> [Problem]
+staticAdvice outline facts = sortOn place (ofFunctions ++ filter ((`notElem` map function ofFunctions) . function) impossibleCases ++ ignoredWorlds)
+  where
+    ofFunctions = concat [neverSent, neverTaken, neverWritten, neverRead]
+    -- As written, with the types spelled out.
+    connections = zip (connectedTo outline) (spelledOut outline)
+    given = concatMap (outputs . snd) connections
+    taken = concatMap (inputs . snd) connections
+    isComplete = not (null connections) && all (`elem` map (called . fst) connections) (connectedNames facts) && not (any isUnknown (given ++ taken))
+    isUnknown t = any (\w -> w `elem` ["Task", "Call", "IO", "forall"] || maybe False (isLower . fst) (Text.uncons w)) (wordsOf t)
+
+    note f t k m h = (problemAt (Span (Position 1 1) (Position 1 1)) k m h) {severity = Note, function = Just (called f), place = typePlace outline (called f) t <|> lookup (called f) (bindings outline)}
+
+    eventOf t = listToMaybe [d | d <- declaredTypes facts, Just (typeName d) == listToMaybe (wordsOf t)]
+    isBuilt d = any ((`elem` built facts) . constructorName) (constructors d)
+
+    neverSent =
+      [ note f written "never-sent" (trWith "Nothing sends ‘{type}’, which ‘{function}’ takes." ["type" =: written, "function" =: called f]) (if isRequired f written then trWith "So ‘{function}’ never fires. Give ‘{type}’ in another function." ["function" =: called f, "type" =: written] else trWith "So this never happens. Give ‘{type}’ in another function." ["type" =: written])
+        | (f, written, t) <- each inputs,
+          called f `notElem` appliedNames facts,
+          Just d <- [eventOf t],
+          not (hasOtherSources d),
+          isComplete && t `notElem` given || not (isBuilt d)
+      ]
+    isRequired f t = maybe False ((t `elem`) . init . splitArrows) (lookup (called f) (typesOfNames outline))
+
+    neverTaken =
+      [ note f written "never-taken" (trWith "‘{function}’ sends ‘{type}’, and no function takes it." ["function" =: called f, "type" =: written]) (trWith "So nothing follows from it. Take ‘{type}’ in another function." ["type" =: written])
+        | isComplete,
+          (f, written, t) <- each outputs,
+          Just d <- [eventOf t],
+          not (hasOtherTargets d),
+          t `notElem` taken
+      ]
+
+    neverWritten =
+      [ note f written "never-written" (trWith "‘{function}’ reads ‘{type}’, and no function writes it." ["function" =: called f, "type" =: written]) (trWith "So it never changes. Give ‘{type}’ in a function." ["type" =: written])
+        | isComplete,
+          (f, written, t) <- each inputs,
+          called f `notElem` appliedNames facts,
+          isMemory t,
+          t `notElem` given
+      ]
+
+    neverRead =
+      [ note f written "never-read" (trWith "‘{function}’ writes ‘{type}’, and no function reads it." ["function" =: called f, "type" =: written]) (trWith "So it changes nothing. Take ‘{type}’ in a function." ["type" =: written])
+        | isComplete,
+          (f, written, t) <- each outputs,
+          isMemory t,
+          t `notElem` taken
+      ]
+    isMemory t = any (`Text.isPrefixOf` t) ["Memory ", "Param "] && null (eventOf t)
+
+    impossibleCases =
+      [ (problemAt s "impossible-case" (tr "This case cannot occur.") (trWith "Nothing in the program makes ‘{name}’." ["name" =: c])) {severity = Note, function = listToMaybe [n | (n, within) <- bindings outline, start within <= start s, end s <= end within]}
+        | (c, s) <- matched facts,
+          c `notElem` built facts,
+          d <- declaredTypes facts,
+          not (hasOtherSources d),
+          not (any ((typeName d `elem`) . fieldTypes) (constructors d)),
+          (before, _ : _) <- [break ((== c) . constructorName) (constructors d)],
+          -- A memory may start with the first constructor that has a default.
+          any (all (`elem` withDefault) . fieldTypes) before
+      ]
+    withDefault = ["Bool", "Char", "Double", "Float", "Int", "Integer", "Seconds", "String"]
+
+    ignoredWorlds =
+      [ (problemAt s "ignored-world" (trWith "‘{word}’ has no effect: the room is chosen in the page, or with --world." ["word" =: w]) (tr "So the program runs in every room and on real robots. ‘simulate’ does the same.")) {severity = Note, function = Just "main"}
+        | isNothing (lookup "simulateIn" (bindings outline)),
+          (w, s) <- namedWorlds facts
+      ]
+
+    each which = [(f, written, t) | (f, full) <- connections, (written, t) <- zip (which f) (which full)]
+    wordsOf = Text.words . Text.map (\c -> if isAlphaNum c || c `elem` ("_'" :: String) then c else ' ')

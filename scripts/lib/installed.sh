@@ -1,0 +1,40 @@
+# shellcheck shell=bash
+# Sourced by ./rosy in an installed tree (scripts/installation): everything is built, and nothing is written there.
+#
+# A folder on a stick also holds Python, GHC's libraries and bubblewrap; a Debian package uses those of the system.
+
+[ "$(locale charmap 2>/dev/null)" = UTF-8 ] || export LC_ALL=C.UTF-8
+export PYTHONPATH="$ROSY_ROOT/sim-service:$ROSY_ROOT/python"
+export PYTHONNOUSERSITE=1 PYTHONDONTWRITEBYTECODE=1
+ROSY_PYTHON=/usr/bin/python3
+if [ -d "$ROSY_ROOT/python-home" ]; then
+  ROSY_PYTHON="$ROSY_ROOT/python-home/bin/python3"
+  export PYTHONHOME="$ROSY_ROOT/python-home"
+  export PATH="$ROSY_ROOT/bin:$PATH"
+  # Every library has one folder: a second copy under another path would be loaded a second time.
+  ROSY_LIBRARIES="$ROSY_ROOT/lib:$ROSY_ROOT/python-home/lib$(find "$ROSY_ROOT/ghc" -name '*.so' -printf ':%h\n' | sort -u | tr -d '\n')"
+  export ROSY_LIBRARIES ROSY_LIBDIR="$ROSY_ROOT/ghc"
+  export LD_LIBRARY_PATH="$ROSY_LIBRARIES"
+fi
+export ROSY_PYTHON
+
+need() {
+  case " $* " in
+    *" tools "*)
+      echo "rosy: this is an installed Rosy. Tests and benchmarks need its source: git clone it, and run ./rosy there." >&2
+      exit 1
+      ;;
+    *" builder "*)
+      if [ -d "$ROSY_ROOT/python-home" ]; then
+        echo "rosy: programs for a robot's computer cannot be built from a stick. Install Rosy on this machine for that." >&2
+        exit 1
+      fi
+      ;;
+    *" codegen "*)
+      if ! command -v node >/dev/null; then
+        echo "rosy: this command needs Node: sudo apt install nodejs" >&2
+        exit 1
+      fi
+      ;;
+  esac
+}

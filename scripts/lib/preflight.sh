@@ -1,0 +1,162 @@
+# shellcheck shell=bash
+# Sourced by ./rosy: checks, in about a second and before anything is installed, whether all steps can succeed.
+#
+# In: the names of the steps that are still to be done (`pending`). Out: nothing when all is well; otherwise one list of
+# what is missing, each with the command that fixes it on this system, and exit 1. Then one line that estimates time and
+# download. Nothing is changed on the machine.
+
+# GHC versions for which the worker is built and tested.
+GHC_SUPPORTED="9.0 9.4 9.6"
+
+missing=()
+lacks() { missing+=("$1"$'\n'"      $2"); } # lacks SENTENCE COMMAND
+
+root_prefix() { if [ "$(id -u)" = 0 ]; then :; else printf 'sudo '; fi; }
+
+# The folder itself, before anything is written to it.
+check_folder() {
+  if [ ! -w "$ROSY_ROOT" ] || { [ -e "$ROSY_STATE" ] && [ ! -w "$ROSY_STATE" ]; }; then
+    give_up "the folder $ROSY_ROOT cannot be written by $(id -un). Copy it to a folder of your own and start there: cp -r '$ROSY_ROOT' ~/rosy && ~/rosy/rosy start"
+  fi
+}
+
+check_system() {
+  if [ "$(uname -s)" != Linux ]; then
+    lacks "Rosy runs on Debian and Ubuntu; this is $(uname -s)." "On Windows use WSL2; on macOS use a Debian in a virtual machine."
+  elif ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    [ -z "$apt_pending" ] || lacks "This system has no apt to install packages with." "Install by its own means what these Debian packages hold: $apt_pending"
+  fi
+}
+
+# The first Python that is new enough; empty when there is none.
+find_python() {
+  local candidate
+  for candidate in python3 python3.14 python3.13 python3.12 python3.11; do
+    if command -v "$candidate" >/dev/null && "$candidate" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then
+      echo "$candidate"
+      return
+    fi
+  done
+}
+
+check_python() {
+  local python
+  python=$(find_python)
+  if [ -z "$python" ]; then
+    local found="there is none"
+    if command -v python3 >/dev/null; then found="this is $(python3 --version 2>&1 || true)"; fi
+    lacks "Python 3.11 or newer is needed; $found." "$(root_prefix)apt-get install python3.11 python3.11-venv"
+  elif ! "$python" -c 'import ensurepip' 2>/dev/null && [ -z "$apt_can_install" ]; then
+    lacks "Python's venv module is needed." "$(root_prefix)apt-get install $("$python" -c 'import sys; print("python3.%d-venv" % sys.version_info[1])')"
+  fi
+}
+
+check_ghc() {
+  local version
+  if command -v ghc >/dev/null; then
+    version=$(ghc --numeric-version 2>/dev/null || true)
+  else
+    version=$(LC_ALL=C apt-cache policy ghc 2>/dev/null | sed -n 's/^ *Candidate: *\([0-9]*:\)\?\([0-9.]*\).*/\2/p' || true)
+    if [ -z "$version" ]; then
+      # A new system may have no lists of packages yet; they are fetched before the first installation.
+      [ -z "$apt_pending" ] || ! compgen -G "/var/lib/apt/lists/*_Packages*" >/dev/null || lacks "apt knows no package ghc." "$(root_prefix)apt-get update"
+      return
+    fi
+  fi
+  case " $GHC_SUPPORTED " in
+    *" ${version%.*} "*) ;;
+    *) lacks "This system has GHC $version; Rosy knows GHC $GHC_SUPPORTED." "Use Debian 12 or Ubuntu 24.04, or a newer Rosy." ;;
+  esac
+}
+
+check_rights() {
+  apt_can_install=yes
+  [ -n "$apt_pending" ] && [ "$(id -u)" != 0 ] || return 0
+  if ! command -v sudo >/dev/null; then
+    apt_can_install=
+    lacks "Debian packages are missing, and there is no sudo to install them with." "as root: apt-get install --no-install-recommends $apt_pending"
+  fi
+}
+
+# check_disk MEGABYTES
+check_disk() {
+  local free
+  free=$(df -Pm "$ROSY_ROOT" 2>/dev/null | awk 'NR == 2 {print $4}')
+  if [ -n "$free" ] && [ "$free" -lt "$1" ]; then
+    lacks "About $1 MB of disk space are needed at $ROSY_ROOT; $free MB are free." "$(root_prefix)apt-get clean; or use a larger disk"
+  fi
+}
+
+# check_port PORT: a port in use would end the start after all the work.
+check_port() {
+  if [ "$1" != 0 ] && (exec 3<>"/dev/tcp/127.0.0.1/$1") 2>/dev/null; then
+    lacks "Port $1 is in use." "./rosy start --port $(($1 + 1))"
+  fi
+}
+
+# Servers that the pending steps download from, as this machine's own settings name them.
+servers() {
+  [ -z "$apt_pending" ] || cat /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources 2>/dev/null |
+    sed -nE 's/^(deb|URIs:)[^#]*[[:space:]](https?:\/\/[^[:space:]]+).*/\2/p' | head -n 1
+  case " $pending " in *" venv"* | *" node "*) python_index ;; esac
+}
+
+# The package index that pip is set up with, or its default.
+python_index() {
+  if [ -n "${PIP_INDEX_URL:-}" ]; then
+    echo "$PIP_INDEX_URL"
+  else
+    "$(find_python)" -m pip config get global.index-url 2>/dev/null ||
+      "$(find_python)" -c 'from pip._internal.models.index import PyPI; print(PyPI.url)' 2>/dev/null
+  fi
+}
+
+# A server that cannot be found or reached. Any answer of it will do.
+check_network() {
+  local server status
+  command -v curl >/dev/null || return 0
+  while read -r server; do
+    status=0
+    curl --silent --location --head --output /dev/null --connect-timeout 2 --max-time 4 "$server" || status=$?
+    case "$status" in
+      5 | 6 | 7 | 28) echo "$server" ;;
+    esac
+  done
+}
+
+# preflight STEPS PORT: `apt_pending` holds the Debian packages that are missing.
+preflight() {
+  pending=$1
+  local port=$2 seconds=0 download=0 disk=0 s d m step offline
+  for step in $pending; do
+    read -r s d m < <(cost_of "$step")
+    seconds=$((seconds + s)) download=$((download + d)) disk=$((disk + m))
+  done
+  # The slow question runs beside the others.
+  exec 4< <(if [ "$download" -gt 0 ]; then servers | sort -u | check_network; fi)
+  check_system
+  check_rights
+  check_python
+  case " $pending " in *" haskell "*) check_ghc ;; esac
+  check_disk "$disk"
+  [ -z "$port" ] || check_port "$port"
+  offline=$(tr '\n' ' ' <&4)
+  exec 4<&-
+  [ -z "$offline" ] || lacks "There is no way to the network: ${offline% } cannot be reached, and $download MB are to be downloaded." "Connect this machine, or set https_proxy, and try again."
+  if [ "${#missing[@]}" -gt 0 ]; then
+    echo "rosy: this is missing:" >&2
+    printf '  - %s\n' "${missing[@]}" >&2
+    exit 1
+  fi
+  # shellcheck disable=SC2034  # read by steps.sh
+  seconds_planned=$seconds
+  if [ "$seconds" -ge 20 ]; then
+    local minutes=$(((seconds + 59) / 60)) unit=minutes
+    [ "$minutes" != 1 ] || unit=minute
+    if [ "$download" -gt 0 ]; then
+      say "First some work: about $minutes $unit, $download MB to download."
+    else
+      say "First some work: about $minutes $unit, nothing to download."
+    fi
+  fi
+}

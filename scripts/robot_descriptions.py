@@ -1,0 +1,89 @@
+"""
+Robot descriptions, read and checked: `protocol/robots/*.json` in the order of the registry, and what their types consist of.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parent.parent
+ROBOTS = ROOT / "protocol" / "robots"
+
+Json = dict[str, Any]
+
+
+class BadRobot(Exception):
+    """A robot description contradicts itself or another one; the text says where."""
+
+
+def robots() -> list[Json]:
+    """The robots in the order of the registry; the first one is simulated."""
+    names = json.loads((ROBOTS / "robots.json").read_text())
+    return [json.loads((ROBOTS / f"{name}.json").read_text()) for name in names]
+
+
+def merged(all_robots: list[Json], part: str) -> list[Json]:
+    """The types or channels of all robots; one that several have is told once, by the first."""
+    found: dict[str, Json] = {}
+    for robot in all_robots:
+        for entry in robot.get(part, []):
+            known = found.setdefault(entry["name"], entry)
+            if part == "channels" and known["kind"] != entry["kind"] and "command" in (known["kind"], entry["kind"]):
+                # A channel that is sensed and one that is sent have one name in different robots.
+                raise BadRobot(f"{robot['name']}: {entry['name']} is a {entry['kind']} here and a {known['kind']} elsewhere")
+    return list(found.values())
+
+
+class Vocabulary:
+    """The types of all robots, and what they consist of."""
+
+    def __init__(self, types: list[Json]) -> None:
+        self.types = {entry["name"]: entry for entry in types}
+
+    def leaves(self, name: str) -> list[tuple[str, str]]:
+        """Name and type of each leaf: enumerations, numbers, truths and texts."""
+        entry = self.types.get(name)
+        if entry is None or "values" in entry:
+            return [("", name)]
+        if "alias" in entry:
+            return self.leaves(entry["alias"])
+        found: list[tuple[str, str]] = []
+        for field in entry["fields"]:
+            inner = self.leaves(field["type"])
+            found += [(name or field.get("name", ""), kind) for name, kind in inner]
+        return found
+
+    def places(self, channel: Json) -> int:
+        """How many sensors or outputs share a channel whose first field says which; 0 for one."""
+        leaves = self.leaves(channel["name"])
+        first = self.types.get(leaves[0][1], {})
+        return len(first["values"]) if channel["kind"] in ("event", "command") and len(leaves) == 2 and "values" in first else 0
+
+    def code(self, type_name: str, value: str) -> int:
+        """The number of a choice in messages."""
+        entry = self.types[type_name]
+        return int(self.types[entry["alias"]]["values"][value] if "alias" in entry else entry["values"][value])
+
+    def family(self, name: str, channels: list[Json]) -> tuple[str, str] | None:
+        """
+        The kind of a type's values and of its patterns, by the channels that contain it: `command`, `event` or `state`.
+        None for a type that programs do not see.
+        """
+        entry = self.types[name]
+        if "alias" in entry or entry.get("internal"):
+            return None
+        kinds = {c["kind"] for c in channels if name in self._contained(c["name"])}
+        if "view" in entry:
+            kinds |= {c["kind"] for c in channels if c["name"] == entry["view"]["of"]}
+        sensed = "event" if "event" in kinds else "state" if kinds & {"state", "clock"} else ""
+        sent = "command" if "command" in kinds else ""
+        return (sent or sensed, sensed or sent) if sensed or sent else None
+
+    def _contained(self, name: str) -> set[str]:
+        """A type and the types of its fields."""
+        entry = self.types.get(name, {})
+        if "alias" in entry:
+            return {name} | self._contained(entry["alias"])
+        return {name}.union(*(self._contained(field["type"]) for field in entry.get("fields", [])))

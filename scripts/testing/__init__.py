@@ -1,0 +1,1 @@
+"""Test runner of the repository: suites, their results, and a scheduler that runs them side by side."""

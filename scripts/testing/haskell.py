@@ -1,0 +1,63 @@
+"""
+Haskell test suites: builds them all with cabal, then runs their programs side by side.
+
+In: nothing. Out: each program's output in one block when it ends; exit 1 if the build or any of them failed. `cabal test`
+would run one after the other, and two of them spend most of their time waiting for timeouts of the robot protocols.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+# The longest first.
+PROGRAMS = ("ros-test", "robots-test", "worker-test", "rosy-test")
+# Executables that tests start by name, as `build-tool-depends` in rosy.cabal says; `cabal test` would put them on the path.
+TOOLS = ("ros-fuse", "ros-print-topic", "rosy-worker")
+
+
+def build() -> int:
+    # Executables as well: the tests start rosy-worker and rosy-robot.
+    return subprocess.run(["cabal", "build", "--offline", "-j2", "all"], cwd=ROOT, check=False).returncode
+
+
+def location(target: str) -> str:
+    listed = subprocess.run(["cabal", "list-bin", "-v0", "--offline", target], cwd=ROOT, capture_output=True, check=True, text=True)
+    return listed.stdout.strip()
+
+
+def environment() -> dict[str, str]:
+    folders = [str(Path(location(f"exe:{tool}")).parent) for tool in TOOLS]
+    return {**os.environ, "PATH": os.pathsep.join([*folders, os.environ.get("PATH", "")])}
+
+
+def run(program: str, env: dict[str, str]) -> tuple[str, int, str, float]:
+    began = time.monotonic()
+    done = subprocess.run(
+        [location(f"test:{program}")], cwd=ROOT, env=env, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False
+    )
+    return program, done.returncode, done.stdout.decode(errors="replace"), time.monotonic() - began
+
+
+def main() -> int:
+    if build():
+        return 1
+    worst = 0
+    env = environment()
+    with ThreadPoolExecutor(len(PROGRAMS)) as pool:
+        for ended in as_completed([pool.submit(run, program, env) for program in PROGRAMS]):
+            program, status, output, seconds = ended.result()
+            worst = max(worst, abs(status))
+            print(f"{program} ({seconds:.0f} s, exit {status})\n{output}", flush=True)
+            if status and "tests failed" not in output:
+                print(f"1 out of 1 tests failed: {program} ended with {status}", flush=True)
+    return 1 if worst else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

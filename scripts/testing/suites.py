@@ -1,0 +1,86 @@
+"""
+All suites of the repository: static checks, unit tests and browser stories, in the order in which they should start.
+
+Long suites come first, so that short ones fill the remaining cores. `cores` is what a suite keeps busy, not what it may use.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from tracked_files import haskell_sources
+
+from .counts import by_exit, json_report, own_script, pytest_summary, tasty_summary
+from .scheduler import Suite
+
+__all__ = ["suites"]
+
+PYTHON = sys.executable
+SHELL_SCRIPTS = [
+    "rosy",
+    "scripts/lib/setup.sh",
+    "scripts/lib/steps.sh",
+    "scripts/lib/preflight.sh",
+    "scripts/lib/installed.sh",
+    "scripts/fix",
+    "scripts/lock",
+    ".ci/run",
+]
+
+# The Haskell benchmarks, which no other suite compiles; each is a program of its own.
+TYPES_OF_BENCHMARKS = """for program in Main Bytecode; do
+  ghc -v0 -fno-code -dynamic -package-db "dist-newstyle/packagedb/ghc-$(ghc --numeric-version)" -irosy-hs/bench "rosy-hs/bench/$program.hs" || exit
+done"""
+
+
+def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
+    """All suites; those of Haskell's linter and formatter look at `whole` sources, or at what changed since it passed."""
+    haskell = haskell_sources(root)
+
+    def vitest(name: str) -> Suite:
+        report = reports / f"{name}.json"
+        command = ["npx", "vitest", "run", "--reporter=default", "--reporter=json", f"--outputFile.json={report}", "--root", name]
+        return Suite(name, command, json_report(report), report=report)
+
+    def check(name: str, *command: str) -> Suite:
+        return Suite(name, command, by_exit, prints=False)
+
+    def changed(name: str, *command: str) -> Suite:
+        return check(name, PYTHON, "scripts/testing/changed_files.py", *(["whole"] if whole else []), name, *command)
+
+    stories = reports / "e2e.json"
+    short = reports / "browsers.json"
+    return [
+        # Stories and Python tests wait for simulated robots and for limits of time during about half of their time, so they have more
+        # processes than cores. No other suite runs beside both: stories take more than one core, and a drag needs processor time.
+        Suite("e2e", ["npx", "playwright", "test", "-c", "e2e-tests"], json_report(stories), report=stories),
+        Suite("python", [PYTHON, "-m", "pytest", "sim-service", "-n", "4", "--dist", "worksteal"], pytest_summary, cores=0.5),
+        Suite("haskell", [PYTHON, "scripts/testing/haskell.py"], tasty_summary),
+        vitest("editor"),
+        vitest("codegen"),
+        # A finger that rests opens a menu, so a drag by touch needs a machine that is not fully busy.
+        Suite(
+            "browsers",
+            ["npx", "playwright", "test", "-c", "e2e-tests/browsers"],
+            json_report(short),
+            report=short,
+            after=frozenset({"e2e"}),
+        ),
+        check("types-py", PYTHON, "-m", "mypy", "--config-file", "sim-service/pyproject.toml", "sim-service/rosy_sim", "sim-service/tests"),
+        check("types-ts", "npx", "tsc", "-b", "codegen", "editor", "editor/vscode", "e2e-tests", "examples/teleop"),
+        # The haskell suite may still change the library.
+        Suite("types-bench", ["bash", "-c", TYPES_OF_BENCHMARKS], by_exit, prints=False, after=frozenset({"haskell"})),
+        changed("lint-hs", "hlint", "--", *haskell),
+        # Ormolu reads the language extensions of the package.
+        changed("format-hs", "ormolu", "--mode", "check", "--with", "rosy.cabal", "--", *haskell),
+        check("format-ts", "npx", "biome", "check", "."),
+        check("format-py", PYTHON, "-m", "ruff", "format", "--check", "sim-service", "scripts"),
+        check("lint-py", PYTHON, "-m", "ruff", "check", "sim-service", "scripts"),
+        check("shell", "shellcheck", *SHELL_SCRIPTS),
+        Suite("borders", [PYTHON, "scripts/borders.py"], own_script, prints=False),
+        # The haskell suite may still change the library.
+        Suite("bench", [PYTHON, "scripts/bench.py", "--small" if whole else "--rotating"], own_script, after=frozenset({"haskell"})),
+        Suite("scripts", [PYTHON, "-m", "pytest", "-q", "scripts/tests"], pytest_summary, prints=False),
+    ]

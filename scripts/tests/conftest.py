@@ -1,0 +1,6 @@
+"""Makes the scripts importable as `./rosy test` runs them: from the scripts folder."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))

@@ -1,0 +1,71 @@
+"""Checks of changed files: what passed is not checked again until the file, the tool or its configuration changes."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from testing.changed_files import check
+
+# Prints the names of the files that it is given, and finds fault with the word `bad`.
+TOOL = """#!/bin/sh
+[ "$1" = --version ] && { echo %s; exit; }
+echo "$@" >>"$SEEN"
+! grep -q bad "$@"
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("SEEN", str(tmp_path / "seen"))
+    install(tmp_path, "1")
+    for name in ("a", "b"):
+        (tmp_path / name).write_text(name)
+    (tmp_path / "settings").write_text("")
+    return tmp_path
+
+
+def install(folder: Path, version: str) -> None:
+    (folder / "tool").write_text(TOOL % version)
+    os.chmod(folder / "tool", 0o755)
+
+
+def checked(folder: Path, whole: bool = False) -> tuple[int, list[str]]:
+    """The status, and the names of the files that the tool was given."""
+    (folder / "seen").write_text("")
+    files = [folder / "a", folder / "b"]
+    status = check(folder / "record", [str(folder / "tool")], [folder / "settings"], files, whole)
+    return status, [Path(path).name for path in (folder / "seen").read_text().split()]
+
+
+def test_what_passed_is_not_checked_again(folder: Path) -> None:
+    assert checked(folder) == (0, ["a", "b"])
+    assert checked(folder) == (0, [])
+    (folder / "b").write_text("changed")
+    assert checked(folder) == (0, ["b"])
+    assert checked(folder, whole=True) == (0, ["a", "b"])
+
+
+def test_what_failed_is_checked_until_it_passes(folder: Path) -> None:
+    assert checked(folder) == (0, ["a", "b"])
+    (folder / "a").write_text("bad")
+    assert checked(folder) == (1, ["a"])
+    assert checked(folder) == (1, ["a"])
+    (folder / "a").write_text("good")
+    assert checked(folder) == (0, ["a"])
+
+
+def test_another_version_or_configuration_checks_everything(folder: Path) -> None:
+    checked(folder)
+    install(folder, "2")
+    assert checked(folder) == (0, ["a", "b"])
+    (folder / "settings").write_text("stricter")
+    assert checked(folder) == (0, ["a", "b"])
+
+
+def test_a_damaged_record_counts_as_empty(folder: Path) -> None:
+    checked(folder)
+    (folder / "record").write_text("{")
+    assert checked(folder) == (0, ["a", "b"])

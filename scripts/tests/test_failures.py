@@ -1,0 +1,49 @@
+"""Names of failed tests, from reports and outputs in the form in which the tools write them."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+from testing.failures import failed_tests
+
+
+def test_a_story_that_failed_and_one_that_needed_a_retry_are_named(tmp_path: Path) -> None:
+    def story(title: str, status: str, *messages: str) -> dict[str, object]:
+        return {"title": title, "tests": [{"status": status, "results": [{"errors": [{"message": text}]} for text in messages]}]}
+
+    inner = {"title": "by touch", "specs": [story("drags", "unexpected", "\x1b[31mError\x1b[39m: no\n  box"), story("taps", "expected")]}
+    report = tmp_path / "e2e.json"
+    report.write_text(json.dumps({"suites": [{"title": "drag.spec.ts", "specs": [story("opens", "flaky", "late")], "suites": [inner]}]}))
+    assert failed_tests("", report) == ["drag.spec.ts > opens: late", "drag.spec.ts > by touch > drags: Error: no box"]
+
+
+def test_a_failure_of_vitest_is_named_and_so_is_a_file_that_cannot_be_loaded(tmp_path: Path) -> None:
+    failed = {"fullName": "adds one", "status": "failed", "failureMessages": ["expected 2, got 3"]}
+    passed = {"fullName": "adds two", "status": "passed", "failureMessages": []}
+    broken = {"name": "broken.test.ts", "status": "failed", "message": "SyntaxError", "assertionResults": []}
+    report = tmp_path / "editor.json"
+    report.write_text(json.dumps({"testResults": [{"name": "sum.test.ts", "status": "failed", "assertionResults": [failed, passed]}, broken]}))
+    assert failed_tests("", report) == ["adds one: expected 2, got 3", "broken.test.ts: SyntaxError"]
+
+
+def test_pytest_names_failures_and_errors_as_this_reads_them(tmp_path: Path) -> None:
+    (tmp_path / "test_it.py").write_text("def test_bad():\n    assert 1 == 2\n\ndef test_none(missing):\n    pass\n\ndef test_good():\n    pass\n")
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:asyncio", "test_it.py"]
+    output = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False).stdout
+    first, second = failed_tests(output, None)
+    assert first.startswith("test_it.py::test_bad - assert 1 == 2")
+    assert second.startswith("test_it.py::test_none")
+
+
+def test_a_failure_of_tasty_is_named() -> None:
+    output = "Memory\n  holds its value:                 OK (0.12s)\n  starts with a default:           FAIL (0.01s)\n    wrong\n"
+    assert failed_tests(output, None) == ["starts with a default"]
+
+
+def test_a_long_message_is_cut() -> None:
+    (line,) = failed_tests(f"FAILED test_x.py::test_y - {'word ' * 200}\n", None)
+    assert line.endswith(" …")
+    assert len(line) < 310

@@ -1,0 +1,127 @@
+"""Scheduling of suites: cores are shared, order is kept, and nothing is left running."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+
+from testing.counts import by_exit
+from testing.scheduler import Result, Suite, run_all
+
+
+class Watch:
+    """Records which suites ran at the same time, and the order in which they ended."""
+
+    def __init__(self) -> None:
+        self.together: list[frozenset[str]] = []
+        self.results: list[Result] = []
+
+    def changed(self, names: Sequence[str]) -> None:
+        self.together.append(frozenset(names))
+
+    def run(self, suites: Sequence[Suite], cores: float, folder: Path) -> None:
+        run_all(suites, cores, folder, folder, dict(os.environ), self.changed, self.results.append)
+
+
+def python(name: str, program: str, cores: float = 1, after: Sequence[str] = ()) -> Suite:
+    return Suite(name, [sys.executable, "-c", program], by_exit, cores=cores, after=frozenset(after))
+
+
+def test_two_suites_run_at_once_on_two_cores(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "fifo")
+    watch = Watch()
+    # Opening a named pipe waits for the other end.
+    watch.run([python("writer", "open('fifo', 'w').write('hello')"), python("reader", "assert open('fifo').read() == 'hello'")], 2, tmp_path)
+    assert {r.suite.name: r.count.passed for r in watch.results} == {"writer": 1, "reader": 1}
+
+
+def test_half_a_core_lets_a_suite_run_beside_others(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "first")
+    os.mkfifo(tmp_path / "second")
+    watch = Watch()
+    # Each of the three waits for the one before it.
+    chain = [
+        python("a", "open('first', 'w').write('hello')"),
+        python("b", "assert open('first').read() == 'hello'; open('second', 'w').write('hello')", cores=0.5),
+        python("c", "assert open('second').read() == 'hello'"),
+    ]
+    watch.run(chain, 2.5, tmp_path)
+    assert sum(result.count.passed for result in watch.results) == 3
+    assert frozenset("abc") in watch.together
+
+
+def test_no_more_cores_are_used_than_there_are(tmp_path: Path) -> None:
+    watch = Watch()
+    watch.run([python("large", "", cores=2), python("a", ""), python("b", ""), python("c", "")], 2, tmp_path)
+    assert len(watch.results) == 4
+    assert all(names <= {"a", "b", "c"} or names == {"large"} for names in watch.together)
+    assert max(len(names) for names in watch.together) <= 2
+
+
+def test_a_suite_that_wants_more_cores_than_there_are_runs_alone(tmp_path: Path) -> None:
+    watch = Watch()
+    watch.run([python("a", ""), python("large", "", cores=8)], 1, tmp_path)
+    assert max(len(names) for names in watch.together) == 1
+    assert len(watch.results) == 2
+
+
+def test_a_suite_waits_for_those_it_comes_after(tmp_path: Path) -> None:
+    watch = Watch()
+    watch.run([python("second", "", after=["first"]), python("first", "")], 2, tmp_path)
+    assert [r.suite.name for r in watch.results] == ["first", "second"]
+
+
+def test_output_and_status_reach_the_result(tmp_path: Path) -> None:
+    watch = Watch()
+    watch.run([python("bad", "import sys; print('what is wrong'); sys.exit(3)")], 1, tmp_path)
+    (result,) = watch.results
+    assert (result.count.failed, result.output) == (1, "what is wrong\n")
+    assert (tmp_path / "test-bad.log").read_text() == "what is wrong\n"
+
+
+def test_processor_time_counts_what_a_suite_starts(tmp_path: Path) -> None:
+    watch = Watch()
+    # Computes for 50 ms of processor time in a process of its own, however long that takes.
+    busy = "import time; end = time.process_time() + 0.05\nwhile time.process_time() < end: pass"
+    watch.run([python("busy", f"import subprocess, sys; subprocess.run([sys.executable, '-c', {busy!r}])")], 1, tmp_path)
+    (result,) = watch.results
+    assert result.computing >= 0.05
+
+
+def test_processor_time_counts_a_process_that_was_left_behind(tmp_path: Path) -> None:
+    watch = Watch()
+    # More than the interpreters take to start.
+    busy = "import time; end = time.process_time() + 0.5\nwhile time.process_time() < end: pass"
+    leaves = f"""
+import contextlib, os, select, subprocess, sys
+shell = ["setsid", "sh", "-c", '"$0" -c "$1" >/dev/null 2>&1 & echo $!', sys.executable, {busy!r}]
+left = int(subprocess.run(shell, stdout=subprocess.PIPE, check=True).stdout)
+# The descriptor can be read when the process has ended; there is none when it has been waited for.
+with contextlib.suppress(ProcessLookupError):
+    select.select([os.pidfd_open(left)], [], [])
+"""
+    watch.run([python("leaves", leaves)], 1, tmp_path)
+    (result,) = watch.results
+    assert result.count.passed == 1, result.output
+    assert result.computing >= 0.5
+
+
+def test_an_interruption_ends_what_was_started(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "alive")
+    # Holds the pipe open until it ends, and so do its children.
+    suite = python("endless", "import subprocess, sys; f = open('alive', 'w'); subprocess.run(['sleep', '1000'], pass_fds=[f.fileno()])")
+    reader = os.open(tmp_path / "alive", os.O_RDONLY | os.O_NONBLOCK)
+
+    def interrupt(_names: Sequence[str]) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run_all([suite], 1, tmp_path, tmp_path, dict(os.environ), interrupt, lambda _result: None)
+    os.set_blocking(reader, True)
+    # The end of the file comes once every writer is gone.
+    assert os.read(reader, 1) == b""
+    os.close(reader)

@@ -1,0 +1,192 @@
+"""
+The recipe for a sensor in CONTRIBUTING.md, followed in a scratch copy: a sensor for the current of the wheels' motors, and a program
+that uses it in the simulator.
+
+The copy's library is interpreted, so nothing is built; `npm run environment`, which needs the built library, is left out.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+
+COPIED = ["protocol/robots", "scripts", "rosy-hs/src", "rosy-hs/ros/msg", "sim-service/rosy_sim", "codegen/src/words", "codegen/src/robot"]
+
+DESCRIPTION = "protocol/robots/kobuki.json"
+DEVICE = "sim-service/rosy_sim/robots/kobuki/motor_current.py"
+DEVICES = "sim-service/rosy_sim/robots/kobuki/__init__.py"
+
+TYPE = {
+    "name": "MotorCurrent",
+    "doc": "The current of the left and the right motor, in A.",
+    "fields": [
+        {"name": "currentLeft", "type": "Double", "unit": "A", "doc": "Of the left motor."},
+        {"name": "currentRight", "type": "Double", "unit": "A", "doc": "Of the right motor."},
+    ],
+    "labels": {
+        "en": {
+            "parts": ["left, amperes", "right, amperes"],
+            "tooltip": "The current of the motors.",
+            "noun": "a motor current",
+            "toolbox": "when it has a motor current",
+        },
+        "de": {
+            "parts": ["links, Ampere", "rechts, Ampere"],
+            "tooltip": "Der Strom der Motoren.",
+            "noun": "ein Motorstrom",
+            "toolbox": "wenn es einen Motorstrom hat",
+        },
+        "pt": {
+            "parts": ["esquerda, ampères", "direita, ampères"],
+            "tooltip": "A corrente dos motores.",
+            "noun": "uma corrente dos motores",
+            "toolbox": "quando ele tem uma corrente dos motores",
+        },
+        "es": {
+            "parts": ["izquierda, amperios", "derecha, amperios"],
+            "tooltip": "La corriente de los motores.",
+            "noun": "una corriente de los motores",
+            "toolbox": "cuando tiene una corriente de los motores",
+        },
+        "fr": {
+            "parts": ["gauche, ampères", "droite, ampères"],
+            "tooltip": "Le courant des moteurs.",
+            "noun": "un courant de moteur",
+            "toolbox": "quand il a un courant de moteur",
+        },
+    },
+    "toolbox": {"function": "effort", "parts": ["left", "right"]},
+}
+
+CHANNEL = {
+    "name": "MotorCurrent",
+    "kind": "state",
+    "ros": {
+        "topic": "{prefix}/sensors/core",
+        "type": "{messages}/SensorState",
+        "fields": [{"path": "current.0", "scale": 0.01}, {"path": "current.1", "scale": 0.01}],
+    },
+    "serial": {"packet": 6, "fields": [{"byte": 0, "width": "u8", "scale": 0.01}, {"byte": 1, "width": "u8", "scale": 0.01}]},
+    "source": "kobuki_driver, Protocol Specification, Current: 10 mA",
+}
+
+CHART = {
+    "key": "currentLeft",
+    "channel": "MotorCurrent",
+    "place": 0,
+    "unit": "A",
+    "color": "state",
+    "labels": {"en": "Left motor", "de": "Linker Motor", "pt": "Motor esquerdo", "es": "Motor izquierdo", "fr": "Moteur gauche"},
+}
+
+DEVICE_CODE = '''"""Current of the motors: some to stand, more the faster they turn."""
+
+from ...world.arena import Arena
+from ...world.robot import Surroundings
+
+
+class MotorCurrent:
+    events: frozenset[str] = frozenset()
+
+    def __init__(self, arena: Arena) -> None:
+        pass
+
+    def integrate(self, robot: Surroundings, dt: float) -> None:
+        pass
+
+    def values(self, robot: Surroundings) -> dict[str, tuple[float | int | str, ...]]:
+        return {"MotorCurrent": (0.1 + robot.v, 0.1 + robot.v)}
+'''
+
+PROGRAM = """import Rosy
+import Rosy.Launch (onPipe)
+import Foreign.Ptr (nullPtr)
+import System.Environment (getArgs)
+
+effort :: MotorCurrent -> Maybe Say
+effort (MotorCurrent left _) = if left > 0.5 then Just (Say (show (round (left * 10) :: Int))) else Nothing
+
+main :: IO ()
+main = do
+  [_, descriptor] <- getArgs
+  onPipe (read descriptor) nullPtr [] (simulate (Velocity 0.5 0, effort))
+"""
+
+RUN = """
+import sys
+from pathlib import Path
+from rosy_sim.robots import DEFAULT_ROBOT
+from rosy_sim.run.headless_run import RunOutput, RunSettings, run_native
+from rosy_sim.config import Limits
+from rosy_sim.world.arena import read_arena
+from rosy_sim.world.world import World
+
+world = World(read_arena({"size": [9, 9], "start": {"x": 2, "y": 4}}), DEFAULT_ROBOT)
+result = run_native(Path(sys.argv[1]), world, RunSettings(1.0, 1, limits=Limits(settle=300, ready=300)), RunOutput(say=print))
+print(result.ended, [problem.message for problem in result.problems])
+"""
+
+
+@pytest.fixture
+def copy(tmp_path: Path) -> Path:
+    """The parts of the repository that the recipe touches."""
+    for part in COPIED:
+        shutil.copytree(ROOT / part, tmp_path / part, ignore=shutil.ignore_patterns("__pycache__", "tests"))
+    return tmp_path
+
+
+def run(copy: Path, *command: str) -> str:
+    """What a command in the copy prints; it must succeed."""
+    done = subprocess.run(
+        command, cwd=copy, env={**os.environ, "ROSY_ROOT": str(copy), "PYTHONPATH": str(copy / "sim-service")}, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def follow_recipe(copy: Path) -> None:
+    """The files that are written by hand, and the generator."""
+    description: dict[str, Any] = json.loads((copy / DESCRIPTION).read_text())
+    description["types"].append(TYPE)
+    description["channels"].append(CHANNEL)
+    description["charts"].append(CHART)
+    (copy / DESCRIPTION).write_text(json.dumps(description))
+    (copy / DEVICE).write_text(DEVICE_CODE)
+    devices = (copy / DEVICES).read_text()
+    changed = re.sub(r"devices=\(", "devices=(MotorCurrent, ", devices).replace(
+        "from .power import", "from .motor_current import MotorCurrent\nfrom .power import"
+    )
+    assert changed.count("MotorCurrent") == 2
+    (copy / DEVICES).write_text(changed)
+    run(copy, sys.executable, "scripts/robots.py")
+
+
+def test_the_recipe_names_the_files_that_it_takes() -> None:
+    recipe = next(line for line in (ROOT / "CONTRIBUTING.md").read_text().split("\n- ") if line.startswith("**A sensor or command:**"))
+    for named in [DESCRIPTION, DEVICE.replace("motor_current", "<name>"), "`__init__.py` there", "scripts/robots.py", Path(__file__).name]:
+        assert named in recipe
+
+
+def test_a_program_uses_a_sensor_that_was_added_by_the_recipe(copy: Path) -> None:
+    follow_recipe(copy)
+    labels = (copy / "codegen/src/words/de/robot.generated.ts").read_text()
+    assert "Der Strom der Motoren." in labels
+    assert "Linker Motor" in labels
+    (copy / "Main.hs").write_text(PROGRAM)
+    program = copy / "program"
+    program.write_text(f'#!/bin/sh\nexec runghc --ghc-arg=-package-env=- --ghc-arg=-i{copy}/rosy-hs/src {copy}/Main.hs "$@"\n')
+    program.chmod(0o755)
+    *said, ended = run(copy, sys.executable, "-c", RUN, str(program)).splitlines()
+    assert ended == "time []"
+    # The sensor follows the speed: 0.5 m/s gives 0.6 A.
+    assert said[-1] == "6"

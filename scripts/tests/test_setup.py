@@ -1,0 +1,191 @@
+"""Set-up by `./rosy`: what is missing is told at once and together, and what is there is not done again."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import socket
+import subprocess
+import threading
+from pathlib import Path
+
+import pytest
+
+from .sandbox import COMPLETE, Machine, machine
+
+
+@pytest.fixture
+def complete(tmp_path: Path) -> Machine:
+    return machine(tmp_path)
+
+
+def missing(complete: Machine, *arguments: str) -> list[str]:
+    """The list that a failed start prints; nothing may have been installed."""
+    done = complete.rosy("start", *arguments)
+    assert done.returncode == 1, done.stderr
+    assert "Traceback" not in done.stderr
+    assert complete.called("install -y") == complete.called("-m venv") == complete.called("npm install") == 0
+    return done.stderr.splitlines()
+
+
+def test_a_start_does_each_step_once_and_the_next_one_none(complete: Machine) -> None:
+    first = complete.rosy("start")
+    assert (first.returncode, first.stdout) == (0, "served -m rosy_sim serve\n"), first.stderr
+    assert "nothing to download" in first.stderr or "MB to download" in first.stderr
+    steps = {"-m venv", "npm install", "cabal build", "-w codegen", "-w editor"}
+    counts = {step: complete.called(step) for step in steps}
+    assert all(counts.values())
+    second = complete.rosy("start", "--port", "0")
+    assert (second.returncode, second.stderr) == (0, "")
+    assert {step: complete.called(step) for step in steps} == counts
+
+
+def test_start_installs_no_test_tools(complete: Machine) -> None:
+    complete.rosy("start")
+    assert complete.called("requirements-test.lock") == 0
+    assert complete.called("npm install") == complete.called("--omit=dev") == 1
+
+
+def test_the_browsers_of_other_engines_are_installed_with_the_test_tools_where_apt_knows_them(complete: Machine) -> None:
+    complete.tool("dpkg-query", "exit 1")
+    complete.tool("apt-cache", 'case "$*" in "show firefox-esr") exit 100 ;; *) echo "  Candidate: 9.0.2-4" ;; esac')
+    complete.tool("apt-get", 'case "$*" in *xvfb*) exit 100 ;; esac')
+    done = complete.rosy("test", "none")
+    assert complete.called("webkit2gtk-driver xvfb") == 1
+    assert complete.called("install -y --no-install-recommends firefox-esr") == 0
+    assert "left out by the tests" in done.stderr
+
+
+def test_a_language_server_builds_no_page_and_leaves_standard_output_to_the_editor(complete: Machine) -> None:
+    done = complete.rosy("lsp", "--stdio")
+    assert (done.returncode, done.stdout) == (0, "served -m rosy_sim lsp --stdio\n"), done.stderr
+    assert complete.called("-w codegen") == complete.called("cabal build") == 1
+    assert complete.called("-w editor") == complete.called("requirements-test.lock") == 0
+
+
+def test_python_packages_are_installed_by_hash(complete: Machine) -> None:
+    complete.rosy("start")
+    assert complete.called("pip install") == complete.called("--require-hashes") == 1
+
+
+def test_everything_that_is_missing_is_told_in_one_list(complete: Machine) -> None:
+    complete.tool("dpkg-query", "exit 1")
+    complete.tool("python3", "exit 1")
+    complete.tool("ghc", "echo 8.8.4")
+    complete.tool("curl", "exit 6")
+    complete.tool("df", 'echo; echo "x 1 1 10 99% /"')
+    told = "\n".join(missing(complete))
+    for part in ("Python 3.11", "GHC 8.8.4", "no way to the network", "disk space"):
+        assert part in told
+    # Each sentence comes with a remedy.
+    assert told.count("\n      ") == told.count("\n  - ")
+
+
+def test_without_a_network_it_says_so_before_anything_is_done(complete: Machine) -> None:
+    complete.tool("curl", "exit 6")
+    assert any("no way to the network" in line for line in missing(complete))
+
+
+def test_without_a_network_what_is_installed_still_starts(complete: Machine) -> None:
+    complete.rosy("start")
+    complete.tool("curl", "exit 6")
+    assert complete.rosy("start").returncode == 0
+
+
+def test_a_user_without_sudo_is_told_what_an_administrator_types(complete: Machine) -> None:
+    complete.tool("dpkg-query", "exit 1")
+    complete.tool("id", 'case "$1" in -u) echo 1000 ;; *) echo pupil ;; esac')
+    (complete.bin / "sudo").unlink(missing_ok=True)
+    told = "\n".join(missing(complete))
+    assert "as root: apt-get install" in told
+    assert "ghc" in told
+
+
+def test_a_system_without_apt_is_told_which_packages(complete: Machine) -> None:
+    complete.lacks("apt-get", "dpkg-query")
+    told = "\n".join(missing(complete))
+    assert "no apt" in told
+    assert "libghc-aeson-dev" in told
+
+
+def test_another_system_is_named(complete: Machine) -> None:
+    complete.tool("uname", "echo Darwin")
+    assert any("this is Darwin" in line for line in missing(complete))
+
+
+def test_a_port_in_use_is_told_before_the_installation(complete: Machine) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        assert any(f"Port {port} is in use" in line for line in missing(complete, "--port", str(port)))
+
+
+def test_a_node_that_is_missing_comes_as_a_python_package(complete: Machine) -> None:
+    complete.lacks("node")
+    complete.tool("npm", "exit 127")
+    done = complete.rosy("start")
+    assert complete.called("requirements-node.lock") == 1
+    # The fake package is empty, so the step fails, with a sentence.
+    assert done.returncode == 1
+    assert "this step failed: Installing Node." in done.stderr
+
+
+def test_help_and_estop_need_nothing(complete: Machine) -> None:
+    complete.lacks("apt-get", "dpkg-query", "ghc", "cabal", "node", "npm", "curl", "find", "sha1sum")
+    assert complete.rosy("help").returncode == 0
+    assert complete.rosy("help", "start").returncode == 0
+    assert complete.rosy("estop").returncode == 0
+    assert complete.called("estop") == 1
+    assert not (complete.root / ".rosy").exists()
+
+
+def test_a_folder_that_cannot_be_written_gives_one_sentence(complete: Machine) -> None:
+    complete.root.chmod(0o555)
+    # Without its capabilities root is held to the permissions of files, like any user.
+    powerless = ["setpriv", "--bounding-set=-all", "--inh-caps=-all"] if os.geteuid() == 0 else []
+    setpriv = {"PATH": f"{complete.env['PATH']}:{os.environ['PATH']}"}
+    done = subprocess.run([*powerless, complete.root / "rosy", "start"], env={**complete.env, **setpriv}, capture_output=True, text=True, check=False)
+    complete.root.chmod(0o755)
+    assert done.returncode == 1
+    assert len(done.stderr.splitlines()) == 1
+    assert "cannot be written" in done.stderr
+    assert not (complete.root / ".rosy").exists()
+
+
+def test_an_interrupted_step_is_done_again(complete: Machine) -> None:
+    complete.tool("cabal", "kill -TERM $$")
+    assert complete.rosy("start").returncode == 1
+    complete.tool("cabal", COMPLETE["cabal"])
+    assert complete.rosy("start").returncode == 0
+    assert complete.called("-m venv") == 1
+
+
+def test_a_failed_step_names_its_log(complete: Machine) -> None:
+    complete.tool("cabal", "echo the reason; exit 1")
+    done = complete.rosy("start")
+    assert done.returncode == 1
+    assert "the reason" in done.stderr
+    assert ".rosy/log/haskell.log" in done.stderr
+
+
+def test_two_starts_at_once_do_each_step_once(complete: Machine) -> None:
+    results: list[int] = []
+    both = [threading.Thread(target=lambda: results.append(complete.rosy("start").returncode)) for _ in range(2)]
+    for one in both:
+        one.start()
+    for one in both:
+        one.join()
+    assert results == [0, 0]
+    assert complete.called("-m venv") == complete.called("cabal build") == 1
+
+
+def test_a_path_with_spaces_and_umlauts(tmp_path: Path) -> None:
+    here = machine(tmp_path / "Schöne neue Übung", "Rosy für alle")
+    done = here.rosy("start")
+    assert (done.returncode, done.stdout) == (0, "served -m rosy_sim serve\n"), done.stderr
+
+
+def test_a_result_that_was_taken_away_is_made_again(complete: Machine) -> None:
+    complete.rosy("start")
+    shutil.rmtree(complete.root / "node_modules")
+    assert complete.rosy("start").returncode == 0
+    assert complete.called("npm install") == 2

@@ -1,0 +1,120 @@
+"""
+Messages about checks of all hand-ins of a task, between the teacher's board and the service, and the stored result of a
+check. ``protocol/README.md``, section 11.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+import msgspec
+
+from ..wire.problem import Problem
+from ..wire.room_tests import MAX_ROOMS, MAX_SECONDS, TestedRoom
+
+__all__ = [
+    "CancelCheck",
+    "CheckAll",
+    "CheckResult",
+    "Checking",
+    "Fault",
+    "OpenRun",
+    "ResultShown",
+    "RunShown",
+    "ShowResults",
+]
+
+Fault = Literal["compile", "room", "time", "lost"]
+"""
+Why a program has no outcome in the rooms: it does not compile; the room of the hand-in cannot be used; the test took
+too long; the trial process was lost.
+"""
+
+
+# Requests of the board
+
+
+class CheckAll(msgspec.Struct, tag="check-all", tag_field="op"):
+    """
+    Try every hand-in of a task in the same rooms. The family ``room`` has ``world`` as its first room and rooms like it
+    as the others; ``own`` likewise the room of each hand-in.
+    """
+
+    task: int
+    family: Literal["obstacles", "maze", "pits", "room", "own"]
+    rooms: Annotated[int, msgspec.Meta(ge=1, le=MAX_ROOMS)]
+    seed: Annotated[int, msgspec.Meta(ge=0, lt=2**31)]
+    # Of each run, simulated.
+    seconds: Annotated[float, msgspec.Meta(gt=0, le=MAX_SECONDS)]
+    properties: Annotated[str, msgspec.Meta(max_length=1000)]
+    world: Any = None
+
+
+class CancelCheck(msgspec.Struct, tag="cancel-check", tag_field="op"):
+    """End the check; the results so far stay."""
+
+
+class ShowResults(msgspec.Struct, tag="show-results", tag_field="op"):
+    """The results of this task are sent from now on, now and whenever one is new."""
+
+    task: int
+
+
+class OpenRun(msgspec.Struct, tag="open-run", tag_field="op"):
+    """A hand-in with its worst room; the answer is ``RunShown``."""
+
+    task: int
+    pupil: int
+
+
+# Answers to the board
+
+
+class Checking(msgspec.Struct, tag="checking", tag_field="op"):
+    """
+    Programs of a task that are checked, of so many, and rooms tried; ``task`` is ``None`` when no check goes on.
+    ``number`` counts the checks since the service started, so that the end of each is a message.
+    """
+
+    number: int = 0
+    task: int | None = None
+    done: int = 0
+    of: int = 0
+    rooms: int = 0
+
+
+class CheckResult(msgspec.Struct):
+    """
+    How a hand-in did: in ``passed`` of ``rooms`` rooms it went well, and ``worst`` is the room in which it did worst.
+    With a ``fault`` there are no outcomes; ``problems`` are those of a program that does not compile. ``checked`` is in
+    s since 1970; the family, the seed and the properties are those of the request.
+    """
+
+    checked: float
+    family: str
+    rooms: int
+    seed: int
+    seconds: float
+    properties: str
+    passed: int = 0
+    fault: Fault | None = None
+    problems: list[Problem] = []
+    worst: TestedRoom | None = None
+
+
+class ResultShown(msgspec.Struct, tag="result", tag_field="op"):
+    """The result of a hand-in, a ``CheckResult``; ``null`` when the pupil has handed in again since."""
+
+    task: int
+    pupil: int
+    result: msgspec.Raw
+
+
+class RunShown(msgspec.Struct, tag="run", tag_field="op"):
+    """A hand-in, its worst room, and the seed of its run there; ``text`` is ``None`` if it has no outcome."""
+
+    pupil: int
+    name: str
+    text: str | None
+    world: Any = None
+    seed: int = 0

@@ -1,0 +1,301 @@
+"""
+Store of one class in SQLite: pupils, the devices they use, and every version of their programs.
+
+Blocking: the service calls it from a thread of its own (``store_thread.py``). A method that returns has its change on
+the disk (WAL journal, ``synchronous=FULL``). It does not decide who may ask for what.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import sqlite3
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from .schema import migrate
+from .task_store import TaskStore
+
+__all__ = [
+    "Admission",
+    "ClassStore",
+    "Conflict",
+    "NicknameTaken",
+    "Pupil",
+    "Reason",
+    "Saved",
+    "StoreFull",
+    "Version",
+]
+
+Reason = Literal["change", "run"]
+
+MAX_PUPILS = 400
+"""Pupils of a class: as many as there may be pages (``config.Limits.sessions``)."""
+
+MAX_VERSIONS = 300
+"""Versions kept of one program; the oldest are removed first."""
+
+MAX_BYTES = 64 * 1024 * 1024
+"""Bytes kept of one pupil; superseded versions are removed first, oldest first."""
+
+MAX_DEVICES = 20
+"""Devices of one pupil that are let in without the words; the oldest are forgotten first."""
+
+
+@dataclass(frozen=True, slots=True)
+class Admission:
+    """What lets people in: the code for pupils and the key for the teacher."""
+
+    code: str
+    teacher_key: str
+
+
+@dataclass(frozen=True, slots=True)
+class Pupil:
+    """A pupil; ``joined`` is in s since 1970."""
+
+    id: int
+    nickname: str
+    words: str
+    joined: float
+
+
+@dataclass(frozen=True, slots=True)
+class Version:
+    """A version of a program; ``at`` is in s since 1970. Numbers grow over all programs of the class."""
+
+    number: int
+    program: str
+    at: float
+    reason: Reason
+    mark: str
+    name: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Saved:
+    """The text is stored, as this version."""
+
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
+class Conflict:
+    """Nothing is stored: the program was changed on another device meanwhile. Its newest version."""
+
+    latest: Version
+
+
+@dataclass(frozen=True, slots=True)
+class NicknameTaken:
+    """Another pupil of the class has this nickname."""
+
+
+@dataclass(frozen=True, slots=True)
+class StoreFull:
+    """There are as many pupils, or as many bytes of one pupil, as there may be."""
+
+
+_COLUMNS = "number, program, at, reason, mark, name, text"
+
+
+class ClassStore:
+    """
+    An open class.
+
+    Args:
+        path: the database; it is created when it does not exist.
+        new_admission: code and key of a class that is created.
+        now: s since 1970.
+    """
+
+    def __init__(self, path: Path, new_admission: Admission, now: float) -> None:
+        # Autocommit: transactions are explicit. One thread at a time uses it (`store_thread.py`).
+        self._database = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
+        self._database.execute("PRAGMA journal_mode = WAL")
+        self._database.execute("PRAGMA synchronous = FULL")
+        self._database.execute("PRAGMA foreign_keys = ON")
+        # What is deleted is overwritten.
+        self._database.execute("PRAGMA secure_delete = ON")
+        migrate(self._database)
+        self.tasks = TaskStore(self._database, self._transaction)
+        with self._transaction():
+            if self._database.execute("SELECT count(*) FROM class").fetchone()[0] == 0:
+                self._database.execute(
+                    "INSERT INTO class VALUES (?, ?, ?)", (new_admission.code, new_admission.teacher_key, now)
+                )
+
+    def close(self) -> None:
+        """Close the database; the journal is merged into it."""
+        self._database.close()
+
+    @contextmanager
+    def _transaction(self) -> Iterator[None]:
+        self._database.execute("BEGIN IMMEDIATE")
+        try:
+            yield
+        except BaseException:
+            self._database.execute("ROLLBACK")
+            raise
+        self._database.execute("COMMIT")
+
+    # The class
+
+    def admission(self) -> Admission:
+        """The code and the key."""
+        return Admission(*self._database.execute("SELECT code, teacher_key FROM class").fetchone())
+
+    def pupils(self) -> list[Pupil]:
+        """All pupils in the order in which they joined."""
+        rows = self._database.execute("SELECT id, nickname, words, joined FROM pupil ORDER BY id")
+        return [Pupil(*row) for row in rows]
+
+    # Pupils
+
+    def join(
+        self, nickname: str, new_words: Callable[[], str], token: str, now: float
+    ) -> Pupil | NicknameTaken | StoreFull:
+        """Add a pupil, who uses the device with this token. ``new_words`` is called until its answer is unused."""
+        with self._transaction():
+            (count,) = self._database.execute("SELECT count(*) FROM pupil").fetchone()
+            if count >= MAX_PUPILS:
+                return StoreFull()
+            key = nickname.casefold()
+            if self._database.execute("SELECT 1 FROM pupil WHERE nickname_key = ?", (key,)).fetchone():
+                return NicknameTaken()
+            words = new_words()
+            while self._database.execute("SELECT 1 FROM pupil WHERE words = ?", (words,)).fetchone():
+                words = new_words()
+            cursor = self._database.execute(
+                "INSERT INTO pupil (nickname, nickname_key, words, joined) VALUES (?, ?, ?, ?)",
+                (nickname, key, words, now),
+            )
+            pupil = Pupil(cursor.lastrowid or 0, nickname, words, now)
+            self._add_device(pupil.id, token, now)
+        return pupil
+
+    def resume(self, words: str, token: str, now: float) -> Pupil | None:
+        """The pupil with these words, who uses the device with this token from now on."""
+        row = self._database.execute(
+            "SELECT id, nickname, words, joined FROM pupil WHERE words = ?", (words,)
+        ).fetchone()
+        if row is None:
+            return None
+        pupil = Pupil(*row)
+        with self._transaction():
+            self._add_device(pupil.id, token, now)
+        return pupil
+
+    def _add_device(self, pupil: int, token: str, now: float) -> None:
+        self._database.execute("INSERT INTO device VALUES (?, ?, ?)", (_hash(token), pupil, now))
+        self._database.execute(
+            "DELETE FROM device WHERE pupil = ? AND token_hash NOT IN "
+            "(SELECT token_hash FROM device WHERE pupil = ? ORDER BY created DESC, rowid DESC LIMIT ?)",
+            (pupil, pupil, MAX_DEVICES),
+        )
+
+    def pupil_of(self, token: str) -> Pupil | None:
+        """The pupil who uses the device with this token."""
+        row = self._database.execute(
+            "SELECT pupil.id, nickname, words, joined FROM pupil JOIN device ON device.pupil = pupil.id "
+            "WHERE token_hash = ?",
+            (_hash(token),),
+        ).fetchone()
+        return None if row is None else Pupil(*row)
+
+    def forget_device(self, token: str) -> None:
+        """The device with this token is let in no more."""
+        with self._transaction():
+            self._database.execute("DELETE FROM device WHERE token_hash = ?", (_hash(token),))
+
+    # Programs
+
+    def save(
+        self,
+        pupil: int,
+        program: str,
+        name: str,
+        text: str,
+        reason: Reason,
+        base: int,
+        mark: str,
+        unacknowledged: Sequence[str],
+        now: float,
+    ) -> Saved | Conflict | StoreFull:
+        """
+        Store a version of a pupil's program.
+
+        Args:
+            base: the version that the text was made from; 0 for none.
+            mark: identifies this request.
+            unacknowledged: the marks of earlier requests from the same device, made after ``base``, whose answers did
+                not arrive: the text was made from what they stored.
+        """
+        with self._transaction():
+            latest = self.latest(pupil, program)
+            if latest is not None:
+                if latest.text == text and latest.name == name:
+                    return Saved(latest.number)
+                if latest.number != base and latest.mark not in unacknowledged:
+                    return Conflict(latest)
+            size = len(text.encode())
+            if not self._make_room(pupil, size):
+                return StoreFull()
+            cursor = self._database.execute(
+                "INSERT INTO version (pupil, program, at, reason, mark, name, text, size) "
+                "VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+                (pupil, program, now, reason, mark, name, text, size),
+            )
+            self._database.execute(
+                "DELETE FROM version WHERE pupil = ? AND program = ? AND number NOT IN "
+                "(SELECT number FROM version WHERE pupil = ? AND program = ? ORDER BY number DESC LIMIT ?)",
+                (pupil, program, pupil, program, MAX_VERSIONS),
+            )
+            return Saved(cursor.lastrowid or 0)
+
+    def _make_room(self, pupil: int, size: int) -> bool:
+        """Remove superseded versions, oldest first, until there is room for ``size`` bytes; whether there is."""
+        (used,) = self._database.execute(
+            "SELECT coalesce(sum(size), 0) FROM version WHERE pupil = ?", (pupil,)
+        ).fetchone()
+        while used + size > MAX_BYTES:
+            oldest = self._database.execute(
+                "SELECT number, size FROM version WHERE pupil = ? AND number NOT IN "
+                "(SELECT max(number) FROM version WHERE pupil = ? GROUP BY program) ORDER BY number LIMIT 1",
+                (pupil, pupil),
+            ).fetchone()
+            if oldest is None:
+                return False
+            self._database.execute("DELETE FROM version WHERE number = ?", (oldest[0],))
+            used -= oldest[1]
+        return True
+
+    def latest(self, pupil: int, program: str) -> Version | None:
+        """The newest version of a pupil's program."""
+        row = self._database.execute(
+            f"SELECT {_COLUMNS} FROM version WHERE pupil = ? AND program = ? ORDER BY number DESC LIMIT 1",
+            (pupil, program),
+        ).fetchone()
+        return None if row is None else Version(*row)
+
+    def programs(self, pupil: int) -> list[Version]:
+        """The newest version of each of a pupil's programs, the one that was changed last first."""
+        rows = self._database.execute(
+            f"SELECT {_COLUMNS} FROM version WHERE number IN "
+            "(SELECT max(number) FROM version WHERE pupil = ? GROUP BY program) ORDER BY number DESC",
+            (pupil,),
+        )
+        return [Version(*row) for row in rows]
+
+    def history(self, pupil: int) -> list[Version]:
+        """All versions of all programs of a pupil, oldest first."""
+        rows = self._database.execute(f"SELECT {_COLUMNS} FROM version WHERE pupil = ? ORDER BY number", (pupil,))
+        return [Version(*row) for row in rows]
+
+
+def _hash(token: str) -> bytes:
+    return hashlib.sha256(token.encode()).digest()

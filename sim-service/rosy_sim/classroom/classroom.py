@@ -1,0 +1,347 @@
+"""
+Classroom: the running class between the sockets of pupils and of the teacher's board.
+
+Keeps who is connected and what the board shows; the store has all that must last. A pupil is identified by the
+connection that gave the code or a device's token; a request never names another pupil.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import secrets
+import sqlite3
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import msgspec
+
+from ..attempts import Attempts, Rate
+from ..sentence import tr
+from ..wording import in_terminal
+from . import messages as m
+from .check_messages import CheckResult, OpenRun, RunShown
+from .class_store import ClassStore, Conflict, NicknameTaken, Pupil, Saved, StoreFull
+from .class_tasks import ClassTasks
+from .hand_in_export import hand_ins_zip
+from .nickname import BadNickname, read_nickname
+from .pupil_state import PupilState
+from .store_thread import StoreThread
+from .word_list import draw_words, read_words
+
+__all__ = ["Classroom", "PupilPage"]
+
+ADDRESS_ATTEMPTS = Rate(0.2, 10.0)
+"""Wrong codes, words, tokens and keys from one address."""
+
+ALL_ATTEMPTS = Rate(5.0, 300.0)
+"""From all addresses together: a class of thirty mistypes without being locked out."""
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(eq=False, slots=True)
+class PupilPage:
+    """The connection of a pupil's page. ``put`` sends an answer and never blocks."""
+
+    address: str
+    put: Callable[[m.PupilAnswer], None]
+    # Set by `join`, `resume` or `enter`.
+    pupil: Pupil | None = None
+    token: str | None = field(default=None, repr=False)
+    # The page session whose room the board shows.
+    session: str | None = None
+
+
+@dataclass(slots=True)
+class _Member:
+    """A pupil as the board shows it."""
+
+    pupil: Pupil
+    state: PupilState
+    # Name of the program that was changed last, and when, in s since 1970.
+    program: str | None = None
+    changed: float | None = None
+
+
+class Classroom:
+    """
+    A running class.
+
+    Args:
+        store: the open class.
+        addresses: where pupils open the page.
+        now: a clock in s that only goes forward.
+    """
+
+    def __init__(self, store: ClassStore, addresses: Callable[[], list[str]], now: Callable[[], float]) -> None:
+        self.admission = store.admission()
+        self.addresses = addresses
+        self.now = now
+        self.attention: str | None = None
+        self.attempts = Attempts([ADDRESS_ATTEMPTS], ALL_ATTEMPTS, now())
+        self._store = StoreThread(store)
+        self.tasks = ClassTasks(store, self._store, time.time)
+        self.pages: set[PupilPage] = set()
+        self._handouts: list[m.Handout] = []
+        self._members: dict[int, _Member] = {}
+        for pupil in store.pupils():
+            latest = next(iter(store.programs(pupil.id)), None)
+            member = _Member(pupil, PupilState())
+            if latest is not None:
+                member.program, member.changed = latest.name, latest.at
+            self._members[pupil.id] = member
+
+    async def close(self) -> None:
+        """Finish what is being stored."""
+        await self._store.close()
+
+    # Pupils
+
+    def leave(self, page: PupilPage) -> None:
+        """A page has disconnected."""
+        self.pages.discard(page)
+        if page.pupil is not None:
+            self._members[page.pupil.id].state.disconnect(id(page), self.now())
+
+    async def serve(self, page: PupilPage, request: m.PupilRequest) -> None:
+        """Serve a request of a pupil's page."""
+        try:
+            if page.pupil is None:
+                await self._admit(page, request)
+            else:
+                await self._serve_member(page, self._members[page.pupil.id], request)
+        except sqlite3.Error as error:
+            _log.error("%s", in_terminal(tr("The class cannot be stored: {why}", why=error)))
+            if isinstance(request, m.Save):
+                page.put(m.SaveFailed(request.program, request.mark))
+            elif isinstance(request, m.HandIn):
+                page.put(m.NotHandedIn(request.task, "full"))
+            else:
+                page.put(m.Refused("full"))
+
+    async def _admit(self, page: PupilPage, request: m.PupilRequest) -> None:
+        if not isinstance(request, m.Join | m.Resume | m.Enter):
+            page.put(m.Refused("token"))
+            return
+        if not self.attempts.begin([page.address], self.now()):
+            page.put(m.Refused("attempts"))
+            return
+        admitted = await self._find(page, request)
+        if isinstance(admitted, m.Refused):
+            if admitted.reason not in ("code", "words", "token"):
+                self.attempts.succeeded([page.address], self.now())
+            page.put(admitted)
+            return
+        self.attempts.succeeded([page.address], self.now())
+        await self._enter(page, admitted, None if isinstance(request, m.Enter) else page.token)
+
+    async def _find(self, page: PupilPage, request: m.Join | m.Resume | m.Enter) -> Pupil | m.Refused:
+        if isinstance(request, m.Enter):
+            page.token = request.token
+            found = await self._store.call(ClassStore.pupil_of, request.token)
+            return found or m.Refused("token")
+        if not self._is_code(request.code):
+            return m.Refused("code")
+        page.token = secrets.token_urlsafe(24)
+        if isinstance(request, m.Resume):
+            resumed = await self._store.call(ClassStore.resume, read_words(request.words), page.token, time.time())
+            return resumed or m.Refused("words")
+        nickname = read_nickname(request.nickname)
+        if isinstance(nickname, BadNickname):
+            return m.Refused(nickname.fault)
+        language = request.language
+        joined = await self._store.call(
+            ClassStore.join, nickname, lambda: draw_words(language), page.token, time.time()
+        )
+        if isinstance(joined, NicknameTaken):
+            return m.Refused("taken")
+        return m.Refused("full") if isinstance(joined, StoreFull) else joined
+
+    def _is_code(self, typed: str) -> bool:
+        """Capitals, spaces and dashes do not matter."""
+        tried = "".join(c for c in typed.lower() if c.isalnum())
+        return secrets.compare_digest(tried.encode(), self.admission.code.encode())
+
+    def admits_teacher(self, typed: str, address: str) -> bool | None:
+        """Whether this is the teacher's key; ``None`` for an address that has tried too many wrong ones."""
+        if not self.attempts.begin([address], self.now()):
+            return None
+        if not secrets.compare_digest(typed.strip().encode(), self.admission.teacher_key.encode()):
+            return False
+        self.attempts.succeeded([address], self.now())
+        return True
+
+    async def _enter(self, page: PupilPage, pupil: Pupil, token: str | None) -> None:
+        programs = await self._store.call(ClassStore.programs, pupil.id)
+        member = self._members.setdefault(pupil.id, _Member(pupil, PupilState()))
+        page.pupil = pupil
+        self.pages.add(page)
+        member.state.connect(id(page), self.now())
+        names = [m.ProgramName(v.program, v.name, v.number, v.at) for v in programs]
+        page.put(m.Entered(pupil.id, pupil.nickname, pupil.words, token, member.state.hand, names))
+        self._show_tasks(page)
+        if self.attention is not None:
+            page.put(m.Attention(self.attention))
+        for handout in self._handouts:
+            page.put(handout)
+
+    async def _serve_member(self, page: PupilPage, member: _Member, request: m.PupilRequest) -> None:
+        match request:
+            case m.Here():
+                page.session = request.session
+            case m.Status():
+                member.state.report(request, self.now())
+            case m.Hand():
+                member.state.hand = request.up
+            case m.Save():
+                await self._save(page, member, request)
+            case m.HandIn():
+                await self._hand_in(page, member, request)
+            case m.Read():
+                latest = await self._store.call(ClassStore.latest, member.pupil.id, request.program)
+                if latest is not None:
+                    page.put(m.Stored(latest.program, latest.number, latest.name, latest.text))
+            case m.Forget():
+                if page.token is not None:
+                    await self._store.call(ClassStore.forget_device, page.token)
+                self.leave(page)
+                page.pupil = page.token = None
+            case m.Join() | m.Resume() | m.Enter():
+                page.put(m.Refused("request"))
+
+    async def _save(self, page: PupilPage, member: _Member, request: m.Save) -> None:
+        saved = await self._store.call(
+            ClassStore.save,
+            member.pupil.id,
+            request.program,
+            request.name,
+            request.text,
+            request.reason,
+            request.base,
+            request.mark,
+            request.unacknowledged,
+            time.time(),
+        )
+        match saved:
+            case Saved():
+                member.program, member.changed = request.name, time.time()
+                page.put(m.Saved(request.program, request.mark, saved.number))
+            case Conflict(latest):
+                page.put(m.Conflicting(latest.program, request.mark, latest.number, latest.name, latest.text))
+            case StoreFull():
+                page.put(m.SaveFailed(request.program, request.mark))
+
+    async def _hand_in(self, page: PupilPage, member: _Member, request: m.HandIn) -> None:
+        if not await self.tasks.hand_in(member.pupil.id, request):
+            page.put(m.NotHandedIn(request.task, "late"))
+            self._show_tasks(page)
+            return
+        self._show_all_tasks(member.pupil.id)
+
+    def _show_tasks(self, page: PupilPage) -> None:
+        if page.pupil is not None and (tasks := self.tasks.of_pupil(page.pupil.id)) is not None:
+            page.put(tasks)
+
+    # The board
+
+    async def open_task(self, request: m.OpenTask) -> m.Refused | None:
+        """Begin a task on all pages; what is returned says why not."""
+        refused = await self.tasks.open(request)
+        if refused is None:
+            self._show_all_tasks()
+        return refused
+
+    async def close_task(self, task: int) -> None:
+        """End a task on all pages."""
+        await self.tasks.close(task)
+        self._show_all_tasks()
+
+    async def comment(self, request: m.Comment) -> None:
+        """Show a comment on a hand-in to its pupil."""
+        if await self.tasks.comment(request):
+            self._show_all_tasks(request.pupil)
+
+    def _show_all_tasks(self, pupil: int | None = None) -> None:
+        for page in self.pages:
+            if pupil is None or (page.pupil is not None and page.pupil.id == pupil):
+                self._show_tasks(page)
+
+    async def hand_ins_zip(self, task: int) -> bytes | None:
+        """All programs of a task and a table of them, as a ZIP file; ``None`` if there is no such task."""
+        if self.tasks.task(task) is None:
+            return None
+        kept = await self.tasks.kept(task)
+        nicknames = {member.pupil.id: member.pupil.nickname for member in self._members.values()}
+        return await asyncio.to_thread(hand_ins_zip, nicknames, kept, self.tasks.alike(task))
+
+    async def hand_in_shown(self, request: m.OpenHandIn) -> m.ProgramShown:
+        """A pupil's hand-in for a task."""
+        for kept in await self.tasks.kept(request.task):
+            if kept.pupil == request.pupil:
+                return m.ProgramShown(request.pupil, kept.name, kept.text)
+        return m.ProgramShown(request.pupil, "", None)
+
+    async def run_shown(self, request: OpenRun) -> RunShown:
+        """A hand-in with the room in which it did worst."""
+        for kept in await self.tasks.kept(request.task):
+            if kept.pupil == request.pupil and kept.result:
+                worst = msgspec.json.decode(kept.result, type=CheckResult).worst
+                if worst is not None:
+                    return RunShown(kept.pupil, kept.name, kept.text, worst.world, worst.seed)
+        return RunShown(request.pupil, "", None)
+
+    def pupils_shown(self) -> m.PupilsShown:
+        """All pupils as the board shows them now."""
+        now, date = self.now(), time.time()
+        return m.PupilsShown(
+            [
+                m.PupilShown(
+                    member.pupil.id,
+                    member.pupil.nickname,
+                    member.pupil.words,
+                    bool(member.state.pages),
+                    member.state.running,
+                    member.program,
+                    None if member.changed is None else max(0.0, round(date - member.changed)),
+                    member.state.lesson,
+                    member.state.needs(now),
+                )
+                for member in self._members.values()
+            ]
+        )
+
+    def set_attention(self, message: str | None) -> None:
+        """Pause all pages with a message, or let them go on."""
+        self.attention = message
+        for page in self.pages:
+            page.put(m.Attention(message))
+
+    def lower_hand(self, pupil: int) -> None:
+        """The raised hand of a pupil was seen."""
+        if pupil not in self._members:
+            return
+        self._members[pupil].state.hand = False
+        for page in self.pages:
+            if page.pupil is not None and page.pupil.id == pupil:
+                page.put(m.Lowered())
+
+    def send_program(self, name: str, text: str) -> int:
+        """Send a program to all pages, and to those that connect later; returns the number of pages."""
+        handout = m.Handout(secrets.token_urlsafe(9), name, text)
+        self._handouts = [*self._handouts, handout][-1:]
+        for page in self.pages:
+            page.put(handout)
+        return len(self.pages)
+
+    async def program_shown(self, request: m.OpenProgram) -> m.ProgramShown:
+        """The newest version of a pupil's program."""
+        if request.program is None:
+            programs = await self._store.call(ClassStore.programs, request.pupil)
+            latest = next(iter(programs), None)
+        else:
+            latest = await self._store.call(ClassStore.latest, request.pupil, request.program)
+        if latest is None:
+            return m.ProgramShown(request.pupil, "", None)
+        return m.ProgramShown(request.pupil, latest.name, latest.text)

@@ -1,0 +1,70 @@
+"""
+Command ``./rosy class``: lists, exports and deletes classes.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+
+from ..atomic_file import AtomicFile
+from ..errors import BadInput
+from ..sentence import tr
+from ..terminal_text import neutralize_line
+from ..wording import in_terminal
+from .class_export import write_export
+from .class_folder import class_names, delete_class, read_class
+
+__all__ = ["add_class_options", "run_class_command"]
+
+
+def add_class_options(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the command."""
+    parser.add_argument("action", choices=("list", "export", "delete"))
+    parser.add_argument("name", nargs="?")
+    parser.add_argument("-o", dest="output", type=Path, metavar="FILE")
+
+
+def run_class_command(folder: Path, options: argparse.Namespace, output: Callable[[str], None]) -> int:
+    """
+    Run the command; returns the exit status.
+
+    Raises:
+        BadInput: there is no such class, or it is in use, or the file cannot be written.
+    """
+    if options.action != "export" and options.output is not None:
+        raise BadInput(tr("-o is for export: the file to write."))
+    if options.action == "list":
+        for name in class_names(folder):
+            output(name)
+        return 0
+    name = _chosen(folder, options.name)
+    if options.action == "delete":
+        delete_class(folder, name)
+        output(in_terminal(tr("The class {name} is deleted.", name=name)))
+        return 0
+    target = options.output or Path(f"{name}.zip")
+    with read_class(folder, name) as store, AtomicFile(target) as file:
+        programs = write_export(store, file)
+        pupils = len(store.pupils())
+    written = tr(
+        "{file}: {pupils} pupils, {programs} programs.",
+        file=neutralize_line(str(target)),
+        pupils=pupils,
+        programs=programs,
+    )
+    output(in_terminal(written))
+    return 0
+
+
+def _chosen(folder: Path, name: str | None) -> str:
+    """The named class, or the only one that there is."""
+    if name is not None:
+        return name
+    names = class_names(folder)
+    if not names:
+        raise BadInput(tr("There is no class yet; ./rosy start --class begins one."))
+    if len(names) > 1:
+        raise BadInput(tr("Which class? There are {names}.", names=list(names)))
+    return names[0]

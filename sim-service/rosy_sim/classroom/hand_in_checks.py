@@ -1,0 +1,191 @@
+"""
+Checks of all hand-ins of a task in the same rooms, by the code of ``./rosy run FOLDER --rooms``.
+
+One check at a time for a class. Each program takes a slot of the tests in many rooms, so a check and the tests of pages
+take turns; its result is stored as soon as it is there.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+import sqlite3
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import msgspec
+
+from ..config import Config
+from ..errors import BadInput, RosyError
+from ..rooms.background_trials import BUDGET, try_in_background
+from ..rooms.families import Family, family_like
+from ..rooms.room_test import Report, RoomTest, check_goals, worst_first
+from ..rooms.tested_room import tested_room
+from ..run.run_queue import RunQueue
+from ..sentence import tr
+from ..wording import in_terminal
+from ..world.properties import BadProperty, read_properties
+from ..worlds.gallery import DEFAULT_WORLD, named_world
+from . import messages as m
+from .check_messages import CheckAll, Checking, CheckResult, Fault
+from .class_tasks import ClassTasks
+from .program_fingerprint import source_of
+from .task_store import HandInKept
+
+__all__ = ["HandInChecks"]
+
+_log = logging.getLogger(__name__)
+
+
+class _Project(msgspec.Struct):
+    """The room of a project file. ``protocol/README.md``, section 5."""
+
+    world: str | dict[str, Any] | None = None
+
+
+class HandInChecks:
+    """
+    The check of a running class.
+
+    Args:
+        tasks: has the hand-ins, and takes the results.
+        config: how trial processes start workers.
+        queue: slots of tests in many rooms.
+    """
+
+    def __init__(self, tasks: ClassTasks, config: Config, queue: RunQueue) -> None:
+        self._tasks = tasks
+        self._config = config
+        self._queue = queue
+        self._check: asyncio.Task[None] | None = None
+        self.progress = Checking()
+
+    def start(self, request: CheckAll, refuse: Callable[[m.Refused], None]) -> None:
+        """Begin a check. ``refuse`` is called when it cannot begin, or when a result cannot be stored."""
+        if self._check is not None or self._tasks.task(request.task) is None:
+            refuse(m.Refused("request"))
+            return
+        self.progress = Checking(self.progress.number + 1, request.task)
+        self._check = asyncio.get_running_loop().create_task(self._run(request, refuse))
+
+    async def cancel(self) -> None:
+        """End the check, if one goes on, and its processes."""
+        check = self._check
+        if check is not None:
+            check.cancel()
+            await asyncio.gather(check, return_exceptions=True)
+            # One that was cancelled before its first step has not done it.
+            self._end()
+
+    def _end(self) -> None:
+        self.progress = Checking(self.progress.number)
+        self._check = None
+
+    async def _run(self, request: CheckAll, refuse: Callable[[m.Refused], None]) -> None:
+        try:
+            read_properties(request.properties)
+            if request.family != "own":
+                await asyncio.to_thread(_room_test, request, "")
+            kept = await self._tasks.kept(request.task)
+            self.progress = msgspec.structs.replace(self.progress, of=len(kept))
+            await self._check_all(request, kept)
+        except (BadInput, BadProperty):
+            refuse(m.Refused("rooms"))
+        except sqlite3.Error as error:
+            _log.error("%s", in_terminal(tr("Results cannot be stored: {why}", why=error)))
+            refuse(m.Refused("disk"))
+        finally:
+            self._end()
+
+    async def _check_all(self, request: CheckAll, kept: list[HandInKept]) -> None:
+        waiting = iter(kept)
+        works = [asyncio.create_task(self._check_each(request, waiting)) for _ in range(self._queue.limit)]
+        try:
+            await asyncio.gather(*works)
+        finally:
+            for work in works:
+                work.cancel()
+            await asyncio.gather(*works, return_exceptions=True)
+
+    async def _check_each(self, request: CheckAll, waiting: Iterator[HandInKept]) -> None:
+        for one in waiting:
+            await self._queue.acquire(lambda _: None)
+            try:
+                result = await self._result(request, one.text)
+            finally:
+                self._queue.release()
+            await self._tasks.grade(request.task, one.pupil, one.at, result)
+            self.progress = msgspec.structs.replace(self.progress, done=self.progress.done + 1)
+
+    async def _result(self, request: CheckAll, project: str) -> CheckResult:
+        try:
+            test = await asyncio.to_thread(_room_test, request, project)
+        except BadInput:
+            return self._faulty(request, "room")
+        try:
+            async with asyncio.timeout(BUDGET):
+                report = await try_in_background(
+                    self._config, source_of(project), test, lambda _: self._count_room(), None
+                )
+        except TimeoutError:
+            return self._faulty(request, "time")
+        except RosyError as error:
+            _log.warning("%s", in_terminal(tr("A hand-in could not be checked: {why}", why=error)))
+            return self._faulty(request, "lost")
+        if report.refused:
+            return msgspec.structs.replace(self._faulty(request, "compile"), problems=report.refused)
+        return msgspec.structs.replace(self._faulty(request, None), passed=report.passed, worst=_worst(report))
+
+    def _count_room(self) -> None:
+        self.progress = msgspec.structs.replace(self.progress, rooms=self.progress.rooms + 1)
+
+    def _faulty(self, request: CheckAll, fault: Fault | None) -> CheckResult:
+        return CheckResult(
+            self._tasks.today(),
+            request.family,
+            request.rooms,
+            request.seed,
+            request.seconds,
+            request.properties,
+            fault=fault,
+        )
+
+
+def _worst(report: Report) -> Any:
+    worlds = {outcome.room: world for outcome, world in zip(report.outcomes, report.worlds, strict=True)}
+    worst = worst_first(report.outcomes)[0]
+    return tested_room(worst, worlds[worst.room])
+
+
+def _room_test(request: CheckAll, project: str) -> RoomTest:
+    """
+    What a program is tested for. Blocking: a room with many things takes a while to build.
+
+    Raises:
+        BadInput: the room cannot be used.
+        BadProperty: the properties are none.
+    """
+    family = _family(request, project)
+    properties = read_properties(request.properties)
+    check_goals(family, properties)
+    return RoomTest(family, request.rooms, request.seed, request.seconds, properties)
+
+
+def _family(request: CheckAll, project: str) -> Family:
+    match request.family:
+        case "room":
+            world = request.world
+            return family_like(named_world(world) if isinstance(world, str) else world, "in:this room")
+        case "own":
+            return family_like(_room_of(project), "in:own room")
+        case name:
+            return Family(name)
+
+
+def _room_of(project: str) -> dict[str, Any]:
+    """The room of a project file; that of programs without one for a text that is none."""
+    world: str | dict[str, Any] | None = None
+    with contextlib.suppress(msgspec.MsgspecError, UnicodeError, RecursionError):
+        world = msgspec.json.decode(project, type=_Project).world
+    return world if isinstance(world, dict) else named_world(world or DEFAULT_WORLD)

@@ -1,0 +1,135 @@
+"""
+Store of a class's tasks in SQLite: titles and deadlines, the newest hand-in of each pupil, the teacher's comments.
+
+Blocking, as ``class_store.py``, which opens the database. Times are in s since 1970.
+"""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Callable
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+
+__all__ = ["MAX_TASKS", "HandIn", "HandInKept", "Task", "TaskStore"]
+
+MAX_TASKS = 200
+"""Tasks of a class: five a week in a school year of 40 weeks."""
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """A task; ``closed`` is when the teacher ended it, ``deadline`` when it ends by itself."""
+
+    id: int
+    title: str
+    opened: float
+    deadline: float | None = None
+    closed: float | None = None
+
+    def is_open(self, now: float) -> bool:
+        """Whether pupils can hand in."""
+        return self.closed is None and (self.deadline is None or now < self.deadline)
+
+
+@dataclass(frozen=True, slots=True)
+class HandIn:
+    """
+    The newest hand-in of a pupil for a task; ``name`` is the program's. An empty ``comment`` is none, an empty
+    ``fingerprint`` (``program_fingerprint.py``) is like no other. ``result`` is JSON (``check_messages.CheckResult``),
+    empty if the hand-in was not checked.
+    """
+
+    task: int
+    pupil: int
+    at: float
+    name: str
+    comment: str = ""
+    fingerprint: str = ""
+    result: bytes = b""
+
+
+@dataclass(frozen=True, slots=True)
+class HandInKept:
+    """A hand-in with the project file; ``result`` as in ``HandIn``."""
+
+    pupil: int
+    at: float
+    name: str
+    text: str
+    comment: str
+    result: bytes = b""
+
+
+class TaskStore:
+    """
+    Tasks in an open database.
+
+    Args:
+        database: of the class, with the current schema.
+        transaction: opens a transaction.
+    """
+
+    def __init__(self, database: sqlite3.Connection, transaction: Callable[[], AbstractContextManager[None]]) -> None:
+        self._database = database
+        self._transaction = transaction
+
+    def tasks(self) -> list[Task]:
+        """All tasks, oldest first."""
+        rows = self._database.execute("SELECT id, title, opened, deadline, closed FROM task ORDER BY id")
+        return [Task(*row) for row in rows]
+
+    def open(self, title: str, deadline: float | None, now: float) -> Task | None:
+        """Open a task and end the others; ``None`` if there are ``MAX_TASKS``."""
+        with self._transaction():
+            (count,) = self._database.execute("SELECT count(*) FROM task").fetchone()
+            if count >= MAX_TASKS:
+                return None
+            self._database.execute("UPDATE task SET closed = ? WHERE closed IS NULL", (now,))
+            cursor = self._database.execute(
+                "INSERT INTO task (title, opened, deadline) VALUES (?, ?, ?)", (title, now, deadline)
+            )
+            return Task(cursor.lastrowid or 0, title, now, deadline)
+
+    def close(self, task: int, now: float) -> None:
+        """End a task."""
+        with self._transaction():
+            self._database.execute("UPDATE task SET closed = ? WHERE id = ? AND closed IS NULL", (now, task))
+
+    def hand_in(self, task: int, pupil: int, name: str, text: str, now: float, fingerprint: str = "") -> None:
+        """Store a pupil's hand-in in place of an earlier one and its result. The comment stays."""
+        with self._transaction():
+            self._database.execute(
+                "INSERT INTO hand_in (task, pupil, at, name, text, fingerprint) VALUES (?, ?, ?, ?, ?, ?) "
+                "ON CONFLICT (task, pupil) DO UPDATE SET "
+                "at = excluded.at, name = excluded.name, text = excluded.text, fingerprint = excluded.fingerprint, "
+                "result = excluded.result",
+                (task, pupil, now, name, text, fingerprint),
+            )
+
+    def comment(self, task: int, pupil: int, text: str) -> None:
+        """Set the teacher's comment on a hand-in."""
+        with self._transaction():
+            self._database.execute("UPDATE hand_in SET comment = ? WHERE task = ? AND pupil = ?", (text, task, pupil))
+
+    def grade(self, task: int, pupil: int, at: float, result: bytes) -> bool:
+        """Set the result of the hand-in of that time; returns whether it is still the newest."""
+        with self._transaction():
+            changed = self._database.execute(
+                "UPDATE hand_in SET result = ? WHERE task = ? AND pupil = ? AND at = ?", (result, task, pupil, at)
+            )
+            return changed.rowcount == 1
+
+    def hand_ins(self) -> list[HandIn]:
+        """All hand-ins without their texts, oldest first."""
+        rows = self._database.execute(
+            "SELECT task, pupil, at, name, comment, fingerprint, result FROM hand_in ORDER BY at"
+        )
+        return [HandIn(*row) for row in rows]
+
+    def kept(self, task: int) -> list[HandInKept]:
+        """The hand-ins of a task with their texts, in the order in which the pupils joined the class."""
+        rows = self._database.execute(
+            "SELECT pupil, at, name, text, comment, result FROM hand_in WHERE task = ? ORDER BY pupil", (task,)
+        )
+        return [HandInKept(*row) for row in rows]

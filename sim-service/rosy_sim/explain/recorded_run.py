@@ -1,0 +1,187 @@
+"""
+Recorded run: firings with their provenance (language rule R12), events and commands of a program, with their times.
+
+Bounded: of a run that fires more often than ``MAX_FIRINGS`` times the latest firings are kept.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from ..wire.firing import Firing
+from ..world.time_step import STEP
+
+__all__ = ["MAX_FIRINGS", "RecordedRun", "SentCommand", "ShownCommand"]
+
+MAX_FIRINGS = 200_000
+"""Firings that are kept: more than an hour of a program that fires 50 times a second. A choice of ours."""
+
+
+class ShownCommand(NamedTuple):
+    """A command of a step, as Haskell shows it, and its channel; empty for a topic of the program's own."""
+
+    channel: str
+    value: str
+
+
+class SentCommand(NamedTuple):
+    """
+    A command, as Haskell shows it, its type, and the firing that sent it; None when no function did (rule R10).
+
+    The program reports the type with the firing, without its parameters. A command without a firing has that of its
+    channel.
+    """
+
+    time: float
+    type: str
+    value: str
+    firing: Firing | None
+
+
+@dataclass(frozen=True, slots=True)
+class _Step:
+    time: float
+    firings: list[Firing]
+    events: list[str]
+    commands: list[ShownCommand]
+    # The safety rules drove instead of the program.
+    is_overridden: bool = False
+    # A hand had put the robot in another place since the step before.
+    is_placed: bool = False
+
+
+class RecordedRun:
+    """
+    What a program did, step by step.
+
+    Args:
+        until: later steps are not recorded, s. None for all.
+        most: firings that are kept, the latest ones.
+    """
+
+    def __init__(self, until: float | None = None, most: int = MAX_FIRINGS) -> None:
+        self._until = until
+        self._most = most
+        self._steps: deque[_Step] = deque()
+        self._by_number: dict[int, tuple[float, Firing]] = {}
+        # When the last step was recorded, s; None before the first.
+        self.end: float | None = None
+        # Earlier steps were dropped or not observed, s.
+        self.known_since = 0.0
+
+    def add_step(
+        self,
+        time: float,
+        firings: list[Firing],
+        events: list[str],
+        commands: list[ShownCommand],
+        *,
+        is_overridden: bool = False,
+        is_placed: bool = False,
+    ) -> None:
+        """Append a step; ``events`` and the values of ``commands`` as in a trace."""
+        if self._until is not None and time > self._until + 1e-9:
+            return
+        self.end = time
+        if not (firings or events or commands or is_overridden or is_placed):
+            return
+        self._steps.append(_Step(time, firings, events, commands, is_overridden, is_placed))
+        for firing in firings:
+            self._by_number[firing.n] = (time, firing)
+        while len(self._by_number) > self._most:
+            dropped = self._steps.popleft()
+            self.known_since = self._steps[0].time if self._steps else time
+            for firing in dropped.firings:
+                self._by_number.pop(firing.n, None)
+
+    def firing(self, number: int | None) -> Firing | None:
+        """The firing with this number, if it is recorded."""
+        found = self._by_number.get(number) if number is not None else None
+        return found[1] if found is not None else None
+
+    def time_of(self, firing: Firing) -> float:
+        """When it fired, s since the start of the program."""
+        return self._by_number[firing.n][0]
+
+    def firings(self) -> list[tuple[float, Firing]]:
+        """All firings in order, with their times."""
+        return [(step.time, firing) for step in self._steps for firing in step.firings]
+
+    def events(self) -> list[tuple[float, str]]:
+        """All events that the program sensed or sent itself, with their times."""
+        return [(step.time, text) for step in self._steps for text in step.events]
+
+    def latest_command(self, kind: str, until: float) -> SentCommand | None:
+        """The last command of a type (``Velocity``) at or before a time, s. Parameters of the type are not compared."""
+        for step in reversed(self._steps):
+            if step.time > until + 1e-9:
+                continue
+            for sent in reversed(_commands(step)):
+                if sent.type == kind.partition(" ")[0]:
+                    return sent
+        return None
+
+    def latest_write(self, kind: str, until: float) -> Firing | None:
+        """The last firing at or before a time, s, that wrote a memory of a type (``Memory Int``)."""
+        for step in reversed(self._steps):
+            if step.time > until + 1e-9:
+                continue
+            for firing in reversed(step.firings):
+                if any(given.to in ("memory", "param") and given.type == kind for given in firing.gave):
+                    return firing
+        return None
+
+    def latest_event(self, text: str, until: float) -> tuple[float, Firing | None, list[Firing]] | None:
+        """
+        When an event came last, at or before a time, s; the firing that sent it, None for one of the robot; and the
+        firings of that step that it caused.
+        """
+        for step in reversed(self._steps):
+            if step.time <= until + 1e-9 and text in step.events:
+                sent = [(f, g.event) for f in step.firings for g in f.gave if g.to == "event" and g.value == text]
+                if not sent:
+                    return step.time, None, [firing for firing in step.firings if firing.cause.value == text]
+                sender, number = sent[-1]
+                takers = [f for f in step.firings if f.cause.by == "event" and f.cause.event == number]
+                return step.time, sender, takers
+        return None
+
+    def overridden_since(self, time: float) -> float | None:
+        """When the safety rules began to drive that did so at a time, s; None when the program drove."""
+        since: float | None = None
+        later = time
+        for step in reversed(self._steps):
+            if step.time > time + 1e-9:
+                continue
+            if not step.is_overridden or later - step.time > 1.5 * STEP:
+                break
+            since = later = step.time
+        return since
+
+    def latest_placement(self, until: float) -> float | None:
+        """When a hand put the robot in another place last, at or before a time, s."""
+        return next((step.time for step in reversed(self._steps) if step.is_placed and step.time <= until + 1e-9), None)
+
+    def commands(self) -> list[SentCommand]:
+        """All commands in order, each with the firing that sent it."""
+        return [sent for step in self._steps for sent in _commands(step)]
+
+
+def _commands(step: _Step) -> list[SentCommand]:
+    """
+    The commands of a step, matched with the outputs of its firings.
+
+    Both are in firing order. A command between them that no firing gave was sent for a task that was stopped.
+    """
+    outputs = deque((firing, given) for firing in step.firings for given in firing.gave if given.to == "command")
+    sent: list[SentCommand] = []
+    for channel, value in step.commands:
+        # A long text is cut in the record of a firing and whole in the trace.
+        if outputs and value.startswith(outputs[0][1].value):
+            firing, given = outputs.popleft()
+            sent.append(SentCommand(step.time, given.type, value, firing))
+        else:
+            sent.append(SentCommand(step.time, channel, value, None))
+    return sent

@@ -1,0 +1,221 @@
+"""
+Why a command was sent: its firing, what that read and what caused it, back to messages, ticks or the start.
+
+One sentence per link, newest first. A function is followed twice at most, so that one that reads what it wrote itself
+ends the chain there.
+"""
+
+from __future__ import annotations
+
+from collections import Counter, deque
+from typing import NamedTuple
+
+from ..wire.explanation import Sentence, SentenceId
+from ..wire.firing import Firing, Taken
+from ..world.time_step import STEP
+from .recorded_run import RecordedRun, SentCommand
+from .wording import english
+
+__all__ = ["MAX_LINKS", "Link", "commands_at", "ending", "explain", "sending", "shown_inputs", "step_back", "why"]
+
+MAX_LINKS = 12
+"""Sentences of one explanation. A choice of ours: a learner reads no more at once."""
+
+
+class Link(NamedTuple):
+    """One sentence of an explanation, and the firing that it is about, if it is about one."""
+
+    said: Sentence
+    time: float
+    firing: int | None = None
+
+    @property
+    def sentence(self) -> str:
+        """In English."""
+        return english(self.said)
+
+
+def explain(run: RecordedRun, time: float | None = None) -> list[Link]:
+    """Why the last command was sent, or what was sent at a time, s."""
+    if time is not None and (run.end is None or time > run.end + STEP):
+        return [Link(Sentence("run-over", time=run.end or 0.0), time)]
+    if time is not None and time < 0:
+        return [Link(Sentence("run-not-begun"), time)]
+    sent = commands_at(run, time)
+    if sent:
+        links: list[Link] = []
+        for one in sent:
+            links += [link for link in why(run, one) if link not in links]
+        return links
+    if time is None:
+        return [Link(Sentence("nothing-sent-yet"), run.end or 0.0)]
+    before = [one for one in run.commands() if one.time < time]
+    nothing = Link(Sentence("nothing-sent", time=time), time)
+    return [nothing, *why(run, before[-1])] if before else [nothing]
+
+
+def commands_at(run: RecordedRun, time: float | None = None) -> list[SentCommand]:
+    """The commands of the step at a time, s; without one the last command."""
+    commands = run.commands()
+    return commands[-1:] if time is None else [one for one in commands if abs(one.time - time) < STEP / 2]
+
+
+def why(run: RecordedRun, sent: SentCommand) -> list[Link]:
+    """The chain of causes of a command, at most ``MAX_LINKS`` sentences."""
+    links = [sending(run, sent)]
+    first = run.firing(links[0].firing)
+    if first is None:
+        return links
+    todo = deque([first])
+    followed = Counter([first.function])
+    while todo and len(links) < MAX_LINKS:
+        found, causes = step_back(run, todo.popleft())
+        links += [link for link in found if link not in links]
+        for cause in causes:
+            if followed[cause.function] < 2:
+                followed[cause.function] += 1
+                todo.append(cause)
+    return links[:MAX_LINKS]
+
+
+def sending(run: RecordedRun, sent: SentCommand) -> Link:
+    """That a command was sent, by which function and for which inputs."""
+    firing = sent.firing
+    if firing is None:
+        ended_by = ending(run, sent)
+        if ended_by is None:
+            return Link(Sentence("stopped", time=sent.time, value=sent.value), sent.time)
+        said = Sentence("stopped-by", time=sent.time, value=sent.value, other=ended_by.function, cause=ended_by.n)
+        return Link(said, sent.time, ended_by.n)
+    said = Sentence("sent", time=sent.time, function=firing.function, value=sent.value, values=shown_inputs(firing))
+    return Link(said, sent.time, firing.n)
+
+
+def ending(run: RecordedRun, stop: SentCommand) -> Firing | None:
+    """
+    The firing whose ``Done`` led to a command that no function sent (rule R10).
+
+    Known when it belongs to the task that sent the command before. A task that was stopped from outside has none.
+    """
+    before = [one for one in run.commands() if one.type == stop.type and one.firing is not None]
+    tasks = [one.firing.task for one in before if one.firing is not None and one.time <= stop.time + 1e-9]
+    if not tasks:
+        return None
+    return next(
+        (
+            firing
+            for time, firing in run.firings()
+            if abs(time - stop.time) < STEP / 2
+            and firing.task == tasks[-1]
+            and any(given.to == "done" for given in firing.gave)
+        ),
+        None,
+    )
+
+
+def shown_inputs(firing: Firing) -> list[str]:
+    """The inputs of a firing that can be shown."""
+    return [taken.value for taken in firing.took if taken.value not in ("_", "()")]
+
+
+def step_back(run: RecordedRun, firing: Firing) -> tuple[list[Link], list[Firing]]:
+    """What one firing read and what caused it, as sentences and as firings to follow."""
+    links: list[Link] = []
+    causes: list[Firing] = []
+    time = run.time_of(firing)
+    for taken in firing.took:
+        if taken.origin in ("memory", "param"):
+            writer = run.firing(taken.firing)
+            links.append(_memory(run, taken, writer, time))
+            if writer is not None:
+                causes.append(writer)
+        elif taken.origin == "event" and taken.value not in ("()", firing.cause.value, _event(run, firing)):
+            links += _waited(run, taken, time)
+    before = run.firing(firing.cause.firing)
+    links.append(Link(_cause(run, firing, before), time, firing.n))
+    return links, causes + ([before] if before is not None else [])
+
+
+def _memory(run: RecordedRun, taken: Taken, writer: Firing | None, time: float) -> Link:
+    value = _inside(taken.value)
+    if writer is None:
+        known: SentenceId = "first-value" if taken.firing is None else "old-value"
+        return Link(Sentence(known, type=taken.type, value=value), time)
+    since = run.time_of(writer)
+    said = Sentence("remembered", type=taken.type, value=value, since=since, other=writer.function, cause=writer.n)
+    return Link(said, since, writer.n)
+
+
+def _inside(value: str) -> str:
+    """``Memory (Hit True)`` without its constructor."""
+    inner = value.partition(" ")[2]
+    return inner[1:-1] if inner.startswith("(") and inner.endswith(")") and _closes_last(inner) else inner
+
+
+def _closes_last(text: str) -> bool:
+    """Whether the first bracket of a text is closed by its last one."""
+    depth = 0
+    for index, char in enumerate(text):
+        depth += (char == "(") - (char == ")")
+        if depth == 0:
+            return index == len(text) - 1
+    return False
+
+
+def _event(run: RecordedRun, firing: Firing) -> str:
+    """The user event that caused a firing, as Haskell shows it."""
+    sender = run.firing(firing.cause.firing)
+    if firing.cause.by != "event" or sender is None:
+        return ""
+    return next((given.value for given in sender.gave if given.event == firing.cause.event), "")
+
+
+def _waited(run: RecordedRun, taken: Taken, time: float) -> list[Link]:
+    """An event that had come before and waited for the other inputs."""
+    times = [when for when, text in run.events() if text == taken.value and when <= time]
+    return [Link(Sentence("had-come", value=taken.value, since=times[-1]), times[-1])] if times else []
+
+
+_PLAIN_CAUSES: dict[str, SentenceId] = {
+    "tick": "ran-tick",
+    "start": "ran-start",
+    "instant": "ran-wait",
+    "end": "ran-end",
+}
+
+
+def _cause(run: RecordedRun, firing: Firing, before: Firing | None) -> Sentence:
+    """Why a function ran; ``before`` is the firing that led to it."""
+    name, time = firing.function, run.time_of(firing)
+    cause = firing.cause
+    if cause.by == "message":
+        return Sentence("ran-message", function=name, time=time, value=cause.value)
+    if cause.by in _PLAIN_CAUSES:
+        return Sentence(_PLAIN_CAUSES[cause.by], function=name, time=time)
+    if before is None:
+        return Sentence("ran-unknown", function=name, time=time)
+    value = _event(run, firing)
+    kind: SentenceId = "ran-event"
+    if cause.by == "task":
+        kind, value = _transition(before)
+    return Sentence(
+        kind,
+        function=name,
+        time=time,
+        other=before.function,
+        cause=before.n,
+        since=run.time_of(before),
+        value=value,
+    )
+
+
+def _transition(before: Firing) -> tuple[SentenceId, str]:
+    """How a firing led to a change of tasks, and what it gave as feedback."""
+    sinks = {given.to: given for given in before.gave}
+    if "done" in sinks:
+        return "ran-done", ""
+    if "call" in sinks:
+        return "ran-call", ""
+    if "feedback" in sinks:
+        return "ran-feedback", sinks["feedback"].value
+    return "ran-task", ""

@@ -1,0 +1,80 @@
+"""Catalogue of the lessons in a folder: their list, and each lesson as one JSON value (protocol section 9)."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from .lesson_file import Lesson, read_lesson
+
+__all__ = ["lesson_json", "lesson_list", "lessons"]
+
+_NAME = re.compile(r"[a-z][a-z0-9-]{0,63}")
+
+
+def lessons(folder: Path) -> list[Lesson]:
+    """
+    All lessons of a folder in their order.
+
+    Raises:
+        BadInput: a lesson has a mistake.
+    """
+    if not folder.is_dir():
+        return []
+    paths = [path for path in folder.iterdir() if (path / "lesson.json").is_file()]
+    changed = tuple(sorted((str(file), file.stat().st_mtime_ns) for path in paths for file in path.rglob("*.*")))
+    return list(_read(tuple(sorted(paths)), changed))
+
+
+@cache
+def _read(paths: tuple[Path, ...], _changed: object) -> tuple[Lesson, ...]:
+    return tuple(sorted((read_lesson(path) for path in paths), key=lambda lesson: lesson.file.number))
+
+
+def lesson_list(folder: Path) -> list[dict[str, Any]]:
+    """Name, course, number, ids of the steps and titles of each lesson, for the list of a page."""
+    return [
+        {
+            "name": lesson.name,
+            "course": lesson.file.course,
+            "number": lesson.file.number,
+            "steps": [step.id for step in lesson.file.steps],
+            "titles": {language: texts.title for language, texts in lesson.texts.items()},
+            "ideas": {language: texts.idea for language, texts in lesson.texts.items()},
+        }
+        for lesson in lessons(folder)
+    ]
+
+
+def lesson_json(folder: Path, name: str) -> dict[str, Any] | None:
+    """A lesson with its room, programs and texts, and with all blocks that lessons until then have brought."""
+    if not _NAME.fullmatch(name):
+        return None
+    found = lessons(folder)
+    place = next((i for i, lesson in enumerate(found) if lesson.name == name), None)
+    if place is None:
+        return None
+    lesson = found[place]
+    steps = []
+    for step in lesson.file.steps:
+        value: dict[str, Any] = msgspec.to_builtins(step)
+        value.pop("hands", None)
+        if step.program is not None:
+            value["program"] = lesson.programs[step.program]
+        steps.append(value)
+    return {
+        "lesson": lesson.file.lesson,
+        "name": name,
+        "course": lesson.file.course,
+        "number": lesson.file.number,
+        "room": {"title": lesson.texts["en"].title, **lesson.world, "name": f"lesson {name}"},
+        "toolbox": sorted({word for earlier in found[: place + 1] for word in earlier.file.blocks}),
+        "start": lesson.start,
+        "steps": steps,
+        "texts": {language: msgspec.to_builtins(texts) for language, texts in lesson.texts.items()},
+        "next": found[place + 1].name if place + 1 < len(found) else None,
+    }

@@ -1,0 +1,48 @@
+"""Rehearsal: a program run headless as an attempt at a lesson's step, as fast as possible."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..config import Limits
+from ..robots import DEFAULT_ROBOT
+from ..run.headless_run import RunOutput, RunResult, RunSettings, run_program
+from ..run.lockstep import Lockstep
+from ..wire.user_input import user_actions
+from ..worker.blocking_worker import BlockingWorker
+from ..world.arena import Arena
+from ..world.world import World
+from .lesson_file import Step, checked_step
+from .lesson_watch import LessonWatch
+from .program_graph import read_graph
+from .verdicts import Verdict
+
+__all__ = ["Attempt", "attempt"]
+
+
+@dataclass(frozen=True, slots=True)
+class Attempt:
+    """How a program did: the run, the verdicts about its checks, and whether all are done."""
+
+    run: RunResult
+    verdicts: list[Verdict]
+    is_passed: bool
+
+
+def attempt(worker: BlockingWorker, source: str, step: Step, arena: Arena, seed: int, limits: Limits) -> Attempt:
+    """Check a program, run it in a room for the time of a step, and judge it."""
+    watched = checked_step(step)
+    if watched is None:
+        raise RuntimeError(f"the step {step.id} is a question and cannot be run")
+    watch = LessonWatch(watched, arena)
+    watch.set_graph(read_graph(worker.check(source).graph))
+    actions = tuple((hands.t, action) for hands in step.hands for action in user_actions(hands))
+    settings = RunSettings(watched.seconds, seed, None, actions, limits)
+
+    def observe(lockstep: Lockstep) -> None:
+        # Whether a check changed does not end the run.
+        watch.on_step(lockstep)
+
+    run = run_program(worker, source, World(arena, DEFAULT_ROBOT, seed), settings, RunOutput(observe=observe))
+    watch.finish()
+    return Attempt(run, watch.verdicts, watch.is_passed)

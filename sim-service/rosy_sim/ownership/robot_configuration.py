@@ -1,0 +1,77 @@
+"""
+Robot configuration: the robots that pages may drive, from the options ``--robot NAME=ADDRESS`` and ``--robots FILE``.
+"""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import msgspec
+
+from ..errors import BadInput
+from ..sentence import tr, verbatim
+from .driver_locks import canonical_address
+
+__all__ = ["check_address", "read_robot_configuration"]
+
+_MAX_NAME = 40
+"""Characters of a robot's name."""
+
+
+def read_robot_configuration(robot_executable: Path | None, given: list[str], file: Path | None) -> dict[str, str]:
+    """
+    Names and addresses, those of the file first.
+
+    Raises:
+        BadInput: one of them cannot be used.
+    """
+    pairs = _in_file(file) if file is not None else []
+    for text in given:
+        name, equals, address = text.partition("=")
+        # An address has an equals sign of its own in its options.
+        if not equals or "://" in name or name.startswith("serial:"):
+            raise BadInput(tr("--robot takes a name and an address, such as --robot kitchen={text}.", text=text))
+        pairs.append((name.strip(), address))
+    robots: dict[str, str] = {}
+    for name, address in pairs:
+        if not name or len(name) > _MAX_NAME:
+            raise BadInput(
+                tr("A robot's name has 1 to {most} characters; {name} does not.", most=_MAX_NAME, name=repr(name))
+            )
+        if name in robots or canonical_address(address) in map(canonical_address, robots.values()):
+            raise BadInput(tr("The robot {name} is there twice; give each robot one name.", name=name))
+        check_address(robot_executable, address)
+        robots[name] = address
+    return robots
+
+
+def _in_file(file: Path) -> list[tuple[str, str]]:
+    try:
+        return list(msgspec.json.decode(file.read_bytes(), type=dict[str, str]).items())
+    except OSError as error:
+        raise BadInput(tr("{file} cannot be read: {why}.", file=file, why=error.strerror or "")) from error
+    except msgspec.DecodeError as error:
+        raise BadInput(
+            tr(
+                "{file} is no list of robots; it looks like {example}.",
+                file=file,
+                example='{"kitchen": "ws://HOST:9090"}',
+            )
+        ) from error
+
+
+def check_address(robot_executable: Path | None, address: str) -> Path:
+    """
+    What speaks to the robot at an address; rosy-robot knows best what an address is.
+
+    Raises:
+        BadInput: this is none, or rosy-robot is not built.
+    """
+    if robot_executable is None:
+        raise BadInput(tr("The part of Rosy that speaks to robots is not built yet; ./rosy run --robot builds it."))
+    looked = subprocess.run([str(robot_executable), "check", address], capture_output=True, text=True, check=False)
+    if looked.returncode != 0:
+        # rosy-robot speaks English.
+        raise BadInput(verbatim(looked.stderr.strip().removeprefix("rosy: ").rstrip(".") + "."))
+    return robot_executable

@@ -1,0 +1,115 @@
+"""
+Robot run: a program on a real robot that a page watches. The counterpart of ``run.simulated_run``.
+"""
+
+from __future__ import annotations
+
+import socket
+from collections.abc import Callable
+
+from ..run.command_conflicts import Action, CommandConflicts
+from ..run.page_run import PageRun, RunView
+from ..run.problems import broken_link, died, lost_robot
+from ..run.worker_session import RunServices
+from ..wire import page
+from ..wire.problem import Problem
+from ..wire.robot_process import CommandsLine, EndedLine, SentCommand
+from ..wire.topics import CHANNELS, TopicMessage
+from ..world.events import Command
+from ..world.time_step import STEPS_PER_SECOND
+from .robot_process import RobotProcess
+
+__all__ = ["RobotRun"]
+
+
+class RobotRun(PageRun):
+    """
+    Ends by itself, by stop(), or at once by end_now(). A real robot has neither another speed nor a pause. Implements
+    ``RunListener``.
+    """
+
+    def __init__(
+        self,
+        request: page.Run,
+        robot_process: RobotProcess,
+        services: RunServices,
+        view: RunView,
+        on_over: Callable[[PageRun], None],
+    ) -> None:
+        self._robot_process = robot_process
+        self._commands_in_force = CommandConflicts()
+        super().__init__(request, services, view, on_over)
+
+    def stop(self) -> None:
+        """Let the program end in good order; the wheels stop at once."""
+        if self._session.is_compiling:
+            self.end_now()
+        else:
+            self._robot_process.stop()
+
+    def end_now(self) -> None:
+        """End without waiting for anything; the page is told."""
+        if self._session.is_compiling:
+            self._session.cancel()
+        else:
+            self._robot_process.stop()
+            self._session.kill()
+        self._end("stopped", [])
+
+    def set_speed(self, speed: page.Speed) -> None:
+        """Not possible on a real robot."""
+
+    def pause(self) -> None:
+        """Not possible on a real robot."""
+
+    def resume(self) -> None:
+        """Not possible on a real robot."""
+
+    def forward(self) -> None:
+        """Not possible on a real robot."""
+
+    # CompilationListener
+
+    def on_started(self, link: socket.socket, problems: list[Problem]) -> None:
+        """The program runs."""
+        self._view.show_state("running", problems)
+        self._robot_process.run(link, self)
+
+    # RunListener
+
+    def on_commands(self, line: CommandsLine) -> None:
+        """The program has sent commands."""
+        step = round(line.time * STEPS_PER_SECOND)
+        actions = [_action(command) for command in line.commands]
+        for conflict in self._commands_in_force.observe(step, line.fired, line.sent, actions):
+            self._view.show_conflict(line.time, conflict)
+
+    def on_ended(self, line: EndedLine) -> None:
+        """The program has ended."""
+        if self._is_over:
+            return
+        if line.how == "stuck" or line.how == "died":
+            self._end_silent(line.how, line.time)
+            return
+        self._session.kill()
+        match line.how:
+            case "done" | "stopped":
+                self._end(line.how, [])
+            case "error":
+                self._end("error", [line.problem if line.problem is not None else died(None, line.time)])
+            case "broken":
+                self._end("error", [broken_link("", line.time)])
+            case "lost":
+                self._end("error", [lost_robot(line.time)])
+
+    def on_lost(self) -> None:
+        """The connection to the robot is lost."""
+        self._session.kill()
+        self._end("error", [lost_robot(self._view.step / STEPS_PER_SECOND)])
+
+
+def _action(sent: SentCommand) -> Action:
+    """What the simulator would have been told. It does not have every channel of every robot."""
+    if sent.channel is not None and sent.channel in CHANNELS:
+        return Command(sent.channel, tuple(sent.values))
+    return TopicMessage(sent.channel or "", {})

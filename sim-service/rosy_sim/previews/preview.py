@@ -1,0 +1,130 @@
+"""
+Preview of one program: a headless run with the inputs of another run, and what a page draws of it.
+
+The path, the collisions and the final pose are those that a run in the page would have with the same program, room,
+seed and hands.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+
+from ..config import Limits
+from ..robots import DEFAULT_ROBOT
+from ..run.hands import Hand, read_hands
+from ..run.headless_run import Program, RunOutput, RunResult, RunSettings, run_over_link
+from ..run.lockstep import Lockstep
+from ..run.velocity_guard import SafetySettings
+from ..wire.page import Goal, Previewed
+from ..wire.problem import Problem
+from ..world.arena import read_arena
+from ..world.time_step import STEP
+from ..world.world import World
+
+__all__ = ["PathRecorder", "PreviewTask", "preview_over_link", "refused_preview"]
+
+_POINT_DISTANCE = 0.02
+"""Between two points of a path, m: less than a pixel of a picture of a whole room."""
+
+_MAX_POINTS = 2000
+"""Points of a path; a longer one has its points farther apart. 40 m at the usual distance."""
+
+_MAX_COLLISIONS = 100
+"""Collisions that are told of one preview."""
+
+_CONTACT_PAUSE = 0.2
+"""Contacts closer together than this are one collision, s: the hold of the safety rules after a contact."""
+
+
+class PreviewTask(msgspec.Struct, frozen=True):
+    """What to run: ``seconds`` are simulated, ``world`` is a room as JSON that has been read before."""
+
+    id: int
+    source: str
+    world: Any
+    seed: int
+    seconds: float
+    safety: SafetySettings
+    hands: list[Hand]
+
+
+class PathRecorder:
+    """Follows a run step by step: path and collisions, each point as time (s), x, y (m)."""
+
+    def __init__(self, world: World) -> None:
+        self.path: list[tuple[float, float, float]] = [_point(0.0, world)]
+        self.collisions: list[tuple[float, float, float]] = []
+        self._distance = _POINT_DISTANCE
+        # When the robot last touched something; None before the first contact.
+        self._touched: float | None = None
+
+    def observe(self, lockstep: Lockstep) -> None:
+        """Take the state after a step."""
+        now = lockstep.observation()
+        point = _point(now.time, lockstep.world)
+        _, x, y = self.path[-1]
+        if abs(now.x - x) + abs(now.y - y) >= self._distance:
+            self._add(point)
+        if now.bumpers or now.is_blocked:
+            begins = self._touched is None or now.time - self._touched > _CONTACT_PAUSE
+            if begins and len(self.collisions) < _MAX_COLLISIONS:
+                self.collisions.append(point)
+            self._touched = now.time
+
+    def _add(self, point: tuple[float, float, float]) -> None:
+        if len(self.path) >= _MAX_POINTS:
+            self._distance *= 2
+            self.path = self.path[::2]
+        self.path.append(point)
+
+
+def preview_over_link(
+    task: PreviewTask, link: Any, program: Program, limits: Limits, is_over: Callable[[], bool]
+) -> Previewed:
+    """
+    Run a program that waits at the other end of a link.
+
+    Args:
+        limits: ``limits.preview`` bounds the computation in s of a wall clock; then the path ends early.
+        is_over: called in each step; true when the result is no longer needed.
+    """
+    world = World(read_arena(task.world), DEFAULT_ROBOT, task.seed)
+    recorder = PathRecorder(world)
+    deadline = time.monotonic() + limits.preview
+
+    def observe(lockstep: Lockstep) -> bool:
+        if lockstep.state != "ended":
+            recorder.observe(lockstep)
+        return is_over() or time.monotonic() > deadline
+
+    hands = tuple((step * STEP, action) for step, action in read_hands(task.hands))
+    settings = RunSettings(task.seconds, task.seed, None, hands, limits, task.safety)
+    result = run_over_link(link, world, settings, RunOutput(observe=observe), program)
+    return _previewed(task.id, result, world, recorder)
+
+
+def refused_preview(ident: int, problems: list[Problem]) -> Previewed:
+    """The result for a program that does not compile."""
+    return Previewed(ident, "refused", 0.0, (0.0, 0.0, 0.0), [], [], [], problems)
+
+
+def _previewed(ident: int, result: RunResult, world: World, recorder: PathRecorder) -> Previewed:
+    last = _point(result.steps * STEP, world)
+    return Previewed(
+        ident,
+        result.ended,
+        last[0],
+        (round(world.x, 5), round(world.y, 5), round(world.theta, 5)),
+        recorder.path if recorder.path[-1][1:] == last[1:] else [*recorder.path, last],
+        recorder.collisions,
+        [Goal(g.kind, g.title, g.state, round(g.progress, 2), g.time) for g in result.goals],
+        result.problems,
+    )
+
+
+def _point(time: float, world: World) -> tuple[float, float, float]:
+    return (round(time, 2), round(world.x, 3), round(world.y, 3))

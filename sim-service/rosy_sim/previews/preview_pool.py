@@ -1,0 +1,213 @@
+"""
+Pool of preview processes: half of the cores, but at least one, may be busy with the previews of all pages.
+
+A process is started when a preview needs one, and ended when it has been idle for a while. Runs of pages have a worker
+of their own, so previews take only what they leave of the machine.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import os
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import msgspec
+
+from ..config import Config
+from ..errors import RosyError, WorkerLost, WorkerMissing
+from ..run.run_queue import RunQueue
+from ..sentence import tr
+from ..wire.page import Previewed
+from .preview import PreviewTask
+from .preview_process import Setup
+
+__all__ = ["PreviewPool"]
+
+_IDLE = 120.0
+"""A process that has computed nothing for so long is ended, s."""
+
+_MARGIN = 10.0
+"""Beyond the limits of the process itself, after which it is ended, s."""
+
+_MAX_LINE = 8 * 1024 * 1024
+"""Of an answer, bytes."""
+
+
+class _Process:
+    """A preview process that is warm."""
+
+    def __init__(self, process: asyncio.subprocess.Process, longest: float) -> None:
+        self._process = process
+        self._longest = longest
+        # Ends it when it stays idle.
+        self.idle: asyncio.TimerHandle | None = None
+
+    async def ask(self, task: PreviewTask) -> Previewed:
+        """
+        The result of a task.
+
+        Raises:
+            WorkerLost: the process died or did not answer in time.
+        """
+        assert self._process.stdin is not None
+        assert self._process.stdout is not None
+        try:
+            async with asyncio.timeout(self._longest):
+                self._process.stdin.write(msgspec.json.encode(task) + b"\n")
+                await self._process.stdin.drain()
+                line = await self._process.stdout.readline()
+        except (TimeoutError, OSError, ValueError) as error:
+            raise WorkerLost(str(error)) from error
+        if not line:
+            raise WorkerLost(tr("a preview process ended"))
+        return msgspec.json.decode(line, type=Previewed)
+
+    def cancel(self) -> None:
+        """Let the task at work answer at once."""
+        assert self._process.stdin is not None
+        self._process.stdin.write(b"\n")
+
+    async def end(self) -> None:
+        """End it with its worker."""
+        if self.idle is not None:
+            self.idle.cancel()
+        with contextlib.suppress(ProcessLookupError):
+            self._process.kill()
+        await self._process.wait()
+
+
+@dataclass(slots=True)
+class _Job:
+    task: PreviewTask
+    on_cost: Callable[[float], None]
+    # The process that is busy with it.
+    process: _Process | None = None
+    is_cancelled: bool = False
+
+    def cancel(self) -> None:
+        self.is_cancelled = True
+        if self.process is not None:
+            self.process.cancel()
+
+
+class PreviewPool:
+    """One preview per call of ``run``; a page waits for others in the order of the requests."""
+
+    def __init__(self, config: Config) -> None:
+        self._config = config
+        self._queue = RunQueue(max(1, len(os.sched_getaffinity(0)) // 2))
+        self._idle: list[_Process] = []
+        self._all: set[_Process] = set()
+        # Computations and endings that are not finished.
+        self._tasks: set[asyncio.Task[Any]] = set()
+        self._closed = False
+
+    @property
+    def processes(self) -> int:
+        """How many there are, for tests."""
+        return len(self._all)
+
+    async def run(self, task: PreviewTask, on_cost: Callable[[float], None]) -> Previewed:
+        """
+        Compute a preview. Cancelling it ends the computation; a process that is being started is kept for the next.
+
+        Args:
+            on_cost: called once when a process was busy with it, with the time that took, s.
+
+        Raises:
+            RosyError: the process died or could not be started.
+        """
+        await self._queue.acquire(lambda _: None)
+        job = _Job(task, on_cost)
+        work = asyncio.get_running_loop().create_task(self._compute(job))
+        self._tasks.add(work)
+        work.add_done_callback(self._tasks.discard)
+        # The exception is retrieved even when the preview has been cancelled.
+        work.add_done_callback(lambda done: done.cancelled() or done.exception())
+        try:
+            answer = await asyncio.shield(work)
+        except asyncio.CancelledError:
+            job.cancel()
+            raise
+        if answer is None:
+            raise WorkerLost(tr("the preview was cancelled"))
+        return answer
+
+    async def close(self) -> None:
+        """End all processes; no other is started."""
+        self._closed = True
+        for process in list(self._all):
+            self._end(process)
+        await asyncio.gather(*self._tasks, return_exceptions=True)
+
+    async def _compute(self, job: _Job) -> Previewed | None:
+        """The answer to a job; None when it was cancelled before a process was ready for it."""
+        try:
+            process = self._idle.pop() if self._idle else await self._start()
+            if process.idle is not None:
+                process.idle.cancel()
+            if job.is_cancelled:
+                self._keep(process)
+                return None
+            job.process = process
+            began = asyncio.get_running_loop().time()
+            try:
+                answer = await process.ask(job.task)
+            except RosyError:
+                self._end(process)
+                raise
+            finally:
+                job.on_cost(asyncio.get_running_loop().time() - began)
+            self._keep(process)
+            return answer
+        finally:
+            self._queue.release()
+
+    def _keep(self, process: _Process) -> None:
+        self._idle.append(process)
+        process.idle = asyncio.get_running_loop().call_later(_IDLE, self._end, process)
+
+    def _end(self, process: _Process) -> None:
+        if process in self._idle:
+            self._idle.remove(process)
+        self._all.discard(process)
+        ending = asyncio.get_running_loop().create_task(process.end())
+        self._tasks.add(ending)
+        ending.add_done_callback(self._tasks.discard)
+
+    async def _start(self) -> _Process:
+        config = self._config
+        if self._closed or not config.worker:
+            raise WorkerMissing
+        limits = config.limits
+        started = await asyncio.create_subprocess_exec(
+            sys.executable,
+            "-m",
+            "rosy_sim.previews",
+            stdin=asyncio.subprocess.PIPE,
+            stdout=asyncio.subprocess.PIPE,
+            limit=_MAX_LINE,
+            # In a session of its own: Ctrl-C in a terminal reaches only the service, which ends the others.
+            start_new_session=True,
+        )
+        process = _Process(started, limits.compile + limits.ready + limits.settle + limits.gone + _MARGIN)
+        self._all.add(process)
+        setup = Setup(config.worker, config.sandbox, [str(folder) for folder in config.visible], limits)
+        assert started.stdin is not None
+        assert started.stdout is not None
+        try:
+            started.stdin.write(msgspec.json.encode(setup) + b"\n")
+            async with asyncio.timeout(limits.worker_ready + _MARGIN):
+                if not await started.stdout.readline():
+                    raise WorkerLost(tr("a preview process ended before it was ready"))
+        except (OSError, TimeoutError) as error:
+            self._end(process)
+            raise WorkerLost(str(error)) from error
+        except RosyError:
+            self._end(process)
+            raise
+        return process

@@ -1,0 +1,113 @@
+"""
+Preview process: computes one preview after the other at the lowest priority, with a worker of its own.
+
+In: lines of JSON, the first a ``Setup``, each other one a ``PreviewTask``; an empty line cancels the task at work.
+Out: an empty line when the worker is warm, and one line per task: its ``Previewed``. It ends when its input ends, also
+in the middle of a run, so nothing is left of it when its owner is gone.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import queue
+import socket
+import sys
+import threading
+from pathlib import Path
+
+import msgspec
+
+from ..config import Config, Limits
+from ..errors import RosyError, WorkerLost
+from ..wire.page import Previewed
+from ..wire.worker import Refused
+from ..worker.blocking_worker import BlockingWorker
+from .preview import PreviewTask, preview_over_link, refused_preview
+
+__all__ = ["Setup", "main"]
+
+_LOWEST_PRIORITY = 19
+"""Of a process; ``nice``(2)."""
+
+
+class Setup(msgspec.Struct, frozen=True):
+    """How the worker is started, as in ``Config``."""
+
+    worker: tuple[str, ...]
+    sandbox: bool
+    visible: list[str]
+    limits: Limits
+
+    def config(self) -> Config:
+        """A configuration for workers only."""
+        nowhere = Path("/")
+        visible = tuple(Path(folder) for folder in self.visible)
+        return Config(nowhere, nowhere, nowhere, self.worker, self.sandbox, visible, limits=self.limits)
+
+
+class _Input:
+    """Lines of standard input, read by a thread."""
+
+    def __init__(self) -> None:
+        self.tasks: queue.SimpleQueue[bytes] = queue.SimpleQueue()
+        self.cancelled = threading.Event()
+        # Ends the program at work; set while there is one.
+        self.worker: BlockingWorker | None = None
+        threading.Thread(target=self._read, daemon=True).start()
+
+    def _read(self) -> None:
+        # Unbuffered: the interpreter cannot end while a thread holds the lock of a buffer.
+        with open(sys.stdin.fileno(), "rb", buffering=0, closefd=False) as file:
+            for line in file:
+                if line.strip():
+                    self.tasks.put(line)
+                else:
+                    self._cancel()
+        # The owner is gone or wants no more. The sandbox of the worker dies with this process.
+        os._exit(0)
+
+    def _cancel(self) -> None:
+        self.cancelled.set()
+        if self.worker is not None:
+            # A worker that is lost is noticed by the other thread.
+            with contextlib.suppress(WorkerLost):
+                self.worker.kill()
+
+
+def main() -> int:
+    """Serve standard input until it ends."""
+    lines = _Input()
+    setup = msgspec.json.decode(lines.tasks.get(), type=Setup)
+    os.nice(_LOWEST_PRIORITY)
+    with contextlib.suppress(BrokenPipeError):
+        try:
+            with BlockingWorker(setup.config()) as worker:
+                worker.ready()
+                lines.worker = worker
+                _say(b"")
+                while True:
+                    task = msgspec.json.decode(lines.tasks.get(), type=PreviewTask)
+                    lines.cancelled.clear()
+                    _say(msgspec.json.encode(_preview(worker, task, setup.limits, lines.cancelled)))
+        except RosyError as error:
+            sys.stderr.write(f"rosy: a preview process ends: {error}\n")
+            return error.exit_status
+    return 0
+
+
+def _say(line: bytes) -> None:
+    sys.stdout.buffer.write(line + b"\n")
+    sys.stdout.buffer.flush()
+
+
+def _preview(worker: BlockingWorker, task: PreviewTask, limits: Limits, cancelled: threading.Event) -> Previewed:
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+    with ours:
+        started = worker.run(task.source, theirs)
+        if isinstance(started, Refused):
+            return refused_preview(task.id, started.problems)
+        found = preview_over_link(task, ours, worker, limits, cancelled.is_set)
+    # Answers about a run that is over are passed over by the next one.
+    worker.kill()
+    return found

@@ -1,0 +1,71 @@
+"""
+Infrared receivers of Kobuki for the beams of its dock.
+
+The dock sends to three regions in front of it, left, centre and right, each divided into near and far
+(kobuki_msgs, msg/DockInfraRed.msg). A receiver that faces the dock in a region reports it. Walls do not
+shadow the beams here.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ...world.arena import Arena
+from ...world.robot import Surroundings
+from .sensors import wrapped
+
+__all__ = ["DockReceivers"]
+
+RANGE, HALF_WIDTH = 5.0, 1.0
+"""Depth and half the width of the docking area, m. kobuki_documentation, doc/specifications.rst: 2 m by 5 m."""
+
+NEAR = 1.0
+"""Depth of the near regions, m. Our choice; no document gives the number."""
+
+CENTRE_HALF_WIDTH = 0.15
+"""Half the width of the centre region, m: about that of the robot. Our choice."""
+
+BEARINGS = (math.radians(60), 0.0, math.radians(-60))
+"""Directions of the left, centre and right receiver, rad. Our choice, those of the bumpers."""
+
+HALF_VIEW = math.radians(45)
+"""Half the field of view of a receiver, rad. Our choice: neighbours overlap, so that two see a dock between them."""
+
+NEAR_FLAGS = (1, 2, 4)
+FAR_FLAGS = (16, 8, 32)
+"""Flags of the left, centre and right region. kobuki_msgs, msg/DockInfraRed.msg."""
+
+
+class DockReceivers:
+    """What the three receivers see of the dock in the room."""
+
+    events: frozenset[str] = frozenset()
+
+    def __init__(self, arena: Arena) -> None:
+        """Needs nothing beside the pose of the dock."""
+
+    def integrate(self, robot: Surroundings, dt: float) -> None:
+        """Has no state of its own."""
+
+    def values(self, robot: Surroundings) -> dict[str, tuple[float | int | str, ...]]:
+        """``DockInfraRed``: the flag of the region that the left, the centre and the right receiver see, or 0."""
+        dock = robot.arena.dock
+        if dock is None:
+            return {"DockInfraRed": (0, 0, 0)}
+        dx, dy = dock.x - robot.x, dock.y - robot.y
+        c, s = math.cos(dock.theta), math.sin(dock.theta)
+        flag = _region(dx * c + dy * s, dx * s - dy * c)
+        # In the dock there is no direction to it: it is straight ahead.
+        bearing = wrapped(math.atan2(dy, dx) - robot.theta) if math.hypot(dx, dy) > 1e-3 else 0.0
+        return {"DockInfraRed": tuple(flag if abs(wrapped(bearing - at)) <= HALF_VIEW else 0 for at in BEARINGS)}
+
+
+def _region(depth: float, left: float) -> int:
+    """
+    The flag of the region ``depth`` m in front of the dock and ``left`` m to the left of its axis, for a robot that
+    faces it.
+    """
+    if not (-1e-3 <= depth <= RANGE) or abs(left) > HALF_WIDTH:
+        return 0
+    flags = NEAR_FLAGS if depth <= NEAR else FAR_FLAGS
+    return flags[1] if abs(left) <= CENTRE_HALF_WIDTH else flags[0] if left > 0 else flags[2]

@@ -1,0 +1,202 @@
+"""
+Command ``./rosy run … --rooms N``: options in, tests of one program after the other, reports out.
+
+Progress is shown on a terminal only. The smallest failing room of each program becomes a file in the current folder.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import msgspec
+
+from ..atomic_file import AtomicFile
+from ..config import Config
+from ..errors import BadInput
+from ..run.grading import programs_in
+from ..run.program_file import read_program
+from ..run.velocity_guard import SafetySettings
+from ..sentence import tr
+from ..terminal_text import escape_json, neutralize_line
+from ..wire.problem import worded
+from ..wording import in_terminal, machine_wording
+from ..worker.native_build import is_native
+from ..world.properties import BadProperty, read_properties
+from .families import read_family
+from .report_text import format_report, report_values, worst_status
+from .room_test import MAX_ROOMS, Report, RoomTest, check_goals, shrunk_report, try_rooms
+from .trial import Outcome
+from .trial_pool import TrialPool
+
+__all__ = ["add_options", "check_options", "test_in_rooms"]
+
+DEFAULT_FAMILY, DEFAULT_SEED, DEFAULT_PROPERTIES = "obstacles", 1, "reaches-goal never-falls"
+"""What is tested when the options do not say."""
+
+MAX_SECONDS = 3600.0
+"""Longest run in each room, s."""
+
+_ONLY_WITH_ROOMS = ("family", "hold", "json", "processes")
+_NOT_WITH_ROOMS = ("world", "speed", "trace", "input", "robot")
+
+
+@dataclass(frozen=True, slots=True)
+class _Output:
+    """Where results and progress go."""
+
+    write: Callable[[str], None]
+    is_terminal: bool
+
+    def progress(self, text: str) -> None:
+        """Replace the last line of a terminal."""
+        if self.is_terminal:
+            sys.stderr.write(f"\r\033[K{text}")
+            sys.stderr.flush()
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """The options that belong to tests in many rooms."""
+    parser.add_argument("--rooms", type=int, metavar="N")
+    parser.add_argument("--family", metavar="NAME")
+    parser.add_argument("--hold", nargs="+", action="extend", metavar="PROPERTY")
+    parser.add_argument("--json", action="store_true", default=None)
+    parser.add_argument("--processes", type=int, metavar="N")
+
+
+def check_options(options: argparse.Namespace) -> None:
+    """
+    Refuse options that do not go together.
+
+    Raises:
+        BadInput: one sentence about the first of them.
+    """
+    if options.rooms is None:
+        for name in _ONLY_WITH_ROOMS:
+            if getattr(options, name) is not None:
+                raise BadInput(tr("--{name} is for a test in many rooms; say how many with --rooms.", name=name))
+        return
+    for name in _NOT_WITH_ROOMS:
+        if getattr(options, name) is not None:
+            if name == "world":
+                raise BadInput(
+                    tr("--world is for one run, not for --rooms; for rooms like one, use --family like:ROOM.")
+                )
+            raise BadInput(tr("--{name} is for one run, not for --rooms.", name=name))
+
+
+def test_in_rooms(
+    config: Config,
+    options: argparse.Namespace,
+    seconds: float,
+    safety: SafetySettings,
+    write: Callable[[str], None],
+) -> int:
+    """Test the programs of some files and folders; returns the exit status."""
+    test = replace(_room_test(options, seconds), safety=safety)
+    processes = options.processes if options.processes is not None else len(os.sched_getaffinity(0))
+    if not 1 <= processes <= 256:
+        raise BadInput(tr("--processes must be between 1 and 256."))
+    files = programs_in(options.files)
+    for file in files:
+        if is_native(file):
+            raise BadInput(tr("{file} is a built program; --rooms tests programs from their text.", file=file))
+    output = _Output(write, sys.stderr.isatty())
+    reports: list[Report] = []
+    values: list[dict[str, object]] = []
+    for file in files:
+        source = read_program(file).source
+        with TrialPool(test.task(source, config), min(processes, test.rooms)) as pool:
+            report = _with_progress(test, pool, str(file), output)
+        reports.append(report)
+        room_file = _write_smallest(file, files, report)
+        values.append(report_values(str(file), report, room_file))
+        if not options.json:
+            _print_report(file, test, report, room_file, output)
+    if options.json:
+        head = {
+            "family": test.family.name,
+            "rooms": test.rooms,
+            "seed": test.seed,
+            "seconds": test.seconds,
+            "properties": [str(wanted) for wanted in test.properties],
+        }
+        write(escape_json(msgspec.json.encode({**head, "programs": values}).decode()))
+    return worst_status(reports)
+
+
+def _room_test(options: argparse.Namespace, seconds: float) -> RoomTest:
+    if not 1 <= options.rooms <= MAX_ROOMS:
+        raise BadInput(tr("--rooms must be between 1 and {most}.", most=MAX_ROOMS))
+    if not 0 < seconds <= MAX_SECONDS:
+        raise BadInput(tr("--seconds must be more than 0 and at most {most} with --rooms.", most=MAX_SECONDS))
+    try:
+        properties = read_properties(" ".join(options.hold or [DEFAULT_PROPERTIES]))
+    except BadProperty as error:
+        raise BadInput(tr("--hold: {why}", why=error)) from error
+    family = read_family(options.family or DEFAULT_FAMILY)
+    seed = DEFAULT_SEED if options.seed is None else options.seed
+    check_goals(family, properties)
+    return RoomTest(family, options.rooms, seed, seconds, properties)
+
+
+def _with_progress(test: RoomTest, pool: TrialPool, name: str, output: _Output) -> Report:
+    done = passed = 0
+
+    def on_outcome(outcome: Outcome) -> None:
+        nonlocal done, passed
+        done += 1
+        passed += outcome.has_passed
+        progress = tr("{done} of {all} rooms, {passed} passed", done=done, all=test.rooms, passed=passed)
+        output.progress(f"{neutralize_line(name)}: {in_terminal(progress)}")
+
+    def on_shrink(tried: int) -> None:
+        progress = tr("looking for the smallest failing room, {tried} tried", tried=tried)
+        output.progress(f"{neutralize_line(name)}: {in_terminal(progress)}")
+
+    try:
+        return shrunk_report(test, pool, try_rooms(test, pool, on_outcome), on_shrink)
+    finally:
+        output.progress("")
+
+
+def _write_smallest(file: Path, files: list[Path], report: Report) -> str | None:
+    """The smallest failing room as a file that ``--world`` opens."""
+    if report.smallest is None:
+        return None
+    # Programs in folders are often all called program.rosy.
+    stem = file.stem if len(files) == 1 else "-".join((*file.parent.parts[-1:], file.stem))
+    path = Path(f"{stem}-smallest-room.json")
+    with AtomicFile(path) as written:
+        written.write(msgspec.json.format(msgspec.json.encode(report.smallest.shrunk.world), indent=2) + b"\n")
+    return str(path)
+
+
+def _print_report(file: Path, test: RoomTest, report: Report, room_file: str | None, output: _Output) -> None:
+    if report.refused:
+        for refused in report.refused:
+            problem = worded(refused, machine_wording())
+            where = f":{problem.start.line}:{problem.start.column}" if problem.start is not None else ""
+            output.write(neutralize_line(f"{file}{where}: {problem.message} {problem.hint}".rstrip()))
+        return
+    output.write(format_report(str(file), report))
+    if report.smallest is None or room_file is None:
+        return
+    shrunk, outcome = report.smallest.shrunk, report.smallest.outcome
+    proof = tr("no smaller one fails") if shrunk.is_minimal else tr("a smaller one may fail as well")
+    smallest = tr(
+        "Smallest failing room: room {room} with {things} of its {all} things; {proof}.",
+        room=outcome.room,
+        things=shrunk.things,
+        all=shrunk.of,
+        proof=proof,
+    )
+    output.write(neutralize_line(in_terminal(smallest)))
+    options = f"--world {room_file} --seed {outcome.seed} --seconds {test.seconds:g}"
+    if test.safety.on:
+        options += f" --safety on --max-speed {test.safety.max_speed:g} --max-turn {test.safety.max_turn:g}"
+    output.write(neutralize_line(in_terminal(tr("See it: {command}", command=f"./rosy run {file} {options}"))))

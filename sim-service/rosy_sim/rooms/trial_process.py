@@ -1,0 +1,122 @@
+"""
+Trial process: runs one program in one room after another, with a worker of its own.
+
+In: lines of JSON, the first a ``Task``, each other one a ``Trial``. Out: one line per trial, an ``Answer``. It ends
+when its input ends, also in the middle of a run, so nothing is left of it when its owner is gone.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import queue
+import socket
+import sys
+import threading
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from ..config import Config, Limits
+from ..errors import RosyError
+from ..run.velocity_guard import OFF, SafetySettings
+from ..wire.problem import Sentence, to_wire
+from ..wire.worker import Refused
+from ..worker.blocking_worker import BlockingWorker
+from ..world.properties import read_properties
+from .families import Family, generate_room
+from .trial import Outcome, judge_run, refused
+
+__all__ = ["Answer", "Task", "Trial", "main"]
+
+
+class Task(msgspec.Struct, frozen=True):
+    """What all trials of a process share. ``base`` is the room of ``like:ROOM``; ``seconds`` are simulated."""
+
+    source: str
+    properties: str
+    seconds: float
+    family: str
+    base: dict[str, Any] | None
+    seed: int
+    # How the worker is started, as in ``Config``.
+    worker: tuple[str, ...]
+    sandbox: bool
+    visible: list[str]
+    limits: Limits
+    safety: SafetySettings = OFF
+    # Added to the priority of the process; 19 is the lowest there is.
+    nice: int = 0
+
+
+class Trial(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A room of the family by its number, or a room of its own with the seed of its run."""
+
+    room: int
+    world: dict[str, Any] | None = None
+    seed: int = 0
+
+
+class Answer(msgspec.Struct, frozen=True, omit_defaults=True):
+    """The outcome of a trial and the world it was in, or why the worker could not be used."""
+
+    outcome: Outcome | None = None
+    world: dict[str, Any] | None = None
+    failure: str = ""
+    failure_sentence: Sentence | None = None
+
+
+def main() -> int:
+    """Serve standard input until it ends."""
+    lines: queue.SimpleQueue[bytes] = queue.SimpleQueue()
+    threading.Thread(target=_read_lines, args=(lines,), daemon=True).start()
+    task = msgspec.json.decode(lines.get(), type=Task)
+    os.nice(task.nice)
+    with contextlib.suppress(BrokenPipeError):
+        try:
+            with BlockingWorker(_config(task)) as worker:
+                worker.ready()
+                while True:
+                    _answer(_try(worker, task, msgspec.json.decode(lines.get(), type=Trial)))
+        except RosyError as error:
+            _answer(Answer(failure=str(error), failure_sentence=to_wire(error.sentence)))
+            return error.exit_status
+    return 0
+
+
+def _read_lines(lines: queue.SimpleQueue[bytes]) -> None:
+    # Unbuffered: the interpreter cannot end while a thread holds the lock of a buffer.
+    with open(sys.stdin.fileno(), "rb", buffering=0, closefd=False) as file:
+        for line in file:
+            lines.put(line)
+    # The owner is gone or wants no more. The sandbox of the worker dies with this process.
+    os._exit(0)
+
+
+def _answer(answer: Answer) -> None:
+    sys.stdout.buffer.write(msgspec.json.encode(answer) + b"\n")
+    sys.stdout.buffer.flush()
+
+
+def _config(task: Task) -> Config:
+    nowhere = Path("/")
+    visible = tuple(Path(folder) for folder in task.visible)
+    return Config(nowhere, nowhere, nowhere, task.worker, task.sandbox, visible, limits=task.limits)
+
+
+def _try(worker: BlockingWorker, task: Task, trial: Trial) -> Answer:
+    number, world, seed = trial.room, trial.world, trial.seed
+    if world is None:
+        room = generate_room(Family(task.family, task.base), task.seed, number)
+        world, seed = room.world, room.seed
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+    with ours:
+        started = worker.run(task.source, theirs)
+        if isinstance(started, Refused):
+            return Answer(refused(number, seed, started.problems), world)
+        properties = read_properties(task.properties)
+        outcome = judge_run(ours, worker, (number, world, seed), task.seconds, properties, task.limits, task.safety)
+    worker.kill()
+    worker.gone()
+    return Answer(outcome, world)

@@ -1,0 +1,292 @@
+"""
+Headless run: a program and a world on one blocking thread, without a page, as fast as requested.
+
+The program comes from a worker or from a native executable. Texts go to a callback at once, the trace to a file.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import select
+import socket
+import subprocess
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from itertools import chain, repeat
+from pathlib import Path
+from typing import Literal, Protocol
+
+from ..config import Limits
+from ..explain.recorded_run import RecordedRun, ShownCommand
+from ..wire.problem import Problem
+from ..wire.robot_link import LimitExceeded, LinkError
+from ..wire.worker import Gone, Refused
+from ..worker.blocking_worker import BlockingWorker
+from ..world.goals import GoalState
+from ..world.time_step import STEP
+from ..world.world import World
+from .hands import HandAction, apply_hand
+from .lockstep import Lockstep, State
+from .problems import broken_link, died, stuck, too_much_output, worker_lost
+from .velocity_guard import OFF, SafetySettings
+
+__all__ = [
+    "Ended",
+    "Program",
+    "RunOutput",
+    "RunResult",
+    "RunSettings",
+    "TraceOutput",
+    "run_native",
+    "run_over_link",
+    "run_program",
+]
+
+Ended = Literal["time", "done", "error", "stuck", "refused"]
+
+_CHUNK = 65536
+"""Bytes read at once."""
+
+
+class TraceOutput(Protocol):
+    """
+    Receives the lines of a trace: an ``AtomicFile`` or a ``BytesIO``. It must not raise ``OSError``, which stands for a
+    lost link here.
+    """
+
+    def write(self, data: bytes, /) -> object:
+        """Append bytes."""
+
+
+@dataclass(frozen=True, slots=True)
+class RunSettings:
+    """``seconds`` are simulated; ``actions`` are hands, each with its time in s."""
+
+    seconds: float
+    seed: int
+    # A factor of real time; None for as fast as possible.
+    speed: float | None = None
+    actions: tuple[tuple[float, HandAction], ...] = ()
+    limits: Limits = field(default_factory=Limits)
+    safety: SafetySettings = OFF
+
+
+@dataclass(frozen=True, slots=True)
+class RunOutput:
+    """
+    Where a run's texts and its trace go, with ``provenance`` in each line of it, and what records the firings.
+
+    ``observe`` is called after each step; when it returns True, the run ends as if its time were over.
+    """
+
+    say: Callable[[str], None] = lambda _: None
+    trace: TraceOutput | None = None
+    observe: Callable[[Lockstep], bool | None] = lambda _: None
+    provenance: bool = False
+    record: RecordedRun | None = None
+
+
+@dataclass(slots=True)
+class RunResult:
+    """How a run ended. ``steps`` counts the steps that settled; ``wall`` is in s, without the compilation."""
+
+    ended: Ended
+    problems: list[Problem] = field(default_factory=list)
+    steps: int = 0
+    wall: float = 0.0
+    goals: list[GoalState] = field(default_factory=list)
+
+
+class Program(Protocol):
+    """A program that runs."""
+
+    def kill(self) -> None:
+        """End it at once."""
+
+    def gone(self) -> Gone | None:
+        """How it ended, as far as that is known."""
+
+
+@dataclass(frozen=True, slots=True)
+class _NativeProgram:
+    process: subprocess.Popen[bytes] | None = None
+
+    def kill(self) -> None:
+        if self.process is not None:
+            self.process.kill()
+
+    def gone(self) -> Gone | None:
+        return None
+
+
+class _Stuck(Exception):
+    """No answer within the limit."""
+
+
+class _Died(Exception):
+    """The link closed without `ended`."""
+
+
+def run_program(
+    worker: BlockingWorker, source: str, world: World, settings: RunSettings, output: RunOutput
+) -> RunResult:
+    """Compile a program and run it in a world."""
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+    with ours:
+        answer = worker.run(source, theirs)
+        if isinstance(answer, Refused):
+            return RunResult("refused", answer.problems)
+        return run_over_link(ours, world, settings, output, worker)
+
+
+def run_native(binary: Path, world: World, settings: RunSettings, output: RunOutput) -> RunResult:
+    """Run an executable that ``./rosy build`` made. It has no sandbox: its user could start it directly as well."""
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+    with ours, theirs:
+        command = [str(binary.absolute()), "--link", str(theirs.fileno())]
+        with subprocess.Popen(command, pass_fds=[theirs.fileno()]) as process:
+            theirs.close()
+            try:
+                return run_over_link(ours, world, settings, output, _NativeProgram(process))
+            finally:
+                process.kill()
+
+
+def run_over_link(
+    link: socket.socket, world: World, settings: RunSettings, output: RunOutput, program: Program | None = None
+) -> RunResult:
+    """Run a program that waits at the other end of a link."""
+    if program is None:
+        program = _NativeProgram()
+    traces = output.trace is not None or output.record is not None
+    lockstep = Lockstep(world, settings.seed, traces, settings.safety)
+    lockstep.observes = output.provenance or output.record is not None
+    began = time.perf_counter()
+    ended: Ended = "error"
+    try:
+        ended, problems = _Steps(link, lockstep, settings, output).run()
+    except _Stuck:
+        program.kill()
+        last = program.gone()
+        ended, problems = "stuck", [stuck(last.firing if last else None, settings.limits.settle, lockstep.time)]
+    except _Died:
+        problems = [died(program.gone(), lockstep.time)]
+    except LimitExceeded as error:
+        program.kill()
+        problems = [too_much_output(str(error), lockstep.time)]
+    except LinkError as error:
+        program.kill()
+        problems = [broken_link(str(error), lockstep.time)]
+    except OSError:
+        problems = [worker_lost(lockstep.time)]
+    lockstep.goals.finish(lockstep.time)
+    return RunResult(ended, problems, lockstep.step, time.perf_counter() - began, lockstep.goals.states)
+
+
+class _Steps:
+    """The steps of one run, over a blocking socket."""
+
+    def __init__(self, link: socket.socket, lockstep: Lockstep, settings: RunSettings, output: RunOutput) -> None:
+        self._link = link
+        self._lockstep = lockstep
+        self._settings = settings
+        self._limits = settings.limits
+        self._output = output
+        # Actions that are not due yet.
+        self._actions = list(settings.actions)
+
+    def run(self) -> tuple[Ended, list[Problem]]:
+        """All steps until the program or the time has ended."""
+        lockstep = self._lockstep
+        last = round(self._settings.seconds / STEP)
+        self._link.settimeout(self._limits.ready)
+        self._send(lockstep.begin())
+        self._read_while("opening", self._limits.ready)
+        if lockstep.state == "ended":
+            # A program without `simulate` may have printed.
+            self._say()
+        self._link.settimeout(self._limits.settle)
+        began = time.perf_counter()
+        while lockstep.state != "ended":
+            if lockstep.step >= last:
+                self._stop()
+                return "time", []
+            self._wait_for_clock(began)
+            if self._step():
+                self._stop()
+                return "time", []
+        ended = lockstep.ended
+        assert ended is not None
+        if ended.how == "error":
+            return "error", [ended.problem] if ended.problem is not None else [died(None, lockstep.time)]
+        return "done", []
+
+    def _wait_for_clock(self, began: float) -> None:
+        if self._settings.speed is not None:
+            ahead = self._lockstep.time / self._settings.speed - (time.perf_counter() - began)
+            if ahead > 0:
+                time.sleep(ahead)
+
+    def _step(self) -> bool:
+        """One step; returns whether the observer ends the run."""
+        lockstep = self._lockstep
+        while self._actions and self._actions[0][0] <= lockstep.time + 1e-9:
+            apply_hand(lockstep, self._actions.pop(0)[1])
+        self._send(lockstep.sense())
+        self._read_while("thinking", self._limits.settle)
+        self._say()
+        if self._output.trace is not None:
+            self._output.trace.write(lockstep.trace_line(self._output.provenance))
+        done = lockstep.settled or lockstep.ended
+        if self._output.record is not None and done is not None:
+            # A command that was not sent to the robot has no channel.
+            channels = chain(lockstep.channels(), repeat(""))
+            commands = [ShownCommand(*one) for one in zip(channels, done.commands, strict=False)]
+            self._output.record.add_step(lockstep.time, done.firings, done.events, commands)
+        if lockstep.state == "settled":
+            lockstep.integrate()
+        return self._output.observe(lockstep) is True and lockstep.state != "ended"
+
+    def _say(self) -> None:
+        for text in self._lockstep.said():
+            self._output.say(text)
+
+    def _send(self, data: bytes) -> None:
+        """
+        Send to a program that may have ended already, as one without `simulate` does at once. What it said before is
+        still to be read.
+        """
+        with contextlib.suppress(BrokenPipeError):
+            self._link.sendall(data)
+
+    def _read_while(self, state: State, limit: float) -> None:
+        """Read until the lockstep leaves a state. The deadline covers all reads, so single bytes do not extend it."""
+        deadline = time.monotonic() + limit
+        while self._lockstep.state == state:
+            try:
+                data = self._link.recv(_CHUNK)
+            except TimeoutError as error:
+                raise _Stuck from error
+            if not data:
+                raise _Died
+            self._lockstep.feed(data)
+            if self._lockstep.state == state and time.monotonic() > deadline:
+                raise _Stuck
+
+    def _stop(self) -> None:
+        """Ask the program to end; the worker kills one that does not."""
+        try:
+            self._link.sendall(self._lockstep.stop())
+            deadline = time.monotonic() + self._limits.stop
+            while self._lockstep.state != "ended":
+                left = deadline - time.monotonic()
+                if left <= 0 or not select.select([self._link], [], [], left)[0]:
+                    return
+                data = self._link.recv(_CHUNK)
+                if not data:
+                    return
+                self._lockstep.feed(data)
+        except (OSError, LinkError):
+            # The time is over in any case, and the worker ends the program with its sandbox.
+            return

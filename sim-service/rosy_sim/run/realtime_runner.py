@@ -1,0 +1,261 @@
+"""
+Real-time runner: drives a lockstep on the event loop at a chosen speed, paused, or step by step.
+
+It needs no task per step: the loop calls back when the program has answered and when the next step is due, which keeps
+hundreds of runs on one core. It ends with exactly one call of ``on_end``, except after abandon().
+"""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+import time
+from typing import Literal, Protocol
+
+from ..config import Limits
+from ..token_bucket import TokenBucket
+from ..wire.page import Speed
+from ..wire.robot_link import LimitExceeded, LinkError
+from ..world.time_step import STEP
+from .lateness import Lateness
+from .lockstep import Lockstep
+
+__all__ = ["Ending", "RealTimeRunner", "RunnerListener"]
+
+Ending = Literal["done", "error", "stopped", "stuck", "died", "broken", "loud"]
+
+_MEMORY_INTERVAL = 0.1
+"""Between two requests for the program's memory, s; each single step requests it as well."""
+
+_MAX_LAG = 0.25
+"""A run that is later than this drops the lost time instead of catching up, s."""
+
+_DEADLINE_INTERVAL = 0.25
+"""Between two checks of the deadline, s."""
+
+_MAX_OUTPUT_RATE = 20e6
+"""Bytes that a program may send in a second for long: forty times what the fastest of the examples sends."""
+
+_MAX_SINGLE_STEPS = 1000
+"""Single steps that may be requested ahead of time."""
+
+
+class RunnerListener(Protocol):
+    """Receives what happens, on the event loop; must not block."""
+
+    def on_step(self, lockstep: Lockstep) -> None:
+        """A step has settled and its time has passed."""
+
+    def on_end(self, lockstep: Lockstep, ending: Ending, detail: str) -> None:
+        """The run is over; ``detail`` is for ``broken`` and ``loud``."""
+
+
+class RealTimeRunner:
+    """Owns the simulator's end of the link until the run ends."""
+
+    def __init__(
+        self,
+        link: socket.socket,
+        lockstep: Lockstep,
+        limits: Limits,
+        lateness: Lateness,
+        listener: RunnerListener,
+        speed: Speed = 1.0,
+        replayed: int = 0,
+    ) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._link = link
+        self._lockstep = lockstep
+        self._speed = speed
+        self._limits = limits
+        self._listener = listener
+        self._lateness = lateness
+        # The steps before this one are made as fast as possible, also while the clock is stopped.
+        self._replayed = replayed
+        # Whether the clock is stopped; forward() makes single steps.
+        self.paused = False
+        # Single steps requested and not made yet.
+        self._single_steps = 0
+        # When the next step is due, on the loop's clock; moved on by each step.
+        self._due = 0.0
+        self._timer: asyncio.TimerHandle | None = None
+        # When the memory was requested last, on the loop's clock.
+        self._memory_read = 0.0
+        # When the program must have answered, on the monotonic clock; None while no answer is due.
+        self._deadline: float | None = time.monotonic() + limits.ready
+        # When the deadline was checked last.
+        self._deadline_checked = time.monotonic()
+        self._stopping = False
+        self._over = False
+        self._allowance = TokenBucket(_MAX_OUTPUT_RATE, 2 * _MAX_OUTPUT_RATE, self._loop.time())
+        link.setblocking(False)
+        self._loop.add_reader(link, self._read)
+        self._deadline_timer: asyncio.TimerHandle = self._loop.call_later(_DEADLINE_INTERVAL, self._check_deadline)
+        self._send(lockstep.begin())
+
+    # Requests
+
+    def set_speed(self, speed: Speed) -> None:
+        """Change the speed of the clock from the next step on."""
+        self._speed = speed
+        self._due = self._loop.time()
+        if self._timer is not None:
+            self._timer.cancel()
+            self._next()
+
+    def pause(self) -> None:
+        """Stop before the next step."""
+        self.paused = True
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+
+    def resume(self) -> None:
+        """Restart the clock."""
+        if self.paused:
+            self.paused = False
+            self._single_steps = 0
+            self._due = self._loop.time()
+            self._continue()
+
+    def forward(self) -> None:
+        """Make one step while paused."""
+        if self.paused:
+            self._single_steps = min(self._single_steps + 1, _MAX_SINGLE_STEPS)
+            self._continue()
+
+    def stop(self) -> None:
+        """Ask the program to end. One that does not end in time is reported as stopped, and the listener kills it."""
+        if self._stopping or self._over:
+            return
+        self._stopping = True
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+        self._deadline = time.monotonic() + self._limits.stop
+        self._send(self._lockstep.stop())
+
+    def abandon(self) -> None:
+        """Close the link without calling the listener."""
+        self._finish()
+
+    # Steps
+
+    def _continue(self) -> None:
+        if self._lockstep.state in ("ready", "settled") and not self._stopping:
+            self._next()
+
+    def _next(self) -> None:
+        """Schedule the next step."""
+        self._timer = None
+        if self._stopping or self._over:
+            return
+        if self._lockstep.step < self._replayed:
+            self._due = self._loop.time()
+            self._step()
+            return
+        if self.paused:
+            if self._single_steps:
+                self._single_steps -= 1
+                self._step()
+            return
+        if self._speed == "max":
+            self._step()
+            return
+        now = self._loop.time()
+        if now - self._due > _MAX_LAG:
+            self._due = now
+        if self._due <= now:
+            self._step_due()
+        else:
+            self._timer = self._loop.call_at(self._due, self._step_due)
+
+    def _step_due(self) -> None:
+        assert self._speed != "max"
+        self._timer = None
+        self._lateness.add(max(0.0, self._loop.time() - self._due))
+        self._due += STEP / self._speed
+        self._step()
+
+    def _step(self) -> None:
+        self._deadline = time.monotonic() + self._limits.settle
+        now = self._loop.time()
+        reads_memory = self.paused or now - self._memory_read >= _MEMORY_INTERVAL
+        if reads_memory:
+            self._memory_read = now
+        self._send(self._lockstep.sense(reads_memory))
+
+    def _read(self) -> None:
+        try:
+            data = self._link.recv(65536)
+        except (BlockingIOError, InterruptedError):
+            return
+        except OSError:
+            data = b""
+        if not data:
+            self._end("died", "")
+            return
+        if not self._allowance.spend(len(data), self._loop.time()):
+            self._end("loud", f"more than {_MAX_OUTPUT_RATE:.0f} bytes a second")
+            return
+        before = self._lockstep.state
+        try:
+            state = self._lockstep.feed(data)
+        except LimitExceeded as error:
+            self._end("loud", str(error))
+            return
+        except LinkError as error:
+            self._end("broken", str(error))
+            return
+        if state == before:
+            return
+        if state == "ended":
+            assert self._lockstep.ended is not None
+            self._listener.on_step(self._lockstep)
+            self._end(self._lockstep.ended.how, "")
+            return
+        if not self._stopping:
+            self._deadline = None
+        if state == "ready":
+            self._due = self._loop.time()
+        elif state == "settled":
+            self._lockstep.integrate()
+            self._listener.on_step(self._lockstep)
+        self._continue()
+
+    def _send(self, data: bytes) -> None:
+        try:
+            sent = self._link.send(data)
+        except (BlockingIOError, InterruptedError):
+            sent = 0
+        except OSError:
+            # The reader sees the end of the stream and what came before it.
+            return
+        if sent < len(data):
+            # At most one batch is in flight: a full pipe means that the program reads nothing.
+            self._loop.call_soon(self._end, "stuck", "")
+
+    def _check_deadline(self) -> None:
+        now = time.monotonic()
+        paused_for = now - self._deadline_checked - _DEADLINE_INTERVAL
+        self._deadline_checked = now
+        if self._deadline is not None and paused_for > _DEADLINE_INTERVAL:
+            # This process was suspended, as when the machine sleeps: the answer may have arrived unread.
+            self._deadline += paused_for
+        if self._deadline is not None and now > self._deadline:
+            self._end("stopped" if self._stopping else "stuck", "")
+            return
+        self._deadline_timer = self._loop.call_later(_DEADLINE_INTERVAL, self._check_deadline)
+
+    def _end(self, ending: Ending, detail: str) -> None:
+        if not self._over:
+            self._finish()
+            self._listener.on_end(self._lockstep, "stopped" if self._stopping and ending == "died" else ending, detail)
+
+    def _finish(self) -> None:
+        self._over = True
+        self._loop.remove_reader(self._link)
+        self._deadline_timer.cancel()
+        if self._timer is not None:
+            self._timer.cancel()
+        self._link.close()

@@ -1,0 +1,407 @@
+"""
+Web application: the page socket, the HTTP API and the built page. Owns the page sessions and the worker, which start
+and end with it.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import secrets
+import time
+from collections.abc import AsyncIterator, Callable, Coroutine, Iterable
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import msgspec
+from starlette.applications import Starlette
+from starlette.middleware import Middleware
+from starlette.requests import Request
+from starlette.responses import JSONResponse, PlainTextResponse, RedirectResponse, Response
+from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from ..classroom.class_store import ClassStore
+from ..classroom.classroom import Classroom
+from ..classroom.hand_in_checks import HandInChecks
+from ..config import Config
+from ..errors import BadInput, RosyError
+from ..lessons.catalogue import lesson_json, lesson_list
+from ..ownership.robot_registry import RobotRegistry
+from ..previews.preview_pool import PreviewPool
+from ..run.lateness import Lateness
+from ..run.problems import address_full, service_full
+from ..run.run_queue import RunQueue
+from ..run.worker_session import RunServices
+from ..sentence import Sentence, tr
+from ..token_bucket import TokenBucket
+from ..wire import page
+from ..wire.problem import to_wire
+from ..wording import in_terminal
+from ..worker.question_scheduler import QuestionScheduler
+from ..worker.supervisor import WorkerStatus, WorkerSupervisor
+from ..worlds.gallery import named_world, world_names
+from .address_slots import AddressSlots
+from .browser_safety import BrowserSafety
+from .class_sockets import ClassSockets
+from .example_paths import ExamplePaths
+from .examples import example_file, examples
+from .page_session import PageSession
+from .room_tests import RoomTests
+from .ros_bridge import RosClient
+from .static_pages import StaticPages
+
+__all__ = ["Service", "build_app"]
+
+_POLICY_VIOLATION, _TRY_AGAIN = 1008, 1013
+"""WebSocket close codes. RFC 6455, section 7.4.1, and its registry."""
+
+_PAGE_RATE, _ROS_RATE = 100.0, 500.0
+"""Messages that a page and a ROS client may send, a second."""
+
+_WORK_RATE, _WORK_BURST = 0.1, 0.25
+"""Computing time that a page's messages may take on the event loop: a share of it, and s at once."""
+
+_CHARACTERS_PER_MESSAGE = 2000
+"""Characters that count as one more message: programs and rooms are long, and cost more to serve."""
+
+
+class Service:
+    """Everything that lives as long as the application."""
+
+    def __init__(self, config: Config, classroom: Classroom | None = None) -> None:
+        self.config = config
+        self.sessions: dict[str, PageSession] = {}
+        self._slots = AddressSlots(config.limits.sessions, config.limits.address_sessions)
+        # None without class mode.
+        self.classroom = classroom
+        self.lateness = Lateness()
+        self.run_queue = RunQueue(config.limits.runs)
+        self.worker = WorkerSupervisor(config, self._on_worker_status)
+        self.robots = RobotRegistry(config.robots, config.robot_executable, time.monotonic, self._on_robots_change)
+        self.example_paths = ExamplePaths(config.examples, self.worker, self.run_queue, config.limits)
+        self.room_tests = RoomTests(config)
+        self._checks: HandInChecks | None = None
+        self._class_sockets: ClassSockets | None = None
+        if classroom is not None:
+            self._checks = HandInChecks(classroom.tasks, config, self.room_tests.queue)
+            self._class_sockets = ClassSockets(classroom, self._checks, self.sessions, _first_completed)
+        self.previews = PreviewPool(config)
+        self._run_services = RunServices(
+            self.worker, self.run_queue, config.limits, self.lateness, QuestionScheduler(time.monotonic)
+        )
+
+    def _on_worker_status(self, status: WorkerStatus) -> None:
+        for session in self.sessions.values():
+            session.outbox.put(page.WorkerState(status))
+
+    def _on_robots_change(self) -> None:
+        for session in self.sessions.values():
+            session.ownership.send_robots()
+
+    @contextlib.asynccontextmanager
+    async def lifespan(self, _app: Starlette) -> AsyncIterator[None]:
+        """Keep a worker while the application runs."""
+        supervision = asyncio.create_task(self.worker.run())
+        try:
+            yield
+        finally:
+            # Concurrently: no robot keeps driving while others are being stopped.
+            await asyncio.gather(*(session.close() for session in list(self.sessions.values())))
+            await self.previews.close()
+            if self._checks is not None:
+                await self._checks.cancel()
+            if self.classroom is not None:
+                await self.classroom.close()
+            supervision.cancel()
+            with contextlib.suppress(asyncio.CancelledError):
+                await supervision
+
+    # Pages
+
+    async def serve_page(self, socket: WebSocket) -> None:
+        """Serve one page until it disconnects."""
+        if not _same_origin(socket):
+            await socket.close(_POLICY_VIOLATION)
+            return
+        await socket.accept()
+        address = socket.client.host if socket.client is not None else ""
+        if not self._slots.take(address):
+            full = service_full(self._slots.total) if self._slots.is_full else address_full(self._slots.each)
+            await socket.send_text(page.encode(page.Refusal(full.message, full.hint, full.sentences)))
+            await socket.close(_TRY_AGAIN)
+            return
+        session = PageSession(
+            secrets.token_urlsafe(9),
+            self._run_services,
+            self.robots,
+            self.previews,
+            self.classroom is not None,
+            address,
+        )
+        self.sessions[session.id] = session
+        try:
+            await _first_completed(_receive(socket, session), _send(socket, session), session.outbox.overflowed.wait())
+        finally:
+            del self.sessions[session.id]
+            self._slots.free(address)
+            await session.close()
+
+    async def serve_ros(self, socket: WebSocket) -> None:
+        """
+        Serve a ROS client of a session's simulated robot. Any client may connect that knows the session's random name,
+        such as Foxglove or a learner's own page with roslib.
+        """
+        session = self.sessions.get(socket.path_params["session"])
+        if session is None or session.bridge.is_full:
+            await socket.close(_POLICY_VIOLATION)
+            return
+        await socket.accept()
+        client = session.join()
+        try:
+            await _first_completed(
+                _receive_ros(socket, session, client), _send_ros(socket, client), session.closed.wait()
+            )
+        finally:
+            session.leave(client)
+
+    async def serve_room_test(self, socket: WebSocket) -> None:
+        """Serve a test in many rooms for the page of a session."""
+        session = self.sessions.get(socket.path_params["session"])
+        if session is None or not _same_origin(socket):
+            await socket.close(_POLICY_VIOLATION)
+            return
+        await socket.accept()
+        await self.room_tests.serve(socket, session.id, session.closed, session.safety)
+        with contextlib.suppress(RuntimeError, WebSocketDisconnect):
+            # The page may have closed it first.
+            await socket.close()
+
+    async def serve_pupil(self, socket: WebSocket) -> None:
+        """Serve a pupil's page in class mode."""
+        if self._class_sockets is None or not _same_origin(socket):
+            await socket.close(_POLICY_VIOLATION)
+            return
+        await self._class_sockets.serve_pupil(socket)
+
+    async def serve_board(self, socket: WebSocket) -> None:
+        """Serve the teacher's board in class mode."""
+        if self._class_sockets is None or not _same_origin(socket):
+            await socket.close(_POLICY_VIOLATION)
+            return
+        await self._class_sockets.serve_board(socket)
+
+    # HTTP
+
+    async def hand_ins(self, request: Request) -> Response:
+        """What was handed in for a task, as a ZIP file, for a board that gives the teacher's key."""
+        classroom = self.classroom
+        if classroom is None:
+            return _failure(tr("There is no class."), 404)
+        address = request.client.host if request.client is not None else ""
+        if not classroom.admits_teacher(request.headers.get("x-rosy-key", ""), address):
+            return _failure(tr("This is not the teacher's key."), 403)
+        found = await classroom.hand_ins_zip(request.path_params["task"])
+        if found is None:
+            return _failure(tr("There is no such task."), 404)
+        return Response(found, media_type="application/zip", headers={"Cache-Control": "no-store"})
+
+    async def health(self, _request: Request) -> Response:
+        """State of the worker, number of pages and of runs, lateness of their steps."""
+        return JSONResponse(
+            {
+                "worker": self.worker.state,
+                "sessions": len(self.sessions),
+                "runs": {"now": self.run_queue.running, "limit": self.run_queue.limit, "queued": self.run_queue.queued},
+                "lateness": self.lateness.summary(),
+            }
+        )
+
+    async def list_examples(self, _request: Request) -> Response:
+        """Name, title, lesson and level of each."""
+        return JSONResponse(examples(self.config.examples))
+
+    async def one_example(self, request: Request) -> Response:
+        """The project as it stands in its file."""
+        found = example_file(self.config.examples, request.path_params["name"])
+        if found is None:
+            return _failure(tr("There is no example of that name."), 404)
+        return Response(found.read_bytes(), media_type="application/json")
+
+    async def example_path(self, request: Request) -> Response:
+        """The world of an example and the path that it drives there."""
+        try:
+            found = await self.example_paths.path(request.path_params["name"])
+        except RosyError as error:
+            return _failure(error.sentence, 503)
+        if found is None:
+            return _failure(tr("There is no example of that name."), 404)
+        return JSONResponse(found)
+
+    async def list_lessons(self, _request: Request) -> Response:
+        """Name, course, titles of each, in their order."""
+        return await self._lesson_answer(lesson_list)
+
+    async def one_lesson(self, request: Request) -> Response:
+        """A lesson with its room, programs and texts."""
+        return await self._lesson_answer(lambda folder: lesson_json(folder, request.path_params["name"]))
+
+    async def _lesson_answer(self, read: Callable[[Path], object]) -> Response:
+        try:
+            found = await asyncio.to_thread(read, self.config.examples / "lessons")
+        except BadInput as error:
+            return _failure(error.sentence, 500)
+        if found is None:
+            return _failure(tr("There is no lesson of that name."), 404)
+        return JSONResponse(found)
+
+    async def one_world(self, request: Request) -> Response:
+        """A room of the gallery."""
+        try:
+            return JSONResponse(named_world(request.path_params["name"]))
+        except BadInput as error:
+            return _failure(error.sentence, 404)
+
+    async def list_worlds(self, _request: Request) -> Response:
+        """Names."""
+        return JSONResponse(world_names())
+
+
+async def _first_completed(*works: Coroutine[Any, Any, object]) -> None:
+    """Wait until one is done; cancel the others, and raise what it raised."""
+    tasks = [asyncio.ensure_future(work) for work in works]
+    try:
+        done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+    finally:
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+    for task in done:
+        task.result()
+
+
+async def _receive(socket: WebSocket, session: PageSession) -> None:
+    """
+    Read until the page disconnects. A page whose messages are too many, or take too long to serve, is read more slowly,
+    so that it delays no other.
+    """
+    now = asyncio.get_running_loop().time
+    limit = TokenBucket(_PAGE_RATE, 2 * _PAGE_RATE, now())
+    work = TokenBucket(_WORK_RATE, _WORK_BURST, now())
+    while True:
+        message = await socket.receive()
+        if message["type"] == "websocket.disconnect":
+            return
+        text = message.get("text") or message.get("bytes") or ""
+        begun = time.thread_time()
+        session.receive(text)
+        spent = time.thread_time() - begun
+        slow = work.overdraw(spent, now())
+        if wait := max(slow, limit.overdraw(1 + len(text) / _CHARACTERS_PER_MESSAGE, now())):
+            await asyncio.sleep(wait)
+
+
+async def _receive_ros(socket: WebSocket, session: PageSession, client: RosClient) -> None:
+    now = asyncio.get_running_loop().time
+    limit = TokenBucket(_ROS_RATE, _ROS_RATE, now())
+    while True:
+        message = await socket.receive()
+        if message["type"] == "websocket.disconnect":
+            return
+        text = message.get("text") or message.get("bytes") or ""
+        session.receive_ros(client, text)
+        if wait := limit.overdraw(1 + len(text) / _CHARACTERS_PER_MESSAGE, now()):
+            await asyncio.sleep(wait)
+
+
+async def _send_ros(socket: WebSocket, client: RosClient) -> None:
+    try:
+        while True:
+            await socket.send_text(await client.get())
+    except (WebSocketDisconnect, RuntimeError):
+        # The client disconnected during a send.
+        return
+
+
+async def _send(socket: WebSocket, session: PageSession) -> None:
+    """Send until the page disconnects or stops reading."""
+    try:
+        while True:
+            await socket.send_text(page.encode(await session.outbox.get()))
+    except (WebSocketDisconnect, RuntimeError):
+        # The page disconnected during a send; the receiver notices as well.
+        return
+
+
+def _same_origin(socket: WebSocket) -> bool:
+    """Whether a browser reports our own origin. Clients that are not browsers report none."""
+    origin = socket.headers.get("origin")
+    return origin is None or urlsplit(origin).netloc == socket.headers.get("host")
+
+
+def _failure(said: Sentence, status: int) -> Response:
+    """An answer that a request over HTTP cannot be served: in English, and as a sentence for other languages."""
+    failure = {"message": str(said), "sentence": msgspec.to_builtins(to_wire(said))}
+    return JSONResponse(failure, status_code=status)
+
+
+async def _no_page(_request: Request) -> Response:
+    return PlainTextResponse(in_terminal(tr("The page is not built yet; ./rosy start builds it.")), status_code=503)
+
+
+async def _embed(_request: Request) -> Response:
+    """The page as a part of another site. A browser keeps the program behind the ``#`` when it is redirected."""
+    return RedirectResponse("./?embed")
+
+
+async def _board(_request: Request) -> Response:
+    """The teacher's board. A browser keeps the key behind the ``#`` when it is redirected."""
+    return RedirectResponse("./board.html")
+
+
+def build_app(
+    config: Config,
+    class_store: ClassStore | None = None,
+    addresses: Callable[[], list[str]] = list,
+    names: Iterable[str] | None = None,
+) -> Starlette:
+    """
+    The application; its worker starts with its lifespan.
+
+    Args:
+        config: paths and limits.
+        class_store: the open class of class mode.
+        addresses: where pupils reach the service.
+        names: host names to serve beside IP addresses; ``None`` for every name.
+    """
+    classroom = Classroom(class_store, addresses, time.monotonic) if class_store is not None else None
+    service = Service(config, classroom)
+    routes: list[BaseRoute] = [
+        WebSocketRoute("/api/session", service.serve_page),
+        WebSocketRoute("/rosbridge/{session}", service.serve_ros),
+        WebSocketRoute("/api/room-tests/{session}", service.serve_room_test),
+        WebSocketRoute("/api/class", service.serve_pupil),
+        WebSocketRoute("/api/board", service.serve_board),
+        Route("/api/health", service.health),
+        Route("/api/examples", service.list_examples),
+        Route("/api/examples/{name}", service.one_example),
+        Route("/api/examples/{name}/path", service.example_path),
+        Route("/api/lessons", service.list_lessons),
+        Route("/api/lessons/{name}", service.one_lesson),
+        Route("/api/worlds", service.list_worlds),
+        Route("/api/worlds/{name}", service.one_world),
+    ]
+    routes.append(Route("/embed", _embed))
+    if classroom is not None:
+        routes.append(Route("/board", _board))
+        routes.append(Route("/api/hand-ins/{task:int}", service.hand_ins))
+    if config.api_docs.is_dir():
+        routes.append(Mount("/api-docs", StaticPages(directory=config.api_docs, html=True)))
+    if config.page.is_dir():
+        routes.append(Mount("/", StaticPages(directory=config.page, html=True)))
+    else:
+        routes.append(Route("/", _no_page))
+    app = Starlette(routes=routes, lifespan=service.lifespan, middleware=[Middleware(BrowserSafety, names=names)])
+    app.state.service = service
+    return app

@@ -1,0 +1,294 @@
+"""
+Sockets of class mode: one for each pupil's page, one for each board of the teacher. ``protocol/README.md``, section 11.
+
+The classroom decides; here are connections, their limits, and the rooms of the page sessions that the board shows.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+import sqlite3
+from collections.abc import Awaitable, Callable, Mapping
+
+import msgspec
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from ..classroom import messages as m
+from ..classroom.check_messages import CancelCheck, CheckAll, Checking, OpenRun, ResultShown, ShowResults
+from ..classroom.classroom import Classroom, PupilPage
+from ..classroom.hand_in_checks import HandInChecks
+from ..sentence import tr
+from ..token_bucket import TokenBucket
+from ..wording import in_terminal
+from .address_slots import AddressSlots
+from .page_session import PageSession
+
+__all__ = ["ClassSockets"]
+
+_log = logging.getLogger(__name__)
+
+_TRY_AGAIN = 1013
+"""WebSocket close code of a full service. Registry of RFC 6455, section 11.7."""
+
+_RATE, _BURST = 20.0, 400.0
+"""Messages that a page may send, a second and at once."""
+
+_CHARACTERS_PER_MESSAGE = 2000
+"""Characters that count as one more message."""
+
+_QUEUE = 500
+"""Messages waiting for a slow page before it is disconnected."""
+
+_MAX_PAGES, _ADDRESS_PAGES = 500, 250
+"""Pupils' pages, of all addresses and of one."""
+
+_MAX_BOARDS, _ADDRESS_BOARDS = 100, 10
+"""Boards with and without the key, of all addresses and of one."""
+
+_PLACES_PERIOD = 0.1
+"""Between two looks at the robots for the board, s."""
+
+_LOOKS_PER_LIST = 10
+"""Looks at the robots for each look at the list of pupils: the list is compared once a second."""
+
+Answer = m.PupilAnswer | m.BoardAnswer
+
+
+class _Connection:
+    """The two directions of a socket: requests one after the other, answers from a bounded queue."""
+
+    def __init__(self, socket: WebSocket) -> None:
+        self._socket = socket
+        self._queue: asyncio.Queue[str] = asyncio.Queue(_QUEUE)
+        self.overflowed = asyncio.Event()
+        # The task whose results a board shows.
+        self.results_of: int | None = None
+
+    @property
+    def address(self) -> str:
+        return self._socket.client.host if self._socket.client is not None else ""
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether all answers are on their way."""
+        return self._queue.empty()
+
+    def put(self, answer: Answer) -> None:
+        try:
+            self._queue.put_nowait(m.encode(answer))
+        except asyncio.QueueFull:
+            self.overflowed.set()
+
+    async def receive(self, serve: Callable[[str | bytes], Awaitable[None]]) -> None:
+        """Serve requests until the page disconnects; one that exceeds its rate is read more slowly."""
+        now = asyncio.get_running_loop().time
+        limit = TokenBucket(_RATE, _BURST, now())
+        while True:
+            message = await self._socket.receive()
+            if message["type"] == "websocket.disconnect":
+                return
+            text = message.get("text") or message.get("bytes") or ""
+            try:
+                await serve(text)
+            except m.BadRequest:
+                self.put(m.Refused("request"))
+            if wait := limit.overdraw(1 + len(text) / _CHARACTERS_PER_MESSAGE, now()):
+                await asyncio.sleep(wait)
+
+    async def send(self) -> None:
+        with contextlib.suppress(WebSocketDisconnect, RuntimeError):
+            # The page may disconnect during a send; the receiver notices as well.
+            while True:
+                await self._socket.send_text(await self._queue.get())
+
+
+class ClassSockets:
+    """
+    The sockets of a running class.
+
+    Args:
+        classroom: the class.
+        checks: the checks of hand-ins.
+        sessions: the page sessions by their random names.
+        first_completed: waits until one of several works is done and cancels the others.
+    """
+
+    def __init__(
+        self,
+        classroom: Classroom,
+        checks: HandInChecks,
+        sessions: Mapping[str, PageSession],
+        first_completed: Callable[..., Awaitable[None]],
+    ) -> None:
+        self._classroom = classroom
+        self._checks = checks
+        self._sessions = sessions
+        self._first_completed = first_completed
+        self._pages = AddressSlots(_MAX_PAGES, _ADDRESS_PAGES)
+        self._boards = AddressSlots(_MAX_BOARDS, _ADDRESS_BOARDS)
+
+    async def serve_pupil(self, socket: WebSocket) -> None:
+        """Serve a pupil's page until it disconnects."""
+        await socket.accept()
+        connection = _Connection(socket)
+        if not self._pages.take(connection.address):
+            await socket.close(_TRY_AGAIN)
+            return
+        page = PupilPage(connection.address, connection.put)
+
+        async def serve(text: str | bytes) -> None:
+            await self._classroom.serve(page, m.read_pupil_request(text))
+
+        try:
+            await self._first_completed(connection.receive(serve), connection.send(), connection.overflowed.wait())
+        finally:
+            self._pages.free(connection.address)
+            self._classroom.leave(page)
+
+    async def serve_board(self, socket: WebSocket) -> None:
+        """Serve a board until it disconnects; it is told nothing before it has given the key."""
+        await socket.accept()
+        connection = _Connection(socket)
+        if not self._boards.take(connection.address):
+            await socket.close(_TRY_AGAIN)
+            return
+        unlocked = asyncio.Event()
+
+        async def serve(text: str | bytes) -> None:
+            request = m.read_board_request(text)
+            if unlocked.is_set():
+                await self._try_to_serve(connection, request)
+            elif not isinstance(request, m.Unlock):
+                connection.put(m.Refused("key"))
+            elif self._try_key(connection, request.key):
+                unlocked.set()
+
+        async def watch() -> None:
+            await unlocked.wait()
+            await self._watch(connection)
+
+        try:
+            await self._first_completed(
+                connection.receive(serve), connection.send(), watch(), connection.overflowed.wait()
+            )
+        finally:
+            self._boards.free(connection.address)
+
+    def _try_key(self, connection: _Connection, key: str) -> bool:
+        classroom = self._classroom
+        admitted = classroom.admits_teacher(key, connection.address)
+        if not admitted:
+            connection.put(m.Refused("attempts" if admitted is None else "key"))
+            return False
+        connection.put(m.BoardShown(classroom.admission.code, classroom.addresses(), classroom.attention))
+        return True
+
+    async def _try_to_serve(self, connection: _Connection, request: m.BoardRequest) -> None:
+        try:
+            await self._serve_teacher(connection, request)
+        except sqlite3.Error as error:
+            _log.error("%s", in_terminal(tr("The class cannot be read or stored: {why}", why=error)))
+            connection.put(m.Refused("disk"))
+
+    async def _serve_teacher(self, connection: _Connection, request: m.BoardRequest) -> None:
+        match request:
+            case m.OpenProgram():
+                connection.put(await self._classroom.program_shown(request))
+            case m.SetAttention():
+                self._classroom.set_attention(request.message)
+            case m.LowerHand():
+                self._classroom.lower_hand(request.pupil)
+            case m.SendProgram():
+                connection.put(m.Sent(self._classroom.send_program(request.name, request.text)))
+            case m.OpenTask():
+                if refused := await self._classroom.open_task(request):
+                    connection.put(refused)
+            case m.CloseTask():
+                await self._classroom.close_task(request.task)
+            case m.OpenHandIn():
+                connection.put(await self._classroom.hand_in_shown(request))
+            case m.Comment():
+                await self._classroom.comment(request)
+            case CheckAll():
+                self._checks.start(request, connection.put)
+            case CancelCheck():
+                await self._checks.cancel()
+            case ShowResults():
+                connection.results_of = request.task
+            case OpenRun():
+                connection.put(await self._classroom.run_shown(request))
+            case m.Unlock():
+                connection.put(m.Refused("request"))
+
+    async def _watch(self, connection: _Connection) -> None:
+        """Tell the board what changes. A board that reads slowly misses positions, nothing else."""
+        rooms: dict[int, object] = {}
+        places: dict[int, m.Place] = {}
+        shown: m.PupilsShown | None = None
+        tasks: m.BoardTasks | None = None
+        checking = Checking()
+        results: dict[tuple[int, int], bytes] = {}
+        looks = 0
+        while True:
+            if looks % _LOOKS_PER_LIST == 0:
+                pupils = self._classroom.pupils_shown()
+                if pupils != shown:
+                    shown = pupils
+                    connection.put(pupils)
+                if (newest := self._classroom.tasks.shown()) != tasks:
+                    tasks = newest
+                    connection.put(newest)
+                for result in self._new_results(connection.results_of, results):
+                    connection.put(result)
+                if (progress := self._checks.progress) != checking:
+                    checking = progress
+                    connection.put(progress)
+            looks += 1
+            if connection.is_idle:
+                for room in self._new_rooms(rooms):
+                    connection.put(room)
+                if moved := self._new_places(places):
+                    connection.put(m.PlacesShown(moved))
+            await asyncio.sleep(_PLACES_PERIOD)
+
+    def _new_results(self, task: int | None, known: dict[tuple[int, int], bytes]) -> list[ResultShown]:
+        """The results of a task that are not those in ``known``, where they are entered."""
+        new: list[ResultShown] = []
+        if task is None:
+            return new
+        for pupil, result in self._classroom.tasks.results(task).items():
+            if known.get((task, pupil), b"") != result:
+                known[task, pupil] = result
+                new.append(ResultShown(task, pupil, msgspec.Raw(result or b"null")))
+        return new
+
+    def _new_rooms(self, known: dict[int, object]) -> list[m.RoomShown]:
+        """The rooms that are not those in ``known``, where they are entered."""
+        new: list[m.RoomShown] = []
+        for pupil, session in self._shown_sessions():
+            if known.get(pupil) is not session.room_json:
+                known[pupil] = session.room_json
+                new.append(m.RoomShown(pupil, session.room_json))
+        return new
+
+    def _new_places(self, known: dict[int, m.Place]) -> list[m.Place]:
+        """The positions that are not those in ``known``, where they are entered."""
+        new: list[m.Place] = []
+        for pupil, session in self._shown_sessions():
+            world = session.world
+            place = m.Place(pupil, round(world.x, 3), round(world.y, 3), round(world.theta, 3))
+            if known.get(pupil) != place:
+                known[pupil] = place
+                new.append(place)
+        return new
+
+    def _shown_sessions(self) -> list[tuple[int, PageSession]]:
+        """One page session for each pupil: of a pupil with several pages, any."""
+        found: dict[int, PageSession] = {}
+        for page in self._classroom.pages:
+            session = self._sessions.get(page.session or "")
+            if page.pupil is not None and session is not None:
+                found[page.pupil.id] = session
+        return list(found.items())

@@ -1,0 +1,143 @@
+"""
+Explanations of the latest run of a page: records it while the page observes it, and answers why and why not.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+
+import msgspec
+
+from ..explain.answers import Answer, why_command, why_event, why_firing, why_memory, why_not, why_position
+from ..explain.function_types import function_types
+from ..explain.recorded_run import RecordedRun, ShownCommand
+from ..explain.why import Link
+from ..explain.why_not import RobotLimits, Window
+from ..robots import DEFAULT_ROBOT
+from ..run.lockstep import Lockstep
+from ..wire import page
+from ..wire.explanation import Sentence
+from ..wire.robot_link import Ended, Settled
+from ..wire.worker import Checked
+from ..world.events import VELOCITY_CHANNEL, Command
+from ..world.time_step import STEPS_PER_SECOND
+
+__all__ = ["MOST_FIRINGS", "RunExplanations", "commands_of_step"]
+
+MOST_FIRINGS = 20_000
+"""Firings that are kept of a run: six minutes of a program that fires 50 times a second, 20 MB. A choice of ours."""
+
+LIMITS = RobotLimits(DEFAULT_ROBOT.limits.speed, DEFAULT_ROBOT.limits.angular_speed)
+
+
+class RunExplanations:
+    """Of one page. ``send`` puts a message into the page's outbox."""
+
+    def __init__(self, send: Callable[[page.Because], None]) -> None:
+        self._send = send
+        self._record: RecordedRun | None = None
+        self._source = ""
+        # The graph of the program of the run, and the latest program that was checked without mistakes with its graph.
+        self._graph: msgspec.Raw | None = None
+        self._checked: tuple[str, msgspec.Raw] | None = None
+        # How often hands had put the robot in another place, as of the last recorded step.
+        self._placements = 0
+        # Whether a step of the run has passed.
+        self._has_begun = False
+
+    def on_checked(self, source: str, checked: Checked) -> None:
+        """The compiler has answered about a program."""
+        if any(problem.severity == "error" for problem in checked.problems):
+            return
+        self._checked = (source, checked.graph)
+        if source == self._source:
+            self._graph = checked.graph
+
+    def start(self, source: str) -> None:
+        """A run begins."""
+        self._record = None
+        self._source = source
+        self._has_begun = False
+        self._graph = self._checked[1] if self._checked is not None and self._checked[0] == source else None
+
+    def on_step(self, lockstep: Lockstep) -> None:
+        """A step of the run has passed."""
+        self._has_begun = True
+        done = lockstep.settled or lockstep.ended
+        if not lockstep.observes:
+            self._record = None
+        elif done is not None:
+            step = lockstep.settled.step if lockstep.settled is not None else lockstep.step
+            time = step / STEPS_PER_SECOND
+            if self._record is None:
+                self._record = RecordedRun(most=MOST_FIRINGS)
+                # Numbers of firings begin anew when an observation begins: nothing of before is kept.
+                self._record.known_since = time
+                self._placements = lockstep.world.placements
+            events = done.sensed + [g.value for f in done.firings for g in f.gave if g.to == "event"]
+            placements = lockstep.world.placements
+            self._record.add_step(
+                time,
+                done.firings,
+                events,
+                commands_of_step(done, lockstep.commands),
+                is_overridden=lockstep.is_overridden,
+                is_placed=placements != self._placements,
+            )
+            self._placements = placements
+
+    def answer(self, request: page.Why | page.WhyNot) -> None:
+        """Answer a question of the page."""
+        run = self._record
+        if run is None:
+            answer = Answer([Link(Sentence("not-recorded" if self._has_begun else "run-not-begun"), 0.0)], 0.0)
+        elif isinstance(request, page.WhyNot):
+            window = Window(request.since, request.until)
+            functions = function_types(self._graph) if self._graph is not None else []
+            answer = why_not(run, functions, window, LIMITS, request.function, request.command, request.event)
+        else:
+            answer = _why(run, request)
+        path = [page.firing_shown(firing, run.time_of(firing)) for firing in answer.path] if run is not None else []
+        sentences = [page.SentenceShown(link.said, link.time, link.firing) for link in answer.links]
+        self._send(page.Because(request.id, answer.time, sentences, path))
+
+
+def _why(run: RecordedRun, request: page.Why) -> Answer:
+    time = request.time if request.time is not None else run.end or 0.0
+    if request.firing is not None:
+        return why_firing(run, request.firing)
+    if request.position:
+        return why_position(run, time, LIMITS)
+    if request.memory:
+        return why_memory(run, request.memory, time)
+    if request.event:
+        return why_event(run, request.event, time)
+    return why_command(run, request.command or VELOCITY_CHANNEL, time, LIMITS)
+
+
+def commands_of_step(done: Settled | Ended, commands: list[Command]) -> list[ShownCommand]:
+    """
+    The commands of a step as Haskell shows them, in the form of a trace, without one. Those of a firing have its types.
+
+    All come from firings but velocities of 0 for tasks that were stopped (rule R10), and lines that ``main`` prints.
+    """
+    given = deque(
+        ShownCommand(one.type, one.value) for firing in done.firings for one in firing.gave if one.to == "command"
+    )
+    told: list[ShownCommand] = []
+    for command in commands:
+        if command.channel != VELOCITY_CHANNEL:
+            continue
+        while given and given[0].channel != VELOCITY_CHANNEL:
+            told.append(given.popleft())
+        if given and _velocity(given[0].value) == command.values:
+            told.append(given.popleft())
+        elif command.values == (0.0, 0.0):
+            told.append(ShownCommand(VELOCITY_CHANNEL, "Velocity 0.0 0.0"))
+    return told + list(given)
+
+
+def _velocity(value: str) -> tuple[float, ...]:
+    words = value.replace("(", "").replace(")", "").split(" ")[1:]
+    return tuple(float(word) for word in words)

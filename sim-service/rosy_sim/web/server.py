@@ -1,0 +1,242 @@
+"""
+Server of ``./rosy start``: binds the port and serves the application until a signal.
+
+On a machine that cannot build the worker's sandbox, only loopback is served unless ``--unprotected`` is given.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import errno
+import ipaddress
+import os
+import shutil
+import signal
+import socket
+import sys
+import webbrowser
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import uvicorn
+import uvloop
+from starlette.applications import Starlette
+
+from ..classroom.class_folder import open_class
+from ..classroom.class_store import Admission
+from ..config import Config
+from ..errors import BadInput, WorkerMissing
+from ..sentence import Argument, Sentence, tr
+from ..wording import in_terminal
+from ..worker.launcher import missing_sandbox, sandbox_warning
+from .app import build_app
+from .browser_safety import own_names
+from .lan_addresses import is_unspecified, lan_addresses
+from .qr_code import qr_code_lines
+from .request_deadline import RequestDeadline
+
+__all__ = ["serve"]
+
+_INTERRUPTED = 130
+"""Exit status of what Ctrl-C ended, as shells count it: 128 and SIGINT."""
+
+_NICE = -5
+"""Priority of the service, and of the worker it starts; 0 is the default. setpriority(2)."""
+
+
+def serve(config: Config, host: str, port: int, open_browser: bool, unprotected: bool) -> int:
+    """Serve until SIGINT or SIGTERM; returns the exit status."""
+    if not config.worker or shutil.which(config.worker[0]) is None:
+        raise WorkerMissing
+    fault = missing_sandbox(config)
+    if fault is not None and not (unprotected or _is_loopback(host)):
+        raise BadInput(
+            tr(
+                "Programs cannot be locked in on this machine ({fault}), so Rosy only serves this machine "
+                "itself; leave out --host, or add --unprotected when you trust all who can reach it.",
+                fault=fault,
+            )
+        )
+    listener = _bind(host, port)
+    if fault is not None:
+        print(f"rosy: {in_terminal(sandbox_warning(fault))}", file=sys.stderr)
+    bound = listener.getsockname()[1]
+    is_any = is_unspecified(host)
+    shown = "127.0.0.1" if is_any else f"[{host}]" if ":" in host else host
+    address = f"http://{shown}:{bound}/"
+
+    def addresses() -> list[str]:
+        return [f"http://{own}:{bound}/" for own in lan_addresses()] if is_any else [address]
+
+    _raise_priority()
+    with contextlib.ExitStack() as stack:
+        stack.callback(listener.close)
+        store = stack.enter_context(open_class(config.classes, config.class_name)) if config.class_name else None
+        app = build_app(config, store, addresses, own_names(host))
+        code = app.state.service.robots.code if config.robots else None
+        greeting = _Greeting(address, addresses() if is_any else None, code, store.admission() if store else None)
+        with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
+            runner.run(_serve(_Server(_settings(app, config), greeting, open_browser), listener))
+    return 0
+
+
+def _settings(app: Starlette, config: Config) -> uvicorn.Config:
+    return uvicorn.Config(
+        app,
+        log_level="warning",
+        access_log=False,
+        http=RequestDeadline,
+        ws="websockets-sansio",
+        ws_max_size=config.limits.page_message,
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=2,
+        lifespan="on",
+        loop="uvloop",
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Greeting:
+    """What is printed when the service is ready."""
+
+    address: str
+    # Addresses for others; None when only this machine is served.
+    others: list[str] | None
+    robots_code: str | None
+    # Code and key of the class; None without class mode.
+    admission: Admission | None
+
+    def print(self) -> str:
+        """Print it; returns the address to open here."""
+        _say(tr("Rosy is ready at {address} (Ctrl-C ends it)", address=self.address))
+        if self.admission is not None:
+            return self._print_class(self.admission)
+        if self.others:
+            _say(tr("Others on this network open {addresses}", addresses=_any_of(self.others)))
+        elif self.others is not None:
+            _say(_NO_NETWORK)
+        if self.robots_code is None:
+            return self.address
+        # Behind the hash: a browser keeps that part to itself.
+        address = f"{self.address}#robots={self.robots_code}"
+        _say(
+            tr(
+                "Its robots may be driven with the code {code}: {address}",
+                code=self.robots_code,
+                address=address,
+            )
+        )
+        return address
+
+    def _print_class(self, admission: Admission) -> str:
+        if self.others:
+            # The code behind the hash saves typing it.
+            print(qr_code_lines(f"{self.others[0]}#class={admission.code}"), flush=True)
+            _say(tr("Pupils open     {addresses}", addresses=_any_of(self.others)))
+        elif self.others is not None:
+            _say(_NO_NETWORK)
+        else:
+            _say(tr("Pupils open     {addresses}", addresses=self.address))
+        _say(tr("Class code      {code}", code=admission.code))
+        board = f"{self.address}board#key={admission.teacher_key}"
+        _say(tr("Teacher's board {address}", address=board))
+        _say(tr("Keep the board's address to yourself: its key shows all programs."))
+        if self.robots_code is not None:
+            _say(tr("Code of the robots: {code}", code=self.robots_code))
+        return board
+
+
+_NO_NETWORK = tr("This machine is on no network yet; start Rosy again when it is.")
+
+
+def _any_of(addresses: list[str]) -> Argument:
+    """The first, or one of the others."""
+    first, *rest = addresses
+    return tr("{one} or {other}", one=first, other=_any_of(rest)) if rest else first
+
+
+def _say(sentence: Sentence) -> None:
+    print(in_terminal(sentence), flush=True)
+
+
+class _Server(uvicorn.Server):
+    """Prints its greeting when it is ready."""
+
+    def __init__(self, config: uvicorn.Config, greeting: _Greeting, open_browser: bool) -> None:
+        super().__init__(config)
+        self._greeting = greeting
+        self._open_browser = open_browser
+
+    @contextlib.contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        """End the service normally on a signal; uvicorn's own handler would raise it again afterwards."""
+        loop = asyncio.get_running_loop()
+        for number in (signal.SIGINT, signal.SIGTERM):
+            loop.add_signal_handler(number, self._request_exit)
+        try:
+            yield
+        finally:
+            for number in (signal.SIGINT, signal.SIGTERM):
+                loop.remove_signal_handler(number)
+
+    def _request_exit(self) -> None:
+        if self.should_exit:
+            # The second signal ends the process at once; its children end when their pipes close.
+            os._exit(_INTERRUPTED)
+        self.should_exit = True
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        """As uvicorn does, then the address."""
+        await super().startup(sockets)
+        address = self._greeting.print()
+        if self._open_browser:
+            await asyncio.to_thread(webbrowser.open, address)
+
+
+async def _serve(server: _Server, listener: socket.socket) -> None:
+    await server.serve(sockets=[listener])
+
+
+def _raise_priority() -> None:
+    """Raise the priority, so that steps begin on time beside browsers and compilers. Needs administrator rights."""
+    with contextlib.suppress(PermissionError):
+        os.setpriority(os.PRIO_PROCESS, 0, _NICE)
+
+
+def _is_loopback(host: str) -> bool:
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
+
+
+def _bind(host: str, port: int) -> socket.socket:
+    """
+    A listening socket.
+
+    Raises:
+        BadInput: the port is taken or out of range, or the host is not ours.
+    """
+    if not 0 <= port <= 65535:
+        raise BadInput(tr("There is no port {port}; a port is a number from 0 to 65535.", port=port))
+    try:
+        family = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0][0]
+    except (socket.gaierror, UnicodeError) as error:
+        raise BadInput(tr("There is no address called {host} here.", host=repr(host))) from error
+    listener = socket.socket(family, socket.SOCK_STREAM)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listener.bind((host, port))
+        listener.listen(1024)
+    except OSError as error:
+        listener.close()
+        if error.errno == errno.EADDRINUSE:
+            raise BadInput(
+                tr("Port {port} is in use; choose another with --port, or end what uses it.", port=port)
+            ) from error
+        raise BadInput(
+            tr("Rosy cannot listen on {host}, port {port}: {why}.", host=host, port=port, why=error.strerror or "")
+        ) from error
+    listener.set_inheritable(True)
+    return listener

@@ -1,0 +1,254 @@
+"""
+Channels of a robot: table-driven conversion between values and ROS messages, from ``protocol/robots/<name>.json``.
+
+The values of a channel are the leaves of its Haskell type in order: numbers, the codes of choices, 0 and 1 for truths,
+and texts. One topic may carry several channels. The same descriptions generate the Haskell types and tables
+(scripts/robots.py).
+"""
+
+from __future__ import annotations
+
+import base64
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any
+
+import msgspec
+
+from ..robot_description import simulated
+from ..sentence import SentenceError, tr
+
+__all__ = ["BadMessage", "Channel", "Values", "simulated_channels"]
+
+Json = dict[str, Any]
+Values = tuple[float | int | str, ...]
+
+
+class BadMessage(SentenceError):
+    """A message does not fit its topic; the text says how."""
+
+
+@dataclass(frozen=True, slots=True)
+class Leaf:
+    """One value of a channel: its kind, and the codes that a choice may have."""
+
+    name: str
+    kind: str
+    codes: frozenset[int] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a leaf is in a message."""
+
+    path: tuple[str, ...]
+    leaf: Leaf
+    scale: float = 1.0
+    yaw: bool = False
+    flags: bool = False
+
+
+@dataclass(slots=True)
+class Channel:
+    """One kind of sensor message or command of the simulated robot."""
+
+    name: str
+    kind: str
+    topic: str
+    type: str
+    latched: bool
+    places: tuple[Place, ...]
+    # Fields that are the same in every message, by path; a list is chosen by the code of the last value.
+    constants: Mapping[tuple[str, ...], Any] = field(default_factory=dict)
+    # The frame of the message's header, if it has a header.
+    header: str | None = None
+    # Whether a frame for the page shows the last command.
+    holds: bool = False
+    # Fields that are arrays of bytes: base 64 in the messages of rosbridge servers.
+    byte_arrays: tuple[str, ...] = ()
+
+    @property
+    def is_command(self) -> bool:
+        """Whether programs send it."""
+        return self.kind == "command"
+
+    @property
+    def is_indexed(self) -> bool:
+        """Whether the first value says which of several sensors has changed."""
+        return self.kind == "event" and len(self.places) == 2 and bool(self.places[0].leaf.codes)
+
+    def message(self, values: Values) -> Json:
+        """The fields of a message that carry these values, and no others."""
+        msg: Json = {}
+        for place, value in zip(self.places, values, strict=True):
+            if place.yaw:
+                half = float(value) / 2
+                _put(msg, (*place.path, "z"), math.sin(half))
+                _put(msg, (*place.path, "w"), math.cos(half))
+            elif place.leaf.kind == "Bool":
+                _put(msg, place.path, bool(value))
+            elif place.scale != 1.0:
+                _put(msg, place.path, round(float(value) / place.scale))
+            else:
+                _put(msg, place.path, value)
+        return msg
+
+    def full(self, values: Values, time: float, seq: int) -> Json:
+        """The message with its constants and its header, for ROS clients."""
+        msg = self.message(values)
+        for path, constant in self.constants.items():
+            chosen = constant["choice"][int(values[-1])] if isinstance(constant, dict) else constant
+            _put(msg, path, chosen)
+        for key in self.byte_arrays:
+            msg[key] = base64.b64encode(bytes(msg[key])).decode()
+        if self.header is not None:
+            secs = int(time)
+            msg["header"] = {
+                "seq": seq,
+                "stamp": {"secs": secs, "nsecs": round((time - secs) * 1e9)},
+                "frame_id": self.header,
+            }
+        return msg
+
+    def line(self, values: Values) -> bytes:
+        """The ``publish`` line of the robot link."""
+        return msgspec.json.encode({"op": "publish", "topic": self.topic, "msg": self.message(values)}) + b"\n"
+
+    def read(self, msg: Any) -> Values:
+        """
+        The values in a message; a field that is missing is zero, as in ROS.
+
+        Raises:
+            BadMessage: the message does not fit.
+        """
+        if not isinstance(msg, dict):
+            raise BadMessage(tr("a message on {topic} is not an object", topic=self.topic))
+        return tuple(self._value(place, _get(msg, place.path)) for place in self.places)
+
+    def _value(self, place: Place, found: Any) -> float | int | str:
+        where = f"{'.'.join(place.path)} on {self.topic}"
+        kind = place.leaf.kind
+        if place.yaw:
+            found = found if isinstance(found, dict) else {}
+            return 2 * math.atan2(float(found.get("z", 0.0)), float(found.get("w", 1.0)))
+        if found is _MISSING:
+            return "" if kind == "String" else 0.0 if kind == "Double" else 0
+        if kind == "String":
+            if not isinstance(found, str):
+                raise BadMessage(tr("{where} is not a text", where=where))
+            return found
+        if kind == "Bool":
+            if not isinstance(found, bool):
+                raise BadMessage(tr("{where} is not a truth", where=where))
+            return int(found)
+        if isinstance(found, bool) or not isinstance(found, int | float):
+            raise BadMessage(tr("{where} is not a number", where=where))
+        if kind == "Double":
+            # Dividing by ten, unlike multiplying by 0.1, gives the number that people write.
+            number = float(found) / (1 / place.scale) if place.scale < 1 else float(found) * place.scale
+            if not math.isfinite(number):
+                raise BadMessage(tr("{where} is not a finite number", where=where))
+            return number
+        # As the real server: a float where the type says integer spoils the message.
+        if isinstance(found, float):
+            raise BadMessage(tr("{where} is not an integer", where=where))
+        if place.leaf.codes and found not in place.leaf.codes:
+            raise BadMessage(tr("{where} is out of range", where=where))
+        return found
+
+
+def _put(msg: Json, path: tuple[str, ...], value: Any) -> None:
+    """Numbers in a path are places of a list."""
+    at: Any = msg
+    for i, step in enumerate(path):
+        last = i == len(path) - 1
+        empty: Any = None if last else [] if path[i + 1].isdigit() else {}
+        if isinstance(at, list):
+            while len(at) <= int(step):
+                at.append(0 if last else empty)
+            if last:
+                at[int(step)] = value
+            at = at[int(step)]
+        else:
+            if last:
+                at[step] = value
+            at = at.setdefault(step, empty)
+
+
+_MISSING: Any = object()
+"""What is at a path that a message does not have."""
+
+
+def _byte(text: str, index: int) -> Any:
+    """A byte of an array in base 64."""
+    try:
+        return base64.b64decode(text, validate=True)[index]
+    except (ValueError, IndexError):
+        return _MISSING
+
+
+def _get(msg: Any, path: tuple[str, ...]) -> Any:
+    at: Any = msg
+    for step in path:
+        if isinstance(at, dict):
+            at = at.get(step, _MISSING)
+        elif isinstance(at, list) and step.isdigit() and int(step) < len(at):
+            at = at[int(step)]
+        elif isinstance(at, str) and step.isdigit():
+            return _byte(at, int(step))
+        else:
+            return at if at is not _MISSING and not isinstance(at, list) else _MISSING
+    return at
+
+
+def _leaves(types: Mapping[str, Json], name: str, label: str = "") -> list[Leaf]:
+    entry = types.get(name)
+    if entry is None:
+        return [Leaf(label, name)]
+    if "alias" in entry:
+        return _leaves(types, entry["alias"], label)
+    if "values" in entry:
+        return [Leaf(label, name, frozenset(entry["values"].values()))]
+    return [leaf for part in entry["fields"] for leaf in _leaves(types, part["type"], part.get("name", label))]
+
+
+def _place(leaf: Leaf, place: str | Json) -> Place:
+    if isinstance(place, str):
+        return Place(tuple(place.split(".")), leaf)
+    if "yaw" in place:
+        return Place(tuple(place["yaw"].split(".")), leaf, yaw=True)
+    return Place(tuple(place["path"].split(".")), leaf, place.get("scale", 1.0), flags="flags" in place)
+
+
+def _channel(types: Mapping[str, Json], variables: Mapping[str, str], entry: Json) -> Channel:
+    ros = entry["ros"]
+    leaves = _leaves(types, entry["name"])
+    return Channel(
+        entry["name"],
+        entry["kind"],
+        _expanded(ros["topic"], variables),
+        _expanded(ros["type"], variables),
+        ros.get("latched", False),
+        tuple(_place(leaf, place) for leaf, place in zip(leaves, ros["fields"], strict=True)),
+        {tuple(path.split(".")): value for path, value in ros.get("also", {}).items()},
+        ros.get("header"),
+        "holds" in entry,
+        tuple(ros.get("bytes", ())),
+    )
+
+
+def _expanded(text: str, variables: Mapping[str, str]) -> str:
+    for name, value in variables.items():
+        text = text.replace("{" + name + "}", value)
+    return _expanded(text, variables) if any("{" + name + "}" in text for name in variables) else text
+
+
+@cache
+def simulated_channels() -> Mapping[str, Channel]:
+    """The channels of the simulated robot, by name."""
+    robot = simulated()
+    types = {entry["name"]: entry for entry in robot["types"]}
+    variables = next(iter(robot["profiles"].values()))
+    return {entry["name"]: _channel(types, variables, entry) for entry in robot["channels"]}

@@ -1,0 +1,64 @@
+"""
+Firing of a function with its provenance (language rule R12), as ``settled`` carries it (``protocol/README.md`` §2).
+
+Numbers count from the start of the observation: firings, instants (each message and each tick is one), user events.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+
+__all__ = ["Cause", "Firing", "Given", "Taken"]
+
+
+class Cause(msgspec.Struct, omit_defaults=True, frozen=True):
+    """Why the function fired then."""
+
+    by: Literal["message", "tick", "event", "start", "instant", "task", "end"]
+    # Of a message: the value, as Haskell shows it.
+    value: str = ""
+    # Of a message, a tick or the end of a wait: the instant.
+    instant: int | None = None
+    # Of a user event: its number.
+    event: int | None = None
+    # The firing that sent the event, or that led to the change of tasks.
+    firing: int | None = None
+
+
+class Taken(msgspec.Struct, omit_defaults=True, frozen=True, rename={"origin": "from"}):
+    """A value that the function took."""
+
+    origin: Literal["event", "state", "memory", "param", "time", "generator"]
+    value: str
+    # Of a memory: its type, and the firing that wrote it; None before the first write.
+    type: str = ""
+    firing: int | None = None
+    # Of a state: its channel, and the instant of the message that brought it.
+    channel: str = ""
+    instant: int | None = None
+    # Of a generator: its number.
+    read: int | None = None
+
+
+class Given(msgspec.Struct, omit_defaults=True, frozen=True):
+    """A value that the function gave."""
+
+    to: Literal["command", "event", "memory", "param", "done", "feedback", "call"]
+    value: str = ""
+    # Of a command, a memory or a user event: its type.
+    type: str = ""
+    # Of a user event: its number.
+    event: int | None = None
+
+
+class Firing(msgspec.Struct, omit_defaults=True, frozen=True):
+    """One firing. ``task`` is the scope of its task; 0 is the first one of the program."""
+
+    n: int
+    function: str
+    task: int
+    cause: Cause
+    took: list[Taken] = []
+    gave: list[Given] = []

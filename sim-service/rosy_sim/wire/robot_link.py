@@ -1,0 +1,256 @@
+"""
+Robot link, the simulator's side, without any I/O.
+
+Feed it the bytes that arrived from the program, in pieces of any size; it returns the messages they
+complete and checks that they come in an order ``protocol/README.md`` section 2 allows. Whatever a
+program sends, the answer is messages or a ``LinkError`` that says what it broke.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+
+from ..world.events import Command
+from ..world.time_step import STEPS_PER_SECOND
+from .firing import Firing
+from .line_splitter import LineSplitter, LineTooLong
+from .problem import Problem
+from .topics import COMMAND_TOPICS, BadMessage, TopicMessage, read_command
+
+__all__ = [
+    "MAX_COMMANDS",
+    "MAX_LINE",
+    "MAX_RUN",
+    "MAX_STEP",
+    "Ended",
+    "LimitExceeded",
+    "LinkError",
+    "MemoryValue",
+    "Publish",
+    "Ready",
+    "Settled",
+    "SimulatorLink",
+    "start_line",
+    "step_line",
+    "stop_line",
+]
+
+PROTOCOL = 1
+
+MAX_LINE = 1_000_000
+"""Longest line a program may send, bytes. A `settled` with its trace stays far below."""
+
+MAX_COMMANDS = 10_000
+"""Most commands in one step."""
+
+MAX_STEP = 4_000_000
+"""Most bytes in one step."""
+
+MAX_RUN = 2_000_000_000
+"""Bytes of a whole run: more than a day of a chatty program."""
+
+MAX_FIRED = 100_000
+"""Most firings that one `settled` may report."""
+
+MAX_MEMORY = 1_000
+"""Most values of a memory that one `settled` may report."""
+
+
+class LinkError(Exception):
+    """The program broke the protocol; the text says how. Not caused by the learner."""
+
+
+class LimitExceeded(LinkError):
+    """The program exceeded a limit, which the learner may have caused."""
+
+
+class Publish(msgspec.Struct, tag="publish", tag_field="op"):
+    """A command message, not yet read."""
+
+    topic: str
+    msg: msgspec.Raw
+
+
+class MemoryValue(msgspec.Struct):
+    """A value that the program remembers: its type and the value, as Haskell writes them."""
+
+    type: str
+    value: str
+
+
+class Settled(msgspec.Struct, tag="settled", tag_field="op"):
+    """
+    The end of the program's batch. ``sent`` is the number of commands of each function in ``fired``, absent when one
+    function sent all of them. ``commands`` and ``events`` only with trace; ``memory`` only when the step asked for it
+    and it is not what the program told last; ``firings`` only when the step asked for them.
+    """
+
+    step: int
+    fired: list[str] = []
+    sent: list[int] = []
+    sensed: list[str] = []
+    events: list[str] = []
+    commands: list[str] = []
+    memory: list[MemoryValue] | None = None
+    firings: list[Firing] = []
+
+
+class Ended(msgspec.Struct, tag="ended", tag_field="op"):
+    """The program's last line, in place of the last step's ``Settled``."""
+
+    how: Literal["done", "error", "stopped"]
+    problem: Problem | None = None
+    fired: list[str] = []
+    sent: list[int] = []
+    sensed: list[str] = []
+    events: list[str] = []
+    commands: list[str] = []
+    firings: list[Firing] = []
+
+
+class Advertise(msgspec.Struct, tag="advertise", tag_field="op"):
+    """The program will give commands on a topic."""
+
+    topic: str
+    type: str = ""
+
+
+class Subscribe(msgspec.Struct, tag="subscribe", tag_field="op"):
+    """The program wants a sensor topic."""
+
+    topic: str
+    type: str = ""
+
+
+class Ready(msgspec.Struct, tag="ready", tag_field="op"):
+    """The program has said what it wants."""
+
+
+_Line = Publish | Settled | Ended | Advertise | Subscribe | Ready
+_decoder = msgspec.json.Decoder(_Line)
+
+Message = Ready | Command | TopicMessage | Settled | Ended
+
+MAX_TOPICS = 100
+"""Most topics that a program may take, and most that it may send, the robot's own included."""
+
+
+def start_line(seed: int, trace: bool) -> bytes:
+    """The first line."""
+    return msgspec.json.encode({"op": "start", "protocol": PROTOCOL, "seed": seed, "trace": trace}) + b"\n"
+
+
+def step_line(step: int, memory: bool = False, firings: bool = False) -> bytes:
+    """The end of a step's batch; it may ask what the program remembers, and for its firings with their provenance."""
+    asking = (b',"memory":true' if memory else b"") + (b',"firings":true' if firings else b"")
+    return b'{"op":"step","step":%d,"time":%s%s}\n' % (step, repr(step / STEPS_PER_SECOND).encode(), asking)
+
+
+def stop_line() -> bytes:
+    """Asks the program to clean up and end."""
+    return b'{"op":"stop"}\n'
+
+
+class SimulatorLink:
+    """Protocol state of the simulator's end."""
+
+    __slots__ = (
+        "_commands",
+        "_lines",
+        "_run_bytes",
+        "_step_bytes",
+        "advertised",
+        "ended",
+        "ready",
+        "step",
+        "subscribed",
+    )
+
+    def __init__(self) -> None:
+        self._lines = LineSplitter(MAX_LINE)
+        # Commands and bytes since the last `settled`.
+        self._commands = 0
+        self._step_bytes = 0
+        # Set by the program's `ready`, and by its `ended`.
+        self.ready = False
+        self.ended = False
+        # The step whose `settled` may come next; set by the owner when it sends a batch.
+        self.step: int | None = None
+        # Bytes of the run so far.
+        self._run_bytes = 0
+        # Topics that the program takes, and those that it sends.
+        self.subscribed: set[str] = set()
+        self.advertised: set[str] = set()
+
+    def feed(self, data: bytes) -> list[Message]:
+        """
+        Take bytes from the program; return the messages they complete, in order.
+
+        Raises:
+            LinkError: a line is not a message, comes at the wrong time, or there is too much of it (``TooMuch``).
+        """
+        self._step_bytes += len(data)
+        if self._step_bytes > MAX_STEP:
+            raise LimitExceeded(f"more than {MAX_STEP} bytes in one step")
+        self._run_bytes += len(data)
+        if self._run_bytes > MAX_RUN:
+            raise LimitExceeded(f"more than {MAX_RUN} bytes in one run")
+        try:
+            lines = self._lines.feed(data)
+        except LineTooLong as error:
+            raise LimitExceeded(str(error)) from error
+        messages: list[Message] = []
+        for line in lines:
+            try:
+                message = _decoder.decode(line)
+            except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+                raise LinkError(f"a line is not a message: {error}") from error
+            understood = self._take(message)
+            if understood is not None:
+                messages.append(understood)
+        return messages
+
+    def _take(self, message: _Line) -> Message | None:
+        if self.ended:
+            raise LinkError("a line follows `ended`")
+        if isinstance(message, Publish):
+            return self._publish(message)
+        if isinstance(message, Settled):
+            return self._settled(message)
+        if isinstance(message, Ended):
+            self.ended = True
+            return message
+        if self.ready:
+            raise LinkError("the topics were already settled with `ready`")
+        if isinstance(message, Ready):
+            self.ready = True
+            return message
+        named = self.subscribed if isinstance(message, Subscribe) else self.advertised
+        named.add(message.topic)
+        if len(named) > MAX_TOPICS:
+            raise LinkError(f"more than {MAX_TOPICS} topics")
+        return None
+
+    def _publish(self, message: Publish) -> Command | TopicMessage:
+        self._commands += 1
+        if self._commands > MAX_COMMANDS:
+            raise LimitExceeded(f"more than {MAX_COMMANDS} commands in one step")
+        try:
+            if message.topic not in COMMAND_TOPICS and message.topic in self.advertised:
+                return TopicMessage(message.topic, msgspec.json.decode(message.msg))
+            return read_command(message.topic, message.msg)
+        except BadMessage as error:
+            raise LinkError(str(error)) from error
+
+    def _settled(self, message: Settled) -> Settled:
+        if message.step != self.step:
+            raise LinkError(f"`settled` for step {message.step} instead of {self.step}")
+        if len(message.fired) > MAX_FIRED:
+            raise LinkError(f"more than {MAX_FIRED} firings in one step")
+        if message.memory is not None and len(message.memory) > MAX_MEMORY:
+            raise LinkError(f"more than {MAX_MEMORY} values in a memory")
+        self._commands = self._step_bytes = 0
+        self.step = None
+        return message

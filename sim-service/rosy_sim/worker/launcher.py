@@ -1,0 +1,157 @@
+"""
+Launcher of worker processes: one end of a socket pair as descriptor 3, a session of its own, bubblewrap around it.
+
+The sandbox has no network, a read-only view of the system's libraries and of the Rosy library, private
+/tmp and /proc, and no capabilities; it dies with its parent. What it does not do: limit the programs
+themselves (the worker does, with seccomp and resource limits).
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+import shutil
+import signal
+import socket
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..config import Config
+from ..errors import WorkerMissing
+from ..sentence import Sentence, tr, verbatim
+
+__all__ = ["WorkerProcess", "launch", "missing_sandbox", "sandbox_fault", "sandbox_warning"]
+
+_DESCRIPTOR = 3
+"""Where the worker finds its socket. protocol/README.md, section 3."""
+
+_SYSTEM = ("/usr", "/var/lib/ghc", "/etc/alternatives", "/etc/ld.so.cache")
+"""What GHC and the libraries need of a Debian system; missing ones are skipped."""
+
+_LINKS = ("/bin", "/sbin", "/lib", "/lib64")
+"""Links into /usr on a merged system, folders elsewhere."""
+
+
+def sandbox_warning(fault: Sentence) -> Sentence:
+    """The line on standard error that every command prints where the sandbox is missing."""
+    return tr("programs run without their sandbox: {fault}.", fault=fault)
+
+
+@dataclass(frozen=True, slots=True)
+class WorkerProcess:
+    """A running worker. ``pid`` leads its own process group."""
+
+    pid: int
+    socket: socket.socket
+
+    def kill(self) -> None:
+        """End the worker and everything in its sandbox, at once. Reaping is the owner's."""
+        try:
+            os.killpg(self.pid, signal.SIGKILL)
+        except (ProcessLookupError, PermissionError):
+            # Not a group leader yet, or already gone.
+            try:
+                os.kill(self.pid, signal.SIGKILL)
+            except ProcessLookupError:
+                return
+
+
+def launch(config: Config) -> WorkerProcess:
+    """
+    Start a worker.
+
+    Raises:
+        WorkerMissing: none has been built.
+        OSError: the system cannot start it.
+    """
+    if not config.worker or shutil.which(config.worker[0]) is None:
+        raise WorkerMissing
+    command = [*(_sandbox(config) if uses_sandbox(config) else []), *config.worker]
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+    try:
+        pid = os.posix_spawn(
+            shutil.which(command[0]) or command[0],
+            command,
+            _environment(),
+            file_actions=[
+                (os.POSIX_SPAWN_OPEN, 0, "/dev/null", os.O_RDONLY, 0),
+                (os.POSIX_SPAWN_DUP2, theirs.fileno(), _DESCRIPTOR),
+            ],
+            setsid=True,
+        )
+    except OSError:
+        ours.close()
+        raise
+    finally:
+        theirs.close()
+    return WorkerProcess(pid, ours)
+
+
+def _environment() -> dict[str, str]:
+    """
+    As little as a worker needs; nothing of the person's own.
+
+    ROSY_LIBRARIES: folders of shared libraries, where they are not the system's (on a stick).
+    """
+    kept = {name: os.environ[name] for name in ("ROSY_PACKAGE_DB", "ROSY_LAYERS_OFF") if name in os.environ}
+    if "ROSY_LIBRARIES" in os.environ:
+        kept["LD_LIBRARY_PATH"] = os.environ["ROSY_LIBRARIES"]
+    return {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "HOME": "/tmp", **kept}
+
+
+def _sandbox(config: Config) -> list[str]:
+    command = ["bwrap", "--unshare-all", "--die-with-parent", "--cap-drop", "ALL", "--clearenv"]
+    for name, value in _environment().items():
+        command += ["--setenv", name, value]
+    for name in _SYSTEM:
+        if Path(name).exists():
+            command += ["--ro-bind", name, name]
+    for name in _LINKS:
+        if Path(name).is_symlink():
+            command += ["--symlink", os.readlink(name), name]
+        elif Path(name).is_dir():
+            command += ["--ro-bind", name, name]
+    command += ["--proc", "/proc", "--dev", "/dev", "--tmpfs", "/tmp"]
+    for folder in config.visible:
+        command += ["--ro-bind", str(folder), str(folder)]
+    return [*command, "--chdir", "/tmp", "--"]
+
+
+def missing_sandbox(config: Config) -> Sentence | None:
+    """Why workers of this configuration run without their sandbox, or ``None`` when they have it."""
+    return sandbox_fault() if config.sandbox else tr("the sandbox is turned off")
+
+
+def uses_sandbox(config: Config) -> bool:
+    """Whether workers of this configuration are wrapped."""
+    return missing_sandbox(config) is None
+
+
+@functools.cache
+def sandbox_fault() -> Sentence | None:
+    """Why this machine cannot build the sandbox, or ``None`` when it can."""
+    if shutil.which("bwrap") is None:
+        return tr("bubblewrap is not installed")
+    probe = [
+        "bwrap",
+        "--unshare-all",
+        "--cap-drop",
+        "ALL",
+        "--ro-bind",
+        "/",
+        "/",
+        "--proc",
+        "/proc",
+        "--dev",
+        "/dev",
+        "/bin/true",
+    ]
+    try:
+        done = subprocess.run(probe, capture_output=True, timeout=10, check=False)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        return verbatim(str(error))
+    if done.returncode == 0:
+        return None
+    said = done.stderr.decode(errors="replace").strip().splitlines()
+    return verbatim(said[-1]) if said else tr("the kernel does not allow new namespaces")

@@ -1,0 +1,84 @@
+"""
+Native build: ``rosy-build`` (rosy-hs/builder) compiles a program with GHC to an executable that drives a robot.
+
+The program must have passed the worker's check. Intermediate files go into a folder that is removed afterwards.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import tempfile
+from pathlib import Path
+
+from ..atomic_file import AtomicFile
+from ..errors import BadInput, WorkerMissing
+from ..sentence import tr
+
+__all__ = ["build_program", "is_native"]
+
+_ARCHIVES = ("libgmp.a", "libffi.a", "libz.a")
+"""Libraries that a robot's computer need not have. Not the C library: how it looks up hosts depends on its version."""
+
+
+def build_program(root: Path, source: str, output: Path) -> int:
+    """
+    Compile and link a checked program; returns the exit status. GHC speaks for itself, on standard error.
+
+    Raises:
+        BadInput: nothing can be written there.
+        WorkerMissing: the compiler part has not been built.
+    """
+    builder = _newest(root, "dist-newstyle/build/*/ghc-*/rosy-*/x/rosy-build/**/rosy-build")
+    robots = _newest(root, "dist-newstyle/packagedb/ghc-*/rosy-*-robots.conf")
+    if builder is None or robots is None:
+        raise WorkerMissing
+    if output.is_dir() or not output.absolute().parent.is_dir():
+        raise BadInput(tr("{output} cannot be written: name a file in a folder that exists.", output=output))
+    with tempfile.TemporaryDirectory(prefix="rosy-build-") as folder:
+        scratch = Path(folder)
+        program, binary = scratch / "Main.hs", scratch / "program"
+        program.write_text(source, encoding="utf-8")
+        _link_static_archives(scratch)
+        units = f"{robots.stem.removesuffix('-robots')},{robots.stem}"
+        run_queue = [_libdir(), robots.parent, units, scratch, program, root, binary]
+        status = subprocess.run([builder, *map(str, run_queue)], check=False).returncode
+        if status == 0:
+            _install(binary, output)
+    return status
+
+
+def is_native(path: Path) -> bool:
+    """Whether a file is an executable program (ELF's first four bytes), as ``build_program`` makes them."""
+    try:
+        with path.open("rb") as file:
+            return file.read(4) == b"\x7fELF"
+    except OSError:
+        return False
+
+
+def _install(binary: Path, output: Path) -> None:
+    """Replaces the output as a whole; an old version that is running keeps its own file."""
+    with AtomicFile(output, mode=0o755) as file:
+        file.write(binary.read_bytes())
+
+
+def _link_static_archives(folder: Path) -> None:
+    """What the linker finds there as an archive and not as a shared library becomes a part of the file."""
+    for name in _ARCHIVES:
+        archive = Path(_output_of("gcc", f"-print-file-name={name}"))
+        # A bare name comes back where the system has none; then the shared library is taken.
+        if archive.is_absolute():
+            (folder / name).symlink_to(archive)
+
+
+def _libdir() -> str:
+    return _output_of("ghc", "--print-libdir")
+
+
+def _output_of(*command: str) -> str:
+    return subprocess.run(command, capture_output=True, check=True, text=True).stdout.strip()
+
+
+def _newest(root: Path, pattern: str) -> Path | None:
+    built = [path for path in root.glob(pattern) if path.is_file()]
+    return max(built, key=lambda path: path.stat().st_mtime, default=None)

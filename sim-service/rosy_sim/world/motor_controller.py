@@ -1,0 +1,56 @@
+"""
+Motor controller: a target speed, its limits, and the watchdog that stops a robot without commands.
+
+Time comes in as ``dt``; nothing here knows where the robot is.
+"""
+
+from __future__ import annotations
+
+from .robot import MotorLimits
+
+__all__ = ["MotorController", "approach", "clamp"]
+
+_ROUNDING = 1e-9
+"""Thirty steps of 0.02 s must add up to the timeout of 0.6 s, s."""
+
+
+def clamp(limit: float, value: float) -> float:
+    """The nearest number to ``value`` within ``limit`` of zero."""
+    return max(-limit, min(limit, value))
+
+
+def approach(dt: float, acceleration: float, target: float, value: float) -> float:
+    """Move ``value`` towards ``target`` for ``dt`` seconds, no faster than ``acceleration`` either way."""
+    change = acceleration * dt
+    return max(value - change, min(value + change, target))
+
+
+class MotorController:
+    """Two wheels' worth of motor, seen as a translational and a rotational speed."""
+
+    __slots__ = ("_age", "_limits", "angular", "linear")
+
+    def __init__(self, limits: MotorLimits) -> None:
+        self._limits = limits
+        # What the last command asks for, within the limits; m/s and rad/s.
+        self.linear = 0.0
+        self.angular = 0.0
+        # Seconds since the last command; grows only in next().
+        self._age = 0.0
+
+    def command(self, linear: float, angular: float) -> None:
+        """Obey a velocity command from now on."""
+        self.linear = clamp(self._limits.speed, linear)
+        self.angular = clamp(self._limits.angular_speed, angular)
+        self._age = 0.0
+
+    def next(self, dt: float, v: float, w: float) -> tuple[float, float]:
+        """The speeds after ``dt`` seconds, from the speeds now."""
+        limits = self._limits
+        if self._age >= limits.command_timeout - _ROUNDING:
+            self.linear = self.angular = 0.0
+        self._age += dt
+        return (
+            approach(dt, limits.acceleration, self.linear, v),
+            approach(dt, limits.angular_acceleration, self.angular, w),
+        )

@@ -1,0 +1,333 @@
+"""
+Obstacles of a room, in pymunk: clearance around a point, positions where a robot can stand, and how pushed
+boxes move. Distances are exact (Chipmunk's signed distance to a shape), so a robot is moved back onto
+the surface of a wall rather than bounced out of it: it never ends inside one, at any speed.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import pymunk
+
+from ..sentence import tr
+from .arena import WALL_THICKNESS, Arena, Box, Round
+from .field_readers import ArenaError
+from .robot import Body
+
+__all__ = ["FLOOR_FRICTION", "GRAVITY", "MAX_OVERLAPS", "Clearance", "Obstacles"]
+
+GRAVITY = 9.81
+"""m/s². Presses movable boxes onto the floor; the robot's plane itself has none."""
+
+FLOOR_FRICTION = 0.3
+"""Of a movable box on the floor, without unit. Wood on linoleum; our choice."""
+
+_BORDER = 1.0
+"""How thick the wall around the room is, m: more than a robot can enter in a step."""
+
+_RANGE = 0.5
+"""Range of distance queries from the robot's centre, m."""
+
+_TOUCHING = 1e-6
+"""Overlap that counts as touching, m."""
+
+_MAX_OVERLAP = 5e-4
+"""Overlap with a wall that may remain when several walls push, m."""
+
+_BOX_OVERLAP = 1e-3
+"""Overlap with a movable box that is left to the solver, m."""
+
+_MAX_CORRECTIONS = 24
+"""Corrections of a position before the robot stays where it was."""
+
+_AT_REST = 1e-4
+"""A box slower than this is at rest, m/s and rad/s."""
+
+_DRAG_STEP, _DRAG_TURN = 0.01, 0.05
+"""Steps in which a thing is dragged, m and rad; each is checked for collisions."""
+
+_DRAG_GAP = 5e-4
+"""Overlap with which a dragged thing counts as only touching, m."""
+
+_MAX_DRAG = 2.0
+"""Longest way of one drag message, m: a longer one is a slip of the mouse."""
+
+MAX_OVERLAPS = 200
+"""Pairs of a movable thing and another thing that may overlap in a room. The solver works on each pair in each step."""
+
+_MAX_DRAG_CONTACTS = 1000
+"""
+Contacts that one drag may look at: the longest drag past four things. A thing in a pile moves less far. A contact takes
+some 10 µs.
+"""
+
+_STATIC, _MOVABLE, _ROBOT = 1, 2, 4
+
+
+class Clearance(NamedTuple):
+    """Clearance around a position: the distance free of obstacles, and the surfaces touched."""
+
+    # Distance to the nearest surface beyond the contact gap, m; less than 0 when touching.
+    free: float
+    # Distance to the nearest movable surface, m.
+    free_of_boxes: float
+    # Directions (rad, in the room) from the centre towards each touched surface.
+    contacts: tuple[float, ...]
+
+
+class Obstacles:
+    """Walls, blocks and boxes of an arena."""
+
+    def __init__(self, arena: Arena, body: Body) -> None:
+        self._radius = body.radius
+        self._contact_gap = body.contact_gap
+        self._space = space = pymunk.Space()
+        space.iterations = 20
+        space.collision_slop = 2e-4
+        space.collision_bias = 1e-6
+        space.collision_persistence = 3
+        # The bodies of movable things, in the arena's order: boxes, then rounds.
+        self.movables: list[pymunk.Body] = []
+        self._movable_shapes: set[pymunk.Shape | None] = set()
+        self._friction_radii: list[float] = []
+        # Whether a movable thing still slides; set by push().
+        self.awake = False
+        self._all_shapes = pymunk.ShapeFilter(mask=_STATIC | _MOVABLE)
+        for x, y, w, h in _solid_rectangles(arena):
+            self._fixed(pymunk.Poly(space.static_body, [(x, y), (x + w, y), (x + w, y + h), (x, y + h)]))
+        for wall in arena.walls:
+            self._fixed(pymunk.Segment(space.static_body, (wall.x0, wall.y0), (wall.x1, wall.y1), WALL_THICKNESS / 2))
+        things: tuple[Box | Round, ...] = (*arena.boxes, *arena.rounds)
+        overlaps = 0
+        for thing in things:
+            self._thing(thing)
+            if thing.movable:
+                # Counted at once, because a pile takes long to build.
+                overlaps += self._count_overlaps(self.movables[-1])
+                _refuse_more_than(MAX_OVERLAPS, overlaps)
+        # With what was added after them; those of two movable things are counted twice.
+        overlaps = 0
+        for moving in self.movables:
+            overlaps += self._count_overlaps(moving)
+            _refuse_more_than(2 * MAX_OVERLAPS, overlaps)
+        # Contacts that the current drag may still look at.
+        self._contacts_left = 0
+        self._robot = pymunk.Body(body.mass, body.inertia)
+        shape = pymunk.Circle(self._robot, body.radius)
+        shape.filter = pymunk.ShapeFilter(categories=_ROBOT, mask=_MOVABLE)
+        shape.elasticity = 0.0
+        shape.friction = 0.1
+        space.add(self._robot, shape)
+
+    def _count_overlaps(self, body: pymunk.Body) -> int:
+        return sum(len(self._space.shape_query(shape)) for shape in body.shapes)
+
+    def _fixed(self, shape: pymunk.Shape) -> None:
+        shape.filter = pymunk.ShapeFilter(categories=_STATIC)
+        shape.elasticity = 0.0
+        shape.friction = 0.2
+        self._space.add(shape)
+
+    def _thing(self, thing: Box | Round) -> None:
+        body = self._space.static_body
+        if thing.movable:
+            if isinstance(thing, Box):
+                moment = pymunk.moment_for_box(thing.mass, (thing.w, thing.h))
+                radius = math.hypot(thing.w, thing.h) / 3
+            else:
+                moment = pymunk.moment_for_circle(thing.mass, 0, thing.r)
+                radius = thing.r * 2 / 3
+            body = pymunk.Body(thing.mass, moment)
+            body.position = (thing.x, thing.y)
+            body.angle = thing.theta if isinstance(thing, Box) else 0.0
+        shape: pymunk.Shape
+        if isinstance(thing, Box):
+            c, s = math.cos(thing.theta), math.sin(thing.theta)
+            half = [(i * thing.w / 2, j * thing.h / 2) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+            if thing.movable:
+                shape = pymunk.Poly(body, half)
+            else:
+                shape = pymunk.Poly(body, [(thing.x + c * a - s * b, thing.y + s * a + c * b) for a, b in half])
+        else:
+            shape = pymunk.Circle(body, thing.r, (0, 0) if thing.movable else (thing.x, thing.y))
+        if not thing.movable:
+            self._fixed(shape)
+            return
+        shape.filter = pymunk.ShapeFilter(categories=_MOVABLE)
+        shape.elasticity = 0.0
+        shape.friction = 0.2
+        self._space.add(body, shape)
+        self.movables.append(body)
+        self._movable_shapes.add(shape)
+        self._friction_radii.append(radius)
+
+    def poses(self) -> list[tuple[float, float, float]]:
+        """Where the movable things are now: x, y, theta of each, in the arena's order."""
+        return [(b.position.x, b.position.y, b.angle) for b in self.movables]
+
+    def drag(self, thing: int, x: float, y: float, theta: float, robot: tuple[float, float]) -> None:
+        """
+        Drag a movable thing towards a pose, as far as neither walls, nor other things, nor the robot block it. In a
+        pile, of which many things would have to be looked at, it moves a part of the way.
+        """
+        body = self.movables[thing]
+        self._robot.position = robot
+        self._space.reindex_shapes_for_body(self._robot)
+        x0, y0 = body.position
+        turn = math.remainder(theta - body.angle, math.tau)
+        canonical_address = min(math.hypot(x - x0, y - y0), _MAX_DRAG)
+        pieces = max(1, math.ceil(canonical_address / _DRAG_STEP), math.ceil(abs(turn) / _DRAG_TURN))
+        far = canonical_address / math.hypot(x - x0, y - y0) if canonical_address else 0.0
+        dx, dy, dtheta = (x - x0) * far / pieces, (y - y0) * far / pieces, turn / pieces
+        self._contacts_left = _MAX_DRAG_CONTACTS
+        for _ in range(pieces):
+            if self._contacts_left < 0:
+                break
+            # A thing that is blocked slides along the obstacle, and ends where it touches it.
+            if not any(self._try_move(body, *step) for step in ((dx, dy, dtheta), (dx, 0.0, 0.0), (0.0, dy, 0.0))):
+                for fraction in (0.5, 0.25, 0.125, 0.0625, 0.03125):
+                    self._try_move(body, dx * fraction, dy * fraction, dtheta * fraction)
+                break
+        body.velocity = (0.0, 0.0)
+        body.angular_velocity = 0.0
+
+    def depth(self, thing: int) -> float:
+        """How deep a movable thing is inside walls, other things or the robot, m."""
+        return self._overlap(self.movables[thing])
+
+    def _try_move(self, body: pymunk.Body, dx: float, dy: float, turn: float) -> bool:
+        """Move a thing a little, unless that increases its overlap."""
+        if not (dx or dy or turn):
+            return False
+        before, angle = body.position, body.angle
+        deep = self._overlap(body)
+        body.position = (before.x + dx, before.y + dy)
+        body.angle = angle + turn
+        now = self._overlap(body)
+        if now <= max(deep, _DRAG_GAP):
+            return True
+        body.position, body.angle = before, angle
+        self._space.reindex_shapes_for_body(body)
+        return False
+
+    def _overlap(self, body: pymunk.Body) -> float:
+        """How deep a thing is inside others, m."""
+        self._space.reindex_shapes_for_body(body)
+        deepest = 0.0
+        for shape in body.shapes:
+            for found in self._space.shape_query(shape):
+                self._contacts_left -= 1
+                # Chipmunk reports only what overlaps, and turns the sign when it has swapped the two shapes.
+                for contact in found.contact_point_set.points:
+                    deepest = max(deepest, abs(contact.distance))
+        return deepest
+
+    def clearance_at(self, x: float, y: float) -> Clearance:
+        """The clearance around a robot at a point."""
+        radius, contact_gap = self._radius, self._contact_gap
+        free = free_of_boxes = _RANGE - radius
+        contacts: list[float] = []
+        for shape, _point, distance, gradient in self._space.point_query((x, y), _RANGE, self._all_shapes):
+            gap = distance - radius
+            free = min(free, gap - contact_gap)
+            if shape in self._movable_shapes:
+                free_of_boxes = min(free_of_boxes, gap)
+            if gap < contact_gap:
+                contacts.append(math.atan2(-gradient.y, -gradient.x))
+        return Clearance(free, free_of_boxes, tuple(contacts))
+
+    def free_position(self, x: float, y: float) -> tuple[float, float] | None:
+        """The position nearest to a point where the robot touches but does not enter anything, if one is near."""
+        for _ in range(_MAX_CORRECTIONS):
+            depth, nx, ny = self._deepest(x, y)
+            if depth <= _TOUCHING:
+                return x, y
+            x += nx * depth
+            y += ny * depth
+        return (x, y) if self._deepest(x, y)[0] <= _MAX_OVERLAP else None
+
+    def _deepest(self, x: float, y: float) -> tuple[float, float, float]:
+        deepest, nx, ny = 0.0, 0.0, 0.0
+        for shape, _point, distance, gradient in self._space.point_query((x, y), self._radius, self._all_shapes):
+            depth = self._radius - distance
+            if shape in self._movable_shapes:
+                depth -= _BOX_OVERLAP
+            if depth > deepest:
+                deepest, nx, ny = depth, gradient.x, gradient.y
+        return deepest, nx, ny
+
+    def push(self, x: float, y: float, theta: float, v: float, w: float, dt: float) -> tuple[float, float, float]:
+        """
+        Move the robot and all movable things for ``dt`` seconds.
+
+        Returns the robot's new x and y and the speed ahead that the things it pushes leave it.
+        """
+        robot = self._robot
+        c, s = math.cos(theta + w * dt / 2), math.sin(theta + w * dt / 2)
+        robot.position = (x, y)
+        robot.angle = theta
+        robot.velocity = (v * c, v * s)
+        robot.angular_velocity = w
+        self._space.step(dt)
+        self.awake = False
+        for body, radius in zip(self.movables, self._friction_radii, strict=True):
+            self._apply_friction(body, radius, dt)
+        position, velocity = robot.position, robot.velocity
+        return position.x, position.y, velocity.x * c + velocity.y * s
+
+    def _apply_friction(self, body: pymunk.Body, radius: float, dt: float) -> None:
+        """Floor friction: a box loses speed, and turning, at the rate its weight allows."""
+        loss = FLOOR_FRICTION * GRAVITY * dt
+        speed, rim = body.velocity.length, abs(body.angular_velocity) * radius
+        # Compared before it is divided: a speed may be so small that its inverse is none.
+        if speed > loss:
+            body.velocity = body.velocity * (1 - loss / speed)
+        else:
+            body.velocity = (0.0, 0.0)
+        if rim > loss:
+            body.angular_velocity *= 1 - loss / rim
+        else:
+            body.angular_velocity = 0.0
+        if speed - loss > _AT_REST or rim - loss > _AT_REST:
+            self.awake = True
+
+
+def _refuse_more_than(most: int, overlaps: int) -> None:
+    if overlaps > most:
+        raise ArenaError("", tr("too many things lie on each other; give the movable ones places of their own."))
+
+
+def _solid_rectangles(arena: Arena) -> list[tuple[float, float, float, float]]:
+    """The border and the wall tiles as few rectangles (x, y, w, h): runs of a row, merged upwards when equal."""
+    w, h, b = arena.width, arena.height, _BORDER
+    found = [(-b, -b, w + 2 * b, b), (-b, h, w + 2 * b, b), (-b, 0.0, b, h), (w, 0.0, b, h)]
+    open_runs: dict[tuple[int, int], int] = {}
+    rows = len(arena.tiles)
+    tile = arena.tile
+
+    def close(run: tuple[int, int], top: int, bottom: int) -> None:
+        found.append((run[0] * tile, (rows - bottom) * tile, (run[1] - run[0]) * tile, (bottom - top) * tile))
+
+    for i, row in enumerate((*arena.tiles, "")):
+        runs = _runs(row)
+        for run, top in list(open_runs.items()):
+            if run not in runs:
+                close(run, top, i)
+                del open_runs[run]
+        for run in runs:
+            open_runs.setdefault(run, i)
+    return found
+
+
+def _runs(row: str) -> list[tuple[int, int]]:
+    runs: list[tuple[int, int]] = []
+    start = None
+    for i, char in enumerate(row + "."):
+        if char == "#" and start is None:
+            start = i
+        elif char != "#" and start is not None:
+            runs.append((start, i))
+            start = None
+    return runs

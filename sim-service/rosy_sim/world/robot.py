@@ -1,0 +1,112 @@
+"""
+Description of a robot, as far as the simulation depends on it: its body, the limits of its motors, and functions that
+turn its surroundings into sensor readings and events.
+
+The world takes one as an argument and knows no robot by name; ``robots/<name>`` holds those that there are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
+
+from .arena import Arena
+from .events import Reading
+
+__all__ = ["Body", "Device", "MotorLimits", "Robot", "SensorBits", "Surroundings"]
+
+
+class SensorBits(NamedTuple):
+    """The sensors whose changes are events, one bit for each place."""
+
+    buttons: int = 0
+    bumpers: int = 0
+    cliffs: int = 0
+    wheels: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """A round robot with two wheels. Lengths in m, mass in kg, inertia about the vertical axis in kg m²."""
+
+    radius: float
+    mass: float
+    inertia: float
+    # Distance between the wheels.
+    wheelbase: float
+    # A surface nearer than this counts as touched.
+    contact_gap: float
+
+
+@dataclass(frozen=True, slots=True)
+class MotorLimits:
+    """In m/s, rad/s, m/s² and rad/s²."""
+
+    speed: float
+    angular_speed: float
+    acceleration: float
+    angular_acceleration: float
+    # A velocity command older than this stops the robot, s.
+    command_timeout: float
+
+
+PointSensor = Callable[[Arena, float, float, float], int]
+"""Bits for a robot at x, y (m) and theta (rad) in an arena."""
+
+
+class Surroundings(Protocol):
+    """
+    What a device may know of the robot: its true pose in the room (m, rad), its speeds (m/s, rad/s), the room, and its
+    commands.
+    """
+
+    x: float
+    y: float
+    theta: float
+    v: float
+    w: float
+    arena: Arena
+    outputs: dict[str, tuple[float | int | str, ...]]
+
+    def odometry(self) -> tuple[float, float, float, float, float]:
+        """x, y (m), heading (rad), speed (m/s) and turn rate (rad/s), as the robot's own sensors estimate them."""
+
+
+class Device(Protocol):
+    """A sensor or an actuator with a state of its own, such as a battery."""
+
+    # Channels whose changes are events; those of the others are states.
+    events: frozenset[str]
+
+    def integrate(self, robot: Surroundings, dt: float) -> None:
+        """Let ``dt`` seconds pass."""
+
+    def values(self, robot: Surroundings) -> dict[str, tuple[float | int | str, ...]]:
+        """What each of its channels says now."""
+
+
+@dataclass(frozen=True, slots=True)
+class Robot:
+    """One kind of robot."""
+
+    name: str
+    body: Body
+    limits: MotorLimits
+    # The event of the first packet.
+    online: Reading
+    # Bits for surfaces touched in these directions (rad, in the room) by a robot at theta (rad).
+    bumpers: Callable[[tuple[float, ...], float], int]
+    cliffs: PointSensor
+    # The wheels without floor under them.
+    hanging_wheels: PointSensor
+    # The events of a change, in the order in which the robot's driver reports them.
+    changes: Callable[[SensorBits, SensorBits], list[Reading]]
+    # The state of each of those sensors, by channel.
+    states: Callable[[SensorBits], dict[str, tuple[int, ...]]]
+    # The commands that last, by channel, as they are at the start; of a command with places the state of each.
+    outputs: dict[str, tuple[float | int | str, ...]]
+    # The command that switches the motors: wheels stand while its value is 0. None when they are always on.
+    motor_switch: str | None = None
+    # What else is built in: each is made for a room.
+    devices: tuple[Callable[[Arena], Device], ...] = ()

@@ -1,0 +1,67 @@
+"""What a class has acknowledged outlives SIGKILL: 20 kills during saves in ``./rosy test``, 1,000 nightly."""
+
+from __future__ import annotations
+
+import os
+import random
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from rosy_sim.classroom.class_store import Admission, ClassStore
+
+from ..extent import SEED, WHOLE
+
+KILLS = 1000 if WHOLE else 20
+
+WRITER = """
+import sys
+from pathlib import Path
+from rosy_sim.classroom.class_store import Admission, ClassStore
+
+store = ClassStore(Path(sys.argv[1]), Admission("code", "key"), 0.0)
+turn = sys.argv[2]
+pupil = store.pupil_of("token") or store.join("Ada", lambda: "a b c", "token", 0.0)
+base = next((v.number for v in store.programs(pupil.id)), 0)
+count = 0
+while True:
+    count += 1
+    text = f"{turn} {count} " + "x" * (count * 997 % 5000)
+    base = store.save(pupil.id, "p", "walk", text, "change", base, f"{turn}-{count}", [], 0.0).number
+    sys.stdout.write(f"{base} {turn} {count}\\n")
+    sys.stdout.flush()
+"""
+
+
+@pytest.mark.long
+def test_nothing_acknowledged_is_missing_after_kills_during_saves(tmp_path: Path) -> None:
+    database = tmp_path / "class.sqlite3"
+    chance = random.Random(SEED)
+    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).resolve().parents[2])}
+    for turn in range(KILLS):
+        with subprocess.Popen(
+            [sys.executable, "-c", WRITER, str(database), str(turn)],
+            env=environment,
+            stdout=subprocess.PIPE,
+            text=True,
+        ) as writer:
+            assert writer.stdout is not None
+            for _ in range(chance.randrange(1, 40)):
+                acknowledged = writer.stdout.readline().split()
+            writer.kill()
+            # Acknowledged before the kill and not read yet.
+            for line in writer.stdout.readlines():
+                acknowledged = line.split() if line.endswith("\n") else acknowledged
+        store = ClassStore(database, Admission("", ""), 0.0)
+        pupil = store.pupil_of("token")
+        assert pupil is not None
+        kept = {version.number: version.text.split()[:2] for version in store.history(pupil.id)}
+        assert kept[int(acknowledged[0])] == acknowledged[1:]
+        # At most one save was going on; nothing before it is missing.
+        mine = sorted(int(count) for saved, count in kept.values() if saved == str(turn))
+        assert mine[-1] - int(acknowledged[2]) in (0, 1)
+        assert mine == list(range(mine[0], mine[-1] + 1))
+        assert store._database.execute("PRAGMA integrity_check").fetchone() == ("ok",)
+        store.close()

@@ -1,0 +1,31 @@
+"""A service with one robot in a process of its own, so that it can be killed: ``robot_service ADDRESS FOLDER``."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+from pathlib import Path
+
+from rosy_sim.config import Config, discover
+
+from ..conftest import FAKE_WORKER
+from ..web.test_app import serving
+
+
+async def main(robot: str, folder: Path) -> None:
+    config = Config(
+        root=folder,
+        page=folder / "page",
+        examples=folder / "examples",
+        worker=(sys.executable, str(FAKE_WORKER)),
+        sandbox=False,
+        robot_executable=discover().robot_executable,
+        robots={"Kitchen": robot},
+    )
+    async with serving(config) as (address, service):
+        print(address, service.robots.code, flush=True)
+        await asyncio.Event().wait()
+
+
+if __name__ == "__main__":
+    asyncio.run(main(sys.argv[1], Path(sys.argv[2])))

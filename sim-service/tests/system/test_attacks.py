@@ -1,0 +1,255 @@
+"""
+Programs that mean harm, each from a page's Run to its end, with every layer of protection on and with each one off.
+
+``rosy-hs/test-worker/attacks`` holds a program a file. In none of the columns may one of them read the secret file,
+leave a file, hit another process, or outlive its run. ``UPDATE_GOLDENS=1`` writes the table of what became of each.
+
+``./rosy test`` runs each program with all layers and with one of them off, another one each day;
+``./rosy test nightly`` runs each in every column.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rosy_sim.config import Config, Limits, discover
+from rosy_sim.worker.launcher import uses_sandbox
+
+from ..conftest import PATIENCE as HANG
+from ..extent import SEED, WHOLE, rotated
+from ..processes import below
+from ..web.test_app import Page, opened, serving
+
+pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]
+
+ATTACKS = Path(__file__).resolve().parents[3] / "rosy-hs" / "test-worker" / "attacks"
+
+SECRET = "rosy-secret-4711"
+
+RECORDS = bool(os.environ.get("UPDATE_GOLDENS"))
+"""Whether the table is written."""
+
+EVERYWHERE = RECORDS or WHOLE
+"""Whether each program runs in every column."""
+
+PATIENCE = 30.0 if EVERYWHERE else 10.0
+"""How long a program may do its worst where no limit of the service ends it, s."""
+
+STRICT = Limits(settle=1.0, ready=2.0, stop=0.5, gone=10.0, compile=60.0, worker_ready=120.0, runs=1000)
+
+PATIENT = replace(STRICT, settle=4.0, ready=4.0)
+"""For columns in which another limit shall have its chance before the service looks at the clock."""
+
+ENDLESS = replace(STRICT, settle=1000.0, ready=1000.0)
+
+
+@dataclass(frozen=True)
+class Column:
+    """One layer less, or none."""
+
+    title: str
+    off: tuple[str, ...] = ()
+    sandbox: bool = True
+    limits: Limits = STRICT
+
+
+COLUMNS = [
+    Column("all layers"),
+    Column("without language", ("--without", "language")),
+    Column("without system calls", ("--without", "system-calls")),
+    Column("without limits", ("--without", "limits")),
+    Column("without sandbox", sandbox=False),
+    Column("without service", limits=ENDLESS),
+]
+
+SINGLE_LIMITS = [
+    Column("without lists", ("--without", "lists")),
+    Column("without memory limit", ("--without", "memory"), limits=PATIENT),
+    Column("without process limit", ("--without", "processes")),
+    Column("without file limit", ("--without", "files")),
+    Column("without computing limit", ("--without", "computing"), limits=PATIENT),
+    Column("without no-new-privileges", ("--without", "privileges")),
+]
+"""Parts of the layers, each off by itself; for the recorded table only, which takes twice as long with them."""
+
+
+@dataclass(frozen=True)
+class Target:
+    """What the programs are aimed at: a secret to read, a file to make, a process to hit."""
+
+    secret: Path
+    file: Path
+    victim: subprocess.Popen[bytes]
+
+    def aim(self, source: str) -> str:
+        for word, value in (("CANARY", self.secret), ("TARGET", self.file), ("VICTIM", self.victim.pid)):
+            source = source.replace(word, str(value))
+        return source
+
+    def unharmed(self) -> bool:
+        return self.victim.poll() is None and not self.file.exists() and self.secret.read_text() == SECRET
+
+
+@contextmanager
+def target() -> Iterator[Target]:
+    with tempfile.TemporaryDirectory(prefix="rosy-attack-") as folder:
+        secret = Path(folder, "secret")
+        secret.write_text(SECRET)
+        with subprocess.Popen([sys.executable, "-c", "import time; time.sleep(600)"]) as victim:
+            try:
+                yield Target(secret, Path(folder, "target"), victim)
+            finally:
+                victim.kill()
+
+
+def read_robot_configuration(column: Column) -> Config:
+    config = discover().with_limits(column.limits)
+    worker = (*config.worker, "--check-seconds", "2", "--run-seconds", "2", *column.off)
+    return replace(config, worker=worker, sandbox=column.sandbox)
+
+
+async def become(page: Page, source: str) -> str:
+    """Run a program and say what became of it."""
+    await page.send("run", run=1, source=source, speed=1, seed=1)
+    last = await page.until(started_or_ended)
+    if last["state"] == "running":
+        try:
+            async with asyncio.timeout(PATIENCE):
+                last = await page.until(driven_or_ended)
+        except TimeoutError:
+            return "endless"
+    said = [m["text"] for m in page.seen if m["op"] == "said"]
+    if "HARM" in said or any(SECRET in str(message) for message in page.seen):
+        return "HARM"
+    if last["op"] == "frame" or last["ended"] == "done":
+        return "denied" if {"no", "-1"} & set(said) else "ran"
+    return "refused" if last["ended"] == "refused" else str(last["problems"][0]["kind"])
+
+
+def started_or_ended(message: dict[str, Any]) -> bool:
+    return message["op"] == "state" and message["state"] in ("running", "ended")
+
+
+def driven_or_ended(message: dict[str, Any]) -> bool:
+    return started_or_ended(message) or (message["op"] == "frame" and message["step"] > 3)
+
+
+async def attack(column: Column, programs: dict[str, str], aimed: Target) -> dict[str, str]:
+    async def one(address: str, source: str) -> str:
+        async with opened(address) as page:
+            return await become(page, aimed.aim(source))
+
+    config = read_robot_configuration(column)
+    async with serving(config) as (address, service), opened(address) as bystander:
+        await bystander.op("worker", state="ready")
+        before = below(os.getpid())
+        outcomes: dict[str, str] = {}
+        # Those that fill memory by themselves: they need the processor for it.
+        for hungry in (True, False):
+            names = [name for name in programs if name.startswith("memory") == hungry]
+            outcomes |= zip(names, await asyncio.gather(*(one(address, programs[name]) for name in names)), strict=True)
+        # Nothing is left, and no other page noticed.
+        async with asyncio.timeout(HANG):
+            while service.run_queue.running or not children(before):
+                await asyncio.sleep(0.01)
+        await bystander.send("check", id=1, source="main = pure ()\n")
+        assert (await bystander.op("checked"))["problems"] == []
+    return outcomes
+
+
+def children(before: set[int]) -> bool:
+    """Whether all that was started since has ended; the worker keeps some processes of its own."""
+    return len(below(os.getpid())) <= len(before) + 6
+
+
+def programs_of(column: int, programs: dict[str, str], seed: int = SEED) -> dict[str, str]:
+    """
+    The programs that run in a column: all in the first, with all layers on. Of the others each program runs in one, the
+    next one with the next seed.
+    """
+    if column == 0:
+        return programs
+    today = rotated(list(programs), len(COLUMNS) - 1, seed=seed + column, whole=EVERYWHERE)
+    return {name: programs[name] for name in today}
+
+
+@pytest.mark.skipif(EVERYWHERE, reason="each program runs in every column")
+def test_each_program_meets_every_missing_layer_within_five_days() -> None:
+    programs = dict.fromkeys("abcdefg", "")
+    others = range(1, len(COLUMNS))
+    met: set[tuple[str, int]] = set()
+    for seed in range(len(others)):
+        today = [(name, column) for column in others for name in programs_of(column, programs, seed)]
+        assert sorted(name for name, _ in today) == sorted(programs)
+        met |= set(today)
+    assert len(met) == len(programs) * len(others)
+
+
+def harmless(number: int, column: Column) -> dict[str, str]:
+    """What became of each of the programs that run in this column; fails if one did harm or left a process."""
+    programs = {path.stem: path.read_text("utf-8") for path in sorted(ATTACKS.glob("*.hs"))}
+    assert len(programs) >= 60
+    left = below(os.getpid())
+    if column.sandbox and not uses_sandbox(read_robot_configuration(column)):
+        pytest.skip("this machine cannot build the sandbox")
+    with target() as aimed:
+        outcomes = asyncio.run(attack(column, programs_of(number, programs), aimed))
+        assert aimed.unharmed(), f"{column.title}: one hit a process or changed a file"
+    with contextlib.suppress(ChildProcessError):
+        os.waitpid(-1, os.WNOHANG)
+    assert below(os.getpid()) <= left
+    assert {name: outcome for name, outcome in outcomes.items() if outcome == "HARM"} == {}
+    return outcomes
+
+
+if RECORDS:
+
+    def test_the_table_of_what_became_of_each_is_written() -> None:
+        columns = [*COLUMNS, *SINGLE_LIMITS]
+        table: dict[str, list[str]] = {path.stem: [] for path in sorted(ATTACKS.glob("*.hs"))}
+        for number, column in enumerate(columns):
+            outcomes = harmless(number, column)
+            for name, row in table.items():
+                row.append(outcomes[name])
+        (ATTACKS / "README.md").write_text(show(table, columns), "utf-8")
+
+else:
+
+    @pytest.mark.long
+    @pytest.mark.parametrize("number", range(len(COLUMNS)), ids=[column.title for column in COLUMNS])
+    def test_no_program_does_harm_whichever_layer_is_missing(number: int) -> None:
+        outcomes = harmless(number, COLUMNS[number])
+        for name, outcome in outcomes.items():
+            print(f"{name}: {outcome}")
+
+
+HEADING = """# Programs that mean harm
+
+**In:** a program a file; `CANARY` stands for a secret file, `TARGET` for a file to make, `VICTIM` for a process to hit.
+**Out:** this table, written by `sim-service/tests/system/test_attacks.py`.
+**Never:** edited by hand: run that test with `UPDATE_GOLDENS=1`.
+
+Each was run from a page, with every layer of protection on and with each one off. *refused*: it does not compile.
+*denied*: the system refused what it asked for. *exception*: Haskell's own error ended it, as a refused system call
+does. *memory*, *time*: a limit ended it. *stuck*: the service ended it, because it did not answer. *died*: it ended
+itself, or was killed for what it called. *broken-link*, *too-much*: it sent what no program may send. *endless*:
+nothing ended it but the page's leaving. *ran*: it did what it wanted to, which was harmless.
+"""
+
+
+def show(table: dict[str, list[str]], columns: list[Column]) -> str:
+    titles = " | ".join(column.title for column in columns)
+    rows = "\n".join(f"| {name} | {' | '.join(row)} |" for name, row in table.items())
+    return f"{HEADING}\n| program | {titles} |\n|---|{'---|' * len(columns)}\n{rows}\n"

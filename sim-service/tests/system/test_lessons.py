@@ -1,0 +1,85 @@
+"""Every lesson: its solutions pass, the reference in other rooms as well, and wrong attempts fail as they are named."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from rosy_sim.config import discover
+from rosy_sim.lessons.catalogue import lessons
+from rosy_sim.lessons.lesson_file import Lesson, Step, attempts
+from rosy_sim.lessons.rehearsal import attempt
+from rosy_sim.worker.blocking_worker import BlockingWorker
+from rosy_sim.worlds.gallery import usable_arena
+
+from .real_runs import LIMITS, worker_started
+
+pytestmark = pytest.mark.real
+
+FOLDER = discover().examples / "lessons"
+
+SHARE = float(os.environ.get("ROSY_TEST_SHARE", "1"))
+SEED = int(os.environ.get("ROSY_TEST_SEED", "1"))
+"""Each day all reference solutions in their own rooms and a share of the other attempts; all of them at night."""
+
+LESSONS = {lesson.name: lesson for lesson in lessons(FOLDER)}
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """An attempt at a step of a lesson in one of its rooms; ``fails`` is the check that it fails."""
+
+    lesson: Lesson
+    step: Step
+    path: Path
+    world: dict[str, object]
+    where: str
+    fails: str | None
+
+    def __str__(self) -> str:
+        return f"{self.lesson.name}/{self.step.id}/{self.path.stem}{self.where}"
+
+
+def _cases() -> Iterator[Case]:
+    for lesson in LESSONS.values():
+        for step in lesson.file.steps:
+            for path in attempts(FOLDER / lesson.name, "solutions", step.id):
+                yield Case(lesson, step, path, lesson.world, "", None)
+            for path in attempts(FOLDER / lesson.name, "wrong", step.id):
+                yield Case(lesson, step, path, lesson.world, "", path.stem.split(".")[0])
+        last = lesson.file.steps[-1]
+        reference = FOLDER / lesson.name / "solutions" / last.id / "reference.hs"
+        for number, world in enumerate(lesson.other_worlds(), 1):
+            yield Case(lesson, last, reference, world, f" in room {number}", None)
+
+
+def _share() -> list[Case]:
+    cases = list(_cases())
+    every = max(1, round(1 / SHARE))
+    return [
+        case
+        for i, case in enumerate(cases)
+        if (i + SEED) % every == 0 or (case.path.stem == "reference" and case.world is case.lesson.world)
+    ]
+
+
+@pytest.fixture(scope="module")
+def worker() -> Iterator[BlockingWorker]:
+    yield from worker_started()
+
+
+@pytest.mark.parametrize("case", _share(), ids=str)
+def test_attempts_are_judged_rightly(worker: BlockingWorker, case: Case) -> None:
+    arena = usable_arena(case.world, str(case))
+    did = attempt(worker, case.path.read_text("utf-8"), case.step, arena, 1, LIMITS)
+    assert did.run.ended in ("time", "done"), did.run.problems
+    missed = {verdict.id: verdict.seen for verdict in did.verdicts if verdict.state != "done"}
+    if case.fails is None:
+        assert did.is_passed, missed
+    else:
+        assert not did.is_passed
+        assert missed.get(case.fails) is not None, "it fails another check, or without a word about what was seen"

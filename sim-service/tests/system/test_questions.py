@@ -1,0 +1,173 @@
+"""
+Questions about runs of the examples, each with the sentences of its answer: ``questions.md``.
+
+Each example runs with the real worker in its own world, as on the page, and the page's question is answered. Hands are
+lines of ``./rosy run --input``, behind ``hands:``. ``UPDATE_GOLDENS=1`` writes the answers anew.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+
+from rosy_sim.config import discover
+from rosy_sim.explain.wording import english
+from rosy_sim.robots.kobuki import KOBUKI
+from rosy_sim.run.headless_run import RunOutput, RunSettings, run_program
+from rosy_sim.run.lockstep import Lockstep
+from rosy_sim.web.run_explanations import RunExplanations
+from rosy_sim.wire import page
+from rosy_sim.worker.blocking_worker import BlockingWorker
+from rosy_sim.world.events import Lift, Press, Teleport, UserAction
+from rosy_sim.world.field_readers import Pose
+from rosy_sim.world.world import World
+from rosy_sim.worlds.gallery import named_world, usable_arena
+
+from ..extent import rotated
+from .real_runs import LIMITS, program, worker_started
+
+pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]
+
+TABLE = Path(__file__).with_name("questions.md")
+
+NUMBER = r"(\d+(?:\.\d+)?)"
+Found = re.Match[str]
+
+QUESTIONS: dict[str, Callable[[Found], page.Why | page.WhyNot]] = {
+    rf"Why does the robot move like this at {NUMBER} s\?": lambda f: page.Why(1, float(f[1]), command="Velocity"),
+    rf"Why is the robot there at {NUMBER} s\?": lambda f: page.Why(1, float(f[1]), position=True),
+    rf"Why `(\w+)` at {NUMBER} s\?": lambda f: page.Why(1, float(f[2]), command=f[1]),
+    rf"Why does `(Memory [^`]+)` have its value at {NUMBER} s\?": lambda f: page.Why(1, float(f[2]), memory=f[1]),
+    rf"What happened with `([^`]+)` by {NUMBER} s\?": lambda f: page.Why(1, float(f[2]), event=f[1]),
+    rf"Why did \*\*(\w+)\*\* not run from {NUMBER} s to {NUMBER} s\?": lambda f: page.WhyNot(
+        1, float(f[2]), float(f[3]), function=f[1]
+    ),
+    rf"Why did \*\*(\w+)\*\* send no `([^`]+)` from {NUMBER} s to {NUMBER} s\?": lambda f: page.WhyNot(
+        1, float(f[3]), float(f[4]), function=f[1], command=f[2]
+    ),
+    rf"Why no `([^`]+)` from {NUMBER} s to {NUMBER} s\?": lambda f: page.WhyNot(
+        1, float(f[2]), float(f[3]), command=f[1]
+    ),
+    rf"Why was no `([^`]+)` received by {NUMBER} s\?": lambda f: page.WhyNot(1, 0.0, float(f[2]), event=f[1]),
+}
+"""How a question is written, and what the page sends. That of a firing is about the latest one of a function."""
+
+FIRING = rf"Why did \*\*(\w+)\*\* run at {NUMBER} s\?"
+
+HANDS: dict[str, Callable[[Found], UserAction]] = {
+    rf"{NUMBER} s press (\d)": lambda f: Press(int(f[2]), True),
+    rf"{NUMBER} s release (\d)": lambda f: Press(int(f[2]), False),
+    rf"{NUMBER} s lift": lambda _: Lift("both", True),
+    rf"{NUMBER} s lower": lambda _: Lift("both", False),
+    rf"{NUMBER} s put at {NUMBER} {NUMBER}": lambda f: Teleport(Pose(float(f[2]), float(f[3]), 0.0)),
+}
+
+
+@dataclass
+class Section:
+    """A run with its questions, each with the sentences of its answer."""
+
+    title: str
+    example: str
+    seconds: float
+    hands: tuple[tuple[float, UserAction], ...]
+    questions: list[tuple[str, list[str]]] = field(default_factory=list)
+
+
+def read_table(text: str) -> tuple[str, list[Section]]:
+    """The text before the first section, and the sections."""
+    head, *parts = re.split(r"^## ", text, flags=re.MULTILINE)
+    return head, [_section(part) for part in parts]
+
+
+def _section(text: str) -> Section:
+    title, *lines = text.strip().splitlines()
+    found = re.fullmatch(rf"(\w+), {NUMBER} s(?:, hands: (.*))?", title)
+    assert found is not None, title
+    hands = tuple(_hand(one) for one in found[3].split(", ")) if found[3] else ()
+    section = Section(title, found[1], float(found[2]), hands)
+    for line in lines:
+        if line.startswith("- "):
+            section.questions[-1][1].append(line[2:])
+        elif line:
+            section.questions.append((line, []))
+    return section
+
+
+def _hand(text: str) -> tuple[float, UserAction]:
+    [(made, found)] = [(made, found) for form, made in HANDS.items() if (found := re.fullmatch(form, text))]
+    return float(found[1]), made(found)
+
+
+TEXT, SECTIONS = read_table(TABLE.read_text("utf-8"))
+ASKED = SECTIONS if os.environ.get("UPDATE_GOLDENS") == "1" else rotated(SECTIONS, 5)
+"""The sections of today; all of them in nightly runs."""
+
+
+@pytest.fixture(scope="module")
+def worker() -> Iterator[BlockingWorker]:
+    yield from worker_started()
+
+
+class Asked:
+    """A run of an example that answers questions."""
+
+    def __init__(self, worker: BlockingWorker, section: Section) -> None:
+        source, world = program(section.example)
+        self._answers: list[page.Because] = []
+        self._explanations = RunExplanations(self._answers.append)
+        self._explanations.on_checked(source, worker.check(source))
+        self._explanations.start(source)
+        self._firings: list[tuple[float, str, int]] = []
+        place = World(usable_arena(named_world(world), "world"), KOBUKI, 1)
+        settings = RunSettings(section.seconds, 1, None, section.hands, LIMITS)
+        outcome = run_program(worker, source, place, settings, RunOutput(observe=self._observe, provenance=True))
+        assert outcome.ended in ("time", "done")
+
+    def _observe(self, lockstep: Lockstep) -> None:
+        self._explanations.on_step(lockstep)
+        done = lockstep.settled or lockstep.ended
+        assert done is not None
+        self._firings += [(lockstep.time, firing.function, firing.n) for firing in done.firings]
+
+    def answer(self, question: str) -> list[str]:
+        """The sentences of the answer."""
+        self._explanations.answer(self._request(question))
+        return [english(one.said) for one in self._answers.pop().sentences]
+
+    def _request(self, question: str) -> page.Why | page.WhyNot:
+        firing = re.fullmatch(FIRING, question)
+        if firing is not None:
+            numbers = [n for time, name, n in self._firings if name == firing[1] and time <= float(firing[2]) + 0.03]
+            return page.Why(1, firing=numbers[-1])
+        [(made, found)] = [(made, found) for form, made in QUESTIONS.items() if (found := re.fullmatch(form, question))]
+        return made(found)
+
+
+@pytest.mark.parametrize("section", ASKED, ids=[section.title for section in ASKED])
+def test_the_answers_are(section: Section, worker: BlockingWorker) -> None:
+    run = Asked(worker, section)
+    answers = [(question, run.answer(question)) for question, _ in section.questions]
+    if os.environ.get("UPDATE_GOLDENS") == "1":
+        section.questions = answers
+        TABLE.write_text(TEXT + "\n".join(_written(one) for one in SECTIONS), "utf-8")
+    assert answers == section.questions
+
+
+def _written(section: Section) -> str:
+    blocks = ["\n".join([question, *(f"- {one}" for one in answer)]) for question, answer in section.questions]
+    return "\n\n".join([f"## {section.title}", *blocks]) + "\n"
+
+
+def test_there_are_sixty_questions_about_all_examples() -> None:
+    asked = [question for section in SECTIONS for question, _ in section.questions]
+    assert len(asked) == len({(s.title, q) for s in SECTIONS for q, _ in s.questions}) >= 60
+    with_program = {path.parent.name for path in discover().examples.glob("*/program.rosy")}
+    assert {section.example for section in SECTIONS} == with_program
+    for form in [*QUESTIONS, FIRING]:
+        assert any(re.fullmatch(form, question) for question in asked), form

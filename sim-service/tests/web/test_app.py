@@ -1,0 +1,678 @@
+"""The service as a page sees it: a real server, a real WebSocket, a scripted worker."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import socket
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager
+from dataclasses import replace
+from typing import Any
+
+import httpx
+import pytest
+import uvicorn
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+
+from rosy_sim.classroom.class_store import ClassStore
+from rosy_sim.config import Config, Limits
+from rosy_sim.web.app import Service, build_app
+from rosy_sim.web.outbox import Outbox
+from rosy_sim.wire.firing import Cause
+from rosy_sim.wire.page import FiringShown, Frame
+from rosy_sim.wire.robot_link import MemoryValue
+from rosy_sim.wire.telemetry import PoseShown, Shown
+
+from ..conftest import PATIENCE, UNHURRIED
+
+Message = dict[str, Any]
+
+
+class Page:
+    """A page that remembers all it was told."""
+
+    def __init__(self, socket: ClientConnection) -> None:
+        self.run = -1
+        self.channels: Message = {}
+        self.socket = socket
+        self.seen: list[Message] = []
+
+    async def send(self, op: str, **fields: Any) -> None:
+        await self.socket.send(json.dumps({"op": op, **fields}))
+
+    async def until(self, wanted: Callable[[Message], bool]) -> Message:
+        """The next message that fits."""
+        async with asyncio.timeout(PATIENCE):
+            while True:
+                message: Message = json.loads(await self.socket.recv())
+                if message["op"] == "frame":
+                    # What has not changed is not told again.
+                    if message["run"] != self.run:
+                        self.run, self.channels = message["run"], {}
+                    self.channels = {**self.channels, **message["channels"]}
+                    message = {**message, "channels": self.channels}
+                self.seen.append(message)
+                if wanted(message):
+                    return message
+
+    async def op(self, op: str, **fields: Any) -> Message:
+        return await self.until(_like({"op": op, **fields}))
+
+    async def all_of(self, *wanted: Message) -> list[Message]:
+        """One message for each of these, in whatever order they come: of what happens at the same time."""
+        found: list[Message | None] = [None] * len(wanted)
+        while None in found:
+            message = await self.until(lambda _: True)
+            fits = [_like(one)(message) and found[i] is None for i, one in enumerate(wanted)]
+            if True in fits:
+                found[fits.index(True)] = message
+        return [message for message in found if message is not None]
+
+    async def ended(self, run: int) -> Message:
+        return await self.op("state", run=run, state="ended")
+
+
+def _like(wanted: Message) -> Callable[[Message], bool]:
+    """Whether a message has these fields."""
+    return lambda message: all(message.get(key) == value for key, value in wanted.items())
+
+
+class _Server(uvicorn.Server):
+    """Sets an event when it listens."""
+
+    def __init__(self, config: uvicorn.Config) -> None:
+        super().__init__(config)
+        self.listening = asyncio.Event()
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        await super().startup(sockets)
+        self.listening.set()
+
+
+@asynccontextmanager
+async def serving(config: Config, class_store: ClassStore | None = None) -> AsyncIterator[tuple[str, Service]]:
+    """A server on a free port of this machine."""
+    app = build_app(config, class_store)
+    server = _Server(
+        uvicorn.Config(app, port=0, log_level="error", ws="websockets-sansio", timeout_graceful_shutdown=1)
+    )
+    task = asyncio.create_task(server.serve())
+    async with asyncio.timeout(PATIENCE):
+        await server.listening.wait()
+    port = server.servers[0].sockets[0].getsockname()[1]
+    try:
+        yield f"127.0.0.1:{port}", app.state.service
+    finally:
+        server.should_exit = True
+        await task
+
+
+@asynccontextmanager
+async def opened(address: str, **options: Any) -> AsyncIterator[Page]:
+    # A page that has stopped reading cannot say goodbye; the wait for it is short.
+    socket = await connect(f"ws://{address}/api/session", **{**UNHURRIED, "close_timeout": 1, **options})
+    try:
+        yield Page(socket)
+    finally:
+        try:
+            await socket.close()
+        finally:
+            # A cancellation during the goodbye would leave the connection open.
+            socket.transport.abort()
+
+
+def _asking(address: str) -> httpx.AsyncClient:
+    return httpx.AsyncClient(base_url=f"http://{address}", timeout=PATIENCE)
+
+
+def story(play: Callable[[Page, Service], Awaitable[None]], config: Config) -> None:
+    """Tell a story of one page."""
+
+    async def tell() -> None:
+        async with serving(config) as (address, service), opened(address) as page:
+            await play(page, service)
+
+    asyncio.run(tell())
+
+
+def test_a_page_is_greeted_with_its_room(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        world = await page.op("world")
+        assert [m["op"] for m in page.seen] == ["hello", "worker", "world"]
+        assert page.seen[0]["protocol"] == 1
+        assert world["world"]["size"] == [5, 4]
+        frame = await page.op("frame")
+        assert (frame["run"], frame["pose"]["x"], frame["pose"]["y"]) == (0, 1.5, 2.0)
+
+    story(play, config)
+
+
+def test_a_program_drives_into_the_wall_and_presses_the_bumper(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="drive:0.5 sound:4@2 say:hi@3 led:2@3", seed=1, speed="max")
+        await page.op("state", run=1, state="running")
+        assert (await page.op("sound"))["sound"] == 4
+        assert (await page.op("said"))["text"] == "hi"
+        frame = await page.until(lambda m: m["op"] == "frame" and any(m["channels"]["Bumper"]))
+        assert frame["channels"]["Bumper"] == [0, 1, 0]
+        assert frame["channels"]["Led1"] == [2]
+        assert frame["pose"]["x"] > 4
+        # In which frame depends on how many steps go by between two.
+        assert "move" in [name for m in page.seen if m["op"] == "frame" for name in m["fired"]]
+        await page.send("stop")
+        assert (await page.ended(1))["ended"] == "stopped"
+
+    story(play, config)
+
+
+@pytest.mark.parametrize(
+    ("source", "ended", "kind"),
+    [
+        ("done@9", "done", None),
+        ("error@4", "error", "exception"),
+        ("hang@4", "stuck", "stuck"),
+        ("close@4", "error", "died"),
+        ("garble@4", "error", "broken-link"),
+        ("flood@4", "error", "too-much"),
+        ("lie@4", "error", "broken-link"),
+        ("refuse", "refused", "type-mismatch"),
+        ("die", "error", "worker-lost"),
+    ],
+)
+def test_every_end_is_told_once(source: str, ended: str, kind: str | None, config: Config, impatient: Limits) -> None:
+    config = config.with_limits(impatient) if ended == "stuck" else config
+
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=3, source=source, speed="max")
+        state = await page.ended(3)
+        assert state["ended"] == ended
+        assert [p["kind"] for p in state["problems"]] == ([] if kind is None else [kind])
+        await page.send("run", run=4, source="done@2", speed="max")
+        assert (await page.ended(4))["ended"] == "done"
+        assert [m["run"] for m in page.seen if m["op"] == "state" and m["state"] == "ended"] == [3, 4]
+
+    story(play, config)
+
+
+@pytest.mark.parametrize(
+    "source", ["drive:0.5 done@30", "drive:0.5 error@30", "drive:0.5 close@30", "drive:0.5 hang@30"]
+)
+def test_the_simulated_robot_stands_however_a_program_ends(source: str, config: Config, impatient: Limits) -> None:
+    """Its clock stands while a program thinks, and its wheels are at rest a quarter of a second after the end."""
+
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source=source, seed=1, speed="max")
+        await page.until(lambda m: m["op"] == "frame" and m["channels"]["Velocity"][0] > 0)
+        await page.ended(1)
+        last = [m for m in page.seen if m["op"] == "frame"][-1]
+        if last["channels"]["Velocity"][0] > 0:
+            last = await page.until(lambda m: m["op"] == "frame" and m["channels"]["Velocity"][0] == 0)
+        # By itself, and not at the wall.
+        assert (last["channels"]["Velocity"][0], last["channels"]["Bumper"]) == (0, [0, 0, 0])
+
+    story(play, config.with_limits(impatient))
+
+
+def test_what_fired_at_the_end_is_shown(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="done@3", speed="max")
+        await page.ended(1)
+        assert [name for m in page.seen if m["op"] == "frame" for name in m["fired"]][-1] == "script"
+
+    story(play, config)
+
+
+def test_stop_works_while_compiling(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="slow")
+        await page.op("state", state="compiling")
+        await page.send("stop")
+        assert (await page.ended(1))["ended"] == "stopped"
+
+    story(play, config)
+
+
+def test_a_program_that_ignores_stop_is_killed(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="deaf")
+        await page.op("state", state="running")
+        await page.send("stop")
+        assert (await page.ended(1))["ended"] == "stopped"
+
+    story(play, config)
+
+
+def test_a_new_run_ends_the_old_one_and_starts_where_the_room_says(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="drive:0.7", speed="max")
+        await page.until(lambda m: m["op"] == "frame" and m["pose"]["x"] > 2)
+        await page.send("run", run=2, source="")
+        assert (await page.ended(1))["ended"] == "stopped"
+        assert (await page.op("frame", run=2))["pose"]["x"] == 1.5
+        await page.op("state", run=2, state="running")
+
+    story(play, config)
+
+
+def test_reset_puts_everything_back(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="drive:0.7", speed="max")
+        await page.until(lambda m: m["op"] == "frame" and m["pose"]["x"] > 2)
+        await page.send("reset")
+        await page.ended(1)
+        await page.op("world")
+        assert (await page.op("frame"))["pose"]["x"] == 1.5
+
+    story(play, config)
+
+
+def test_pause_forward_and_resume(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="drive:0.5", speed=1)
+        await page.send("pause")
+        await page.op("state", state="running")
+        for _step in range(3):
+            await page.send("forward")
+        first = await page.op("frame", step=3)
+        assert first["time"] == 0.06
+        await page.send("resume")
+        await page.until(lambda m: m["op"] == "frame" and m["step"] > 10)
+        await page.send("speed", speed="max")
+        await page.until(lambda m: m["op"] == "frame" and m["step"] > 1000)
+
+    story(play, config)
+
+
+def test_hands_reach_the_robot_and_a_hand_in_a_wall_is_refused(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("input", press="Button1")
+        assert (await page.until(lambda m: m["op"] == "frame" and any(m["channels"]["Button"])))["channels"][
+            "Button"
+        ] == [0, 1, 0]
+        await page.send("input", lift="both")
+        await page.until(lambda m: m["op"] == "frame" and m["channels"]["Wheel"] == [1, 1])
+        await page.send("input", teleport={"x": 3.0, "y": 1.0, "theta": 0.5})
+        await page.until(lambda m: m["op"] == "frame" and m["pose"]["x"] == 3.0)
+        await page.send("input", teleport={"x": 50, "y": 1.0, "theta": 0.5})
+        assert "outside" in (await page.op("refusal"))["message"]
+
+    story(play, config)
+
+
+def test_goals_and_pushed_boxes_are_shown(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        goal = {"kind": "reach", "x": 3, "y": 2, "r": 0.2}
+        box = {"x": 2.5, "y": 2, "w": 0.3, "h": 0.3, "movable": True, "mass": 0.5}
+        room = {"size": [5, 4], "start": {"x": 1.5, "y": 2}, "goals": [goal], "boxes": [box]}
+        await page.send("world", world=room)
+        assert (await page.until(lambda m: m["op"] == "frame" and "boxes" in m))["boxes"] == [[2.5, 2.0, 0.0]]
+        await page.send("run", run=1, source="drive:0.5", speed="max")
+        await page.until(lambda m: m["op"] == "goals" and m["goals"][0]["state"] == "done")
+        await page.until(lambda m: m["op"] == "frame" and m["pose"]["x"] > 3.5)
+        pushed = [m["boxes"][0][0] for m in page.seen if m.get("boxes")]
+        assert pushed == sorted(pushed)
+        assert pushed[-1] > 3
+
+    story(play, config)
+
+
+def test_another_room_is_shown_and_a_bad_one_refused(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.op("world")
+        await page.send("world", world="pits")
+        assert (await page.op("world"))["world"]["name"] == "pits"
+        await page.send("world", world={"tiles": ["##"], "start": {"x": 0, "y": 0}})
+        assert "floor" in (await page.op("refusal"))["message"]
+        await page.send("world", world="../../etc/passwd")
+        await page.op("refusal")
+
+    story(play, config)
+
+
+def test_a_newer_check_replaces_an_older_one(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("check", id=1, source="slow")
+        await page.send("check", id=2, source="refuse")
+        checked = await page.op("checked")
+        assert checked["id"] == 2
+        assert checked["problems"][0]["kind"] == "type-mismatch"
+
+    story(play, config)
+
+
+def test_the_types_of_pieces_reach_the_page(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("check", id=1, source="")
+        assert (await page.op("checked"))["types"] == {"names": ["IO ()"], "at": [[1, 1, 1, 5, 0]]}
+
+    story(play, config)
+
+
+def test_a_newer_completion_replaces_an_older_one(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("complete", id=1, source="slow", line=1, column=1)
+        await page.send("complete", id=2, source="", line=3, column=7)
+        completed = await page.op("completed")
+        assert (completed["id"], completed["expected"]) == (2, "Velocity")
+        assert completed["names"] == [{"name": "at3_7", "type": "Velocity", "takes": 0}]
+
+    story(play, config)
+
+
+def test_a_dead_worker_is_replaced_and_pages_are_told(config: Config) -> None:
+    async def play(page: Page, service: Service) -> None:
+        await page.send("check", id=1, source="")
+        await page.op("checked")
+        before = service.worker.pid
+        await page.send("check", id=2, source="die")
+        await page.op("worker", state="restarting")
+        await page.op("worker", state="ready")
+        assert service.worker.pid not in (None, before)
+        await page.send("check", id=3, source="babble")
+        await page.op("worker", state="restarting")
+
+    story(play, config)
+
+
+GARBAGE: list[str | bytes] = [
+    "", "{", "null", "[]", "{}", '{"op":1}', '{"op":"fly"}', '{"op":"run"}', '{"op":"run","run":"x","source":1}',
+    '{"op":"speed","speed":-1}', '{"op":"speed","speed":"fast"}', '{"op":"input","press":"Button9"}', "[" * 100_000,
+    '{"op":"run","run":1,"source":"","speed":1e999}', '{"op":"world","world":17}', b"\xff\xfe", "\x00",
+    '{"op":"world","world":' + "[" * 5000 + "]" * 5000 + "}",
+]  # fmt: skip
+
+
+def test_garbage_is_refused_and_changes_nothing(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        for text in GARBAGE:
+            await page.socket.send(text)
+            await page.op("refusal")
+        await page.send("run", run=1, source="done@2", speed="max")
+        assert (await page.ended(1))["ended"] == "done"
+
+    story(play, config)
+
+
+def test_a_page_that_reads_nothing_is_let_go_and_harms_nobody(config: Config) -> None:
+    config = config.with_limits(replace(config.limits, page_queue=50))
+
+    async def tell() -> None:
+        async with (
+            serving(config) as (address, service),
+            opened(address, max_queue=1, close_timeout=0.1) as deaf,
+            opened(address) as page,
+        ):
+            # Requests that are refused at length, none of which is read.
+            await deaf.socket.send(json.dumps({"op": "run", "run": 1, "source": "", "speed": "max"}))
+            for _ in range(20_000):
+                if len(service.sessions) == 1:
+                    break
+                try:
+                    await deaf.socket.send('{"op":"' + "x" * 5000 + '"}')
+                except ConnectionClosed:
+                    break
+            await page.send("run", run=1, source="done@2", speed="max")
+            assert (await page.ended(1))["ended"] == "done"
+            async with asyncio.timeout(PATIENCE):
+                while len(service.sessions) > 1:
+                    await asyncio.sleep(0.01)
+
+    asyncio.run(tell())
+
+
+def test_a_full_class_says_so(config: Config) -> None:
+    config = config.with_limits(replace(config.limits, sessions=1))
+
+    async def tell() -> None:
+        async with serving(config) as (address, _), opened(address), opened(address) as second:
+            assert "places" in (await second.op("refusal"))["message"]
+
+    asyncio.run(tell())
+
+
+def test_one_address_does_not_take_the_places_of_the_others(config: Config) -> None:
+    config = config.with_limits(replace(config.limits, sessions=4, address_sessions=2))
+    there = ("127.0.0.2", 0)
+
+    async def tell() -> None:
+        async with serving(config) as (address, service):
+            async with opened(address) as first, opened(address) as second, opened(address) as third:
+                for page in (first, second):
+                    await page.op("hello")
+                assert "2 pages open from here" in (await third.op("refusal"))["message"]
+                async with opened(address, local_addr=there) as other:
+                    await other.op("hello")
+            # The places of pages that have left are free again.
+            async with asyncio.timeout(PATIENCE):
+                while service.sessions:
+                    await asyncio.sleep(0.01)
+            async with opened(address) as page:
+                await page.op("hello")
+
+    asyncio.run(tell())
+
+
+def pile(count: int) -> dict[str, Any]:
+    """A room with movable things that all overlap."""
+    boxes = [{"x": 2 + 1e-4 * i, "y": 2, "w": 0.3, "h": 0.3, "movable": True} for i in range(count)]
+    return {"name": "pile", "size": [8, 8], "start": {"x": 6, "y": 6, "theta": 0}, "boxes": boxes}
+
+
+def test_a_room_of_things_on_each_other_is_refused(config: Config) -> None:
+    async def play(page: Page, _service: Service) -> None:
+        await page.send("world", world=pile(200))
+        assert "too many things lie on each other" in (await page.op("refusal"))["message"]
+        await page.send("world", world=pile(20))
+        assert (await page.until(lambda m: m["op"] == "world" and m["world"]["name"] == "pile"))["op"] == "world"
+
+    story(play, config)
+
+
+def test_a_room_of_too_many_movable_things_is_refused_before_it_is_built(
+    config: Config, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def play(page: Page, _service: Service) -> None:
+        places = [(0.5 + 0.8 * (i % 50), 0.5 + 0.9 * (i // 50)) for i in range(2000)]
+        rounds = [{"x": x, "y": y, "r": 0.15, "movable": True} for x, y in places]
+        start = {"x": 0.9, "y": 41, "theta": 0}
+        monkeypatch.setattr("rosy_sim.world.world.Obstacles", lambda *_: pytest.fail("the room was built"))
+        await page.send("world", world={"name": "posts", "size": [42, 42], "start": start, "rounds": rounds})
+        assert "at most 200 things that can be pushed" in (await page.op("refusal"))["message"]
+
+    story(play, config)
+
+
+def test_a_page_whose_messages_take_long_is_read_more_slowly_than_the_others(config: Config) -> None:
+    async def tell() -> None:
+        async with serving(config) as (address, _), opened(address) as busy, opened(address) as other:
+            await busy.send("world", world=pile(20))
+            for i in range(150):
+                await busy.send("input", move={"thing": 0, "x": 2 + i % 2, "y": 2, "theta": 0})
+            await busy.send("nonsense")
+            await other.send("nonsense")
+            last = asyncio.create_task(busy.op("refusal"))
+            await other.op("refusal")
+            assert not last.done()
+            last.cancel()
+            await asyncio.gather(last, return_exceptions=True)
+
+    asyncio.run(tell())
+
+
+def test_a_foreign_page_is_kept_out(config: Config) -> None:
+    async def tell() -> None:
+        async with serving(config) as (address, _):
+            with pytest.raises(InvalidStatus):
+                async with opened(address, origin="http://elsewhere.example"):
+                    pass
+            async with opened(address, origin=f"http://{address}") as page:
+                await page.op("hello")
+
+    asyncio.run(tell())
+
+
+def test_the_http_api(config: Config) -> None:
+    folder = config.examples / "move"
+    folder.mkdir(parents=True)
+    (folder / "program.rosy").write_text('{"rosy":1,"haskell":"drive:0.5"}')
+    (folder / "README.md").write_text("# Move\n\nDrives ahead.\nFor ever.\n\nMore.\n")
+
+    for name in ("about", "back"):
+        (config.examples / name).mkdir()
+        (config.examples / name / "program.rosy").write_text("{}")
+    config.api_docs.mkdir(parents=True)
+    for name, text in (("Rosy", "wait"), ("index", "index")):
+        (config.api_docs / f"{name}.html").write_text(text)
+    (config.examples / "README.md").write_text(
+        "| example | level | shows |\n|---|---|---|\n| `move` | start | x |\n| `back` | react | y |\n"
+    )
+
+    async def tell() -> None:
+        async with serving(config) as (address, service), _asking(address) as client:
+            assert (await client.get("/api/examples")).json() == [
+                {"name": "move", "title": "Move", "teaches": "Drives ahead. For ever.", "level": "start"},
+                {"name": "back", "title": "back", "teaches": "", "level": "react"},
+                {"name": "about", "title": "about", "teaches": "", "level": ""},
+            ]
+            assert (await client.get("/api/examples/move")).json()["rosy"] == 1
+            assert (await client.get("/api/examples/..%2Fmove")).status_code == 404
+            assert (await client.get("/api/examples/none")).status_code == 404
+            assert (await client.get("/api/examples/none/path")).status_code == 404
+            assert (await client.get("/api/examples/about/path")).status_code == 503
+            driven = (await client.get("/api/examples/move/path")).json()
+            assert driven["world"]["name"] == "room"
+            assert driven["path"][-1][0] > driven["path"][0][0] + 1
+            assert "room" in (await client.get("/api/worlds")).json()
+            assert (await client.get("/api/worlds/maze")).json()["name"] == "maze"
+            assert (await client.get("/api/worlds/none")).status_code == 404
+            embedded = await client.get("/embed")
+            assert (embedded.status_code, embedded.headers["location"]) == (307, "./?embed")
+            health = (await client.get("/api/health")).json()
+            assert (health["worker"], health["sessions"]) == (service.worker.state, 0)
+            assert (await client.get("/api-docs/Rosy.html")).text == "wait"
+            assert (await client.get("/api-docs/")).text == "index"
+            assert (await client.get("/")).status_code == 503
+
+    asyncio.run(tell())
+
+
+def test_every_single_step_shows_what_the_program_remembers(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="count")
+        await page.send("pause")
+        await page.op("state", run=1, state="running")
+        for step in range(1, 6):
+            await page.send("forward")
+            frame = await page.op("frame", run=1, step=step)
+            assert frame["memory"] == [{"type": "Memory Int", "value": str(step - 1)}]
+
+    story(play, config)
+
+
+def test_a_page_that_observes_its_run_gets_the_firings_with_their_times(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="tell")
+        await page.send("pause")
+        await page.op("state", run=1, state="running")
+        await page.send("forward")
+        assert "firings" not in await page.op("frame", run=1, step=1)
+        await page.send("observe", on=True, frames=True)
+        await page.send("forward")
+        frame = await page.op("frame", run=1, step=2)
+        assert frame["firings"] == [
+            {
+                "n": 1,
+                "function": "f",
+                "task": 0,
+                "cause": {"by": "tick", "instant": 1},
+                "took": [{"from": "time", "value": "Seconds 1"}],
+                "gave": [{"to": "command", "value": "Velocity 0.5 0.0", "type": "Velocity"}],
+                "time": 0.02,
+            }
+        ]
+        await page.send("observe", on=False)
+        await page.send("forward")
+        assert "firings" not in await page.op("frame", run=1, step=3)
+        await page.send("observe", on=True, frames=True)
+        await page.send("run", run=2, source="tell")
+        await page.until(lambda m: m["op"] == "frame" and m["run"] == 2 and bool(m.get("firings")))
+
+    story(play, config)
+
+
+def test_a_page_asks_why_and_why_not(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("why", id=1)
+        assert (await page.op("because", id=1))["sentences"] == [{"said": {"id": "run-not-begun"}, "time": 0.0}]
+        await page.send("observe", on=True)
+        await page.send("run", run=1, source="tell")
+        await page.send("pause")
+        await page.op("state", run=1, state="running")
+        for step in range(1, 4):
+            await page.send("forward")
+            await page.op("frame", run=1, step=step)
+        await page.send("why", id=2, command="Velocity", time=0.02)
+        answer = await page.op("because", id=2)
+        assert [sentence["said"] for sentence in answer["sentences"]] == [
+            {
+                "id": "sent",
+                "time": 0.02,
+                "function": "f",
+                "value": "Velocity 0.5 0.0",
+                "values": ["Seconds 1"],
+            },
+            {"id": "ran-tick", "time": 0.02, "function": "f"},
+        ]
+        assert [(firing["n"], firing["time"]) for firing in answer["path"]] == [(1, 0.02)]
+        await page.send("why", id=3, firing=2)
+        assert (await page.op("because", id=3))["time"] == 0.04
+        await page.send("why", id=4, firing=99)
+        assert (await page.op("because", id=4))["sentences"][0]["said"]["id"] == "not-known-before"
+        await page.send("whyNot", id=5, function="g", since=0, until=0.1)
+        assert (await page.op("because", id=5))["sentences"][0]["said"] == {"id": "not-part", "function": "g"}
+        # What came before an observation is not known.
+        await page.send("observe", on=False)
+        await page.send("forward")
+        await page.op("frame", run=1, step=4)
+        await page.send("observe", on=True)
+        await page.send("forward")
+        await page.op("frame", run=1, step=5)
+        await page.send("why", id=6, command="Led1")
+        [only] = (await page.op("because", id=6))["sentences"]
+        assert only["said"] == {"id": "not-known-before", "since": 0.08}
+
+    story(play, config)
+
+
+def test_firings_are_not_lost_with_a_frame_that_a_slow_page_never_gets() -> None:
+    def frame(step: int) -> Frame:
+        firing = FiringShown(step, "f", 0, Cause("tick"), time=step / 50)
+        return Frame(
+            step / 50, PoseShown(0, 0, 0), {}, [], [], run=1, step=step, firings=[firing] if step != 2 else None
+        )
+
+    async def tell() -> None:
+        outbox = Outbox(10)
+        for step in (1, 2, 3):
+            outbox.put(frame(step))
+        last = await outbox.get()
+        assert isinstance(last, Frame)
+        assert [firing.n for firing in last.firings or []] == [1, 3]
+
+    asyncio.run(tell())
+
+
+def test_memory_and_channels_are_not_lost_with_a_frame_that_a_slow_page_never_gets() -> None:
+    def frame(step: int, memory: list[MemoryValue] | None, **channels: Shown) -> Frame:
+        return Frame(step / 50, PoseShown(0, 0, 0), channels, [], [], run=1, step=step, memory=memory)
+
+    async def tell() -> None:
+        outbox = Outbox(10)
+        outbox.put(frame(1, [MemoryValue("Memory Int", "1")], Led1=[2], Led2=[1]))
+        outbox.put(frame(2, [MemoryValue("Memory Int", "2")]))
+        outbox.put(frame(3, None, Led1=[3]))
+        assert await outbox.get() == frame(3, [MemoryValue("Memory Int", "2")], Led1=[3], Led2=[1])
+
+    asyncio.run(tell())

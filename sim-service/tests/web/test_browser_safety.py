@@ -1,0 +1,68 @@
+"""Host names and headers against attacks through a browser."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Any
+
+import pytest
+from starlette.responses import PlainTextResponse
+from starlette.types import Message
+
+from rosy_sim.web.browser_safety import BrowserSafety, own_names
+
+
+def ask(host: str, query: str = "", kind: str = "http") -> list[Message]:
+    """What the middleware sends about a request."""
+    sent: list[Message] = []
+
+    async def send(message: Message) -> None:
+        sent.append(message)
+
+    async def receive() -> Message:
+        return {"type": "http.request"}
+
+    scope: dict[str, Any] = {
+        "type": kind,
+        "method": "GET",
+        "path": "/",
+        "query_string": query.encode(),
+        "headers": [(b"host", host.encode())],
+    }
+    app = PlainTextResponse("hello") if kind == "http" else _accept
+    asyncio.run(BrowserSafety(app, own_names("class.example"))(scope, receive, send))
+    return sent
+
+
+async def _accept(_scope: Any, _receive: Any, send: Any) -> None:
+    await send({"type": "websocket.accept"})
+
+
+def headers(sent: list[Message]) -> dict[str, str]:
+    return {name.decode(): value.decode() for name, value in sent[0]["headers"]}
+
+
+@pytest.mark.parametrize(
+    "host", ["127.0.0.1:8080", "[::1]:8080", "192.168.0.7", "localhost:8080", "LOCALHOST", "class.example:1"]
+)
+def test_addresses_and_own_names_are_served(host: str) -> None:
+    assert ask(host)[0]["status"] == 200
+    assert ask(host, kind="websocket")[0]["type"] == "websocket.accept"
+
+
+@pytest.mark.parametrize(
+    "host", ["rebound.example:8080", "", "localhost.rebound.example", "127.0.0.1.rebound.example", "[::1", "a@b:c"]
+)
+def test_a_name_that_was_made_to_point_here_is_refused(host: str) -> None:
+    assert ask(host)[0]["status"] == 421
+    assert ask(host, kind="websocket")[0]["type"] == "websocket.close"
+
+
+@pytest.mark.parametrize(
+    ("query", "framed"), [("", False), ("example=a", False), ("embed", True), ("lang=de&embed", True)]
+)
+def test_only_the_embedded_page_is_framed_by_others(query: str, framed: bool) -> None:
+    found = headers(ask("localhost", query))
+    assert ("frame-ancestors 'none'" in found["content-security-policy"]) is not framed
+    assert ("x-frame-options" in found) is not framed
+    assert found["x-content-type-options"] == "nosniff"

@@ -1,0 +1,331 @@
+"""Class mode over real sockets: joining, saving, the board, and attempts at what is another's."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import AsyncExitStack, asynccontextmanager
+from typing import Any
+
+import pytest
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import InvalidStatus
+
+from rosy_sim.classroom.class_folder import open_class
+from rosy_sim.config import Config
+
+from ..conftest import PATIENCE, UNHURRIED
+from .test_app import serving
+
+Message = dict[str, Any]
+
+
+class Client:
+    """A page or a board that remembers what it was told."""
+
+    def __init__(self, socket: ClientConnection) -> None:
+        self.socket = socket
+        self.seen: list[Message] = []
+
+    async def send(self, op: str, **fields: Any) -> None:
+        await self.socket.send(json.dumps({"op": op, **fields}))
+
+    async def op(self, *ops: str, such: Callable[[Message], bool] = lambda _: True) -> Message:
+        """The next message of one of these kinds."""
+        async with asyncio.timeout(PATIENCE):
+            while True:
+                message: Message = json.loads(await self.socket.recv())
+                self.seen.append(message)
+                if message["op"] in ops and such(message):
+                    return message
+
+
+class Class:
+    """A running class."""
+
+    def __init__(self, address: str, code: str, key: str, stack: AsyncExitStack) -> None:
+        self.address = address
+        self.code = code
+        self.key = key
+        self._stack = stack
+
+    async def open(self, path: str = "class") -> Client:
+        url = f"ws://{self.address}/api/{path}"
+        return Client(await self._stack.enter_async_context(connect(url, **UNHURRIED)))
+
+    async def pupil(self, nickname: str) -> tuple[Client, Message]:
+        client = await self.open()
+        await client.send("join", code=self.code, nickname=nickname, language="en")
+        return client, await client.op("entered")
+
+    async def board(self) -> Client:
+        client = await self.open("board")
+        await client.send("unlock", key=self.key)
+        await client.op("board")
+        return client
+
+
+@asynccontextmanager
+async def teaching(config: Config) -> AsyncIterator[Class]:
+    """A class, in whose folder an earlier one may have left its store."""
+    with open_class(config.classes, "7b") as store:
+        admission = store.admission()
+        async with serving(config, store) as (address, _), AsyncExitStack() as stack:
+            yield Class(address, admission.code, admission.teacher_key, stack)
+
+
+def in_class(config: Config, lesson: Callable[[Class], Awaitable[None]]) -> None:
+    async def run() -> None:
+        async with teaching(config) as opened:
+            await lesson(opened)
+
+    asyncio.run(run())
+
+
+async def save(client: Client, text: str, base: int = 0, **more: Any) -> Message:
+    request = {"program": "p", "name": "walk", "reason": "change", "mark": f"m{len(text)}", "base": base, **more}
+    await client.send("save", text=text, **request)
+    return await client.op("saved", "conflict", "unsaved", "refused")
+
+
+def test_a_pupil_continues_on_another_device_with_three_words(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        first, entered = await opened.pupil("Ada")
+        assert len(entered["words"].split()) == 3
+        saved = await save(first, "one")
+        second = await opened.open()
+        await second.send("resume", code=opened.code.upper(), words=entered["words"].upper())
+        again = await second.op("entered")
+        assert (again["pupil"], again["nickname"]) == (entered["pupil"], "Ada")
+        assert [(p["id"], p["name"], p["version"]) for p in again["programs"]] == [("p", "walk", saved["version"])]
+        await second.send("read", program="p")
+        assert (await second.op("program"))["text"] == "one"
+        # Both devices are let in again by their own tokens.
+        assert again["token"] != entered["token"]
+        for token in (entered["token"], again["token"]):
+            third = await opened.open()
+            await third.send("enter", token=token)
+            assert (await third.op("entered"))["token"] is None
+
+    in_class(config, lesson)
+
+
+def test_a_class_is_as_it_was_when_its_service_starts_again(config: Config) -> None:
+    async def run() -> None:
+        async with teaching(config) as opened:
+            client, entered = await opened.pupil("Ada")
+            await save(client, "one")
+            code = opened.code
+        async with teaching(config) as opened:
+            assert opened.code == code
+            client = await opened.open()
+            await client.send("enter", token=entered["token"])
+            assert (await client.op("entered"))["programs"][0]["name"] == "walk"
+            board = await opened.board()
+            (shown,) = (await board.op("pupils"))["pupils"]
+            assert (shown["nickname"], shown["program"]) == ("Ada", "walk")
+
+    asyncio.run(run())
+
+
+def test_two_devices_conflict_and_nothing_is_lost(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        first, entered = await opened.pupil("Ada")
+        base = (await save(first, "one"))["version"]
+        second = await opened.open()
+        await second.send("enter", token=entered["token"])
+        await second.op("entered")
+        newer = await save(second, "two", base)
+        conflict = await save(first, "three", base)
+        assert (conflict["op"], conflict["text"], conflict["version"]) == ("conflict", "two", newer["version"])
+        assert (await save(first, "three", program="p-2"))["op"] == "saved"
+
+    in_class(config, lesson)
+
+
+def test_a_pupil_reaches_no_other_pupils_work(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        ada, _ = await opened.pupil("Ada")
+        ben, entered = await opened.pupil("Ben")
+        await save(ada, "of Ada", program="adas")
+        # The same identifier is a program of one's own.
+        assert (await save(ben, "of Ben", program="adas"))["op"] == "saved"
+        await ben.send("read", program="adas")
+        assert (await ben.op("program"))["text"] == "of Ben"
+        # An identifier of another pupil, forged into every request, is not read.
+        await ben.send("read", program="adas", pupil=entered["pupil"] - 1)
+        assert (await ben.op("program"))["text"] == "of Ben"
+        # Requests of the board are none of a pupil's socket.
+        await ben.send("open", pupil=entered["pupil"] - 1, program="adas")
+        assert (await ben.op("refused", "program"))["reason"] == "request"
+        assert "of Ada" not in json.dumps(ben.seen)
+
+    in_class(config, lesson)
+
+
+def test_a_stolen_class_code_opens_an_empty_desk_only(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        ada, _ = await opened.pupil("Ada")
+        await save(ada, "of Ada")
+        thief = await opened.open()
+        await thief.send("save", program="p", name="x", text="x", reason="change", base=0, mark="m")
+        assert (await thief.op("refused"))["reason"] == "token"
+        await thief.send("read", program="p")
+        assert (await thief.op("refused"))["reason"] == "token"
+        await thief.send("resume", code=opened.code, words="apple apple apple")
+        assert (await thief.op("refused"))["reason"] == "words"
+        await thief.send("enter", token="1")
+        assert (await thief.op("refused"))["reason"] == "token"
+        await thief.send("join", code=opened.code, nickname="ADA")
+        assert (await thief.op("refused"))["reason"] == "taken"
+        await thief.send("join", code=opened.code, nickname="Thief")
+        assert (await thief.op("entered"))["programs"] == []
+
+    in_class(config, lesson)
+
+
+@pytest.mark.parametrize(
+    ("nickname", "reason"),
+    [
+        ("", "nickname-empty"),
+        ("x" * 25, "nickname-long"),
+        ("\u202eadA", "nickname-letters"),
+        ("a\x00", "nickname-letters"),
+    ],
+)
+def test_a_hostile_nickname_is_refused(config: Config, nickname: str, reason: str) -> None:
+    async def lesson(opened: Class) -> None:
+        client = await opened.open()
+        await client.send("join", code=opened.code, nickname=nickname)
+        assert (await client.op("refused"))["reason"] == reason
+
+    in_class(config, lesson)
+
+
+def test_markup_in_a_nickname_reaches_the_board_as_text(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        await opened.pupil("<img src=x>")
+        board = await opened.board()
+        (shown,) = (await board.op("pupils"))["pupils"]
+        assert shown["nickname"] == "<img src=x>"
+
+    in_class(config, lesson)
+
+
+def test_guessing_is_limited_and_those_who_know_the_code_still_enter(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        guesser = await opened.open()
+        _, entered = await opened.pupil("Ada")
+        reasons = []
+        for n in range(12):
+            await guesser.send("join", code=f"wrong{n}", nickname="Eve")
+            reasons.append((await guesser.op("refused"))["reason"])
+        assert reasons[:9] == ["code"] * 9
+        assert reasons[-1] == "attempts"
+        board = await opened.open("board")
+        await board.send("unlock", key=opened.key)
+        assert (await board.op("refused"))["reason"] == "attempts"
+        assert entered["nickname"] == "Ada"
+
+    in_class(config, lesson)
+
+
+def test_the_board_tells_nothing_without_the_key(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        ada, _ = await opened.pupil("Ada")
+        await save(ada, "of Ada")
+        board = await opened.open("board")
+        for request in (
+            {"op": "open", "pupil": 1},
+            {"op": "attention", "message": "hi"},
+            {"op": "send", "name": "x", "text": "x"},
+            {"op": "unlock", "key": opened.code},
+            {"op": "unlock", "key": ""},
+        ):
+            await board.send(**request)
+            assert (await board.op("refused"))["reason"] == "key"
+        assert [message["op"] for message in board.seen] == ["refused"] * 5
+        # A pupil's socket takes no request of the board.
+        await ada.send("attention", message="hi")
+        assert (await ada.op("refused", "attention"))["op"] == "refused"
+
+    in_class(config, lesson)
+
+
+def test_the_board_shows_pupils_their_programs_and_their_hands(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        board = await opened.board()
+        ada, entered = await opened.pupil("Ada")
+        await save(ada, "one")
+        await ada.send("hand", up=True)
+        await ada.send("status", errors=False, running=True, lesson={"name": "Bump!", "done": 1, "steps": 5})
+        shown = await board.op("pupils", such=lambda m: bool(m["pupils"]) and m["pupils"][0]["running"])
+        (pupil,) = shown["pupils"]
+        assert (pupil["nickname"], pupil["online"], pupil["program"]) == ("Ada", True, "walk")
+        assert pupil["needs"] == ["hand"]
+        assert pupil["lesson"] == {"name": "Bump!", "done": 1, "steps": 5}
+        await board.send("open", pupil=entered["pupil"])
+        assert (await board.op("program"))["text"] == "one"
+        await board.send("lower", pupil=entered["pupil"])
+        await ada.op("lowered")
+
+    in_class(config, lesson)
+
+
+def test_eyes_up_and_a_sent_program_reach_every_page_also_a_late_one(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        board = await opened.board()
+        ada, _ = await opened.pupil("Ada")
+        await board.send("attention", message="Eyes up!")
+        assert (await ada.op("attention"))["message"] == "Eyes up!"
+        await board.send("send", name="start", text="{}")
+        assert (await board.op("sent"))["pages"] == 1
+        assert (await ada.op("handout"))["name"] == "start"
+        ben, _ = await opened.pupil("Ben")
+        assert (await ben.op("attention"))["message"] == "Eyes up!"
+        assert (await ben.op("handout"))["name"] == "start"
+        await board.send("attention", message=None)
+        assert (await ben.op("attention"))["message"] is None
+
+    in_class(config, lesson)
+
+
+def test_the_board_shows_the_room_of_a_pupils_page(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        page = await opened.open("session")
+        hello = await page.op("hello")
+        assert hello["class"] is True
+        ada, entered = await opened.pupil("Ada")
+        await ada.send("here", session=hello["session"])
+        board = await opened.board()
+        room = await board.op("room")
+        assert room["pupil"] == entered["pupil"]
+        places = await board.op("places")
+        assert places["places"][0][0] == entered["pupil"]
+        await page.send("world", world={"name": "square", "size": [2, 2], "start": {"x": 1, "y": 1.5, "theta": 0}})
+        assert (await board.op("room"))["world"]["name"] == "square"
+        assert (await board.op("places"))["places"] == [[entered["pupil"], 1.0, 1.5, 0.0]]
+
+    in_class(config, lesson)
+
+
+def test_a_page_of_another_site_is_kept_out(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        for path in ("class", "board"):
+            url = f"ws://{opened.address}/api/{path}"
+            with pytest.raises(InvalidStatus):
+                await connect(url, additional_headers={"Origin": "http://elsewhere.example"}, **UNHURRIED).__aenter__()
+
+    in_class(config, lesson)
+
+
+def test_without_class_mode_there_is_no_class(config: Config) -> None:
+    async def run() -> None:
+        async with serving(config) as (address, _):
+            async with connect(f"ws://{address}/api/session", **UNHURRIED) as socket:
+                assert "class" not in json.loads(await socket.recv())
+            with pytest.raises(InvalidStatus):
+                await connect(f"ws://{address}/api/board", **UNHURRIED).__aenter__()
+
+    asyncio.run(run())

@@ -1,0 +1,126 @@
+"""./rosy build: native files that drive a robot behind a rosbridge server, here ours."""
+
+from __future__ import annotations
+
+import asyncio
+import fcntl
+import json
+import os
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from rosy_sim.cli import main
+from rosy_sim.config import Config, discover
+from rosy_sim.worker.native_build import _newest
+
+from ..web.test_app import opened, serving
+
+ROOT = discover().root
+
+pytestmark = [
+    pytest.mark.real,
+    pytest.mark.skipif(
+        _newest(ROOT, "dist-newstyle/build/*/ghc-*/rosy-*/x/rosy-build/**/rosy-build") is None,
+        reason="rosy-build is not built",
+    ),
+]
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
+    """An example as a native program, built when the first test asks for it, once for all processes of the runner."""
+    # The processes of pytest-xdist have folders of their own in one folder.
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "built"
+    folder.mkdir(exist_ok=True)
+
+    def build(name: str) -> Path:
+        binary = folder / name
+        with (folder / f"{name}.lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if not binary.exists():
+                assert main(["build", str(ROOT / "examples" / name / "Main.hs"), "-o", str(binary)]) == 0
+        return binary
+
+    return build
+
+
+@pytest.mark.parametrize("name", ["accelerateAndPlay", "randomWalk"])
+def test_a_built_program_drives_a_robot(name: str, built: Callable[[str], Path], config: Config) -> None:
+    binary = built(name)
+
+    async def tell() -> None:
+        async with serving(config) as (address, _), opened(address) as page:
+            hello = await page.op("hello")
+            robot = f"ws://{address}/rosbridge/{hello['session']}"
+            program = await asyncio.create_subprocess_exec(binary, "--robot", robot)
+            try:
+                await page.until(lambda m: m["op"] == "frame" and m["channels"].get("Velocity", [0.0])[0] > 0.1)
+                await page.until(lambda m: m["op"] == "frame" and any(m["channels"].get("Bumper", [])))
+            finally:
+                program.terminate()
+                await program.wait()
+            await page.until(lambda m: m["op"] == "frame" and m["channels"].get("Velocity", [1.0])[0] == 0)
+
+    asyncio.run(tell())
+
+
+def test_it_drives_for_as_long_as_it_is_told(built: Callable[[str], Path], config: Config) -> None:
+    binary = built("accelerateAndPlay")
+
+    async def tell() -> None:
+        async with serving(config) as (address, _), opened(address) as page:
+            hello = await page.op("hello")
+            robot = f"ws://{address}/rosbridge/{hello['session']}"
+            program = await asyncio.create_subprocess_exec(binary, "--robot", robot, "--seconds", "4")
+            await page.until(lambda m: m["op"] == "frame" and m["channels"].get("Velocity", [0.0])[0] > 0.1)
+            await page.until(lambda m: m["op"] == "frame" and m["channels"].get("Velocity", [1.0])[0] == 0)
+            assert await program.wait() == 0
+
+    asyncio.run(tell())
+
+
+def test_on_a_computer_without_rosy_it_says_what_it_can_do(built: Callable[[str], Path], tmp_path: Path) -> None:
+    binary = built("accelerateAndPlay")
+    elsewhere = {**os.environ, "ROSY_ROOT": str(tmp_path)}
+    for options in ([], ["--world", "room"]):
+        said = subprocess.run([binary, *options], capture_output=True, text=True, check=False, env=elsewhere)
+        assert said.returncode == 1
+        assert "Say which robot to drive: accelerateAndPlay --robot ws://HOST:9090" in said.stderr
+
+
+@pytest.mark.long
+def test_in_the_simulator_it_does_what_its_source_does(built: Callable[[str], Path], tmp_path: Path) -> None:
+    binary = built("randomWalk")
+    options = ["--world", "obstacles", "--seconds", "20", "--seed", "7"]
+    hands = tmp_path / "hands.jsonl"
+    hands.write_text('{"t": 2, "lift": "both"}\n{"t": 4, "lower": "both"}\n')
+    source = str(ROOT / "examples" / "randomWalk" / "Main.hs")
+    traces: list[bytes] = []
+    for program in (["./rosy", "run", source], ["./rosy", "run", str(binary)], [str(binary)]):
+        trace = tmp_path / f"{len(traces)}.jsonl"
+        given = [*program, *options, "--input", str(hands), "--trace", str(trace)]
+        said = subprocess.run(given, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
+        assert json.loads(said.stdout)["ended"] == "time"
+        traces.append(trace.read_bytes())
+    assert traces[0] == traces[1] == traces[2]
+    assert b'"Wheel' in traces[0], "hands lifted it"
+
+
+def test_a_program_with_an_empty_place_is_not_built(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    program, binary = tmp_path / "unfinished.hs", tmp_path / "unfinished"
+    program.write_text("main = simulate (Velocity _ 0)\n")
+    assert main(["build", str(program), "-o", str(binary)]) == 1
+    assert f"{program}:1:27: warning: Something is missing here." in capsys.readouterr().out
+    assert not binary.exists()
+
+
+def test_a_program_with_a_mistake_is_not_built(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    program, binary = tmp_path / "wrong.hs", tmp_path / "wrong"
+    program.write_text("main = simulate (not 3)\n")
+    assert main(["build", str(program), "-o", str(binary)]) == 1
+    assert f"{program}:1:" in capsys.readouterr().out
+    assert not binary.exists()

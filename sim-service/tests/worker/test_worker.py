@@ -1,0 +1,228 @@
+"""Keeping a worker: restarts, a standby, a missing executable, requests in flight when it dies."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import signal
+import socket
+from collections.abc import Awaitable, Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from rosy_sim.config import Config
+from rosy_sim.errors import WorkerLost, WorkerMissing
+from rosy_sim.wire.worker import Gone, Refused, Started
+from rosy_sim.worker.blocking_worker import BlockingWorker
+from rosy_sim.worker.launcher import launch
+from rosy_sim.worker.supervisor import WorkerStatus, WorkerSupervisor
+
+from ..conftest import PATIENCE
+
+
+def keeping(play: Callable[[WorkerSupervisor, list[WorkerStatus]], Awaitable[None]], config: Config) -> None:
+    """Keep a worker while a story is told; afterwards nothing of it is left."""
+    states: list[WorkerStatus] = []
+
+    async def tell() -> None:
+        worker = WorkerSupervisor(config, states.append)
+        keeper = asyncio.create_task(worker.run())
+        try:
+            async with asyncio.timeout(PATIENCE):
+                await play(worker, states)
+        finally:
+            keeper.cancel()
+            await asyncio.gather(keeper, return_exceptions=True)
+
+    before = children()
+    asyncio.run(tell())
+    assert children() <= before
+
+
+def children() -> set[str]:
+    return set(Path(f"/proc/self/task/{os.getpid()}/children").read_text().split())
+
+
+def test_checks_come_home_by_id(config: Config) -> None:
+    async def play(worker: WorkerSupervisor, _: list[WorkerStatus]) -> None:
+        answers = await asyncio.gather(*[worker.check("refuse" if i % 2 else "") for i in range(20)])
+        assert [len(answer.problems) for answer in answers] == [i % 2 for i in range(20)]
+
+    keeping(play, config)
+
+
+def test_a_run_is_started_or_refused_and_its_end_is_known(config: Config) -> None:
+    async def play(worker: WorkerSupervisor, _: list[WorkerStatus]) -> None:
+        ours, theirs = socket.socketpair()
+        with ours:
+            program = await worker.start("drive:0.5", theirs)
+            assert isinstance(await program.started, Started)
+            worker.kill(program)
+            assert (await program.gone).signal == signal.SIGKILL
+        ours, theirs = socket.socketpair()
+        with ours:
+            program = await worker.start("refuse", theirs)
+            assert isinstance(await program.started, Refused)
+            assert isinstance(await program.gone, Gone)
+
+    keeping(play, config)
+
+
+def test_what_is_under_way_ends_with_the_worker_and_the_next_one_serves(config: Config) -> None:
+    async def play(worker: WorkerSupervisor, states: list[WorkerStatus]) -> None:
+        for _ in range(5):
+            await worker.check("")
+            waiting = asyncio.create_task(worker.check("slow"))
+            ours, theirs = socket.socketpair()
+            program = await worker.start("slow", theirs)
+            assert worker.pid is not None
+            os.killpg(worker.pid, signal.SIGKILL)
+            for future in (waiting, program.started, program.gone):
+                with pytest.raises(WorkerLost):
+                    await future
+            ours.close()
+        await worker.check("")
+        assert states == ["ready"] + ["restarting", "ready"] * 5
+
+    keeping(play, config)
+
+
+def test_a_standby_takes_over(config: Config, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rosy_sim.worker.supervisor._STANDBY_DELAY", 0.0)
+
+    async def play(worker: WorkerSupervisor, _: list[WorkerStatus]) -> None:
+        await worker.check("")
+        await worker.standby_ready()
+        standby = worker.standby_pid
+        assert worker.pid is not None
+        waiting = asyncio.create_task(worker.check("slow"))
+        os.killpg(worker.pid, signal.SIGKILL)
+        with pytest.raises(WorkerLost):
+            await waiting
+        await worker.check("")
+        assert worker.pid == standby
+
+    keeping(play, config)
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGSTOP])
+def test_a_standby_that_is_lost_while_it_waits_is_replaced_at_once(
+    how: signal.Signals, config: Config, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("rosy_sim.worker.supervisor._STANDBY_DELAY", 0.0)
+    monkeypatch.setattr("rosy_sim.worker.standby._PROBE_INTERVAL", 0.05)
+
+    async def play(worker: WorkerSupervisor, states: list[WorkerStatus]) -> None:
+        await worker.check("")
+        await worker.standby_ready()
+        first = worker.standby_pid
+        assert first is not None
+        os.kill(first, how)
+        while worker.standby_pid in (None, first):
+            await asyncio.sleep(0.01)
+        await worker.standby_ready()
+        assert states == ["ready"]
+
+    keeping(play, config)
+
+
+def test_a_worker_that_is_stopped_before_it_is_warm_is_replaced(config: Config) -> None:
+    async def play(worker: WorkerSupervisor, _: list[WorkerStatus]) -> None:
+        while (first := worker.pid) is None:
+            await asyncio.sleep(0)
+        os.kill(first, signal.SIGSTOP)
+        await worker.check("")
+        assert worker.pid != first
+
+    keeping(play, config)
+
+
+@pytest.mark.parametrize("how", ["stopped", "running in circles"])
+def test_a_wedged_worker_is_replaced(config: Config, how: str) -> None:
+    async def play(worker: WorkerSupervisor, states: list[WorkerStatus]) -> None:
+        await worker.check("")
+        ours, theirs = socket.socketpair()
+        program = await worker.start("slow", theirs)
+        wedged = worker.pid
+        assert wedged is not None
+        if how == "stopped":
+            os.kill(wedged, signal.SIGSTOP)
+            waiting = asyncio.create_task(worker.check(""))
+        else:
+            waiting = asyncio.create_task(worker.check("hang"))
+        for future in (waiting, program.gone):
+            with pytest.raises(WorkerLost):
+                await future
+        ours.close()
+        await worker.check("")
+        assert worker.pid != wedged
+        assert states == ["ready", "restarting", "ready"]
+
+    keeping(play, config)
+
+
+def test_a_worker_that_has_little_to_do_is_left_alone(config: Config) -> None:
+    async def play(worker: WorkerSupervisor, states: list[WorkerStatus]) -> None:
+        await worker.check("")
+        first, looks = worker.pid, 0
+        assert worker._connection is not None
+        liveness = worker._connection.liveness
+        probe = liveness.probe
+
+        def counted() -> bool:
+            nonlocal looks
+            looks += 1
+            return probe()
+
+        liveness.probe = counted  # type: ignore[method-assign]
+        while looks < 10:
+            await asyncio.sleep(0.01)
+        assert (worker.pid, states) == (first, ["ready"])
+
+    keeping(play, config)
+
+
+def test_a_worker_that_vanishes_is_waited_for(config: Config, tmp_path: Path) -> None:
+    executable = tmp_path / "worker"
+
+    async def play(worker: WorkerSupervisor, states: list[WorkerStatus]) -> None:
+        while "restarting" not in states:
+            await asyncio.sleep(0.01)
+        executable.write_text(f'#!/bin/sh\nexec "{config.worker[0]}" "{config.worker[1]}"\n')
+        executable.chmod(0o755)
+        await worker.check("")
+
+    keeping(play, replace(config, worker=(str(executable),)))
+    executable.unlink()
+    with pytest.raises(WorkerMissing):
+        launch(replace(config, worker=(str(executable),)))
+
+
+def test_a_cancelled_check_is_taken_back(config: Config) -> None:
+    async def play(worker: WorkerSupervisor, _: list[WorkerStatus]) -> None:
+        await worker.check("")
+        waiting = asyncio.create_task(worker.check("slow"))
+        await asyncio.sleep(0)
+        await asyncio.sleep(0)
+        waiting.cancel()
+        await asyncio.gather(waiting, return_exceptions=True)
+        assert not worker._questions
+        await worker.check("")
+
+    keeping(play, config)
+
+
+def test_descriptors_do_not_leak(config: Config) -> None:
+    def count() -> int:
+        return len(os.listdir("/proc/self/fd"))
+
+    with BlockingWorker(config) as worker:
+        worker.ready()
+        before = count()
+        for _ in range(30):
+            ours, theirs = socket.socketpair()
+            with ours:
+                worker.run("refuse", theirs)
+        assert count() == before
