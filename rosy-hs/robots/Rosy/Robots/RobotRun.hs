@@ -4,7 +4,8 @@
 --
 -- In: which robot, and the program. Out: an exit status; messages for a person go to standard error. The robot
 -- is stopped first in every case: when the program is done, fails or is stopped, on Ctrl-C and on a
--- signal of the system. A program that does not react is ended a second after that.
+-- signal of the system. A program that does not react is ended a second after that; once it has reacted, the goodbye to the
+-- robot has limits of its own ("Rosy.Robots.Connection").
 module Rosy.Robots.RobotRun
   ( runOnRobot,
     runOnRobotFor,
@@ -16,6 +17,7 @@ module Rosy.Robots.RobotRun
 where
 
 import Control.Concurrent (forkIO, myThreadId, threadDelay)
+import Control.Concurrent.STM
 import Control.Exception
 import Control.Monad (unless, void)
 import Data.IORef
@@ -60,20 +62,20 @@ runOnRobotFor seconds target program = withDriverLock (targetAddress target) $ d
   ended <- newIORef EndedDone
   r <- newRunControl (newGuard (targetLimits target) (targetSafety target))
   main' <- myThreadId
+  reacted <- newTVarIO False
   result <- try . withClock $ \clock -> withConnection target $ \connection -> do
     let stopping = do
           haltRobot r connection
           requestStop r
           void . forkIO $ do
-            threadDelay stopTimeout
-            throwTo main' UserInterrupt
+            unlessReacted (throwTo main' UserInterrupt)
             -- Code that allocates nothing cannot be interrupted.
-            threadDelay stopTimeout
-            exitImmediately (ExitFailure 2)
+            unlessReacted (exitImmediately (ExitFailure 2))
+        unlessReacted act = timeoutInSlices stopTimeout (atomically (readTVar reacted >>= check)) >>= maybe act pure
     mapM_ (`runAfter` stopping) seconds
     link <- realLink clock (targetPatience target) r connection
     onSignals terminationSignals stopping (onLink link {end = \as e -> writeIORef ended e >> end link as e} program)
-      `finally` haltRobot r connection
+      `finally` (atomically (writeTVar reacted True) >> haltRobot r connection)
   how <- readIORef ended
   case result of
     Left e -> ExitFailure 2 <$ told (problemFrom Nothing [] Nothing e)
