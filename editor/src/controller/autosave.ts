@@ -97,7 +97,8 @@ export function openAutosave(store: Store, shelf: ProgramStore, page: AutosavedP
   store.onFrame(state => {
     if (state.saved === "changed" && timer === undefined) timer = setTimeout(() => whenIdle(keep), pause)
   })
-  window.addEventListener("pagehide", keep)
+  // A browser ends a page that is closed after a moment, also one that has not had the processor: the earlier of the two may be the only one that is heard.
+  for (const leaving of ["beforeunload", "pagehide"]) window.addEventListener(leaving, keep)
   document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && keep())
   window.addEventListener("storage", event => {
     if (place !== null && event.key === shelf.keyOf(place)) compare()
