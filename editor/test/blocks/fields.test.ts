@@ -1,5 +1,5 @@
 import {describe, expect, test} from "vitest"
-import {haskellNumber} from "../../src/blocks/construction/fields.ts"
+import {haskellNumber} from "../../src/blocks/construction/text_fields.ts"
 
 describe("what is typed into a number", () => {
   test.each([

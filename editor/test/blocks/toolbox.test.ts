@@ -1,5 +1,6 @@
 import {expect, test} from "vitest"
-import {flyoutBlock, search, searchEntries, toolboxInfo} from "../../src/blocks/interaction/toolbox.ts"
+import {flyoutBlock, toolboxInfo} from "../../src/blocks/interaction/toolbox.ts"
+import {search, searchEntries} from "../../src/blocks/interaction/toolbox_search.ts"
 import {small} from "./small_language.ts"
 
 const items = searchEntries(

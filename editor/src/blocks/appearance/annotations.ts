@@ -5,7 +5,7 @@
 import {type BlockId, type BlockProblem, type Family, type Inference, socketKey} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {extraOf, shapeOf} from "../construction/block_definitions.ts"
-import {SignatureField} from "../construction/fields.ts"
+import {SignatureField} from "../construction/text_fields.ts"
 import {savedTop} from "../workspace/serialization.ts"
 import {connectionStyleOf, setConnectionStyle, styleName} from "./theme.ts"
 

@@ -9,17 +9,10 @@ import {helpAddress} from "../../help/help_links.ts"
 import type {NumberDragListener} from "../../preview/number_grip.ts"
 import {words} from "../../words/index.ts"
 import {setConnectionStyle, styleName} from "../appearance/theme.ts"
-import {
-  BinderField,
-  ButtonField,
-  type FieldActions,
-  LabelField,
-  lookInside,
-  makeField,
-  SignatureField,
-  showValue,
-} from "./fields.ts"
+import {type FieldActions, LabelField} from "./field_base.ts"
+import {ButtonField, lookInside, makeField, showValue} from "./fields.ts"
 import {fieldValues, inputLayout, layoutKey, type PlannedInput} from "./input_layout.ts"
+import {BinderField, SignatureField} from "./text_fields.ts"
 
 interface Built {
   readonly view: BlockView

@@ -2,7 +2,7 @@
 
 import type {Place, SavedBlock} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
-import type {BinderField} from "../construction/fields.ts"
+import type {BinderField} from "../construction/text_fields.ts"
 import {giveUniqueNames} from "../construction/unique_names.ts"
 import {
   beginMovement,

@@ -15,7 +15,7 @@ import {
 } from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {words} from "../../words/index.ts"
-import {isNumberField} from "../construction/fields.ts"
+import {isNumberField} from "../construction/text_fields.ts"
 import {placeOf} from "../dragging/connection_checker.ts"
 import {flyoutBlock} from "./toolbox.ts"
 
