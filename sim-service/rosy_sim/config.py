@@ -27,8 +27,8 @@ class Limits:
     ready: float = 10.0
     # From `stop` to the program's `ended`, before it is killed.
     stop: float = 1.0
-    # For the worker to say what became of a killed or dead run.
-    gone: float = 1.0
+    # For the worker to say what became of a killed or dead run; it says so at once when it has the processor.
+    gone: float = 10.0
     # A check or a compilation.
     compile: float = 30.0
     # Longest computation of one preview after its compilation; then the path ends early.

@@ -63,14 +63,15 @@ def hall(**more: object) -> World:
 def limits() -> Limits:
     """Long enough for a busy machine, but for `stop`, which ends well either way."""
     return Limits(
-        settle=60.0, ready=60.0, stop=0.3, gone=60.0, compile=PATIENCE, preview=PATIENCE, worker_ready=PATIENCE
-    )
+        settle=60.0, ready=60.0, stop=0.3, gone=60.0,
+        compile=PATIENCE, preview=PATIENCE, worker_ready=PATIENCE,
+    )  # fmt: skip
 
 
 @pytest.fixture
 def impatient(limits: Limits) -> Limits:
-    """Short, for programs that are stuck whatever the machine does."""
-    return replace(limits, settle=1.0)
+    """Short, for programs that are stuck whatever the machine does; a program that waits for its turn is not."""
+    return replace(limits, settle=4.0)
 
 
 @pytest.fixture

@@ -10,6 +10,8 @@ from typing import ClassVar
 
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 
+from .sliced_timer import SlicedTimer
+
 __all__ = ["RequestDeadline"]
 
 
@@ -19,7 +21,7 @@ class RequestDeadline(HttpToolsProtocol):
     seconds: ClassVar[float] = 10.0
     """From the connection, or from the first byte after an answer, to the end of a request's head."""
 
-    _timer: asyncio.TimerHandle | None = None
+    _timer: SlicedTimer | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Begin to wait for the first request."""
@@ -40,7 +42,7 @@ class RequestDeadline(HttpToolsProtocol):
         if not self._is_waiting:
             self._cancel()
         elif self._timer is None:
-            self._timer = self.loop.call_later(self.seconds, self._expire)
+            self._timer = SlicedTimer(self.loop, self.seconds, self._expire)
 
     def _cancel(self) -> None:
         if self._timer is not None:

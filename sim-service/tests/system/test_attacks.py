@@ -107,7 +107,7 @@ def target() -> Iterator[Target]:
     with tempfile.TemporaryDirectory(prefix="rosy-attack-") as folder:
         secret = Path(folder, "secret")
         secret.write_text(SECRET)
-        with subprocess.Popen([sys.executable, "-c", "import time; time.sleep(600)"]) as victim:
+        with subprocess.Popen([sys.executable, "-c", "import signal; signal.pause()"]) as victim:
             try:
                 yield Target(secret, Path(folder, "target"), victim)
             finally:

@@ -152,7 +152,7 @@ def test_a_hostile_client_harms_nobody(config: Config) -> None:
                 for text in ("", "{", "[" * 50_000, '{"op":"publish"}', '{"op":"subscribe","topic":7}', "\x00"):
                     await ros.send(text)
                 await ros.send('{"op":"subscribe","topic":"/odom"}')
-                message = json.loads(await asyncio.wait_for(ros.recv(), 60))
+                message = json.loads(await asyncio.wait_for(ros.recv(), PATIENCE))
             assert message["msg"]["header"]["frame_id"] == "odom"
             assert len(message["msg"]["pose"]["covariance"]) == 36
             await page.send("run", run=1, source="done@2", speed="max")
@@ -226,7 +226,7 @@ def test_a_crowd_of_hostile_clients_harms_nobody(config: Config, seed: int) -> N
                 assert (await other.ended(1))["ended"] == "done"
                 await page.send("run", run=1, source="drive:0.5 done@50", speed="max")
                 assert (await page.ended(1))["ended"] == "done"
-                assert json.loads(await asyncio.wait_for(good.recv(), 60))["topic"] == "/odom"
+                assert json.loads(await asyncio.wait_for(good.recv(), PATIENCE))["topic"] == "/odom"
                 assert len(service.sessions) == 2
         # What is not closed by now is told of here, and not in whatever test comes next.
         gc.collect()
@@ -247,7 +247,7 @@ def test_roslibpy_lists_drives_and_hears_the_bumper(config: Config) -> None:
             client.start()
             await page.until(lambda m: m["op"] == "frame" and m["channels"]["Led1"] == [3])
             await page.until(lambda m: m["op"] == "frame" and any(m["channels"]["Bumper"]))
-            await asyncio.to_thread(client.join, 60)
+            await asyncio.to_thread(client.join, PATIENCE)
             assert not client.is_alive()
             assert result["topics"] > 8
             assert result["online"] == {"state": 1}

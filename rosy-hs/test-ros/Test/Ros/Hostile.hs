@@ -78,7 +78,7 @@ strangePublishers ros = do
     t <- subscribe "/n" :: Node (Topic IO Int32.Int32)
     liftIO $ do
       -- Each has been listened to before the good one says anything.
-      came <- timeout 20000000 (atomically (readTVar met >>= check . (>= length sayings)))
+      came <- timeout 120000000 (atomically (readTVar met >>= check . (>= length sayings)))
       assertBool "not all were asked" (came == Just ())
       withPeer ros "peer" $ \peer -> do
         say peer "pub /n std_msgs/Int32"
