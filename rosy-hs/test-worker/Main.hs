@@ -16,6 +16,7 @@ import qualified Test.Worker.ProcessLifecycle as Life
 import qualified Test.Worker.ProgramGraphs as Graphs
 import qualified Test.Worker.PureParts as Wire
 import qualified Test.Worker.SharedMemory as Page
+import qualified Test.Worker.TimeBudget as Time
 import qualified Test.Worker.TypesAndCompletion as Places
 
 -- | One worker serves one test after the other, as it would serve a class.
@@ -24,4 +25,4 @@ main = withWorker [] $ \worker -> do
   gallery <- Gallery.tests (pure worker)
   conversations <- Conversation.tests (pure worker)
   graphs <- Graphs.tests (pure worker)
-  defaultMain (localOption (NumThreads 1) (testGroup "worker" [Wire.tests, Remember.tests, Page.tests, conversations, graphs, gallery, Places.tests (pure worker), DeclaredTypes.tests (pure worker), Life.tests (pure worker)]))
+  defaultMain (localOption (NumThreads 1) (testGroup "worker" [Wire.tests, Remember.tests, Page.tests, Time.tests, conversations, graphs, gallery, Places.tests (pure worker), DeclaredTypes.tests (pure worker), Life.tests (pure worker)]))

@@ -27,6 +27,7 @@
 #include <sys/syscall.h>
 #include <sys/uio.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "Rts.h"
@@ -238,6 +239,14 @@ uint64_t rosy_data_size(void) {
     if (sscanf(line, "VmData: %lu kB", &kilobytes) == 1) break;
   fclose(status);
   return kilobytes * 1024;
+}
+
+/* Seconds of processor time that a process has used; -1 when it has ended. clock_getcpuclockid(3). */
+double rosy_processor_time(int pid) {
+  clockid_t clock;
+  struct timespec used;
+  if (clock_getcpuclockid(pid, &clock) || clock_gettime(clock, &used)) return -1;
+  return used.tv_sec + used.tv_nsec / 1e9;
 }
 
 /* Bytes of memory of a process that no file backs, pages shared since a fork included; 0 when it has ended. proc(5), statm. */

@@ -13,6 +13,7 @@ int rosy_watch_children(void);
 void rosy_drain(int fd);
 int rosy_poll(int count, const int *fds, const short *wants, short *got, int milliseconds);
 pid_t rosy_reap(int *how, int *value);
+double rosy_processor_time(int pid);
 
 /* Sharing. */
 void *rosy_page(void);

@@ -25,7 +25,8 @@ module Rosy.Worker.CheckerPool
     killTooLarge,
     memberProcesses,
     removeExited,
-    pendingDeadlines,
+    pendingReviews,
+    reviewChild,
   )
 where
 
@@ -36,13 +37,14 @@ import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isNothing)
+import Data.Maybe (fromMaybe, isNothing)
 import Data.Text (Text)
 import Data.Text.Encoding (decodeUtf8With)
 import Data.Text.Encoding.Error (lenientDecode)
 import Rosy.Worker.Problem (Position (..))
 import Rosy.Worker.Protocol
 import Rosy.Worker.SystemCalls
+import Rosy.Worker.TimeBudget
 import System.Posix.IO (closeFd)
 import System.Posix.Signals (sigKILL, signalProcess)
 import System.Posix.Types (Fd)
@@ -58,8 +60,8 @@ data Checker = Checker
 data Task = Task
   { from :: Id,
     question :: Question,
-    -- | Deadline of the answer; 'GHC.Clock.getMonotonicTime'.
-    deadline :: Double,
+    -- | Time that is left for the answer.
+    budget :: TimeBudget,
     overrun :: Maybe Overrun,
     compilerFailure :: Text
   }
@@ -88,14 +90,18 @@ isIdle :: Checker -> Bool
 isIdle = isNothing . task
 
 -- | Assigns a question to an idle child or to a new one.
-assignQuestion :: IO (Int, Fd) -> Double -> Id -> Question -> CheckerPool -> IO CheckerPool
-assignQuestion fork until' i q (CheckerPool cs) = case filter (isIdle . snd) (Map.toList cs) of
+--
+-- The second argument makes the time budget of a child from the processor time that it has used.
+assignQuestion :: IO (Int, Fd) -> (Double -> TimeBudget) -> Id -> Question -> CheckerPool -> IO CheckerPool
+assignQuestion fork budgetFrom i q (CheckerPool cs) = case filter (isIdle . snd) (Map.toList cs) of
   (pid, c) : _ -> give pid c
   [] -> do
     (pid, fd) <- fork
     give pid (Checker fd emptyLineBuffer "" Nothing 0)
   where
-    give pid c = flushQuestion pid (CheckerPool (Map.insert pid c {unsent = asked, task = Just (Task i q until' Nothing "")} cs))
+    give pid c = do
+      computed <- fromMaybe 0 <$> processorTime pid
+      flushQuestion pid (CheckerPool (Map.insert pid c {unsent = asked, task = Just (Task i q (budgetFrom computed) Nothing "")} cs))
     asked = Lazy.toStrict (encode (object (("id" .= (0 :: Int)) : fields))) <> "\n"
     fields = case q of
       Check source -> ["op" .= ("check" :: Text), "source" .= source]
@@ -156,11 +162,18 @@ receiveAnswers pid (CheckerPool cs) = case Map.lookup pid cs of
 questionsPerChecker :: Int
 questionsPerChecker = 50
 
--- | Kills children that exceed their deadline.
+-- | Kills children that have used up their time.
 killOverdue :: Double -> CheckerPool -> IO CheckerPool
 killOverdue now (CheckerPool cs) = do
-  let over c = maybe False (\t -> deadline t <= now && isNothing (overrun t)) (task c)
-  killFor TooLate [pid | (pid, c) <- Map.toList cs, over c] (CheckerPool cs)
+  reviewed <- sequence [(,) (pid, t) <$> reviewChild now pid (budget t) | (pid, Checker {task = Just t}) <- Map.toList cs, isNothing (overrun t)]
+  let kept = foldr (\((pid, t), left) -> maybe id (\b -> Map.adjust (\c -> c {task = Just t {budget = b}}) pid) left) cs reviewed
+  killFor TooLate [pid | ((pid, _), Nothing) <- reviewed] (CheckerPool kept)
+
+-- | The budget of a child now; nothing when it is used up.
+reviewChild :: Double -> Int -> TimeBudget -> IO (Maybe TimeBudget)
+reviewChild now pid budget'
+  | now < nextReview budget' = pure (Just budget')
+  | otherwise = (\computed -> review now (fromMaybe 0 computed) budget') <$> processorTime pid
 
 -- | Kills these children, if they belong to the pool, because all children together need too much memory.
 killTooLarge :: [Int] -> CheckerPool -> IO CheckerPool
@@ -175,8 +188,9 @@ killFor why pids (CheckerPool cs) = do
 memberProcesses :: CheckerPool -> [(Int, Bool)]
 memberProcesses (CheckerPool cs) = [(pid, not (isIdle c)) | (pid, c) <- Map.toList cs]
 
-pendingDeadlines :: CheckerPool -> [Double]
-pendingDeadlines (CheckerPool cs) = [deadline t | Checker {task = Just t} <- Map.elems cs, isNothing (overrun t)]
+-- | When to call 'killOverdue' again.
+pendingReviews :: CheckerPool -> [Double]
+pendingReviews (CheckerPool cs) = [nextReview (budget t) | Checker {task = Just t} <- Map.elems cs, isNothing (overrun t)]
 
 -- | Removes a child that has exited, if it belongs to the pool.
 removeExited :: Int -> ProcessEnd -> CheckerPool -> IO ([CheckResult], CheckerPool)

@@ -42,6 +42,7 @@ import Rosy.Worker.Report (emptyReport)
 import Rosy.Worker.Sentence
 import Rosy.Worker.SharedMemory (activeFunctionName)
 import Rosy.Worker.SystemCalls
+import Rosy.Worker.TimeBudget
 import System.Mem (performMajorGC)
 import System.Posix.IO (closeFd)
 import System.Posix.Process (forkProcess, getProcessID)
@@ -51,7 +52,7 @@ import System.Posix.Types (Fd)
 data Config = Config
   { socket :: Fd,
     settings :: Settings,
-    -- | Wall-clock seconds that reading and checking a program may take.
+    -- | Seconds of processor time that reading and checking a program may take.
     compileSeconds :: Double,
     -- | How many checks, and how many runs besides, compile at once.
     maxConcurrentChecks :: Int,
@@ -69,8 +70,8 @@ data Job = Job
     -- | Present until the child has closed it.
     answers :: Maybe Fd,
     inputBuffer :: LineBuffer,
-    -- | Deadline of compilation; 'getMonotonicTime'.
-    deadline :: Maybe Double,
+    -- | Time that is left for compilation.
+    budget :: Maybe TimeBudget,
     answered :: Bool,
     -- | The limit for which it was killed.
     overrun :: Maybe Overrun,
@@ -118,7 +119,7 @@ loop config session ended = go
         let listening = [(fd, pid) | (pid, Job {answers = Just fd}) <- Map.toList (jobs s)]
             asking = pollDescriptors (pool s)
             look = [nextLook s | isOccupied s]
-            next = minimum (60 : map (subtract now) (look ++ pendingDeadlines (pool s) ++ [t | Job {deadline = Just t} <- Map.elems (jobs s)]))
+            next = minimum (60 : map (subtract now) (look ++ pendingReviews (pool s) ++ [nextReview t | Job {budget = Just t} <- Map.elems (jobs s)]))
         ready <-
           poll
             ((socket config, if Seq.null (outgoing s) then Readable else ReadableOrWritable) : (ended, Readable) : [(fd, Readable) | (fd, _) <- listening] ++ map snd asking)
@@ -215,7 +216,7 @@ dispatchQuestions config session s
   | (i, question) :<| others <- waiting s,
     hasFreeSlot (maxConcurrentChecks config) (pool s) = do
     now <- getMonotonicTime
-    asked <- assignQuestion newChecker (now + compileSeconds config) i question (pool s)
+    asked <- assignQuestion newChecker (newBudget (compileSeconds config) now) i question (pool s)
     dispatchQuestions config session s {waiting = others, pool = asked}
   | otherwise = pure s
   where
@@ -263,7 +264,7 @@ startRun config session i source memory link s = do
   closeFd theirs
   closeFd link
   now <- getMonotonicTime
-  pure s {jobs = Map.insert (fromIntegral pid) (Job i shared False (Just mine) emptyLineBuffer (Just (now + compileSeconds config)) False Nothing "") (jobs s)}
+  pure s {jobs = Map.insert (fromIntegral pid) (Job i shared False (Just mine) emptyLineBuffer (Just (newBudget (compileSeconds config) now 0)) False Nothing "") (jobs s)}
 
 -- | Reads the output of a run.
 receiveFromRun :: Fd -> Int -> State -> IO State
@@ -285,7 +286,7 @@ handleRunLine :: Int -> BufferedLine -> State -> State
 handleRunLine pid (Line bytes) s
   | Just job <- Map.lookup pid (jobs s),
     not (answered job) =
-    let done answer runs = reply answer s {jobs = Map.insert pid job {answered = True, deadline = Nothing, started = runs} (jobs s)}
+    let done answer runs = reply answer s {jobs = Map.insert pid job {answered = True, budget = Nothing, started = runs} (jobs s)}
      in case Char8.uncons bytes of
           Just ('S', fields) -> done (Started (jobId job) fields) True
           Just ('R', fields) -> done (Refused (jobId job) fields) False
@@ -306,14 +307,21 @@ cacheAnswer question fields s = do
 cacheBytes :: Int
 cacheBytes = 4 * 1024 * 1024
 
--- | Kills children that exceed their deadline.
+-- | Kills children that have used up their time.
 killExpired :: State -> IO State
 killExpired s = do
   now <- getMonotonicTime
-  let over job = maybe False (<= now) (deadline job)
-  forM_ [pid | (pid, job) <- Map.toList (jobs s), over job] (signalProcess sigKILL . fromIntegral)
   asked <- killOverdue now (pool s)
-  pure s {pool = asked, jobs = Map.map (\job -> if over job then job {deadline = Nothing, overrun = Just TooLate} else job) (jobs s)}
+  reviewed <- Map.traverseWithKey (reviewJob now) (jobs s)
+  pure s {pool = asked, jobs = reviewed}
+  where
+    reviewJob now pid job = case budget job of
+      Nothing -> pure job
+      Just left -> do
+        kept <- reviewChild now pid left
+        case kept of
+          Nothing -> job {budget = Nothing, overrun = Just TooLate} <$ signalProcess sigKILL (fromIntegral pid)
+          Just _ -> pure job {budget = kept}
 
 -- | Whether a child compiles or a program runs.
 isOccupied :: State -> Bool
@@ -334,7 +342,7 @@ enforceCeilings config s = do
           interval = if any snd members then compilingInterval else runningInterval
       forM_ (filter isVictim (Map.keys (jobs s))) (signalProcess sigKILL . fromIntegral)
       asked <- killTooLarge victims (pool s)
-      pure s {nextLook = now + interval, pool = asked, jobs = Map.mapWithKey (\pid job -> if isVictim pid then job {deadline = Nothing, overrun = Just TooLarge} else job) (jobs s)}
+      pure s {nextLook = now + interval, pool = asked, jobs = Map.mapWithKey (\pid job -> if isVictim pid then job {budget = Nothing, overrun = Just TooLarge} else job) (jobs s)}
 
 reapChildren :: State -> IO State
 reapChildren s = do

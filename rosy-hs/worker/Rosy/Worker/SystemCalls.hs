@@ -20,6 +20,7 @@ module Rosy.Worker.SystemCalls
     poll,
     ProcessEnd (..),
     reapChild,
+    processorTime,
 
     -- * Shared memory and channels
     SharedPage,
@@ -82,6 +83,8 @@ foreign import ccall unsafe rosy_drain :: CInt -> IO ()
 foreign import ccall safe rosy_poll :: CInt -> Ptr CInt -> Ptr CShort -> Ptr CShort -> CInt -> IO CInt
 
 foreign import ccall unsafe rosy_reap :: Ptr CInt -> Ptr CInt -> IO CInt
+
+foreign import ccall unsafe rosy_processor_time :: CInt -> IO CDouble
 
 foreign import ccall unsafe rosy_page :: IO (Ptr Word32)
 
@@ -206,6 +209,12 @@ reapChild = alloca $ \how -> alloca $ \value -> do
       h <- peek how
       v <- fromIntegral <$> peek value
       pure (Just (fromIntegral pid, if h == 0 then Exited v else Signalled v))
+
+-- | Seconds of processor time that a child has used; none is known of one that has ended.
+processorTime :: Int -> IO (Maybe Double)
+processorTime pid = do
+  CDouble used <- rosy_processor_time (fromIntegral pid)
+  pure (if used < 0 then Nothing else Just used)
 
 -- | Memory that a forked child shares with its parent, 'pageSize' bytes.
 type SharedPage = Ptr Word32
