@@ -1,15 +1,16 @@
 -- |
 -- Description : rosy-robot: a real robot for programs that wait for the simulator.
 --
--- > rosy-robot ADDRESS DESCRIPTOR [SECONDS]
--- > rosy-robot hold ADDRESS DESCRIPTOR
+-- > rosy-robot ADDRESS DESCRIPTOR [SECONDS [STEP]]
+-- > rosy-robot hold ADDRESS DESCRIPTOR [STEP ALIVE]
 -- > rosy-robot check ADDRESS
 --
 -- The first drives for one program: the descriptor is a stream socket at whose other end it waits. What the program says goes to
 -- standard output, and behind it a line of JSON about how it ended, as @./rosy run@ prints it; sentences for a person go to
 -- standard error. The second holds the robot for one program after another (@protocol/README.md@ section 7): requests come on
 -- standard input, lines go to standard output, and the programs' sockets arrive over the descriptor. The third only says whether the
--- address can be one.
+-- address can be one. STEP is how many seconds a program may take for a step, ALIVE after how many seconds without a sign of its owner a
+-- run ends.
 --
 -- Ctrl-C and the system's request stop the robot at once and the program in good order. SIGUSR1 is the emergency stop.
 module Main (main) where
@@ -47,9 +48,9 @@ main = do
   -- A line at a time, whatever else is printed.
   mapM_ (`hSetBuffering` LineBuffering) [stdout, stderr]
   getArgs >>= \case
-    ["hold", address, fd] -> holdFor address fd
+    "hold" : address : fd : given -> holdFor address fd (limitsFrom given)
     ["check", address] -> void (targetAt address)
-    address : fd : limit -> driveOnce address fd limit
+    address : fd : given -> driveOnce address fd (numbers (take 1 given)) (limitsFrom (drop 1 given))
     _ -> refuse "rosy-robot takes an address, such as ws://HOST:9090, and the descriptor of a socket."
 
 targetAt :: String -> IO Target
@@ -65,25 +66,35 @@ socketAt text = case reads text of
 socketFrom :: CInt -> IO Socket
 socketFrom fd = setFdOption (Fd fd) NonBlockingRead True >> mkSocket fd
 
-driveOnce :: String -> String -> [String] -> IO ()
-driveOnce address fd limit = do
+-- | A step's limit and the owner's; without them the defaults.
+limitsFrom :: [String] -> ProcessLimits
+limitsFrom given = case numbers given of
+  step : alive : _ -> ProcessLimits step alive
+  step : _ -> defaultLimits {stepLimit = step}
+  [] -> defaultLimits
+
+numbers :: [String] -> [Double]
+numbers given = [s | t <- given, (s, "") <- reads t]
+
+driveOnce :: String -> String -> [Double] -> ProcessLimits -> IO ()
+driveOnce address fd seconds limits = do
   target <- targetAt address
   socket <- socketAt fd
   began <- getMonotonicTime
   stopWanted <- newTVarIO False
   guarded <- newTVarIO (newGuard (targetLimits target) (targetSafety target))
-  forM_ [s | [t] <- [limit], (s, "") <- reads t] (`runAfter` atomically (writeTVar stopWanted True))
-  pace <- realPace
+  forM_ seconds (`runAfter` atomically (writeTVar stopWanted True))
+  pace <- realPace (stepLimit limits)
   served <- withDriverLock address . withConnection target $ \connection -> do
     let sendHalt = atomically (stateTVar guarded haltWheels) >>= mapM_ (sendCommand connection)
     onSignals terminationSignals (sendHalt >> atomically (writeTVar stopWanted True)) (runLockstep pace (onTerminal (connectionName connection)) (readTVar stopWanted) (targetPatience target) guarded connection socket)
       `finally` sendHalt
   ended <- getMonotonicTime
-  report (ended - began) served
+  report limits (ended - began) served
 
 -- | Until the service closes our input.
-holdFor :: String -> String -> IO ()
-holdFor address fd = do
+holdFor :: String -> String -> ProcessLimits -> IO ()
+holdFor address fd limits = do
   target <- targetAt address
   socket <- socketAt fd
   requests <- newRequests
@@ -91,7 +102,7 @@ holdFor address fd = do
   _ <- forkIO ((reading requests `catchIOError` const (pure ())) `finally` request requests Leave)
   _ <- installHandler sigUSR1 (Catch (request requests EmergencyStop)) Nothing
   withDriverLock address . withConnection target $ \connection ->
-    onSignals (filter (/= sigUSR1) terminationSignals) (request requests Leave) (runRobotProcess target connection requests (recvFd socket >>= socketFrom) (\l -> L.hPut stdout l >> hFlush stdout))
+    onSignals (filter (/= sigUSR1) terminationSignals) (request requests Leave) (runRobotProcess limits target connection requests (recvFd socket >>= socketFrom) (\l -> L.hPut stdout l >> hFlush stdout))
   where
     reading requests = do
       over <- isEOF
@@ -102,13 +113,13 @@ holdFor address fd = do
 refuse :: String -> IO a
 refuse why = hPutStrLn stderr ("rosy: " ++ why) >> exitWith (ExitFailure 1)
 
-report :: Double -> LockstepResult -> IO ()
-report wall served = do
+report :: ProcessLimits -> Double -> LockstepResult -> IO ()
+report limits wall served = do
   (word, status) <- case runEnd served of
     Finished -> pure ("done", ExitSuccess)
     Stopped -> pure ("time", ExitSuccess)
     Failed message hint _ -> ("error", ExitFailure 2) <$ mapM_ (T.hPutStrLn stderr) (message : [hint | not (T.null hint)])
-    Stuck -> ("stuck", ExitFailure 2) <$ hPutStrLn stderr "The program was still busy after a second, so the robot was stopped."
+    Stuck -> ("stuck", ExitFailure 2) <$ hPutStrLn stderr ("The program was still busy after " ++ shownSeconds (stepLimit limits) ++ " seconds, so the robot was stopped.")
     Died -> ("error", ExitFailure 2) <$ hPutStrLn stderr "The program has died, so the robot was stopped."
     RobotLost why -> ("error", ExitFailure 2) <$ hPutStrLn stderr ("The robot is gone: " ++ why ++ ".")
   putStrLn $
@@ -116,4 +127,5 @@ report wall served = do
       ++ (",\"ended\":\"" ++ word ++ "\",\"steps\":" ++ show (stepsRun served) ++ ",\"wall\":" ++ show wall ++ "}")
   exitWith status
   where
+    shownSeconds s = if s == fromIntegral (round s :: Int) then show (round s :: Int) else show s
     pose (Position x y, Orientation a) = "{\"x\":" ++ show x ++ ",\"y\":" ++ show y ++ ",\"theta\":" ++ show a ++ "}"

@@ -25,12 +25,14 @@ class Limits:
     settle: float = 5.0
     # From `started` to the program's `ready`.
     ready: float = 10.0
+    # Without a sign of the person at the page, until a run on a real robot is ended; its wheels stand long before.
+    unattended: float = 3.0
     # From `stop` to the program's `ended`, before it is killed.
     stop: float = 1.0
     # For the worker to say what became of a killed or dead run; it says so at once when it has the processor.
     gone: float = 10.0
-    # A check or a compilation.
-    compile: float = 30.0
+    # A check or a compilation: longer than the worker lets one wait that gets no processor (`--check-seconds`).
+    compile: float = 60.0
     # Longest computation of one preview after its compilation; then the path ends early.
     preview: float = 3.0
     # For a fresh worker to become `ready`: 1.5 s of a processor, which a busy machine may take a minute to give.

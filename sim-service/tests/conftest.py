@@ -63,7 +63,7 @@ def hall(**more: object) -> World:
 def limits() -> Limits:
     """Long enough for a busy machine, but for `stop`, which ends well either way."""
     return Limits(
-        settle=60.0, ready=60.0, stop=0.3, gone=60.0,
+        settle=60.0, ready=60.0, unattended=PATIENCE, stop=0.3, gone=60.0,
         compile=PATIENCE, preview=PATIENCE, worker_ready=PATIENCE,
     )  # fmt: skip
 

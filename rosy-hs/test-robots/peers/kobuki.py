@@ -115,9 +115,11 @@ def stand():
 
 def watch():
     """What a firmware with a timeout would do; ours has none until it is told one."""
-    if patience is not None and speed != [0.0, 0.0] and time.monotonic() - told_at > patience:
-        speed[:] = [0.0, 0.0]
-        say("watchdog")
+    if patience is not None and time.monotonic() - told_at > patience:
+        if speed != [0.0, 0.0]:
+            speed[:] = [0.0, 0.0]
+            say("watchdog")
+        # Also when they stood before the mark: nothing else would say so.
         stand()
 
 

@@ -3,7 +3,7 @@ A rosbridge server that is as strict as the real ones and knows one robot.
 
 In: frames from one client at a time; on standard input `send TOPIC JSON`, `stream TOPIC JSON`, `still`, `raw TEXT`, `drop`, `refuse`, `accept`, `mark`, `quit`; the
 version of ROS as the argument. Out: on standard output `port N`, `advertised TOPIC TYPE`, `subscribed TOPIC TYPE`,
-`got TOPIC JSON`, `rejected WHY`, `watchdog` when 0.6 s pass after a velocity that was not zero, after `mark` `stood SECONDS` when its wheels stand, by its own clock. It refuses what rosbridge_suite
+`got TOPIC JSON`, `rejected WHY`, `watchdog` when 0.6 s pass after a velocity that was not zero, after `mark` `marked`, as soon as its wheels turn, and then `stood SECONDS` when they stand, by its own clock. It refuses what rosbridge_suite
 refuses: 1.0 for an integer, unknown fields, types it does not know, topics without a type.
 """
 
@@ -32,11 +32,19 @@ client = None
 open_to_all = True
 advertised, subscribed = {}, set()
 last_moving = [None]
-marked = [None]
+marking, marked = [False], [None]
 
 
 def say(*words):
     print(*words, flush=True)
+
+
+def mark():
+    """Says that the marked time begins, once the wheels turn: those that stand already would not come to stand."""
+    if marking[0] and last_moving[0] is not None:
+        marking[0] = False
+        marked[0] = time.monotonic()
+        say("marked")
 
 
 def stand():
@@ -104,6 +112,7 @@ def on_frame(frame):
             last_moving[0] = time.monotonic() if moving else None
             if not moving:
                 stand()
+            mark()
         say("got", topic, json.dumps(message["msg"]))
     else:
         say("rejected", f"op {op}")
@@ -169,8 +178,8 @@ async def main():
             elif word == "drop" and client is not None:
                 await client.close()
             elif word == "mark":
-                marked[0] = time.monotonic()
-                say("marked")
+                marking[0] = True
+                mark()
             elif word in ("refuse", "accept"):
                 open_to_all = word == "accept"
             elif word == "quit":

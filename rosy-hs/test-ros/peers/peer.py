@@ -3,8 +3,8 @@ A rospy node that does what its standard input says, one command a line, and say
 
 In: `sub TOPIC TYPE`, `pub TOPIC TYPE [latch]`, `send TOPIC JSON`, `stream TOPIC JSON`, `flood TOPIC COUNT`, `echo FROM TO`, `time COUNT TOPIC BACK [TOPIC BACK]`,
 `connected TOPIC COUNT`, `listening TOPIC`, `heard TOPIC COUNT`, `watchdog TOPIC`, `mark`, `param get|set NAME JSON`, `rosout`, `quit`.
-Out: `ready`, `got TOPIC JSON` for every message, an answer per command, after `mark` `stood SECONDS` when a
-watched velocity is zero or the watchdog has spoken, by its own clock. It never decides whether a test passes.
+Out: `ready`, `got TOPIC JSON` for every message, an answer per command; that to `mark` comes as soon as a
+watched velocity is not zero, and behind it `stood SECONDS` when it is zero or the watchdog has spoken, by its own clock. It never decides whether a test passes.
 """
 
 import importlib
@@ -154,18 +154,30 @@ def measure(count, *topics):
     say("took", *(f"{took[len(took) * n // 100]:.3f}" for _publisher, _came, took in ways for n in (50, 95)))
 
 
-marked = [None]
+wheels = threading.Condition()
+turning, marked = [False], [None]
 
 
 def mark():
-    marked[0] = time.monotonic()
-    say("marked")
+    """Wheels that stand already would not come to stand, so the marked time begins when they turn."""
+    with wheels:
+        wheels.wait_for(lambda: turning[0])
+        marked[0] = time.monotonic()
+        say("marked")
+
+
+def turn():
+    with wheels:
+        turning[0] = True
+        wheels.notify_all()
 
 
 def stand():
-    if marked[0] is not None:
-        say("stood", f"{time.monotonic() - marked[0]:.3f}")
-        marked[0] = None
+    with wheels:
+        turning[0] = False
+        if marked[0] is not None:
+            say("stood", f"{time.monotonic() - marked[0]:.3f}")
+            marked[0] = None
 
 
 def watchdog(topic):
@@ -176,7 +188,9 @@ def watchdog(topic):
         moving = message.linear.x != 0 or message.angular.z != 0
         last[0] = (time.monotonic(), message) if moving else None
         say("got", topic, json.dumps(plain(message)))
-        if not moving:
+        if moving:
+            turn()
+        else:
             stand()
 
     def look(_event):

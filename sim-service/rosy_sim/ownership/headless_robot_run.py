@@ -60,7 +60,8 @@ def run_on_robot(
         answer = worker.run(source, theirs)
         if isinstance(answer, Refused):
             return answer.problems, 1
-        command = [str(robot_executable), address, str(ours.fileno()), str(seconds)]
+        descriptor, settle = str(ours.fileno()), str(worker.limits.settle)
+        command = [str(robot_executable), address, descriptor, str(seconds), settle]
         with _forwarded_signals() as forward, subprocess.Popen(command, pass_fds=[ours.fileno()]) as process:
             ours.close()
             forward(process)

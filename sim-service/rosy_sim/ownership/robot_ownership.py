@@ -10,6 +10,7 @@ from typing import Protocol
 
 import msgspec
 
+from ..config import Limits
 from ..errors import BadInput
 from ..run.page_run import RunView
 from ..run.velocity_guard import SafetySettings
@@ -55,12 +56,14 @@ class RobotOwnership:
         self,
         session: str,
         registry: RobotRegistry,
+        limits: Limits,
         send: Callable[[page.Answer], None],
         view: RobotView,
         safety: SafetyView,
     ) -> None:
         self._session = session
         self._registry = registry
+        self._limits = limits
         self._send = send
         self._view = view
         self._safety = safety
@@ -112,7 +115,7 @@ class RobotOwnership:
         self._view.run = request.run
         self._state = page.RobotState(request.robot, "connecting", "", False, 0.0, 0.0)
         self._send(self._state)
-        self.process = RobotProcess(executable, address, self)
+        self.process = RobotProcess(executable, address, self._limits, self)
 
     def release(self) -> None:
         """Stop the robot; other pages may own it as soon as it has stopped."""

@@ -16,6 +16,7 @@ from typing import Literal, Protocol
 
 import msgspec
 
+from ..config import Limits
 from ..wire.robot_process import CommandsLine, EndedLine, Line, decode_line, encode_request, encode_safety
 
 __all__ = ["RobotListener", "RobotProcess", "RunListener"]
@@ -53,7 +54,7 @@ class RobotListener(Protocol):
 class RobotProcess:
     """Connects at once; close() stops the robot."""
 
-    def __init__(self, executable: Path, address: str, listener: RobotListener) -> None:
+    def __init__(self, executable: Path, address: str, limits: Limits, listener: RobotListener) -> None:
         self._listener = listener
         # Listeners of the programs that were handed over, in their order.
         self._runs: deque[RunListener] = deque()
@@ -63,7 +64,7 @@ class RobotProcess:
         # Requests made before the process had started.
         self._pending: list[bytes] = []
         self._closed = False
-        self._supervision = asyncio.get_running_loop().create_task(self._supervise(executable, address, theirs))
+        self._supervision = asyncio.get_running_loop().create_task(self._supervise(executable, address, limits, theirs))
 
     def run(self, link: socket.socket, listener: RunListener) -> None:
         """Let a program drive; rosy-robot owns its link from now on."""
@@ -119,7 +120,7 @@ class RobotProcess:
         elif self._process.stdin is not None and not self._process.stdin.is_closing():
             self._process.stdin.write(request)
 
-    async def _supervise(self, executable: Path, address: str, theirs: socket.socket) -> None:
+    async def _supervise(self, executable: Path, address: str, limits: Limits, theirs: socket.socket) -> None:
         """From the start of the process to its end."""
         process: asyncio.subprocess.Process | None = None
         try:
@@ -129,6 +130,8 @@ class RobotProcess:
                     "hold",
                     address,
                     str(theirs.fileno()),
+                    str(limits.settle),
+                    str(limits.unattended),
                     stdin=asyncio.subprocess.PIPE,
                     stdout=asyncio.subprocess.PIPE,
                     pass_fds=[theirs.fileno()],

@@ -80,7 +80,7 @@ class PageSession:
         # Holds for the simulator and for the real robot.
         self._safety = SafetySwitch(self.outbox.put, lambda: self._view.run)
         # The real robot that this page owns, if any.
-        self.ownership = RobotOwnership(ident, robots, self.outbox.put, self._view, self._safety)
+        self.ownership = RobotOwnership(ident, robots, self._limits, self.outbox.put, self._view, self._safety)
         # ROS clients of the simulated robot.
         self.bridge = RosBridge()
         # Whether the firings of the page's runs are recorded.

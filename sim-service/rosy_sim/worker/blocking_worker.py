@@ -42,7 +42,7 @@ class BlockingWorker:
     """A worker that lives as long as a ``with`` block."""
 
     def __init__(self, config: Config) -> None:
-        self._limits = config.limits
+        self.limits = config.limits
         self._process = launch(config)
         self._socket = self._process.socket
         self._stream = WorkerStream()
@@ -63,7 +63,7 @@ class BlockingWorker:
 
     def ready(self) -> WorkerReady:
         """Wait until the session is warm."""
-        answer = self._wait(self._limits.worker_ready, WorkerReady)
+        answer = self._wait(self.limits.worker_ready, WorkerReady)
         assert isinstance(answer, WorkerReady)
         return answer
 
@@ -71,16 +71,16 @@ class BlockingWorker:
         """Problems, declarations and graph of a program."""
         self._next += 1
         self._send(check_request(self._next, source), ())
-        answer = self._wait(self._limits.compile, Checked)
+        answer = self._wait(self.limits.compile, Checked)
         assert isinstance(answer, Checked)
         return answer
 
     def run(self, source: str, link: socket.socket) -> Started | Refused:
         """Start a program on a link; our copy of its end is closed."""
         self._next += 1
-        self._send(run_request(self._next, source, self._limits.memory), (link.fileno(),))
+        self._send(run_request(self._next, source, self.limits.memory), (link.fileno(),))
         link.close()
-        answer = self._wait(self._limits.compile, Started, Refused, Gone)
+        answer = self._wait(self.limits.compile, Started, Refused, Gone)
         if isinstance(answer, Gone):
             return Refused(answer.id, [answer.problem] if answer.problem else [])
         assert isinstance(answer, Started | Refused)
@@ -93,7 +93,7 @@ class BlockingWorker:
     def gone(self) -> Gone | None:
         """What became of the run, or ``None`` when the worker does not say in time."""
         try:
-            answer = self._wait(self._limits.gone, Gone)
+            answer = self._wait(self.limits.gone, Gone)
         except WorkerLost:
             return None
         assert isinstance(answer, Gone)

@@ -148,7 +148,8 @@ def sandbox_fault() -> Sentence | None:
         "/bin/true",
     ]
     try:
-        done = subprocess.run(probe, capture_output=True, timeout=10, check=False)
+        # A busy machine takes seconds for it, and programs would run without their sandbox.
+        done = subprocess.run(probe, capture_output=True, timeout=60, check=False)
     except (OSError, subprocess.TimeoutExpired) as error:
         return verbatim(str(error))
     if done.returncode == 0:

@@ -6,9 +6,9 @@ import asyncio
 import sys
 from pathlib import Path
 
-from rosy_sim.config import Config, discover
+from rosy_sim.config import Config, Limits, discover
 
-from ..conftest import FAKE_WORKER
+from ..conftest import FAKE_WORKER, PATIENCE
 from ..web.test_app import serving
 
 
@@ -21,6 +21,8 @@ async def main(robot: str, folder: Path) -> None:
         sandbox=False,
         robot_executable=discover().robot_executable,
         robots={"Kitchen": robot},
+        # A page that gets no processor for a while is still there.
+        limits=Limits(settle=60.0, ready=60.0, unattended=PATIENCE),
     )
     async with serving(config) as (address, service):
         print(address, service.robots.code, flush=True)

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from rosy_sim.config import Config, discover
+from rosy_sim.config import Config, Limits, discover
 from rosy_sim.errors import BadInput
 from rosy_sim.ownership.driver_locks import active_drivers, canonical_address
 from rosy_sim.ownership.robot_configuration import read_robot_configuration
@@ -60,6 +60,9 @@ def test_robots_are_locked_until_the_page_knows_the_code(config: Config, tmp_pat
 
 def test_a_page_that_guesses_the_code_does_not_lock_the_right_code_out(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
+        # No time passes: a page that has guessed is heard again after a while.
+        began = time.monotonic()
+        rig.service.robots._now = lambda: began
         async with opened(rig.address) as guesser:
             for n in range(150):
                 await guesser.send("unlock", code=f"guess{n}")
@@ -112,8 +115,8 @@ def test_a_program_drives_the_robot_and_the_page_sees_it(config: Config, tmp_pat
         await rig.page.send("stop")
         await rig.robot.stands()
         assert (await rig.page.ended(1))["ended"] == "stopped"
-        # Where the next one begins is the origin again.
-        await rig.drives("drive:0.2", run=2)
+        # Where the next one begins is the origin again. It stays there: a page is not shown every frame.
+        await rig.page.send("run", run=2, source="led:2@3", speed=1)
         await rig.page.until(lambda m: m["op"] == "frame" and m["run"] == 2 and abs(m["pose"]["x"]) < 0.1)
 
     story(tell, config, tmp_path)
@@ -166,7 +169,7 @@ def test_one_page_has_a_robot_and_the_others_see_who(config: Config, tmp_path: P
     ],
 )
 def test_the_robot_stands_and_the_page_is_told_when_a_program_ends(
-    script: str, ended: str, kind: str | None, config: Config, tmp_path: Path
+    script: str, ended: str, kind: str | None, config: Config, impatient: Limits, tmp_path: Path
 ) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -177,7 +180,7 @@ def test_the_robot_stands_and_the_page_is_told_when_a_program_ends(
         assert [p["kind"] for p in told["problems"]] == ([kind] if kind else [])
         await rig.robot.moves(0.0)
 
-    story(tell, config, tmp_path)
+    story(tell, config.with_limits(impatient) if ended == "stuck" else config, tmp_path)
 
 
 def test_after_an_emergency_stop_nothing_drives_until_the_robot_is_freed(config: Config, tmp_path: Path) -> None:

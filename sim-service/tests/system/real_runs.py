@@ -22,7 +22,9 @@ from rosy_sim.worlds.gallery import named_world, usable_arena
 
 __all__ = ["LIMITS", "Ran", "example", "program", "ran", "velocities", "worker_started"]
 
-LIMITS = Limits(settle=20.0, ready=60.0, stop=5.0, gone=60.0, compile=120.0, preview=120.0, worker_ready=120.0)
+LIMITS = Limits(
+    settle=20.0, ready=60.0, unattended=60.0, stop=5.0, gone=60.0, compile=120.0, preview=120.0, worker_ready=120.0
+)
 """Wall-clock limits that a busy machine keeps."""
 
 _NUMBER = r"\(?(-?[0-9.]+(?:e-?[0-9]+)?)\)?"

@@ -29,6 +29,7 @@ import GHC.TypeLits (SomeSymbol (..), someSymbolVal)
 import qualified Ros.Net.Master as Master
 import Ros.Node
 import Ros.Node.Core (master)
+import Ros.SlicedTimeout (timeoutInSlices)
 import qualified Ros.Topic as Ros
 import Rosy.Channel (Action (..), Channel (..), Field, Message)
 import Rosy.Codec
@@ -65,7 +66,7 @@ withRos settings name known use = withNodeIn settings "rosy" $ do
     unless (any isOdometry carried) (receive carried (atomically . enqueue hearing . Received) (ownToo carried))
   publishers <- Map.fromList <$> mapM (\r -> (,) (channelNumber (routeChannel r)) <$> sender r) (described (commandRoutes known))
   -- The first sound of a program would be lost on a base whose odometry comes a moment before it has connected to ours.
-  forM_ (filter (any isOdometry) (sensorTopics known)) $ \carried -> nodeIO (\run -> run (receive carried (arrives (run (awaitListeners silenceTimeout))) (ownToo carried)))
+  forM_ (filter (any isOdometry) (sensorTopics known)) $ \carried -> nodeIO (\run -> run (receive carried (arrives (run (awaitListeners listenerTimeout))) (ownToo carried)))
   let ownTopic t
         | not (hasDefinition (topicType t)) = pure ["There is no description of the message " ++ topicType t ++ ", which " ++ topicName t ++ " has. Put its .msg file in a folder of ROSY_MSG_PATH."]
         | topicUse t == Taken = do
@@ -121,6 +122,10 @@ withRos settings name known use = withNodeIn settings "rosy" $ do
 -- | Time without a message after which the robot counts as lost, microseconds: fifty odometry messages are missing.
 silenceTimeout :: Int
 silenceTimeout = 1000000
+
+-- | For those who listen to commands to connect, microseconds: as long as a call between nodes may take ("Ros.Net.Rpc").
+listenerTimeout :: Int
+listenerTimeout = 5000000
 
 -- | Runs an action on every message of the channels of a topic, what does not fit left out, and another on the whole message.
 receive :: NonEmpty Route -> (Message -> IO ()) -> (Aeson.Value -> IO ()) -> Node ()

@@ -25,6 +25,7 @@ import Data.Text (Text)
 import Network.Socket (close)
 import qualified Network.WebSockets as WS
 import Ros.Net.Rpc (connectTo)
+import Ros.SlicedTimeout (delayInSlices, timeoutInSlices)
 import Rosy.Codec (Route)
 import Rosy.Core (Topic (..), TopicUse (..))
 import Rosy.Robot (pattern OdometryMessage)
@@ -32,7 +33,6 @@ import Rosy.Robots.Connection
 import Rosy.Robots.ConnectionError (explainConnectionError)
 import Rosy.Robots.RosbridgeCodec
 import Rosy.Robots.Target
-import System.Timeout (timeout)
 
 withRosbridge :: String -> Int -> String -> [Route] -> (Connection -> IO a) -> IO a
 withRosbridge host port path known use = do
@@ -57,9 +57,9 @@ withRosbridge host port path known use = do
           }
       -- What was told last, a stop, is to arrive: the base would notice the silence only 0.6 s later. The server answers a goodbye
       -- behind it; a connection that is closed with odometry unread takes along what is still under way.
-      goodbye = timeout flushTimeout $ do
+      goodbye = do
         atomically (readTVar connected >>= \c -> when c (writeTQueue outgoing Nothing))
-        atomically (readTVar connected >>= check . not)
+        timeoutInSlices flushTimeout (atomically (readTVar connected >>= check . not))
   withAsync (keepConnected host port path known own hearing outgoing connected) $ \_ -> use connection `finally` goodbye
 
 -- | Half a second, in microseconds.
@@ -88,7 +88,7 @@ keepConnected host port path known own hearing outgoing connected = go firstPaus
     sendFrames c =
       atomically (readTQueue outgoing) >>= \case
         Just frame -> WS.sendTextData c frame >> sendFrames c
-        Nothing -> WS.sendClose c ("" :: Text) >> threadDelay flushTimeout -- the answer ends the conversation
+        Nothing -> WS.sendClose c ("" :: Text) >> delayInSlices flushTimeout -- the answer ends the conversation
     receiveFrames c = do
       present <- newIORef False
       -- A caller that waits has been told that the server has no odometry.

@@ -31,6 +31,7 @@ import qualified Data.Text as T
 import Foreign.Ptr (castPtr)
 import GHC.Clock (getMonotonicTime)
 import Numeric (showOct)
+import Ros.SlicedTimeout (timeoutInSlices)
 import Rosy.Channel (Action)
 import Rosy.Codec (commandRoutes, routeTopic)
 import Rosy.Core (Topic (..), TopicUse (..))
@@ -48,7 +49,6 @@ import System.Posix.IO (OpenFileFlags (..), OpenMode (..), closeFd, defaultFileF
 import System.Posix.Terminal
 import System.Posix.Types (Fd)
 import System.Process (CreateProcess (..), ProcessHandle, StdStream (..), createProcess, proc, waitForProcess)
-import System.Timeout (timeout)
 
 -- | Commands for the thread that writes.
 data Setpoints = Setpoints
@@ -79,7 +79,7 @@ withSerial device use = do
               atomically (updateSetpoints setpoints t a),
             takeEvents = awaitEvents hearing
           }
-      flush = timeout flushTimeout (atomically ((,) <$> readTVar (alive setpoints) <*> readTVar (written setpoints) >>= \(a, w) -> check (not a || w)))
+      flush = timeoutInSlices flushTimeout (atomically ((,) <$> readTVar (alive setpoints) <*> readTVar (written setpoints) >>= \(a, w) -> check (not a || w)))
   withAsync (keepOpen device setpoints hearing) (\_ -> use connection `finally` flush)
 
 updateSetpoints :: Setpoints -> Double -> Action -> STM ()

@@ -15,7 +15,6 @@ module Rosy.Robots.Connection
     enqueue,
     awaitEvents,
     availableEvents,
-    timeoutInSlices,
 
     -- * Time
     secondsOfDay,
@@ -36,7 +35,6 @@ import Rosy.Channel (Action, Channel (..), Kind (..), Message (..))
 import Rosy.Codec (Route (..), commandRoutes, readAction)
 import Rosy.Core (Topic)
 import Rosy.Topic (pattern OpenAction)
-import System.Timeout (timeout)
 
 -- | The universal time of day, seconds since midnight.
 secondsOfDay :: IO Double
@@ -108,15 +106,6 @@ availableEvents (EventQueue var) = do
   hs <- readTVar var
   unless (null hs) (writeTVar var [])
   pure (reverse hs)
-
--- | A timeout in microseconds that tolerates pauses of this computer: it is counted in slices, and a pause of any length, of a busy
--- computer or one in standby, uses up one slice.
-timeoutInSlices :: Int -> IO a -> IO (Maybe a)
-timeoutInSlices limit act = go slices
-  where
-    slices = 10 :: Int
-    go 0 = pure Nothing
-    go left = timeout (limit `div` slices) act >>= maybe (go (left - 1)) (pure . Just)
 
 -- | State of the connection for a person; the text is the reason, if one is known.
 data Notice

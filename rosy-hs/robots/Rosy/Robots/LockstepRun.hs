@@ -6,11 +6,13 @@
 --
 -- In: a socket to a program that expects the simulator, and a connection to a robot. Out: how the run ended. The program runs
 -- in its sandbox and uses the protocol of the simulator: it gets steps of 20 ms with
--- the real time, and its commands pass the guard. A run whose program does not answer a step is ended.
+-- the real time, and its commands pass the guard. A run whose program does not answer a step in time is ended; the base has stopped
+-- by itself before.
 module Rosy.Robots.LockstepRun
   ( runLockstep,
     Pace (..),
     realPace,
+    defaultStepTimeout,
     Observer (..),
     SettledStep (..),
     onTerminal,
@@ -34,6 +36,7 @@ import GHC.Clock (getMonotonicTime)
 import Network.Socket (Socket, withFdSocket)
 import Network.Socket.ByteString (recv)
 import Network.Socket.ByteString.Lazy (sendAll)
+import Ros.SlicedTimeout (timeoutInSlices)
 import Rosy.Channel (Action, Message)
 import Rosy.Codec (routeTopic)
 import Rosy.Core (topicName)
@@ -109,12 +112,14 @@ data Pace = Pace
     -- | the time of day, seconds
     timeOfDay :: IO Double,
     -- | waits until the next step begins
-    awaitStep :: IO ()
+    awaitStep :: IO (),
+    -- | longest time in which the program may answer a step, seconds; pauses of this computer do not count
+    stepTimeout :: Double
   }
 
--- | Fifty steps a second from now on. One that came late is not caught up with.
-realPace :: IO Pace
-realPace = do
+-- | Fifty steps a second from now on, with this step timeout. One that came late is not caught up with.
+realPace :: Double -> IO Pace
+realPace timeout = do
   due <- getMonotonicTime >>= newIORef
   pure
     Pace
@@ -125,12 +130,14 @@ realPace = do
           t <- getMonotonicTime
           begins <- max (t - stepLength) <$> readIORef due
           when (begins > t) (threadDelay (ceiling ((begins - t) * 1e6)))
-          writeIORef due (begins + stepLength)
+          writeIORef due (begins + stepLength),
+        stepTimeout = timeout
       }
 
--- | Longest time in which a program may answer a step, microseconds. Longer than 0.6 s, after which the base has stopped by itself.
-stepTimeout :: Int
-stepTimeout = 1000000
+-- | The step timeout of the simulator, seconds (@settle@ in @sim-service/rosy_sim/config.py@): programs have a low priority, and on a
+-- busy computer one may get no processor for two seconds. The base stops by itself after 0.6 s.
+defaultStepTimeout :: Double
+defaultStepTimeout = 5
 
 -- | A step, seconds (protocol/README.md).
 stepLength :: Double
@@ -159,7 +166,7 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
         case C.elemIndex '\n' bytes of
           Just i -> Right (B.take i bytes) <$ writeIORef unread (B.drop (i + 1) bytes)
           Nothing -> do
-            some <- timeoutInSlices stepTimeout (withFdSocket socket (threadWaitRead . Fd))
+            some <- timeoutInSlices (ceiling (stepTimeout pace * 1e6)) (withFdSocket socket (threadWaitRead . Fd))
             case some of
               Nothing -> pure (Left Stuck)
               Just () ->

@@ -9,6 +9,8 @@
 -- wheels turn only while a program runs, the owner's page is visible, and no emergency stop is active.
 module Rosy.Robots.RobotProcess
   ( runRobotProcess,
+    ProcessLimits (..),
+    defaultLimits,
     Requests,
     newRequests,
     Request (..),
@@ -81,6 +83,8 @@ data RobotProcess = RobotProcess
     stoppedAt :: TVar (Maybe Double),
     -- | time of the latest heartbeat, monotonic seconds
     aliveAt :: TVar Double,
+    -- | checks of the owner since the latest heartbeat
+    silentChecks :: TVar Int,
     -- | stop flag of the running program
     running :: TVar (Maybe (TVar Bool)),
     lines' :: TBQueue L.ByteString
@@ -95,14 +99,26 @@ maxQueuedLines = 1000
 watchTimeout :: Double
 watchTimeout = 0.5
 
--- | Seconds without a heartbeat after which the program is ended.
-abandonTimeout :: Double
-abandonTimeout = 3
+-- | Seconds between two checks of the owner.
+checkInterval :: Double
+checkInterval = 0.05
+
+-- | Limits of a run, seconds.
+data ProcessLimits = ProcessLimits
+  { -- | for a program to answer a step
+    stepLimit :: Double,
+    -- | without a heartbeat, after which the program is ended. It is counted in checks of the owner, so that a pause of this computer
+    -- does not end a run; wheels stand after 'watchTimeout' in any case
+    abandonLimit :: Double
+  }
+
+defaultLimits :: ProcessLimits
+defaultLimits = ProcessLimits defaultStepTimeout 3
 
 -- | Runs until the owner leaves. The caller provides an action that receives the next program's socket, which is closed when its run
 -- is over, and a writer of lines.
-runRobotProcess :: Target -> Connection -> Requests -> IO Socket -> (L.ByteString -> IO ()) -> IO ()
-runRobotProcess target connection (Requests asked) nextProgram write = do
+runRobotProcess :: ProcessLimits -> Target -> Connection -> Requests -> IO Socket -> (L.ByteString -> IO ()) -> IO ()
+runRobotProcess limits target connection (Requests asked) nextProgram write = do
   t0 <- getMonotonicTime
   runs <- newTQueueIO
   h <-
@@ -112,6 +128,7 @@ runRobotProcess target connection (Requests asked) nextProgram write = do
       <*> newTVarIO t0
       <*> newTVarIO Nothing
       <*> newTVarIO t0
+      <*> newTVarIO 0
       <*> newTVarIO Nothing
       <*> newTBQueueIO maxQueuedLines
   sendSettings h target
@@ -124,17 +141,17 @@ runRobotProcess target connection (Requests asked) nextProgram write = do
           EmergencyStop -> emergencyStop h connection
           Free -> atomically (writeTVar (stoppedAt h) Nothing) >> sendLine h (stoppedLine False)
           Safety on -> atomically (stateTVar (guarded h) (setSafetyRules on)) >>= mapM_ (sendCommand connection) >> sendSettings h target
-          Alive -> getMonotonicTime >>= atomically . writeTVar (aliveAt h)
+          Alive -> getMonotonicTime >>= atomically . recordHeartbeat h
           Leave -> pure ()
         unless (r == Leave) requests
       programs = do
         next <- atomically ((Nothing <$ readTQueue runs) `orElse` (Just <$> takeEvents connection))
         case next of
           Just hs -> mapM_ (passEvent h connection) hs
-          Nothing -> bracket nextProgram close (runProgram target connection h)
+          Nothing -> bracket nextProgram close (runProgram (stepLimit limits) target connection h)
         programs
       writer = forever (atomically (readTBQueue (lines' h)) >>= write)
-  (requests `race_` programs `race_` writer `race_` sendFrames h `race_` superviseOwner h connection) `finally` sendHalt h connection
+  (requests `race_` programs `race_` writer `race_` sendFrames h `race_` superviseOwner (abandonLimit limits) h connection) `finally` sendHalt h connection
 
 -- | A line for the service; dropped when it does not read.
 sendLine :: RobotProcess -> L.ByteString -> IO ()
@@ -147,6 +164,10 @@ sendSettings :: RobotProcess -> Target -> IO ()
 sendSettings h target = do
   g <- readTVarIO (guarded h)
   sendLine h (holdingLine (isSafe g) (maxSpeed (targetLimits target)) (maxTurn (targetLimits target)))
+
+-- | The owner was there at this time.
+recordHeartbeat :: RobotProcess -> Double -> STM ()
+recordHeartbeat h t = writeTVar (aliveAt h) t >> writeTVar (silentChecks h) 0
 
 elapsed :: RobotProcess -> IO Double
 elapsed h = (-) <$> getMonotonicTime <*> readTVarIO (began h)
@@ -179,15 +200,15 @@ emergencyStop h connection = do
   sendLine h (stoppedLine True)
   stopRun h
 
-runProgram :: Target -> Connection -> RobotProcess -> Socket -> IO ()
-runProgram target connection h socket = do
+runProgram :: Double -> Target -> Connection -> RobotProcess -> Socket -> IO ()
+runProgram stepLimit' target connection h socket = do
   stop <- newTVarIO False
   t <- getMonotonicTime
   held <- atomically $ do
     held <- readTVar (stoppedAt h)
     when (isNothing held) $ do
       writeTVar (running h) (Just stop)
-      writeTVar (aliveAt h) t
+      recordHeartbeat h t
       writeTVar (began h) t
       modifyTVar' (guarded h) startRun
       modifyTVar' (robotState h) restart
@@ -195,7 +216,7 @@ runProgram target connection h socket = do
   case held of
     Just _ -> sendLine h (endedLine 0 "stopped" Nothing)
     Nothing -> do
-      pace <- realPace
+      pace <- realPace stepLimit'
       served <- runLockstep pace (observer h) (readTVar stop) (targetPatience target) (guarded h) connection socket `finally` atomically (writeTVar (running h) Nothing)
       time <- elapsed h
       sendFrame h
@@ -240,14 +261,15 @@ sendFrame h = do
   sendLine h l
 
 -- | Lets the wheels turn while heartbeats arrive, and repeats an emergency stop for a second.
-superviseOwner :: RobotProcess -> Connection -> IO ()
-superviseOwner h connection = forever $ do
-  threadDelay 50000
+superviseOwner :: Double -> RobotProcess -> Connection -> IO ()
+superviseOwner abandonLimit' h connection = forever $ do
+  threadDelay (ceiling (checkInterval * 1e6))
   t <- getMonotonicTime
   seen <- readTVarIO (aliveAt h)
+  silent <- atomically (stateTVar (silentChecks h) (\n -> (n + 1, n + 1)))
   runs <- readTVarIO (running h)
   forM_ runs $ \_ -> do
     atomically (stateTVar (guarded h) (setWatched (t - seen < watchTimeout))) >>= mapM_ (sendCommand connection)
-    when (t - seen > abandonTimeout) (stopRun h >> sendHalt h connection)
+    when (fromIntegral silent * checkInterval > abandonLimit') (stopRun h >> sendHalt h connection)
   stopped <- readTVarIO (stoppedAt h)
   forM_ stopped $ \since -> when (t - since < 1) (sendHalt h connection)

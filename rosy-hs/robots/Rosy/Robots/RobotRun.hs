@@ -23,6 +23,7 @@ import Control.Monad (unless, void)
 import Data.IORef
 import Ros.Names (readArguments)
 import Ros.Node (Settings (..))
+import Ros.SlicedTimeout (timeoutInSlices)
 import Rosy.Launch (onLink)
 import Rosy.Link
 import Rosy.Link.Real

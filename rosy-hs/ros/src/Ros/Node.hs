@@ -97,11 +97,11 @@ import Ros.Node.Publish
 import Ros.Node.Run
 import Ros.Node.Subscribe
 import qualified Ros.Rosgraph_msgs.Clock as Clock
+import Ros.SlicedTimeout (timeoutInSlices)
 import Ros.Topic (Topic)
 import qualified Ros.Topic as Topic
 import System.IO (BufferMode (..), hSetBuffering, stderr, stdout)
 import System.Posix.Signals (Handler (..), installHandler, sigINT, sigTERM)
-import System.Timeout (timeout)
 
 -- | What a program does as a node.
 newtype Node a = Node (ReaderT Env IO a)
@@ -212,7 +212,7 @@ awaitListeners limit = do
   let connected (nodes, p) = do
         peers <- map outletPeer . Map.elems <$> readTVar (pubOutlets p)
         check (all (`elem` peers) nodes)
-  liftIO (void (timeout limit (atomically (mapM_ connected (Map.intersectionWith (,) known ours)))))
+  liftIO (void (timeoutInSlices limit (atomically (mapM_ connected (Map.intersectionWith (,) known ours)))))
 
 -- | Waits until so many publishers of the topic are connected.
 awaitPublishers :: TopicName -> Int -> Node ()

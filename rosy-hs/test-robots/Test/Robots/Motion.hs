@@ -250,7 +250,8 @@ overPipe row = do
           { newSeed = pure 1,
             timeOfDay = pure 0,
             timeNow = timeOf . subtract 1 <$> readTVarIO begun,
-            awaitStep = atomically (modifyTVar' begun (+ 1)) >> atomically ((>=) <$> readTVar released <*> readTVar begun >>= check)
+            awaitStep = atomically (modifyTVar' begun (+ 1)) >> atomically ((>=) <$> readTVar released <*> readTVar begun >>= check),
+            stepTimeout = 120
           }
       hears' = mapM_ (enqueue heard' . Received)
       go running n m s

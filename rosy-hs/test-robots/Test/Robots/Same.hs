@@ -212,7 +212,8 @@ inPlace (name, main') = do
           { newSeed = pure 1,
             timeOfDay = pure 0,
             timeNow = timeOf . subtract 1 <$> readTVarIO begun,
-            awaitStep = atomically (modifyTVar' begun (+ 1)) >> atomically ((>=) <$> readTVar released <*> readTVar begun >>= check)
+            awaitStep = atomically (modifyTVar' begun (+ 1)) >> atomically ((>=) <$> readTVar released <*> readTVar begun >>= check),
+            stepTimeout = 120
           }
       -- The step before is over when this one waits to begin; a run may be over before.
       step running n act = do

@@ -13,7 +13,7 @@ module Ros.Node.Run
 where
 
 import Control.Concurrent (threadDelay)
-import Control.Concurrent.Async (cancel, forConcurrently_)
+import Control.Concurrent.Async (cancel, forConcurrently_, waitCatch, withAsync)
 import Control.Concurrent.MVar (newMVar, withMVar)
 import Control.Concurrent.STM
 import Control.Exception
@@ -31,9 +31,9 @@ import Ros.Net.XmlRpc
 import Ros.Node.Core
 import Ros.Node.Publish
 import Ros.Node.Subscribe
+import Ros.SlicedTimeout (timeoutInSlices)
 import System.Environment (getArgs, getEnvironment, getProgName)
 import System.Posix.Process (getProcessID)
-import System.Timeout (timeout)
 
 -- | What a node takes from outside the program.
 data Settings = Settings
@@ -169,12 +169,12 @@ registerAll core = do
   readTVarIO (publications core) >>= mapM_ (registerPublication core)
   readTVarIO (subscriptions core) >>= mapM_ (registerSubscription core)
 
--- | Sends what is waiting, says goodbye, and ends all threads. A master that does not answer is given up
--- after 'farewell'.
+-- | Sends what is waiting, says goodbye, and ends all threads. A peer that does not read is given up after 'drainTimeout', a master that
+-- does not answer after 'farewellTimeout'.
 finish :: Core -> IO ()
 finish core = do
   requestEnd core Finished
-  void (timeout farewell (atomically (drained core >>= check)))
+  void (timeoutInSlices drainTimeout (atomically (drained core >>= check)))
   ps <- readTVarIO (publications core)
   ss <- readTVarIO (subscriptions core)
   ws <- readTVarIO (paramWatchers core)
@@ -182,13 +182,17 @@ finish core = do
         [void (unregisterPublisher (master core) (offerTopic (pubOffer p))) | p <- Map.elems ps]
           ++ [void (unregisterSubscriber (master core) (offerTopic (subOffer s))) | s <- Map.elems ss]
           ++ [void (unsubscribeParam (master core) k) | k <- Map.keys ws]
-  unless (null goodbyes) (void (timeout farewell (forConcurrently_ goodbyes id)))
+  unless (null goodbyes) (withAsync (forConcurrently_ goodbyes id) (void . timeoutInSlices farewellTimeout . waitCatch))
   stopAll core
 
--- | Half a second, in microseconds: a person who pressed Ctrl-C waits no longer, and a base's own watchdog
--- takes 0.6 s.
-farewell :: Int
-farewell = 500000
+-- | Half a second, in microseconds: a base's own watchdog takes 0.6 s.
+drainTimeout :: Int
+drainTimeout = 500000
+
+-- | Five seconds, in microseconds: as long as a call may take ("Ros.Net.Rpc"). A master that has ended refuses at once, so only one on
+-- a computer that is gone is waited for so long.
+farewellTimeout :: Int
+farewellTimeout = 5000000
 
 -- | A private parameter as rospy reads it from a command line: a number or truth value if it looks like one.
 literal :: String -> Value
