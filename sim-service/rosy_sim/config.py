@@ -33,7 +33,7 @@ class Limits:
     gone: float = 10.0
     # A check or a compilation: longer than the worker lets one wait that gets no processor (`--check-seconds`).
     compile: float = 60.0
-    # Longest computation of one preview after its compilation; then the path ends early.
+    # Processor time of one preview after its compilation; then the path ends early.
     preview: float = 3.0
     # For a fresh worker to become `ready`: 1.5 s of a processor, which a busy machine may take a minute to give.
     worker_ready: float = 120.0

@@ -7,7 +7,6 @@ seed and hands.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from typing import Any
 
@@ -24,6 +23,7 @@ from ..wire.problem import Problem
 from ..world.arena import read_arena
 from ..world.time_step import STEP
 from ..world.world import World
+from .computing_budget import ComputingBudget
 
 __all__ = ["PathRecorder", "PreviewTask", "preview_over_link", "refused_preview"]
 
@@ -89,17 +89,18 @@ def preview_over_link(
     Run a program that waits at the other end of a link.
 
     Args:
-        limits: ``limits.preview`` bounds the computation in s of a wall clock; then the path ends early.
+        limits: ``limits.preview`` bounds the processor time of this process and those below it; then the path ends
+            early.
         is_over: called in each step; true when the result is no longer needed.
     """
     world = World(read_arena(task.world), DEFAULT_ROBOT, task.seed)
     recorder = PathRecorder(world)
-    deadline = time.monotonic() + limits.preview
+    budget = ComputingBudget(limits.preview)
 
     def observe(lockstep: Lockstep) -> bool:
         if lockstep.state != "ended":
             recorder.observe(lockstep)
-        return is_over() or time.monotonic() > deadline
+        return is_over() or budget.is_used_up()
 
     hands = tuple((step * STEP, action) for step, action in read_hands(task.hands))
     settings = RunSettings(task.seconds, task.seed, None, hands, limits, task.safety)

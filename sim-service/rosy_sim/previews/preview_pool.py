@@ -22,6 +22,7 @@ from ..errors import RosyError, WorkerLost, WorkerMissing
 from ..run.run_queue import RunQueue
 from ..sentence import tr
 from ..wire.page import Previewed
+from .computing_budget import PATIENCE
 from .preview import PreviewTask
 from .preview_process import Setup
 
@@ -194,7 +195,8 @@ class PreviewPool:
             # In a session of its own: Ctrl-C in a terminal reaches only the service, which ends the others.
             start_new_session=True,
         )
-        process = _Process(started, limits.compile + limits.ready + limits.settle + limits.gone + _MARGIN)
+        longest = limits.compile + limits.ready + PATIENCE * limits.preview + limits.settle + limits.gone + _MARGIN
+        process = _Process(started, longest)
         self._all.add(process)
         setup = Setup(config.worker, config.sandbox, [str(folder) for folder in config.visible], limits)
         assert started.stdin is not None

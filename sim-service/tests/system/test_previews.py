@@ -64,7 +64,7 @@ def test_a_preview_is_the_run_with_the_same_inputs(worker: BlockingWorker, name:
             assert (x, y) == pytest.approx((run.at(at)["x"], run.at(at)["y"]), abs=0.0006)
 
 
-def test_a_preview_ends_early_after_its_wall_clock_limit(worker: BlockingWorker) -> None:
+def test_a_preview_ends_early_after_its_limit_of_computing(worker: BlockingWorker) -> None:
     whole = preview(worker, "move", 1)
     cut = preview(worker, "move", 1, limits=replace(LIMITS, preview=0.0))
     assert (cut.ended, cut.problems) == ("time", [])
