@@ -38,6 +38,16 @@ class Worker:
             self.socket.sendall(json.dumps(message).encode() + b"\n")
 
     def run(self) -> None:
+        """Serve until the other end is closed; leave no program. One that has not read all resets the connection."""
+        try:
+            with contextlib.suppress(ConnectionError):
+                self.serve()
+        finally:
+            for pid in list(self.children.values()):
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGKILL)
+
+    def serve(self) -> None:
         self.send(op="ready", protocol=1, ghc="9.0.2")
         rest = b""
         descriptors: list[int] = []
@@ -49,8 +59,6 @@ class Worker:
             *lines, rest = (rest + data).split(b"\n")
             for line in lines:
                 self.take(json.loads(line), descriptors)
-        for pid in self.children.values():
-            os.kill(pid, signal.SIGKILL)
 
     def take(self, request: dict[str, Any], descriptors: list[int]) -> None:
         ident = request["id"]
@@ -93,9 +101,11 @@ class Worker:
         self.send(op="started", id=ident, problems=[], compile=0.001)
         pid = os.fork()
         if pid == 0:
-            self.socket.close()
-            play(socket.socket(fileno=descriptor), source)
-            os._exit(0)
+            try:
+                self.socket.close()
+                play(socket.socket(fileno=descriptor), source)
+            finally:
+                os._exit(0)
         os.close(descriptor)
         self.children[ident] = pid
         threading.Thread(target=self.reap, args=(ident, pid), daemon=True).start()
