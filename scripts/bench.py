@@ -136,7 +136,7 @@ def main() -> int:
             try:
                 # A small one that hangs is a failure and not the end of the other suites.
                 status = subprocess.run(
-                    [*words, *arguments], cwd=ROOT, env={**os.environ, **(SMALL if small else {})}, check=False, timeout=900 if small else None
+                    [*words, *arguments], cwd=ROOT, env={**os.environ, **(SMALL if small else {})}, check=False, timeout=3600 if small else None
                 ).returncode
             except subprocess.TimeoutExpired:
                 status = 124

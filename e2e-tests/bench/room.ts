@@ -5,7 +5,7 @@
 /// are played to the page beforehand, frame by frame as the service writes them. Nothing is asserted: machines differ.
 
 import type {Page} from "@playwright/test"
-import {openFile, percentile, setting, withPage} from "./service.ts"
+import {openFile, openPage, percentile, setting, withPage} from "./service.ts"
 
 const SECONDS = setting("ROSY_BENCH_SECONDS", 10)
 
@@ -122,7 +122,7 @@ async function measure(page: Page, name: string): Promise<void> {
 }
 
 await withPage(async (browser, address) => {
-  const page = await browser.newPage({viewport: {width: 1440, height: 900}})
+  const page = await openPage(browser)
   await page.addInitScript(watch)
   await page.goto(`${address}?example=move`)
   await page.getByTestId("run").filter({hasText: "Run"}).waitFor()

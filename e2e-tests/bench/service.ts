@@ -7,7 +7,7 @@ import {once} from "node:events"
 import {loadavg} from "node:os"
 import {createInterface} from "node:readline"
 import {fileURLToPath} from "node:url"
-import {type Browser, chromium, type Page} from "@playwright/test"
+import {type Browser, type BrowserContextOptions, chromium, type Page} from "@playwright/test"
 import {chromiumFlags} from "../../editor/test/chromium.ts"
 
 export const root = fileURLToPath(new URL("../..", import.meta.url))
@@ -25,6 +25,7 @@ export async function withPage(measure: (browser: Browser, address: string) => P
   try {
     const address = await announced(service)
     const browser = await chromium.launch({
+      timeout: 0,
       executablePath: process.env["ROSY_CHROMIUM"] ?? "/usr/bin/chromium",
       args: chromiumFlags,
     })
@@ -38,6 +39,16 @@ export async function withPage(measure: (browser: Browser, address: string) => P
     const ended = once(service, "exit")
     if (service.kill("SIGTERM")) await ended
   }
+}
+
+/// A page in which nothing has a limit of time: a busy machine takes long, and `scripts/bench.py` ends what hangs.
+export async function openPage(
+  browser: Browser,
+  options: BrowserContextOptions = {viewport: {width: 1440, height: 900}},
+): Promise<Page> {
+  const page = await browser.newPage(options)
+  page.setDefaultTimeout(0)
+  return page
 }
 
 /// The address that the service prints when it is ready.

@@ -8,7 +8,7 @@ import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs"
 import {tmpdir} from "node:os"
 import {join} from "node:path"
 import type {Browser} from "@playwright/test"
-import {root, row, setting, withPage} from "./service.ts"
+import {openPage, root, row, setting, withPage} from "./service.ts"
 
 const RUNS = setting("ROSY_BENCH_RUNS", 50)
 const OPENINGS = setting("ROSY_BENCH_OPENINGS", 10)
@@ -19,8 +19,7 @@ async function openings(browser: Browser, address: string): Promise<void> {
   const warm: number[] = []
   const kilobytes = new Set<string>()
   for (let i = 0; i < OPENINGS; i++) {
-    const context = await browser.newContext({viewport: {width: 1440, height: 900}})
-    const page = await context.newPage()
+    const page = await openPage(browser)
     for (const times of [cold, warm]) {
       await page.goto(`${address}?example=accelerate`, {waitUntil: "commit"})
       const {took, bytes} = await page.evaluate(
@@ -43,7 +42,7 @@ async function openings(browser: Browser, address: string): Promise<void> {
       times.push(took)
       kilobytes.add(`${times === cold ? "first" : "again"} ${Math.round(bytes / 1000)} kB`)
     }
-    await context.close()
+    await page.close()
   }
   row("the address to a program that can be run, the first time", cold)
   row("the same again", warm, [...kilobytes].join(", "))
@@ -51,7 +50,7 @@ async function openings(browser: Browser, address: string): Promise<void> {
 
 await withPage(async (browser, address) => {
   await openings(browser, address)
-  const page = await browser.newPage({viewport: {width: 1440, height: 900}})
+  const page = await openPage(browser)
   // Listens to the page's own socket from the moment it opens.
   await page.addInitScript(() => {
     const Real = window.WebSocket

@@ -6,7 +6,7 @@
 
 import type {Browser, Page} from "@playwright/test"
 import {type Keys, pressed, typedOn} from "./keys.ts"
-import {openFile, row, setting, withPage} from "./service.ts"
+import {openFile, openPage, row, setting, withPage} from "./service.ts"
 
 const KEYS = setting("ROSY_BENCH_KEYS", 40)
 
@@ -22,7 +22,7 @@ function program(lines: number): string {
 }
 
 async function opened(browser: Browser, address: string, text: string, what: string): Promise<Page> {
-  const page = await browser.newPage({viewport: {width: 1440, height: 900}})
+  const page = await openPage(browser)
   await page.goto(address)
   await page.getByTestId("haskell").filter({hasText: "simulate"}).waitFor()
   const shown = {selector: ".blocklyBlockCanvas > .blocklyDraggable", words: "move0"}
@@ -55,7 +55,7 @@ await withPage(async (browser, address) => {
     told(`${lines} lines, typing on while blocks follow`, await typedOn(browser, page, "1", KEYS))
     await page.close()
 
-    const bare = await browser.newPage()
+    const bare = await openPage(browser, {})
     await bare.setContent("<textarea rows=40 cols=80></textarea>")
     await bare.locator("textarea").fill(text)
     await bare.locator("textarea").focus()
