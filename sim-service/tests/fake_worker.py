@@ -3,7 +3,7 @@ A worker that compiles nothing: a source is a script of ``fake_program``, played
 
 Words of its own: ``refuse`` (does not compile), ``slow`` (never finishes compiling), ``die`` (the worker itself
 dies), ``hang`` (it runs in circles), ``babble`` (sends what is no answer). Run it as a program with its socket as
-descriptor 3.
+descriptor 3. It has one thread, as the real one: one that waits for another thread looks as if it did nothing.
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import selectors
 import signal
 import socket
 import sys
-import threading
 from typing import Any
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -31,11 +31,14 @@ class Worker:
     def __init__(self) -> None:
         self.socket = socket.socket(fileno=3)
         self.children: dict[int, int] = {}
-        self.lock = threading.Lock()
+        # The socket, and a descriptor of each child with its id.
+        self.selector = selectors.DefaultSelector()
+        # What has been received and is not a whole request yet.
+        self.rest = b""
+        self.descriptors: list[int] = []
 
     def send(self, **message: Any) -> None:
-        with self.lock:
-            self.socket.sendall(json.dumps(message).encode() + b"\n")
+        self.socket.sendall(json.dumps(message).encode() + b"\n")
 
     def run(self) -> None:
         """Serve until the other end is closed; leave no program. One that has not read all resets the connection."""
@@ -43,22 +46,27 @@ class Worker:
             with contextlib.suppress(ConnectionError):
                 self.serve()
         finally:
-            for pid in list(self.children.values()):
-                with contextlib.suppress(ProcessLookupError):
-                    os.kill(pid, signal.SIGKILL)
+            for pid in self.children.values():
+                os.kill(pid, signal.SIGKILL)
 
     def serve(self) -> None:
         self.send(op="ready", protocol=1, ghc="9.0.2")
-        rest = b""
-        descriptors: list[int] = []
+        self.selector.register(self.socket, selectors.EVENT_READ)
         while True:
-            data, arrived, _, _ = socket.recv_fds(self.socket, 1 << 16, 8)
-            if not data:
-                break
-            descriptors += arrived
-            *lines, rest = (rest + data).split(b"\n")
-            for line in lines:
-                self.take(json.loads(line), descriptors)
+            for ready, _ in self.selector.select():
+                if ready.data is not None:
+                    self.reap(ready.data, ready.fd)
+                elif not self.receive():
+                    return
+
+    def receive(self) -> bool:
+        """Take requests; returns whether there may be more."""
+        data, arrived, _, _ = socket.recv_fds(self.socket, 1 << 16, 8)
+        self.descriptors += arrived
+        *lines, self.rest = (self.rest + data).split(b"\n")
+        for line in lines:
+            self.take(json.loads(line), self.descriptors)
+        return bool(data)
 
     def take(self, request: dict[str, Any], descriptors: list[int]) -> None:
         ident = request["id"]
@@ -108,11 +116,13 @@ class Worker:
                 os._exit(0)
         os.close(descriptor)
         self.children[ident] = pid
-        threading.Thread(target=self.reap, args=(ident, pid), daemon=True).start()
+        self.selector.register(os.pidfd_open(pid), selectors.EVENT_READ, ident)
 
-    def reap(self, ident: int, pid: int) -> None:
-        _, status = os.waitpid(pid, 0)
-        self.children.pop(ident, None)
+    def reap(self, ident: int, descriptor: int) -> None:
+        """Say how a child has ended."""
+        self.selector.unregister(descriptor)
+        os.close(descriptor)
+        _, status = os.waitpid(self.children.pop(ident), 0)
         if os.WIFSIGNALED(status):
             self.send(op="gone", id=ident, signal=os.WTERMSIG(status), firing="move")
         else:

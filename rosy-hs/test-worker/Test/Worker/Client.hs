@@ -116,14 +116,14 @@ tell worker value = tellBytes worker (Lazy.toStrict (encode value) <> "\n")
 tellBytes :: Worker -> ByteString -> IO ()
 tellBytes = sendAll . socketOf
 
--- | The next answer, within a minute.
+-- | The next answer, within four minutes: a busy computer takes long.
 hear :: Worker -> IO Value
 hear worker = nextLine (socketOf worker) (unread worker) >>= maybe (fail "the worker closed its socket") decoded
   where
     decoded l = maybe (fail ("not JSON: " ++ show l)) pure (decodeStrict' l)
 
 nextLine :: Socket -> IORef ByteString -> IO (Maybe ByteString)
-nextLine s buffer = timeout 60000000 go >>= maybe (fail "nothing was said for a minute") pure
+nextLine s buffer = timeout 240000000 go >>= maybe (fail "nothing was said for four minutes") pure
   where
     go = do
       held <- readIORef buffer
@@ -227,9 +227,9 @@ anonymousMemory pid = do
 isAlive :: Int -> IO Bool
 isAlive pid = doesDirectoryExist ("/proc/" ++ show pid)
 
--- | Waits for something that happens outside, looking every millisecond for at most a minute.
+-- | Waits for something that happens outside, looking every millisecond for at least four minutes.
 eventually :: String -> IO Bool -> IO ()
-eventually what condition = go (60000 :: Int)
+eventually what condition = go (240000 :: Int)
   where
     go 0 = fail ("did not come to pass: " ++ what)
     go n = do
