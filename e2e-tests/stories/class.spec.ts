@@ -258,6 +258,8 @@ test("a pupil hands in, hands in again until the teacher ends the task, and read
   const worst = new Learner(await opening)
   await expect(worst.haskell()).toContainText("0.25")
   expect(new URL(worst.page.url()).searchParams.get("seed")).toMatch(/^\d+$/)
+  // It runs without a press of Run.
+  await worst.stops()
   await worst.page.close()
   await teacher.setViewportSize({width: 390, height: 844})
   await teacher.screenshot({path: screenshot("board-check-phone"), fullPage: true})

@@ -34,6 +34,15 @@ export function seedInAddress(): number | null {
   return given !== null && /^\d{1,10}$/.test(given) && Number(given) < 2 ** 31 ? Number(given) : null
 }
 
+/// Whether the address asks for a run of its program, as in a link to a run of a class; a reload does not run it again.
+export function takeRunInAddress(): boolean {
+  const address = new URL(window.location.href)
+  const asks = address.searchParams.has("run")
+  address.searchParams.delete("run")
+  if (asks) window.history.replaceState(null, "", address)
+  return asks
+}
+
 /// Whether this page is a reload of the one before it in this tab.
 export function isReload(): boolean {
   return performance.getEntriesByType("navigation").some(e => "type" in e && e.type === "reload")

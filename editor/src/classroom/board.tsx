@@ -34,7 +34,7 @@ import {
 import {HandIns, TaskTool} from "./board_tasks.tsx"
 import {openClassSocket} from "./class_socket.ts"
 import {dayAndTime} from "./day_and_time.ts"
-import {type Checking, projectInRoom, type Results, type RunInRoom} from "./hand_in_checks.ts"
+import {type Checking, projectInRoom, type Results, type RunInRoom, uncheckedCount} from "./hand_in_checks.ts"
 import {teacherKey} from "./membership.ts"
 
 interface Board {
@@ -65,7 +65,7 @@ const board: Signal<Board> = signal({
   shown: null,
   tasks: [],
   taskRefused: null,
-  checking: {task: null, done: 0, of: 0, rooms: 0},
+  checking: {number: 0, task: null, done: 0, of: 0, rooms: 0},
   results: new Map(),
   checkRefused: null,
   said: "",
@@ -165,7 +165,7 @@ function openRunTabs() {
       if (text === null) return tab?.close()
       const nickname = board.value.pupils.find(one => one.id === pupil)?.nickname ?? ""
       const project = projectInRoom(text, words.classroom.board.programOf(nickname, name), world)
-      const address = new URL(`./?seed=${seed}${await fragmentOf(project)}`, window.location.href)
+      const address = new URL(`./?seed=${seed}&run${await fragmentOf(project)}`, window.location.href)
       tab?.location.replace(address.href)
     },
   }
@@ -235,9 +235,16 @@ function BoardPage({send, unlock, download, programs, openRun}: BoardProps): VNo
           send={send}
           download={download}
           connection={opened}
-          check={({id}) => (
+          check={({id, handedIn}) => (
             <>
-              <CheckForm task={id} checking={checking} refused={checkRefused} own={programs} send={send} />
+              <CheckForm
+                task={id}
+                checking={checking}
+                unchecked={uncheckedCount(handedIn, results.get(id) ?? new Map(), checking)}
+                refused={checkRefused}
+                own={programs}
+                send={send}
+              />
               <ResultTable
                 pupils={pupils}
                 results={results.get(id) ?? new Map()}

@@ -28,6 +28,8 @@ export interface OwnPrograms {
 export interface CheckProps {
   readonly task: number
   readonly checking: Checking
+  /// Hand-ins that the checks have left out.
+  readonly unchecked: number
   /// Why the last check did not begin or end.
   readonly refused: string | null
   readonly own: OwnPrograms
@@ -35,59 +37,74 @@ export interface CheckProps {
 }
 
 export function CheckForm(props: CheckProps): VNode {
-  const {task, own, send, refused} = props
+  const {task, own, send, refused, unchecked} = props
   const w = words.classroom.board.check
   const [choices, setChoices] = useState<CheckChoices>(firstCheck)
   const change = (changed: Partial<CheckChoices>) => setChoices({...choices, ...changed})
   return (
-    <details class="board-check room-tests-body">
-      <summary>{w.title}</summary>
-      <form
-        onSubmit={event => {
-          event.preventDefault()
-          send(checkRequest(task, choices, own.read))
-        }}
-      >
-        <PropertyFields choices={choices} change={change} />
-        <div class="room-test-row">
-          <Where choices={choices} change={change} own={own} />
-          <label>
-            <span>{words.roomTests.howMany}</span>
-            <select
-              value={choices.rooms}
-              onChange={event => change({rooms: Number(event.currentTarget.value)})}
-            >
-              {checkedRoomCounts.map(rooms => (
-                <option key={rooms} value={rooms}>
-                  {rooms}
-                </option>
-              ))}
-            </select>
-          </label>
-          <label>
-            <span>{w.seed}</span>
-            <input
-              type="number"
-              min={0}
-              max={2 ** 31 - 1}
-              step={1}
-              required
-              value={choices.seed}
-              onChange={event => {
-                const seed = event.currentTarget.valueAsNumber
-                if (Number.isInteger(seed)) change({seed})
-              }}
-            />
-          </label>
-          <Start {...props} isPossible={choices.properties.length > 0} />
-        </div>
-      </form>
-      {refused !== null && (
-        <p class="refused" role="alert">
-          {refused}
+    <>
+      <details class="board-check room-tests-body">
+        <summary>{w.title}</summary>
+        <form
+          onSubmit={event => {
+            event.preventDefault()
+            send(checkRequest(task, choices, own.read))
+          }}
+        >
+          <PropertyFields choices={choices} change={change} />
+          <div class="room-test-row">
+            <Where choices={choices} change={change} own={own} />
+            <label>
+              <span>{words.roomTests.howMany}</span>
+              <select
+                value={choices.rooms}
+                onChange={event => change({rooms: Number(event.currentTarget.value)})}
+              >
+                {checkedRoomCounts.map(rooms => (
+                  <option key={rooms} value={rooms}>
+                    {rooms}
+                  </option>
+                ))}
+              </select>
+            </label>
+            <label>
+              <span>{w.seed}</span>
+              <input
+                type="number"
+                min={0}
+                max={2 ** 31 - 1}
+                step={1}
+                required
+                value={choices.seed}
+                onChange={event => {
+                  const seed = event.currentTarget.valueAsNumber
+                  if (Number.isInteger(seed)) change({seed})
+                }}
+              />
+            </label>
+            <Start {...props} isPossible={choices.properties.length > 0} />
+          </div>
+        </form>
+        {refused !== null && (
+          <p class="refused" role="alert">
+            {refused}
+          </p>
+        )}
+      </details>
+      {unchecked > 0 && (
+        <p class="board-unchecked">
+          <span role="status">{w.unchecked(unchecked)}</span>
+          <button
+            type="button"
+            class="plain"
+            disabled={choices.properties.length === 0}
+            onClick={() => send({...checkRequest(task, choices, own.read), unchecked: true})}
+          >
+            {w.checkNew}
+          </button>
         </p>
       )}
-    </details>
+    </>
   )
 }
 

@@ -42,6 +42,8 @@ export interface CheckRequest {
   readonly seconds: number
   readonly properties: string
   readonly world?: unknown
+  /// Whether only hand-ins without a result are checked.
+  readonly unchecked?: boolean
 }
 
 /// `read` gives the project file of a program of the teacher's.
@@ -63,6 +65,8 @@ const defaultRoom = "room"
 
 /// Programs that were checked, of so many, and the rooms tried.
 export interface Checking {
+  /// Counts the checks since the service started.
+  readonly number: number
   readonly task: number | null
   readonly done: number
   readonly of: number
@@ -90,6 +94,7 @@ export const checkResult = object<CheckResult>(get => ({
 }))
 
 export const checking = object<Checking>(get => ({
+  number: get("number", number),
   task: get("task", optional(number, null)),
   done: get("done", number),
   of: get("of", number),
@@ -98,6 +103,16 @@ export const checking = object<Checking>(get => ({
 
 /// The results of a task by pupil.
 export type Results = ReadonlyMap<number, CheckResult>
+
+/// The number of hand-ins that the checks have left out, as those that came while one went on; 0 before the first check.
+export function uncheckedCount(
+  handedIn: readonly {readonly pupil: number}[],
+  results: Results,
+  {number: checks, task}: Checking,
+): number {
+  if (task !== null || (checks === 0 && results.size === 0)) return 0
+  return handedIn.filter(({pupil}) => !results.has(pupil)).length
+}
 
 /// Pupils with their results: programs without outcomes first, then those that passed in the fewest rooms, the earliest failure first.
 export function worstFirst<Pupil extends {readonly id: number}>(

@@ -2,7 +2,7 @@
 
 import {openClipboard} from "../blocks/interaction/clipboard.ts"
 import {openBrowserStorage, storageInMemory} from "../browser/browser_storage.ts"
-import {isEmbedded} from "../browser/browser_window.ts"
+import {isEmbedded, takeRunInAddress} from "../browser/browser_window.ts"
 import {pickFile} from "../browser/local_files.ts"
 import {ownName, takeClassCode} from "../browser/preferences.ts"
 import {openProgramStore, type ProgramStore} from "../browser/program_store.ts"
@@ -46,6 +46,7 @@ export function openController(address: string): AppController {
   const parts = noParts()
   // Before the first program is opened, which clears the fragment of the address.
   const classCode = takeClassCode(window)
+  const runsAtOnce = takeRunInAddress()
   const storage = isEmbedded() ? storageInMemory() : openBrowserStorage(window)
   const programStore = openProgramStore(storage.shared, storage.tab)
   const completions = openCompletions(message => parts.service?.send(message))
@@ -103,8 +104,9 @@ export function openController(address: string): AppController {
   )
   connectService(address, store, parts, completions, classMode.announced)
   const canStore = isEmbedded() || storage.isPersistent
-  loadResources(store, parts, loader, requests, canStore, isChosen => {
-    if (!isChosen) resumeLesson(store, loader, storage)
+  loadResources(store, parts, loader, requests, canStore, first => {
+    if (first !== "chosen") resumeLesson(store, loader, storage)
+    if (first === "linked" && runsAtOnce && store.now.robots.held === null) controller.run()
     classMode.programOpened()
   })
   return controller
@@ -130,24 +132,26 @@ function openStore(parts: PageParts, programStore: ProgramStore, lessons: Pick<P
   return store
 }
 
+/// Origin of the first program: the learner chose it before programs could be read, a link contains it, or another one.
+type FirstProgram = "chosen" | "linked" | "other"
+
 function loadResources(
   store: Store,
   parts: PageParts,
   loader: ProgramLoader,
   requests: ProgramRequests,
   canStore: boolean,
-  // Whether the learner has chosen the first program, before programs could be read.
-  opened: (isChosen: boolean) => void,
+  opened: (first: FirstProgram) => void,
 ): void {
-  const ready = (isChosen: boolean) => {
+  const ready = (first: FirstProgram) => {
     loader.allowEditing()
-    opened(isChosen)
+    opened(first)
     if (!canStore) store.dispatch({kind: "notice", notice: {kind: "no-storage"}})
   }
   void fetchReader().then(reader => {
     parts.reader = reader
-    if (reader !== null && loader.openDeferred()) ready(true)
-    else if (reader !== null) void requests.openFirst().then(() => ready(false))
+    if (reader !== null && loader.openDeferred()) ready("chosen")
+    else if (reader !== null) void requests.openFirst().then(linked => ready(linked ? "linked" : "other"))
     else store.dispatch({kind: "notice", notice: {kind: "no-reader"}})
   })
   void fetchWorlds().then(w => w.kind === "there" && store.dispatch({kind: "worlds-listed", worlds: w.value}))

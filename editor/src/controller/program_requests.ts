@@ -30,8 +30,8 @@ export interface ProgramRequests {
   openExample(name: string, options?: ExampleOptions): Promise<boolean>
   /// Opens the program or the lesson that a link contains. A damaged link leaves the open program as it is.
   openLink(fragment: string, origin?: Origin): Promise<LinkedProgram["kind"]>
-  /// Opens the program of the address, or else the one that was open last.
-  openFirst(): Promise<void>
+  /// Opens the program of the address, or else the one that was open last. Whether it was the program of a link.
+  openFirst(): Promise<boolean>
 }
 
 export function programRequests(store: Store, loader: ProgramLoader, stored: ProgramStore): ProgramRequests {
@@ -69,19 +69,26 @@ export function programRequests(store: Store, loader: ProgramLoader, stored: Pro
   const openFirst = async () => {
     const isChanged = isReload() && stored.left() === programInAddress()
     if (!isChanged) stored.setLeft(null)
-    if (isChanged) return openLast()
+    if (isChanged) {
+      await openLast()
+      return false
+    }
     const linked = await openLink(addressFragment(), {isFirst: true})
-    if (linked === "program" || linked === "lesson") return
+    if (linked === "program" || linked === "lesson") return linked === "program"
     const example = exampleInAddress()
-    if (linked === "none" && example === null) return openLast()
+    if (linked === "none" && example === null) {
+      await openLast()
+      return false
+    }
     if (example !== null) {
       const origin = {welcome: example === firstExample, reloaded: true, isFirst: true}
-      if (await openExample(example, origin)) return
+      if (await openExample(example, origin)) return false
     }
     // The link or the example is missing: the last program is opened, and the notice about the missing one is kept.
     const {notice} = store.now
     await openLast()
     store.dispatch({kind: "notice", notice})
+    return false
   }
   return {openExample, openLink, openFirst}
 }

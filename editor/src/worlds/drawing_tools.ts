@@ -34,6 +34,7 @@ interface Drawing {
 }
 
 export const tileOf = {solid: "#", hole: "O", floor: "."} as const
+export const isMovableTool = (tool: Tool) => tool === "crate" || tool === "drum"
 export const isGoal = (tool: Tool) => ["reach", "touch", "avoid", "lap"].includes(tool)
 
 export const point = (drawing: Drawing, at: Spot): Spot => {
@@ -52,7 +53,7 @@ export function drawnPart(drawing: Drawing, from: Spot, to: Spot): DrawnPart {
   const {base, tool} = drawing
   const [a, b] = [point(drawing, from), point(drawing, to)]
   const reach = tidy(Math.max(smallest, Math.hypot(b[0] - a[0], b[1] - a[1])))
-  const movable = tool === "crate" || tool === "drum"
+  const movable = isMovableTool(tool)
   const about = {title: "", within: null}
   switch (tool) {
     case "wall":

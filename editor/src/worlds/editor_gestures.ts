@@ -5,6 +5,7 @@ import {
   drawnPart,
   finished,
   isGoal,
+  isMovableTool,
   paintLine,
   point,
   tileOf,
@@ -16,7 +17,7 @@ import {partAt} from "./part_hit_testing.ts"
 import {movePart} from "./part_movement.ts"
 import {paintTile} from "./room_size.ts"
 import type {Spot, World, WorldGoal} from "./world.ts"
-import {hasRoomFor, type Part, samePart} from "./world_parts.ts"
+import {limitReached, type Part, samePart} from "./world_parts.ts"
 
 /// A pointer that moved less than this has only clicked, m.
 const click = 0.04
@@ -47,7 +48,8 @@ export function down(editor: WorldEditor, at: Spot, reach: number): WorldEditor 
   if (tool === "visit" || tool === "draw") {
     const longer = chosen === null ? null : withPoint(world, chosen, tool, point(editor, at))
     if (chosen !== null && longer !== null) return begin({kind: "follow", part: chosen}, {world: longer})
-    if (!hasRoomFor(world, "goal")) return editor
+    const refused = limitReached(world, "goal", false)
+    if (refused !== null) return {...editor, refused}
     const first = point(editor, at)
     const goal: WorldGoal =
       tool === "visit"
@@ -57,7 +59,8 @@ export function down(editor: WorldEditor, at: Spot, reach: number): WorldEditor 
     return begin({kind: "follow", part}, {world: {...world, goals: [...world.goals, goal]}, chosen: part})
   }
   const kind = tool === "wall" ? "wall" : isGoal(tool) ? "goal" : "box"
-  return hasRoomFor(world, kind) ? begin({kind: "make", from: at}, {chosen: null}) : editor
+  const refused = limitReached(world, kind, isMovableTool(tool))
+  return refused === null ? begin({kind: "make", from: at}, {chosen: null}) : {...editor, refused}
 }
 
 export function move(editor: WorldEditor, at: Spot): WorldEditor {

@@ -8,7 +8,7 @@ import {clamp, gridStep, gridTurn, onGrid, tidy} from "./geometry.ts"
 import {duplicate, movePart, turnPart} from "./part_movement.ts"
 import {resizeWorld} from "./room_size.ts"
 import type {Spot, World} from "./world.ts"
-import {exists, type Part, removePart} from "./world_parts.ts"
+import {exceededLimit, exists, type Part, removePart} from "./world_parts.ts"
 
 /// One centimetre, one degree.
 const fineStep = 0.01
@@ -28,6 +28,7 @@ export function openEditor(world: World): WorldEditor {
     gesture: null,
     base: world,
     aim: null,
+    refused: null,
   }
 }
 
@@ -35,7 +36,9 @@ export function edit(before: WorldEditor, event: WorldEdit): WorldEditor {
   // Another event finishes the gesture that has begun.
   const goesOn =
     event.kind === "move" || event.kind === "up" || event.kind === "cancel" || event.kind === "step"
-  const editor = goesOn || event.kind === "press" ? before : settled(before)
+  const now = goesOn || event.kind === "press" ? before : settled(before)
+  // The reason of a refusal is shown until the next edit.
+  const editor = goesOn ? now : {...now, refused: null}
   switch (event.kind) {
     case "down":
       return down({...editor, aim: null}, event.at, event.reach)
@@ -75,11 +78,15 @@ export function edit(before: WorldEditor, event: WorldEdit): WorldEditor {
     }
     case "duplicate": {
       const more = editor.chosen === null ? null : duplicate(editor.world, editor.chosen)
-      return more === null ? editor : {...changed(editor, more.world), chosen: more.part}
+      if (more === null) return editor
+      const refused = exceededLimit(more.world)
+      return refused === null ? {...changed(editor, more.world), chosen: more.part} : {...editor, refused}
     }
     case "resize":
       return changed(editor, resizeWorld(editor.world, event.width, event.height))
     case "change": {
+      const refused = exceededLimit(event.world)
+      if (refused !== null) return {...editor, refused}
       const now = changed(editor, event.world)
       return {...now, chosen: kept(event.world, now.chosen)}
     }

@@ -3,7 +3,7 @@
 import type {Tool} from "./drawing_tools.ts"
 import type {Handle} from "./part_handles.ts"
 import type {Spot, World} from "./world.ts"
-import type {Part} from "./world_parts.ts"
+import type {Part, PartLimit} from "./world_parts.ts"
 
 export type Gesture =
   | {readonly kind: "move"; readonly part: Part; readonly from: Spot}
@@ -26,6 +26,8 @@ export interface WorldEditor {
   readonly base: World
   /// The keyboard's cross-hair; `null` while a pointer is used.
   readonly aim: Spot | null
+  /// The limit that the last edit would have exceeded, so that it was refused; `null` for none.
+  readonly refused: PartLimit | null
 }
 
 export type WorldEdit =

@@ -1,8 +1,8 @@
-/// The world after a part was moved, turned or duplicated. Pure; every result is inside the room and the limits of the schema.
+/// The world after a part was moved, turned or duplicated. Pure; every result is inside the room; a copy may exceed the limits on the number of parts.
 
 import {clamp, onGrid, plus, tidy, turnedBy, wrapped} from "./geometry.ts"
 import type {Spot, World} from "./world.ts"
-import {exists, hasRoomFor, inRoom, type Part, partLists, put, putGoal} from "./world_parts.ts"
+import {exists, inRoom, type Part, partLists, put, putGoal} from "./world_parts.ts"
 
 /// The world with a part moved by so much; with `snap` what is moved ends on the grid.
 export function movePart(world: World, part: Part, dx: number, dy: number, snap: boolean): World {
@@ -96,10 +96,10 @@ export function turnPart(world: World, part: Part, by: number): World {
   }
 }
 
-/// The world with a copy beside a part, and which part the copy is; `null` where the schema allows no more.
+/// The world with a copy beside a part, and which part the copy is; `null` for a part that cannot be copied. It may exceed the limits of the schema.
 export function duplicate(world: World, part: Part): {readonly world: World; readonly part: Part} | null {
   const beside = (more: World, copy: Part) => ({world: movePart(more, copy, 0.2, 0.2, false), part: copy})
-  if (part.kind === "start" || !exists(world, part) || !hasRoomFor(world, part.kind)) return null
+  if (part.kind === "start" || !exists(world, part)) return null
   const key = partLists[part.kind]
   const all = world[key] as readonly unknown[]
   const more: World = {...world, [key]: [...all, all[part.index]]}

@@ -1,4 +1,4 @@
-/// Parts of a world that can be selected: their list, their removal, and whether the schema allows one more. Pure.
+/// Parts of a world that can be selected: their list, their removal, and the limits of the schema on their number. Pure.
 
 import {clamp, tidy} from "./geometry.ts"
 import {limits, type Spot, type World, type WorldGoal} from "./world.ts"
@@ -44,9 +44,33 @@ export function removePart(world: World, part: Part): World {
   return {...world, [key]: list.filter((_, i) => i !== part.index)}
 }
 
-/// Whether the schema allows one more.
-export function hasRoomFor(world: World, kind: keyof typeof partLists): boolean {
-  return kind === "goal"
-    ? world.goals.length < limits.goals
-    : world.walls.length + world.boxes.length + world.rounds.length < limits.things
+/// Limits of the schema on the number of parts: walls, boxes and posts together, those that can be pushed, goals.
+export const partLimits = {things: limits.things, movable: limits.movable, goals: limits.goals} as const
+export type PartLimit = keyof typeof partLimits
+
+const counts: Readonly<Record<PartLimit, (world: World) => number>> = {
+  things: ({walls, boxes, rounds}) => walls.length + boxes.length + rounds.length,
+  movable: ({boxes, rounds}) => [...boxes, ...rounds].filter(thing => thing.movable).length,
+  goals: ({goals}) => goals.length,
+}
+
+/// The limit that a world exceeds; `null` for none.
+export function exceededLimit(world: World): PartLimit | null {
+  return atLimit(world, ["things", "movable", "goals"], 1)
+}
+
+/// The limit that one more part would exceed; `null` for none.
+export function limitReached(world: World, kind: keyof typeof partLists, movable: boolean): PartLimit | null {
+  if (kind === "goal") return atLimit(world, ["goals"], 0)
+  return atLimit(world, movable ? ["things", "movable"] : ["things"], 0)
+}
+
+function atLimit(world: World, those: readonly PartLimit[], more: number): PartLimit | null {
+  return those.find(limit => counts[limit](world) >= partLimits[limit] + more) ?? null
+}
+
+/// Whether a part can be pushed.
+export function isMovable(world: World, part: Part): boolean {
+  if (part.kind === "box") return world.boxes[part.index]?.movable ?? false
+  return part.kind === "round" && (world.rounds[part.index]?.movable ?? false)
 }

@@ -13,7 +13,7 @@ import {startFault} from "../../src/worlds/start_validation.ts"
 import type {World} from "../../src/worlds/world.ts"
 import {readWorld} from "../../src/worlds/world_decoder.ts"
 import {writeWorld} from "../../src/worlds/world_encoder.ts"
-import {exists, partsOf} from "../../src/worlds/world_parts.ts"
+import {exists, partLimits, partsOf} from "../../src/worlds/world_parts.ts"
 import {anyWorld, emptyRoom} from "./worlds.ts"
 
 const schema = JSON.parse(
@@ -136,6 +136,28 @@ describe("the world editor", () => {
         expect(editor.past).toEqual([])
       }),
     )
+  })
+
+  it("refuses a thing that can be pushed beyond the limit, says why, and draws one that stands still", () => {
+    const drum = {x: 1, y: 1, r: 0.1, movable: true, mass: 1}
+    const full = {...emptyRoom, rounds: Array.from({length: partLimits.movable}, () => drum)}
+    const drawing: readonly WorldEdit[] = [
+      {kind: "tool", tool: "crate"},
+      {kind: "down", at: [2, 2], reach: 0.1},
+      {kind: "move", at: [3, 3]},
+      {kind: "up"},
+    ]
+    const refused = after(full, drawing)
+    expect(refused.world).toEqual(full)
+    expect(refused.refused).toBe("movable")
+    const chosen = edit(refused, {kind: "choose", part: {kind: "round", index: 0}})
+    expect(chosen.refused).toBe(null)
+    expect(edit(chosen, {kind: "duplicate"})).toMatchObject({world: full, refused: "movable"})
+    const box = {x: 4, y: 4, w: 0.4, h: 0.4, theta: 0, movable: true, mass: 1}
+    const pushable = edit(chosen, {kind: "change", world: {...full, boxes: [box]}})
+    expect(pushable).toMatchObject({world: full, refused: "movable"})
+    const still = [{kind: "tool", tool: "box"} as const, ...drawing.slice(1)].reduce(edit, refused)
+    expect(still).toMatchObject({refused: null, world: {boxes: [{movable: false}]}})
   })
 
   it("takes back a drawing that is cancelled, as when a second finger comes", () => {

@@ -36,8 +36,8 @@ too long; the trial process was lost.
 
 class CheckAll(msgspec.Struct, tag="check-all", tag_field="op"):
     """
-    Try every hand-in of a task in the same rooms. The family ``room`` has ``world`` as its first room and rooms like it
-    as the others; ``own`` likewise the room of each hand-in.
+    Try every hand-in of a task in the same rooms, or with ``unchecked`` those without a result only. The family
+    ``room`` has ``world`` as its first room and rooms like it as the others; ``own`` likewise the room of each hand-in.
     """
 
     task: int
@@ -48,6 +48,7 @@ class CheckAll(msgspec.Struct, tag="check-all", tag_field="op"):
     seconds: Annotated[float, msgspec.Meta(gt=0, le=MAX_SECONDS)]
     properties: Annotated[str, msgspec.Meta(max_length=1000)]
     world: Any = None
+    unchecked: bool = False
 
 
 class CancelCheck(msgspec.Struct, tag="cancel-check", tag_field="op"):

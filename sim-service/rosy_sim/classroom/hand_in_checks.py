@@ -87,7 +87,7 @@ class HandInChecks:
             read_properties(request.properties)
             if request.family != "own":
                 await asyncio.to_thread(_room_test, request, "")
-            kept = await self._tasks.kept(request.task)
+            kept = [one for one in await self._tasks.kept(request.task) if not (request.unchecked and one.result)]
             self.progress = msgspec.structs.replace(self.progress, of=len(kept))
             await self._check_all(request, kept)
         except (BadInput, BadProperty):

@@ -72,7 +72,7 @@ class PageSession:
         default = named_world(DEFAULT_WORLD)
         self._room = Room(default, usable_world(default, DEFAULT_WORLD))
         self._view = PageView(self.outbox, self._room, self._limits.frame_rate, self._loop.time)
-        self._checks = ProgramChecks(services.worker, services.scheduler, self.outbox, self._on_checked)
+        self._checks = ProgramChecks(services.worker, services.scheduler, self.outbox, self._on_checked, address)
         self._lesson = LessonChecks(self.outbox.put)
         self._previews = PagePreviews(previews, self.outbox.put, self._loop.time)
         self._hands = PageHands(self._simulated_run)

@@ -32,13 +32,16 @@ class ProgramChecks:
         scheduler: QuestionScheduler,
         outbox: Outbox,
         on_checked: Callable[[str, page.Checked], None],
+        address: str,
     ) -> None:
         self._worker = worker
         self._scheduler = scheduler
+        self._address = address
         self._on_checked = on_checked
         self._outbox = outbox
         self._check: asyncio.Task[None] | None = None
         self._completion: asyncio.Task[None] | None = None
+        scheduler.join(self, address)
 
     def check(self, request: page.Check) -> None:
         """Answer with problems, declarations and types."""
@@ -59,7 +62,7 @@ class ProgramChecks:
                 task.cancel()
                 with contextlib.suppress(asyncio.CancelledError):
                     await task
-        self._scheduler.leave(self)
+        self._scheduler.leave(self, self._address)
 
     async def _answer_check(self, request: page.Check) -> None:
         try:

@@ -2,8 +2,9 @@
 Round-robin scheduler of the checks and completions that pages ask of the worker.
 
 A page has one question in progress, and pages take turns, so a page with many questions delays the others by one. A
-page whose question was in progress for long is penalised: for a while all such pages together leave one slot free. The
-worker's own limits end a question.
+page whose question was in progress for long is penalised: for a while all such pages together leave one slot free. A
+reload does not end the penalty: pages that open from the same client address until then have it too. The worker's own
+limits end a question.
 """
 
 from __future__ import annotations
@@ -41,6 +42,14 @@ class QuestionScheduler:
         self._asking: set[object] = set()
         # When the penalties of pages end.
         self._penalties: dict[object, float] = {}
+        # When those of pages that have gone end, by the addresses of their clients.
+        self._inherited: dict[str, float] = {}
+
+    def join(self, page: object, address: str) -> None:
+        """A page of this client address has opened."""
+        end = self._inherited.get(address, 0.0)
+        if end > self._now():
+            self._penalties[page] = end
 
     @asynccontextmanager
     async def turn(self, page: object) -> AsyncIterator[None]:
@@ -65,9 +74,13 @@ class QuestionScheduler:
                 self._penalties[page] = self._now() + _PENALTY
             self._end(page)
 
-    def leave(self, page: object) -> None:
-        """A page has gone; its penalty with it."""
-        self._penalties.pop(page, None)
+    def leave(self, page: object, address: str) -> None:
+        """A page has gone; its penalty goes to the pages that open from its address."""
+        now = self._now()
+        end = max(self._penalties.pop(page, 0.0), self._inherited.get(address, 0.0))
+        self._inherited = {other: until for other, until in self._inherited.items() if until > now}
+        if end > now:
+            self._inherited[address] = end
 
     def _end(self, page: object) -> None:
         self._asking.discard(page)

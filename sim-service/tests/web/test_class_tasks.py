@@ -278,11 +278,19 @@ def test_the_board_checks_all_hand_ins_in_rooms_and_opens_the_worst_one(config: 
             await hand_in(ben, project("drive:0.5"))
             assert (await board.op("result"))["result"] is None
             assert "worst" not in str(ada.seen) + str(ben.seen)
+            # Only this one is checked; the others keep their results of two rooms.
+            await board.send("check-all", **{**CHECK, "rooms": 1, "unchecked": True})
+            assert set(await results(board, 1)) == {second}
+            await board.op("checking", such=lambda m: m["task"] is None)
         # The service starts again.
         async with teaching(config) as opened:
             board = await opened.board()
             await board.send("show-results", task=1)
-            assert set(await results(board, 2)) == {first, third}
+            assert {pupil: one["rooms"] for pupil, one in (await results(board, 3)).items()} == {
+                first: 2,
+                second: 1,
+                third: 2,
+            }
 
     asyncio.run(run())
 

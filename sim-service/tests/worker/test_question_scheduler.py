@@ -112,6 +112,36 @@ def test_pages_whose_questions_took_long_share_one_slot_for_a_while() -> None:
     play(story)
 
 
+def test_a_reload_does_not_end_a_penalty() -> None:
+    async def story(worker: Worker) -> None:
+        worker.scheduler.join("bomber", "10.0.0.7")
+        worker.ask("bomber", "bomb 1")
+        await settle()
+        worker.clock.time += 10.0
+        await worker.answer("bomb 1")
+        worker.scheduler.leave("bomber", "10.0.0.7")
+        # Its pages that open meanwhile share one slot; a page of another address takes the other.
+        for page, address in (("again", "10.0.0.7"), ("third", "10.0.0.7"), ("a", "10.0.0.8")):
+            worker.scheduler.join(page, address)
+            worker.ask(page, f"{page} 1")
+        await settle()
+        assert worker.begun[1:] == ["again 1", "a 1"]
+        # A page that had no penalty of its own leaves that of its address as it is.
+        worker.scheduler.leave("a", "10.0.0.8")
+        await worker.answer("a 1")
+        assert worker.begun[1:] == ["again 1", "a 1"]
+        # The penalty ends when the first one would have ended.
+        worker.clock.time += 61.0
+        worker.scheduler.join("late", "10.0.0.7")
+        worker.ask("late", "late 1")
+        await settle()
+        assert worker.begun[3] == "third 1"
+        await worker.answer("third 1")
+        assert worker.begun[4] == "late 1"
+
+    play(story)
+
+
 def test_a_question_that_is_replaced_leaves_its_place() -> None:
     async def story(worker: Worker) -> None:
         for question in ("a1", "b1"):

@@ -5,7 +5,7 @@ import {useEffect, useRef} from "preact/hooks"
 import {words} from "../../words/index.ts"
 import type {WorldEdit} from "../../worlds/editor_value.ts"
 import type {World, WorldGoal} from "../../worlds/world.ts"
-import {hasRoomFor, type Part, partsOf, samePart} from "../../worlds/world_parts.ts"
+import {isMovable, limitReached, type Part, partsOf, samePart} from "../../worlds/world_parts.ts"
 import {useController, usePageState} from "../app_context.ts"
 import {describePart, nameOfPart} from "../descriptions.ts"
 import {PartFields} from "./part_fields.tsx"
@@ -43,7 +43,7 @@ export function PartPanel({edit}: {edit: Edit}): VNode | null {
               <button
                 type="button"
                 class="plain"
-                disabled={!hasRoomFor(world, chosen.kind)}
+                disabled={limitReached(world, chosen.kind, isMovable(world, chosen)) !== null}
                 onClick={() => edit({kind: "duplicate"})}
               >
                 {words.world.duplicate}
@@ -106,7 +106,7 @@ function RoomFields({
       set={on => {
         const goals = world.goals.filter((_, i) => i !== avoids(what))
         const more: WorldGoal = {kind: "avoid", what, title: "", within: null}
-        if (!on || hasRoomFor(world, "goal")) change({...world, goals: on ? [...goals, more] : goals})
+        change({...world, goals: on ? [...goals, more] : goals})
       }}
     />
   )

@@ -6,6 +6,7 @@ import {words} from "../../words/index.ts"
 import {type Tool, tools} from "../../worlds/drawing_tools.ts"
 import type {WorldEdit} from "../../worlds/editor_value.ts"
 import {startFaultKind} from "../../worlds/start_validation.ts"
+import {partLimits} from "../../worlds/world_parts.ts"
 import {useController, usePageState} from "../app_context.ts"
 import {NoticeBar} from "../bars/notice_bar.tsx"
 import {describePart} from "../descriptions.ts"
@@ -40,6 +41,7 @@ function Workshop(): VNode {
   const {store} = useController()
   const edit = (event: WorldEdit) => store.dispatch({kind: "world-edited", edit: event})
   const why = usePageState(s => (s.worldEditor === null ? null : startFaultKind(s.worldEditor.world)))
+  const refused = usePageState(s => s.worldEditor?.refused ?? null)
   return (
     <div class="workshop">
       <header class="workshop-bar">
@@ -67,7 +69,9 @@ function Workshop(): VNode {
       <Sheet />
       <PartPanel edit={edit} />
       <p class="workshop-fault" role="alert">
-        {why !== null && words.world.startFaults[why]}
+        {why !== null
+          ? words.world.startFaults[why]
+          : refused !== null && words.world.refused[refused](partLimits[refused])}
       </p>
     </div>
   )

@@ -118,6 +118,9 @@ export const classroom: Words["classroom"] = {
       roomOf: name => `der Raum von „${name}“, dann ähnliche`,
       seed: "Welche Räume (andere Zahl, andere Räume)",
       start: "Alle prüfen",
+      unchecked: n =>
+        n === 1 ? "Ein Programm ist noch nicht geprüft." : `${n} Programme sind noch nicht geprüft.`,
+      checkNew: "Die neuen prüfen",
       cancel: "Prüfung abbrechen",
       progress: (done, of, rooms) => `${done} von ${of} Programmen geprüft, ausprobierte Räume: ${rooms}`,
       refused:

@@ -59,6 +59,14 @@ export const world: Words["world"] = {
     wall: "Der Roboter würde in einer Wand starten; er braucht 0,35 Meter freien Boden. Verschiebe ihn, bevor du weitermachst.",
     hole: "Der Roboter würde über einem Loch starten; er braucht Boden unter sich. Verschiebe ihn, bevor du weitermachst.",
   },
+  refused: {
+    things: (most: number) =>
+      `Ein Raum kann höchstens ${most} Wände, Kisten und Pfosten haben. Lösche etwas, bevor du mehr zeichnest.`,
+    movable: (most: number) =>
+      `Höchstens ${most} Dinge in einem Raum lassen sich schieben. Lösche eines, oder zeichne eines, das fest steht.`,
+    goals: (most: number) =>
+      `Ein Raum kann höchstens ${most} Ziele haben. Lösche eines, bevor du ein weiteres anlegst.`,
+  },
   snap: "Am Raster einrasten",
   room: "Dieser Raum",
   name: "Name",

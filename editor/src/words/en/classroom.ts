@@ -113,6 +113,9 @@ export const classroom = {
       roomOf: (name: string) => `the room of “${name}”, then rooms like it`,
       seed: "Which rooms (another number, other rooms)",
       start: "Check all",
+      unchecked: (n: number) =>
+        n === 1 ? "One program is not checked yet." : `${n} programs are not checked yet.`,
+      checkNew: "Check the new ones",
       cancel: "Stop the check",
       progress: (done: number, of: number, rooms: number) =>
         `${done} of ${of} programs checked, rooms tried: ${rooms}`,

@@ -58,6 +58,13 @@ export const world = {
     wall: "The robot would start inside a wall; it needs 0.35 metres of free floor. Move it before you go on.",
     hole: "The robot would start over a hole; it needs floor under it. Move it before you go on.",
   },
+  refused: {
+    things: (most: number) =>
+      `A room can hold at most ${most} walls, boxes and posts. Delete one before you draw another.`,
+    movable: (most: number) =>
+      `At most ${most} things in a room can be pushed. Delete one, or draw one that stands still.`,
+    goals: (most: number) => `A room can have at most ${most} goals. Delete one before you add another.`,
+  },
   snap: "Snap to the grid",
   room: "This room",
   name: "Name",

@@ -117,6 +117,9 @@ export const classroom: Words["classroom"] = {
       roomOf: name => `la sala de «${name}», luego salas parecidas`,
       seed: "Qué salas (otro número, otras salas)",
       start: "Probar todos",
+      unchecked: n =>
+        n === 1 ? "Un programa aún no se ha probado." : `${n} programas aún no se han probado.`,
+      checkNew: "Probar los nuevos",
       cancel: "Parar la prueba",
       progress: (done, of, rooms) => `${done} de ${of} programas probados, salas recorridas: ${rooms}`,
       refused:

@@ -59,6 +59,14 @@ export const world: Words["world"] = {
     wall: "El robot empezaría dentro de una pared; necesita 0,35 metros de suelo libre. Muévelo antes de seguir.",
     hole: "El robot empezaría sobre un agujero; necesita suelo debajo. Muévelo antes de seguir.",
   },
+  refused: {
+    things: (most: number) =>
+      `Una sala puede tener como mucho ${most} paredes, cajas y postes. Borra algo antes de dibujar más.`,
+    movable: (most: number) =>
+      `En una sala se pueden empujar como mucho ${most} cosas. Borra una o dibuja una que no se mueva.`,
+    goals: (most: number) =>
+      `Una sala puede tener como mucho ${most} objetivos. Borra uno antes de añadir otro.`,
+  },
   snap: "Ajustar a la cuadrícula",
   room: "Esta sala",
   name: "Nombre",

@@ -122,6 +122,9 @@ export const classroom: Words["classroom"] = {
       roomOf: name => `la salle de « ${name} », puis des salles semblables`,
       seed: "Quelles salles (autre nombre, autres salles)",
       start: "Tout tester",
+      unchecked: n =>
+        n === 1 ? "Un programme n'est pas encore testé." : `${n} programmes ne sont pas encore testés.`,
+      checkNew: "Tester les nouveaux",
       cancel: "Arrêter le test",
       progress: (done, of, rooms) => `Programmes testés : ${done} sur ${of} ; salles essayées : ${rooms}`,
       refused:

@@ -60,6 +60,14 @@ export const world: Words["world"] = {
     wall: "Le robot partirait de l'intérieur d'un mur ; il a besoin de 0,35 mètre de sol libre. Déplace-le avant de continuer.",
     hole: "Le robot partirait au-dessus d'un trou ; il a besoin de sol sous lui. Déplace-le avant de continuer.",
   },
+  refused: {
+    things: (most: number) =>
+      `Une salle peut contenir au plus ${most} murs, boîtes et poteaux. Supprime quelque chose avant d'en dessiner d'autres.`,
+    movable: (most: number) =>
+      `Dans une salle, au plus ${most} choses peuvent être poussées. Supprimes-en une, ou dessine une chose fixe.`,
+    goals: (most: number) =>
+      `Une salle peut avoir au plus ${most} buts. Supprimes-en un avant d'en ajouter un autre.`,
+  },
   snap: "Aligner sur la grille",
   room: "Cette salle",
   name: "Nom",

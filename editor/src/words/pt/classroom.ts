@@ -115,6 +115,9 @@ export const classroom: Words["classroom"] = {
       roomOf: name => `a sala de “${name}”, depois salas parecidas`,
       seed: "Quais salas (outro número, outras salas)",
       start: "Testar todos",
+      unchecked: n =>
+        n === 1 ? "Um programa ainda não foi testado." : `${n} programas ainda não foram testados.`,
+      checkNew: "Testar os novos",
       cancel: "Parar o teste",
       progress: (done, of, rooms) => `${done} de ${of} programas testados, salas experimentadas: ${rooms}`,
       refused:

@@ -59,6 +59,13 @@ export const world: Words["world"] = {
     wall: "O robô começaria dentro de uma parede; ele precisa de 0,35 metro de chão livre. Mova-o antes de continuar.",
     hole: "O robô começaria em cima de um buraco; ele precisa de chão. Mova-o antes de continuar.",
   },
+  refused: {
+    things: (most: number) =>
+      `Uma sala pode ter no máximo ${most} paredes, caixas e postes. Apague algo antes de desenhar mais.`,
+    movable: (most: number) =>
+      `Numa sala, no máximo ${most} coisas podem ser empurradas. Apague uma ou desenhe uma que fique parada.`,
+    goals: (most: number) => `Uma sala pode ter no máximo ${most} objetivos. Apague um antes de criar outro.`,
+  },
   snap: "Prender à grade",
   room: "Esta sala",
   name: "Nome",
