@@ -1,4 +1,4 @@
-/// Teacher's board: who is in the class, who needs help, every room in miniature, a pupil's program to look at, "eyes up", and a program for all.
+/// Teacher's board: the page with its tools, the hand-ins and the pupils; the key, the invitation, "eyes up", and a pupil's program to look at.
 
 import "@fontsource/inter/400.css"
 import "@fontsource/inter/600.css"
@@ -9,196 +9,33 @@ import "../styles/share.css"
 import "../styles/class.css"
 import "../styles/room_tests.css"
 import "../styles/board.css"
-import {type Signal, signal} from "@preact/signals"
 import {render, type VNode} from "preact"
-import {useEffect, useLayoutEffect, useRef, useState} from "preact/hooks"
+import {useLayoutEffect, useRef, useState} from "preact/hooks"
 import {openBrowserStorage} from "../browser/browser_storage.ts"
-import {downloadBlob} from "../browser/local_files.ts"
 import {chosenLanguage} from "../browser/preferences.ts"
 import {openProgramStore, type ProgramStore} from "../browser/program_store.ts"
 import {type QrCode, qrCodeOf} from "../browser/qr_code.ts"
-import {fragmentOf} from "../browser/share_link.ts"
-import {drawThumbnail} from "../room/world_drawing.ts"
 import {words} from "../words/index.ts"
 import {languageFor, loadLanguage} from "../words/language_choice.ts"
-import type {World} from "../worlds/world.ts"
 import {CheckForm, ResultTable} from "./board_check.tsx"
-import {
-  type BoardMessage,
-  type BoardRequest,
-  type BoardTask,
-  type Place,
-  type PupilOnBoard,
-  readBoardMessage,
-} from "./board_messages.ts"
+import {type BoardConnection, openBoardConnection} from "./board_connection.ts"
+import {SendTool} from "./board_send.tsx"
+import {board, change} from "./board_state.ts"
 import {HandIns, TaskTool} from "./board_tasks.tsx"
-import {openClassSocket} from "./class_socket.ts"
-import {dayAndTime} from "./day_and_time.ts"
-import {type Checking, projectInRoom, type Results, type RunInRoom, uncheckedCount} from "./hand_in_checks.ts"
-import {teacherKey} from "./membership.ts"
-
-interface Board {
-  readonly link: "connecting" | "open" | "lost"
-  readonly class: {readonly code: string; readonly addresses: readonly string[]} | null
-  readonly refused: string | null
-  readonly attention: string | null
-  readonly pupils: readonly PupilOnBoard[]
-  /// A pupil's program to look at: its link for an embedded page.
-  readonly shown: {readonly nickname: string; readonly name: string; readonly address: string} | null
-  readonly tasks: readonly BoardTask[]
-  /// Why the last task was not opened, or the last change not stored.
-  readonly taskRefused: string | null
-  readonly checking: Checking
-  /// By task.
-  readonly results: ReadonlyMap<number, Results>
-  readonly checkRefused: string | null
-  /// What the last command did.
-  readonly said: string
-}
-
-const board: Signal<Board> = signal({
-  link: "connecting",
-  class: null,
-  refused: null,
-  attention: null,
-  pupils: [],
-  shown: null,
-  tasks: [],
-  taskRefused: null,
-  checking: {number: 0, task: null, done: 0, of: 0, rooms: 0},
-  results: new Map(),
-  checkRefused: null,
-  said: "",
-})
-/// Rooms and robots change ten times a second; each miniature reads its own.
-const rooms = signal<ReadonlyMap<number, World>>(new Map())
-const places = signal<ReadonlyMap<number, Place>>(new Map())
-const change = (to: Partial<Board>) => {
-  board.value = {...board.value, ...to}
-}
+import {uncheckedCount} from "./hand_in_checks.ts"
+import {Pupils} from "./pupil_cards.tsx"
 
 function open(): void {
   const storage = openBrowserStorage(window)
   const programs = openProgramStore(storage.shared, storage.tab)
-  const brought = new URLSearchParams(window.location.hash.slice(1)).get("key")
-  // Out of the address, so that it is not on the projector.
-  if (brought !== null) window.history.replaceState(null, "", window.location.pathname)
-  const tabs = openRunTabs()
-  let key = brought ?? storage.tab.getItem(teacherKey)
-  const socket = openClassSocket<BoardRequest, BoardMessage>("api/board", readBoardMessage, {
-    opened() {
-      change({link: "open"})
-      if (key !== null) socket.send({op: "unlock", key})
-    },
-    lost: () => change({link: "lost"}),
-    received(message) {
-      if (message.op === "board") {
-        storage.tab.setItem(teacherKey, key ?? "")
-        storage.shared.setItem(teacherKey, "yes")
-        change({class: message, attention: message.attention, refused: null, results: new Map()})
-      } else if (message.op === "refused") {
-        if (message.reason === "key" || message.reason === "attempts") {
-          storage.tab.removeItem(teacherKey)
-          change({refused: words.classroom.refused[message.reason], class: null})
-        } else if (message.reason === "deadline" || message.reason === "tasks" || message.reason === "disk")
-          change({taskRefused: words.classroom.board.refused[message.reason]})
-        else if (message.reason === "rooms") change({checkRefused: words.classroom.board.check.refused})
-      } else if (message.op === "pupils") change({pupils: message.pupils})
-      else if (message.op === "room") rooms.value = new Map([...rooms.value, [message.pupil, message.world]])
-      else if (message.op === "places")
-        places.value = new Map([
-          ...places.value,
-          ...message.places.map(place => [place.pupil, place] as const),
-        ])
-      else if (message.op === "tasks") change({tasks: message.tasks, taskRefused: null})
-      else if (message.op === "sent") change({said: words.classroom.board.sent(message.pages)})
-      else if (message.op === "checking") change({checking: message})
-      else if (message.op === "result") change({results: withResult(board.value.results, message)})
-      else if (message.op === "run") void tabs.fill(message)
-      else void show(message)
-    },
-  })
-  const send = (request: BoardRequest) => {
-    if (request.op === "check-all") change({checkRefused: null})
-    if (!socket.send(request)) change({link: "lost"})
-  }
-  const unlock = (typed: string) => {
-    key = typed.trim()
-    send({op: "unlock", key})
-  }
   const host = document.getElementById("board")
   if (host === null) throw new Error("expected #board in board.html, found nothing")
   document.title = words.classroom.board.title
-  const download = (task: BoardTask) => downloadHandIns(task, key ?? "")
-  const openRun = (task: number, pupil: number) => {
-    tabs.open(pupil)
-    send({op: "open-run", task, pupil})
-  }
-  render(
-    <BoardPage send={send} unlock={unlock} download={download} programs={programs} openRun={openRun} />,
-    host,
-  )
+  render(<BoardPage {...openBoardConnection(storage)} programs={programs} />, host)
 }
 
-/// The results after a message; `null` takes one away.
-function withResult(
-  results: ReadonlyMap<number, Results>,
-  {task, pupil, result}: BoardMessage & {readonly op: "result"},
-): ReadonlyMap<number, Results> {
-  const changed = new Map(results.get(task))
-  if (result === null) changed.delete(pupil)
-  else changed.set(pupil, result)
-  return new Map([...results, [task, changed]])
-}
-
-/// Tabs for pupils' programs in their worst rooms. A browser lets a page open one only while a click is served, so it is empty until the program arrives.
-function openRunTabs() {
-  const waiting = new Map<number, Window | null>()
-  return {
-    open(pupil: number) {
-      waiting.get(pupil)?.close()
-      waiting.set(pupil, window.open("", "_blank"))
-    },
-    async fill({pupil, name, text, world, seed}: RunInRoom) {
-      const tab = waiting.get(pupil)
-      waiting.delete(pupil)
-      if (text === null) return tab?.close()
-      const nickname = board.value.pupils.find(one => one.id === pupil)?.nickname ?? ""
-      const project = projectInRoom(text, words.classroom.board.programOf(nickname, name), world)
-      const address = new URL(`./?seed=${seed}&run${await fragmentOf(project)}`, window.location.href)
-      tab?.location.replace(address.href)
-    },
-  }
-}
-
-/// The programs of a task and a table of them, as a ZIP file; whether there was one.
-async function downloadHandIns(task: BoardTask, key: string): Promise<boolean> {
-  try {
-    const answer = await fetch(`api/hand-ins/${task.id}`, {headers: {"X-Rosy-Key": key}})
-    if (!answer.ok) return false
-    downloadBlob(`${task.title}.zip`, await answer.blob())
-    return true
-  } catch (fault) {
-    // The service is away.
-    if (fault instanceof TypeError) return false
-    throw fault
-  }
-}
-
-async function show(message: BoardMessage & {readonly op: "program"}): Promise<void> {
-  const pupil = board.value.pupils.find(one => one.id === message.pupil)
-  if (message.text === null || pupil === undefined) return
-  const address = `./?embed${await fragmentOf(message.text)}`
-  change({shown: {nickname: pupil.nickname, name: message.name, address}})
-}
-
-interface BoardProps {
-  readonly send: (request: BoardRequest) => void
-  readonly unlock: (key: string) => void
-  readonly download: (task: BoardTask) => Promise<boolean>
+interface BoardProps extends BoardConnection {
   readonly programs: ProgramStore
-  /// Opens a pupil's program for a task in its worst room.
-  readonly openRun: (task: number, pupil: number) => void
 }
 
 function BoardPage({send, unlock, download, programs, openRun}: BoardProps): VNode {
@@ -226,7 +63,7 @@ function BoardPage({send, unlock, download, programs, openRun}: BoardProps): VNo
         <section class="board-tools">
           <Invitation code={opened.code} addresses={opened.addresses} />
           <EyesUp send={send} />
-          <SendProgram send={send} programs={programs} />
+          <SendTool send={send} programs={programs} />
           <TaskTool tasks={tasks} pupils={pupils} send={send} refused={taskRefused} />
         </section>
         <HandIns
@@ -371,126 +208,6 @@ function EyesUp({send}: Pick<BoardProps, "send">): VNode {
       {attention !== null && <p role="status">{w.areLooking}</p>}
     </form>
   )
-}
-
-function SendProgram({send, programs}: Pick<BoardProps, "send" | "programs">): VNode {
-  const w = words.classroom.board
-  const list = programs.programs()
-  const [id, setId] = useState(programs.current()?.id ?? list[0]?.id ?? "")
-  if (list.length === 0) return <p class="quiet board-tool">{w.sendNone}</p>
-  return (
-    <form
-      class="board-tool"
-      onSubmit={event => {
-        event.preventDefault()
-        const text = programs.read(id)
-        const name = list.find(program => program.id === id)?.name ?? ""
-        if (text !== null) send({op: "send", name, text})
-      }}
-    >
-      <label class="field">
-        <span>{w.send}</span>
-        <select value={id} onChange={event => setId(event.currentTarget.value)}>
-          {list.map(program => (
-            <option key={program.id} value={program.id}>
-              {program.name || words.unnamed}
-            </option>
-          ))}
-        </select>
-      </label>
-      <button type="submit" class="plain">
-        {w.send}
-      </button>
-      <p role="status" class="quiet">
-        {board.value.said}
-      </p>
-    </form>
-  )
-}
-
-function Pupils({send}: Pick<BoardProps, "send">): VNode {
-  const {pupils} = board.value
-  if (pupils.length === 0) return <p class="board-empty quiet">{words.classroom.board.empty}</p>
-  return (
-    <ul class="board-pupils">
-      {pupils.map(pupil => (
-        <PupilCard key={pupil.id} pupil={pupil} send={send} />
-      ))}
-    </ul>
-  )
-}
-
-function PupilCard({pupil, send}: {pupil: PupilOnBoard} & Pick<BoardProps, "send">): VNode {
-  const w = words.classroom.board
-  const {id, nickname, online, running, program, changed, lesson, needs} = pupil
-  const handedIn = board.value.tasks.find(task => task.open)?.handedIn.find(one => one.pupil === id)
-  return (
-    <li class={needs.length > 0 ? "needs-help" : online ? "" : "away"} data-testid={`pupil ${nickname}`}>
-      <h2>
-        <bdi>{nickname}</bdi>
-      </h2>
-      <p class="quiet">{online ? (running ? w.running : w.ready) : w.away}</p>
-      <Miniature pupil={id} nickname={nickname} />
-      {needs.map(need => (
-        <p key={need} class="board-need">
-          {w.needs[need]}
-          {need === "hand" && (
-            <button type="button" class="plain" onClick={() => send({op: "lower", pupil: id})}>
-              {w.lower}
-            </button>
-          )}
-        </p>
-      ))}
-      <p>
-        {program === null ? (
-          <span class="quiet">{w.noProgram}</span>
-        ) : (
-          <>
-            <b>
-              <bdi>{program || words.unnamed}</bdi>
-            </b>{" "}
-            <span class="quiet">{changed !== null && w.changed(age(changed))}</span>
-          </>
-        )}
-      </p>
-      {handedIn !== undefined && <p>{w.task.at(dayAndTime(handedIn.at))}</p>}
-      {lesson !== null && <p class="quiet">{w.lesson(lesson.name, lesson.done, lesson.steps)}</p>}
-      <details>
-        <summary>{w.words}</summary>
-        <p>{pupil.words}</p>
-      </details>
-      {program !== null && (
-        <button
-          type="button"
-          class="plain"
-          aria-label={w.lookAt(nickname)}
-          onClick={() => send({op: "open", pupil: id, program: null})}
-        >
-          {w.look}
-        </button>
-      )}
-    </li>
-  )
-}
-
-function age(seconds: number): string {
-  const w = words.classroom.board
-  if (seconds < 60) return w.now
-  if (seconds < 3600) return w.minutes(Math.floor(seconds / 60))
-  return seconds < 86_400 ? w.hours(Math.floor(seconds / 3600)) : w.days(Math.floor(seconds / 86_400))
-}
-
-/// The room of a pupil's page with the robot where it is.
-function Miniature({pupil, nickname}: {pupil: number; nickname: string}): VNode | null {
-  const canvas = useRef<HTMLCanvasElement>(null)
-  const world = rooms.value.get(pupil)
-  const place = places.value.get(pupil)
-  useEffect(() => {
-    if (canvas.current !== null && world !== undefined)
-      drawThumbnail(canvas.current, {...world, start: place ?? world.start})
-  }, [world, place])
-  if (world === undefined) return null
-  return <canvas ref={canvas} role="img" aria-label={words.classroom.board.room(nickname)} />
 }
 
 function ShownProgram(): VNode | null {

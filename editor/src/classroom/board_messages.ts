@@ -16,7 +16,7 @@ import {
 } from "../state/decode.ts"
 import type {Pose, World} from "../worlds/world.ts"
 import {readWorld} from "../worlds/world_decoder.ts"
-import {type LessonProgress, type Refusal, refusals} from "./class_messages.ts"
+import {type LessonProgress, type Refusal, refusals, type Shared} from "./class_messages.ts"
 import {
   type Checking,
   type CheckRequest,
@@ -77,7 +77,7 @@ export type BoardMessage =
   | {readonly op: "room"; readonly pupil: number; readonly world: World}
   | {readonly op: "places"; readonly places: readonly Place[]}
   | {readonly op: "program"; readonly pupil: number; readonly name: string; readonly text: string | null}
-  | {readonly op: "sent"; readonly pages: number}
+  | {readonly op: "sent"; readonly pages: number; readonly later: number}
   | {readonly op: "refused"; readonly reason: Refusal}
   | {readonly op: "tasks"; readonly tasks: readonly BoardTask[]}
   | ({readonly op: "checking"} & Checking)
@@ -94,7 +94,14 @@ export type BoardRequest =
   | {readonly op: "open"; readonly pupil: number; readonly program: string | null}
   | {readonly op: "attention"; readonly message: string | null}
   | {readonly op: "lower"; readonly pupil: number}
-  | {readonly op: "send"; readonly name: string; readonly text: string}
+  /// `pupils` is `null` for all.
+  | {
+      readonly op: "send"
+      readonly what: Shared
+      readonly name: string
+      readonly text: string
+      readonly pupils: readonly number[] | null
+    }
   | {readonly op: "open-task"; readonly title: string; readonly deadline: number | null}
   | {readonly op: "close-task"; readonly task: number}
   | {readonly op: "open-hand-in"; readonly task: number; readonly pupil: number}
@@ -191,7 +198,7 @@ const boardMessage: Decoder<BoardMessage> = (value, path) => {
           text: get("text", optional(string, null)),
         }
       case "sent":
-        return {op, pages: get("pages", number)}
+        return {op, pages: get("pages", number), later: get("later", number)}
       case "refused":
         return {op, reason: get("reason", oneOf(...refusals))}
       case "tasks":

@@ -64,7 +64,7 @@ export function ClassBar({desk}: Props): VNode {
       )}
       {member !== null && handout !== null && (
         <p class="class-handout" role="status">
-          <span>{w.handout(handout.name)}</span>
+          <span>{w.handouts[handout.what](handout.name)}</span>
           <button type="button" class="plain" onClick={desk.openHandout}>
             {w.openHandout}
           </button>

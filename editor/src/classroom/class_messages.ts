@@ -67,6 +67,17 @@ export interface OwnTask {
   readonly handedIn: {readonly at: number; readonly name: string; readonly comment: string} | null
 }
 
+export const sharedKinds = ["program", "room", "lesson"] as const
+export type Shared = (typeof sharedKinds)[number]
+
+/// What a teacher sent: `text` is a project file, a world as JSON (or the name of one of the gallery as a JSON string), or the name of a lesson.
+export interface Handout {
+  readonly id: string
+  readonly what: Shared
+  readonly name: string
+  readonly text: string
+}
+
 export type PupilMessage =
   | {readonly op: "join"; readonly code: string; readonly nickname: string; readonly language: string}
   | {readonly op: "resume"; readonly code: string; readonly words: string}
@@ -117,7 +128,7 @@ export type ClassMessage =
     }
   | {readonly op: "unsaved"; readonly program: string; readonly mark: string}
   | {readonly op: "attention"; readonly message: string | null}
-  | {readonly op: "handout"; readonly id: string; readonly name: string; readonly text: string}
+  | ({readonly op: "handout"} & Handout)
   | {readonly op: "lowered"}
   | {readonly op: "tasks"; readonly tasks: readonly OwnTask[]}
   | {readonly op: "not-handed-in"; readonly task: number; readonly reason: "late" | "full"}
@@ -205,7 +216,13 @@ const classMessage: Decoder<ClassMessage> = (value, path) => {
       case "attention":
         return {op, message: get("message", optional(string, null))}
       case "handout":
-        return {op, id: get("id", string), name: get("name", string), text: get("text", string)}
+        return {
+          op,
+          id: get("id", string),
+          what: get("what", oneOf(...sharedKinds)),
+          name: get("name", string),
+          text: get("text", string),
+        }
       case "lowered":
         return {op}
       case "tasks":

@@ -1,13 +1,7 @@
 /// State of class mode on a pupil's page: what the card, the class bar and the eyes-up message show. Pure.
 
 import {hashOf} from "@rosy/codegen"
-import type {ClassMessage, OwnTask, Refusal} from "./class_messages.ts"
-
-export interface Handout {
-  readonly id: string
-  readonly name: string
-  readonly text: string
-}
+import type {ClassMessage, Handout, OwnTask, Refusal} from "./class_messages.ts"
 
 export interface ClassState {
   readonly link: "connecting" | "open" | "lost"
@@ -20,7 +14,7 @@ export interface ClassState {
   readonly saved: "saved" | "saving" | "failed"
   readonly hand: boolean
   readonly attention: string | null
-  /// A program from the teacher that was not opened yet.
+  /// A program, a room or a lesson from the teacher that was not opened yet.
   readonly handout: Handout | null
   /// The open task, and those for which the pupil handed in, oldest first.
   readonly tasks: readonly OwnTask[]

@@ -6,8 +6,10 @@ import {render} from "preact"
 import type {BrowserStorage} from "../browser/browser_storage.ts"
 import type {ProgramStore} from "../browser/program_store.ts"
 import {freshName, freshPlace} from "../controller/autosave.ts"
+import {lessonCommands} from "../controller/lessons.ts"
 import type {ProgramLoader} from "../controller/program_loader.ts"
 import {isDone} from "../lessons/lesson_state.ts"
+import {parseJson} from "../state/decode.ts"
 import type {PageState} from "../state/page_state.ts"
 import {isActive} from "../state/run_state.ts"
 import type {Store} from "../state/store.ts"
@@ -16,6 +18,7 @@ import "../styles/class.css"
 import {ClassBar, type ClassDesk, ClassDialogs} from "./class_bar.tsx"
 import {
   type ClassMessage,
+  type Handout,
   type OwnTask,
   type PageStatus,
   type PupilMessage,
@@ -152,7 +155,7 @@ export function openClassroom({store, loader, shelf, storage, code}: PageOfClass
       const {handout} = state.value
       if (handout === null) return
       storage.shared.setItem(handoutKey, `${receivedHandouts().slice(-20).join(" ")} ${handout.id}`)
-      loader.openText(handout.name, handout.text)
+      openHandout(store, loader, handout)
       dispatch({kind: "handout-closed"})
     },
     closeHandout() {
@@ -190,6 +193,17 @@ export function openClassroom({store, loader, shelf, storage, code}: PageOfClass
   const dialogs = document.createElement("div")
   document.body.append(dialogs)
   render(<ClassDialogs desk={desk} />, dialogs)
+}
+
+/// Shows what the teacher sent. A room replaces the one around the open program.
+function openHandout(store: Store, loader: ProgramLoader, {what, name, text}: Handout): void {
+  if (what === "program") loader.openText(name, text)
+  else if (what === "lesson") lessonCommands(store, loader).openLesson(text)
+  else {
+    const world = parseJson(text)
+    if (typeof world === "string") store.dispatch({kind: "world-chosen", world})
+    else store.dispatch({kind: "world-file-read", name, text})
+  }
 }
 
 /// Calls `touched` at each change of the program and `save` some time after it, and at every run.

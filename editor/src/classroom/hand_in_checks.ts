@@ -56,9 +56,11 @@ export function checkRequest(
   const properties = wordsOf(choices)
   const test = {op: "check-all", task, rooms, seed, seconds: runSeconds, properties} as const
   if (typeof where === "string") return {...test, family: where}
-  const {world} = projectOf(read(where.program) ?? "")
-  return {...test, family: "room", world: world ?? defaultRoom}
+  return {...test, family: "room", world: roomOf(read(where.program) ?? "")}
 }
+
+/// The room of a project file: a world as JSON, or the name of one of the gallery.
+export const roomOf = (project: string): unknown => projectOf(project).world ?? defaultRoom
 
 /// Room of a project that names none (`gallery.py`).
 const defaultRoom = "room"

@@ -11,9 +11,11 @@ from dataclasses import replace
 
 import msgspec
 
-from . import messages as m
+from . import board_messages as b
+from . import pupil_messages as p
 from .check_messages import CheckResult
 from .class_store import ClassStore
+from .message_fields import Refused
 from .program_fingerprint import fingerprint, source_of
 from .store_thread import StoreThread
 from .task_store import HandIn, HandInKept, Task
@@ -43,7 +45,7 @@ class ClassTasks:
 
     # Pupils
 
-    def of_pupil(self, pupil: int) -> m.OwnTasks | None:
+    def of_pupil(self, pupil: int) -> p.OwnTasks | None:
         """What a pupil sees; ``None`` if there is nothing to see."""
         now = self.today()
         shown = [
@@ -51,15 +53,15 @@ class ClassTasks:
             for task in self._tasks.values()
             if task.is_open(now) or (task.id, pupil) in self._hand_ins
         ]
-        return m.OwnTasks(shown) if shown or self._tasks else None
+        return p.OwnTasks(shown) if shown or self._tasks else None
 
     @staticmethod
-    def _own(task: Task, found: HandIn | None, now: float) -> m.OwnTask:
+    def _own(task: Task, found: HandIn | None, now: float) -> p.OwnTask:
         left = None if task.deadline is None else max(0.0, task.deadline - now)
-        handed_in = None if found is None else m.OwnHandIn(found.at, found.name, found.comment)
-        return m.OwnTask(task.id, task.title, task.is_open(now), task.deadline, left, handed_in)
+        handed_in = None if found is None else p.OwnHandIn(found.at, found.name, found.comment)
+        return p.OwnTask(task.id, task.title, task.is_open(now), task.deadline, left, handed_in)
 
-    async def hand_in(self, pupil: int, request: m.HandIn) -> bool:
+    async def hand_in(self, pupil: int, request: p.HandIn) -> bool:
         """
         Store a hand-in; returns whether the task was open.
 
@@ -86,19 +88,19 @@ class ClassTasks:
 
     # The board
 
-    def shown(self) -> m.BoardTasks:
+    def shown(self) -> b.BoardTasks:
         """The newest tasks as the board shows them now."""
         now = self.today()
         tasks = {
-            task.id: m.BoardTask(task.id, task.title, task.opened, task.deadline, task.is_open(now), [])
+            task.id: b.BoardTask(task.id, task.title, task.opened, task.deadline, task.is_open(now), [])
             for task in list(self._tasks.values())[-_SHOWN_ON_BOARD:]
         }
         alike_in = {task: self.alike(task) for task in tasks}
         for one in self._hand_ins.values():
             if one.task in tasks:
                 alike = [pupil for pupil in alike_in[one.task].get(one.fingerprint, []) if pupil != one.pupil]
-                tasks[one.task].handed_in.append(m.HandedIn(one.pupil, one.at, one.name, one.comment, alike))
-        return m.BoardTasks(list(tasks.values()))
+                tasks[one.task].handed_in.append(b.HandedIn(one.pupil, one.at, one.name, one.comment, alike))
+        return b.BoardTasks(list(tasks.values()))
 
     def alike(self, task: int) -> dict[str, list[int]]:
         """The pupils who handed in for a task, by the fingerprints of their programs."""
@@ -108,17 +110,17 @@ class ClassTasks:
                 found.setdefault(one.fingerprint, []).append(one.pupil)
         return found
 
-    async def open(self, request: m.OpenTask) -> m.Refused | None:
+    async def open(self, request: b.OpenTask) -> Refused | None:
         """Begin a task and end the one before; what is returned says why not."""
         now = self.today()
         title = request.title.strip()
         if not title:
-            return m.Refused("request")
+            return Refused("request")
         if request.deadline is not None and request.deadline <= now:
-            return m.Refused("deadline")
+            return Refused("deadline")
         opened = await self._thread.call(lambda store: store.tasks.open(title, request.deadline, now))
         if opened is None:
-            return m.Refused("tasks")
+            return Refused("tasks")
         self._tasks = {task.id: _closed(task, now) for task in self._tasks.values()} | {opened.id: opened}
         return None
 
@@ -130,7 +132,7 @@ class ClassTasks:
         await self._thread.call(lambda store: store.tasks.close(task, now))
         self._tasks[task] = _closed(self._tasks[task], now)
 
-    async def comment(self, request: m.Comment) -> bool:
+    async def comment(self, request: b.Comment) -> bool:
         """Set the comment on a hand-in; returns whether there is one."""
         key = request.task, request.pupil
         if key not in self._hand_ins:

@@ -20,11 +20,13 @@ import msgspec
 from ..attempts import Attempts, Rate
 from ..sentence import tr
 from ..wording import in_terminal
-from . import messages as m
+from . import board_messages as b
+from . import pupil_messages as p
 from .check_messages import CheckResult, OpenRun, RunShown
 from .class_store import ClassStore, Conflict, NicknameTaken, Pupil, Saved, StoreFull
 from .class_tasks import ClassTasks
 from .hand_in_export import hand_ins_zip
+from .message_fields import Refused
 from .nickname import BadNickname, read_nickname
 from .pupil_state import PupilState
 from .store_thread import StoreThread
@@ -46,7 +48,7 @@ class PupilPage:
     """The connection of a pupil's page. ``put`` sends an answer and never blocks."""
 
     address: str
-    put: Callable[[m.PupilAnswer], None]
+    put: Callable[[p.PupilAnswer], None]
     # Set by `join`, `resume` or `enter`.
     pupil: Pupil | None = None
     token: str | None = field(default=None, repr=False)
@@ -84,7 +86,9 @@ class Classroom:
         self._store = StoreThread(store)
         self.tasks = ClassTasks(store, self._store, time.time)
         self.pages: set[PupilPage] = set()
-        self._handouts: list[m.Handout] = []
+        # The newest one for each pupil, and the newest one for those without one of their own.
+        self._handouts: dict[int, p.Handout] = {}
+        self._handout: p.Handout | None = None
         self._members: dict[int, _Member] = {}
         for pupil in store.pupils():
             latest = next(iter(store.programs(pupil.id)), None)
@@ -105,7 +109,7 @@ class Classroom:
         if page.pupil is not None:
             self._members[page.pupil.id].state.disconnect(id(page), self.now())
 
-    async def serve(self, page: PupilPage, request: m.PupilRequest) -> None:
+    async def serve(self, page: PupilPage, request: p.PupilRequest) -> None:
         """Serve a request of a pupil's page."""
         try:
             if page.pupil is None:
@@ -114,50 +118,50 @@ class Classroom:
                 await self._serve_member(page, self._members[page.pupil.id], request)
         except sqlite3.Error as error:
             _log.error("%s", in_terminal(tr("The class cannot be stored: {why}", why=error)))
-            if isinstance(request, m.Save):
-                page.put(m.SaveFailed(request.program, request.mark))
-            elif isinstance(request, m.HandIn):
-                page.put(m.NotHandedIn(request.task, "full"))
+            if isinstance(request, p.Save):
+                page.put(p.SaveFailed(request.program, request.mark))
+            elif isinstance(request, p.HandIn):
+                page.put(p.NotHandedIn(request.task, "full"))
             else:
-                page.put(m.Refused("full"))
+                page.put(Refused("full"))
 
-    async def _admit(self, page: PupilPage, request: m.PupilRequest) -> None:
-        if not isinstance(request, m.Join | m.Resume | m.Enter):
-            page.put(m.Refused("token"))
+    async def _admit(self, page: PupilPage, request: p.PupilRequest) -> None:
+        if not isinstance(request, p.Join | p.Resume | p.Enter):
+            page.put(Refused("token"))
             return
         if not self.attempts.begin([page.address], self.now()):
-            page.put(m.Refused("attempts"))
+            page.put(Refused("attempts"))
             return
         admitted = await self._find(page, request)
-        if isinstance(admitted, m.Refused):
+        if isinstance(admitted, Refused):
             if admitted.reason not in ("code", "words", "token"):
                 self.attempts.succeeded([page.address], self.now())
             page.put(admitted)
             return
         self.attempts.succeeded([page.address], self.now())
-        await self._enter(page, admitted, None if isinstance(request, m.Enter) else page.token)
+        await self._enter(page, admitted, None if isinstance(request, p.Enter) else page.token)
 
-    async def _find(self, page: PupilPage, request: m.Join | m.Resume | m.Enter) -> Pupil | m.Refused:
-        if isinstance(request, m.Enter):
+    async def _find(self, page: PupilPage, request: p.Join | p.Resume | p.Enter) -> Pupil | Refused:
+        if isinstance(request, p.Enter):
             page.token = request.token
             found = await self._store.call(ClassStore.pupil_of, request.token)
-            return found or m.Refused("token")
+            return found or Refused("token")
         if not self._is_code(request.code):
-            return m.Refused("code")
+            return Refused("code")
         page.token = secrets.token_urlsafe(24)
-        if isinstance(request, m.Resume):
+        if isinstance(request, p.Resume):
             resumed = await self._store.call(ClassStore.resume, read_words(request.words), page.token, time.time())
-            return resumed or m.Refused("words")
+            return resumed or Refused("words")
         nickname = read_nickname(request.nickname)
         if isinstance(nickname, BadNickname):
-            return m.Refused(nickname.fault)
+            return Refused(nickname.fault)
         language = request.language
         joined = await self._store.call(
             ClassStore.join, nickname, lambda: draw_words(language), page.token, time.time()
         )
         if isinstance(joined, NicknameTaken):
-            return m.Refused("taken")
-        return m.Refused("full") if isinstance(joined, StoreFull) else joined
+            return Refused("taken")
+        return Refused("full") if isinstance(joined, StoreFull) else joined
 
     def _is_code(self, typed: str) -> bool:
         """Capitals, spaces and dashes do not matter."""
@@ -179,39 +183,39 @@ class Classroom:
         page.pupil = pupil
         self.pages.add(page)
         member.state.connect(id(page), self.now())
-        names = [m.ProgramName(v.program, v.name, v.number, v.at) for v in programs]
-        page.put(m.Entered(pupil.id, pupil.nickname, pupil.words, token, member.state.hand, names))
+        names = [p.ProgramName(v.program, v.name, v.number, v.at) for v in programs]
+        page.put(p.Entered(pupil.id, pupil.nickname, pupil.words, token, member.state.hand, names))
         self._show_tasks(page)
         if self.attention is not None:
-            page.put(m.Attention(self.attention))
-        for handout in self._handouts:
+            page.put(p.Attention(self.attention))
+        if (handout := self._handouts.get(pupil.id, self._handout)) is not None:
             page.put(handout)
 
-    async def _serve_member(self, page: PupilPage, member: _Member, request: m.PupilRequest) -> None:
+    async def _serve_member(self, page: PupilPage, member: _Member, request: p.PupilRequest) -> None:
         match request:
-            case m.Here():
+            case p.Here():
                 page.session = request.session
-            case m.Status():
+            case p.Status():
                 member.state.report(request, self.now())
-            case m.Hand():
+            case p.Hand():
                 member.state.hand = request.up
-            case m.Save():
+            case p.Save():
                 await self._save(page, member, request)
-            case m.HandIn():
+            case p.HandIn():
                 await self._hand_in(page, member, request)
-            case m.Read():
+            case p.Read():
                 latest = await self._store.call(ClassStore.latest, member.pupil.id, request.program)
                 if latest is not None:
-                    page.put(m.Stored(latest.program, latest.number, latest.name, latest.text))
-            case m.Forget():
+                    page.put(p.Stored(latest.program, latest.number, latest.name, latest.text))
+            case p.Forget():
                 if page.token is not None:
                     await self._store.call(ClassStore.forget_device, page.token)
                 self.leave(page)
                 page.pupil = page.token = None
-            case m.Join() | m.Resume() | m.Enter():
-                page.put(m.Refused("request"))
+            case p.Join() | p.Resume() | p.Enter():
+                page.put(Refused("request"))
 
-    async def _save(self, page: PupilPage, member: _Member, request: m.Save) -> None:
+    async def _save(self, page: PupilPage, member: _Member, request: p.Save) -> None:
         saved = await self._store.call(
             ClassStore.save,
             member.pupil.id,
@@ -227,15 +231,15 @@ class Classroom:
         match saved:
             case Saved():
                 member.program, member.changed = request.name, time.time()
-                page.put(m.Saved(request.program, request.mark, saved.number))
+                page.put(p.Saved(request.program, request.mark, saved.number))
             case Conflict(latest):
-                page.put(m.Conflicting(latest.program, request.mark, latest.number, latest.name, latest.text))
+                page.put(p.Conflicting(latest.program, request.mark, latest.number, latest.name, latest.text))
             case StoreFull():
-                page.put(m.SaveFailed(request.program, request.mark))
+                page.put(p.SaveFailed(request.program, request.mark))
 
-    async def _hand_in(self, page: PupilPage, member: _Member, request: m.HandIn) -> None:
+    async def _hand_in(self, page: PupilPage, member: _Member, request: p.HandIn) -> None:
         if not await self.tasks.hand_in(member.pupil.id, request):
-            page.put(m.NotHandedIn(request.task, "late"))
+            page.put(p.NotHandedIn(request.task, "late"))
             self._show_tasks(page)
             return
         self._show_all_tasks(member.pupil.id)
@@ -246,7 +250,7 @@ class Classroom:
 
     # The board
 
-    async def open_task(self, request: m.OpenTask) -> m.Refused | None:
+    async def open_task(self, request: b.OpenTask) -> Refused | None:
         """Begin a task on all pages; what is returned says why not."""
         refused = await self.tasks.open(request)
         if refused is None:
@@ -258,7 +262,7 @@ class Classroom:
         await self.tasks.close(task)
         self._show_all_tasks()
 
-    async def comment(self, request: m.Comment) -> None:
+    async def comment(self, request: b.Comment) -> None:
         """Show a comment on a hand-in to its pupil."""
         if await self.tasks.comment(request):
             self._show_all_tasks(request.pupil)
@@ -276,12 +280,12 @@ class Classroom:
         nicknames = {member.pupil.id: member.pupil.nickname for member in self._members.values()}
         return await asyncio.to_thread(hand_ins_zip, nicknames, kept, self.tasks.alike(task))
 
-    async def hand_in_shown(self, request: m.OpenHandIn) -> m.ProgramShown:
+    async def hand_in_shown(self, request: b.OpenHandIn) -> b.ProgramShown:
         """A pupil's hand-in for a task."""
         for kept in await self.tasks.kept(request.task):
             if kept.pupil == request.pupil:
-                return m.ProgramShown(request.pupil, kept.name, kept.text)
-        return m.ProgramShown(request.pupil, "", None)
+                return b.ProgramShown(request.pupil, kept.name, kept.text)
+        return b.ProgramShown(request.pupil, "", None)
 
     async def run_shown(self, request: OpenRun) -> RunShown:
         """A hand-in with the room in which it did worst."""
@@ -292,12 +296,12 @@ class Classroom:
                     return RunShown(kept.pupil, kept.name, kept.text, worst.world, worst.seed)
         return RunShown(request.pupil, "", None)
 
-    def pupils_shown(self) -> m.PupilsShown:
+    def pupils_shown(self) -> b.PupilsShown:
         """All pupils as the board shows them now."""
         now, date = self.now(), time.time()
-        return m.PupilsShown(
+        return b.PupilsShown(
             [
-                m.PupilShown(
+                b.PupilShown(
                     member.pupil.id,
                     member.pupil.nickname,
                     member.pupil.words,
@@ -316,7 +320,7 @@ class Classroom:
         """Pause all pages with a message, or let them go on."""
         self.attention = message
         for page in self.pages:
-            page.put(m.Attention(message))
+            page.put(p.Attention(message))
 
     def lower_hand(self, pupil: int) -> None:
         """The raised hand of a pupil was seen."""
@@ -325,17 +329,25 @@ class Classroom:
         self._members[pupil].state.hand = False
         for page in self.pages:
             if page.pupil is not None and page.pupil.id == pupil:
-                page.put(m.Lowered())
+                page.put(p.Lowered())
 
-    def send_program(self, name: str, text: str) -> int:
-        """Send a program to all pages, and to those that connect later; returns the number of pages."""
-        handout = m.Handout(secrets.token_urlsafe(9), name, text)
-        self._handouts = [*self._handouts, handout][-1:]
-        for page in self.pages:
+    def send(self, request: b.Send) -> b.Sent | Refused:
+        """Send something to the pages of all pupils or of some, and to those of them that connect later."""
+        to = set(self._members if request.pupils is None else request.pupils)
+        if not to <= self._members.keys():
+            return Refused("request")
+        handout = p.Handout(secrets.token_urlsafe(9), request.what, request.name, request.text)
+        if request.pupils is None:
+            self._handout = handout
+            self._handouts.clear()
+        else:
+            self._handouts |= dict.fromkeys(to, handout)
+        reached = [page for page in self.pages if page.pupil is not None and page.pupil.id in to]
+        for page in reached:
             page.put(handout)
-        return len(self.pages)
+        return b.Sent(len(reached), len(to - {page.pupil.id for page in reached if page.pupil is not None}))
 
-    async def program_shown(self, request: m.OpenProgram) -> m.ProgramShown:
+    async def program_shown(self, request: b.OpenProgram) -> b.ProgramShown:
         """The newest version of a pupil's program."""
         if request.program is None:
             programs = await self._store.call(ClassStore.programs, request.pupil)
@@ -343,5 +355,5 @@ class Classroom:
         else:
             latest = await self._store.call(ClassStore.latest, request.pupil, request.program)
         if latest is None:
-            return m.ProgramShown(request.pupil, "", None)
-        return m.ProgramShown(request.pupil, latest.name, latest.text)
+            return b.ProgramShown(request.pupil, "", None)
+        return b.ProgramShown(request.pupil, latest.name, latest.text)

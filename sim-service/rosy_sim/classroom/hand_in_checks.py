@@ -27,9 +27,9 @@ from ..sentence import tr
 from ..wording import in_terminal
 from ..world.properties import BadProperty, read_properties
 from ..worlds.gallery import DEFAULT_WORLD, named_world
-from . import messages as m
 from .check_messages import CheckAll, Checking, CheckResult, Fault
 from .class_tasks import ClassTasks
+from .message_fields import Refused
 from .program_fingerprint import source_of
 from .task_store import HandInKept
 
@@ -61,10 +61,10 @@ class HandInChecks:
         self._check: asyncio.Task[None] | None = None
         self.progress = Checking()
 
-    def start(self, request: CheckAll, refuse: Callable[[m.Refused], None]) -> None:
+    def start(self, request: CheckAll, refuse: Callable[[Refused], None]) -> None:
         """Begin a check. ``refuse`` is called when it cannot begin, or when a result cannot be stored."""
         if self._check is not None or self._tasks.task(request.task) is None:
-            refuse(m.Refused("request"))
+            refuse(Refused("request"))
             return
         self.progress = Checking(self.progress.number + 1, request.task)
         self._check = asyncio.get_running_loop().create_task(self._run(request, refuse))
@@ -82,7 +82,7 @@ class HandInChecks:
         self.progress = Checking(self.progress.number)
         self._check = None
 
-    async def _run(self, request: CheckAll, refuse: Callable[[m.Refused], None]) -> None:
+    async def _run(self, request: CheckAll, refuse: Callable[[Refused], None]) -> None:
         try:
             read_properties(request.properties)
             if request.family != "own":
@@ -91,10 +91,10 @@ class HandInChecks:
             self.progress = msgspec.structs.replace(self.progress, of=len(kept))
             await self._check_all(request, kept)
         except (BadInput, BadProperty):
-            refuse(m.Refused("rooms"))
+            refuse(Refused("rooms"))
         except sqlite3.Error as error:
             _log.error("%s", in_terminal(tr("Results cannot be stored: {why}", why=error)))
-            refuse(m.Refused("disk"))
+            refuse(Refused("disk"))
         finally:
             self._end()
 

@@ -15,10 +15,12 @@ from collections.abc import Awaitable, Callable, Mapping
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from ..classroom import messages as m
+from ..classroom import board_messages as b
+from ..classroom import pupil_messages as p
 from ..classroom.check_messages import CancelCheck, CheckAll, Checking, OpenRun, ResultShown, ShowResults
 from ..classroom.classroom import Classroom, PupilPage
 from ..classroom.hand_in_checks import HandInChecks
+from ..classroom.message_fields import BadRequest, Refused, encode
 from ..sentence import tr
 from ..token_bucket import TokenBucket
 from ..wording import in_terminal
@@ -53,7 +55,7 @@ _PLACES_PERIOD = 0.1
 _LOOKS_PER_LIST = 10
 """Looks at the robots for each look at the list of pupils: the list is compared once a second."""
 
-Answer = m.PupilAnswer | m.BoardAnswer
+Answer = p.PupilAnswer | b.BoardAnswer
 
 
 class _Connection:
@@ -77,7 +79,7 @@ class _Connection:
 
     def put(self, answer: Answer) -> None:
         try:
-            self._queue.put_nowait(m.encode(answer))
+            self._queue.put_nowait(encode(answer))
         except asyncio.QueueFull:
             self.overflowed.set()
 
@@ -92,8 +94,8 @@ class _Connection:
             text = message.get("text") or message.get("bytes") or ""
             try:
                 await serve(text)
-            except m.BadRequest:
-                self.put(m.Refused("request"))
+            except BadRequest:
+                self.put(Refused("request"))
             if wait := limit.overdraw(1 + len(text) / _CHARACTERS_PER_MESSAGE, now()):
                 await asyncio.sleep(wait)
 
@@ -139,7 +141,7 @@ class ClassSockets:
         page = PupilPage(connection.address, connection.put)
 
         async def serve(text: str | bytes) -> None:
-            await self._classroom.serve(page, m.read_pupil_request(text))
+            await self._classroom.serve(page, p.read_pupil_request(text))
 
         try:
             await self._first_completed(connection.receive(serve), connection.send(), connection.overflowed.wait())
@@ -157,11 +159,11 @@ class ClassSockets:
         unlocked = asyncio.Event()
 
         async def serve(text: str | bytes) -> None:
-            request = m.read_board_request(text)
+            request = b.read_board_request(text)
             if unlocked.is_set():
                 await self._try_to_serve(connection, request)
-            elif not isinstance(request, m.Unlock):
-                connection.put(m.Refused("key"))
+            elif not isinstance(request, b.Unlock):
+                connection.put(Refused("key"))
             elif self._try_key(connection, request.key):
                 unlocked.set()
 
@@ -180,36 +182,36 @@ class ClassSockets:
         classroom = self._classroom
         admitted = classroom.admits_teacher(key, connection.address)
         if not admitted:
-            connection.put(m.Refused("attempts" if admitted is None else "key"))
+            connection.put(Refused("attempts" if admitted is None else "key"))
             return False
-        connection.put(m.BoardShown(classroom.admission.code, classroom.addresses(), classroom.attention))
+        connection.put(b.BoardShown(classroom.admission.code, classroom.addresses(), classroom.attention))
         return True
 
-    async def _try_to_serve(self, connection: _Connection, request: m.BoardRequest) -> None:
+    async def _try_to_serve(self, connection: _Connection, request: b.BoardRequest) -> None:
         try:
             await self._serve_teacher(connection, request)
         except sqlite3.Error as error:
             _log.error("%s", in_terminal(tr("The class cannot be read or stored: {why}", why=error)))
-            connection.put(m.Refused("disk"))
+            connection.put(Refused("disk"))
 
-    async def _serve_teacher(self, connection: _Connection, request: m.BoardRequest) -> None:
+    async def _serve_teacher(self, connection: _Connection, request: b.BoardRequest) -> None:
         match request:
-            case m.OpenProgram():
+            case b.OpenProgram():
                 connection.put(await self._classroom.program_shown(request))
-            case m.SetAttention():
+            case b.SetAttention():
                 self._classroom.set_attention(request.message)
-            case m.LowerHand():
+            case b.LowerHand():
                 self._classroom.lower_hand(request.pupil)
-            case m.SendProgram():
-                connection.put(m.Sent(self._classroom.send_program(request.name, request.text)))
-            case m.OpenTask():
+            case b.Send():
+                connection.put(self._classroom.send(request))
+            case b.OpenTask():
                 if refused := await self._classroom.open_task(request):
                     connection.put(refused)
-            case m.CloseTask():
+            case b.CloseTask():
                 await self._classroom.close_task(request.task)
-            case m.OpenHandIn():
+            case b.OpenHandIn():
                 connection.put(await self._classroom.hand_in_shown(request))
-            case m.Comment():
+            case b.Comment():
                 await self._classroom.comment(request)
             case CheckAll():
                 self._checks.start(request, connection.put)
@@ -219,15 +221,15 @@ class ClassSockets:
                 connection.results_of = request.task
             case OpenRun():
                 connection.put(await self._classroom.run_shown(request))
-            case m.Unlock():
-                connection.put(m.Refused("request"))
+            case b.Unlock():
+                connection.put(Refused("request"))
 
     async def _watch(self, connection: _Connection) -> None:
         """Tell the board what changes. A board that reads slowly misses positions, nothing else."""
         rooms: dict[int, object] = {}
-        places: dict[int, m.Place] = {}
-        shown: m.PupilsShown | None = None
-        tasks: m.BoardTasks | None = None
+        places: dict[int, b.Place] = {}
+        shown: b.PupilsShown | None = None
+        tasks: b.BoardTasks | None = None
         checking = Checking()
         results: dict[tuple[int, int], bytes] = {}
         looks = 0
@@ -250,7 +252,7 @@ class ClassSockets:
                 for room in self._new_rooms(rooms):
                     connection.put(room)
                 if moved := self._new_places(places):
-                    connection.put(m.PlacesShown(moved))
+                    connection.put(b.PlacesShown(moved))
             await asyncio.sleep(_PLACES_PERIOD)
 
     def _new_results(self, task: int | None, known: dict[tuple[int, int], bytes]) -> list[ResultShown]:
@@ -264,21 +266,21 @@ class ClassSockets:
                 new.append(ResultShown(task, pupil, msgspec.Raw(result or b"null")))
         return new
 
-    def _new_rooms(self, known: dict[int, object]) -> list[m.RoomShown]:
+    def _new_rooms(self, known: dict[int, object]) -> list[b.RoomShown]:
         """The rooms that are not those in ``known``, where they are entered."""
-        new: list[m.RoomShown] = []
+        new: list[b.RoomShown] = []
         for pupil, session in self._shown_sessions():
             if known.get(pupil) is not session.room_json:
                 known[pupil] = session.room_json
-                new.append(m.RoomShown(pupil, session.room_json))
+                new.append(b.RoomShown(pupil, session.room_json))
         return new
 
-    def _new_places(self, known: dict[int, m.Place]) -> list[m.Place]:
+    def _new_places(self, known: dict[int, b.Place]) -> list[b.Place]:
         """The positions that are not those in ``known``, where they are entered."""
-        new: list[m.Place] = []
+        new: list[b.Place] = []
         for pupil, session in self._shown_sessions():
             world = session.world
-            place = m.Place(pupil, round(world.x, 3), round(world.y, 3), round(world.theta, 3))
+            place = b.Place(pupil, round(world.x, 3), round(world.y, 3), round(world.theta, 3))
             if known.get(pupil) != place:
                 known[pupil] = place
                 new.append(place)

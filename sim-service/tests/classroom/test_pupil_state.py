@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rosy_sim.classroom.messages import Status
+from rosy_sim.classroom.pupil_messages import Status
 from rosy_sim.classroom.pupil_state import ERROR_NEEDS_HELP, IDLE_NEEDS_HELP, PupilState
 
 

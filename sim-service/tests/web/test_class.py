@@ -280,8 +280,10 @@ def test_eyes_up_and_a_sent_program_reach_every_page_also_a_late_one(config: Con
         await board.send("attention", message="Eyes up!")
         assert (await ada.op("attention"))["message"] == "Eyes up!"
         await board.send("send", name="start", text="{}")
-        assert (await board.op("sent"))["pages"] == 1
-        assert (await ada.op("handout"))["name"] == "start"
+        sent = await board.op("sent")
+        assert (sent["pages"], sent["later"]) == (1, 0)
+        handout = await ada.op("handout")
+        assert (handout["what"], handout["name"]) == ("program", "start")
         ben, _ = await opened.pupil("Ben")
         assert (await ben.op("attention"))["message"] == "Eyes up!"
         assert (await ben.op("handout"))["name"] == "start"
@@ -289,6 +291,38 @@ def test_eyes_up_and_a_sent_program_reach_every_page_also_a_late_one(config: Con
         assert (await ben.op("attention"))["message"] is None
 
     in_class(config, lesson)
+
+
+def test_a_room_or_a_lesson_reaches_the_chosen_pupils_only_also_later(config: Config) -> None:
+    async def run() -> None:
+        async with teaching(config) as opened:
+            _, third = await opened.pupil("Cleo")
+        async with teaching(config) as opened:
+            board = await opened.board()
+            ada, first = await opened.pupil("Ada")
+            ben, _ = await opened.pupil("Ben")
+            await board.send("send", what="program", name="for all", text="{}")
+            assert (await board.op("sent"))["later"] == 1
+            some = [first["pupil"], third["pupil"]]
+            await board.send("send", what="lesson", name="Bump!", text="bump", pupils=some)
+            sent = await board.op("sent")
+            assert (sent["pages"], sent["later"]) == (1, 1)
+            assert (await ada.op("handout"))["name"] == "for all"
+            handout = await ada.op("handout")
+            assert (handout["what"], handout["name"], handout["text"]) == ("lesson", "Bump!", "bump")
+            cleo = await opened.open()
+            await cleo.send("enter", token=third["token"])
+            assert (await cleo.op("handout"))["what"] == "lesson"
+            for pupils in ([], [99]):
+                await board.send("send", what="room", name="x", text="{}", pupils=pupils)
+                assert (await board.op("refused"))["reason"] == "request"
+            # The next one for all replaces it.
+            await board.send("send", what="room", name="maze", text='"maze"')
+            assert (await cleo.op("handout"))["what"] == "room"
+            assert (await ben.op("handout"))["name"] == "for all"
+            assert (await ben.op("handout"))["what"] == "room"
+
+    asyncio.run(run())
 
 
 def test_the_board_shows_the_room_of_a_pupils_page(config: Config) -> None:

@@ -46,7 +46,11 @@ export const classroom: Words["classroom"] = {
   raiseHand: "Hand heben",
   lowerHand: "Hand senken",
   eyesUp: "Bitte nach vorne schauen",
-  handout: name => `Deine Lehrkraft hat „${name}“ geschickt.`,
+  handouts: {
+    program: name => `Deine Lehrkraft hat „${name}“ geschickt.`,
+    room: name => `Deine Lehrkraft hat den Raum von „${name}“ geschickt.`,
+    lesson: name => `Deine Lehrkraft hat die Lektion „${name}“ geschickt.`,
+  },
   openHandout: "Öffnen",
   later: "Nicht jetzt",
   task: {
@@ -80,9 +84,23 @@ export const classroom: Words["classroom"] = {
     message: "Nachricht an alle",
     goOn: "Weitermachen lassen",
     areLooking: "Alle Seiten sind angehalten.",
-    send: "Ein Programm an alle schicken",
+    sendWhat: "Schicken",
+    sendKinds: {program: "Ein Programm", room: "Den Raum eines Programms", lesson: "Eine Lektion"},
+    sendWhich: "Was genau",
+    sendAll: "An alle schicken",
+    sendSome: n => (n === 1 ? "An eine Person schicken" : `An ${n} Personen schicken`),
+    sendHint: "An alle. Nur an einige: Wähle sie unten auf ihren Karten aus.",
+    sendGone: "Dieses Programm ist nicht mehr im Browser. Wähle ein anderes.",
+    sentLater: pupils =>
+      pupils === 1
+        ? "Eine Person ist nicht verbunden und bekommt es später."
+        : `${pupils} Personen sind nicht verbunden und bekommen es später.`,
+    select: "Auswählen",
+    selectOf: nickname => `${nickname} auswählen`,
+    selectNone: "Niemanden auswählen",
+    roomOf: name => `Der Raum von „${name}“`,
     sendNone: "In diesem Browser ist noch kein Programm von dir. Mach eines auf der Seite von Rosy.",
-    sent: pages => `An ${pages} Seiten geschickt.`,
+    sent: pages => (pages === 1 ? "An 1 Seite geschickt." : `An ${pages} Seiten geschickt.`),
     rosy: "Rosy öffnen",
     needs: {
       hand: "Gehobene Hand",

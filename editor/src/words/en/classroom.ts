@@ -42,7 +42,11 @@ export const classroom = {
   raiseHand: "Raise hand",
   lowerHand: "Lower hand",
   eyesUp: "Eyes up, please",
-  handout: (name: string) => `Your teacher sent “${name}”.`,
+  handouts: {
+    program: (name: string) => `Your teacher sent “${name}”.`,
+    room: (name: string) => `Your teacher sent the room of “${name}”.`,
+    lesson: (name: string) => `Your teacher sent the lesson “${name}”.`,
+  },
   openHandout: "Open it",
   later: "Not now",
   task: {
@@ -75,9 +79,23 @@ export const classroom = {
     message: "Message to all",
     goOn: "Let them go on",
     areLooking: "All pages are paused.",
-    send: "Send a program to all",
+    sendWhat: "Send",
+    sendKinds: {program: "A program", room: "The room of a program", lesson: "A lesson"},
+    sendWhich: "Which one",
+    sendAll: "Send to all",
+    sendSome: (n: number) => (n === 1 ? "Send to one pupil" : `Send to ${n} pupils`),
+    sendHint: "To all. For some pupils only, select them on their cards below.",
+    sendGone: "This program is not in the browser any more. Choose another one.",
+    sentLater: (pupils: number) =>
+      pupils === 1
+        ? "One pupil is not connected and gets it later."
+        : `${pupils} pupils are not connected and get it later.`,
+    select: "Select",
+    selectOf: (nickname: string) => `Select ${nickname}`,
+    selectNone: "Select none",
+    roomOf: (name: string) => `The room of “${name}”`,
     sendNone: "You have no program in this browser yet. Make one on the Rosy page.",
-    sent: (pages: number) => `Sent to ${pages} pages.`,
+    sent: (pages: number) => (pages === 1 ? "Sent to 1 page." : `Sent to ${pages} pages.`),
     rosy: "Open Rosy",
     needs: {
       hand: "Raised hand",

@@ -46,7 +46,11 @@ export const classroom: Words["classroom"] = {
   raiseHand: "Levantar la mano",
   lowerHand: "Bajar la mano",
   eyesUp: "Mirada al frente, por favor",
-  handout: name => `Tu profe ha enviado «${name}».`,
+  handouts: {
+    program: name => `Tu profe ha enviado «${name}».`,
+    room: name => `Tu profe ha enviado la sala de «${name}».`,
+    lesson: name => `Tu profe ha enviado la lección «${name}».`,
+  },
   openHandout: "Abrirlo",
   later: "Ahora no",
   task: {
@@ -79,7 +83,21 @@ export const classroom: Words["classroom"] = {
     message: "Mensaje para toda la clase",
     goOn: "Dejar que sigan",
     areLooking: "Todas las páginas están en pausa.",
-    send: "Enviar un programa a toda la clase",
+    sendWhat: "Enviar",
+    sendKinds: {program: "Un programa", room: "La sala de un programa", lesson: "Una lección"},
+    sendWhich: "Cuál",
+    sendAll: "Enviar a toda la clase",
+    sendSome: n => (n === 1 ? "Enviar a 1 persona" : `Enviar a ${n} personas`),
+    sendHint: "A toda la clase. Para enviar solo a algunas personas, selecciónalas abajo en sus tarjetas.",
+    sendGone: "Este programa ya no está en el navegador. Elige otro.",
+    sentLater: pupils =>
+      pupils === 1
+        ? "Una persona no está conectada y lo recibirá después."
+        : `${pupils} personas no están conectadas y lo recibirán después.`,
+    select: "Seleccionar",
+    selectOf: nickname => `Seleccionar a ${nickname}`,
+    selectNone: "No seleccionar a nadie",
+    roomOf: name => `La sala de «${name}»`,
     sendNone: "Todavía no tienes ningún programa en este navegador. Crea uno en la página de Rosy.",
     sent: pages => count(pages, {one: "Enviado a 1 página.", other: n => `Enviado a ${n} páginas.`}),
     rosy: "Abrir Rosy",

@@ -49,7 +49,11 @@ export const classroom: Words["classroom"] = {
   raiseHand: "Lever la main",
   lowerHand: "Baisser la main",
   eyesUp: "Regarde devant, s'il te plaît",
-  handout: name => `Ton prof a envoyé « ${name} ».`,
+  handouts: {
+    program: name => `Ton prof a envoyé « ${name} ».`,
+    room: name => `Ton prof a envoyé la salle de « ${name} ».`,
+    lesson: name => `Ton prof a envoyé la leçon « ${name} ».`,
+  },
   openHandout: "Ouvrir",
   later: "Pas maintenant",
   task: {
@@ -83,7 +87,21 @@ export const classroom: Words["classroom"] = {
     message: "Message à tous",
     goOn: "Laisser continuer",
     areLooking: "Toutes les pages sont en pause.",
-    send: "Envoyer un programme à tous",
+    sendWhat: "Envoyer",
+    sendKinds: {program: "Un programme", room: "La salle d'un programme", lesson: "Une leçon"},
+    sendWhich: "Lequel ou laquelle",
+    sendAll: "Envoyer à tous",
+    sendSome: n => (n === 1 ? "Envoyer à une personne" : `Envoyer à ${n} personnes`),
+    sendHint: "À tous. Pour n'envoyer qu'à quelques élèves, sélectionnez-les plus bas sur leurs cartes.",
+    sendGone: "Ce programme n'est plus dans le navigateur. Choisissez-en un autre.",
+    sentLater: pupils =>
+      pupils === 1
+        ? "Une personne n'est pas connectée et le recevra plus tard."
+        : `${pupils} personnes ne sont pas connectées et le recevront plus tard.`,
+    select: "Sélectionner",
+    selectOf: nickname => `Sélectionner ${nickname}`,
+    selectNone: "Ne sélectionner personne",
+    roomOf: name => `La salle de « ${name} »`,
     sendNone:
       "Il n'y a encore aucun programme dans ce navigateur. Il faut d'abord en créer un sur la page de Rosy.",
     sent: pages => `Envoyé à ${count(pages, {one: n => `${n} page`, other: n => `${n} pages`})}.`,

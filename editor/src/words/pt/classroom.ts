@@ -44,7 +44,11 @@ export const classroom: Words["classroom"] = {
   raiseHand: "Levantar a mão",
   lowerHand: "Baixar a mão",
   eyesUp: "Olhos para a frente, por favor",
-  handout: name => `Seu professor enviou “${name}”.`,
+  handouts: {
+    program: name => `Seu professor enviou “${name}”.`,
+    room: name => `Seu professor enviou a sala de “${name}”.`,
+    lesson: name => `Seu professor enviou a lição “${name}”.`,
+  },
   openHandout: "Abrir",
   later: "Agora não",
   task: {
@@ -77,7 +81,21 @@ export const classroom: Words["classroom"] = {
     message: "Mensagem para todos",
     goOn: "Deixar continuar",
     areLooking: "Todas as páginas estão em pausa.",
-    send: "Enviar um programa a todos",
+    sendWhat: "Enviar",
+    sendKinds: {program: "Um programa", room: "A sala de um programa", lesson: "Uma lição"},
+    sendWhich: "Qual",
+    sendAll: "Enviar a todos",
+    sendSome: n => (n === 1 ? "Enviar a uma pessoa" : `Enviar a ${n} pessoas`),
+    sendHint: "A todos. Para enviar só a algumas pessoas, selecione-as abaixo nos cartões.",
+    sendGone: "Este programa não está mais no navegador. Escolha outro.",
+    sentLater: pupils =>
+      pupils === 1
+        ? "Uma pessoa não está conectada e recebe depois."
+        : `${pupils} pessoas não estão conectadas e recebem depois.`,
+    select: "Selecionar",
+    selectOf: nickname => `Selecionar ${nickname}`,
+    selectNone: "Não selecionar ninguém",
+    roomOf: name => `A sala de “${name}”`,
     sendNone: "Você ainda não tem um programa neste navegador. Faça um na página do Rosy.",
     sent: pages => (pages === 1 ? "Enviado a 1 página." : `Enviado a ${pages} páginas.`),
     rosy: "Abrir Rosy",

@@ -1,0 +1,123 @@
+/// Connection of the teacher's board: its socket, the teacher's key, what messages change, and the tabs and downloads that they fill.
+
+import type {BrowserStorage} from "../browser/browser_storage.ts"
+import {downloadBlob} from "../browser/local_files.ts"
+import {fragmentOf} from "../browser/share_link.ts"
+import {words} from "../words/index.ts"
+import {type BoardMessage, type BoardRequest, type BoardTask, readBoardMessage} from "./board_messages.ts"
+import {board, change, places, rooms, withResult} from "./board_state.ts"
+import {openClassSocket} from "./class_socket.ts"
+import {projectInRoom, type RunInRoom} from "./hand_in_checks.ts"
+import {teacherKey} from "./membership.ts"
+
+export interface BoardConnection {
+  readonly send: (request: BoardRequest) => void
+  readonly unlock: (key: string) => void
+  /// Whether there was something to download.
+  readonly download: (task: BoardTask) => Promise<boolean>
+  /// Opens a pupil's program for a task in its worst room.
+  readonly openRun: (task: number, pupil: number) => void
+}
+
+/// Connects with the key of the address, or with the one that this tab had before.
+export function openBoardConnection(storage: BrowserStorage): BoardConnection {
+  const brought = new URLSearchParams(window.location.hash.slice(1)).get("key")
+  // Out of the address, so that it is not on the projector.
+  if (brought !== null) window.history.replaceState(null, "", window.location.pathname)
+  const tabs = openRunTabs()
+  let key = brought ?? storage.tab.getItem(teacherKey)
+  const socket = openClassSocket<BoardRequest, BoardMessage>("api/board", readBoardMessage, {
+    opened() {
+      change({link: "open"})
+      if (key !== null) socket.send({op: "unlock", key})
+    },
+    lost: () => change({link: "lost"}),
+    received(message) {
+      if (message.op === "board") {
+        storage.tab.setItem(teacherKey, key ?? "")
+        storage.shared.setItem(teacherKey, "yes")
+        change({class: message, attention: message.attention, refused: null, results: new Map()})
+      } else if (message.op === "refused") {
+        if (message.reason === "key" || message.reason === "attempts") {
+          storage.tab.removeItem(teacherKey)
+          change({refused: words.classroom.refused[message.reason], class: null})
+        } else if (message.reason === "deadline" || message.reason === "tasks" || message.reason === "disk")
+          change({taskRefused: words.classroom.board.refused[message.reason]})
+        else if (message.reason === "rooms") change({checkRefused: words.classroom.board.check.refused})
+      } else if (message.op === "pupils") change({pupils: message.pupils})
+      else if (message.op === "room") rooms.value = new Map([...rooms.value, [message.pupil, message.world]])
+      else if (message.op === "places")
+        places.value = new Map([
+          ...places.value,
+          ...message.places.map(place => [place.pupil, place] as const),
+        ])
+      else if (message.op === "tasks") change({tasks: message.tasks, taskRefused: null})
+      else if (message.op === "sent") change({said: sentence(message)})
+      else if (message.op === "checking") change({checking: message})
+      else if (message.op === "result") change({results: withResult(board.value.results, message)})
+      else if (message.op === "run") void tabs.fill(message)
+      else void show(message)
+    },
+  })
+  const send = (request: BoardRequest) => {
+    if (request.op === "check-all") change({checkRefused: null})
+    if (!socket.send(request)) change({link: "lost"})
+  }
+  const unlock = (typed: string) => {
+    key = typed.trim()
+    send({op: "unlock", key})
+  }
+  const download = (task: BoardTask) => downloadHandIns(task, key ?? "")
+  const openRun = (task: number, pupil: number) => {
+    tabs.open(pupil)
+    send({op: "open-run", task, pupil})
+  }
+  return {send, unlock, download, openRun}
+}
+
+/// Tabs for pupils' programs in their worst rooms. A browser lets a page open one only while a click is served, so it is empty until the program arrives.
+function openRunTabs() {
+  const waiting = new Map<number, Window | null>()
+  return {
+    open(pupil: number) {
+      waiting.get(pupil)?.close()
+      waiting.set(pupil, window.open("", "_blank"))
+    },
+    async fill({pupil, name, text, world, seed}: RunInRoom) {
+      const tab = waiting.get(pupil)
+      waiting.delete(pupil)
+      if (text === null) return tab?.close()
+      const nickname = board.value.pupils.find(one => one.id === pupil)?.nickname ?? ""
+      const project = projectInRoom(text, words.classroom.board.programOf(nickname, name), world)
+      const address = new URL(`./?seed=${seed}&run${await fragmentOf(project)}`, window.location.href)
+      tab?.location.replace(address.href)
+    },
+  }
+}
+
+/// The programs of a task and a table of them, as a ZIP file; whether there was one.
+async function downloadHandIns(task: BoardTask, key: string): Promise<boolean> {
+  try {
+    const answer = await fetch(`api/hand-ins/${task.id}`, {headers: {"X-Rosy-Key": key}})
+    if (!answer.ok) return false
+    downloadBlob(`${task.title}.zip`, await answer.blob())
+    return true
+  } catch (fault) {
+    // The service is away.
+    if (fault instanceof TypeError) return false
+    throw fault
+  }
+}
+
+/// Whom something was sent to.
+function sentence({pages, later}: BoardMessage & {readonly op: "sent"}): string {
+  const w = words.classroom.board
+  return later === 0 ? w.sent(pages) : `${w.sent(pages)} ${w.sentLater(later)}`
+}
+
+async function show(message: BoardMessage & {readonly op: "program"}): Promise<void> {
+  const pupil = board.value.pupils.find(one => one.id === message.pupil)
+  if (message.text === null || pupil === undefined) return
+  const address = `./?embed${await fragmentOf(message.text)}`
+  change({shown: {nickname: pupil.nickname, name: message.name, address}})
+}

@@ -1,0 +1,60 @@
+/// State of the teacher's board as signals, and the changes that messages make.
+
+import {type Signal, signal} from "@preact/signals"
+import type {World} from "../worlds/world.ts"
+import type {BoardMessage, BoardTask, Place, PupilOnBoard} from "./board_messages.ts"
+import type {Checking, Results} from "./hand_in_checks.ts"
+
+export interface Board {
+  readonly link: "connecting" | "open" | "lost"
+  readonly class: {readonly code: string; readonly addresses: readonly string[]} | null
+  readonly refused: string | null
+  readonly attention: string | null
+  readonly pupils: readonly PupilOnBoard[]
+  /// A pupil's program to look at: its link for an embedded page.
+  readonly shown: {readonly nickname: string; readonly name: string; readonly address: string} | null
+  readonly tasks: readonly BoardTask[]
+  /// Why the last task was not opened, or the last change not stored.
+  readonly taskRefused: string | null
+  readonly checking: Checking
+  /// By task.
+  readonly results: ReadonlyMap<number, Results>
+  readonly checkRefused: string | null
+  /// Pupils that are selected on their cards, to send something to; empty for all.
+  readonly selected: ReadonlySet<number>
+  /// What the last command did.
+  readonly said: string
+}
+
+export const board: Signal<Board> = signal({
+  link: "connecting",
+  class: null,
+  refused: null,
+  attention: null,
+  pupils: [],
+  shown: null,
+  tasks: [],
+  taskRefused: null,
+  checking: {number: 0, task: null, done: 0, of: 0, rooms: 0},
+  results: new Map(),
+  checkRefused: null,
+  selected: new Set(),
+  said: "",
+})
+/// Rooms and robots change ten times a second; each miniature reads its own.
+export const rooms = signal<ReadonlyMap<number, World>>(new Map())
+export const places = signal<ReadonlyMap<number, Place>>(new Map())
+export const change = (to: Partial<Board>) => {
+  board.value = {...board.value, ...to}
+}
+
+/// The results after a message; `null` takes one away.
+export function withResult(
+  results: ReadonlyMap<number, Results>,
+  {task, pupil, result}: BoardMessage & {readonly op: "result"},
+): ReadonlyMap<number, Results> {
+  const changed = new Map(results.get(task))
+  if (result === null) changed.delete(pupil)
+  else changed.set(pupil, result)
+  return new Map([...results, [task, changed]])
+}

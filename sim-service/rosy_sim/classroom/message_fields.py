@@ -1,0 +1,76 @@
+"""
+Fields and messages that pupils' pages and the teacher's board share. ``protocol/README.md``, section 11.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import msgspec
+
+from .nickname import Fault
+
+__all__ = [
+    "BadRequest",
+    "Identifier",
+    "Label",
+    "LessonProgress",
+    "ProjectText",
+    "Refusal",
+    "Refused",
+    "Shared",
+    "Typed",
+    "encode",
+]
+
+Identifier = Annotated[str, msgspec.Meta(min_length=1, max_length=64, pattern=r"^[!-~]+$")]
+"""A name that a browser gave: of a program, of a request, of a page session."""
+
+Label = Annotated[str, msgspec.Meta(max_length=200)]
+"""A name or a message that people read."""
+
+Typed = Annotated[str, msgspec.Meta(max_length=300)]
+"""What a person typed into a field."""
+
+ProjectText = Annotated[str, msgspec.Meta(max_length=400_000)]
+"""A project file: twice the characters of a program (``config.Limits.source``), for its layout and room."""
+
+Shared = Literal["program", "room", "lesson"]
+"""
+What a teacher sends. The text of a program is a project file, that of a room a world as JSON or the name of one of the
+gallery as a JSON string, that of a lesson its name.
+"""
+
+Refusal = (
+    Literal[
+        "code", "words", "token", "key", "attempts", "taken", "full", "request", "deadline", "tasks", "disk", "rooms"
+    ]
+    | Fault
+)
+"""Why a request was refused; the page has the sentences."""
+
+
+class BadRequest(Exception):
+    """A message that is none of the protocol's."""
+
+
+class LessonProgress(msgspec.Struct):
+    """The open lesson."""
+
+    name: Label
+    done: int
+    steps: int
+
+
+class Refused(msgspec.Struct, tag="refused", tag_field="op"):
+    """The request changed nothing."""
+
+    reason: Refusal
+
+
+_encoder = msgspec.json.Encoder()
+
+
+def encode(answer: msgspec.Struct) -> str:
+    """The text of a frame."""
+    return _encoder.encode(answer).decode()
