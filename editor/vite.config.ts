@@ -6,6 +6,7 @@ import {createRequire} from "node:module"
 import {dirname, extname, join} from "node:path"
 import {fileURLToPath} from "node:url"
 import {defineConfig, type Plugin} from "vite"
+import {guide, guideEntry} from "./plugins/guide/plugin.ts"
 import {licenceTexts} from "./plugins/licence_texts.ts"
 
 const service = process.env.ROSY_SERVICE ?? "http://127.0.0.1:8080"
@@ -44,12 +45,17 @@ const page = (name: string) => fileURLToPath(new URL(name, import.meta.url))
 export default defineConfig({
   root: fileURLToPath(new URL(".", import.meta.url)),
   base: "./",
-  plugins: [blocklyMedia(), licenceTexts()],
+  plugins: [blocklyMedia(), licenceTexts(), guide(page(".."))],
   build: {
     target: "es2022",
     chunkSizeWarningLimit: 2500,
     rollupOptions: {
-      input: {index: page("index.html"), prelude: page("prelude.html"), board: page("board.html")},
+      input: {
+        index: page("index.html"),
+        prelude: page("prelude.html"),
+        board: page("board.html"),
+        [guideEntry]: page("src/guide/guide.ts"),
+      },
     },
   },
   server: {proxy: {"/api": {target: service, ws: true}, "/rosbridge": {target: service, ws: true}}},

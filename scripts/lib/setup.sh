@@ -82,7 +82,7 @@ print_of() {
     # Without the tests: a page that is being used stays while they are edited.
     page)
       fingerprint codegen/src editor/src editor/plugins editor/index.html editor/prelude.html editor/package.json editor/vite.config.ts \
-        examples package-lock.json
+        examples docs rosy-hs/LANGUAGE.md rosy-hs/from-the-paper.md rosy-hs/robots/robot.md rosy-hs/worker/PROTECTION.md package-lock.json
       ;;
   esac
 }
@@ -157,7 +157,7 @@ do_api-docs() { "$ROSY_PYTHON" "$ROSY_ROOT/scripts/api_docs.py" "$ROSY_STATE/api
 do_page() { (cd "$ROSY_ROOT" && npm run -s build -w editor) && compress "$ROSY_ROOT/editor/dist"; }
 
 # compress FOLDER: a gzip beside every file that gains by it; the service sends that one.
-compress() { find "$1" -type f -regex '.*\.\(html\|js\|css\|svg\|wasm\)' -size +1k -exec gzip -9 -k -f {} +; }
+compress() { find "$1" -type f -regex '.*\.\(html\|js\|css\|json\|svg\|wasm\)' -size +1k -exec gzip -9 -k -f {} +; }
 
 node_is_usable() { command -v node >/dev/null && command -v npm >/dev/null && node -e "process.exit(Number(process.versions.node.split('.')[0]) < $NODE_OLDEST ? 1 : 0)" 2>/dev/null; }
 

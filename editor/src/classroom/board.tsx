@@ -15,6 +15,7 @@ import {openBrowserStorage} from "../browser/browser_storage.ts"
 import {chosenLanguage} from "../browser/preferences.ts"
 import {openProgramStore, type ProgramStore} from "../browser/program_store.ts"
 import {type QrCode, qrCodeOf} from "../browser/qr_code.ts"
+import {teachersPage} from "../help/help_links.ts"
 import {words} from "../words/index.ts"
 import {languageFor, loadLanguage} from "../words/language_choice.ts"
 import {CheckForm, ResultTable} from "./board_check.tsx"
@@ -57,6 +58,7 @@ function BoardPage({send, unlock, download, programs, openRun}: BoardProps): VNo
       <header class="board-head">
         <h1>{w.title}</h1>
         <a href="./">{w.rosy}</a>
+        <a href={teachersPage}>{words.guide.teachers}</a>
         {link === "lost" && <p role="status">{w.lost}</p>}
       </header>
       <main class="board">

@@ -1,11 +1,13 @@
 /// Addresses of help pages: an anchor in Rosy's Haddock, which the service serves, or in the page of Prelude names (`prelude_page.ts`). Both are part of Rosy, for
-/// classrooms without internet.
+/// classrooms without internet, and so is the guide.
 
 import {homeOf} from "@rosy/codegen"
 
 /// The pages (protocol §4), from the page's own address.
 export const apiPage = "api-docs/Rosy.html"
 export const preludePage = "prelude.html"
+export const guidePage = "guide/"
+export const teachersPage = "guide/class.html"
 
 /// The address for a name as Haddock's anchors write it (`v:wait`); without one, the beginning of Rosy's page.
 export function helpAddress(help: string | undefined): string {

@@ -25,6 +25,14 @@ __all__ = ["BrowserSafety", "own_names"]
 _POLICY = "object-src 'none'; base-uri 'none'"
 """Directives for every page. Content Security Policy Level 3."""
 
+_GUIDE = "/guide/"
+
+_GUIDE_POLICY = (
+    "default-src 'none'; script-src 'self'; style-src 'self'; font-src 'self'; img-src 'self' data:; "
+    "connect-src 'self'; form-action 'none'; base-uri 'none'; frame-ancestors 'none'"
+)
+"""Directives for the guide: its pages load its own files, and contain no script or style. Their icon is a data URL."""
+
 
 def own_names(host: str) -> frozenset[str]:
     """The names under which browsers reach this machine: its own ones, and that on which it listens."""
@@ -93,7 +101,10 @@ def _with_headers(send: Send, scope: Scope) -> Send:
             headers = MutableHeaders(scope=message)
             headers["X-Content-Type-Options"] = "nosniff"
             headers["Referrer-Policy"] = "no-referrer"
-            if is_embedded:
+            if scope["path"].startswith(_GUIDE):
+                headers["Content-Security-Policy"] = _GUIDE_POLICY
+                headers["X-Frame-Options"] = "DENY"
+            elif is_embedded:
                 headers["Content-Security-Policy"] = f"{_POLICY}; frame-ancestors *"
             else:
                 headers["Content-Security-Policy"] = f"{_POLICY}; frame-ancestors 'none'"

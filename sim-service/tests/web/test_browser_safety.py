@@ -12,7 +12,7 @@ from starlette.types import Message
 from rosy_sim.web.browser_safety import BrowserSafety, own_names
 
 
-def ask(host: str, query: str = "", kind: str = "http") -> list[Message]:
+def ask(host: str, query: str = "", kind: str = "http", path: str = "/") -> list[Message]:
     """What the middleware sends about a request."""
     sent: list[Message] = []
 
@@ -25,7 +25,7 @@ def ask(host: str, query: str = "", kind: str = "http") -> list[Message]:
     scope: dict[str, Any] = {
         "type": kind,
         "method": "GET",
-        "path": "/",
+        "path": path,
         "query_string": query.encode(),
         "headers": [(b"host", host.encode())],
     }
@@ -66,3 +66,12 @@ def test_only_the_embedded_page_is_framed_by_others(query: str, framed: bool) ->
     assert ("frame-ancestors 'none'" in found["content-security-policy"]) is not framed
     assert ("x-frame-options" in found) is not framed
     assert found["x-content-type-options"] == "nosniff"
+
+
+def test_the_guide_runs_no_script_but_its_own_files_and_is_not_framed() -> None:
+    policy = headers(ask("localhost", "embed", path="/guide/index.html"))["content-security-policy"]
+    assert "default-src 'none'" in policy
+    assert "script-src 'self';" in policy
+    assert "unsafe" not in policy
+    assert "frame-ancestors 'none'" in policy
+    assert "script-src" not in headers(ask("localhost", path="/index.html"))["content-security-policy"]

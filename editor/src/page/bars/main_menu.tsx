@@ -1,6 +1,7 @@
 /// Main menu: files, theme, language.
 
 import type {VNode} from "preact"
+import {guidePage} from "../../help/help_links.ts"
 import type {Theme} from "../../state/page_state.ts"
 import {words} from "../../words/index.ts"
 import {languages} from "../../words/language_choice.ts"
@@ -76,6 +77,9 @@ function MenuItems({close}: {close: () => void}): VNode {
       {item(words.roomTests.menu, desk.roomTests.open)}
       {item(words.format, desk.format)}
       {item(words.keys.menu, () => desk.store.dispatch({kind: "dialog", dialog: "keys"}))}
+      <a class="item" target="_blank" rel="noopener" href={guidePage}>
+        {words.guide.menu}
+      </a>
       <a class="item" target="_blank" rel="noopener" href="licenses.txt">
         {words.about}
       </a>

@@ -174,6 +174,11 @@ export const page: Omit<
     title: "Haskells eigene Namen",
     lead: "Diese kennt jedes Haskell-Programm. Jeder steht mit seinem Typ und einem Beispiel da.",
   },
+  guide: {
+    menu: "Handbuch (auf Englisch)",
+    teachers: "Für Lehrkräfte (auf Englisch)",
+    isEnglish: "Dieses Handbuch gibt es auf Englisch; Rosy selbst spricht auch Deutsch.",
+  },
   about: "Über Rosy: Lizenzen",
   language: "Sprache",
   theme: "Farben",

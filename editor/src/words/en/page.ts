@@ -165,6 +165,12 @@ export const page = {
     title: "Haskell's own names",
     lead: "Every Haskell program knows these. Each stands with its type and an example.",
   },
+  /// The guide, a site of its own (`plugins/guide`), and its part for teachers.
+  guide: {
+    menu: "Guide",
+    teachers: "For teachers",
+    isEnglish: "The guide is in English.",
+  },
   about: "About Rosy: licences",
   language: "Language",
   theme: "Colours",

@@ -174,6 +174,11 @@ export const page: Omit<
     title: "Los nombres propios de Haskell",
     lead: "Todo programa de Haskell los conoce. Cada uno aparece con su tipo y un ejemplo.",
   },
+  guide: {
+    menu: "Guía (en inglés)",
+    teachers: "Para docentes (en inglés)",
+    isEnglish: "Esta guía está en inglés; Rosy también habla español.",
+  },
   about: "Sobre Rosy: licencias",
   language: "Idioma",
   theme: "Colores",

@@ -178,6 +178,11 @@ export const page: Omit<
     title: "Les noms de Haskell",
     lead: "Tous les programmes Haskell les connaissent. Chacun est montré avec son type et un exemple.",
   },
+  guide: {
+    menu: "Guide (en anglais)",
+    teachers: "Pour les enseignants (en anglais)",
+    isEnglish: "Ce guide est en anglais ; Rosy lui-même parle aussi français.",
+  },
   about: "À propos de Rosy : licences",
   language: "Langue",
   theme: "Couleurs",

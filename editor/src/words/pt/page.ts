@@ -174,6 +174,11 @@ export const page: Omit<
     title: "Os nomes do próprio Haskell",
     lead: "Todo programa em Haskell conhece estes nomes. Cada um está aqui com o seu tipo e um exemplo.",
   },
+  guide: {
+    menu: "Guia (em inglês)",
+    teachers: "Para professores (em inglês)",
+    isEnglish: "Este guia está em inglês; o próprio Rosy também fala português.",
+  },
   about: "Sobre o Rosy: licenças",
   language: "Idioma",
   theme: "Cores",

@@ -1,0 +1,105 @@
+/// The guide's Markdown files: converted without a fault, with links that lead somewhere and programs that open.
+
+import {readFileSync} from "node:fs"
+import {fileURLToPath} from "node:url"
+import {expect, test} from "vitest"
+import {convertMarkdown, type Resolver} from "../../plugins/guide/markdown.ts"
+import {readSite} from "../../plugins/guide/site.ts"
+import {programIn} from "../../src/browser/share_link.ts"
+
+const root = fileURLToPath(new URL("../../..", import.meta.url))
+const site = await readSite(root)
+const files = {
+  styles: ["../assets/guide.css"],
+  script: "../assets/guide.js",
+  searchIndex: "../assets/guide.json",
+}
+const pages = site.html(files, path => `../assets/${path}`)
+
+const targets = (html: string, attribute: "href" | "src") =>
+  [...html.matchAll(new RegExp(`${attribute}="([^"]*)"`, "g"))].map(([, target = ""]) => target)
+
+test("has no faults: each link, picture and anchor exists", () => {
+  expect(site.faults).toEqual([])
+  expect(pages.size).toBeGreaterThan(5)
+})
+
+test("every link inside the guide leads to a page and to an anchor of it", () => {
+  const dead = [...pages].flatMap(([name, html]) =>
+    targets(html, "href")
+      .filter(target => !target.startsWith("../") && !target.startsWith("data:"))
+      .filter(target => {
+        const [page = "", anchor = ""] = target.split("#")
+        const led = page === "" ? html : pages.get(page.replace(/\.html$/, ""))
+        return led === undefined || (anchor !== "" && !led.includes(`id="${anchor}"`))
+      })
+      .map(target => `${name}: ${target}`),
+  )
+  expect(dead).toEqual([])
+})
+
+test("every page is reached by turning pages from the first one", () => {
+  const order = site.chapters.flatMap(chapter => chapter.pages.map(page => page.name))
+  expect(order[0]).toBe("index")
+  for (const [i, name] of order.entries())
+    if (i + 1 < order.length) expect(pages.get(name)).toContain(`rel="next" href="${order[i + 1]}.html"`)
+})
+
+test("a page loads nothing from elsewhere, and contains no script and no style of its own", () => {
+  for (const [name, html] of pages) {
+    expect(html, name).not.toMatch(/(?:src|href)="(?:https?:)?\/\//)
+    expect(html, name).not.toMatch(/<style|style="|<script(?![^>]*src=)| on\w+="/)
+  }
+})
+
+test("every link to a program contains the program that is shown", async () => {
+  let count = 0
+  for (const html of pages.values())
+    for (const target of targets(html, "href").filter(one => one.startsWith("../#program="))) {
+      const opened = await programIn(target.slice(3))
+      if (opened.kind !== "program") throw new Error(`expected a program, got ${opened.kind}`)
+      expect(JSON.parse(opened.text)).toMatchObject({rosy: 1, layout: {declarations: [], loose: []}})
+      count += 1
+    }
+  expect(count).toBeGreaterThan(0)
+})
+
+test("the search knows every heading of the language reference", () => {
+  const reference = readFileSync(`${root}/rosy-hs/LANGUAGE.md`, "utf8")
+  const headings = reference.match(/^#+ /gm)?.length
+  expect(site.searchIndex.filter(entry => entry.page === "language.html")).toHaveLength(headings ?? 0)
+})
+
+const resolver: Resolver = {
+  link: target => (target.startsWith("there") ? {kind: "page", address: "there.html"} : null),
+  picture: () => null,
+  openAddress: (program, room) => `../#${room}:${program.trim()}`,
+}
+
+test("names what a page must not contain", () => {
+  const text = "words\n\n[gone](gone) ![](gone.png) <b>bold</b>\n"
+  expect(convertMarkdown(text, resolver).faults).toEqual([
+    "has no title",
+    "links to gone, which does not exist",
+    "shows gone.png, which does not exist",
+    "shows gone.png without words for those who do not see it",
+    "contains HTML: <b>",
+    "contains HTML: </b>",
+  ])
+})
+
+test("a heading keeps its own anchor, else gets one from its words; equal ones are numbered", () => {
+  const {anchors, html} = convertMarkdown('# A\n## <a id="R1"></a>R1 `b`\n## C d!\n## C d\n', resolver)
+  expect([...anchors]).toEqual(["a", "R1", "c-d", "c-d-2"])
+  expect(html).toContain('<h2 id="R1">R1 <code>b</code>')
+})
+
+test("a program is coloured, escaped and linked with its room; a fragment has no link", () => {
+  const whole = convertMarkdown("# A\n```haskell room=table\nx = Velocity 0.5 0 -- <b>\n```\n", resolver).html
+  expect(whole).toContain('<span class="type">Velocity</span> <span class="number">0.5</span>')
+  expect(whole).toContain('<span class="comment">-- &lt;b&gt;</span>')
+  expect(whole).toContain("../#table:x = Velocity 0.5 0 -- &lt;b&gt;")
+  expect(convertMarkdown("# A\n```haskell fragment\nx = 1\n```\n", resolver).html).not.toContain(
+    "Open in Rosy",
+  )
+})
