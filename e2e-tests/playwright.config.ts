@@ -20,6 +20,8 @@ export default defineConfig({
   // Limits for stories that hang. A busy machine may take minutes for what takes seconds.
   timeout: 1_800_000,
   expect: {timeout: Number(process.env["ROSY_EXPECT"] ?? 180_000)},
+  // The pictures of the guide.
+  snapshotPathTemplate: `${root}docs/pictures/{arg}{ext}`,
   // A story that passes on its second attempt only has failed.
   retries: 0,
   reporter: [["list"], ["json", {outputFile: `${reports}/e2e.json`}]],

@@ -14,7 +14,11 @@ export function programOf(info: string, text: string): Program | null {
   const [language, ...words] = info.split(/\s+/)
   if (language !== "haskell") return null
   const room = words.find(word => word.startsWith("room="))?.slice("room=".length)
-  return {text: `${text}\n`, room: room ?? "room", canBeOpened: !words.includes("fragment") && !words.includes("package")}
+  return {
+    text: `${text}\n`,
+    room: room ?? "room",
+    canBeOpened: !words.includes("fragment") && !words.includes("package"),
+  }
 }
 
 export function programHtml({text, canBeOpened}: Program, openAddress: string): string {

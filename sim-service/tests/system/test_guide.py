@@ -29,7 +29,7 @@ pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason
 ROOT = Path(__file__).resolve().parents[3]
 
 BLOCK = re.compile(r"^```haskell([^\n]*)\n(.*?)^```$(?:\n\n^```says\n(.*?)^```$)?", re.M | re.S)
-MARKUP = re.compile(r"[`*]|^> ?|\n", re.M)
+MARKUP = re.compile(r"[`*‘’]|^> ?|\n", re.M)
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,4 +114,5 @@ def compiles_in_a_package(source: str, folder: Path) -> None:
     [packages] = (ROOT / "dist-newstyle" / "packagedb").glob("ghc-*")
     own = [file.stem for file in packages.glob("rosy-*.conf")]
     exposed = [f"-package-id={unit}" for unit in own if not unit.endswith("-ros")]
-    subprocess.run(["ghc", "-v0", "-fno-code", "-dynamic", f"-package-db={packages}", *exposed, file], check=True)
+    databases = ["-hide-all-packages", f"-package-db={packages}", "-package=base", *exposed]
+    subprocess.run(["ghc", "-v0", "-fno-code", "-dynamic", *databases, file], check=True)
