@@ -48,6 +48,8 @@ class BlockingWorker:
         self._stream = WorkerStream()
         self._check_reachable: list[Answer] = []
         self._next = 0
+        # What became of the latest run, once the worker has said it.
+        self._gone: Gone | None = None
         # Held while a request is written: kill() may be called from any thread.
         self._writing = threading.Lock()
 
@@ -78,10 +80,12 @@ class BlockingWorker:
     def run(self, source: str, link: socket.socket) -> Started | Refused:
         """Start a program on a link; our copy of its end is closed."""
         self._next += 1
+        self._gone = None
         self._send(run_request(self._next, source, self.limits.memory), (link.fileno(),))
         link.close()
         answer = self._wait(self.limits.compile, Started, Refused, Gone)
         if isinstance(answer, Gone):
+            self._gone = answer
             return Refused(answer.id, [answer.problem] if answer.problem else [])
         assert isinstance(answer, Started | Refused)
         return answer
@@ -92,12 +96,14 @@ class BlockingWorker:
 
     def gone(self) -> Gone | None:
         """What became of the run, or ``None`` when the worker does not say in time."""
-        try:
-            answer = self._wait(self.limits.gone, Gone)
-        except WorkerLost:
-            return None
-        assert isinstance(answer, Gone)
-        return answer
+        if self._gone is None:
+            try:
+                answer = self._wait(self.limits.gone, Gone)
+            except WorkerLost:
+                return None
+            assert isinstance(answer, Gone)
+            self._gone = answer
+        return self._gone
 
     def _send(self, data: bytes, descriptors: tuple[int, ...]) -> None:
         try:

@@ -129,6 +129,16 @@ def test_a_worker_names_the_function_that_hangs(config: Config, impatient: Limit
     assert "`move`" in outcome.problems[0].message
 
 
+def test_what_became_of_a_program_is_known_as_often_as_it_is_asked(config: Config) -> None:
+    with BlockingWorker(config) as worker:
+        worker.ready()
+        outcome = run_program(worker, "close@4", hall(), RunSettings(1.0, 1, limits=config.limits), RunOutput())
+        first = worker.gone()
+        assert first is not None
+        assert worker.gone() is first
+    assert outcome.problems[0].kind == "died"
+
+
 def test_a_program_that_does_not_compile_is_refused(config: Config) -> None:
     with BlockingWorker(config) as worker:
         worker.ready()
