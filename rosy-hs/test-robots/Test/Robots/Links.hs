@@ -181,12 +181,15 @@ cutOff times r = driving r "off" "steady" $ \p -> do
   signal p "CONT"
   sees r "movement again" (moves r)
   signal (robot r) "STOP"
-  _ <- hearsWhere p "that it is lost" ("is lost" `isInfixOf`)
+  -- On a busy machine it may have been lost and found again before: the last word counts.
+  awaitTranscript p (any ("is lost" `isInfixOf`) . take 1 . reverse . filter isNotice)
   signal (robot r) "CONT"
   sees r "a stop behind what was said before" (stands r)
   _ <- hearsWhere p "that it is back" ("is back" `isInfixOf`)
   signal p "TERM"
   exits p 0
+  where
+    isNotice l = any (`isInfixOf` l) ["is there", "is lost", "is back"]
 
 -- | Yujin documents no time after which the base would stop by itself, so this one drives on.
 pulledCable :: IO Times -> Rig -> IO ()
