@@ -28,10 +28,13 @@ _POLICY = "object-src 'none'; base-uri 'none'"
 _GUIDE = "/guide/"
 
 _GUIDE_POLICY = (
-    "default-src 'none'; script-src 'self'; style-src 'self'; font-src 'self'; img-src 'self' data:; "
+    "default-src 'none'; script-src 'self'; style-src 'self'; font-src 'self' data:; img-src 'self' data:; "
     "connect-src 'self'; form-action 'none'; base-uri 'none'; frame-ancestors 'none'"
 )
-"""Directives for the guide: its pages load its own files, and contain no script or style. Their icon is a data URL."""
+"""
+Directives for the guide: its pages load its own files, and contain no script or style. Their icon and small fonts are
+data URLs.
+"""
 
 
 def own_names(host: str) -> frozenset[str]:
