@@ -133,6 +133,15 @@ test("what two devices changed without each other becomes two programs", async (
   for (const learner of [ada, tablet, third]) await learner.page.context().close()
 })
 
+/// What the service's Content Security Policy keeps from a page from now on, as the browser reports it.
+function policyViolations(page: Page): readonly string[] {
+  const found: string[] = []
+  page.on("console", message => {
+    if (message.text().includes("Content Security Policy")) found.push(message.text())
+  })
+  return found
+}
+
 /// What axe-core finds wrong with a page (WCAG 2.2 A and AA).
 async function faults(page: Page): Promise<unknown[]> {
   const {violations} = await new AxeBuilder({page})
@@ -146,6 +155,7 @@ test("the board shows two pupils live, their programs and a raised hand, and eve
   browser,
 }) => {
   const teacher = await device(browser)
+  const violations = policyViolations(teacher)
   await teacher.goto(running.board)
   await expect(teacher.getByText("No pupil has joined yet.")).toBeVisible()
   expect(teacher.url()).not.toContain("key")
@@ -185,9 +195,23 @@ test("the board shows two pupils live, their programs and a raised hand, and eve
   for (const learner of [ada, ben]) await expect(learner.page.getByTestId("eyes-up")).toHaveCount(0)
   await ada.stops()
 
+  await benOnBoard.getByRole("checkbox", {name: "Select Ben"}).check()
+  const sending = teacher.getByTestId("send")
+  await sending.getByRole("combobox", {name: "Send"}).selectOption("A lesson")
+  await sending.getByRole("combobox", {name: "Which one"}).selectOption("Bump!")
+  await sending.getByRole("button", {name: "Send to one pupil"}).click()
+  await expect(sending.getByText("Sent to 1 page")).toBeVisible()
+  await expect(ben.page.getByText("Your teacher sent the lesson “Bump!”.")).toBeVisible()
+  await teacher.screenshot({path: screenshot("board-send")})
+  await ben.page.getByRole("button", {name: "Open it"}).click()
+  await expect(ben.page.getByRole("complementary", {name: "Lesson"})).toContainText("Bump!")
+  await expect(ada.page.getByText("Your teacher sent")).toHaveCount(0)
+
   await adaOnBoard.getByRole("button", {name: "Look at the program of Ada <b>"}).click()
   const copy = teacher.frameLocator("iframe")
   await expect(copy.getByTestId("haskell")).toContainText("0.25")
+  // The board, and the page embedded in it.
+  expect(violations).toEqual([])
   for (const page of [ada.page, ben.page, teacher]) await page.context().close()
 })
 

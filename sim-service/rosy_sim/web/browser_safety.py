@@ -1,6 +1,6 @@
 """
-Middleware against attacks through a browser: refuses host names that are not this machine's, and lets other sites frame
-the embedded page only.
+Middleware against attacks through a browser: refuses host names that are not this machine's, lets pages run scripts of
+this service only, and lets other sites frame the embedded page only.
 
 A page from elsewhere whose name was made to point at this machine (DNS rebinding) still sends its own name as ``Host``.
 An IP address cannot be made to point elsewhere, so every address is accepted, also of a machine that forwards a port.
@@ -22,8 +22,11 @@ from ..wording import in_terminal
 
 __all__ = ["BrowserSafety", "own_names"]
 
-_POLICY = "object-src 'none'; base-uri 'none'"
-"""Directives for every page. Content Security Policy Level 3."""
+_POLICY = "script-src 'self' 'wasm-unsafe-eval'; object-src 'none'; base-uri 'none'"
+"""
+Directives for every page. Content Security Policy Level 3. Scripts and workers are files of this service; the reader of
+programs is WebAssembly, which ``'wasm-unsafe-eval'`` allows, and no text becomes a script.
+"""
 
 _GUIDE = "/guide/"
 

@@ -74,4 +74,10 @@ def test_the_guide_runs_no_script_but_its_own_files_and_is_not_framed() -> None:
     assert "script-src 'self';" in policy
     assert "unsafe" not in policy
     assert "frame-ancestors 'none'" in policy
-    assert "script-src" not in headers(ask("localhost", path="/index.html"))["content-security-policy"]
+
+
+@pytest.mark.parametrize("query", ["", "example=a", "embed"])
+def test_pages_run_scripts_of_this_service_only(query: str) -> None:
+    found = headers(ask("localhost", query))
+    directives = dict(one.strip().split(" ", 1) for one in found["content-security-policy"].split(";"))
+    assert directives["script-src"] == "'self' 'wasm-unsafe-eval'"
