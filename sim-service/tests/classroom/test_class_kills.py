@@ -40,6 +40,7 @@ def test_nothing_acknowledged_is_missing_after_kills_during_saves(tmp_path: Path
     database = tmp_path / "class.sqlite3"
     chance = random.Random(SEED)
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).resolve().parents[2])}
+    reported = 0
     for turn in range(KILLS):
         with subprocess.Popen(
             [sys.executable, "-c", WRITER, str(database), str(turn)],
@@ -63,5 +64,8 @@ def test_nothing_acknowledged_is_missing_after_kills_during_saves(tmp_path: Path
         mine = sorted(int(count) for saved, count in kept.values() if saved == str(turn))
         assert mine[-1] - int(acknowledged[2]) in (0, 1)
         assert mine == list(range(mine[0], mine[-1] + 1))
+        reported += int(acknowledged[2])
         assert store._database.execute("PRAGMA integrity_check").fetchone() == ("ok",)
         store.close()
+    # Shown by `pytest -s`.
+    print(f"{KILLS} kills, {reported} saves reported, 0 missing")
