@@ -26,7 +26,7 @@ export type {Connects, Family, Item, MenuEntry, Row, Shape, Sort, StackSort} fro
 export {setIn} from "./block_shape.ts"
 export {readWorkspace} from "./blocks/block_reader.ts"
 export {blockTypes, blockView} from "./blocks/block_registry.ts"
-export {isConstructorName, isVariableName, reservedWords} from "./haskell/lexemes.ts"
+export {isConstructorName, isNumberLiteral, isVariableName, reservedWords} from "./haskell/lexemes.ts"
 export {printProgram} from "./haskell/printer.ts"
 export type {
   BlockId,

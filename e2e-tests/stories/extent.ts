@@ -3,7 +3,8 @@
 /// Whether all stories are played.
 export const isFull = Number(process.env["ROSY_TEST_SHARE"] ?? 0.1) >= 1
 
-const seed = Number(process.env["ROSY_TEST_SEED"] ?? 1)
+/// Seed of this run; it changes daily.
+export const seed = Number(process.env["ROSY_TEST_SEED"] ?? 1)
 
 /// All rows, or every `parts`-th: the next ones with the next seed, so that each row has its turn.
 export function rotated<Row>(rows: readonly Row[], parts: number): readonly Row[] {

@@ -102,8 +102,11 @@ export function advance(
     const built = buildBlocks(piece, newId, own) as BuiltBlocks
     if (partner === undefined) return {name, piece: i, block: built.block, dimmed: false, spans: built.spans}
     const {block, ids} = transferIdentity(partner.shown.block, built.block)
-    const spans = built.spans.map(s => ({...s, block: ids.get(s.block) ?? s.block}))
     const agrees = partner.same && printsTheSame(partner.shown.block, built.block, module)
+    // A place that may stay empty, as that of a pattern, has text and no block.
+    const spans = built.spans.flatMap(s =>
+      agrees && !ids.has(s.block) ? [] : [{...s, block: ids.get(s.block) ?? s.block}],
+    )
     if (partner.same && !agrees) contradicted.push(name)
     const kept = agrees ? {...partner.shown.block} : block
     return {name, piece: i, block: kept, dimmed: false, spans}

@@ -7,7 +7,8 @@ import type {SavedBlock} from "../../src/serialized_blocks.ts"
 import {cases, rerun, seed} from "../extent.ts"
 import {Dice} from "../generate/random.ts"
 import {breathe} from "../process.ts"
-import {editKinds, everyBlock, outcomeOf, randomEdit} from "./exact_edits.ts"
+import {everyBlock} from "./agreement.ts"
+import {editKinds, outcomeOf, randomEdit} from "./exact_edits.ts"
 import {corpus, testReader} from "./open.ts"
 
 // `EDITS=20000 npx vitest run test/reader/exact.test.ts` makes more edits and reports what they changed.

@@ -9,6 +9,7 @@ import {meaningOf} from "../../src/reader/model_parts.ts"
 import {writeBack} from "../../src/reader/text_patches.ts"
 import type {SavedBlock, SavedWorkspace} from "../../src/serialized_blocks.ts"
 import type {Dice} from "../generate/random.ts"
+import {everyBlock} from "./agreement.ts"
 
 export const editKinds = ["number", "wrap", "swap", "delete-step", "copy-step", "replace"] as const
 export type EditKind = (typeof editKinds)[number]
@@ -20,11 +21,6 @@ export interface Edited {
   readonly workspace: SavedWorkspace
   /// The blocks whose text may change.
   readonly touched: readonly string[]
-}
-
-export function everyBlock(block: SavedBlock): SavedBlock[] {
-  const below = [...Object.values(block.inputs ?? {}).map(i => i.block), block.next?.block]
-  return [block, ...below.flatMap(b => (b === undefined ? [] : everyBlock(b)))]
 }
 
 /// The sockets of a definition that hold an expression, with the block around each.

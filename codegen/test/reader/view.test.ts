@@ -46,6 +46,21 @@ function changed(
   return copy
 }
 
+test("an empty place for a pattern has no block in the text, also after it was saved and opened", () => {
+  const view = openView(reader, "slug x = x\n")
+  const definition = blocksOf(view, "slug").find(b => b.type === "define")
+  const emptied = syncBlocks(
+    reader,
+    view,
+    changed(workspaceOf(view), definition?.id, b => {
+      delete b.inputs?.P0_0
+    }),
+  )
+  expect(emptied.text).toBe("slug _ = x\n")
+  const again = openView(reader, emptied.text, layoutOf(emptied))
+  expect(spansOf(again).spans).toEqual(spansOf(emptied).spans)
+})
+
 describe("a call with steps that is no step itself", () => {
   const text =
     "square = replicateM_ 4 $ do\n  forward -- on\n  turn 90\n\nmain = f (forever do\n  wait 1\n  stop)\n"

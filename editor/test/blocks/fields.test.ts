@@ -1,5 +1,5 @@
 import {describe, expect, test} from "vitest"
-import {haskellNumber} from "../../src/blocks/construction/text_fields.ts"
+import {haskellNumber, TextField} from "../../src/blocks/construction/text_fields.ts"
 
 describe("what is typed into a number", () => {
   test.each([
@@ -19,3 +19,22 @@ describe("what is typed into a number", () => {
     expect(haskellNumber(typed)).toBeNull(),
   )
 })
+
+test.each(["0x1F", "0o17", "0b1010", "1_000_000", "6.022_140e23", "007", "-007"])(
+  "a number shows the literal %s of the program as it stands there",
+  literal => {
+    const ignore = () => {}
+    const actions = {
+      numbers: () => ({}) as never,
+      changed: ignore,
+      renamed: ignore,
+      pressed: ignore,
+      pulled: ignore,
+    }
+    const field = new TextField("value", "0", "number", "number", actions as never)
+    field.setValue(literal)
+    expect(field.getValue()).toBe(literal)
+    field.setValue("wall")
+    expect(field.getValue()).toBe(literal)
+  },
+)

@@ -1,5 +1,6 @@
 /// Fields that are typed into: types, text, numbers, names and code.
 
+import {isNumberLiteral} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {makeNumberGrip} from "../../preview/number_grip.ts"
 import {withSteps} from "../../preview/number_steps.ts"
@@ -95,8 +96,11 @@ export class TextField extends SingleLineField {
 
   protected override doClassValidation_(text?: unknown): string | null {
     if (typeof text !== "string" && typeof text !== "number") return null
+    const said = `${text}`
     // `kind` is not yet there while the constructor of the parent sets the first value.
-    return this.kind === "number" ? haskellNumber(`${text}`) : `${text}`
+    if (this.kind !== "number") return said
+    // A literal of the program is shown as it stands there, also `0x1F` and `1_000`; what is typed is tidied.
+    return !this.isBeingEdited_ && isNumberLiteral(said.replace(/^-/, "")) ? said : haskellNumber(said)
   }
 
   protected override doValueUpdate_(value: string): void {

@@ -1,0 +1,18 @@
+/// Short walks of mixed steps in blocks and text that have passed before: another one each day, `./rosy test nightly` all of them. `../walks` takes longer ones and new ones.
+
+import {openReaders} from "../walks/seen_program.ts"
+import {openWalk, walk} from "../walks/walk.ts"
+import {isFull, seed} from "./extent.ts"
+import {test} from "./story.ts"
+
+const passed = [201, 202, 203, 205, 206]
+const seeds = isFull ? passed : [passed[seed % passed.length]!]
+const length = 15
+
+for (const one of seeds) {
+  test(`blocks and text agree after each of ${length} random steps, and nothing is lost (seed ${one})`, async ({
+    page,
+  }) => {
+    await walk(openWalk(page, await openReaders()), one, length)
+  })
+}
