@@ -5,6 +5,7 @@ import {pageKeys} from "../browser/browser_window.ts"
 import type {Preferences} from "../browser/stored_values.ts"
 import {roomKeys} from "../room/gestures.ts"
 import {worldKeys} from "../room/world_editor_shortcuts.ts"
+import {overlayOf} from "../runs/overlay.ts"
 import {textKeys} from "../source/shortcuts.ts"
 import type {PageState} from "../state/page_state.ts"
 import {textRangeOf} from "../state/program.ts"
@@ -89,11 +90,14 @@ export function openViewUpdates(
     if (before !== null && preferenceKeys.some(changed))
       setPreferences(Object.fromEntries(preferenceKeys.map(key => [key, state[key]])))
     before = state
+    const overlay = overlayOf(state)
+    const {run} = words.runs
     const sight = {
       trail: state.trail,
       follows: state.follows,
       hands: state.run.kind === "running" && state.robots.held === null,
       held: state.room.held,
+      overlay: overlay && {...overlay, names: {shown: run(overlay.shown), compared: run(overlay.compared)}},
     }
     if (room?.draw(state.room, sight, now)) redraw()
   }

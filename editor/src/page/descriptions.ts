@@ -65,6 +65,8 @@ export function noticeText(notice: Notice): {readonly message: string; readonly 
       return w.noStorage
     case "diverged":
       return {message: w.diverged.message(measures.seconds(notice.time, 2)), hint: w.diverged.hint}
+    case "uncompared":
+      return {message: w.uncompared.message(measures.seconds(notice.time, 0)), hint: w.uncompared.hint}
     case "damaged-link":
       return w.damagedLink
   }

@@ -41,6 +41,14 @@ export const RedoIcon = () => (
     <path d="M13 6.5H6.5a3.5 3.5 0 0 0 0 7H10M13 6.5l-3-3M13 6.5l-3 3" {...line} />
   </Picture>
 )
+/// A line with a branch, and the ends of both.
+export const RunsIcon = () => (
+  <Picture>
+    <path d="M2.5 4h8M5 4c0 4.5 1.5 7 5.5 7" {...line} />
+    <circle cx="12.4" cy="4" r="1.7" {...line} />
+    <circle cx="12.4" cy="11" r="1.7" {...line} />
+  </Picture>
+)
 export const FollowIcon = () => (
   <Picture>
     <circle cx="8" cy="8" r="4.6" {...line} />

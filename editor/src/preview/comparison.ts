@@ -2,7 +2,7 @@
 
 import type {PageState} from "../state/page_state.ts"
 import {frameAt} from "../state/recording.ts"
-import {type Preview, placeAt, shownPreview} from "./preview.ts"
+import {type Preview, placeAt, shownPreview, wantedSeconds} from "./preview.ts"
 
 export type Side = "left" | "right" | "up" | "down" | "up left" | "up right" | "down left" | "down right"
 
@@ -17,6 +17,8 @@ export interface Comparison {
   readonly goals: {readonly done: number; readonly all: number}
   /// When the program would fail, s.
   readonly fails: number | null
+  /// When the preview ends, s, because it was not computed any longer; `null` when it is as long as the run.
+  readonly cut: number | null
 }
 
 /// Less than this is the same place, m.
@@ -37,7 +39,13 @@ export function compare(state: Pick<PageState, "room">): Comparison | null {
     bumps: preview.collisions.length,
     goals: {done: preview.goals.filter(g => g.state === "done").length, all: preview.goals.length},
     fails: failed ? preview.time : null,
+    cut: isCut(state, preview) ? preview.time : null,
   }
+}
+
+/// A preview is asked for as long as the run, as far as the service computes so much.
+function isCut({room}: Pick<PageState, "room">, {ended, time}: Preview): boolean {
+  return ended === "time" && time < wantedSeconds(room.frame?.time ?? 0) - 0.05
 }
 
 /// Both at the same moment: the end of the shorter one.

@@ -49,8 +49,11 @@ export const noPreview: PreviewState = {ran: null, asked: null, answer: null}
 const shortest = 10
 const longest = 300
 
-/// How long to preview after a run of so many seconds.
-export const previewSeconds = (ran: number): number => Math.min(longest, Math.max(shortest, ran))
+/// How long a preview after a run of so many seconds has to be.
+export const wantedSeconds = (ran: number): number => Math.max(shortest, ran)
+
+/// The length of it that the service computes, at most.
+export const previewSeconds = (ran: number): number => Math.min(longest, wantedSeconds(ran))
 
 /// Whether the answer to the newest question is still to come.
 export const isPending = ({asked, answer}: PreviewState): boolean =>

@@ -5,7 +5,7 @@ import type {Measures} from "../words/number_formats.ts"
 import type {Comparison} from "./comparison.ts"
 
 export function previewSentence(
-  {moved, at, bumps, goals, fails}: Comparison,
+  {moved, at, bumps, goals, fails, cut}: Comparison,
   words: (typeof english)["preview"],
   measures: Measures,
 ): string {
@@ -26,7 +26,8 @@ export function previewSentence(
   if (bumps > 0) parts.push(words.bump(bumps))
   if (goals.all > 0) parts.push(goals.done > 0 ? words.goals(goals.done, goals.all) : words.noGoal(goals.all))
   const [first = "", ...more] = parts
-  return words.sentence(more.reduce((all, part) => words.and(all, part), first))
+  const sentence = words.sentence(more.reduce((all, part) => words.and(all, part), first))
+  return cut === null ? sentence : `${sentence} ${words.cut(measures.seconds(cut, 1))}`
 }
 
 /// Less than a metre in whole centimetres.

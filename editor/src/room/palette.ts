@@ -13,6 +13,8 @@ export interface Palette {
   readonly paper: string
   readonly trail: string
   readonly preview: string
+  /// A run that is compared with the shown one.
+  readonly compared: string
   /// The trail's levels, from slow to fast or from long ago to now.
   readonly ramp: readonly string[]
   readonly around: string
@@ -40,6 +42,7 @@ export function readPalette(element: Element): Palette {
     paper: token("--paper"),
     trail: token("--rosy"),
     preview: token("--preview"),
+    compared: token("--compared"),
     ramp: [1, 2, 3, 4, 5].map(level => token(`--trail-${level}`)),
     around: token("--sunken"),
     hit: token("--hit"),

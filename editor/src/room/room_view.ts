@@ -1,12 +1,14 @@
 /// The room's view on a canvas. `draw` is called once per frame with the state. Static parts and finished pieces of the trail are cached on layers.
 
 import {shownPreview} from "../preview/preview.ts"
+import type {Overlay} from "../runs/overlay.ts"
 import type {Frame} from "../state/messages.ts"
 import {type RoomState, shownFrame, speech, type Trail, type TrailStyle} from "../state/room_state.ts"
 import type {World} from "../worlds/world.ts"
 import {openLayer, type Size} from "./cached_layer.ts"
 import {type Camera, type CameraView, follow, lookAt, pan, toScreen, zoom} from "./camera.ts"
 import {handleOf, watchGestures} from "./gestures.ts"
+import {drawOverlay, drawRunNames} from "./overlay_drawing.ts"
 import {type Palette, readPalette} from "./palette.ts"
 import {type MovableObject, movableObjectsOf, type Pose, poseAt, type TimedPose} from "./poses.ts"
 import {drawPreview} from "./preview_drawing.ts"
@@ -37,6 +39,8 @@ export interface RoomViewOptions {
   readonly hands: boolean
   /// The thing that the keyboard holds.
   readonly held: number | null
+  /// A run to compare with the shown one, and the names of both.
+  readonly overlay: (Overlay & {readonly names: {readonly shown: string; readonly compared: string}}) | null
 }
 
 const parked = {channels: {}}
@@ -189,6 +193,11 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
         metres()
         drawPreview(ctx, preview.preview, preview.current, palette, camera.scale)
       }
+      const {overlay} = sight
+      if (overlay !== null) {
+        metres()
+        drawOverlay(ctx, overlay, palette, camera.scale)
+      }
       path.draw(ctx, room, sight.trail, pose)
       metres()
       things = movableObjectsOf(world, frame?.boxes ?? [])
@@ -197,6 +206,10 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
         drawAt(...frame.ghost, () => drawGhost(ctx, palette, camera.scale))
       drawAt(pose.x, pose.y, pose.theta, () => drawRobot(ctx, frame ?? parked, palette, camera.scale))
       if (hands.able) drawHands(ctx, hands, pose, things, palette, camera.scale)
+      if (overlay !== null) {
+        ctx.setTransform(size.ratio, 0, 0, size.ratio, 0, 0)
+        drawRunNames(ctx, overlay.names, {shown: pose, compared: overlay.pose}, camera, palette)
+      }
       const words = speech(room)
       if (words !== null) {
         ctx.setTransform(size.ratio, 0, 0, size.ratio, 0, 0)

@@ -3,6 +3,8 @@
 import {conflictShown} from "@rosy/codegen"
 import {reduceLesson, watchedNow} from "../lessons/lesson_state.ts"
 import {hearPreview, noPreview} from "../preview/preview.ts"
+import {nodeOf} from "../runs/run_tree.ts"
+import {withoutRefusedRun} from "../runs/run_tree_reducer.ts"
 import {check} from "./document_reducer.ts"
 import type {PageMessage, ServiceMessage} from "./messages.ts"
 import type {PageState} from "./page_state.ts"
@@ -64,6 +66,8 @@ export function reduceServiceMessage(state: PageState, message: ServiceMessage):
     }
     case "diverged":
       return still(withDivergence(state, message))
+    case "uncompared":
+      return still(withoutComparison(state, message))
     case "checks":
       return withLessons(state, reduceLesson(state.lessons, {kind: "judged", checks: message.checks}))
     case "said": {
@@ -135,10 +139,11 @@ function withRunState(state: PageState, message: Message<"state">): PageState {
   const isRefused = message.ended === "refused"
   const from = isRefused ? "compiler" : "run"
   const found = message.problems.map(p => locateProblem(state.document.program, p, from))
+  const shown = isRefused ? withoutRefusedRun(state, message.run) : state
   return {
-    ...state,
+    ...shown,
     run,
-    findings: {...state.findings, [from]: found},
+    findings: {...shown.findings, [from]: found},
     tab: found.some(f => f.severity === "error") ? "problems" : state.tab,
     refused: isRefused ? refusedSockets(state.document) : state.refused,
   }
@@ -160,6 +165,14 @@ function withDivergence(state: PageState, {run, time}: Message<"diverged">): Pag
     lines: state.lines.filter(line => line.time <= time),
     notice: {kind: "diverged", time},
   }
+}
+
+/// Not all commands of the run before are kept. An unchanged program repeats it exactly without a comparison.
+function withoutComparison(state: PageState, {run, time}: Message<"uncompared">): PageState {
+  const repeated = nodeOf(state.runTree, run)
+  const origin = nodeOf(state.runTree, repeated?.from?.run ?? null)
+  if (run !== state.room.run || (origin !== undefined && origin.text === repeated?.text)) return state
+  return {...state, notice: {kind: "uncompared", time}}
 }
 
 function withConflict(state: PageState, message: Message<"conflict">): PageState {

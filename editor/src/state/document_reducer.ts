@@ -1,5 +1,6 @@
 /// Reducer for the program: opening, changes, undo, storage; a changed text goes to the compiler. Pure.
 
+import {noRuns} from "../runs/run_tree.ts"
 import {reduceWhy} from "../why/why_state.ts"
 import {type Document, recordChange, redo, undo} from "./history.ts"
 import type {DocumentEvent, Opened} from "./page_events.ts"
@@ -68,6 +69,7 @@ function openProgram(state: PageState, opened: Opened): Transition {
     replacedRoom: opened.replacedRoom ?? (opened.world === null ? state.replacedRoom : null),
     run: nextRun(state.run, {kind: "reset-pressed"}),
     room,
+    runTree: noRuns,
     why: reduceWhy(state.why, {kind: "closed"}).state,
     lines: [],
     findings: {compiler: [], run: []},
@@ -102,7 +104,7 @@ function followProgram(state: PageState, event: DocumentEvent & {kind: "followed
   // A run in this tab goes on in the room that it has.
   if (sameWorld || isActive(state.run)) return {state: followed, effects}
   const room: Effect[] = state.link === "open" ? [{kind: "send", message: {op: "world", world}}] : []
-  return {state: {...followed, worldName: world}, effects: [...room, ...effects]}
+  return {state: {...followed, worldName: world, runTree: noRuns}, effects: [...room, ...effects]}
 }
 
 /// The finding at the place that its text has after the changes.

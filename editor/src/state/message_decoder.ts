@@ -202,6 +202,8 @@ const serviceMessage: Decoder<ServiceMessage> = (value, path) => {
         return {op, preview: preview(value, "previewed")}
       case "diverged":
         return {op, run: get("run", number), time: get("time", number)}
+      case "uncompared":
+        return {op, run: get("run", number), time: get("time", number)}
       case "checks":
         return {op, checks: lessonChecks(value, "checks")}
       case "said":

@@ -139,6 +139,8 @@ export type ServiceMessage =
   | {readonly op: "previewed"; readonly preview: Preview}
   /// A program that repeats the last run gave other commands for the first time.
   | {readonly op: "diverged"; readonly run: number; readonly time: number}
+  /// From this time on, it is not known whether such a program gave other commands.
+  | {readonly op: "uncompared"; readonly run: number; readonly time: number}
   | {readonly op: "checks"; readonly checks: LessonChecks}
   | {readonly op: "said"; readonly run: number; readonly time: number; readonly text: string}
   | {readonly op: "sound"; readonly run: number; readonly time: number; readonly sound: number}
@@ -207,8 +209,9 @@ export type PageMessage =
       readonly source: string
       readonly seed?: number
       readonly speed: Speed
-      /// Repeat so many steps of the last run, and go on from there.
+      /// Repeat so many steps of the run `of`, and go on from there.
       readonly after?: number
+      readonly of?: number
     }
   | {readonly op: "preview"; readonly id: number; readonly source: string; readonly seconds: number}
   | {readonly op: "stop"}

@@ -1,6 +1,7 @@
 /// Events that change the page's state, grouped by the reducer that applies them.
 
 import type {LessonEvent} from "../lessons/lesson_state.ts"
+import type {RunTreeEvent} from "../runs/run_tree_reducer.ts"
 import type {WhyEvent} from "../why/why_state.ts"
 import type {WorldEdit} from "../worlds/editor_value.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
@@ -153,6 +154,7 @@ export type ViewEvent =
 export type PageEvent =
   | ConnectionEvent
   | RunEvent
+  | RunTreeEvent
   | RobotEvent
   | DocumentEvent
   | WorldEvent

@@ -1,6 +1,7 @@
 /// The page's state as one value without a DOM, and its first value.
 
 import {type LessonsState, noLessons} from "../lessons/lesson_state.ts"
+import {noRuns, type RunTree} from "../runs/run_tree.ts"
 import {noQuestion, type WhyState} from "../why/why_state.ts"
 import type {WorldEditor} from "../worlds/editor_value.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
@@ -15,7 +16,7 @@ import type {RunState} from "./run_state.ts"
 
 /// How much room the window has: all regions, two of them, or one at a time.
 export type Size = "wide" | "tablet" | "phone"
-export type Tab = "console" | "charts" | "sensors" | "problems"
+export type Tab = "console" | "charts" | "runs" | "sensors" | "problems"
 /// Seconds that a strip chart shows, or all of the run.
 export type ChartSpan = 20 | 60 | "all"
 export type Theme = "auto" | "light" | "dark"
@@ -69,6 +70,8 @@ export type Notice =
   | {readonly kind: "damaged-link"}
   /// A changed program that goes on from a moment differs from the last run before that moment; seconds of the run.
   | {readonly kind: "diverged"; readonly time: number}
+  /// After this time, it is not known whether it differs: the commands of the run before are no longer kept.
+  | {readonly kind: "uncompared"; readonly time: number}
   | {readonly kind: "robot-gone"; readonly name: string; readonly why: string}
   | {readonly kind: "out-of-sight"; readonly name: string}
 
@@ -120,6 +123,8 @@ export interface PageState {
   /// What the diagram region shows, and how many drawings there have been.
   readonly diagram: {readonly outcome: "waiting" | "drawn" | "empty" | "failed"; readonly drawings: number}
   readonly room: RoomState
+  /// The runs in this room.
+  readonly runTree: RunTree
   readonly robots: RobotsState
   readonly safety: SafetyRules
   readonly lines: readonly ConsoleLine[]
@@ -219,6 +224,7 @@ export const initialState: PageState = {
   topics: [],
   diagram: {outcome: "waiting", drawings: 0},
   room: emptyRoom,
+  runTree: noRuns,
   robots: noRobots,
   safety: {on: false, since: null},
   lines: [],

@@ -2,6 +2,7 @@
 
 import {reduceLesson} from "../lessons/lesson_state.ts"
 import {withPreview} from "../preview/preview_requests.ts"
+import {reduceRunTree} from "../runs/run_tree_reducer.ts"
 import {loseConnection, reduceServiceMessage} from "./connection_reducer.ts"
 import {reduceDocumentEvent} from "./document_reducer.ts"
 import type {PageEvent} from "./page_events.ts"
@@ -37,6 +38,9 @@ function next(state: PageState, event: PageEvent): Transition {
     case "safety-switched":
     case "values-shown":
       return reduceRunEvent(state, event)
+    case "run-shown":
+    case "run-compared":
+      return still(reduceRunTree(state, event))
     case "robots-unlocked":
     case "robot-taken":
     case "robot-left":

@@ -22,5 +22,7 @@ export function explain(state: PageState, event: WhyEvent): Transition {
     region: event.kind === "asked" && state.size === "phone" ? "room" : state.region,
   } as const
   if (request === null) return still(asked)
-  return state.link === "open" ? sending(asked, request) : still(state)
+  const {run} = state.room
+  const about = run === null || run === state.runs ? {} : {run}
+  return state.link === "open" ? sending(asked, {...request, ...about}) : still(state)
 }

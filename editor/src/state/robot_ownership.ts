@@ -1,5 +1,6 @@
 /// Robot ownership: the page's requests to take, stop and release a real robot, and the service's answers. Pure.
 
+import {noRuns} from "../runs/run_tree.ts"
 import type {ServiceMessage} from "./messages.ts"
 import type {RobotEvent} from "./page_events.ts"
 import type {PageState} from "./page_state.ts"
@@ -62,7 +63,16 @@ export function reduceRobotMessage(state: PageState, message: RobotMessage): Tra
   if (robots.held?.name === held.name) return still({...state, robots: {...robots, held}})
   const room = {...clearRoom(state.room, state.runs), world: openFloor(held.name)}
   const dialog = state.dialog === "robots" ? null : state.dialog
-  return still({...state, robots: {...robots, held}, room, lines: [], follows: true, clock: "going", dialog})
+  return still({
+    ...state,
+    robots: {...robots, held},
+    room,
+    runTree: noRuns,
+    lines: [],
+    follows: true,
+    clock: "going",
+    dialog,
+  })
 }
 
 /// Without the robot; the service then sends the room of the simulated one.

@@ -1,6 +1,7 @@
 /// Reducer for a run: Run, Stop, Reset, the clock, looking back, the learner's input in the room. Pure.
 
 import {noPreview} from "../preview/preview.ts"
+import {beginRun, nodeOf, originOf, type RunOrigin, storeShown} from "../runs/run_tree.ts"
 import {emptyLog} from "../values/firing_log.ts"
 import {reduceWhy} from "../why/why_state.ts"
 import {setVisible} from "./arrangement.ts"
@@ -26,7 +27,15 @@ export function reduceRunEvent(state: PageState, event: RunEvent): Transition {
       const run = nextRun(state.run, event)
       const why = reduceWhy(state.why, {kind: "closed"}).state
       return sending(
-        {...state, run, room, why, lines: [], findings: {...state.findings, run: []}},
+        {
+          ...state,
+          run,
+          room,
+          runTree: storeShown(state.runTree, state),
+          why,
+          lines: [],
+          findings: {...state.findings, run: []},
+        },
         {op: "reset"},
       )
     }
@@ -83,9 +92,12 @@ function present(state: PageState): PageState {
 }
 
 /// A new run of the open program; without a connection it waits.
-function start(state: PageState, seed: number | null): Transition {
+function start(state: PageState, seed: number | null, from?: RunOrigin): Transition {
   const connected = state.link === "open"
   const run = state.runs + 1
+  const {text} = state.document.program
+  const isReal = state.robots.held !== null
+  const begun = {run, from: from ?? originOf(state.runTree, state.room.run, text), text, seed}
   const started: PageState = {
     ...state,
     run: nextRun(state.run, {kind: "run-pressed", connected, run}),
@@ -94,8 +106,9 @@ function start(state: PageState, seed: number | null): Transition {
     clock: "going",
     room: {
       ...clearRoom(state.room, run),
-      preview: {...noPreview, ran: state.robots.held === null ? state.document.program.text : null},
+      preview: {...noPreview, ran: isReal ? null : text},
     },
+    runTree: isReal ? state.runTree : beginRun(state.runTree, state, begun),
     why: reduceWhy(state.why, {kind: "closed"}).state,
     lines: [],
     findings: {...state.findings, run: []},
@@ -113,22 +126,24 @@ function start(state: PageState, seed: number | null): Transition {
 export const observeMessage = ({valuesShown}: PageState) =>
   ({op: "observe", on: true, ...(valuesShown ? {frames: true} : {})}) as const
 
-/// Whether the last run can go on from the moment that is looked at.
+/// Whether the shown run can go on from the moment that is looked at.
 export function mayContinue({room, robots, link}: PageState): boolean {
   return room.lookedAt !== null && room.run !== null && robots.held === null && link === "open"
 }
 
-/// A new run that begins with the last one up to the moment that is looked at. The service repeats that part at once.
+/// A new run that begins with the shown one up to the moment that is looked at. The service repeats that part at once.
 function continueRun(state: PageState): Transition {
   const frame = shownFrame(state.room)
-  if (!mayContinue(state) || frame === null) return still(state)
-  const begun = start(state, state.seed).state
+  const {run: of} = state.room
+  if (!mayContinue(state) || frame === null || of === null) return still(state)
+  const from = nodeOf(state.runTree, of) === undefined ? undefined : {run: of, at: frame.time}
+  const begun = start(state, state.seed, from).state
   const continued = {
     ...begun,
     room: {...roomUntil(state.room, frame.time), run: begun.runs, preview: begun.room.preview},
     lines: state.lines.filter(line => line.time <= frame.time),
   }
-  return sending(continued, {...runMessage(continued, begun.runs), after: frame.step})
+  return sending(continued, {...runMessage(continued, begun.runs), after: frame.step, of})
 }
 
 /// The request for the run with this number.

@@ -1,5 +1,6 @@
 /// Reducer for the room: a chosen room, a room of a test, the room editor, files of rooms. Pure.
 
+import {noRuns} from "../runs/run_tree.ts"
 import {edit, isChanged, openEditor} from "../worlds/editor_state.ts"
 import {startFault} from "../worlds/start_validation.ts"
 import type {World} from "../worlds/world.ts"
@@ -79,6 +80,7 @@ function chooseWorld(state: PageState, world: string): Transition {
     saved: "changed",
     run: nextRun(state.run, {kind: "reset-pressed"}),
     room: clearRoom(state.room, null),
+    runTree: noRuns,
     dialog: null,
   }
   return sending(chosen, {op: "world", world})
@@ -115,6 +117,7 @@ function takeWorld(state: PageState, world: World): Transition {
     run: nextRun(state.run, {kind: "reset-pressed"}),
     // Below a real robot its floor stays.
     room: state.robots.held === null ? {...clearRoom(state.room, null), world} : state.room,
+    runTree: noRuns,
   }
   return state.link === "open" ? sending(taken, {op: "world", world: file}) : still(taken)
 }

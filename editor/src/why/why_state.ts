@@ -71,6 +71,8 @@ export type WhyRequest =
   | {
       readonly op: "why"
       readonly id: number
+      /// Another run than the latest one.
+      readonly run?: number
       readonly time?: number
       readonly firing?: number
       readonly memory?: string
@@ -81,6 +83,7 @@ export type WhyRequest =
   | {
       readonly op: "whyNot"
       readonly id: number
+      readonly run?: number
       readonly function: string
       readonly command?: string
       readonly since: number

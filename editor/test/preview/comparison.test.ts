@@ -84,8 +84,21 @@ describe("a preview is told", () => {
   it("at the end of the shorter one", () => {
     expect(said(room({}, 4))).toBe("With this change the robot would be 1.5 m further left after 4.0 s.")
     expect(said(room({time: 2}, 10))).toBe(
+      "With this change the robot would be 50 cm further left after 2.0 s. Only the first 2.0 s are shown: more takes too long to compute.",
+    )
+    // A program that ends by itself has no more to show.
+    expect(said(room({time: 2, ended: "done"}, 10))).toBe(
       "With this change the robot would be 50 cm further left after 2.0 s.",
     )
+  })
+
+  it.each([
+    ["German", german, "Nur die ersten 2,0 s sind zu sehen: Mehr auszurechnen dauert zu lange."],
+    ["Spanish", spanish, "Solo se muestran los primeros 2,0 s: calcular más lleva demasiado tiempo."],
+    ["French", french, "Seules les premières 2,0 s sont montrées : calculer plus prend trop de temps."],
+    ["Portuguese", portuguese, "Só os primeiros 2,0 s são mostrados: calcular mais demora demais."],
+  ])("that was cut, in %s", (_, {page, measures: write}, sentence) => {
+    expect(said(room({time: 2}, 10), page as typeof words, write)).toContain(` ${sentence}`)
   })
 
   it("in German", () => {

@@ -48,7 +48,7 @@ function play(...events: readonly PageEvent[]) {
 describe("a run that goes on from a moment", () => {
   it("repeats the last run up to the step that is looked at", () => {
     const {state, sent, times} = play(...before, back, goOn)
-    expect(sent).toEqual([{op: "run", run: 2, source: "", seed: 3, speed: 1, after: 50}])
+    expect(sent).toEqual([{op: "run", run: 2, source: "", seed: 3, speed: 1, after: 50, of: 1}])
     expect(times).toEqual([0, 0.5, 1])
     expect(state.room.frame?.time).toBe(1)
     expect(state.room.trail.flat().map(point => point.time)).toEqual([0, 0.5, 1])
@@ -69,6 +69,51 @@ describe("a run that goes on from a moment", () => {
     expect(times).toEqual([0, 0.5, 0.7, 1])
     expect(state.notice).toEqual({kind: "diverged", time: 0.6})
     expect(play(...before, back, goOn, hear({op: "diverged", run: 1, time: 0.6})).state.notice).toBeNull()
+  })
+
+  it("says when the commands of the run before are no longer kept, if the program was changed", () => {
+    const uncompared = hear({op: "uncompared", run: 2, time: 0.6})
+    expect(play(...before, back, goOn, uncompared).state.notice).toBeNull()
+    const begun = play(...before, back).state
+    const changed = {
+      ...begun,
+      document: {...begun.document, program: {...begun.document.program, text: "new"}},
+    }
+    const continued = reduce(changed, goOn).state
+    expect(reduce(continued, uncompared).state.notice).toEqual({kind: "uncompared", time: 0.6})
+  })
+
+  it("comes from the run that it goes on from, in the tree of runs", () => {
+    const {state} = play(...before, back, goOn, frame(2, 51))
+    expect(state.runTree.nodes.map(({run, from}) => ({run, from}))).toEqual([
+      {run: 1, from: null},
+      {run: 2, from: {run: 1, at: 1}},
+    ])
+  })
+
+  it("can go on from an earlier run as well, once that is shown again", () => {
+    const stop: PageEvent = {kind: "stop-pressed"}
+    const show: PageEvent = {kind: "run-shown", run: 1}
+    const twice = [...before, back, goOn, frame(2, 51)]
+    // Not while a program runs.
+    expect(play(...twice, show).state.room.run).toBe(2)
+    const {state, times} = play(...twice, stop, show)
+    expect(state.room.run).toBe(1)
+    expect(times).toEqual([0, 0.5, 1, 1.5, 2])
+    const ask: PageEvent = {
+      kind: "why",
+      event: {kind: "asked", question: {kind: "position", time: 1}},
+    }
+    expect(play(...twice, stop, show, ask).sent).toMatchObject([{op: "why", run: 1, position: true}])
+    expect(play(...twice, stop, show, back, goOn).sent).toMatchObject([{run: 3, after: 50, of: 1}])
+  })
+
+  it("is no run when its program is refused: the run before is shown again at that moment", () => {
+    const refused = hear({op: "state", run: 2, state: "ended", ended: "refused", problems: []})
+    const {state, times} = play(...before, back, goOn, refused)
+    expect(state.runTree.nodes.map(({run}) => run)).toEqual([1])
+    expect([state.room.run, state.room.lookedAt]).toEqual([1, 1])
+    expect(times).toEqual([0, 0.5, 1, 1.5, 2])
   })
 
   it.each<[string, readonly PageEvent[]]>([

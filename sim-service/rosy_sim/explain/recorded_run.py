@@ -96,6 +96,11 @@ class RecordedRun:
             for firing in dropped.firings:
                 self._by_number.pop(firing.n, None)
 
+    @property
+    def count(self) -> int:
+        """How many firings are kept."""
+        return len(self._by_number)
+
     def firing(self, number: int | None) -> Firing | None:
         """The firing with this number, if it is recorded."""
         found = self._by_number.get(number) if number is not None else None

@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -111,12 +112,12 @@ def test_in_rooms(
     for file in files:
         source = read_program(file).source
         with TrialPool(test.task(source, config), min(processes, test.rooms)) as pool:
-            report = _with_progress(test, pool, str(file), output)
+            report, shrink_seconds = _with_progress(test, pool, str(file), output)
         reports.append(report)
         room_file = _write_smallest(file, files, report)
         values.append(report_values(str(file), report, room_file))
         if not options.json:
-            _print_report(file, test, report, room_file, output)
+            _print_report(file, test, report, room_file, shrink_seconds, output)
     if options.json:
         head = {
             "family": test.family.name,
@@ -144,7 +145,8 @@ def _room_test(options: argparse.Namespace, seconds: float) -> RoomTest:
     return RoomTest(family, options.rooms, seed, seconds, properties)
 
 
-def _with_progress(test: RoomTest, pool: TrialPool, name: str, output: _Output) -> Report:
+def _with_progress(test: RoomTest, pool: TrialPool, name: str, output: _Output) -> tuple[Report, float]:
+    """The report, and how long the smallest failing room was looked for, s of a wall clock."""
     done = passed = 0
 
     def on_outcome(outcome: Outcome) -> None:
@@ -159,7 +161,10 @@ def _with_progress(test: RoomTest, pool: TrialPool, name: str, output: _Output) 
         output.progress(f"{neutralize_line(name)}: {in_terminal(progress)}")
 
     try:
-        return shrunk_report(test, pool, try_rooms(test, pool, on_outcome), on_shrink)
+        report = try_rooms(test, pool, on_outcome)
+        began = time.monotonic()
+        shrunk = shrunk_report(test, pool, report, on_shrink)
+        return shrunk, time.monotonic() - began
     finally:
         output.progress("")
 
@@ -176,7 +181,9 @@ def _write_smallest(file: Path, files: list[Path], report: Report) -> str | None
     return str(path)
 
 
-def _print_report(file: Path, test: RoomTest, report: Report, room_file: str | None, output: _Output) -> None:
+def _print_report(
+    file: Path, test: RoomTest, report: Report, room_file: str | None, shrink_seconds: float, output: _Output
+) -> None:
     if report.refused:
         for refused in report.refused:
             problem = worded(refused, machine_wording())
@@ -196,6 +203,8 @@ def _print_report(file: Path, test: RoomTest, report: Report, room_file: str | N
         proof=proof,
     )
     output.write(neutralize_line(in_terminal(smallest)))
+    tried = tr("Rooms tried for it: {tried}, in {seconds} s.", tried=shrunk.trials, seconds=f"{shrink_seconds:.1f}")
+    output.write(neutralize_line(in_terminal(tried)))
     options = f"--world {room_file} --seed {outcome.seed} --seconds {test.seconds:g}"
     if test.safety.on:
         options += f" --safety on --max-speed {test.safety.max_speed:g} --max-turn {test.safety.max_turn:g}"

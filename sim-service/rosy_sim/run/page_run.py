@@ -62,6 +62,9 @@ class RunView(Protocol):
     def show_divergence(self, time: float) -> None:
         """Show when the program began to differ from the run that it repeats."""
 
+    def show_uncompared(self, time: float) -> None:
+        """Show since when it is not known whether the program differs from the run that it repeats."""
+
     def show_goals(self, states: list[GoalState]) -> None:
         """Show the goals if they have changed visibly."""
 

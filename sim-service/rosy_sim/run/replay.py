@@ -17,7 +17,7 @@ from .lockstep import Lockstep
 __all__ = ["NO_REPLAY", "CommandLog", "Replay"]
 
 _MAX_STEPS = 200_000
-"""Steps with commands that are kept of a run: more than an hour. Later ones are not compared."""
+"""Steps with commands that are kept of a run: more than an hour. Later ones are not compared, and the page is told."""
 
 
 @dataclass(slots=True)
@@ -35,11 +35,15 @@ class CommandLog:
         if given and len(self._given) < _MAX_STEPS:
             self._given[lockstep.step - 1] = given
 
+    @property
+    def kept_steps(self) -> int:
+        """The steps before this one can be compared."""
+        return self.steps if len(self._given) < _MAX_STEPS else next(reversed(self._given)) + 1
+
     def differs(self, lockstep: Lockstep) -> bool:
-        """Whether the step that has just been integrated had other commands than here."""
+        """Whether the step that has just been integrated had other commands than here, as far as these are kept."""
         step = lockstep.step - 1
-        is_kept = len(self._given) < _MAX_STEPS or step <= next(reversed(self._given))
-        return is_kept and self._given.get(step, ()) != _given(lockstep)
+        return step < self.kept_steps and self._given.get(step, ()) != _given(lockstep)
 
 
 def _given(lockstep: Lockstep) -> tuple[Command | TopicMessage, ...]:

@@ -232,6 +232,8 @@ class SimulatedRun(PageRun):
         if self._has_diverged:
             self._add_firings(lockstep)
         is_last = lockstep.step == replay.steps
+        if is_last and not self._has_diverged and replay.commands.kept_steps < replay.steps:
+            view.show_uncompared(replay.commands.kept_steps / STEPS_PER_SECOND)
         if is_last or (self._has_diverged and lockstep.step % _DIVERGED_STEPS == 0):
             view.show_frame(force=True)
         if is_last and lockstep.goals:

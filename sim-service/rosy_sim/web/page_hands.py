@@ -6,15 +6,22 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from ..errors import BadInput
 from ..previews.preview import PreviewTask
 from ..run.hands import HandAction, RecordedHands, write_hands
 from ..run.lockstep import Lockstep
 from ..run.replay import CommandLog, Replay
 from ..run.simulated_run import SimulatedRun
 from ..run.velocity_guard import SafetySettings
+from ..sentence import tr
 from ..wire import page
+from .run_history import RunHistory
 
 __all__ = ["PageHands"]
+
+
+_MAX_KEPT_STEPS = 60_000
+"""Steps of the runs before the last one whose commands are kept, together: 20 minutes."""
 
 
 class PageHands:
@@ -25,6 +32,10 @@ class PageHands:
         # Of the last run in this room; what a preview and a continued run repeat.
         self._recorded = RecordedHands()
         self._commands = CommandLog()
+        # The number of that run; None when there is none that could be repeated.
+        self._run: int | None = None
+        # The runs before it in this room.
+        self._earlier: RunHistory[tuple[RecordedHands, CommandLog]] = RunHistory(_MAX_KEPT_STEPS)
         # Actions deferred to the end of the step in progress.
         self._waiting: list[Callable[[], None]] = []
 
@@ -60,34 +71,53 @@ class PageHands:
             run.switch_safety(settings)
             self._recorded.add(run.step, settings)
 
-    def begin(self, seed: int, safety: SafetySettings) -> None:
-        """A run begins, or there is no run any more that could be repeated."""
-        self._recorded = RecordedHands(seed, safety)
-        self._commands = CommandLog()
+    def begin(self, seed: int, safety: SafetySettings, run: int | None = None) -> None:
+        """The run with this number begins; None: there is none any more that a preview repeats."""
+        self._replace(RecordedHands(seed, safety), run)
+
+    def forget_room(self) -> None:
+        """The room is another one: no earlier run can be continued."""
+        self._earlier.clear()
+
+    def _replace(self, recorded: RecordedHands, run: int | None) -> None:
+        if self._run is not None and self._commands.steps > 0:
+            self._earlier.add(self._run, (self._recorded, self._commands), self._commands.steps)
+        self._recorded, self._commands, self._run = recorded, CommandLog(), run
 
     def record_step(self, lockstep: Lockstep) -> None:
         """A step of the run has been integrated."""
         self._commands.add(lockstep)
 
-    def branch(self, after: int, safety: SafetySettings) -> tuple[RecordedHands, Replay]:
+    def branch(self, request: page.Run, after: int, safety: SafetySettings) -> tuple[RecordedHands, Replay]:
         """
-        Begin a run that repeats the last one up to a step.
+        Begin a run that repeats an earlier one up to a step.
 
         Args:
-            after: how many steps; not more than the last run had.
+            request: names the earlier run; without a name it is the last one.
+            after: how many steps; not more than that run had.
             safety: the settings from then on.
 
         Returns:
             What is recorded of the new run so far, and what it repeats.
+
+        Raises:
+            BadInput: that run cannot be repeated.
         """
-        of, commands = self._recorded, self._commands
+        found = (self._recorded, self._commands)
+        if request.of is not None and request.of != self._run:
+            kept = self._earlier.get(request.of)
+            if kept is None:
+                raise BadInput(tr("This run is too long ago to go on from there."))
+            found = kept
+        of, commands = found
+        if not of.is_complete:
+            raise BadInput(tr("Too much was done by hand in this run to go on from there."))
         steps = max(0, min(after, commands.steps))
         actions = [hand for hand in of.actions if hand[0] <= steps]
         switched = [action for _, action in actions if isinstance(action, SafetySettings)]
         if safety != (switched[-1] if switched else of.safety):
             actions.append((steps, safety))
-        self._recorded = RecordedHands(of.seed, of.safety, actions)
-        self._commands = CommandLog()
+        self._replace(RecordedHands(of.seed, of.safety, actions), request.run)
         return self._recorded, Replay(steps, tuple(actions), commands)
 
     @property

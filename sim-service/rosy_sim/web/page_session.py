@@ -219,6 +219,7 @@ class PageSession:
         world = usable_world(value, tr("This"))
         self._end_now()
         self._forget_run()
+        self._hands.forget_room()
         self._room = Room(value, world)
         self._view.show_room(self._room)
 
@@ -259,25 +260,24 @@ class PageSession:
         if not self._is_short_enough(request.source):
             return
         self._view.run = request.run
-        self._explanations.start(request.source)
+        self._explanations.start(request.run, request.source)
         robot = self.ownership.process
         if robot is not None:
             self._run = RobotRun(request, robot, self._services, self._view, self._on_run_over)
             return
         lesson, safety = self._lesson, self._safety
         if request.after is not None:
-            if not self._hands.is_complete:
-                self.refuse(
-                    tr("Too much was done by hand in this run to go on from there."), tr("Press Run for a new run.")
-                )
+            try:
+                recorded, replay = self._hands.branch(request, request.after, safety.settings)
+            except BadInput as error:
+                self.refuse(error.sentence, tr("Press Run for a new run."))
                 self._view.show_ended(request.run, "stopped", [])
                 return
-            recorded, replay = self._hands.branch(request.after, safety.settings)
             seed, settings = recorded.seed, recorded.safety
         else:
             seed = request.seed if request.seed is not None else _random.randrange(2**31)
             replay, settings = NO_REPLAY, safety.settings
-            self._hands.begin(seed, settings)
+            self._hands.begin(seed, settings, request.run)
         self._reset_world(seed)
         self._idle.pause()
         lesson.start(request.run, request.source, self.world.arena)

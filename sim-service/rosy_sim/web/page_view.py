@@ -169,6 +169,10 @@ class PageView:
         """Show when the program began to differ from the run that it repeats."""
         self._outbox.put(page.Diverged(self.run, time))
 
+    def show_uncompared(self, time: float) -> None:
+        """Show since when it is not known whether the program differs from the run that it repeats."""
+        self._outbox.put(page.Uncompared(self.run, time))
+
     def show_output(self, time: float, texts: list[str], sounds: list[int]) -> None:
         """Show the texts and play the sounds of a step, as far as the limit allows."""
         for text in texts:

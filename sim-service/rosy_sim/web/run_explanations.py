@@ -1,11 +1,12 @@
 """
-Explanations of the latest run of a page: records it while the page observes it, and answers why and why not.
+Explanations of the runs of a page: records a run while the page observes it, and answers why and why not.
 """
 
 from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import msgspec
 
@@ -22,6 +23,7 @@ from ..wire.robot_link import Ended, Settled
 from ..wire.worker import Checked
 from ..world.events import VELOCITY_CHANNEL, Command
 from ..world.time_step import STEPS_PER_SECOND
+from .run_history import RunHistory
 
 __all__ = ["MOST_FIRINGS", "RunExplanations", "commands_of_step"]
 
@@ -31,53 +33,66 @@ MOST_FIRINGS = 20_000
 LIMITS = RobotLimits(DEFAULT_ROBOT.limits.speed, DEFAULT_ROBOT.limits.angular_speed)
 
 
+@dataclass(slots=True)
+class _Explained:
+    """What is known of a run."""
+
+    run: int = 0
+    source: str = ""
+    record: RecordedRun | None = None
+    # The graph of the program; None until the compiler has told it.
+    graph: msgspec.Raw | None = None
+    # Whether a step of the run has passed.
+    has_begun: bool = False
+
+
 class RunExplanations:
     """Of one page. ``send`` puts a message into the page's outbox."""
 
     def __init__(self, send: Callable[[page.Because], None]) -> None:
         self._send = send
-        self._record: RecordedRun | None = None
-        self._source = ""
-        # The graph of the program of the run, and the latest program that was checked without mistakes with its graph.
-        self._graph: msgspec.Raw | None = None
+        self._latest = _Explained()
+        # The runs before; their firings together are bounded like those of one run.
+        self._earlier: RunHistory[_Explained] = RunHistory(MOST_FIRINGS)
+        # The latest program that was checked without mistakes, with its graph.
         self._checked: tuple[str, msgspec.Raw] | None = None
         # How often hands had put the robot in another place, as of the last recorded step.
         self._placements = 0
-        # Whether a step of the run has passed.
-        self._has_begun = False
 
     def on_checked(self, source: str, checked: Checked) -> None:
         """The compiler has answered about a program."""
         if any(problem.severity == "error" for problem in checked.problems):
             return
         self._checked = (source, checked.graph)
-        if source == self._source:
-            self._graph = checked.graph
+        if source == self._latest.source:
+            self._latest.graph = checked.graph
 
-    def start(self, source: str) -> None:
+    def start(self, run: int, source: str) -> None:
         """A run begins."""
-        self._record = None
-        self._source = source
-        self._has_begun = False
-        self._graph = self._checked[1] if self._checked is not None and self._checked[0] == source else None
+        before = self._latest
+        if before.record is not None:
+            self._earlier.add(before.run, before, before.record.count)
+        graph = self._checked[1] if self._checked is not None and self._checked[0] == source else None
+        self._latest = _Explained(run, source, graph=graph)
 
     def on_step(self, lockstep: Lockstep) -> None:
         """A step of the run has passed."""
-        self._has_begun = True
+        latest = self._latest
+        latest.has_begun = True
         done = lockstep.settled or lockstep.ended
         if not lockstep.observes:
-            self._record = None
+            latest.record = None
         elif done is not None:
             step = lockstep.settled.step if lockstep.settled is not None else lockstep.step
             time = step / STEPS_PER_SECOND
-            if self._record is None:
-                self._record = RecordedRun(most=MOST_FIRINGS)
+            if latest.record is None:
+                latest.record = RecordedRun(most=MOST_FIRINGS)
                 # Numbers of firings begin anew when an observation begins: nothing of before is kept.
-                self._record.known_since = time
+                latest.record.known_since = time
                 self._placements = lockstep.world.placements
             events = done.sensed + [g.value for f in done.firings for g in f.gave if g.to == "event"]
             placements = lockstep.world.placements
-            self._record.add_step(
+            latest.record.add_step(
                 time,
                 done.firings,
                 events,
@@ -89,18 +104,25 @@ class RunExplanations:
 
     def answer(self, request: page.Why | page.WhyNot) -> None:
         """Answer a question of the page."""
-        run = self._record
+        about = self._about(request.run)
+        run = about.record
         if run is None:
-            answer = Answer([Link(Sentence("not-recorded" if self._has_begun else "run-not-begun"), 0.0)], 0.0)
+            answer = Answer([Link(Sentence("not-recorded" if about.has_begun else "run-not-begun"), 0.0)], 0.0)
         elif isinstance(request, page.WhyNot):
             window = Window(request.since, request.until)
-            functions = function_types(self._graph) if self._graph is not None else []
+            functions = function_types(about.graph) if about.graph is not None else []
             answer = why_not(run, functions, window, LIMITS, request.function, request.command, request.event)
         else:
             answer = _why(run, request)
         path = [page.firing_shown(firing, run.time_of(firing)) for firing in answer.path] if run is not None else []
         sentences = [page.SentenceShown(link.said, link.time, link.firing) for link in answer.links]
         self._send(page.Because(request.id, answer.time, sentences, path))
+
+    def _about(self, run: int | None) -> _Explained:
+        """The run that is asked about; one that is no longer kept is as one that was not recorded."""
+        if run is None or run == self._latest.run:
+            return self._latest
+        return self._earlier.get(run) or _Explained(run, has_begun=True)
 
 
 def _why(run: RecordedRun, request: page.Why) -> Answer:

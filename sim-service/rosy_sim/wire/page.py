@@ -66,6 +66,7 @@ __all__ = [
     "Stop",
     "SwitchSafety",
     "Take",
+    "Uncompared",
     "Unlock",
     "Why",
     "WhyNot",
@@ -120,7 +121,8 @@ class Run(msgspec.Struct, tag="run", tag_field="op"):
     """
     Compile and drive.
 
-    ``after``: repeat so many steps of the last run with its seed and hands, and go on from there.
+    ``after``: repeat so many steps of the run ``of``, without one the last run, with its seed and hands, and go on
+    from there.
     """
 
     run: int
@@ -128,6 +130,7 @@ class Run(msgspec.Struct, tag="run", tag_field="op"):
     seed: int | None = None
     speed: Speed = 1.0
     after: int | None = None
+    of: int | None = None
 
 
 class Preview(msgspec.Struct, tag="preview", tag_field="op"):
@@ -175,7 +178,7 @@ class Why(msgspec.Struct, tag="why", tag_field="op"):
     """
     Why is something as it is at a time, s (without one the latest)? About one of: a firing by its number, a memory by
     its type, an event as Haskell shows it, the position of the robot, a command by its type (`Velocity`, which is also
-    meant when none is given).
+    meant when none is given). ``run``: another run than the latest.
     """
 
     id: int
@@ -185,6 +188,7 @@ class Why(msgspec.Struct, tag="why", tag_field="op"):
     memory: str = ""
     event: str = ""
     command: str = ""
+    run: int | None = None
 
 
 class WhyNot(msgspec.Struct, tag="whyNot", tag_field="op"):
@@ -199,6 +203,7 @@ class WhyNot(msgspec.Struct, tag="whyNot", tag_field="op"):
     function: str = ""
     command: str = ""
     event: str = ""
+    run: int | None = None
 
 
 class Input(UserInput, tag="input", tag_field="op", kw_only=True):
@@ -433,6 +438,13 @@ class Diverged(msgspec.Struct, tag="diverged", tag_field="op"):
     time: float
 
 
+class Uncompared(msgspec.Struct, tag="uncompared", tag_field="op"):
+    """From this time (s) on, it is not known whether a program that repeats the last run gave other commands."""
+
+    run: int
+    time: float
+
+
 class ChecksShown(msgspec.Struct, tag="checks", tag_field="op"):
     """
     The checks of the lesson's step that the page has chosen. ``run`` is ``None`` while they are about the program only;
@@ -512,6 +524,7 @@ Answer = (
     | GoalsShown
     | Previewed
     | Diverged
+    | Uncompared
     | ChecksShown
     | Robots
     | RobotState

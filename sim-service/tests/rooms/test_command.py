@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -55,6 +56,7 @@ def test_a_failure_gives_a_table_and_a_room_that_opens(environment: Environment,
     assert "pushed for 0.02 s until" in lines[1]
     assert "rooms passed." in done.stdout
     assert "no smaller one fails" in done.stdout
+    assert re.search(r"^Rooms tried for it: \d+, in \d+\.\d s\.$", done.stdout, re.MULTILINE)
     # The command in the last line runs the program in the smallest room.
     usable_arena(load_world(str(tmp_path / "p-smallest-room.json")), "the room")
     again = rosy(environment, *lines[-1].removeprefix("See it: ./rosy ").split())

@@ -6,8 +6,11 @@ import random
 from typing import Any
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from rosy_sim.config import Config
+from rosy_sim.run.lockstep import Lockstep
 from rosy_sim.web.app import Service
 
 from .test_app import Message, Page, story
@@ -58,6 +61,23 @@ def shown(frame: Message) -> Message:
 async def shows(page: Page, run: int, step: int) -> None:
     """Wait for a frame of this step or of a later one: a busy service shows some steps only."""
     await page.until(lambda m: m["op"] == "frame" and m["run"] == run and m["step"] >= step)
+
+
+class CommandRecorder:
+    """Records what programs command, step by step, while they run in this process."""
+
+    def __init__(self, patch: pytest.MonkeyPatch) -> None:
+        # Of the newest run.
+        self.commands: list[list[object]] = []
+        integrate = Lockstep.integrate
+
+        def record(lockstep: Lockstep) -> None:
+            if lockstep.step == 0:
+                self.commands = []
+            self.commands.append([*lockstep.commands, *lockstep.published])
+            integrate(lockstep)
+
+        patch.setattr(Lockstep, "integrate", record)
 
 
 def diverged(page: Page, run: int) -> list[float]:
@@ -130,6 +150,91 @@ def test_a_changed_program_tells_its_first_other_command(changed: str, at: float
             assert frames[50] == whole[50]
 
     story(play, config)
+
+
+def test_an_earlier_run_is_continued_when_it_is_named(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await begin(page, 1, "drive:0.5", seed=1)
+        whole = await walk(page, 1, {}, 0)
+        await begin(page, 2, "drive:-0.3", seed=2)
+        await walk(page, 2, {}, 0)
+        await page.send("reset")
+        await begin(page, 3, "drive:0.5", after=40, of=1)
+        assert shown(await page.op("frame", run=3, step=40)) == whole[40]
+        assert not diverged(page, 3)
+
+    story(play, config)
+
+
+def test_a_run_that_is_not_kept_is_not_continued(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await begin(page, 1, "drive:0.5", seed=1)
+        await walk(page, 1, {}, 0)
+        await page.send("run", run=2, source="drive:0.5", after=20, of=7)
+        assert "too long ago" in (await page.op("refusal"))["message"]
+        assert (await page.ended(2))["ended"] == "stopped"
+        # Another room: what was done in the one before cannot be repeated.
+        await begin(page, 3, "drive:0.5", seed=1)
+        await page.send("world", world="room")
+        await page.send("run", run=4, source="drive:0.5", after=20, of=1)
+        assert "too long ago" in (await page.op("refusal"))["message"]
+
+    story(play, config)
+
+
+def test_commands_that_are_no_longer_kept_are_told(config: Config, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rosy_sim.run.replay._MAX_STEPS", 3)
+
+    async def play(page: Page, _: Service) -> None:
+        await begin(page, 1, "drive:0.5", seed=1)
+        await walk(page, 1, {}, 0)
+        # The program sends a velocity in each fifth step.
+        await begin(page, 2, "drive:0.5 say:hi@30", after=50)
+        await page.op("frame", run=2, step=50)
+        assert [m["time"] for m in page.seen if m["op"] == "uncompared" and m["run"] == 2] == [0.22]
+        assert not diverged(page, 2)
+        # Before that step there is nothing to tell.
+        await begin(page, 3, "drive:0.5", after=10)
+        await page.op("frame", run=3, step=10)
+        assert not [m for m in page.seen if m["op"] == "uncompared" and m["run"] == 3]
+
+    story(play, config)
+
+
+LATE_CHANGES = ("", " say:hi@{at}", " led:2@{at}", " sound:4@{at}", " bump", " drive:-0.2")
+"""Changes of a program that show late or at once. Of two equal words of a script the last one counts."""
+
+
+@settings(max_examples=6, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.integers(0, 10_000), st.sampled_from(LATE_CHANGES), st.integers(0, STEPS - 1), st.integers(1, STEPS - 1))
+def test_a_branch_is_the_run_of_the_changed_program_with_the_same_hands(
+    config: Config, seed: int, change: str, at: int, step: int
+) -> None:
+    """Up to the first different command it is the run before; the page is told when that is."""
+    source, hands = generated(seed)
+    changed = source + change.format(at=at)
+
+    async def play(page: Page, recorder: CommandRecorder) -> None:
+        await begin(page, 1, source, seed=seed)
+        before = await walk(page, 1, hands, 0)
+        commands_before = recorder.commands[:STEPS]
+        await begin(page, 2, changed, after=step)
+        branch = {step: shown(await page.op("frame", run=2, step=step))}
+        branch |= await walk(page, 2, {at: acts for at, acts in hands.items() if at > step}, step)
+        commands_of_branch = recorder.commands[:STEPS]
+        # The changed program with the same seed and all hands, from its start.
+        await begin(page, 3, changed, seed=seed)
+        whole = await walk(page, 3, hands, 0)
+        assert branch == {at: state for at, state in whole.items() if at >= step}
+        assert commands_of_branch == recorder.commands[:STEPS]
+        # A command of a step shows its effect after that step.
+        first = min((at for at in range(STEPS) if commands_before[at] != commands_of_branch[at]), default=STEPS)
+        assert {at: whole[at] for at in whole if at <= first} == {at: before[at] for at in before if at <= first}
+        assert diverged(page, 2) == ([first / 50] if first < step else [])
+
+    with pytest.MonkeyPatch.context() as patch:
+        recorder = CommandRecorder(patch)
+        story(lambda page, _: play(page, recorder), config)
 
 
 def test_not_more_is_repeated_than_there_was(config: Config) -> None:

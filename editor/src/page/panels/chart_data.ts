@@ -37,6 +37,25 @@ export function windowOf(
   return {from: to - seconds, to}
 }
 
+/// A window of both runs, when all of them is shown.
+export function unitedWindow(
+  shown: {readonly from: number; readonly to: number},
+  other: Recording | null,
+  seconds: ChartSpan,
+): {from: number; to: number} {
+  const span = other === null || seconds !== "all" ? null : spanOfTime(other)
+  return span === null ? {...shown} : {from: Math.min(shown.from, span.from), to: Math.max(shown.to, span.to)}
+}
+
+/// Two curves with the same scale, so that they can be drawn in one picture.
+export function withSameScale(a: Curve, b: Curve): readonly [Curve, Curve] {
+  const scale = {low: Math.min(a.low, b.low), high: Math.max(a.high, b.high)}
+  return [
+    {...a, ...scale},
+    {...b, ...scale},
+  ]
+}
+
 /// The points of a piece of the recording, one per frame, or the lowest and the highest of each group of `every`.
 function pointsOf(piece: readonly Frame[], quantity: Quantity, every: number): readonly Point[] {
   const points: Point[] = []

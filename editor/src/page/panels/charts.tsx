@@ -2,13 +2,14 @@
 
 import type {VNode} from "preact"
 import {useLayoutEffect, useMemo, useRef, useState} from "preact/hooks"
+import {comparedRun, nodeOf} from "../../runs/run_tree.ts"
 import type {ChartSpan} from "../../state/page_state.ts"
 import {type Quantity, quantitiesOf} from "../../state/quantities.ts"
 import {measures, words} from "../../words/index.ts"
 import {useController, usePageState} from "../app_context.ts"
 import {SegmentedControl} from "../controls.tsx"
 import {quantityName} from "../descriptions.ts"
-import {type Curve, openCurves, windowOf} from "./chart_data.ts"
+import {type Curve, openCurves, unitedWindow, windowOf, withSameScale} from "./chart_data.ts"
 
 const spans: readonly ChartSpan[] = [20, 60, "all"]
 
@@ -27,7 +28,12 @@ function Charts(): VNode {
   const there = usePageState(s => quantitiesOf(s.room.frame))
   const [hover, setHover] = useState<number | null>(null)
   const curves = useMemo(openCurves, [])
-  const shown = windowOf(recording, lookedAt, span)
+  const otherCurves = useMemo(openCurves, [])
+  const tree = usePageState(s => s.runTree)
+  const own = usePageState(s => nodeOf(s.runTree, s.room.run)?.number ?? 0)
+  const other = useMemo(() => comparedRun(tree), [tree])
+  const otherRecording = other?.kept.room.recording ?? null
+  const shown = unitedWindow(windowOf(recording, lookedAt, span), otherRecording, span)
   const at = hover ?? lookedAt
   const toggle = (key: string) =>
     store.dispatch({
@@ -50,18 +56,32 @@ function Charts(): VNode {
           {at === null ? "" : words.atTime(Math.min(Math.max(at, shown.from), shown.to))}
         </span>
       </div>
+      {other !== null && (
+        <p class="quiet" data-testid="compared-charts">
+          {words.runs.run(own)}: {words.runs.lines.shown} · {words.runs.run(other.number)}:{" "}
+          {words.runs.lines.compared}
+        </p>
+      )}
       {there
         .filter(q => chosen.includes(q.key))
-        .map(q => (
-          <StripChart
-            key={q.key}
-            quantity={q}
-            curve={curves.of(recording, q, shown)}
-            at={at}
-            pointed={setHover}
-            chosen={time => store.dispatch({kind: "looked-back", time})}
-          />
-        ))}
+        .map(q => {
+          const curve = curves.of(recording, q, shown)
+          const [drawn, compared] =
+            otherRecording === null
+              ? [curve, null]
+              : withSameScale(curve, otherCurves.of(otherRecording, q, shown))
+          return (
+            <StripChart
+              key={q.key}
+              quantity={q}
+              curve={drawn}
+              compared={compared}
+              at={at}
+              pointed={setHover}
+              chosen={time => store.dispatch({kind: "looked-back", time})}
+            />
+          )
+        })}
       <fieldset class="chips" aria-label={words.chartedValues}>
         {there.map(q => (
           <button
@@ -87,6 +107,8 @@ function Charts(): VNode {
 export function StripChart(props: {
   readonly quantity: Quantity
   readonly curve: Curve
+  /// Of the run that is compared, in the same window and scale.
+  readonly compared?: Curve | null
   /// Where the cursor stands, in seconds of the run.
   readonly at: number | null
   /// The pointer is over this time, or has left.
@@ -94,19 +116,23 @@ export function StripChart(props: {
   chosen(time: number): void
 }): VNode {
   const {quantity, curve, at} = props
+  const compared = props.compared ?? null
   const canvas = useRef<HTMLCanvasElement>(null)
   const theme = usePageState(s => s.theme)
   const value = curve.at(at ?? curve.to)
   useLayoutEffect(() => {
-    if (canvas.current !== null) draw(canvas.current, curve, at)
-  }, [curve, at, theme])
+    if (canvas.current !== null) draw(canvas.current, curve, compared, at)
+  }, [curve, compared, at, theme])
 
   const timeUnder = (event: {clientX: number; currentTarget: Element}) => {
     const box = event.currentTarget.getBoundingClientRect()
     return curve.from + ((event.clientX - box.left) / box.width) * (curve.to - curve.from)
   }
   const name = quantity.name ?? quantityName(quantity.key)
-  const text = value === null ? "" : `${told(value, quantity.unit === "" ? 0 : 3)} ${quantity.unit}`
+  const inWords = (value: number | null) =>
+    value === null ? "" : `${told(value, quantity.unit === "" ? 0 : 3)} ${quantity.unit}`
+  const other = compared === null ? "" : inWords(compared.at(at ?? compared.to))
+  const text = other === "" ? inWords(value) : `${inWords(value)} ┊ ${other}`
   return (
     <figure class="strip" style={{"--curve": `var(--${quantity.family})`}}>
       <figcaption>
@@ -135,7 +161,7 @@ function lineStep(seconds: number): number {
   return [5, 10, 30, 60, 120, 300, 600].find(step => seconds / step <= 8) ?? 1200
 }
 
-function draw(canvas: HTMLCanvasElement, curve: Curve, at: number | null): void {
+function draw(canvas: HTMLCanvasElement, curve: Curve, compared: Curve | null, at: number | null): void {
   const ctx = canvas.getContext("2d")
   if (ctx === null) return
   const ratio = window.devicePixelRatio || 1
@@ -161,15 +187,27 @@ function draw(canvas: HTMLCanvasElement, curve: Curve, at: number | null): void 
     ctx.lineTo(w, y(0))
   }
   ctx.stroke()
+  ctx.lineJoin = "round"
+  const line = (points: Curve["points"]) => {
+    ctx.beginPath()
+    for (const [i, point] of points.entries()) {
+      if (i === 0) ctx.moveTo(x(point.time), y(point.value))
+      else ctx.lineTo(x(point.time), y(point.value))
+    }
+    ctx.stroke()
+  }
+  if (compared !== null) {
+    ctx.strokeStyle = style.getPropertyValue("--compared")
+    ctx.lineWidth = 2.5
+    ctx.lineCap = "round"
+    // Dashes without a length are round dots, as on the path in the room.
+    ctx.setLineDash([0, 5])
+    line(compared.points)
+    ctx.setLineDash([])
+  }
   ctx.strokeStyle = style.color
   ctx.lineWidth = 1.75
-  ctx.lineJoin = "round"
-  ctx.beginPath()
-  for (const [i, point] of curve.points.entries()) {
-    if (i === 0) ctx.moveTo(x(point.time), y(point.value))
-    else ctx.lineTo(x(point.time), y(point.value))
-  }
-  ctx.stroke()
+  line(curve.points)
   if (at !== null) {
     ctx.strokeStyle = quiet
     ctx.lineWidth = 1

@@ -1,13 +1,14 @@
 /// Tabs below the room: console, charts, sensors, problems.
 
 import type {VNode} from "preact"
+import {RunsPanel} from "../../runs/runs_panel.tsx"
 import {words} from "../../words/index.ts"
 import {useController, usePageState} from "../app_context.ts"
 import {ChartsPanel} from "../panels/charts.tsx"
 import {ProblemsPanel, problemCount} from "../panels/problems.tsx"
 import {ConsolePanel, SensorsPanel} from "../panels/run_panels.tsx"
 
-const tabs = ["console", "charts", "sensors", "problems"] as const
+const tabs = ["console", "charts", "runs", "sensors", "problems"] as const
 
 export function Tabs(): VNode {
   const {store} = useController()
@@ -52,6 +53,7 @@ export function Tabs(): VNode {
       >
         {tab === "console" && <ConsolePanel />}
         {tab === "charts" && <ChartsPanel />}
+        {tab === "runs" && <RunsPanel />}
         {tab === "sensors" && <SensorsPanel />}
         {tab === "problems" && <ProblemsPanel />}
       </div>

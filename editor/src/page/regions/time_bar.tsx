@@ -10,7 +10,7 @@ import {WhyMarks} from "../../why/why_panel.tsx"
 import {measures, words} from "../../words/index.ts"
 import {useController, usePageState} from "../app_context.ts"
 import {IconButton} from "../controls.tsx"
-import {AgainIcon, GoIcon, PauseIcon, ResetIcon, StepIcon} from "../icons.tsx"
+import {AgainIcon, GoIcon, PauseIcon, ResetIcon, RunsIcon, StepIcon} from "../icons.tsx"
 
 const speeds: readonly Speed[] = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16, "max"]
 
@@ -65,10 +65,14 @@ export function TimeBar(): VNode {
   )
 }
 
-/// While a simulated run is looked back at: the run goes on from there.
+/// While a simulated run is looked back at: the run goes on from there, and the tree of runs is found.
 export function ContinueBar(): VNode | null {
   const {store} = useController()
   if (!usePageState(mayContinue)) return null
+  const showRuns = () => {
+    store.dispatch({kind: "tab", tab: "runs"})
+    document.getElementById("tab-runs")?.focus()
+  }
   return (
     <div class="continue-bar">
       <button
@@ -79,6 +83,9 @@ export function ContinueBar(): VNode | null {
       >
         {words.continueHere}
       </button>
+      <IconButton label={words.runs.show} onClick={showRuns}>
+        <RunsIcon />
+      </IconButton>
     </div>
   )
 }

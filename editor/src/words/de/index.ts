@@ -12,12 +12,13 @@ import {page} from "./page.ts"
 import {preview} from "./preview.ts"
 import {roomTests} from "./room_tests.ts"
 import {world} from "./rooms.ts"
+import {runs} from "./runs.ts"
 import {why} from "./why.ts"
 
 export const german: Table = {
   tag: "de",
   direction: "ltr",
-  page: {...page, blocks, classroom, world, diagram, roomTests, preview, keys, lessons, why, blockly},
+  page: {...page, blocks, classroom, world, diagram, roomTests, preview, runs, keys, lessons, why, blockly},
   measures: measuresOf("de"),
   blocks: de,
 }

@@ -13,6 +13,7 @@ export const page: Omit<
   | "diagram"
   | "roomTests"
   | "preview"
+  | "runs"
   | "keys"
   | "lessons"
   | "why"
@@ -104,7 +105,7 @@ export const page: Omit<
   soundOn: "Der Ton ist an",
   soundOff: "Der Ton ist aus",
   clock: "Zeit des Laufs",
-  tabs: {console: "Ausgabe", charts: "Kurven", sensors: "Werte", problems: "Probleme"},
+  tabs: {console: "Ausgabe", charts: "Kurven", runs: "Läufe", sensors: "Werte", problems: "Probleme"},
   emptyConsole: "Hier erscheint, was der Roboter spürt und sagt.",
   moreEvents: n => count(n, {one: "Noch ein Ereignis zeigen", other: k => `Noch ${k} Ereignisse zeigen`}),
   fewerEvents: "Nur die wichtigsten Ereignisse zeigen",
@@ -331,6 +332,10 @@ export const page: Omit<
     diverged: {
       message: time => `Dein geändertes Programm tut ab ${time} etwas anderes.`,
       hint: "Es lief vom Anfang bis zu dem Moment, den du gewählt hast.",
+    },
+    uncompared: {
+      message: time => `Ob dein geändertes Programm nach ${time} etwas anderes tut, ist nicht bekannt.`,
+      hint: "Die Befehle eines Laufs werden etwa eine Stunde lang aufgehoben.",
     },
     notText: {
       message: name => `In ${name} steht kein Text.`,

@@ -26,5 +26,7 @@ export const preview = {
   noGoal: (all: number) => (all === 1 ? "das Ziel verfehlen" : "kein Ziel erreichen"),
   unrepeatable:
     "In diesem Lauf wurde zu viel von Hand bewegt. Starte neu, um zu sehen, wohin eine Änderung führt.",
+  /// The preview is shorter than the run.
+  cut: (time: string) => `Nur die ersten ${time} sind zu sehen: Mehr auszurechnen dauert zu lange.`,
   fails: (time: string) => `nach ${time} mit einem Fehler stehen bleiben`,
 } as const

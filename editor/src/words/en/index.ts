@@ -9,6 +9,7 @@ import {page} from "./page.ts"
 import {preview} from "./preview.ts"
 import {roomTests} from "./room_tests.ts"
 import {world} from "./rooms.ts"
+import {runs} from "./runs.ts"
 import {why} from "./why.ts"
 
 export const en = {
@@ -19,6 +20,7 @@ export const en = {
   diagram,
   roomTests,
   preview,
+  runs,
   keys,
   lessons,
   why,

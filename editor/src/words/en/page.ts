@@ -93,7 +93,7 @@ export const page = {
   soundOn: "Sound is on",
   soundOff: "Sound is off",
   clock: "Time of the run",
-  tabs: {console: "Console", charts: "Charts", sensors: "Values", problems: "Problems"},
+  tabs: {console: "Console", charts: "Charts", runs: "Runs", sensors: "Values", problems: "Problems"},
   emptyConsole: "What the robot senses and says appears here.",
   moreEvents: (n: number) => count(n, {one: "Show one more event", other: k => `Show ${k} more events`}),
   fewerEvents: "Show only the most important events",
@@ -327,6 +327,11 @@ export const page = {
     diverged: {
       message: (time: string) => `Your changed program does something else from ${time} on.`,
       hint: "It ran from the start to the moment that you chose.",
+    },
+    uncompared: {
+      message: (time: string) =>
+        `After ${time}, it is not known whether your changed program does something else.`,
+      hint: "The commands of a run are kept for about an hour.",
     },
     notText: {
       message: (name: string) => `${name} does not hold text.`,

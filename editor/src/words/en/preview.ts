@@ -25,5 +25,7 @@ export const preview = {
   goals: (done: number, all: number) => (all === 1 ? "reach the goal" : `reach ${done} of ${all} goals`),
   noGoal: (all: number) => (all === 1 ? "miss the goal" : "reach no goal"),
   unrepeatable: "Too much was done by hand in this run to show where a change leads. Run it again.",
+  /// The preview is shorter than the run.
+  cut: (time: string) => `Only the first ${time} are shown: more takes too long to compute.`,
   fails: (time: string) => `stop with a mistake after ${time}`,
 } as const

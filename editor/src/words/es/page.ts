@@ -13,6 +13,7 @@ export const page: Omit<
   | "diagram"
   | "roomTests"
   | "preview"
+  | "runs"
   | "keys"
   | "lessons"
   | "why"
@@ -104,7 +105,13 @@ export const page: Omit<
   soundOn: "El sonido está activado",
   soundOff: "El sonido está desactivado",
   clock: "Tiempo de la ejecución",
-  tabs: {console: "Consola", charts: "Gráficos", sensors: "Valores", problems: "Problemas"},
+  tabs: {
+    console: "Consola",
+    charts: "Gráficos",
+    runs: "Ejecuciones",
+    sensors: "Valores",
+    problems: "Problemas",
+  },
   emptyConsole: "Aquí aparece lo que el robot siente y dice.",
   moreEvents: n => count(n, {one: "Mostrar un evento más", other: k => `Mostrar ${k} eventos más`}),
   fewerEvents: "Mostrar solo los eventos más importantes",
@@ -334,6 +341,10 @@ export const page: Omit<
     diverged: {
       message: time => `Tu programa cambiado hace otra cosa a partir de los ${time}.`,
       hint: "Se ejecutó desde el inicio hasta el momento que elegiste.",
+    },
+    uncompared: {
+      message: time => `Después de ${time} no se sabe si tu programa cambiado hace otra cosa.`,
+      hint: "Las órdenes de una ejecución se guardan más o menos una hora.",
     },
     notText: {
       message: name => `${name} no contiene texto.`,

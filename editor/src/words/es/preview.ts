@@ -27,5 +27,7 @@ export const preview: Words["preview"] = {
   noGoal: all => (all === 1 ? "no lograría el objetivo" : "no lograría ningún objetivo"),
   unrepeatable:
     "En esta ejecución se movieron demasiadas cosas a mano para mostrar a dónde lleva un cambio. Ejecuta otra vez.",
+  /// The preview is shorter than the run.
+  cut: time => `Solo se muestran los primeros ${time}: calcular más lleva demasiado tiempo.`,
   fails: time => `se pararía con un error a los ${time}`,
 }

@@ -13,6 +13,7 @@ export const page: Omit<
   | "diagram"
   | "roomTests"
   | "preview"
+  | "runs"
   | "keys"
   | "lessons"
   | "why"
@@ -104,7 +105,13 @@ export const page: Omit<
   soundOn: "Le son est activé",
   soundOff: "Le son est coupé",
   clock: "Temps écoulé",
-  tabs: {console: "Console", charts: "Courbes", sensors: "Valeurs", problems: "Problèmes"},
+  tabs: {
+    console: "Console",
+    charts: "Courbes",
+    runs: "Exécutions",
+    sensors: "Valeurs",
+    problems: "Problèmes",
+  },
   emptyConsole: "Ce que le robot détecte et dit apparaît ici.",
   moreEvents: n =>
     count(n, {
@@ -336,6 +343,10 @@ export const page: Omit<
     diverged: {
       message: time => `Ton programme modifié fait autre chose à partir de ${time}.`,
       hint: "Il a tourné du début jusqu'au moment que tu as choisi.",
+    },
+    uncompared: {
+      message: time => `Après ${time}, on ne sait pas si ton programme modifié fait autre chose.`,
+      hint: "Les commandes d’une exécution sont gardées pendant une heure environ.",
     },
     notText: {
       message: name => `${name} ne contient pas de texte.`,

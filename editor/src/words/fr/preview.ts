@@ -28,5 +28,7 @@ export const preview: Words["preview"] = {
   noGoal: all => (all === 1 ? "manquerait le but" : "n'atteindrait aucun but"),
   unrepeatable:
     "Trop de choses ont été faites à la main pour montrer où mène un changement. Démarre encore une fois.",
+  /// The preview is shorter than the run.
+  cut: time => `Seules les premières ${time} sont montrées : calculer plus prend trop de temps.`,
   fails: time => `s'arrêterait avec une erreur après ${time}`,
 }

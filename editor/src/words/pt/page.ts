@@ -13,6 +13,7 @@ export const page: Omit<
   | "diagram"
   | "roomTests"
   | "preview"
+  | "runs"
   | "keys"
   | "lessons"
   | "why"
@@ -104,7 +105,7 @@ export const page: Omit<
   soundOn: "O som está ligado",
   soundOff: "O som está desligado",
   clock: "Tempo da execução",
-  tabs: {console: "Saída", charts: "Gráficos", sensors: "Valores", problems: "Problemas"},
+  tabs: {console: "Saída", charts: "Gráficos", runs: "Execuções", sensors: "Valores", problems: "Problemas"},
   emptyConsole: "Aqui aparece o que o robô percebe e diz.",
   moreEvents: n => count(n, {one: "Mostrar mais um evento", other: k => `Mostrar mais ${k} eventos`}),
   fewerEvents: "Mostrar só os eventos mais importantes",
@@ -332,6 +333,10 @@ export const page: Omit<
     diverged: {
       message: time => `O seu programa mudado faz outra coisa a partir dos ${time}.`,
       hint: "Ele foi executado do começo até o momento que você escolheu.",
+    },
+    uncompared: {
+      message: time => `Depois de ${time} não se sabe se o seu programa mudado faz outra coisa.`,
+      hint: "Os comandos de uma execução ficam guardados por cerca de uma hora.",
     },
     notText: {
       message: name => `${name} não contém texto.`,

@@ -25,5 +25,7 @@ export const preview = {
   noGoal: (all: number) => (all === 1 ? "não alcançar a meta" : "não alcançar nenhuma meta"),
   unrepeatable:
     "Nesta execução muita coisa foi feita à mão para mostrar aonde uma mudança leva. Execute de novo.",
+  /// The preview is shorter than the run.
+  cut: (time: string) => `Só os primeiros ${time} são mostrados: calcular mais demora demais.`,
   fails: (time: string) => `parar com um erro depois de ${time}`,
 } as const
