@@ -41,7 +41,8 @@ test("a branch of a run is compared with the run that it came from", async ({pag
   await page.getByRole("region", {name: "Room"}).getByRole("application").focus()
   await page.keyboard.press("w")
   await expect(page.getByTestId("why")).toContainText("Velocity 0.5")
-  await page.keyboard.press("Escape")
+  await page.getByTestId("why").getByRole("button", {name: "Close"}).click()
+  await expect(page.getByTestId("why")).toHaveCount(0)
 
   // Both in one picture, and side by side.
   await page.getByLabel("Compare with").selectOption("Run 2")
