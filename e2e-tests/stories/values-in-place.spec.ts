@@ -33,6 +33,10 @@ test("blocks and text show what functions took and gave, now and when the learne
   await expect(onBlock(learner, "bump")).toHaveText(/→ Memory True/)
   await expect(onBlock(learner, "forwardBackward")).toHaveText(/^Memory True, Velocity/)
   await page.getByRole("button", {name: "Pause", exact: true}).click()
+  // The guard that held is marked in both.
+  const taken = page.locator(".cm-line:has(.hs-taken)")
+  await expect(taken).toHaveText(["  | hit = Velocity (vl - 0.5) va"])
+  await expect(page.locator(".rosyTaken")).toHaveCount(1)
   await learner.keeps("values-in-place")
   const {violations} = await new AxeBuilder({page})
     .include(".region.haskell")
@@ -48,6 +52,7 @@ test("blocks and text show what functions took and gave, now and when the learne
   await expect(inText(page, "forwardBackward ::")).toHaveText(
     /^Memory False, Velocity \S+ 0\.0 → Velocity \S+ 0\.0$/,
   )
+  await expect(taken).toHaveText(["  | otherwise = Velocity (vl + 0.5) va"])
   await page.getByRole("button", {name: "Go on"}).click()
   await expect(bump).toHaveText(/→ Memory True/)
 
@@ -55,5 +60,6 @@ test("blocks and text show what functions took and gave, now and when the learne
   await expect(page.locator(".cm-line", {hasText: "bump _"})).toHaveText("bump _ = Memory True")
   await showsValues(page, false)
   await expect(page.locator(".hs-value, .rosyValue")).toHaveCount(0)
+  await expect(page.locator(".hs-taken, .rosyTaken")).toHaveCount(0)
   await learner.stops()
 })

@@ -22,6 +22,7 @@ test("the robot backs off from a wall: why, and one step back to the bumper", as
   await expect(answer(page)).toContainText(
     new RegExp(`Memory Bool was True since ${time}: bump remembered it\\.`),
   )
+  await expect(answer(page)).toContainText("In forwardBackward the guard hit held.")
   // The path in the blocks, the text, the diagram, and on the time line.
   const blocks = page.locator(".rosyWhy")
   await expect(blocks).toHaveCount(2)

@@ -24,8 +24,10 @@ from .atomic_file import AtomicFile
 from .classroom.command import add_class_options, run_class_command
 from .config import Config, discover
 from .errors import BadInput, OutputFailed, RosyError
+from .explain.causal_chain import explain
 from .explain.recorded_run import RecordedRun
-from .explain.why import explain
+from .explain.why_not import RobotLimits
+from .explain.wording import words_of
 from .ownership.robot_configuration import read_robot_configuration
 from .problem_text import format_problem
 from .robots import DEFAULT_ROBOT
@@ -39,7 +41,7 @@ from .sentence import tr
 from .terminal_text import escape_json, neutralize, neutralize_line
 from .usage_errors import usage_error
 from .wire.problem import is_complete
-from .wording import in_terminal
+from .wording import in_terminal, machine_wording
 from .worker.blocking_worker import BlockingWorker
 from .worker.launcher import missing_sandbox, sandbox_warning
 from .worker.native_build import build_program, is_native
@@ -251,9 +253,18 @@ def _run(config: Config, options: argparse.Namespace) -> int:
             worker = stack.enter_context(_worker(config))
             worker.ready()
             outcome = run_program(worker, program.source, world, settings, output)
-    for link in explain(record, moment) if record is not None else []:
-        _print(neutralize(link.sentence.replace("**", "")))
+    if record is not None:
+        _print_explanation(record, moment)
     return _report(options.file, world, outcome)
+
+
+def _print_explanation(record: RecordedRun, moment: float | None) -> None:
+    """Why what was sent at a time, s, or last, was sent; in the language of the terminal."""
+    limits = RobotLimits(DEFAULT_ROBOT.limits.speed, DEFAULT_ROBOT.limits.angular_speed)
+    language = machine_wording()
+    mark = language.forms.decimal_mark if language.forms is not None else "."
+    for link in explain(record, limits, moment):
+        _print(neutralize(language.put(words_of(link.said, mark)).replace("**", "")))
 
 
 def _grade(config: Config, options: argparse.Namespace) -> int:

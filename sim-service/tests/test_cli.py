@@ -129,6 +129,15 @@ def test_explain_prints_why_the_last_command_or_that_of_a_time_was_sent(
     assert last(done)["time"] == 1.0
 
 
+def test_explain_speaks_the_language_of_the_terminal(environment: dict[str, str], tmp_path: Path) -> None:
+    (tmp_path / "p.hs").write_text("tell")
+    done = rosy({**environment, "LC_ALL": "de_DE.UTF-8"}, "run", tmp_path / "p.hs", "--seconds", 1, "--explain")
+    assert done.stdout.splitlines()[:-1] == [
+        "Bei 0,98 s schickte f `Velocity 0.5 0.0` für `Seconds 49`.",
+        "f lief bei 0,98 s, denn sie läuft zehnmal in der Sekunde.",
+    ]
+
+
 def test_a_trace_has_the_provenance_of_firings_on_request(environment: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "p.hs").write_text("tell")
     for options in ((), ("--provenance",)):

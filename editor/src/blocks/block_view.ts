@@ -369,7 +369,10 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     highlight: blocks => marks.highlight(blocks),
     dim: blocks => marks.dim(blocks),
     explain: functions => marks.explain(definitionsOf(functions)),
-    showValues: shown => values.show(shown),
+    showValues: (shown, taken) => {
+      values.show(shown)
+      marks.take(taken)
+    },
     glow: functions => marks.glow(definitionsOf(functions)),
     mark: (problems, accepted = false) => marks.setTold(problems, accepted),
     setTone(tone) {

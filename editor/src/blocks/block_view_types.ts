@@ -71,8 +71,8 @@ export interface BlocksView {
   dim(blocks: readonly BlockId[]): void
   /// Lets the definitions of functions glow, by name.
   glow(functions: readonly string[]): void
-  /// Shows values beside definitions, until called again.
-  showValues(values: readonly BlockValue[]): void
+  /// Shows values beside definitions, and marks the branches that functions took, until called again.
+  showValues(values: readonly BlockValue[], taken: readonly BlockId[]): void
   /// Shows problems from the compiler or a run on their blocks, until called again. `accepted`: the compiler has taken
   /// the program, so what the blocks' own inference has against it is not shown.
   mark(problems: readonly BlockProblem[], accepted?: boolean): void

@@ -2,6 +2,7 @@
 
 import type {PageState} from "../state/page_state.ts"
 import {isActive} from "../state/run_state.ts"
+import {noBranches, takenBranches} from "../values/taken_branches.ts"
 import {type ValueLabel, valueLabels} from "../values/value_labels.ts"
 import {measures, words} from "../words/index.ts"
 import type {PageParts} from "./page_parts.ts"
@@ -41,7 +42,14 @@ export function openValueUpdates(parts: PageParts): (state: PageState, now: numb
     if (labels.length === 0 && shown.length === 0) return
     shown = labels
     const values = labels.map(label => ({...label, room: roomOf(label)}))
-    parts.source?.showValues(values.map(value => ({...value, at: value.definition.start})))
-    parts.blocks?.showValues(values.map(value => ({...value, block: value.definition.block})))
+    const taken = labels.length === 0 ? noBranches : takenBranches(state)
+    parts.source?.showValues(
+      values.map(value => ({...value, at: value.definition.start})),
+      taken.ranges,
+    )
+    parts.blocks?.showValues(
+      values.map(value => ({...value, block: value.definition.block})),
+      taken.blocks,
+    )
   }
 }

@@ -21,7 +21,7 @@ import {renamePanel, renameShortcut} from "./rename_panel.ts"
 import {ownKeys} from "./shortcuts.ts"
 import {programShown, syntaxColouring} from "./syntax_colouring.ts"
 import {tooltips} from "./tooltips.ts"
-import {setValues, valueWidgets} from "./value_widgets.ts"
+import {setTaken, setValues, valueWidgets} from "./value_widgets.ts"
 
 /// Marks changes that come from the page and not from the learner.
 const fromPage = Annotation.define<true>()
@@ -141,8 +141,8 @@ export function openHaskellPane(host: HTMLElement, options: SourceOptions): Hask
     explain(ranges) {
       view.dispatch({effects: setExplained.of(ranges)})
     },
-    showValues(values) {
-      view.dispatch({effects: setValues.of(values)})
+    showValues(values, taken) {
+      view.dispatch({effects: [setValues.of(values), setTaken.of(taken)]})
     },
     mark(findings) {
       found = findings

@@ -22,8 +22,8 @@ export interface HaskellPane {
   glow(ranges: readonly Range[]): void
   /// Marks the functions that led to the answer of a question.
   explain(ranges: readonly Range[]): void
-  /// Shows values at the ends of lines.
-  showValues(values: readonly LineValue[]): void
+  /// Shows values at the ends of lines, and marks the branches that functions took.
+  showValues(values: readonly LineValue[], taken: readonly Range[]): void
   mark(findings: readonly Finding[]): void
   /// Where the cursor is.
   cursor(): number

@@ -1,4 +1,4 @@
-/// Values at the ends of lines: what functions took last and gave, as widgets that are no part of the text.
+/// Values at the ends of lines: what functions took last and gave, as widgets that are no part of the text; and marks of the branches that they took.
 
 import {type Extension, StateEffect, StateField} from "@codemirror/state"
 import {Decoration, type DecorationSet, EditorView, WidgetType} from "@codemirror/view"
@@ -13,6 +13,9 @@ export interface LineValue {
   /// Characters that the widget has room for, so that a line does not wrap anew with each value.
   readonly room: number
 }
+
+/// The branches that functions took; an outer range stands before those in it.
+export const setTaken = StateEffect.define<readonly {readonly start: number; readonly end: number}[]>()
 
 export const setValues = StateEffect.define<readonly LineValue[]>()
 
@@ -62,4 +65,23 @@ const valuesField = StateField.define<DecorationSet>({
   provide: field => EditorView.decorations.from(field),
 })
 
-export const valueWidgets: Extension = valuesField
+const takenText = Decoration.mark({class: "hs-taken"})
+
+const takenField = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update(set, transaction) {
+    for (const effect of transaction.effects)
+      if (effect.is(setTaken)) {
+        const {length} = transaction.state.doc
+        const marks = effect.value.flatMap(({start, end}) =>
+          start < Math.min(end, length) ? [takenText.range(start, Math.min(end, length))] : [],
+        )
+        return Decoration.set(marks, true)
+      }
+    // A branch is told of the text that ran.
+    return transaction.docChanged ? Decoration.none : set
+  },
+  provide: field => EditorView.decorations.from(field),
+})
+
+export const valueWidgets: Extension = [valuesField, takenField]

@@ -32,6 +32,24 @@ export interface FiringOutput {
   readonly type: string
 }
 
+/// 1-based, counted in characters.
+interface TextPlace {
+  readonly line: number
+  readonly column: number
+}
+
+/// A branch that a function took: one of the equations, guards or alternatives between which it chooses.
+export interface FiringBranch {
+  /// Names of the definitions around it, outermost first.
+  readonly in: readonly string[]
+  readonly kind: "equation" | "case" | "guard" | "then" | "else"
+  readonly number: number
+  /// Left side, pattern, guard or condition.
+  readonly text: string
+  readonly start: TextPlace
+  readonly end: TextPlace
+}
+
 export interface Firing {
   /// Its number among the firings of the run, from the first observed step.
   readonly n: number
@@ -43,6 +61,8 @@ export interface Firing {
   readonly cause: FiringCause
   readonly took: readonly FiringInput[]
   readonly gave: readonly FiringOutput[]
+  /// In the order in which they were taken.
+  readonly branches: readonly FiringBranch[]
 }
 
 const cause = object<FiringCause>(get => ({
@@ -66,6 +86,17 @@ const output = object<FiringOutput>(get => ({
   type: get("type", optional(string, "")),
 }))
 
+const position = object<TextPlace>(get => ({line: get("line", number), column: get("column", number)}))
+
+const branch = object<FiringBranch>(get => ({
+  in: get("in", list(string)),
+  kind: get("kind", oneOf("equation", "case", "guard", "then", "else")),
+  number: get("number", number),
+  text: get("text", string),
+  start: get("start", position),
+  end: get("end", position),
+}))
+
 export const firing: Decoder<Firing> = object<Firing>(get => ({
   n: get("n", number),
   time: get("time", number),
@@ -74,4 +105,5 @@ export const firing: Decoder<Firing> = object<Firing>(get => ({
   cause: get("cause", cause),
   took: get("took", optional(list(input), [])),
   gave: get("gave", optional(list(output), [])),
+  branches: get("branches", optional(list(branch), [])),
 }))

@@ -20,6 +20,8 @@ export interface Said {
   /// Values as Haskell shows them, types as it writes them.
   readonly value: string
   readonly values: readonly string[]
+  /// Of an equation or an alternative, from 1.
+  readonly number: number | null
   readonly gave: readonly {readonly to: string; readonly value: string; readonly type: string}[]
   readonly type: string
   readonly types: readonly string[]
@@ -85,6 +87,11 @@ const sentenceIds = [
   "ran-before",
   "never-ran",
   "gave",
+  "matched-equation",
+  "matched-case",
+  "guard-held",
+  "was-true",
+  "was-false",
   "other-type",
   "in-force",
   "replaced",
@@ -120,6 +127,7 @@ export const said: Decoder<Said> = object<Said>(get => ({
   functions: get("functions", optional(list(string), [])),
   value: get("value", optional(string, "")),
   values: get("values", optional(list(string), [])),
+  number: get("number", optional(number, null)),
   gave: get(
     "gave",
     optional(

@@ -48,6 +48,7 @@ export function pieces(said: Said, words: WhyWords, measures: Measures): readonl
       words.and,
     ),
     value: [code(said.value)],
+    number: [text(`${said.number ?? ""}`)],
     type: [code(said.type)],
     command: [said.type === "" ? text(words.aCommand) : code(said.type)],
     one: one(said.type),

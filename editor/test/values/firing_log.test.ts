@@ -13,6 +13,7 @@ const firing = (n: number, time: number, name: string): Firing => ({
   cause: {by: "tick", value: "", instant: null, event: null, firing: null},
   took: [],
   gave: [],
+  branches: [],
 })
 
 const steps = fc.array(fc.array(fc.constantFrom("a", "b", "c"), {maxLength: 3}), {maxLength: 700})

@@ -17,6 +17,7 @@ const firing = (n: number, time: number, more: Partial<Firing> = {}): Firing => 
   cause: {by: "message", value: "", instant: null, event: null, firing: null},
   took: [{from: "event", value: "Bumper CenterBumper Pressed", type: "", firing: null}],
   gave: [{to: "memory", value: "True", type: "Memory Hit"}],
+  branches: [],
   ...more,
 })
 

@@ -34,6 +34,7 @@ import Data.List (nub)
 import Data.Word (Word32)
 import Foreign.C.Types (CInt)
 import Foreign.Ptr (Ptr)
+import Rosy.BranchCoverage (Branch, setBranches)
 import Rosy.Console (printingTo, sayingAll, withCapturedOutput)
 import Rosy.Controller (Names (..))
 import Rosy.Core (Task, Topic)
@@ -103,12 +104,13 @@ simulateNamed names what = do
 -- the first word is the length in bytes (0 when none is at work), the name follows as UTF-8 from byte 4. It is written before the
 -- function starts, so that the function a program is stuck in can be named when it is ended.
 --
--- Takes the empty places of the program as well, so that a run that comes to one can say so.
+-- Takes the empty places of the program as well, so that a run that comes to one can say so, and its branches, so that firings tell which they took.
 --
 -- Every way to end is told to the robot before this returns: zero velocity first, then how it ended. What the program prints, the robot says,
 -- also what it prints after @simulate@: the robot is told of the end when @main@ has ended.
-onPipe :: CInt -> Ptr Word32 -> [EmptyPlace] -> IO () -> IO ()
-onPipe descriptor page places mainOf = do
+onPipe :: CInt -> Ptr Word32 -> [EmptyPlace] -> [Branch] -> IO () -> IO ()
+onPipe descriptor page places branches mainOf = do
+  setBranches branches
   link <- placing <$> pipeLink descriptor page
   withCapturedOutput (\printed -> launch (AfterMain printed) (printingTo printed link) mainOf `catch` lost)
   where

@@ -27,6 +27,7 @@ import qualified Data.IntMap.Strict as IntMap
 import Data.List (mapAccumL)
 import qualified Data.Map.Strict as Map
 import Data.Typeable (TypeRep)
+import Rosy.BranchCoverage (Branch)
 import Rosy.Channel (Action (..), Channel (..), Message (..), tellAction, tellMessage)
 import Rosy.Core hiding (Action, Message)
 import Rosy.Loop
@@ -43,7 +44,9 @@ data Record = Record
     recordTask :: !ScopeId,
     recordReason :: !Reason,
     recordInputs :: [Input],
-    recordOutputs :: [Output]
+    recordOutputs :: [Output],
+    -- | The branches that it took, in their order, as far as the program was compiled to tell.
+    recordBranches :: [Branch]
   }
 
 -- | Why it fired. Instants, firings and user events have numbers from 0; a firing before the observation began has none.
@@ -116,15 +119,15 @@ data Watch = Watch
 watchFrom :: Int -> Watch
 watchFrom sent = Watch 0 0 0 sent Map.empty IntMap.empty IntMap.empty IntMap.empty Nothing
 
--- | What happened in order: an instant began, or a function fired.
-data Observed = AnInstant !What | AFiring !Firing
+-- | What happened in order: an instant began, or a function fired and took these branches.
+data Observed = AnInstant !What | AFiring !Firing [Branch]
 
 -- | The firings as records, and the watch after them.
 follow :: Watch -> [Observed] -> (Watch, [Record])
 follow watch observed = concat <$> mapAccumL one watch observed
   where
     one w (AnInstant what) = (w {instants = instants w + 1, refreshers = refreshed what w}, [])
-    one w (AFiring firing) = (: []) <$> recorded w firing
+    one w (AFiring firing branches) = (\r -> [r {recordBranches = branches}]) <$> recorded w firing
     refreshed what w = case what of
       Hear (Message channel _) -> IntMap.insert (channelNumber channel) (instants w) (refreshers w)
       TickNow -> refreshers w
@@ -134,7 +137,7 @@ keptEmitters :: Int
 keptEmitters = 4096
 
 recorded :: Watch -> Firing -> (Watch, Record)
-recorded w firing = (w'' {firings = number + 1, latestIn = IntMap.insert scope number (latestIn w'')}, Record number (nameText (firingName firing)) scope reason inputs outputs)
+recorded w firing = (w'' {firings = number + 1, latestIn = IntMap.insert scope number (latestIn w'')}, Record number (nameText (firingName firing)) scope reason inputs outputs [])
   where
     number = firings w
     scope = firingScope firing

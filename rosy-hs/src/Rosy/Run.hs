@@ -13,6 +13,7 @@ where
 
 import Control.Exception
 import Data.Maybe (fromMaybe)
+import Rosy.BranchCoverage (Branch, branchSize, recordingBranches)
 import Rosy.Channel (Channel (..), Kind (..), Message (..), tellMessage)
 import Rosy.Core hiding (Message)
 import Rosy.Link
@@ -59,9 +60,9 @@ batches link told batch = drive "main" (Done [] []) (occasions batch)
       Fires firing after -> do
         let name = firingName firing
         atWork link name
-        result <- try (evaluate (firingEffects firing))
+        result <- try (recordingBranches (batchWatches batch) (evaluate (firingEffects firing)))
         case result of
-          Right effects -> between link >> drive "main" (fired batch firing effects done) todo (firingFailed firing) after
+          Right (effects, branches) -> between link >> drive "main" (fired batch firing effects branches done) todo (firingFailed firing) after
           Left exception -> do
             inputs <- showInputs (firingInputs firing)
             finish done (failed (nameText name) inputs exception) (firingFailed firing)
@@ -86,8 +87,8 @@ batches link told batch = drive "main" (Done [] []) (occasions batch)
       Ended report -> end link (answerOf batch done report) EndedStopped
 
 -- | A function has fired.
-fired :: Batch -> Firing -> Effects -> Done -> Done
-fired batch firing effects (Done functions observed) = Done ((firingName firing, commandsIn effects) : functions) (if batchWatches batch then AFiring firing : observed else observed)
+fired :: Batch -> Firing -> Effects -> [Branch] -> Done -> Done
+fired batch firing effects branches (Done functions observed) = Done ((firingName firing, commandsIn effects) : functions) (if batchWatches batch then AFiring firing branches : observed else observed)
 
 -- | An instant has begun.
 began :: Batch -> What -> Done -> Done
@@ -105,7 +106,7 @@ recordsOf batch watch (Done _ observed) = case watch of
     -- The first records whose values have so many characters together.
     within left (r : rest) | size <= left = r : within (left - size) rest
       where
-        size = sum ([length text | Input _ text <- recordInputs r] ++ [length text | Output _ text <- recordOutputs r])
+        size = sum ([length text | Input _ text <- recordInputs r] ++ [length text | Output _ text <- recordOutputs r] ++ map branchSize (recordBranches r))
     within _ _ = []
 
 -- | Between two firings the program's own expressions are at work: they say which task comes next. A loop of tasks that never lets
@@ -147,9 +148,9 @@ cleanUp :: Link -> Maybe Watch -> Batch -> Done -> Ending -> Turn -> IO ()
 cleanUp link watch batch done ending turn = case turn of
   Fires firing after -> do
     atWork link (firingName firing)
-    result <- try (evaluate (firingEffects firing)) :: IO (Either SomeException Effects)
+    result <- try (recordingBranches (batchWatches batch) (evaluate (firingEffects firing))) :: IO (Either SomeException (Effects, [Branch]))
     case result of
-      Right effects -> between link >> again (fired batch firing effects done) after
+      Right (effects, branches) -> between link >> again (fired batch firing effects branches done) after
       Left _ -> again done (firingFailed firing)
   Enters name _ after -> atWork link name >> again done after
   Closes _ after -> again done after

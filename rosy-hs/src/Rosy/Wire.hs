@@ -149,7 +149,7 @@ done trace a =
 -- | A firing with its provenance.
 record :: Record -> Builder
 record r =
-  object
+  object $
     [ ("n", Builder.intDec (recordNumber r)),
       ("function", text (recordFunction r)),
       ("task", Builder.intDec (recordTask r)),
@@ -157,7 +157,10 @@ record r =
       ("took", list input (recordInputs r)),
       ("gave", list output (recordOutputs r))
     ]
+      ++ [("branches", list branch (recordBranches r)) | not (null (recordBranches r))]
   where
+    branch (from', to, definitions, kind, number, shown) =
+      object [("in", list text definitions), ("kind", text kind), ("number", Builder.intDec number), ("text", text shown), ("start", position from'), ("end", position to)]
     reason why = object $ case why of
       OfMessage instant shown -> [("by", "\"message\""), ("instant", Builder.intDec instant), ("value", text shown)]
       OfTick instant -> [("by", "\"tick\""), ("instant", Builder.intDec instant)]
@@ -215,8 +218,9 @@ problem p =
     <> list text (problemInputs p)
     <> foldMap (\(from, to) -> ",\"start\":" <> position from <> ",\"end\":" <> position to) (problemPlace p)
     <> "}"
-  where
-    position (l, c) = object [("line", Builder.intDec l), ("column", Builder.intDec c)]
+
+position :: (Int, Int) -> Builder
+position (l, c) = object [("line", Builder.intDec l), ("column", Builder.intDec c)]
 
 -- | A text in JSON. Half a pair of surrogates, which Haskell lets stand in a text, cannot be written in UTF-8.
 text :: String -> Builder

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from ..wire.explanation import Sentence
 from ..wire.firing import Firing
 from ..world.events import VELOCITY_CHANNEL
+from .branches import taken_branches
 from .position import stretches
 from .recorded_run import RecordedRun, SentCommand
 from .why import Link, sending, shown_inputs, step_back
@@ -54,6 +55,7 @@ def why_command(run: RecordedRun, kind: str, time: float, limits: RobotLimits) -
     if firing is None:
         return Answer(links, sent.time)
     hindered = hindrance(run, sent, limits) if sent.firing is not None else None
+    links += taken_branches(run, firing)
     links += [hindered] if hindered is not None else []
     return _with_causes(run, firing, links, sent.time)
 
@@ -65,7 +67,7 @@ def why_firing(run: RecordedRun, number: int) -> Answer:
         return Answer([Link(Sentence("not-known-before", since=run.known_since), run.known_since)], run.known_since)
     time = run.time_of(firing)
     said = Sentence("gave", function=firing.function, time=time, values=shown_inputs(firing), gave=firing.gave)
-    return _with_causes(run, firing, [Link(said, time, number)], time)
+    return _with_causes(run, firing, [Link(said, time, number), *taken_branches(run, firing)], time)
 
 
 def why_memory(run: RecordedRun, kind: str, time: float) -> Answer:
@@ -131,6 +133,9 @@ def why_not(
     else:
         links = _without_effect(run, functions, command, window, limits)
     firing = run.firing(links[0].firing)
+    if firing is not None and links[0].said.id == "gave":
+        # It ran and chose otherwise.
+        links[1:1] = taken_branches(run, firing)
     return Answer(links, links[0].time, [] if firing is None else _path(run, firing))
 
 

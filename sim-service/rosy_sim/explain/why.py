@@ -1,13 +1,9 @@
 """
-Why a command was sent: its firing, what that read and what caused it, back to messages, ticks or the start.
-
-One sentence per link, newest first. A function is followed twice at most, so that one that reads what it wrote itself
-ends the chain there.
+Why a command was sent, one step back: its firing, what that read, and what caused it. One sentence per link.
 """
 
 from __future__ import annotations
 
-from collections import Counter, deque
 from typing import NamedTuple
 
 from ..wire.explanation import Sentence, SentenceId
@@ -16,10 +12,7 @@ from ..world.time_step import STEP
 from .recorded_run import RecordedRun, SentCommand
 from .wording import english
 
-__all__ = ["MAX_LINKS", "Link", "commands_at", "ending", "explain", "sending", "shown_inputs", "step_back", "why"]
-
-MAX_LINKS = 12
-"""Sentences of one explanation. A choice of ours: a learner reads no more at once."""
+__all__ = ["Link", "ending", "sending", "shown_inputs", "step_back"]
 
 
 class Link(NamedTuple):
@@ -33,49 +26,6 @@ class Link(NamedTuple):
     def sentence(self) -> str:
         """In English."""
         return english(self.said)
-
-
-def explain(run: RecordedRun, time: float | None = None) -> list[Link]:
-    """Why the last command was sent, or what was sent at a time, s."""
-    if time is not None and (run.end is None or time > run.end + STEP):
-        return [Link(Sentence("run-over", time=run.end or 0.0), time)]
-    if time is not None and time < 0:
-        return [Link(Sentence("run-not-begun"), time)]
-    sent = commands_at(run, time)
-    if sent:
-        links: list[Link] = []
-        for one in sent:
-            links += [link for link in why(run, one) if link not in links]
-        return links
-    if time is None:
-        return [Link(Sentence("nothing-sent-yet"), run.end or 0.0)]
-    before = [one for one in run.commands() if one.time < time]
-    nothing = Link(Sentence("nothing-sent", time=time), time)
-    return [nothing, *why(run, before[-1])] if before else [nothing]
-
-
-def commands_at(run: RecordedRun, time: float | None = None) -> list[SentCommand]:
-    """The commands of the step at a time, s; without one the last command."""
-    commands = run.commands()
-    return commands[-1:] if time is None else [one for one in commands if abs(one.time - time) < STEP / 2]
-
-
-def why(run: RecordedRun, sent: SentCommand) -> list[Link]:
-    """The chain of causes of a command, at most ``MAX_LINKS`` sentences."""
-    links = [sending(run, sent)]
-    first = run.firing(links[0].firing)
-    if first is None:
-        return links
-    todo = deque([first])
-    followed = Counter([first.function])
-    while todo and len(links) < MAX_LINKS:
-        found, causes = step_back(run, todo.popleft())
-        links += [link for link in found if link not in links]
-        for cause in causes:
-            if followed[cause.function] < 2:
-                followed[cause.function] += 1
-                todo.append(cause)
-    return links[:MAX_LINKS]
 
 
 def sending(run: RecordedRun, sent: SentCommand) -> Link:

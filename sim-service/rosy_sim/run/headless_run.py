@@ -243,7 +243,9 @@ class _Steps:
             # A command that was not sent to the robot has no channel.
             channels = chain(lockstep.channels(), repeat(""))
             commands = [ShownCommand(*one) for one in zip(channels, done.commands, strict=False)]
-            self._output.record.add_step(lockstep.time, done.firings, done.events, commands)
+            self._output.record.add_step(
+                lockstep.time, done.firings, done.events, commands, is_overridden=lockstep.is_overridden
+            )
         if lockstep.state == "settled":
             lockstep.integrate()
         return self._output.observe(lockstep) is True and lockstep.state != "ended"

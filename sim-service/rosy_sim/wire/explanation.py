@@ -53,6 +53,11 @@ SentenceId = Literal[
     "ran-before",
     "never-ran",
     "gave",
+    "matched-equation",
+    "matched-case",
+    "guard-held",
+    "was-true",
+    "was-false",
     "other-type",
     "in-force",
     "replaced",
@@ -94,6 +99,8 @@ class Sentence(msgspec.Struct, omit_defaults=True, frozen=True):
     value: str = ""
     values: list[str] = []
     gave: list[Given] = []
+    # Of an equation or an alternative, from 1.
+    number: int | None = None
     # As Haskell writes them.
     type: str = ""
     types: list[str] = []

@@ -10,7 +10,7 @@ from typing import Literal
 
 import msgspec
 
-__all__ = ["Cause", "Firing", "Given", "Taken"]
+__all__ = ["Branch", "Cause", "Firing", "Given", "Place", "Taken"]
 
 
 class Cause(msgspec.Struct, omit_defaults=True, frozen=True):
@@ -53,6 +53,27 @@ class Given(msgspec.Struct, omit_defaults=True, frozen=True):
     event: int | None = None
 
 
+class Place(msgspec.Struct, frozen=True):
+    """A place in the text of the program, from 1."""
+
+    line: int
+    column: int
+
+
+class Branch(msgspec.Struct, frozen=True, rename={"definitions": "in"}):
+    """A branch that the function took: one of the equations, guards or alternatives between which it chooses."""
+
+    # Names of the definitions around it, outermost first.
+    definitions: list[str]
+    kind: Literal["equation", "case", "guard", "then", "else"]
+    # Among the branches of its choice, from 1.
+    number: int
+    # Left side, pattern, guard or condition, on one line.
+    text: str
+    start: Place
+    end: Place
+
+
 class Firing(msgspec.Struct, omit_defaults=True, frozen=True):
     """One firing. ``task`` is the scope of its task; 0 is the first one of the program."""
 
@@ -62,3 +83,5 @@ class Firing(msgspec.Struct, omit_defaults=True, frozen=True):
     cause: Cause
     took: list[Taken] = []
     gave: list[Given] = []
+    # In the order in which they were taken; a program that was built for another computer tells none.
+    branches: list[Branch] = []

@@ -339,7 +339,7 @@ class FiringShown(Firing, omit_defaults=True, frozen=True, kw_only=True):
 def firing_shown(firing: Firing, time: float) -> FiringShown:
     """A firing at a time, s."""
     f = firing
-    return FiringShown(f.n, f.function, f.task, f.cause, f.took, f.gave, time=time)
+    return FiringShown(f.n, f.function, f.task, f.cause, f.took, f.gave, f.branches, time=time)
 
 
 class SentenceShown(msgspec.Struct, omit_defaults=True):

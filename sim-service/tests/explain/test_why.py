@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from rosy_sim.explain.recorded_run import RecordedRun
-from rosy_sim.explain.why import MAX_LINKS, commands_at, explain
+from rosy_sim.explain.causal_chain import MAX_LINKS, commands_at, explain
+from rosy_sim.explain.recorded_run import RecordedRun, ShownCommand
+from rosy_sim.explain.why_not import RobotLimits
+from rosy_sim.wire.firing import Branch, Cause, Firing, Given, Place
 
 from .recorded import recorded
+
+LIMITS = RobotLimits(0.7, 3.14)
 
 FORWARD_BACKWARD = """
     3.40 forwardBackward <- Odometry | Memory False, Velocity 0.5 0.0 -> Velocity 1.0 0.0
@@ -44,6 +48,12 @@ COUNTER = """
     0.12 tell <- Cliff LeftCliff Hole | Cliff LeftCliff Hole, Memory 2 @1 -> Say "2"
 """
 
+BLOCKED = """
+    1.00 ! Bumper CenterBumper Pressed
+    1.10 move <- tick -> Velocity 2.0 0.0
+    1.20 move <- tick -> Velocity 0.5 0.0
+"""
+
 SILENT = """
     0.00 count <- tick | Memory 0 -> Memory 1
 """
@@ -52,6 +62,24 @@ SILENT = """
 @pytest.mark.parametrize(
     ("story", "time", "answer"),
     [
+        (
+            BLOCKED,
+            None,
+            [
+                "At 1.20 s **move** sent `Velocity 0.5 0.0`.",
+                "Something is in its way: the centre bumper was pressed at 1.00 s, and has not been released.",
+                "**move** ran at 1.20 s because it runs ten times a second.",
+            ],
+        ),
+        (
+            BLOCKED,
+            1.1,
+            [
+                "At 1.10 s **move** sent `Velocity 2.0 0.0`.",
+                "`Velocity 2.0 0.0` asks for 2 m/s; the robot's limit is 0.7 m/s.",
+                "**move** ran at 1.10 s because it runs ten times a second.",
+            ],
+        ),
         (
             FORWARD_BACKWARD,
             None,
@@ -67,6 +95,7 @@ SILENT = """
             3.4,
             [
                 "At 3.40 s **forwardBackward** sent `Velocity 1.0 0.0` for `Memory False` and `Velocity 0.5 0.0`.",
+                "`Velocity 1.0 0.0` asks for 1 m/s; the robot's limit is 0.7 m/s.",
                 "`Memory Bool` was `False`, its first value: no function had written it.",
                 "**forwardBackward** ran at 3.40 s because the robot reported its motion.",
             ],
@@ -77,6 +106,7 @@ SILENT = """
             [
                 "No command was sent at 3.42 s.",
                 "At 3.40 s **forwardBackward** sent `Velocity 1.0 0.0` for `Memory False` and `Velocity 0.5 0.0`.",
+                "`Velocity 1.0 0.0` asks for 1 m/s; the robot's limit is 0.7 m/s.",
                 "`Memory Bool` was `False`, its first value: no function had written it.",
                 "**forwardBackward** ran at 3.40 s because the robot reported its motion.",
             ],
@@ -165,7 +195,7 @@ SILENT = """
     ],
 )
 def test_the_answer_is(story: str, time: float | None, answer: list[str]) -> None:
-    assert [link.sentence for link in explain(recorded(story), time)] == answer
+    assert [link.sentence for link in explain(recorded(story), LIMITS, time)] == answer
 
 
 def test_a_long_chain_ends() -> None:
@@ -173,7 +203,7 @@ def test_a_long_chain_ends() -> None:
         f"{i / 10:.2f} f{i} <- tick | Memory {i} @{i - 1} -> Memory {i + 1}, Say {i}" for i in range(1, 100)
     )
     run = recorded("0.00 f0 <- tick | Memory 0 -> Memory 1\n" + chain)
-    assert len(explain(run)) == MAX_LINKS
+    assert len(explain(run, LIMITS)) == MAX_LINKS
 
 
 def test_a_command_is_matched_with_the_firing_that_sent_it() -> None:
@@ -186,4 +216,28 @@ def test_a_command_is_matched_with_the_firing_that_sent_it() -> None:
 
 
 def test_an_empty_run_has_sent_nothing() -> None:
-    assert [link.sentence for link in explain(RecordedRun())] == ["The program has sent no command."]
+    assert [link.sentence for link in explain(RecordedRun(), LIMITS)] == ["The program has sent no command."]
+
+
+def branch(kind: str, number: int, text: str, *names: str) -> Branch:
+    return Branch(list(names), kind, number, text, Place(1, 1), Place(1, 9))  # type: ignore[arg-type]
+
+
+def test_it_tells_the_branches_that_the_function_and_its_local_functions_took() -> None:
+    run = RecordedRun()
+    branches = [
+        branch("equation", 1, "helper x", "helper"),
+        branch("equation", 2, "play _", "play"),
+        branch("guard", 1, "v > 0.5", "play", "slow"),
+        branch("then", 1, "hit", "play"),
+    ]
+    firing = Firing(
+        0, "play", 0, Cause("tick"), gave=[Given("command", "Velocity 0.0 0.0", "Velocity")], branches=branches
+    )
+    run.add_step(1.0, [firing], [], [ShownCommand("Velocity", "Velocity 0.0 0.0")])
+    assert [link.sentence for link in explain(run, LIMITS)] == [
+        "At 1.00 s **play** sent `Velocity 0.0 0.0`.",
+        "Equation 2 of **play** matched: `play _`.",
+        "In **slow** the guard `v > 0.5` held.",
+        "**play** ran at 1.00 s because it runs ten times a second.",
+    ]

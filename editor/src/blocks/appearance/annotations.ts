@@ -23,6 +23,7 @@ export class Annotations {
   private loose: ReadonlySet<BlockId | undefined> = new Set()
   private highlighted: readonly BlockId[] = []
   private explained: readonly BlockId[] = []
+  private taken: readonly BlockId[] = []
   private dimmed: readonly BlockId[] = []
   private readonly worded = new Map<BlockId, string>()
   private readonly glowing = new Map<BlockId, number>()
@@ -102,6 +103,14 @@ export class Annotations {
     this.highlight(this.highlighted)
     this.dim(this.dimmed)
     this.explain(this.explained)
+    this.take(this.taken)
+  }
+
+  /// The branches that functions took at the displayed moment.
+  take(ids: readonly BlockId[]): void {
+    for (const id of this.taken) toggle(this.workspace.getBlockById(id), "rosyTaken", false)
+    for (const id of ids) toggle(this.workspace.getBlockById(id), "rosyTaken", true)
+    this.taken = ids
   }
 
   /// The definitions that led to the answer of a question.

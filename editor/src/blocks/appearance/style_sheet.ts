@@ -57,6 +57,7 @@ export const styleSheet = `
 /* Chosen, in step with the text, fired, wrong. */
 .rosyBlocks .blocklySelected > .blocklyPathSelected { fill: none; stroke: var(--rosy); stroke-width: 3; pointer-events: none; }
 .rosyBlocks .blocklyBlock.rosyTold > .blocklyPath { stroke: var(--rosy); stroke-width: 2.5; }
+.rosyBlocks .blocklyBlock.rosyTaken > .blocklyPath { stroke: var(--ink); stroke-width: 2.5; stroke-dasharray: none; }
 .rosyBlocks .blocklyBlock.rosyWhy > .blocklyPath { stroke: var(--rosy); stroke-width: 4; }
 .rosyBlocks .blocklyBlock.rosyWrong > .blocklyPath:not(.blocklyPathSelected) { stroke: var(--bad); stroke-width: 3; }
 .rosyBlocks .blocklyBlock.rosyWarned > .blocklyPath:not(.blocklyPathSelected) { stroke: var(--warn); stroke-width: 2; }

@@ -76,6 +76,11 @@ export const why: Words["why"] = {
     "never-ran":
       "%{function} no se ha ejecutado entre los %{since} y los %{until}; el registro no dice por qué.",
     gave: "A los %{time}, %{function} se ejecutó%{inputs} y el resultado fue: %{outputs}.",
+    "matched-equation": "En %{function} encajó la ecuación %{number}: %{value}.",
+    "matched-case": "En %{function} encajó el caso %{number}: %{value}.",
+    "guard-held": "En %{function} se cumplió la condición %{value}.",
+    "was-true": "En %{function}, %{value} era verdad.",
+    "was-false": "En %{function}, %{value} no era verdad.",
     "other-type": "%{function} nunca envía %{type}: da %{types}.",
     "in-force": "%{value} se aplica desde los %{time}.",
     replaced: "Se envió a los %{time}, y %{other} lo reemplazó por %{value} %{gap}.",

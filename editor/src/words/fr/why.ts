@@ -76,6 +76,11 @@ export const why: typeof english = {
     "never-ran":
       "%{function} ne s'est pas lancée entre %{since} et %{until} ; l'enregistrement ne dit pas pourquoi.",
     gave: "À %{time}, %{function} s'est lancée%{inputs} et a donné %{outputs}.",
+    "matched-equation": "Dans %{function}, l'équation %{number} convenait : %{value}.",
+    "matched-case": "Dans %{function}, le cas %{number} convenait : %{value}.",
+    "guard-held": "Dans %{function}, la condition %{value} était remplie.",
+    "was-true": "Dans %{function}, %{value} était vrai.",
+    "was-false": "Dans %{function}, %{value} n'était pas vrai.",
     "other-type": "%{function} n'envoie jamais %{type} : elle donne %{types}.",
     "in-force": "%{value} est en vigueur depuis %{time}.",
     replaced: "C'était envoyé à %{time}, et %{other} l'a remplacé par %{value} %{gap}.",

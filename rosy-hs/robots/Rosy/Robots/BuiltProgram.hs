@@ -110,7 +110,7 @@ runBuiltProgram home program = do
   case readCommandLine self given of
     Left why -> die why
     Right Help -> putStr (usage self)
-    Right (OnLink descriptor) -> onPipe descriptor nullPtr [] program
+    Right (OnLink descriptor) -> onPipe descriptor nullPtr [] [] program
     Right (OnRobot address seconds) -> onRobot seconds address program
     Right InSimulator -> inSimulator home self given
 

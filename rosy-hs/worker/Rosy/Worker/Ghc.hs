@@ -49,6 +49,7 @@ import GHC.Types.Name (Name, getName, getOccString, nameModule_maybe)
 import GHC.Types.SrcLoc
 import GHCi.RemoteTypes (localRef, withForeignRef)
 import Rosy.Worker.CompilerMessage (Category (Hole, MissingMethods, Types), CompilerMessage (..), ProgramOutline (..), emptyOutline)
+import Rosy.Worker.Ghc.BranchInstrumentation
 import Rosy.Worker.Ghc.Compat.Driver
 import Rosy.Worker.Ghc.Compat.Syntax
 import Rosy.Worker.Ghc.Completion
@@ -150,8 +151,8 @@ data Analysis = Analysis
     ready :: Maybe Ready
   }
 
--- | A type-checked program.
-data Ready = Ready HscEnv ModSummary TcGblEnv Name
+-- | A type-checked program, with its name for @main@, its text, and the places of what the learner wrote in it.
+data Ready = Ready HscEnv ModSummary TcGblEnv Name Text (SrcSpan -> Maybe Placed.Span)
 
 -- | Purpose of an analysis: to report problems and types, or to run the program. A check is faster.
 data Purpose = ForCheck | ForRun
@@ -231,7 +232,7 @@ check restriction purpose session flags columns source (L at parsed) warnings = 
   case outcome of
     Nothing -> pure (Analysis (noMain ++ doubtful) found outlined Nothing [] [] [] connectedTopics [] Nothing)
     Just tcg
-      | mayBeUnfinished found, not (any isError (noMain ++ endless tcg)), purpose == ForRun -> pure (whole found tcg (Ready env summary tcg <$> mainOf tcg))
+      | mayBeUnfinished found, not (any isError (noMain ++ endless tcg)), purpose == ForRun -> pure (whole found tcg (readyWith tcg env summary))
       | bad found || hasHoles found -> pure (whole found tcg Nothing)
       | otherwise -> do
         -- The desugarer reports missing cases. Derived code has none.
@@ -240,8 +241,9 @@ check restriction purpose session flags columns source (L at parsed) warnings = 
         pure $
           if bad raws || any isError (noMain ++ endless tcg) || purpose == ForCheck
             then whole raws tcg Nothing
-            else whole raws tcg (Ready env summary tcg <$> mainOf tcg)
+            else whole raws tcg (readyWith tcg env summary)
   where
+    readyWith tcg env summary = (\name -> Ready env summary tcg name source (\s -> if isWritten s then spanAt columns s else Nothing)) <$> mainOf tcg
     -- A program that mentions Generic may use the real instances.
     instances = if purpose == ForCheck && not ("Generic" `Text.isInfixOf` source) then EmptyBodies else GenericBodies
     isWritten = not . isInside (derivedSpans parsed)
@@ -259,11 +261,12 @@ check restriction purpose session flags columns source (L at parsed) warnings = 
 -- | Compiles a checked program to bytecode in this process. The result runs it over a link's descriptor, with a shared page for the name of the
 -- active function and the empty places of the program.
 load :: Session -> Ready -> IO (CInt -> Ptr Word32 -> [EmptyPlace] -> IO ())
-load session (Ready env summary checked name) = do
-  value <- compileAndLink (addPlugins [taskAttribution] env) summary checked name
+load session (Ready env summary checked name source place) = do
+  (instrumented, branches) <- instrumentBranches env place source checked
+  value <- compileAndLink (addPlugins [taskAttribution] env) summary instrumented name
   -- The type checker has verified that main is an IO action.
   action <- withForeignRef value localRef
-  pure (\fd page places -> launcher session fd page places (void (unsafeCoerce action :: IO ())))
+  pure (\fd page places -> launcher session fd page places branches (void (unsafeCoerce action :: IO ())))
 
 -- | Runs an action as main thread, which receives heap overflow exceptions.
 asMain :: IO () -> IO ()

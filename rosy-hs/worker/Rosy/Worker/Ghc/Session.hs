@@ -11,6 +11,7 @@ module Rosy.Worker.Ghc.Session
     Session (..),
     Launcher,
     EmptyPlace,
+    Branch,
     openSession,
     defaultExtensions,
   )
@@ -44,11 +45,14 @@ data Library = Library
     compilerDirectory :: FilePath
   }
 
--- | @Rosy.Launch.onPipe@: the link's descriptor, the page that names the function at work, the empty places, the program.
-type Launcher = CInt -> Ptr Word32 -> [EmptyPlace] -> IO () -> IO ()
+-- | @Rosy.Launch.onPipe@: the link's descriptor, the page that names the function at work, the empty places, the branches, the program.
+type Launcher = CInt -> Ptr Word32 -> [EmptyPlace] -> [Branch] -> IO () -> IO ()
 
 -- | @Rosy.Problem.EmptyPlace@: start and end as line and column, message and hint.
 type EmptyPlace = ((Int, Int), (Int, Int), String, String)
+
+-- | @Rosy.BranchCoverage.Branch@: start and end as line and column, names of the definitions around, kind, number, and what it is told by.
+type Branch = ((Int, Int), (Int, Int), [String], String, Int, String)
 
 -- | The compiler environment, the launcher of the linked library, and the names in scope of every program.
 data Session = Session
@@ -63,8 +67,8 @@ openSession library = runGhc (Just (compilerDirectory library)) $ do
   fresh <- getSession
   flags <- parseArguments fresh (interpretedCode plain) arguments
   _ <- setSessionDynFlags (programFlags flags)
-  setContext (map (IIDecl . qualifiedImport) ["Prelude", "Rosy", "Rosy.Launch", "Rosy.Problem", "Foreign.C.Types", "Data.Word", "Foreign.Ptr"])
-  onPipe <- compileExpr "Rosy.Launch.onPipe :: Foreign.C.Types.CInt -> Foreign.Ptr.Ptr Data.Word.Word32 -> [Rosy.Problem.EmptyPlace] -> Prelude.IO () -> Prelude.IO ()"
+  setContext (map (IIDecl . qualifiedImport) ["Prelude", "Rosy", "Rosy.Launch", "Rosy.Problem", "Rosy.BranchCoverage", "Foreign.C.Types", "Data.Word", "Foreign.Ptr"])
+  onPipe <- compileExpr "Rosy.Launch.onPipe :: Foreign.C.Types.CInt -> Foreign.Ptr.Ptr Data.Word.Word32 -> [Rosy.Problem.EmptyPlace] -> [Rosy.BranchCoverage.Branch] -> Prelude.IO () -> Prelude.IO ()"
   setContext []
   env <- getSession
   names <- liftIO (preload env)

@@ -13,6 +13,7 @@
 module Rosy.Worker.Ghc.SpanTypes
   ( typesAt,
     typedSpans,
+    typeOfExpression,
     isInside,
   )
 where

@@ -13,6 +13,7 @@ module Rosy.Worker.Ghc.Compat.Driver
     silenced,
     findModuleNamed,
     originalName,
+    libraryValue,
 
     -- * Flags
     parseArguments,
@@ -89,6 +90,7 @@ import GHC.Tc.Errors.Hole.FitTypes
 import GHC.Tc.Module (tcRnModule)
 import GHC.Tc.Types
 import GHC.Tc.Utils.Monad (newTcRef)
+import GHC.Types.Id (Id)
 import GHC.Types.Name
 import GHC.Types.SrcLoc
 import GHC.Unit.Module (Module, mkModuleName)
@@ -269,6 +271,13 @@ thrown = bagToList . getMessages . srcErrorMessages
 #else
 thrown = bagToList . srcErrorMessages
 #endif
+
+-- | A value of the library by its module and name; loads the interface.
+libraryValue :: HscEnv -> String -> String -> IO (Maybe Id)
+libraryValue env m name = do
+  found <- findModuleNamed env m
+  thing <- maybe (pure Nothing) (\modul -> originalName env modul (mkVarOcc name) >>= hscTcRcLookupName env) found
+  pure (case thing of Just (AnId i) -> Just i; _ -> Nothing)
 
 -- | Whether Safe Haskell trusts a module. GHC 9.4 and newer throws where 9.0 answers.
 isSafeImport :: HscEnv -> Module -> SrcSpan -> IO Bool

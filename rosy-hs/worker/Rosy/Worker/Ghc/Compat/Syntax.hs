@@ -85,6 +85,7 @@ module Rosy.Worker.Ghc.Compat.Syntax
     hsLitType,
     listType,
     recordConstructor,
+    intLiteral,
   )
 where
 
@@ -105,9 +106,9 @@ import GHC.Unit.Module (mkModuleName)
 import GHC.Hs.Syn.Type (hsLitType)
 import GHC.Parser.Annotation
 import GHC.Types.Basic (PromotionFlag (NotPromoted))
-import GHC.Types.SourceText (IntegralLit (il_value))
+import GHC.Types.SourceText (IntegralLit (il_value), mkIntegralLit)
 #else
-import GHC.Types.Basic (IntegralLit (il_value), PromotionFlag (NotPromoted))
+import GHC.Types.Basic (IntegralLit (il_value), PromotionFlag (NotPromoted), mkIntegralLit)
 import GHC.Tc.Utils.Zonk (hsLitType)
 #endif
 
@@ -637,3 +638,7 @@ recordConstructor e = case e of
   RecordCon {rcon_ext = x} -> Just (rcon_con_expr x)
   _ -> Nothing
 #endif
+
+-- | A number of type 'Int'.
+intLiteral :: Int -> LHsExpr GhcTc
+intLiteral = nlHsLit . HsInt noExtField . mkIntegralLit

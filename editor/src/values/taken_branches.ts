@@ -1,0 +1,48 @@
+/// Branches that functions took at the displayed moment, as places in text and blocks: equations, guards, alternatives. Pure.
+
+import type {Firing, FiringBranch} from "../state/firings.ts"
+import type {PageState} from "../state/page_state.ts"
+import {type BlockId, offsetOf, type Program} from "../state/program.ts"
+import {shownFrame} from "../state/room_state.ts"
+import {latestFirings} from "./firing_log.ts"
+
+export interface TakenBranches {
+  /// Offsets, in the order of the text; of nested branches the outer one first.
+  readonly ranges: readonly {readonly start: number; readonly end: number}[]
+  readonly blocks: readonly BlockId[]
+}
+
+export const noBranches: TakenBranches = {ranges: [], blocks: []}
+
+/// Those of the latest firing of each function. None when the text has changed since the run began.
+export function takenBranches(state: Pick<PageState, "document" | "room" | "valuesShown">): TakenBranches {
+  const {room, document} = state
+  const frame = shownFrame(room)
+  const {program} = document
+  if (!state.valuesShown || room.run === null || frame === null || room.preview.ran !== program.text)
+    return noBranches
+  const latest = latestFirings(room.firings, room.lookedAt ?? frame.time)
+  const ranges = [...latest.values()]
+    .flatMap(ownBranches)
+    .map(({start, end}) => ({start: offsetOf(program.text, start), end: offsetOf(program.text, end)}))
+    .sort((a, b) => a.start - b.start || b.end - a.end)
+  return {
+    ranges,
+    blocks: [...new Set(ranges.flatMap(range => blockOf(program, range) ?? []))],
+  }
+}
+
+/// The branches of the function itself and of its local definitions; all of a function without a name.
+export function ownBranches({function: name, branches}: Firing): readonly FiringBranch[] {
+  const own = branches.filter(branch => branch.in.includes(name))
+  return own.length > 0 ? own : branches
+}
+
+/// The widest block that ends where the branch ends: its result, or all of it.
+function blockOf(
+  {spans}: Program,
+  range: {readonly start: number; readonly end: number},
+): BlockId | undefined {
+  const inside = spans.filter(span => span.start >= range.start && span.end === range.end)
+  return inside.sort((a, b) => a.start - b.start)[0]?.block
+}

@@ -1,0 +1,36 @@
+"""
+Branches of a firing as sentences: which equation, guard or alternative of the function it took.
+"""
+
+from __future__ import annotations
+
+from ..wire.explanation import Sentence, SentenceId
+from ..wire.firing import Branch, Firing
+from .recorded_run import RecordedRun
+from .why import Link
+
+__all__ = ["MAX_BRANCHES", "taken_branches"]
+
+MAX_BRANCHES = 2
+"""Branches that an answer tells of one firing: as many as a learner reads beside the rest. A choice of ours."""
+
+_IDS: dict[str, SentenceId] = {
+    "equation": "matched-equation",
+    "case": "matched-case",
+    "guard": "guard-held",
+    "then": "was-true",
+    "else": "was-false",
+}
+
+
+def taken_branches(run: RecordedRun, firing: Firing) -> list[Link]:
+    """The first branches that a firing took: those of its function, or all when the function has no name."""
+    own = [branch for branch in firing.branches if firing.function in branch.definitions]
+    return [_link(branch, firing, run.time_of(firing)) for branch in (own or firing.branches)[:MAX_BRANCHES]]
+
+
+def _link(branch: Branch, firing: Firing, time: float) -> Link:
+    # A local definition is told by its own name.
+    name = branch.definitions[-1]
+    number = branch.number if branch.kind in ("equation", "case") else None
+    return Link(Sentence(_IDS[branch.kind], function=name, value=branch.text, number=number), time, firing.n)
