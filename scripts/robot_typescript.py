@@ -2,7 +2,7 @@
 Generator of the TypeScript tables of the robots: labels of types on blocks, and the values of channels that can be charted.
 
 In: robot descriptions. Out: the text of `codegen/src/robot/description.generated.ts` (colours, menus, units, examples for the toolbox, charts, body
-of the simulated robot) and of `codegen/src/words/<language>/robot.generated.ts` (the labels in each language), by path.
+and values of the channels of the simulated robot) and of `codegen/src/words/<language>/robot.generated.ts` (the labels in each language), by path.
 """
 
 from __future__ import annotations
@@ -38,6 +38,7 @@ def typescript_files(all_robots: list[Json]) -> dict[Path, str]:
         "choices": {t["name"]: _choice(t, channels, families) for t in types if "values" in t and t["name"] in families},
         "toolbox": [{"type": t["name"], "kind": families[t["name"]][1], **t["toolbox"]} for t in types if "toolbox" in t],
         "sensorTopics": _sensor_topics(all_robots[0]),
+        "channelValues": {of: _channel_values(vocabulary, all_robots[0], of) for of in ("event", "command")},
         "body": {name: entry["value"] for name, entry in all_robots[0]["body"].items()},
         "charts": [
             {"key": c["key"], "channel": c["channel"], "place": c["place"], "unit": c.get("unit", ""), "family": c["color"]}
@@ -93,6 +94,15 @@ def _sensor_topics(robot: Json) -> list[str]:
     names = robot["profiles"][robot["simulated"]]
     found = {c["ros"]["topic"] for c in robot["channels"] if c["kind"] != "command" and "ros" in c}
     return sorted(topic.format_map({key: str(value).format_map(names) for key, value in names.items()}) for topic in found)
+
+
+def _channel_values(vocabulary: Vocabulary, robot: Json, of: str) -> Json:
+    """For each channel of a kind its values: the names of a choice, or the type of another value."""
+    return {
+        c["name"]: [list(vocabulary.types[kind]["values"]) if kind in vocabulary.types else kind for _, kind in vocabulary.leaves(c["name"])]
+        for c in robot["channels"]
+        if c["kind"] == of
+    }
 
 
 def _has_parts(vocabulary: Vocabulary, name: str) -> bool:

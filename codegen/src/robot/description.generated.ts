@@ -530,6 +530,119 @@ export const robot = {
     "/mobile_base/sensors/imu_data",
     "/odom"
   ],
+  "channelValues": {
+    "event": {
+      "Button": [
+        [
+          "Button0",
+          "Button1",
+          "Button2"
+        ],
+        [
+          "Pressed",
+          "Released"
+        ]
+      ],
+      "Bumper": [
+        [
+          "LeftBumper",
+          "CenterBumper",
+          "RightBumper"
+        ],
+        [
+          "Pressed",
+          "Released"
+        ]
+      ],
+      "Cliff": [
+        [
+          "LeftCliff",
+          "CenterCliff",
+          "RightCliff"
+        ],
+        [
+          "Hole",
+          "Floor"
+        ]
+      ],
+      "Wheel": [
+        [
+          "LeftWheel",
+          "RightWheel"
+        ],
+        [
+          "Air",
+          "Ground"
+        ]
+      ],
+      "RobotStatus": [
+        [
+          "Online",
+          "Offline"
+        ]
+      ],
+      "DigitalInput": [
+        "Bool",
+        "Bool",
+        "Bool",
+        "Bool"
+      ]
+    },
+    "command": {
+      "Velocity": [
+        "Double",
+        "Double"
+      ],
+      "Led1": [
+        [
+          "Black",
+          "Green",
+          "Orange",
+          "Red"
+        ]
+      ],
+      "Led2": [
+        [
+          "Black",
+          "Green",
+          "Orange",
+          "Red"
+        ]
+      ],
+      "ExternalPower": [
+        [
+          "Power3V1A",
+          "Power5V1A",
+          "Power12V5A",
+          "Power12V1A"
+        ],
+        [
+          "PowerOn",
+          "PowerOff"
+        ]
+      ],
+      "MotorPower": [
+        [
+          "MotorsOn",
+          "MotorsOff"
+        ]
+      ],
+      "Sound": [
+        [
+          "OnSound",
+          "OffSound",
+          "RechargeSound",
+          "ButtonSound",
+          "ErrorSound",
+          "CleaningStartSound",
+          "CleaningEndSound"
+        ]
+      ],
+      "Say": [
+        "String"
+      ]
+    }
+  },
   "body": {
     "step": 0.02,
     "radius": 0.17575,

@@ -23,6 +23,7 @@ import {openDiagramMount} from "./diagram_mount.ts"
 import {documentCommands} from "./document_commands.ts"
 import {openDocumentEditor} from "./document_editor.ts"
 import {fileCommands, roomCommands} from "./file_commands.ts"
+import {lessonEditorCommands, resumeDraft, storeDrafts} from "./lesson_writing.ts"
 import {
   lessonCommands,
   restrictToolbox,
@@ -78,6 +79,7 @@ export function openController(address: string): AppController {
     diagram: diagram.commands,
     run: () => runProgram(store, editor),
     ...lessonCommands(store, loader),
+    lessonEditor: lessonEditorCommands(store, loader, editor),
     openExample: name => void requests.openExample(name),
     ...myProgramCommands(store, loader, programStore),
     newProgram: loader.newProgram,
@@ -93,6 +95,7 @@ export function openController(address: string): AppController {
     ...pageCommands(store, parts),
   }
   storeLessons(store, storage)
+  storeDrafts(store, storage)
   restrictToolbox(store, parts)
   watchWindow(store, loader, requests)
   watchPrinting(store, parts, editor, colours)
@@ -105,7 +108,10 @@ export function openController(address: string): AppController {
   connectService(address, store, parts, completions, classMode.announced)
   const canStore = isEmbedded() || storage.isPersistent
   loadResources(store, parts, loader, requests, canStore, first => {
-    if (first !== "chosen") resumeLesson(store, loader, storage)
+    if (first !== "chosen") {
+      resumeLesson(store, loader, storage)
+      resumeDraft(store, storage)
+    }
     if (first === "linked" && runsAtOnce && store.now.robots.held === null) controller.run()
     classMode.programOpened()
   })

@@ -3,13 +3,21 @@
 import {newProject, saveProject} from "@rosy/codegen"
 import {fetchLesson, fetchLessons} from "../browser/remote_resources.ts"
 import {fragmentOf} from "../browser/share_link.ts"
+import {readDrafts} from "../lesson_editor/draft_storage.ts"
 import type {Lesson} from "../lessons/lesson.ts"
 import {isLessonFile, readLessonFile} from "../lessons/lesson_file.ts"
-import {firstOpenStep, type LessonEvent, programAt} from "../lessons/lesson_state.ts"
+import {
+  firstOpenStep,
+  type LessonEvent,
+  type LessonsState,
+  noLessons,
+  programAt,
+} from "../lessons/lesson_state.ts"
 import {readProgress, writeProgress} from "../lessons/progress.ts"
 import type {AppController} from "../page/app_context.ts"
 import type {PageState} from "../state/page_state.ts"
 import type {Store} from "../state/store.ts"
+import {draftsKey} from "./lesson_writing.ts"
 import type {PageParts} from "./page_parts.ts"
 import type {Origin, ProgramLoader} from "./program_loader.ts"
 
@@ -111,11 +119,11 @@ export function storeLessons(store: Store, storage: {readonly shared: Storage; r
       const others = readProgress(storage.shared.getItem(progressKey))
       tryToKeep(storage.shared, progressKey, writeProgress({...others, ...lessons.progress}))
     }
-    if (lessons.open?.lesson.name !== kept.open?.lesson.name) {
-      const lesson = lessons.open?.lesson
+    const [open, before] = [lessonOf(lessons), lessonOf(kept)]
+    if (open?.name !== before?.name) {
       for (const [key, text] of [
-        [openKey, lesson?.name],
-        [openFileKey, lesson?.file],
+        [openKey, open?.name],
+        [openFileKey, open?.file],
       ] as const)
         if (text == null) storage.tab.removeItem(key)
         else tryToKeep(storage.tab, key, text)
@@ -123,6 +131,10 @@ export function storeLessons(store: Store, storage: {readonly shared: Storage; r
     kept = lessons
   })
 }
+
+/// The open lesson, unless it is the trial of a draft.
+const lessonOf = ({open, writing}: LessonsState): Lesson | undefined =>
+  writing === null ? open?.lesson : undefined
 
 /// Opens the lesson again that this tab had open. Its program is opened as well, unless the learner's own version of it is open.
 export function resumeLesson(store: Store, loader: ProgramLoader, storage: {readonly tab: Storage}): void {
@@ -152,7 +164,7 @@ async function storedLesson(name: string, file: string | null): Promise<Lesson |
 
 export function storedLessons(storage: {readonly shared: Storage}): Pick<PageState, "lessons"> {
   const progress = readProgress(storage.shared.getItem(progressKey))
-  return {lessons: {list: {kind: "unasked"}, progress, open: null}}
+  return {lessons: {...noLessons, progress, drafts: readDrafts(storage.shared.getItem(draftsKey))}}
 }
 
 function tryToKeep(storage: Storage, key: string, text: string): void {

@@ -106,7 +106,7 @@ const texts: Decoder<TextsById> = (value, path) =>
     Object.entries(unknownRecord(value, path)).map(([name, text]) => [name, string(text, `${path}.${name}`)]),
   )
 
-const record =
+export const record =
   <T>(item: Decoder<T>): Decoder<{readonly [name: string]: T}> =>
   (value, path) =>
     Object.fromEntries(
@@ -120,7 +120,7 @@ const stepTexts = object(get => ({
   replies: get("replies", optional(texts, noTexts)),
 }))
 
-const lessonTexts = object(get => ({
+export const lessonTexts = object(get => ({
   title: get("title", string),
   idea: get("idea", string),
   learned: get("learned", string),
@@ -129,13 +129,13 @@ const lessonTexts = object(get => ({
   hints: get("hints", optional(record(list(string)), noHints)),
 }))
 
-/// The value for a language, or else the English one.
+/// The value for a language, or else the English one, or else the first.
 const inLanguage =
   <T>(item: Decoder<T>, language: string): Decoder<T> =>
   (value, path) => {
     const all = record(item)(value, path)
-    const found = all[language] ?? all.en
-    if (found === undefined) throw new Mismatch(path, "a text in English")
+    const found = all[language] ?? all.en ?? Object.values(all)[0]
+    if (found === undefined) throw new Mismatch(path, "a text")
     return found
   }
 

@@ -11,10 +11,10 @@ export type ReadLesson =
   | {readonly kind: "damaged"; readonly at: string}
 
 /// Of the format.
-const version = 1
+export const version = 1
 
 /// The kinds of checks (`examples/lessons/README.md`). The service examines what else a check holds.
-const checkKinds = [
+export const checkKinds = [
   "goals",
   "holds",
   "at",
@@ -30,6 +30,8 @@ const checkKinds = [
   "function",
   "functions",
 ] as const
+
+export type CheckKind = (typeof checkKinds)[number]
 
 /// Whether a text claims to be a lesson.
 export function isLessonFile(text: string): boolean {

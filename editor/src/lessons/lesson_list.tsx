@@ -2,12 +2,52 @@
 
 import type {VNode} from "preact"
 import {useController, usePageState} from "../page/app_context.ts"
-import {TextWithCode} from "../page/controls.tsx"
+import {IconButton, TextWithCode} from "../page/controls.tsx"
+import {BinIcon} from "../page/icons.tsx"
 import {words} from "../words/index.ts"
 import type {LessonEntry} from "./lesson.ts"
 import {isFinished} from "./progress.ts"
 
 export function LessonList(): VNode {
+  return (
+    <>
+      <ServiceLessons />
+      <Drafts />
+    </>
+  )
+}
+
+/// The lessons that are being written in this browser.
+function Drafts(): VNode {
+  const {lessonEditor} = useController()
+  const drafts = usePageState(s => s.lessons.drafts)
+  const w = words.lessonEditor
+  return (
+    <section>
+      {drafts.length > 0 && <h3>{w.yours}</h3>}
+      <ul class="draft-list">
+        {drafts.map(({name, title, language}) => {
+          const text = title[language] ?? Object.values(title)[0] ?? w.untitled
+          return (
+            <li key={name}>
+              <button type="button" class="link" onClick={() => lessonEditor.open(name)}>
+                {text}
+              </button>
+              <IconButton label={w.remove(text)} onClick={() => lessonEditor.remove(name)}>
+                <BinIcon />
+              </IconButton>
+            </li>
+          )
+        })}
+      </ul>
+      <button type="button" class="plain" onClick={lessonEditor.begin}>
+        {w.write}
+      </button>
+    </section>
+  )
+}
+
+function ServiceLessons(): VNode {
   const desk = useController()
   const list = usePageState(s => s.lessons.list)
   if (list.kind === "failed")

@@ -8,22 +8,26 @@ import {CloseIcon} from "../page/icons.tsx"
 import {compiled} from "../state/visible_findings.ts"
 import {words} from "../words/index.ts"
 import type {LessonVerdict, Seen, Step} from "./lesson.ts"
-import {currentStep, isDone, type OpenLesson} from "./lesson_state.ts"
+import {currentStep, editedDraft, isDone, type OpenLesson} from "./lesson_state.ts"
 
 export function LessonPanel(): VNode | null {
   const desk = useController()
   const open = usePageState(s => s.lessons.open)
+  const isTrial = usePageState(s => s.lessons.writing?.mode === "trying")
   if (open === null) return null
   const {lesson} = open
   return (
     <aside class="lesson" aria-label={words.lessons.panel}>
+      {isTrial && <Trial />}
       <header>
         <p class="quiet">
           {lesson.number === null ? words.lessons.panel : words.lessons.number(lesson.number)}
         </p>
-        <IconButton label={words.lessons.leave} onClick={() => desk.leaveLesson()}>
-          <CloseIcon />
-        </IconButton>
+        {!isTrial && (
+          <IconButton label={words.lessons.leave} onClick={() => desk.leaveLesson()}>
+            <CloseIcon />
+          </IconButton>
+        )}
         <h2>{lesson.title}</h2>
         <p class="idea">
           <TextWithCode text={lesson.idea} strong={null} />
@@ -35,8 +39,28 @@ export function LessonPanel(): VNode | null {
         ))}
       </ol>
       <WayOn open={open} />
-      {lesson.file !== null && <LessonLink file={lesson.file} />}
+      {lesson.file !== null && !isTrial && <LessonLink file={lesson.file} />}
     </aside>
+  )
+}
+
+/// The way from a draft, as pupils see it, back to the editor.
+function Trial(): VNode {
+  const {lessonEditor} = useController()
+  const hasSolution = usePageState(s => editedDraft(s.lessons)?.solution != null)
+  const w = words.lessonEditor
+  return (
+    <div class="trial">
+      <p class="quiet">{w.trial}</p>
+      <button type="button" class="plain" onClick={lessonEditor.back}>
+        {w.back}
+      </button>
+      {hasSolution && (
+        <button type="button" class="plain" onClick={lessonEditor.trySolution}>
+          {w.trySolution}
+        </button>
+      )}
+    </div>
   )
 }
 
@@ -52,7 +76,10 @@ function LessonLink({file}: {file: string}): VNode | null {
     <p>
       <a class="link" href={address}>
         {words.lessons.link}
-      </a>
+      </a>{" "}
+      <button type="button" class="link" onClick={() => desk.lessonEditor.openFile(file)}>
+        {words.lessonEditor.change}
+      </button>
     </p>
   )
 }
@@ -196,23 +223,25 @@ function Hints({open, step}: {open: OpenLesson; step: Step}): VNode | null {
   const isOpen = (id: string) => open.checks?.checks.find(one => one.id === id)?.state !== "done"
   const check = step.checks.find(one => isOpen(one.id) && one.hints.length > 0)
   if (check === undefined) return null
-  const shown = check.hints.slice(0, open.hints)
+  // A lesson may leave out the first sizes; a piece to take is code.
+  const hints = check.hints.map((text, i) => ({text, isPiece: i === 2})).filter(hint => hint.text !== "")
+  const shown = hints.slice(0, open.hints)
   return (
     <div class="hints">
       <div aria-live="polite">
-        {shown.map((hint, i) =>
-          i === 2 ? (
-            <pre class="piece" key={hint} dir="ltr">
-              {hint}
+        {shown.map(({text, isPiece}) =>
+          isPiece ? (
+            <pre class="piece" key={text} dir="ltr">
+              {text}
             </pre>
           ) : (
-            <p key={hint}>
-              <TextWithCode text={hint} strong={null} />
+            <p key={text}>
+              <TextWithCode text={text} strong={null} />
             </p>
           ),
         )}
       </div>
-      {shown.length < check.hints.length && (
+      {shown.length < hints.length && (
         <button
           type="button"
           class="link hint"
@@ -252,9 +281,11 @@ function WayOn({open}: {open: OpenLesson}): VNode | null {
       {all && (
         <>
           <h3>{words.lessons.wellDone}</h3>
-          <p>
-            <b>{words.lessons.learned}:</b> <TextWithCode text={lesson.learned} strong={null} />
-          </p>
+          {lesson.learned !== "" && (
+            <p>
+              <b>{words.lessons.learned}:</b> <TextWithCode text={lesson.learned} strong={null} />
+            </p>
+          )}
         </>
       )}
       {next !== null && (

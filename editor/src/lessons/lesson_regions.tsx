@@ -8,7 +8,10 @@ import {words} from "../words/index.ts"
 
 export function LessonRegion(): VNode | null {
   const isOpen = usePageState(s => s.lessons.open !== null)
+  const isEditing = usePageState(s => s.lessons.writing?.mode === "editing")
   const Panel = useFetched(isOpen, panel)
+  const Editor = useFetched(isEditing, editor)
+  if (isEditing) return Editor === null ? null : <Editor />
   return isOpen && Panel !== null ? <Panel /> : null
 }
 
@@ -26,6 +29,7 @@ function FetchedList(): VNode | null {
 }
 
 const panel = () => import("./lesson_panel.tsx").then(found => found.LessonPanel)
+const editor = () => import("../lesson_editor/lesson_editor_panel.tsx").then(found => found.LessonEditorPanel)
 const list = () => import("./lesson_list.tsx").then(found => found.LessonList)
 
 function useFetched(isWanted: boolean, fetchIt: () => Promise<ComponentType>): ComponentType | null {

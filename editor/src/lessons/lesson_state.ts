@@ -1,5 +1,7 @@
 /// The open lesson as a value, and the events that change it. Pure: the messages to send are part of the result.
 
+import {type DraftEdit, editDraft, type LessonDraft} from "../lesson_editor/draft.ts"
+import {withDraft} from "../lesson_editor/draft_storage.ts"
 import type {Lesson, LessonChecks, LessonEntry, Step} from "./lesson.ts"
 import type {Progress} from "./progress.ts"
 
@@ -28,9 +30,24 @@ export interface LessonsState {
   readonly list: LessonList
   readonly progress: Progress
   readonly open: OpenLesson | null
+  /// The lessons that are being written in this browser.
+  readonly drafts: readonly LessonDraft[]
+  readonly writing: Writing | null
 }
 
-export const noLessons: LessonsState = {list: {kind: "unasked"}, progress: {}, open: null}
+/// The draft that is shown, by its name: in the lesson editor, or as the open lesson, as a pupil sees it.
+export interface Writing {
+  readonly name: string
+  readonly mode: "editing" | "trying"
+}
+
+export const noLessons: LessonsState = {
+  list: {kind: "unasked"},
+  progress: {},
+  open: null,
+  drafts: [],
+  writing: null,
+}
 
 export type LessonEvent =
   | {readonly kind: "listed"; readonly list: LessonList}
@@ -41,6 +58,13 @@ export type LessonEvent =
   | {readonly kind: "stepped"; readonly to: number; readonly runs: number}
   | {readonly kind: "hint-wanted"}
   | {readonly kind: "judged"; readonly checks: LessonChecks}
+  /// A draft, new or not, is shown in the editor.
+  | {readonly kind: "draft-opened"; readonly draft: LessonDraft}
+  | {readonly kind: "draft-edited"; readonly edit: DraftEdit}
+  | {readonly kind: "draft-closed"}
+  | {readonly kind: "draft-removed"; readonly name: string}
+  /// The draft of the editor is shown as the lesson that it is, from its beginning. `runs` is the number of the newest run.
+  | {readonly kind: "draft-tried"; readonly lesson: Lesson; readonly runs: number}
 
 /// What the service watches from now on; `null` for nothing.
 export type Watched = Step["watched"]
@@ -84,10 +108,10 @@ export function reduceLesson(state: LessonsState, event: LessonEvent): LessonTra
       return {state: {...state, list: event.list}}
     case "opened": {
       const {lesson, at, runs} = event
-      return shown({...state, open: {lesson, at, answers: {}, hints: 0, checks: null, since: runs}})
+      return shown({...state, open: opened(lesson, at, runs), writing: null})
     }
     case "closed":
-      return open === null ? {state} : shown({...state, open: null})
+      return open === null ? {state} : shown(withoutLesson(state))
     case "answered": {
       const step = open === null ? undefined : currentStep(open)
       if (open === null || step === undefined) return {state}
@@ -104,7 +128,53 @@ export function reduceLesson(state: LessonsState, event: LessonEvent): LessonTra
       return open === null ? {state} : {state: {...state, open: {...open, hints: open.hints + 1}}}
     case "judged":
       return {state: judged(state, event.checks)}
+    case "draft-opened": {
+      const {draft} = event
+      const drafts = withDraft(state.drafts, draft)
+      return shown({...state, open: null, drafts, writing: {name: draft.name, mode: "editing"}})
+    }
+    case "draft-edited": {
+      const draft = editedDraft(state)
+      return draft === null
+        ? {state}
+        : {state: {...state, drafts: withDraft(state.drafts, editDraft(draft, event.edit))}}
+    }
+    case "draft-closed":
+      return shown({...withoutLesson(state), writing: null})
+    case "draft-removed": {
+      const drafts = state.drafts.filter(draft => draft.name !== event.name)
+      const isShown = state.writing?.name === event.name
+      return isShown ? shown({...state, open: null, drafts, writing: null}) : {state: {...state, drafts}}
+    }
+    case "draft-tried": {
+      const {lesson, runs} = event
+      if (state.writing === null) return {state}
+      const {[lesson.name]: _, ...progress} = state.progress
+      const writing = {...state.writing, mode: "trying"} as const
+      return shown({...state, progress, writing, open: opened(lesson, 0, runs)})
+    }
   }
+}
+
+const opened = (lesson: Lesson, at: number, runs: number): OpenLesson => ({
+  lesson,
+  at,
+  answers: {},
+  hints: 0,
+  checks: null,
+  since: runs,
+})
+
+/// The state without an open lesson; from the trial of a draft the way leads back to the editor.
+export function withoutLesson(state: LessonsState): LessonsState {
+  const {open, writing} = state
+  const isTrial = open !== null && writing?.mode === "trying"
+  return {...state, open: null, writing: isTrial ? {...writing, mode: "editing"} : writing}
+}
+
+/// The draft that the editor shows or that is being tried.
+export function editedDraft({drafts, writing}: LessonsState): LessonDraft | null {
+  return drafts.find(draft => draft.name === writing?.name) ?? null
 }
 
 function shown(state: LessonsState): LessonTransition {

@@ -7,6 +7,7 @@ import type {Outline} from "../browser/block_picture.ts"
 import type {ExamplePath} from "../browser/remote_resources.ts"
 import type {StoredProgram} from "../browser/stored_values.ts"
 import type {OutlineLine} from "../diagram/outline.ts"
+import type {LessonEditorCommands} from "../lesson_editor/lesson_editor_commands.ts"
 import type {RoomTests} from "../rooms/room_tests.ts"
 import type {PageState} from "../state/page_state.ts"
 import type {Finding, Fix} from "../state/program.ts"
@@ -64,6 +65,7 @@ export interface AppController {
   restartStep(): void
   /// Closes the lesson; its program stays.
   leaveLesson(): void
+  readonly lessonEditor: LessonEditorCommands
   readonly myPrograms: MyPrograms
   newProgram(): void
   openFile(): void

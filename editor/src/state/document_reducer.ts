@@ -1,6 +1,7 @@
 /// Reducer for the program: opening, changes, undo, storage; a changed text goes to the compiler. Pure.
 
 import {noRuns} from "../runs/run_tree.ts"
+import {withoutLesson} from "../lessons/lesson_state.ts"
 import {reduceWhy} from "../why/why_state.ts"
 import {type Document, recordChange, redo, undo} from "./history.ts"
 import type {DocumentEvent, Opened} from "./page_events.ts"
@@ -80,7 +81,7 @@ function openProgram(state: PageState, opened: Opened): Transition {
     speed: opened.isNew ? 1 : state.speed,
     dialog: opened.isFirst ? state.dialog : null,
     notice: null,
-    lessons: opened.inLesson ? state.lessons : {...state.lessons, open: null},
+    lessons: opened.inLesson ? state.lessons : withoutLesson(state.lessons),
   }
   const asked = check(fresh)
   if (state.link !== "open") return still(asked.state)

@@ -7,7 +7,7 @@ import {loseConnection, reduceServiceMessage} from "./connection_reducer.ts"
 import {reduceDocumentEvent} from "./document_reducer.ts"
 import type {PageEvent} from "./page_events.ts"
 import type {PageState} from "./page_state.ts"
-import {explain, withLessons} from "./request_reducer.ts"
+import {explain, withDraftRoom, withLessons} from "./request_reducer.ts"
 import {reduceRobotEvent} from "./robot_ownership.ts"
 import {reduceRunEvent} from "./run_reducer.ts"
 import {still, type Transition} from "./transition.ts"
@@ -63,11 +63,12 @@ function next(state: PageState, event: PageEvent): Transition {
     case "own-room-restored":
     case "world-editor-opened":
     case "world-edited":
-    case "world-editor-closed":
     case "world-file-wanted":
     case "world-file-made":
     case "world-file-read":
       return reduceWorldEvent(state, event)
+    case "world-editor-closed":
+      return withDraftRoom(state, reduceWorldEvent(state, event))
     case "lesson":
       return withLessons(state, reduceLesson(state.lessons, event.event))
     case "why":

@@ -1,6 +1,6 @@
 /// Reducers for lessons and questions about a run, whose changes may send a request to the service. Pure.
 
-import type {LessonTransition} from "../lessons/lesson_state.ts"
+import {type LessonTransition, reduceLesson} from "../lessons/lesson_state.ts"
 import {reduceWhy, type WhyEvent} from "../why/why_state.ts"
 import type {PageState} from "./page_state.ts"
 import {sending, still, type Transition} from "./transition.ts"
@@ -11,6 +11,15 @@ export function withLessons(state: PageState, {state: lessons, watched}: LessonT
   return watched === undefined || state.link !== "open"
     ? still(changed)
     : sending(changed, {op: "lesson", step: watched})
+}
+
+/// A room that was changed in the room editor beside the lesson editor is the room of the draft.
+export function withDraftRoom(before: PageState, {state, effects}: Transition): Transition {
+  const {worldName, lessons} = state
+  const isTaken = typeof worldName === "object" && worldName !== null && worldName !== before.worldName
+  if (lessons.writing?.mode !== "editing" || !isTaken) return {state, effects}
+  const edit = {kind: "room", room: worldName} as const
+  return {state: {...state, lessons: reduceLesson(lessons, {kind: "draft-edited", edit}).state}, effects}
 }
 
 /// Stores a question about the run or a step between questions, and asks the service. On a phone the answer is in the region of the room.

@@ -1,6 +1,7 @@
 /// The room as the page's state has it: its editor, its files, its luck.
 
 import {describe, expect, it} from "vitest"
+import {newDraft} from "../../src/lesson_editor/draft.ts"
 import {emptyDocument, emptyHistory} from "../../src/state/history.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState, type ReplacedRoom} from "../../src/state/page_state.ts"
@@ -32,6 +33,19 @@ const withWall: World = {...emptyRoom, name: "room", walls: [{from: [3, 1], to: 
 const drawWall: PageEvent = {kind: "world-edited", edit: {kind: "change", world: withWall}}
 
 describe("the world editor on the page", () => {
+  it("gives the changed room to the lesson that is being written", () => {
+    const draft = newDraft("lesson-1", "en", {size: [4, 3]}, "main = simulate ()\n")
+    const {state} = after(
+      open,
+      {kind: "lesson", event: {kind: "draft-opened", draft}},
+      {kind: "world-editor-opened"},
+      drawWall,
+      {kind: "world-editor-closed", keep: true},
+    )
+    expect(state.lessons.drafts[0]?.room).toEqual(state.worldName)
+    expect(state.worldName).toMatchObject({name: "my room"})
+  })
+
   it("gives the changed room a name of its own, sends it, and saves it with the program", () => {
     const {state, sent} = after(open, {kind: "world-editor-opened"}, drawWall, {
       kind: "world-editor-closed",

@@ -7,13 +7,15 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import pytest
 
 from rosy_sim.config import discover
 from rosy_sim.errors import BadInput
 from rosy_sim.lessons.catalogue import lesson_json, lesson_list, lessons
+from rosy_sim.lessons.lesson_document import LessonDocument
 from rosy_sim.lessons.lesson_file import read_lesson
-from rosy_sim.lessons.schema import schema_text
+from rosy_sim.lessons.schema import document_schema, lesson_schema, schema_text
 
 FOLDER = discover().examples / "lessons"
 LANGUAGES = {"en", "de", "pt", "es", "fr"}
@@ -146,5 +148,13 @@ def test_the_toolbox_of_a_lesson_has_the_blocks_of_earlier_lessons(tmp_path: Pat
     assert lesson_json(tmp_path, "../one") is None
 
 
-def test_the_schema_is_that_of_the_reader() -> None:
-    assert (discover().root / "protocol" / "lesson.schema.json").read_text("utf-8") == schema_text()
+def test_the_schemas_are_those_of_the_readers() -> None:
+    protocol = discover().root / "protocol"
+    assert (protocol / "lesson.schema.json").read_text("utf-8") == schema_text(lesson_schema())
+    assert (protocol / "lesson-document.schema.json").read_text("utf-8") == schema_text(document_schema())
+
+
+def test_a_lesson_for_a_page_is_a_lesson_document() -> None:
+    for lesson in lessons(FOLDER):
+        document = msgspec.convert(lesson_json(FOLDER, lesson.name), LessonDocument)
+        assert document.name == lesson.name

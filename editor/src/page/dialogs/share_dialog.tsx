@@ -33,7 +33,8 @@ function Shares(): VNode {
   )
 }
 
-function Copied({label, text}: {label: string; text: string}): VNode {
+/// A text in a field, with a button that copies it.
+export function Copied({label, text}: {label: string; text: string}): VNode {
   const field = useRef<HTMLInputElement>(null)
   const said = useRef<HTMLSpanElement>(null)
   const copy = () => {

@@ -7,6 +7,7 @@ import {blockly, blocks} from "./blocks.ts"
 import {classroom} from "./classroom.ts"
 import {diagram} from "./diagram.ts"
 import {keys} from "./keys.ts"
+import {lessonEditor} from "./lesson_editor.ts"
 import {lessons} from "./lessons.ts"
 import {page} from "./page.ts"
 import {preview} from "./preview.ts"
@@ -18,7 +19,21 @@ import {why} from "./why.ts"
 export const german: Table = {
   tag: "de",
   direction: "ltr",
-  page: {...page, blocks, classroom, world, diagram, roomTests, preview, runs, keys, lessons, why, blockly},
+  page: {
+    ...page,
+    blocks,
+    classroom,
+    world,
+    diagram,
+    roomTests,
+    preview,
+    runs,
+    keys,
+    lessons,
+    lessonEditor,
+    why,
+    blockly,
+  },
   measures: measuresOf("de"),
   blocks: de,
 }

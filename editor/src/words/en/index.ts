@@ -4,6 +4,7 @@ import {blocks} from "./blocks.ts"
 import {classroom} from "./classroom.ts"
 import {diagram} from "./diagram.ts"
 import {keys} from "./keys.ts"
+import {lessonEditor} from "./lesson_editor.ts"
 import {lessons} from "./lessons.ts"
 import {page} from "./page.ts"
 import {preview} from "./preview.ts"
@@ -23,6 +24,7 @@ export const en = {
   runs,
   keys,
   lessons,
+  lessonEditor,
   why,
   /// Blockly's own words, where they are not its English ones.
   blockly: {} as Readonly<Record<string, string>>,

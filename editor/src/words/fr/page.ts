@@ -16,6 +16,7 @@ export const page: Omit<
   | "runs"
   | "keys"
   | "lessons"
+  | "lessonEditor"
   | "why"
   | "blockly"
 > = {
