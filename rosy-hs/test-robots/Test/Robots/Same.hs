@@ -335,8 +335,9 @@ toldAs kind batches = case kind of
 fits :: [String] -> [String] -> Bool
 fits = go ""
   where
+    -- A stop may be the program's or the link's: what follows tells.
     go before heard' told = case (heard', told) of
       ([], []) -> True
-      (h : hs, t : ts) | h == t -> go t hs ts
+      (h : hs, t : ts) | h == t, go t hs ts -> True
       (h : hs, _) | h `elem` ["0 0", before] -> go before hs told
       _ -> False
