@@ -6,7 +6,7 @@
 import {readFileSync, writeFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
 import {expect, type Page} from "@playwright/test"
-import {isFull, rotated} from "./extent.ts"
+import {rotated} from "./extent.ts"
 import {withPalette} from "./palette_png.ts"
 import {test} from "./story.ts"
 
@@ -51,7 +51,7 @@ test.use({viewport: {width: 1200, height: 720}, deviceScaleFactor: 1.25})
 const isUpdate = (info: {readonly config: {readonly updateSnapshots: string}}) =>
   info.config.updateSnapshots === "all"
 
-for (const picture of isFull ? pictures : rotated(pictures, pictures.length))
+for (const picture of rotated(pictures, pictures.length))
   test(`the picture ${picture.name} of the guide is what the page shows`, async ({page, browser}, info) => {
     const {chromium} = JSON.parse(readFileSync(madeWith, "utf8")) as {readonly chromium: string}
     test.skip(
