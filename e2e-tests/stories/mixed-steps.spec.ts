@@ -5,8 +5,10 @@ import {openWalk, walk} from "../walks/walk.ts"
 import {isFull, seed} from "./extent.ts"
 import {test} from "./story.ts"
 
-const passed = [201, 202, 203, 205, 206]
-const seeds = isFull ? passed : [passed[seed % passed.length]!]
+const short = [201, 202, 203]
+// With 300 lines pasted on the way.
+const long = [205, 206]
+const seeds = isFull ? [...short, ...long] : [short[seed % short.length]!]
 const length = 15
 
 for (const one of seeds) {
