@@ -1,7 +1,7 @@
 /// Reducer for the program: opening, changes, undo, storage; a changed text goes to the compiler. Pure.
 
-import {noRuns} from "../runs/run_tree.ts"
 import {withoutLesson} from "../lessons/lesson_state.ts"
+import {noRuns} from "../runs/run_tree.ts"
 import {reduceWhy} from "../why/why_state.ts"
 import {type Document, recordChange, redo, undo} from "./history.ts"
 import type {DocumentEvent, Opened} from "./page_events.ts"

@@ -122,7 +122,7 @@ class Asked:
         self._answers: list[page.Because] = []
         self._explanations = RunExplanations(self._answers.append)
         self._explanations.on_checked(source, worker.check(source))
-        self._explanations.start(source)
+        self._explanations.start(1, source)
         self._firings: list[tuple[float, str, int]] = []
         place = World(usable_arena(named_world(world), "world"), KOBUKI, 1)
         settings = RunSettings(section.seconds, 1, None, section.hands, LIMITS)

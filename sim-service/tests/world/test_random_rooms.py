@@ -187,8 +187,9 @@ def test_sensors_agree_with_geometry(seed: int) -> None:
                 assert wall_depth(world) >= -CONTACT_GAP - 1e-9
 
 
-# What the solver of contacts leaves when the robot stops at once while it pushes a thing (J): it begins with the forces of the step before
-# and corrects them in ten rounds. The largest of 2,000 rooms is 0.01 mJ; a thing of 100 g has 0.1 mJ at 4.5 cm/s.
+# What the solver of contacts leaves when the robot stops at once while it pushes a thing (J): it begins with the forces
+# of the step before and corrects them in ten rounds. The largest of 2,000 rooms is 0.01 mJ; a thing of 100 g has 0.1 mJ
+# at 4.5 cm/s.
 SOLVER_REST = 1e-4
 
 
