@@ -98,6 +98,10 @@ BENCHES = {
         "the world alone, with a program in lockstep, and many pages at once",
         [Command(simulator("simulator"), small=simulator("simulator", "--pages", "2", "--seconds", "1"))],
     ),
+    "class": Benchmark(
+        "a class of thirty pupils whose programs drive, without the teacher's board and with it",
+        [Command(simulator("class"), small=simulator("class", "--pupils", "2", "--seconds", "1"))],
+    ),
 }
 
 

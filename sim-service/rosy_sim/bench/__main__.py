@@ -1,4 +1,7 @@
-"""``python -m rosy_sim.bench simulator [--pages N ...] [--seconds S] [--profile]``, and ``recovery [--rounds N]``."""
+"""
+``python -m rosy_sim.bench simulator [--pages N ...] [--seconds S] [--profile]``, ``recovery [--rounds N]``, and
+``class [--pupils N] [--seconds S]``.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ import sys
 
 from ..config import discover
 from ..errors import RosyError
-from . import lockstep, pages, previews, recovery, world
+from . import class_board, lockstep, pages, previews, recovery, world
 
 __all__ = ["main"]
 
@@ -16,17 +19,22 @@ __all__ = ["main"]
 def main() -> int:
     """Print the tables."""
     parser = argparse.ArgumentParser(prog="python -m rosy_sim.bench")
-    parser.add_argument("name", choices=["simulator", "recovery"])
+    parser.add_argument("name", choices=["simulator", "recovery", "class"])
     parser.add_argument("--pages", type=int, nargs="*", default=[50, 100, 150, 200])
     parser.add_argument("--seconds", type=float, default=10.0)
     parser.add_argument("--runs", type=int, help="programs at once; the other pages wait (default: all drive)")
     parser.add_argument("--profile", action="store_true", help="say where the service's time goes")
+    parser.add_argument("--pupils", type=int, default=30, help="of the class")
     parser.add_argument("--rounds", type=int, default=3, help="deaths of each kind")
     options = parser.parse_args()
     try:
         config = discover()
         if options.name == "recovery":
             asyncio.run(recovery.measure(config, options.rounds))
+            return 0
+        if options.name == "class":
+            late = class_board.report(config, options.pupils, options.seconds)
+            print(f"  in time (99 % of the steps less than {pages.IN_TIME * 1e3:.0f} ms late): {late < pages.IN_TIME}")
             return 0
         world.report()
         lockstep.report(config)
