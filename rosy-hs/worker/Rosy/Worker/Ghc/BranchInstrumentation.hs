@@ -117,7 +117,7 @@ alternatives c m = case mg_alts m of
     inMatch change (L at one) = do
       let sides = m_grhss one
       changed <- change (grhssGRHSs sides)
-      rest <- gmapM (walk c) sides {grhssGRHSs = []}
+      rest <- gmapM (walk c) (sides {grhssGRHSs = []} `asTypeOf` sides)
       pure (L at one {m_grhss = rest {grhssGRHSs = changed}})
 
 -- | The guards of one equation or alternative; where there is one side, nothing is chosen.
