@@ -29,4 +29,5 @@ def test_every_name_has_its_place() -> None:
 def test_nothing_is_fetched_from_elsewhere() -> None:
     for file in discover().api_docs.iterdir():
         if file.suffix in {".html", ".css"}:
-            assert not re.search(r"https?:|//cdn|src=", re.sub(r'src: url\("\w', "", file.read_text())), file.name
+            own = re.sub(r'src: url\("\w|<script src="\w[\w.-]*"></script>', "", file.read_text())
+            assert not re.search(r"https?:|//cdn|src=", own), file.name
