@@ -124,7 +124,11 @@ export class Builder {
       // Tab leads there; how often depends on what else is on the page.
       await button.focus()
       await this.keys("Enter")
-    } else await this.presses(button)
+    } else {
+      // A long list is scrolled with the wheel or the finger.
+      await button.scrollIntoViewIfNeeded()
+      await this.presses(button)
+    }
   }
 
   async runs(): Promise<void> {

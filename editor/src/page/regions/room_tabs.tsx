@@ -1,4 +1,4 @@
-/// Tabs below the room: console, charts, sensors, problems.
+/// Tabs below the room: console, charts, runs, sensors, problems. There is something to see in the tree of runs when it has two.
 
 import type {VNode} from "preact"
 import {RunsPanel} from "../../runs/runs_panel.tsx"
@@ -8,12 +8,14 @@ import {ChartsPanel} from "../panels/charts.tsx"
 import {ProblemsPanel, problemCount} from "../panels/problems.tsx"
 import {ConsolePanel, SensorsPanel} from "../panels/run_panels.tsx"
 
-const tabs = ["console", "charts", "runs", "sensors", "problems"] as const
+const allTabs = ["console", "charts", "runs", "sensors", "problems"] as const
 
 export function Tabs(): VNode {
   const {store} = useController()
   const tab = usePageState(s => s.tab)
   const count = usePageState(problemCount)
+  const hasRuns = usePageState(s => s.tab === "runs" || s.runTree.nodes.length > 1)
+  const tabs = allTabs.filter(name => name !== "runs" || hasRuns)
   const go = (from: number, by: number) => {
     const name = tabs[(from + by + tabs.length) % tabs.length] ?? "console"
     store.dispatch({kind: "tab", tab: name})

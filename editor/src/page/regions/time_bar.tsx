@@ -71,7 +71,8 @@ export function ContinueBar(): VNode | null {
   if (!usePageState(mayContinue)) return null
   const showRuns = () => {
     store.dispatch({kind: "tab", tab: "runs"})
-    document.getElementById("tab-runs")?.focus()
+    // The tab may have to be drawn first.
+    requestAnimationFrame(() => requestAnimationFrame(() => document.getElementById("tab-runs")?.focus()))
   }
   return (
     <div class="continue-bar">
