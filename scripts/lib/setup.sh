@@ -19,7 +19,10 @@ export PYTHONPATH="$ROSY_ROOT/sim-service${PYTHONPATH:+:$PYTHONPATH}"
 # A cabal configuration without a package server: only Debian's packages are used, and nothing is asked of the network.
 export CABAL_DIR="$ROSY_STATE/cabal"
 # Programs, messages and tests are UTF-8, also where no locale is set.
-[ "$(locale charmap 2>/dev/null)" = UTF-8 ] || export LC_ALL=C.UTF-8
+if [ "$(locale charmap 2>/dev/null)" != UTF-8 ]; then
+  # A locale that is not installed, or has another encoding, still names the language (sim-service/rosy_sim/wording.py).
+  export ROSY_LOCALE="${LC_ALL:-${LC_MESSAGES:-${LANG:-}}}" LC_ALL=C.UTF-8
+fi
 # shellcheck source=scripts/lib/steps.sh
 source "$ROSY_ROOT/scripts/lib/steps.sh"
 # shellcheck source=scripts/lib/preflight.sh

@@ -36,8 +36,11 @@ PSEUDO = "en-XA"
 
 _TABLES = Path(__file__).resolve().parents[2] / "protocol" / "sentences"
 
-_LOCALE_VARIABLES = ("LC_ALL", "LC_MESSAGES", "LANG")
-"""The first that is set and not empty names the language of messages. POSIX.1-2017, Base Definitions, section 8.2."""
+_LOCALE_VARIABLES = ("ROSY_LOCALE", "LC_ALL", "LC_MESSAGES", "LANG")
+"""
+The first that is set and not empty names the language of messages. POSIX.1-2017, Base Definitions, section 8.2. The
+first is what ``./rosy`` found where it had to choose another encoding.
+"""
 
 _PLAIN = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
 _ACCENTS = str.maketrans(_PLAIN, "åƀçđéƒĝĥîĵķļɱñöþǫŕšţûṽŵẋýžÅƁÇĐÉƑĜĤÎĴĶĻṀÑÖÞǪŔŠŢÛṼŴẊÝŽ")

@@ -28,6 +28,7 @@ __all__ = ["environment", "here"]
         ({"LANG": "fr_CA@euro", "LC_ALL": ""}, "fr"),
         ({"LANG": "POSIX"}, "en"),
         ({"LC_ALL": "en_XA.UTF-8"}, PSEUDO),
+        ({"ROSY_LOCALE": "de_DE", "LC_ALL": "C.UTF-8"}, "de"),
     ],
 )
 def test_the_first_variable_that_is_set_names_the_language(variables: dict[str, str], language: str) -> None:
