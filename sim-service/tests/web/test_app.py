@@ -488,7 +488,7 @@ def test_a_page_whose_messages_take_long_is_read_more_slowly_than_the_others(con
     async def tell() -> None:
         async with serving(config) as (address, _), opened(address) as busy, opened(address) as other:
             await busy.send("world", world=pile(20))
-            for i in range(150):
+            for i in range(1500):
                 await busy.send("input", move={"thing": 0, "x": 2 + i % 2, "y": 2, "theta": 0})
             await busy.send("nonsense")
             await other.send("nonsense")
