@@ -29,7 +29,7 @@ export interface Looks {
   readonly follows?: string
 }
 
-/// Presses a key `count` times, each so long after the one before, whatever the page does meanwhile, as in fluent typing.
+/// Presses a key `count` times at a fixed interval, without waiting for the page, as in fluent typing.
 export async function typedOn(
   browser: Browser,
   page: Page,

@@ -45,7 +45,7 @@ import System.Posix.Types (Fd (..))
 
 main :: IO ()
 main = do
-  -- A line at a time, whatever else is printed.
+  -- Writes whole lines, so that concurrent output does not mix.
   mapM_ (`hSetBuffering` LineBuffering) [stdout, stderr]
   getArgs >>= \case
     "hold" : address : fd : given -> holdFor address fd (limitsFrom given)

@@ -1,4 +1,4 @@
-/// Tool of the teacher's board that sends a program, a room or a lesson to all pupils or to those who are selected on their cards.
+/// Tool of the teacher's board that sends a program, a room or a lesson to all pupils or to the selected ones.
 
 import type {VNode} from "preact"
 import {useEffect, useState} from "preact/hooks"

@@ -244,7 +244,7 @@ export function withInlineCode(sentence: string): Node[] {
 /// Takes a reference out of its binder and puts it under the pointer, which goes on dragging it.
 ///
 /// One frame later: on the press Blockly asked for the pressed block to be brought to the front, which would take
-/// the focus from the new one, and Blockly drags what has the focus.
+/// the focus from the new block, and Blockly drags the focused block.
 export function dragReferenceFromBinder(
   workspace: Blockly.WorkspaceSvg,
   field: BinderField,

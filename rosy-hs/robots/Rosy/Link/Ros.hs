@@ -123,7 +123,7 @@ withRos settings name known use = withNodeIn settings "rosy" $ do
 silenceTimeout :: Int
 silenceTimeout = 1000000
 
--- | For those who listen to commands to connect, microseconds: as long as a call between nodes may take ("Ros.Net.Rpc").
+-- | Time for the subscribers of commands to connect, microseconds: as long as a call between nodes may take ("Ros.Net.Rpc").
 listenerTimeout :: Int
 listenerTimeout = 5000000
 

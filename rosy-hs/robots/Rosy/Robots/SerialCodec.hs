@@ -2,7 +2,7 @@
 -- Module      : Rosy.Robots.SerialCodec
 -- Description : Channels in the packets of a serial line, table-driven.
 --
--- In: the serial table of a robot ("Rosy.Robot.Known"), the parts of packets, and commands. Out: messages for what has changed, and the
+-- In: the serial table of a robot ("Rosy.Robot.Known"), the parts of packets, and commands. Out: messages for changed values, and the
 -- bytes and bits of commands. Pure. Numbers are little-endian.
 module Rosy.Robots.SerialCodec
   ( -- * Parts of a packet
