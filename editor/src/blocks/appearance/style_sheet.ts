@@ -1,6 +1,6 @@
 /// Style sheet of the block view. Colours are the page's tokens, so light and dark share it; fills of blocks come from `theme.ts`.
 ///
-/// `block_view.ts` adds it to the document under the class `rosyBlocks`, after Blockly's own.
+/// `registration.ts` adds it to the document under the class `rosyBlocks`, after Blockly's own.
 
 /// How much darker an empty socket is than its block; words stand in it.
 export const socketShade = {light: 0.19, dark: 0.2} as const

@@ -1,0 +1,147 @@
+/// Change tracking of the block view: edits of the learner, with the types that inference finds for them.
+///
+/// One edit causes many events of Blockly. They are told as one change, in a microtask after the first of them and not
+/// while something is being moved. Before that new blocks get unique names, and what a grown block would cover makes room.
+
+import type {BlockId, Checker, Inference, SavedWorkspace} from "@rosy/codegen"
+import * as Blockly from "blockly/core"
+import {type Annotations, showInference} from "./appearance/annotations.ts"
+import type {BlocksChange} from "./block_view_types.ts"
+import {giveUniqueNames} from "./construction/unique_names.ts"
+import type {FitChecker} from "./dragging/connection_checker.ts"
+import {boxesOf, spacingMoves} from "./dragging/placement.ts"
+import {selectedPlace} from "./interaction/insertion_points.ts"
+import type {Language} from "./language.ts"
+import {saveBlocks} from "./workspace/serialization.ts"
+import {sameBlocks} from "./workspace/workspace_merge.ts"
+
+export class ChangeTracking {
+  readonly session: ReturnType<Language["session"]>
+  private readonly changeListeners = new Set<(change: BlocksChange) => void>()
+  private readonly selectListeners = new Set<(block: BlockId | undefined) => void>()
+  /// Blocks that came since the last edit was told.
+  private readonly made = new Set<string>()
+  private types: Inference
+  /// The blocks as last told or loaded: one edit is heard of twice, at once and from Blockly.
+  private told: SavedWorkspace
+  private boxes: ReturnType<typeof boxesOf>
+  private due = false
+  private paintingToolbox = false
+
+  private readonly workspace: Blockly.WorkspaceSvg
+  private readonly language: Language
+  private readonly marks: Annotations
+
+  constructor(workspace: Blockly.WorkspaceSvg, language: Language, marks: Annotations) {
+    this.workspace = workspace
+    this.language = language
+    this.marks = marks
+    this.session = language.session()
+    this.told = saveBlocks(workspace)
+    this.types = this.session.infer(this.told)
+    this.boxes = boxesOf(workspace)
+    workspace.addChangeListener(event => this.hear(event))
+  }
+
+  /// What inference says about the blocks as last told or loaded.
+  get inference(): Inference {
+    return this.types
+  }
+
+  isNew = (id: string): boolean => this.made.has(id)
+
+  onChange(listener: (change: BlocksChange) => void): () => void {
+    this.changeListeners.add(listener)
+    return () => this.changeListeners.delete(listener)
+  }
+
+  onSelect(listener: (block: BlockId | undefined) => void): () => void {
+    this.selectListeners.add(listener)
+    return () => this.selectListeners.delete(listener)
+  }
+
+  /// What answers whether a block fits into a place of the program as it is now.
+  checker = (): FitChecker & Checker => {
+    const saved = saveBlocks(this.workspace)
+    const check = this.session.checker(saved)
+    return {
+      fits: (place, block) => check.fits(place, block),
+      referenceTo: (place, block) => this.session.referenceTo(saved, place, block),
+    }
+  }
+
+  /// Other blocks were loaded: they are no edit.
+  loaded(): void {
+    this.told = this.infer()
+    Blockly.renderManagement.triggerQueuedRenders(this.workspace)
+    this.boxes = boxesOf(this.workspace)
+  }
+
+  announceLater = (): void => {
+    if (this.due) return
+    this.due = true
+    queueMicrotask(() => this.settle())
+  }
+
+  /// The blocks of the toolbox have families too, by their own types and those of the names they say.
+  paintToolboxLater(): void {
+    if (this.paintingToolbox) return
+    this.paintingToolbox = true
+    queueMicrotask(() => {
+      this.paintingToolbox = false
+      const flyout = this.workspace.getFlyout()?.getWorkspace()
+      if (flyout === undefined) return
+      const place = selectedPlace(this.workspace)
+      const names = place === undefined ? [] : this.session.namesInScope(saveBlocks(this.workspace), place)
+      showInference(
+        flyout,
+        this.language.infer(saveBlocks(flyout)),
+        new Map(names.map(name => [name.name, name.family])),
+      )
+    })
+  }
+
+  private hear(event: Blockly.Events.Abstract): void {
+    if (event.type === Blockly.Events.SELECTED) {
+      const chosen = (event as Blockly.Events.Selected).newElementId
+      const block = chosen == null ? null : this.workspace.getBlockById(chosen)
+      for (const listener of this.selectListeners) listener(block?.id)
+    }
+    if (event.type === Blockly.Events.BLOCK_CREATE && event.recordUndo) {
+      for (const id of (event as Blockly.Events.BlockCreate).ids ?? []) this.made.add(id)
+    }
+    const dropped = event.type === Blockly.Events.BLOCK_DRAG && !(event as Blockly.Events.BlockDrag).isStart
+    if (dropped) this.marks.dropped()
+    if (dropped || !event.isUiEvent) this.announceLater()
+  }
+
+  private settle(): void {
+    this.due = false
+    if (this.workspace.isDragging()) return
+    giveUniqueNames(this.workspace, this.made)
+    this.made.clear()
+    if (sameBlocks(saveBlocks(this.workspace), this.told)) return
+    this.infer()
+    const saved = this.makeRoom()
+    this.told = saved
+    for (const listener of this.changeListeners) listener({workspace: saved, inference: this.types})
+  }
+
+  private infer(): SavedWorkspace {
+    const saved = saveBlocks(this.workspace)
+    this.types = this.session.infer(saved)
+    showInference(this.workspace, this.types)
+    this.marks.setInferred(this.types.problems)
+    return saved
+  }
+
+  /// Moves what a grown block would cover, as part of the edit.
+  private makeRoom(): SavedWorkspace {
+    Blockly.renderManagement.triggerQueuedRenders(this.workspace)
+    for (const [id, down] of spacingMoves(this.boxes, boxesOf(this.workspace))) {
+      this.workspace.getBlockById(id)?.moveBy(0, down, ["cleanup"])
+    }
+    this.boxes = boxesOf(this.workspace)
+    return saveBlocks(this.workspace)
+  }
+}
