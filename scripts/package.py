@@ -12,6 +12,9 @@ import sys
 import tempfile
 from pathlib import Path
 
+from rosy_sim.sentence import sentence_of, tr
+from rosy_sim.wording import in_terminal
+
 from installation.debian import make_deb
 from installation.installed_tree import TreeError
 from installation.portable_folder import make_folder
@@ -26,25 +29,28 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("-o", "--output", type=Path, default=Path.cwd(), help="folder to write to")
     given = parser.parse_args(arguments)
     if not given.output.is_dir():
-        print(f"rosy: {given.output} is not a folder.", file=sys.stderr)
+        print(f"rosy: {in_terminal(tr('{path} is not a folder.', path=given.output))}", file=sys.stderr)
         return 1
     try:
         if given.kind != "stick":
             with tempfile.TemporaryDirectory(prefix="rosy-package-") as work:
                 package = make_deb(ROOT, Path(work), given.output)
-            print(f"{package} ({_megabytes(package)} MB). Install it with: sudo apt install {_argument(package)}")
+            command = f"sudo apt install {_argument(package)}"
+            print(in_terminal(tr("{file} ({megabytes} MB). Install it with: {command}", file=package, megabytes=_megabytes(package), command=command)))
         if given.kind != "deb":
             folder = given.output / "rosy-stick"
             if folder.exists():
-                raise TreeError(f"{folder} is already there: remove it first.")
+                raise TreeError(tr("{path} is already there: remove it first.", path=folder))
             try:
                 make_folder(ROOT, folder)
             except BaseException:
                 shutil.rmtree(folder, ignore_errors=True)
                 raise
-            print(f"{folder} ({_megabytes(folder)} MB). Copy it to a stick; on the other machine: cd rosy-stick && ./rosy start")
+            command = "cd rosy-stick && ./rosy start"
+            size = _megabytes(folder)
+            print(in_terminal(tr("{file} ({megabytes} MB). Copy it to a stick; on the other machine: {command}", file=folder, megabytes=size, command=command)))
     except (TreeError, OSError) as error:
-        print(f"rosy: nothing was packaged: {error}", file=sys.stderr)
+        print(f"rosy: {in_terminal(tr('nothing was packaged: {why}', why=sentence_of(error)))}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         return 130

@@ -1,9 +1,10 @@
 """
 Translations of sentences, as a check: every template of the source text stands in every language's table, and takes its arguments.
 
-In: calls of ``tr`` and ``trWith`` in ``rosy-hs/worker`` (``Rosy.Worker.Sentence``), calls of ``tr`` in ``sim-service/rosy_sim`` (``rosy_sim.sentence``), titles
-of rooms and examples, and the tables ``protocol/sentences/*.json``. Out: one sentence per breach. ``python3 scripts/sentences.py`` prints the templates as a
-table without translations, to begin a language with; with the name of a table, those that it lacks.
+In: calls of ``tr`` and ``trWith`` in ``rosy-hs/worker`` (``Rosy.Worker.Sentence``), calls of ``tr`` in ``sim-service/rosy_sim`` (``rosy_sim.sentence``)
+and in what packs Rosy, sentences of ``./rosy`` itself (``shell_sentences.py``), titles of rooms and examples, the tables ``protocol/sentences/*.json`` and the
+help pages. Out: one sentence per breach. ``python3 scripts/sentences.py`` prints the templates as a table without translations, to begin a language with;
+with the name of a table, those that it lacks.
 """
 
 from __future__ import annotations
@@ -15,12 +16,17 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+from shell_sentences import shell_bypasses, shell_templates
+
 ROOT = Path(__file__).resolve().parent.parent
 _WORKER = Path("rosy-hs/worker")
 _TABLES = Path("protocol/sentences")
 # Defines both functions and quotes them in its comments.
 _DEFINITION = _WORKER / "Rosy/Worker/Sentence.hs"
 _SERVICE = Path("sim-service/rosy_sim")
+_PACKAGES = ("scripts/package.py", "scripts/installation/*.py")
+_SHELL = ("rosy", "scripts/lib/*.sh")
+_HELP = Path("scripts/help")
 _ROOMS = _SERVICE / "worlds"
 _EXAMPLES = Path("examples")
 
@@ -32,9 +38,10 @@ _PLACEHOLDER = re.compile(r"\{(?:([A-Za-z]+) )?([A-Za-z]+)\}")
 # Three words of English that follow one another.
 _ENGLISH = re.compile(r"[A-Za-z']{2,} [a-z]{2,} [a-z]{2,}")
 # Calls whose texts are known sentences, or are not for readers: documentation of a schema, patterns.
-_NO_SENTENCES = {"tr", "Meta", "compile", "fullmatch", "match", "_about_argument", "_report_error"}
+_NO_SENTENCES = {"tr", "Meta", "compile", "fullmatch", "match", "_about_argument", "_report_error", "ArgumentParser", "add_argument"}
 _SENTENCE_ERRORS = {
     "RosyError", "BadInput", "OutputFailed", "RobotMissing", "WorkerLost", "ArenaError", "BadProperty", "BadPattern", "BadStep", "ActionRefused", "BadMessage",
+    "TreeError",
 }  # fmt: skip
 # Modules whose English is not for users, or is put into words elsewhere.
 _EXEMPT = {
@@ -137,8 +144,14 @@ def _sources(root: Path) -> Iterator[tuple[Path, Iterator[tuple[int, str | None,
     for path in sorted((root / _WORKER).rglob("*.hs")):
         if path != root / _DEFINITION:
             yield path, templates(path.read_text())
-    for path in sorted((root / _SERVICE).rglob("*.py")):
+    for path in [*sorted((root / _SERVICE).rglob("*.py")), *_matching(root, _PACKAGES)]:
         yield path, service_templates(path.read_text())
+    for path in _matching(root, _SHELL):
+        yield path, shell_templates(path.read_text())
+
+
+def _matching(root: Path, patterns: tuple[str, ...]) -> list[Path]:
+    return [path for pattern in patterns for path in sorted(root.glob(pattern))]
 
 
 def sentence_ids(root: Path = ROOT) -> set[str]:
@@ -155,14 +168,46 @@ def sentence_breaches(root: Path = ROOT) -> Iterator[str]:
                 yield f"{name}:{line}: write the template and its arguments at the call, so that they can be checked"
             elif placeholders(template) != given:
                 yield f"{name}:{line}: the arguments {sorted(given)} do not fit the template “{template}”"
+    for path, line, text in _all_bypasses(root):
+        yield f"{path.relative_to(root).as_posix()}:{line}: “{text}” is in no table of sentences; make it with tr, in a script with sentence"
+    ids = sentence_ids(root)
+    for path in sorted((root / _TABLES).glob("*.json")):
+        name, text = path.relative_to(root).as_posix(), path.read_text()
+        yield from _table_breaches(name, json.loads(text), ids)
+        yield from _help_breaches(root, path.stem)
+        if text.strip() != json.dumps(json.loads(text), indent=2, ensure_ascii=False):
+            yield f"{name}: scripts/lib/sentences.sh reads one sentence a line, as json.dumps(…, indent=2, ensure_ascii=False) writes them"
+
+
+def _all_bypasses(root: Path) -> Iterator[tuple[Path, int, str]]:
     for path in sorted((root / _SERVICE).rglob("*.py")):
         module = path.relative_to(root / _SERVICE).as_posix()
         if module not in _EXEMPT and module.partition("/")[0] not in _EXEMPT:
-            for line, text in bypasses(path.read_text()):
-                yield f"{path.relative_to(root).as_posix()}:{line}: “{text}” is in no table of sentences; make it with tr"
-    ids = sentence_ids(root)
-    for path in sorted((root / _TABLES).glob("*.json")):
-        yield from _table_breaches(path.relative_to(root).as_posix(), json.loads(path.read_text()), ids)
+            yield from ((path, *found) for found in bypasses(path.read_text()))
+    for path in _matching(root, _PACKAGES):
+        yield from ((path, line, text) for line, text in bypasses(path.read_text()) if not _NO_PROSE.match(text))
+    for path in _matching(root, _SHELL):
+        yield from ((path, *found) for found in shell_bypasses(path.read_text()))
+
+
+# Scripts, commands, and the descriptions that Debian's tools read.
+_NO_PROSE = re.compile(r"#!|\[Unit\]|Package: |sudo ")
+
+# What every translation of a help page names as the English page does: options, file endings, and commands to type.
+_HELP_TOKENS = re.compile(r"--[a-z][a-z-]*|(?<=\./rosy )[a-z-]+|[a-z]+://|\.(?:hs|rosy|json|zip)\b")
+
+
+def _help_breaches(root: Path, language: str) -> Iterator[str]:
+    """Help pages that a language lacks, or that name other options and commands than the English ones."""
+    for page in sorted((root / _HELP / "en").glob("*.txt")):
+        translated = root / _HELP / language / page.name
+        name = translated.relative_to(root).as_posix()
+        if not translated.is_file():
+            yield f"{name}: there is no such page; ./rosy help would be in English"
+        else:
+            ours, theirs = (sorted(set(_HELP_TOKENS.findall(file.read_text()))) for file in (page, translated))
+            if ours != theirs:
+                yield f"{name}: names other options, commands or files than the English page: {', '.join(sorted(set(ours) ^ set(theirs)))}"
 
 
 def _table_breaches(name: str, table: dict[str, object], ids: set[str]) -> Iterator[str]:

@@ -16,6 +16,8 @@ import time
 from collections.abc import Iterable
 from pathlib import Path
 
+from rosy_sim.sentence import tr
+
 from .installed_tree import TreeError, copy_tree, haskell_build, is_elf
 
 __all__ = ["make_deb"]
@@ -87,10 +89,10 @@ def make_deb(root: Path, work: Path, output: Path, compression: str = "-Zxz", le
         TreeError: a part is missing, this system has no dpkg, or Rosy runs with another Python than the system's.
     """
     if shutil.which("dpkg-deb") is None:
-        raise TreeError("this system has no dpkg-deb: install it with apt-get install dpkg.")
+        raise TreeError(tr("this system has no {name}: install it with {command}.", name="dpkg-deb", command="apt-get install dpkg"))
     python = _output("/usr/bin/python3", "-c", "import sys; print(*sys.version_info[:2], sep='.')").strip()
     if python != f"{sys.version_info.major}.{sys.version_info.minor}":
-        raise TreeError(f"an installed Rosy runs with this system's Python {python}, and this one has another version.")
+        raise TreeError(tr("an installed Rosy runs with this system's Python {version}, and this one has another version.", version=python))
     tree = work / "deb"
     copy_tree(root, tree / "usr/lib/rosy")
     (tree / "usr/bin").mkdir()
@@ -122,7 +124,7 @@ def _write(file: Path, text: str, mode: int = 0o644) -> None:
 def _output(*command: str) -> str:
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        raise TreeError(f"{command[0]} failed: {done.stderr.strip()}")
+        raise TreeError(tr("{command} failed: {why}", command=command[0], why=done.stderr.strip()))
     return done.stdout
 
 
@@ -130,7 +132,7 @@ def _version(root: Path) -> str:
     """The version in rosy.cabal and the time of the last change, so that a newer build replaces an older one."""
     found = re.search(r"^version:\s*(\S+)", (root / "rosy.cabal").read_text(), re.MULTILINE)
     if found is None:
-        raise TreeError("rosy.cabal has no version.")
+        raise TreeError(tr("{file} has no version.", file="rosy.cabal"))
     done = subprocess.run(["git", "-C", str(root), "log", "-1", "--format=%ct"], capture_output=True, text=True, check=False)
     seconds = int(done.stdout) if done.returncode == 0 and done.stdout.strip() else int((root / "CHANGELOG.md").stat().st_mtime)
     return f"{found.group(1)}+{time.strftime('%Y%m%d.%H%M', time.gmtime(seconds))}"

@@ -17,6 +17,8 @@ import shutil
 import subprocess
 from pathlib import Path
 
+from rosy_sim.sentence import SentenceError, tr
+
 __all__ = ["TreeError", "copy_tree", "haskell_build", "is_elf", "package_versions"]
 
 _COPIED = ("rosy", "LICENSE", "scripts/lib", "scripts/help", "protocol", "examples", "editor/dist", "codegen/dist", ".rosy/api-docs")
@@ -27,8 +29,8 @@ _EXECUTABLES = ("rosy-worker", "rosy-robot", "rosy-build")
 _IGNORED = shutil.ignore_patterns("__pycache__", "tests", ".keep")
 
 
-class TreeError(Exception):
-    """The tree cannot be made; the text is for the reader."""
+class TreeError(SentenceError):
+    """The tree cannot be made."""
 
 
 def copy_tree(root: Path, target: Path) -> None:
@@ -41,7 +43,7 @@ def copy_tree(root: Path, target: Path) -> None:
     for name in _COPIED:
         source = root / name
         if not source.exists():
-            raise TreeError(f"{name} has not been built.")
+            raise TreeError(tr("{name} has not been built.", name=name))
         (target / name).parent.mkdir(parents=True, exist_ok=True)
         if source.is_dir():
             shutil.copytree(source, target / name, ignore=_IGNORED)
@@ -67,9 +69,9 @@ def _copy_python_packages(lock: Path, target: Path) -> None:
         try:
             found = importlib.metadata.distribution(name)
         except importlib.metadata.PackageNotFoundError as error:
-            raise TreeError(f"the Python package {name} is not installed.") from error
+            raise TreeError(tr("the Python package {name} is not installed.", name=name)) from error
         if found.version != version:
-            raise TreeError(f"the Python package {name} has version {found.version} instead of {version}.")
+            raise TreeError(tr("the Python package {name} has version {found} instead of {wanted}.", name=name, found=found.version, wanted=version))
         for file in found.files or ():
             # Scripts lie outside of the packages' folder; compiled files are made again.
             if ".." in file.parts or "__pycache__" in file.parts:
@@ -88,7 +90,7 @@ def haskell_build(root: Path) -> Path:
     """
     found = [path.parents[3] for path in root.glob("dist-newstyle/build/*/ghc-*/rosy-*/x/rosy-worker/build/rosy-worker")]
     if len(found) != 1:
-        raise TreeError(f"{len(found)} builds of the worker are in dist-newstyle; there must be one.")
+        raise TreeError(tr("{count} builds of the worker are in {folder}; there must be one.", count=len(found), folder="dist-newstyle"))
     return found[0]
 
 
@@ -99,7 +101,7 @@ def _copy_haskell(root: Path, target: Path) -> None:
     for name in _EXECUTABLES:
         executable = build / "x" / name / "build" / name / name
         if not executable.is_file():
-            raise TreeError(f"{name} has not been built.")
+            raise TreeError(tr("{name} has not been built.", name=name))
         copy = target / executable.relative_to(root)
         copy.parent.mkdir(parents=True)
         shutil.copy2(executable, copy)
@@ -124,7 +126,7 @@ def _field(description: str, name: str) -> str:
     """The first value of a field of a package description."""
     found = re.search(rf"^{name}:\s*(\S+)", description, re.MULTILINE)
     if found is None:
-        raise TreeError(f"a package description has no {name}.")
+        raise TreeError(tr("a package description has no {name}.", name=name))
     return found.group(1)
 
 
@@ -146,7 +148,7 @@ def _replace_library_paths(file: Path, old: str, build: Path) -> None:
     for found in set(re.findall(rb"\0([^\0]*" + re.escape(old.encode()) + rb"/[^\0]*)\0", data)):
         new = found.replace(old.encode(), b"$ORIGIN/" + os.path.relpath(build, file.parent).encode())
         if len(new) > len(found):
-            raise TreeError(f"the library path of {file.name} cannot be changed: build Rosy in a folder with a longer name.")
+            raise TreeError(tr("the library path of {name} cannot be changed: build Rosy in a folder with a longer name.", name=file.name))
         # A run path lists several folders; other text of the program is left as it is.
         if b":" in found:
             data = data.replace(b"\0" + found + b"\0", b"\0" + new + b"\0" * (len(found) - len(new) + 1))
@@ -156,4 +158,4 @@ def _replace_library_paths(file: Path, old: str, build: Path) -> None:
 def _run(*command: str) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        raise TreeError(f"{command[0]} failed: {done.stderr.strip()}")
+        raise TreeError(tr("{command} failed: {why}", command=command[0], why=done.stderr.strip()))

@@ -17,6 +17,9 @@ import sys
 import sysconfig
 from pathlib import Path
 
+from rosy_sim.sentence import tr
+from rosy_sim.wording import in_terminal
+
 from .installed_tree import TreeError, copy_tree, is_elf
 
 __all__ = ["make_folder"]
@@ -25,18 +28,6 @@ _SKIPPED = shutil.ignore_patterns("*.a", "*.p_*", "*_p.a", "package.conf.d", "ht
 
 _SYSTEM_LIBRARIES = ("libc.so", "libm.so", "libpthread.so", "libdl.so", "librt.so", "ld-linux")
 """Parts of the C library; those of the machine itself are used."""
-
-_README = """\
-Rosy on a stick
-
-Open a terminal in this folder and type
-
-    ./rosy start
-
-Then open the address that it prints. Nothing is installed and no internet is needed. The machine needs to be of the kind
-that this folder was made on: {system}.
-If the stick does not allow programs to start, copy the folder to the machine first.
-"""
 
 
 def make_folder(root: Path, target: Path) -> None:
@@ -57,7 +48,16 @@ def make_folder(root: Path, target: Path) -> None:
     if bubblewrap is not None:
         shutil.copy2(bubblewrap, target / "bin" / "bwrap")
     _copy_system_libraries(target)
-    (target / "README.txt").write_text(_README.format(system=_system()))
+    (target / "README.txt").write_text(_readme(), "utf-8")
+
+
+def _readme() -> str:
+    """What the folder says about itself, in the language of this machine."""
+    start = in_terminal(tr("Open a terminal in this folder and type"))
+    then = in_terminal(tr("Then open the address that it prints. Nothing is installed and no internet is needed."))
+    kind = in_terminal(tr("The machine needs to be of the kind that this folder was made on: {system}.", system=_system()))
+    otherwise = in_terminal(tr("If the stick does not allow programs to start, copy the folder to the machine first."))
+    return f"{in_terminal(tr('Rosy on a stick'))}\n\n{start}\n\n    ./rosy start\n\n{then}\n{kind}\n{otherwise}\n"
 
 
 def _copy_packages(libdir: Path, built: Path, ghc: Path) -> None:
@@ -152,5 +152,5 @@ def _system() -> str:
 def _output(*command: str) -> str:
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        raise TreeError(f"{command[0]} failed: {done.stderr.strip()}")
+        raise TreeError(tr("{command} failed: {why}", command=command[0], why=done.stderr.strip()))
     return done.stdout

@@ -24,19 +24,16 @@ export ROSY_PYTHON
 need() {
   case " $* " in
     *" tools "*)
-      echo "rosy: this is an installed Rosy. Tests and benchmarks need its source: git clone it, and run ./rosy there." >&2
-      exit 1
+      give_up "this is an installed Rosy. Tests and benchmarks need its source: git clone it, and run ./rosy there."
       ;;
     *" builder "*)
       if [ -d "$ROSY_ROOT/python-home" ]; then
-        echo "rosy: programs for a robot's computer cannot be built from a stick. Install Rosy on this machine for that." >&2
-        exit 1
+        give_up "programs for a robot's computer cannot be built from a stick. Install Rosy on this machine for that."
       fi
       ;;
     *" codegen "*)
       if ! command -v node >/dev/null; then
-        echo "rosy: this command needs Node: sudo apt install nodejs" >&2
-        exit 1
+        give_up "this command needs Node: {command}" command "sudo apt install nodejs"
       fi
       ;;
   esac

@@ -16,15 +16,17 @@ root_prefix() { if [ "$(id -u)" = 0 ]; then :; else printf 'sudo '; fi; }
 # The folder itself, before anything is written to it.
 check_folder() {
   if [ ! -w "$ROSY_ROOT" ] || { [ -e "$ROSY_STATE" ] && [ ! -w "$ROSY_STATE" ]; }; then
-    give_up "the folder $ROSY_ROOT cannot be written by $(id -un). Copy it to a folder of your own and start there: cp -r '$ROSY_ROOT' ~/rosy && ~/rosy/rosy start"
+    give_up "the folder {folder} cannot be written by {user}. Copy it to a folder of your own and start there: {command}" \
+      folder "$ROSY_ROOT" user "$(id -un)" command "cp -r '$ROSY_ROOT' ~/rosy && ~/rosy/rosy start"
   fi
 }
 
 check_system() {
   if [ "$(uname -s)" != Linux ]; then
-    lacks "Rosy runs on Debian and Ubuntu; this is $(uname -s)." "On Windows use WSL2; on macOS use a Debian in a virtual machine."
+    lacks "$(sentence "Rosy runs on Debian and Ubuntu; this is {system}." system "$(uname -s)")" "$(sentence "On Windows use WSL2; on macOS use a Debian in a virtual machine.")"
   elif ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
-    [ -z "$apt_pending" ] || lacks "This system has no apt to install packages with." "Install by its own means what these Debian packages hold: $apt_pending"
+    [ -z "$apt_pending" ] || lacks "$(sentence "This system has no apt to install packages with.")" \
+      "$(sentence "Install by its own means what these Debian packages hold: {packages}" packages "$apt_pending")"
   fi
 }
 
@@ -43,11 +45,12 @@ check_python() {
   local python
   python=$(find_python)
   if [ -z "$python" ]; then
-    local found="there is none"
-    if command -v python3 >/dev/null; then found="this is $(python3 --version 2>&1 || true)"; fi
-    lacks "Python 3.11 or newer is needed; $found." "$(root_prefix)apt-get install python3.11 python3.11-venv"
+    local sentence
+    sentence=$(sentence "Python 3.11 or newer is needed; there is none.")
+    if command -v python3 >/dev/null; then sentence=$(sentence "Python 3.11 or newer is needed; this is {version}." version "$(python3 --version 2>&1 || true)"); fi
+    lacks "$sentence" "$(root_prefix)apt-get install python3.11 python3.11-venv"
   elif ! "$python" -c 'import ensurepip' 2>/dev/null && [ -z "$apt_can_install" ]; then
-    lacks "Python's venv module is needed." "$(root_prefix)apt-get install $("$python" -c 'import sys; print("python3.%d-venv" % sys.version_info[1])')"
+    lacks "$(sentence "Python's venv module is needed.")" "$(root_prefix)apt-get install $("$python" -c 'import sys; print("python3.%d-venv" % sys.version_info[1])')"
   fi
 }
 
@@ -59,13 +62,13 @@ check_ghc() {
     version=$(LC_ALL=C apt-cache policy ghc 2>/dev/null | sed -n 's/^ *Candidate: *\([0-9]*:\)\?\([0-9.]*\).*/\2/p' || true)
     if [ -z "$version" ]; then
       # A new system may have no lists of packages yet; they are fetched before the first installation.
-      [ -z "$apt_pending" ] || ! compgen -G "/var/lib/apt/lists/*_Packages*" >/dev/null || lacks "apt knows no package ghc." "$(root_prefix)apt-get update"
+      [ -z "$apt_pending" ] || ! compgen -G "/var/lib/apt/lists/*_Packages*" >/dev/null || lacks "$(sentence "apt knows no package {name}." name ghc)" "$(root_prefix)apt-get update"
       return
     fi
   fi
   case " $GHC_SUPPORTED " in
     *" ${version%.*} "*) ;;
-    *) lacks "This system has GHC $version; Rosy knows GHC $GHC_SUPPORTED." "Use Debian 12 or Ubuntu 24.04, or a newer Rosy." ;;
+    *) lacks "$(sentence "This system has GHC {version}; Rosy knows GHC {versions}." version "$version" versions "$GHC_SUPPORTED")" "$(sentence "Use Debian 12 or Ubuntu 24.04, or a newer Rosy.")" ;;
   esac
 }
 
@@ -74,7 +77,7 @@ check_rights() {
   [ -n "$apt_pending" ] && [ "$(id -u)" != 0 ] || return 0
   if ! command -v sudo >/dev/null; then
     apt_can_install=
-    lacks "Debian packages are missing, and there is no sudo to install them with." "as root: apt-get install --no-install-recommends $apt_pending"
+    lacks "$(sentence "Debian packages are missing, and there is no sudo to install them with.")" "$(sentence "as root: {command}" command "apt-get install --no-install-recommends $apt_pending")"
   fi
 }
 
@@ -83,14 +86,15 @@ check_disk() {
   local free
   free=$(df -Pm "$ROSY_ROOT" 2>/dev/null | awk 'NR == 2 {print $4}')
   if [ -n "$free" ] && [ "$free" -lt "$1" ]; then
-    lacks "About $1 MB of disk space are needed at $ROSY_ROOT; $free MB are free." "$(root_prefix)apt-get clean; or use a larger disk"
+    lacks "$(sentence "About {needed} MB of disk space are needed at {folder}; {free} MB are free." needed "$1" folder "$ROSY_ROOT" free "$free")" \
+      "$(sentence "{command}; or use a larger disk" command "$(root_prefix)apt-get clean")"
   fi
 }
 
 # check_port PORT: a port in use would end the start after all the work.
 check_port() {
   if [ "$1" != 0 ] && (exec 3<>"/dev/tcp/127.0.0.1/$1") 2>/dev/null; then
-    lacks "Port $1 is in use." "./rosy start --port $(($1 + 1))"
+    lacks "$(sentence "Port {port} is in use." port "$1")" "./rosy start --port $(($1 + 1))"
   fi
 }
 
@@ -142,21 +146,23 @@ preflight() {
   [ -z "$port" ] || check_port "$port"
   offline=$(tr '\n' ' ' <&4)
   exec 4<&-
-  [ -z "$offline" ] || lacks "There is no way to the network: ${offline% } cannot be reached, and $download MB are to be downloaded." "Connect this machine, or set https_proxy, and try again."
+  [ -z "$offline" ] || lacks "$(sentence "There is no way to the network: {servers} cannot be reached, and {megabytes} MB are to be downloaded." servers "${offline% }" megabytes "$download")" \
+    "$(sentence "Connect this machine, or set https_proxy, and try again.")"
   if [ "${#missing[@]}" -gt 0 ]; then
-    echo "rosy: this is missing:" >&2
+    printf 'rosy: %s\n' "$(sentence "this is missing:")" >&2
     printf '  - %s\n' "${missing[@]}" >&2
     exit 1
   fi
   # shellcheck disable=SC2034  # read by steps.sh
   seconds_planned=$seconds
   if [ "$seconds" -ge 20 ]; then
-    local minutes=$(((seconds + 59) / 60)) unit=minutes
-    [ "$minutes" != 1 ] || unit=minute
+    local minutes=$(((seconds + 59) / 60)) duration
+    duration=$(sentence "about {minutes} minutes" minutes "$minutes")
+    [ "$minutes" != 1 ] || duration=$(sentence "about a minute")
     if [ "$download" -gt 0 ]; then
-      say "First some work: about $minutes $unit, $download MB to download."
+      say "First some work: {duration}, {megabytes} MB to download." duration "$duration" megabytes "$download"
     else
-      say "First some work: about $minutes $unit, nothing to download."
+      say "First some work: {duration}, nothing to download." duration "$duration"
     fi
   fi
 }

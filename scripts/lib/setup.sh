@@ -92,17 +92,17 @@ print_of() {
 
 sentence_of() {
   case "$1" in
-    venv) echo "Installing the Python packages of the simulator." ;;
-    venv-tools) echo "Installing the Python packages of the tests." ;;
-    node) echo "Installing Node." ;;
-    npm) echo "Installing the packages of the page." ;;
-    npm-tools) echo "Installing the packages of the page's tests." ;;
-    haskell) echo "Building the Rosy language and its worker with GHC." ;;
-    robot) echo "Building the program that drives real robots." ;;
-    builder) echo "Building the program that makes native programs." ;;
-    codegen) echo "Building the conversions between blocks and Haskell." ;;
-    api-docs) echo "Building the page that explains every name of the language." ;;
-    page) echo "Building the page." ;;
+    venv) sentence "Installing the Python packages of the simulator." ;;
+    venv-tools) sentence "Installing the Python packages of the tests." ;;
+    node) sentence "Installing Node." ;;
+    npm) sentence "Installing the packages of the page." ;;
+    npm-tools) sentence "Installing the packages of the page's tests." ;;
+    haskell) sentence "Building the Rosy language and its worker with GHC." ;;
+    robot) sentence "Building the program that drives real robots." ;;
+    builder) sentence "Building the program that makes native programs." ;;
+    codegen) sentence "Building the conversions between blocks and Haskell." ;;
+    api-docs) sentence "Building the page that explains every name of the language." ;;
+    page) sentence "Building the page." ;;
   esac
 }
 
@@ -244,7 +244,7 @@ install_browsers() {
     ! apt-cache show "$package" >/dev/null 2>&1 || known="$known $package"
   done
   # shellcheck disable=SC2086
-  [ -z "$known" ] || apt_install $known >"$ROSY_STATE/log/apt-browsers.log" 2>&1 || say "Not installed, and left out by the tests:$known. The log is in .rosy/log/apt-browsers.log."
+  [ -z "$known" ] || apt_install $known >"$ROSY_STATE/log/apt-browsers.log" 2>&1 || say "Not installed, and left out by the tests: {packages}. The log is in {file}." packages "${known# }" file .rosy/log/apt-browsers.log
 }
 
 # install_packages STEP...: all missing packages of all steps at once.
@@ -253,10 +253,10 @@ install_packages() {
   local name=apt-tools
   case " $* " in *" apt-runtime "*) name=apt-runtime ;; esac
   if [ "$(id -u)" != 0 ]; then
-    say "Rosy needs some Debian packages and asks sudo to install them: $apt_pending"
-    sudo -v || give_up "without them Rosy cannot go on. As root, run: apt-get install $apt_pending"
+    say "Rosy needs some Debian packages and asks sudo to install them: {packages}" packages "$apt_pending"
+    sudo -v || give_up "without them Rosy cannot go on. As root, run: {command}" command "apt-get install $apt_pending"
   fi
   # shellcheck disable=SC2086
-  step "$name" "$(print_of "$name")" "Installing from Debian: $apt_pending" apt_install $apt_pending
+  step "$name" "$(print_of "$name")" "$(sentence "Installing from Debian: {packages}" packages "$apt_pending")" apt_install $apt_pending
   case " $* " in *" apt-tools "*) install_browsers ;; esac
 }

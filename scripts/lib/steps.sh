@@ -5,11 +5,9 @@
 # still there is skipped. The stamp is written last, so an interrupted step is done again. A lock file keeps two commands
 # from doing the same step at once. Logs are in .rosy/log.
 
-say() { printf '\033[2m•\033[0m %s\n' "$*" >&2; }
-give_up() {
-  printf 'rosy: %s\n' "$*" >&2
-  exit 1
-}
+# say TEMPLATE [NAME VALUE]...
+say() { note "$(sentence "$@")"; }
+note() { printf '\033[2m•\033[0m %s\n' "$1" >&2; }
 
 # fingerprint PATH...: names, sizes and times of all files below, as one word. A path that does not exist holds no files.
 fingerprint() {
@@ -44,16 +42,16 @@ perform() {
     "$@" >"$log" 2>&1 </dev/null &
     show_progress $! "$name" "$sentence" || status=$?
   else
-    say "$sentence"
+    note "$sentence"
     "$@" >"$log" 2>&1 </dev/null || status=$?
   fi
   if [ "$status" != 0 ]; then
     tail -n 25 "$log" >&2
-    give_up "this step failed: $sentence The whole log is in .rosy/log/$name.log."
+    give_up "this step failed: {step} The whole log is in {file}." step "$sentence" file ".rosy/log/$name.log"
   fi
   printf '%s' "$print" >"$ROSY_STATE/stamps/$name"
   seconds_done=$((seconds_done + $(seconds_of "$name")))
-  [ $((SECONDS - started)) -lt 3 ] || say "  done in $((SECONDS - started)) s"
+  [ $((SECONDS - started)) -lt 3 ] || note "  $(sentence "done in {seconds} s" seconds "$((SECONDS - started))")"
 }
 
 # What each step takes, for the estimate and the bar: seconds on two cores, megabytes downloaded, megabytes on disk.

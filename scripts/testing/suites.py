@@ -78,7 +78,7 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
         check("format-ts", "npx", "biome", "check", "."),
         check("format-py", PYTHON, "-m", "ruff", "format", "--check", "sim-service", "scripts"),
         check("lint-py", PYTHON, "-m", "ruff", "check", "sim-service", "scripts"),
-        check("shell", "shellcheck", *SHELL_SCRIPTS),
+        check("shell", "shellcheck", "-x", *SHELL_SCRIPTS),
         Suite("borders", [PYTHON, "scripts/borders.py"], own_script, prints=False),
         # The haskell suite may still change the library.
         Suite("bench", [PYTHON, "scripts/bench.py", "--small" if whole else "--rotating"], own_script, after=frozenset({"haskell"})),
