@@ -15,6 +15,7 @@ import {isActive} from "../state/run_state.ts"
 import type {Store} from "../state/store.ts"
 import {words} from "../words/index.ts"
 import "../styles/class.css"
+import {openClassAdmission} from "./class_admission.ts"
 import {ClassBar, type ClassDesk, ClassDialogs} from "./class_bar.tsx"
 import {
   type ClassMessage,
@@ -66,9 +67,8 @@ export function openClassroom({store, loader, shelf, storage, code}: PageOfClass
   const socket = openClassSocket<PupilMessage, ClassMessage>("api/class", readClassMessage, {
     opened() {
       dispatch({kind: "link", link: "open"})
-      const member = readMembership(storage.shared)
-      if (member !== null) socket.send({op: "enter", token: member.token})
-      else if (!isTeacher && storage.tab.getItem(skippedKey) === null) dispatch({kind: "card", card: "join"})
+      if (!admission.enter() && !isTeacher && storage.tab.getItem(skippedKey) === null)
+        dispatch({kind: "card", card: "join"})
     },
     lost() {
       sync.lost()
@@ -76,6 +76,10 @@ export function openClassroom({store, loader, shelf, storage, code}: PageOfClass
     },
     received: heard,
   })
+  const admission = openClassAdmission(storage.shared, socket.send, dispatch)
+  /// What the service would refuse before the page is let in is not sent.
+  const send = (message: PupilMessage): boolean =>
+    state.value.member !== null && state.value.link === "open" && socket.send(message)
   const sync = openClassSync(
     storage.shared,
     shelf,
@@ -89,10 +93,10 @@ export function openClassroom({store, loader, shelf, storage, code}: PageOfClass
       },
     },
     {name: freshName, place: freshPlace, renamed},
-    message => state.value.member !== null && socket.send(message),
+    send,
     showSaved,
   )
-  const status = openStatus(store, message => state.value.member !== null && socket.send(message))
+  const status = openStatus(store, send)
   const pause = openPause(store)
   const endTasks = openTaskTimers(task => dispatch({kind: "task-ended", task}))
 
@@ -100,6 +104,10 @@ export function openClassroom({store, loader, shelf, storage, code}: PageOfClass
     if (message.op === "entered" && message.token !== null)
       writeMembership(storage.shared, {token: message.token, nickname: message.nickname, programs: {}})
     if (message.op === "refused" && message.reason === "token") writeMembership(storage.shared, null)
+    if (message.op === "refused" && message.reason === "attempts" && admission.refused()) {
+      sync.lost()
+      return
+    }
     const wasUp = state.value.hand
     dispatch({kind: "heard", message})
     if (message.op === "entered") {
@@ -149,7 +157,7 @@ export function openClassroom({store, loader, shelf, storage, code}: PageOfClass
     },
     raiseHand(up) {
       dispatch({kind: "hand", up})
-      socket.send({op: "hand", up})
+      send({op: "hand", up})
     },
     openHandout() {
       const {handout} = state.value
@@ -167,7 +175,7 @@ export function openClassroom({store, loader, shelf, storage, code}: PageOfClass
     handIn(task) {
       sync.save("change")
       const message = {op: "hand-in", task, name: store.now.name, text: loader.projectText()} as const
-      dispatch({kind: "hand-in", task, state: socket.send(message) ? "asked" : "offline"})
+      dispatch({kind: "hand-in", task, state: send(message) ? "asked" : "offline"})
     },
     closeComment(task) {
       const read = [...readComments().slice(-mostReadComments), commentKey(task)]

@@ -83,6 +83,9 @@ class Classroom:
         self.now = now
         self.attention: str | None = None
         self.attempts = Attempts([ADDRESS_ATTEMPTS], ALL_ATTEMPTS, now())
+        # Held while a request to be let in is decided: the right ones of a class behind one address, sent at the same
+        # time, would count as wrong attempts until each is decided.
+        self._admitting = asyncio.Lock()
         self._store = StoreThread(store)
         self.tasks = ClassTasks(store, self._store, time.time)
         self.pages: set[PupilPage] = set()
@@ -129,17 +132,21 @@ class Classroom:
         if not isinstance(request, p.Join | p.Resume | p.Enter):
             page.put(Refused("token"))
             return
-        if not self.attempts.begin([page.address], self.now()):
-            page.put(Refused("attempts"))
-            return
-        admitted = await self._find(page, request)
+        async with self._admitting:
+            admitted = await self._decide(page, request)
         if isinstance(admitted, Refused):
-            if admitted.reason not in ("code", "words", "token"):
-                self.attempts.succeeded([page.address], self.now())
             page.put(admitted)
-            return
-        self.attempts.succeeded([page.address], self.now())
-        await self._enter(page, admitted, None if isinstance(request, p.Enter) else page.token)
+        else:
+            await self._enter(page, admitted, None if isinstance(request, p.Enter) else page.token)
+
+    async def _decide(self, page: PupilPage, request: p.Join | p.Resume | p.Enter) -> Pupil | Refused:
+        if not self.attempts.begin([page.address], self.now()):
+            return Refused("attempts")
+        admitted = await self._find(page, request)
+        is_wrong = isinstance(admitted, Refused) and admitted.reason in ("code", "words", "token")
+        if not is_wrong:
+            self.attempts.succeeded([page.address], self.now())
+        return admitted
 
     async def _find(self, page: PupilPage, request: p.Join | p.Resume | p.Enter) -> Pupil | Refused:
         if isinstance(request, p.Enter):

@@ -231,6 +231,23 @@ def test_guessing_is_limited_and_those_who_know_the_code_still_enter(config: Con
     in_class(config, lesson)
 
 
+def test_thirty_pupils_behind_one_address_enter_at_once(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        async def enters(request: Message) -> Message:
+            client = await opened.open()
+            await client.send(**request)
+            return await client.op("entered", "refused")
+
+        joins = [{"op": "join", "code": opened.code, "nickname": f"pupil {n}"} for n in range(30)]
+        joined = await asyncio.gather(*map(enters, joins))
+        assert {answer["op"] for answer in joined} == {"entered"}
+        # As after a restart of the service, when all pages connect again.
+        again = await asyncio.gather(*(enters({"op": "enter", "token": answer["token"]}) for answer in joined))
+        assert [answer.get("nickname") for answer in again] == [f"pupil {n}" for n in range(30)]
+
+    in_class(config, lesson)
+
+
 def test_the_board_tells_nothing_without_the_key(config: Config) -> None:
     async def lesson(opened: Class) -> None:
         ada, _ = await opened.pupil("Ada")
