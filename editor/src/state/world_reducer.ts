@@ -1,6 +1,8 @@
 /// Reducer for the room: a chosen room, a room of a test, the room editor, files of rooms. Pure.
 
 import {noRuns} from "../runs/run_tree.ts"
+import {words} from "../words/index.ts"
+import {wordedText} from "../words/worker_sentences.ts"
 import {edit, isChanged, openEditor} from "../worlds/editor_state.ts"
 import {startFault} from "../worlds/start_validation.ts"
 import type {World} from "../worlds/world.ts"
@@ -130,7 +132,13 @@ function closeWorldEditor(state: PageState, keep: boolean): Transition {
   if (!keep || !isChanged(editor)) return still(closed)
   if (startFault(editor.world) !== null) return still(state)
   // A room of the gallery stays what it is: the changed one is another.
-  const {name} = editor.world
-  const own = state.worlds.includes(name) ? {...editor.world, name: `my ${name}`, title: ""} : editor.world
+  const {name, title} = editor.world
+  const own = state.worlds.includes(name)
+    ? {
+        ...editor.world,
+        name: `my ${name}`,
+        title: words.world.changed(title === "" ? name : wordedText(title)),
+      }
+    : editor.world
   return takeWorld(closed, own)
 }

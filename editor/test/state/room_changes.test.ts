@@ -52,7 +52,11 @@ describe("the world editor on the page", () => {
       keep: true,
     })
     expect(state.worldEditor).toBeNull()
-    expect(state.worldName).toMatchObject({name: "my room", walls: [{from: [3, 1], to: [3, 3]}]})
+    expect(state.worldName).toMatchObject({
+      name: "my room",
+      title: "room, changed",
+      walls: [{from: [3, 1], to: [3, 3]}],
+    })
     expect(state.saved).toBe("changed")
     expect(sent).toEqual([{op: "world", world: state.worldName}])
   })

@@ -307,7 +307,8 @@ export const blocks = {
     repeat: "repeat",
     howManyTimes: "how many times",
     number: "number",
-    times: "times",
+    // Agrees with 1, too.
+    times: "×",
     stepsToRepeat: "steps to repeat",
     doesItsStepsANumberOfTimes: "Does its steps a number of times. Example: repeat 4 times.",
     forever: "forever",

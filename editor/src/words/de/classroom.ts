@@ -21,7 +21,7 @@ export const classroom: Words["classroom"] = {
   refused: {
     code: "Das ist nicht der Code der Klasse. Schau noch einmal, was deine Lehrkraft zeigt.",
     words:
-      "In dieser Klasse hat niemand diese drei Wörter. Prüfe jeden Buchstaben oder frag deine Lehrkraft.",
+      "Diese drei Wörter gehören zu keinem Spitznamen dieser Klasse. Prüfe jeden Buchstaben oder frag deine Lehrkraft.",
     attempts: "Das war zu oft falsch. Warte zehn Sekunden und versuche es noch einmal.",
     taken: "In der Klasse gibt es diesen Spitznamen schon. Wähle einen anderen.",
     full: "Die Klasse ist voll. Frag deine Lehrkraft.",

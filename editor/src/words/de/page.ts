@@ -261,7 +261,7 @@ export const page: Omit<
     simulated: "Simulierter Roboter",
     simulatedShort: "Simuliert",
     simulatedHint: "Er lebt im Raum auf dieser Seite, und nichts kann kaputtgehen.",
-    free: "niemand hat ihn",
+    free: "frei",
     has: who => `${who} hat ihn`,
     yours: "du hast ihn",
     who: "Dein Name, damit die anderen ihn sehen",
@@ -377,7 +377,7 @@ export const page: Omit<
       hint: "Nimm ihn wieder, wenn du ihn brauchst.",
     },
     outOfSight: {
-      message: name => `${name} wurde angehalten, weil niemand diese Seite sah.`,
+      message: name => `${name} wurde angehalten, weil diese Seite nicht zu sehen war.`,
       hint: "Lass die Seite sichtbar, solange ein echter Roboter fährt.",
     },
     damagedLink: {

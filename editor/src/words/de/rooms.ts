@@ -13,6 +13,8 @@ export const world: Words["world"] = {
   roomsLoading: "Die Räume werden gesucht …",
   choose: name => `Raum zum Fahren: ${name}`,
   change: "Diesen Raum ändern",
+  /// Title of a room of the gallery that the learner has changed.
+  changed: room => `${room}, verändert`,
   title: "Diesen Raum ändern",
   done: "Fertig",
   leave: "Alles lassen, wie es war",

@@ -18,9 +18,9 @@ export const classroom = {
   noConnection: "There is no connection to your teacher's computer. Trying again…",
   refused: {
     code: "This is not the code of the class. Look again at what your teacher shows.",
-    words: "Nobody in this class has these three words. Check each letter, or ask your teacher.",
+    words: "No pupil of this class has these three words. Check each letter, or ask your teacher.",
     attempts: "That was wrong too many times. Wait ten seconds and try again.",
-    taken: "Somebody in the class has this nickname. Choose another one.",
+    taken: "Another pupil of this class has this nickname. Choose a different one.",
     full: "The class is full. Ask your teacher.",
     "nickname-empty": "A nickname needs at least one letter or digit.",
     "nickname-long": "A nickname has at most 24 letters.",

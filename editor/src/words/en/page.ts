@@ -253,7 +253,7 @@ export const page = {
     simulated: "Simulated robot",
     simulatedShort: "Simulated",
     simulatedHint: "It lives in the room of this page, and nothing can break.",
-    free: "nobody has it",
+    free: "free",
     has: (who: string) => `${who} has it`,
     yours: "you have it",
     who: "Your name, for the others to see",
@@ -372,7 +372,7 @@ export const page = {
       hint: "Take it again when you need it.",
     },
     outOfSight: {
-      message: (name: string) => `${name} was stopped because nobody saw this page.`,
+      message: (name: string) => `${name} was stopped because this page was not in view.`,
       hint: "Keep the page in view while a real robot drives.",
     },
     damagedLink: {

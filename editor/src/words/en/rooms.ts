@@ -12,6 +12,8 @@ export const world = {
   roomsLoading: "Looking for the rooms…",
   choose: (name: string) => `Room to drive in: ${name}`,
   change: "Change this room",
+  /// Title of a room of the gallery that the learner has changed.
+  changed: (room: string) => `${room}, changed`,
   title: "Change this room",
   done: "Done",
   leave: "Leave it as it was",

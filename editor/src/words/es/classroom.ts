@@ -22,9 +22,9 @@ export const classroom: Words["classroom"] = {
   noConnection: "No hay conexión con la computadora de tu profe. Probando otra vez…",
   refused: {
     code: "Este no es el código de la clase. Mira otra vez lo que muestra tu profe.",
-    words: "Nadie de esta clase tiene estas tres palabras. Revisa cada letra o pregunta a tu profe.",
+    words: "Ningún alumno de esta clase tiene estas tres palabras. Revisa cada letra o pregunta a tu profe.",
     attempts: "Han sido demasiados intentos fallidos. Espera diez segundos y prueba otra vez.",
-    taken: "En la clase ya hay alguien con este apodo. Elige otro.",
+    taken: "Otro alumno de la clase ya tiene este apodo. Elige uno distinto.",
     full: "La clase está llena. Pregunta a tu profe.",
     "nickname-empty": "Un apodo necesita al menos una letra o una cifra.",
     "nickname-long": "Un apodo tiene como máximo 24 letras.",

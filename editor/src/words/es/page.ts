@@ -386,7 +386,7 @@ export const page: Omit<
       hint: "Tómalo otra vez cuando lo necesites.",
     },
     outOfSight: {
-      message: name => `${name} se ha parado porque nadie veía esta página.`,
+      message: name => `${name} se ha parado porque esta página no estaba a la vista.`,
       hint: "Deja la página a la vista mientras se mueve un robot de verdad.",
     },
     damagedLink: {

@@ -13,6 +13,8 @@ export const world: Words["world"] = {
   roomsLoading: "Buscando las salas…",
   choose: name => `Sala del robot: ${name}`,
   change: "Cambiar esta sala",
+  /// Title of a room of the gallery that the learner has changed.
+  changed: room => `${room}, con cambios`,
   title: "Cambiar esta sala",
   done: "Listo",
   leave: "Dejarla como estaba",

@@ -23,7 +23,7 @@ export const classroom: Words["classroom"] = {
   noConnection: "Pas de connexion avec l'ordinateur de ton prof. Nouvel essai…",
   refused: {
     code: "Ce n'est pas le code de la classe. Regarde encore une fois ce qui est affiché.",
-    words: "Personne dans cette classe n'a ces trois mots. Vérifie chaque lettre, ou demande à ton prof.",
+    words: "Aucun élève de cette classe n'a ces trois mots. Vérifie chaque lettre, ou demande à ton prof.",
     attempts: "C'était faux trop de fois. Attends dix secondes et réessaie.",
     taken: "Ce surnom est déjà pris dans la classe. Choisis-en un autre.",
     full: "La classe est pleine. Demande à ton prof.",

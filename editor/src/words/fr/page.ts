@@ -388,7 +388,7 @@ export const page: Omit<
       hint: "Reprends-le quand tu en as besoin.",
     },
     outOfSight: {
-      message: name => `${name} a été arrêté, car personne ne voyait cette page.`,
+      message: name => `${name} a été arrêté, car cette page n'était pas visible.`,
       hint: "Garde la page visible tant qu'un vrai robot roule.",
     },
     damagedLink: {

@@ -13,6 +13,8 @@ export const world: Words["world"] = {
   roomsLoading: "Recherche des salles…",
   choose: name => `Salle où rouler : ${name}`,
   change: "Modifier cette salle",
+  /// Title of a room of the gallery that the learner has changed.
+  changed: room => `${room}, modifié`,
   title: "Modifier cette salle",
   done: "Terminé",
   leave: "Laisser comme avant",

@@ -20,9 +20,10 @@ export const classroom: Words["classroom"] = {
   noConnection: "Não há conexão com o computador do seu professor. Tentando de novo…",
   refused: {
     code: "Este não é o código da turma. Olhe de novo o que o seu professor mostra.",
-    words: "Ninguém nesta turma tem estas três palavras. Confira cada letra, ou pergunte ao seu professor.",
+    words:
+      "Nenhum aluno desta turma tem estas três palavras. Confira cada letra, ou pergunte ao seu professor.",
     attempts: "Você errou vezes demais. Espere dez segundos e tente de novo.",
-    taken: "Alguém da turma já tem este apelido. Escolha outro.",
+    taken: "Outro aluno da turma já tem este apelido. Escolha um diferente.",
     full: "A turma está cheia. Fale com o seu professor.",
     "nickname-empty": "Um apelido precisa de pelo menos uma letra ou um algarismo.",
     "nickname-long": "Um apelido tem no máximo 24 letras.",

@@ -262,7 +262,7 @@ export const page: Omit<
     simulated: "Robô simulado",
     simulatedShort: "Simulado",
     simulatedHint: "Ele vive na sala desta página, e nada pode quebrar.",
-    free: "ninguém está com ele",
+    free: "livre",
     has: who => `${who} está com ele`,
     yours: "você está com ele",
     who: "O seu nome, para os outros verem",
@@ -378,7 +378,7 @@ export const page: Omit<
       hint: "Pegue-o de novo quando precisar dele.",
     },
     outOfSight: {
-      message: name => `${name} foi parado porque ninguém via esta página.`,
+      message: name => `${name} foi parado porque esta página não estava à vista.`,
       hint: "Deixe a página à vista enquanto um robô de verdade anda.",
     },
     damagedLink: {

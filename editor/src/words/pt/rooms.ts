@@ -13,6 +13,8 @@ export const world: Words["world"] = {
   roomsLoading: "Procurando as salas…",
   choose: name => `Sala para andar: ${name}`,
   change: "Mudar esta sala",
+  /// Title of a room of the gallery that the learner has changed.
+  changed: room => `${room}, com mudanças`,
   title: "Mudar esta sala",
   done: "Pronto",
   leave: "Deixar como estava",
