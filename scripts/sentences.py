@@ -1,10 +1,10 @@
 """
 Translations of sentences, as a check: every template of the source text stands in every language's table, and takes its arguments.
 
-In: calls of ``tr`` and ``trWith`` in ``rosy-hs/worker`` (``Rosy.Worker.Sentence``), calls of ``tr`` in ``sim-service/rosy_sim`` (``rosy_sim.sentence``)
-and in what packs Rosy, sentences of ``./rosy`` itself (``shell_sentences.py``), titles of rooms and examples, the tables ``protocol/sentences/*.json`` and the
-help pages. Out: one sentence per breach. ``python3 scripts/sentences.py`` prints the templates as a table without translations, to begin a language with;
-with the name of a table, those that it lacks.
+In: calls of ``tr`` and ``trWith`` in ``rosy-hs/worker`` and ``rosy-hs/src`` (``Rosy.Sentence``), calls of ``tr`` in ``sim-service/rosy_sim``
+(``rosy_sim.sentence``) and in what packs Rosy, sentences of ``./rosy`` itself (``shell_sentences.py``), titles of rooms and examples, the tables
+``protocol/sentences/*.json`` and the help pages. Out: one sentence per breach. ``python3 scripts/sentences.py`` prints the templates as a table without
+translations, to begin a language with; with the name of a table, those that it lacks.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ from pathlib import Path
 from shell_sentences import shell_bypasses, shell_templates
 
 ROOT = Path(__file__).resolve().parent.parent
-_WORKER = Path("rosy-hs/worker")
+_HASKELL = ("rosy-hs/worker", "rosy-hs/src")
 _TABLES = Path("protocol/sentences")
 # Defines both functions and quotes them in its comments.
-_DEFINITION = _WORKER / "Rosy/Worker/Sentence.hs"
+_DEFINITION = Path("rosy-hs/src/Rosy/Sentence.hs")
 _SERVICE = Path("sim-service/rosy_sim")
 _PACKAGES = ("scripts/package.py", "scripts/installation/*.py")
 _SHELL = ("rosy", "scripts/lib/*.sh")
@@ -32,7 +32,7 @@ _EXAMPLES = Path("examples")
 
 _CALL = re.compile(r"(?<![\w'.\"])tr(With)?(?![\w'])")
 _LITERAL = re.compile(r'\s*"((?:[^"\\\n]|\\.)*)"')
-_ARGUMENT = re.compile(r'"([A-Za-z]+)" =[:#*] ')
+_ARGUMENT = re.compile(r'"([A-Za-z]+)" =[:#*@] ')
 _PLACEHOLDER = re.compile(r"\{(?:([A-Za-z]+) )?([A-Za-z]+)\}")
 
 # Three words of English that follow one another.
@@ -141,9 +141,10 @@ def content_ids(root: Path = ROOT) -> set[str]:
 
 def _sources(root: Path) -> Iterator[tuple[Path, Iterator[tuple[int, str | None, set[str] | None]]]]:
     """Each file with its templates."""
-    for path in sorted((root / _WORKER).rglob("*.hs")):
-        if path != root / _DEFINITION:
-            yield path, templates(path.read_text())
+    for folder in _HASKELL:
+        for path in sorted((root / folder).rglob("*.hs")):
+            if path != root / _DEFINITION:
+                yield path, templates(path.read_text())
     for path in [*sorted((root / _SERVICE).rglob("*.py")), *_matching(root, _PACKAGES)]:
         yield path, service_templates(path.read_text())
     for path in _matching(root, _SHELL):

@@ -90,7 +90,7 @@ def sentence_of(error: BaseException) -> Sentence:
 
 
 def english(sentence: Template) -> str:
-    """The text in English, as ``rosy-hs/worker/Rosy/Worker/Sentence.hs`` makes it for the worker's own sentences."""
+    """The text in English, as ``rosy-hs/src/Rosy/Sentence.hs`` makes it for those of programs and of the worker."""
     return fill(sentence.id or "{text}", sentence.arguments, _formatted)
 
 

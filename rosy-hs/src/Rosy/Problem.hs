@@ -1,4 +1,5 @@
 {-# LANGUAGE LambdaCase #-}
+{-# LANGUAGE OverloadedStrings #-}
 
 -- |
 -- Module      : Rosy.Problem
@@ -25,7 +26,8 @@ where
 import Control.Exception
 import Data.Char (isDigit)
 import Data.List (isPrefixOf, sortOn)
-import Data.Maybe (fromMaybe)
+import qualified Data.Text as Text
+import Rosy.Sentence
 import System.IO.Unsafe (unsafePerformIO)
 
 -- | A failure that Rosy itself finds.
@@ -54,8 +56,8 @@ instance Exception Fault
 data Problem = Problem
   { problemKind :: String,
     problemFunction :: Maybe String,
-    problemMessage :: String,
-    problemHint :: String,
+    problemMessage :: Sentence,
+    problemHint :: Sentence,
     -- | What Haskell said; may be empty.
     problemOriginal :: String,
     problemTime :: Maybe Double,
@@ -81,40 +83,45 @@ problemFrom function inputs time exception =
   where
     (kind, message, hint) = sentence (named function) exception
 
--- | How sentences call a function, or whatever it was when no function was at work.
-named :: Maybe String -> String
-named = fromMaybe "The program"
+-- | How sentences call a function, or the program when no function was at work.
+named :: Maybe String -> Sentence
+named = maybe (tr "The program") quoted
 
 -- | Kind, message and hint.
-sentence :: String -> SomeException -> (String, String, String)
+sentence :: Sentence -> SomeException -> (String, Sentence, Sentence)
 sentence who exception
   | Just fault <- fromException exception = faultSentence who fault
   | Just (PatternMatchFail _) <- fromException exception =
-    ("exception", who ++ " has no case for what it was given.", "Add a case for it, or one that starts with _.")
+    ("exception", trWith "{who} has no case for what it was given." ["who" =@ who], tr "Add a case for it, or one that starts with _.")
   | Just arithmetic <- fromException exception = case arithmetic of
-    DivideByZero -> ("exception", who ++ " divided by zero.", "Check the number before dividing.")
-    other -> ("exception", who ++ " computed a number that does not exist.", show other ++ ".")
+    DivideByZero -> ("exception", trWith "{who} divided by zero." ["who" =@ who], tr "Check the number before dividing.")
+    other -> ("exception", trWith "{who} computed a number that does not exist." ["who" =@ who], quoted (show other ++ "."))
   | Just async <- fromException exception = case async of
-    StackOverflow -> ("memory", memoryMessage who, "It may call itself without end.")
+    StackOverflow -> ("memory", memoryMessage who, tr "It may call itself without end.")
     HeapOverflow -> ("memory", memoryMessage who, endless)
-    _ -> ("stopped", "The program was stopped.", "")
+    _ -> ("stopped", tr "The program was stopped.", verbatim "")
   | Just NonTermination <- fromException exception =
-    ("exception", who ++ " waits for its own answer.", "It may use a value to compute that same value.")
-  | Just (RecSelError _) <- fromException exception = ("exception", who ++ " asked for a field that this value does not have.", "Look at it with a pattern first: not every constructor has every field.")
-  | Just (NoMethodError _) <- fromException exception = ("exception", who ++ " used a function that an instance leaves out.", "Define it in the instance.")
-  | Just (TypeError _) <- fromException exception = ("hole", who ++ " came to an empty place.", "Put a value in it.")
-  | Just (RecConError _) <- fromException exception = ("exception", who ++ " used a field that was never given a value.", "Give it one where the value is made.")
+    ("exception", trWith "{who} waits for its own answer." ["who" =@ who], tr "It may use a value to compute that same value.")
+  | Just (RecSelError _) <- fromException exception = ("exception", trWith "{who} asked for a field that this value does not have." ["who" =@ who], tr "Look at it with a pattern first: not every constructor has every field.")
+  | Just (NoMethodError _) <- fromException exception = ("exception", trWith "{who} used a function that an instance leaves out." ["who" =@ who], tr "Define it in the instance.")
+  | Just (TypeError _) <- fromException exception = ("hole", trWith "{who} came to an empty place." ["who" =@ who], tr "Put a value in it.")
+  | Just (RecConError _) <- fromException exception = ("exception", trWith "{who} used a field that was never given a value." ["who" =@ who], tr "Give it one where the value is made.")
   | Just (ErrorCall text) <- fromException exception = errorSentence who (readable text)
-  | otherwise = ("exception", who ++ " failed.", firstLine (readable (displayException exception)))
+  | otherwise = ("exception", trWith "{who} failed." ["who" =@ who], quoted (firstLine (readable (displayException exception))))
 
--- | An empty place of a program, @_@ or @_name@: where it starts and ends, as line and column from 1, and the message and hint of a run that comes to it.
+-- | The words of Haskell, or of the program.
+quoted :: String -> Sentence
+quoted = verbatim . Text.pack
+
+-- | An empty place of a program, @_@ or @_name@: where it starts and ends, as line and column from 1, and the message and hint of a run that comes to it,
+-- each as a 'portable' sentence: the worker's copy of this module and the library's exchange them.
 type EmptyPlace = ((Int, Int), (Int, Int), String, String)
 
 -- | The problem of a run that came to one of these places; other problems stay as they are. GHC says where the expression starts that it could not
 -- give a meaning: the place itself, or an expression around it whose types depend on it.
 atEmptyPlace :: [EmptyPlace] -> Problem -> Problem
 atEmptyPlace places problem = case (problemKind problem, positionIn (problemOriginal problem)) of
-  ("hole", Just at) | (from, to, message, hint) : _ <- [place | place@(from, _, _, _) <- ordered, from >= at] ++ reverse ordered -> problem {problemMessage = message, problemHint = hint, problemPlace = Just (from, to)}
+  ("hole", Just at) | (from, to, message, hint) : _ <- [place | place@(from, _, _, _) <- ordered, from >= at] ++ reverse ordered -> problem {problemMessage = fromPortable message, problemHint = fromPortable hint, problemPlace = Just (from, to)}
   _ -> problem
   where
     ordered = sortOn (\(from, _, _, _) -> from) places
@@ -122,62 +129,72 @@ atEmptyPlace places problem = case (problemKind problem, positionIn (problemOrig
 -- | The line and column at the start of a message of GHC: of @Main.hs:4:17-22: error@, or @Main.hs:(4,17)-(5,3): error@.
 positionIn :: String -> Maybe (Int, Int)
 positionIn message = case span isDigit (dropWhile (== '(') (drop 1 (dropWhile (/= ':') message))) of
-  (l@(_ : _), separator : rest) | separator `elem` ":,", c@(_ : _) <- takeWhile isDigit rest -> Just (read l, read c)
+  (l@(_ : _), separator : rest) | separator `elem` (":," :: String), c@(_ : _) <- takeWhile isDigit rest -> Just (read l, read c)
   _ -> Nothing
 
 -- | Message and hint for a program that has no memory left to say them itself. Takes the function at work.
-tooMuchMemory :: Maybe String -> (String, String)
+tooMuchMemory :: Maybe String -> (Sentence, Sentence)
 tooMuchMemory function = (memoryMessage (named function), endless)
 
-memoryMessage :: String -> String
-memoryMessage who = who ++ " needed too much memory."
+memoryMessage :: Sentence -> Sentence
+memoryMessage who = trWith "{who} needed too much memory." ["who" =@ who]
 
-endless :: String
-endless = "It may build something without end."
+endless :: Sentence
+endless = tr "It may build something without end."
 
-errorSentence :: String -> String -> (String, String, String)
+errorSentence :: Sentence -> String -> (String, Sentence, Sentence)
 errorSentence who text
   | "Prelude." `isPrefixOf` text && "empty list" `elem'` text =
-    ("exception", who ++ " took something out of an empty list.", "Check that the list has something in it first.")
+    ("exception", trWith "{who} took something out of an empty list." ["who" =@ who], tr "Check that the list has something in it first.")
   | "Prelude.undefined" `isPrefixOf` text =
-    ("exception", who ++ " reached undefined.", "Put a value in its place.")
+    ("exception", trWith "{who} reached undefined." ["who" =@ who], tr "Put a value in its place.")
   | "Prelude.read" `isPrefixOf` text =
-    ("exception", who ++ " could not read a text as a value.", "Check how the text is written.")
+    ("exception", trWith "{who} could not read a text as a value." ["who" =@ who], tr "Check how the text is written.")
   | "Prelude.!!" `isPrefixOf` text =
-    ("exception", who ++ " looked for something past the end of a list.", "A list of n things has the places 0 to n - 1.")
+    ("exception", trWith "{who} looked for something past the end of a list." ["who" =@ who], tr "A list of n things has the places 0 to n - 1.")
   | "Maybe.fromJust" `isPrefixOf` text =
-    ("exception", who ++ " took something out of a Nothing.", "Use a pattern, or fromMaybe with a value for that case.")
+    ("exception", trWith "{who} took something out of a Nothing." ["who" =@ who], tr "Use a pattern, or fromMaybe with a value for that case.")
   | any (`isPrefixOf` text) ["Map.!", "IntMap.!"] =
-    ("exception", who ++ " looked for a key that is not in the map.", "Use Map.lookup: it gives Nothing when there is none.")
+    ("exception", trWith "{who} looked for a key that is not in the map." ["who" =@ who], tr "Use Map.lookup: it gives Nothing when there is none.")
   | any (`elem'` text) ["bad argument", "tried to take `"] =
-    ("exception", who ++ " counted past the last value of a type.", "Check first that there is a next one.")
+    ("exception", trWith "{who} counted past the last value of a type." ["who" =@ who], tr "Check first that there is a next one.")
   | "Negative exponent" `isPrefixOf` text =
-    ("exception", who ++ " raised a number to a negative power with ^.", "Use ** for that.")
-  | otherwise = ("exception", who ++ " stopped with an error: " ++ firstLine text, "")
+    ("exception", trWith "{who} raised a number to a negative power with ^." ["who" =@ who], tr "Use ** for that.")
+  | otherwise = ("exception", trWith "{who} stopped with an error: {text}" ["who" =@ who, "text" =: Text.pack (firstLine text)], verbatim "")
   where
     needle `elem'` hay = any (needle `isPrefixOf`) (suffixes hay)
     suffixes [] = []
     suffixes s@(_ : rest) = s : suffixes rest
 
-faultSentence :: String -> Fault -> (String, String, String)
+faultSentence :: Sentence -> Fault -> (String, Sentence, Sentence)
 faultSentence who = \case
-  NotANumber what -> ("not-a-number", who ++ " gave a " ++ what ++ " that is not a number.", "It may have divided by zero.")
+  NotANumber "speed" -> ("not-a-number", trWith "{who} gave a speed that is not a number." ["who" =@ who], divided)
+  NotANumber _ -> ("not-a-number", trWith "{who} gave a value that is not a number." ["who" =@ who], divided)
   WrongDone given wanted ->
-    ("wrong-done", who ++ " ended the task with a value of type " ++ given ++ ".", "This task ends with " ++ wanted ++ ".")
-  CallInOnce -> ("call-in-once", who ++ " started a task in once, which does not wait for it.", "Write the task itself in place of once, or put it beside others with parallel.")
+    ( "wrong-done",
+      trWith "{who} ended the task with a value of type {given}." ["who" =@ who, "given" =: Text.pack given],
+      trWith "This task ends with {wanted}." ["wanted" =: Text.pack wanted]
+    )
+  CallInOnce ->
+    ( "call-in-once",
+      trWith "{who} started a task in once, which does not wait for it." ["who" =@ who],
+      tr "Write the task itself in place of once, or put it beside others with parallel."
+    )
   NoDefault what ->
     ( "no-default",
-      who ++ " reads a memory of " ++ what ++ ", which has no first value.",
-      "Every way to make a " ++ what ++ " needs another one. Add a constructor that does not."
+      trWith "{who} reads a memory of {type}, which has no first value." ["who" =@ who, "type" =: Text.pack what],
+      trWith "Every way to make a {type} needs another one. Add a constructor that does not." ["type" =: Text.pack what]
     )
   Unreadable name path ->
     ( "unreadable-message",
-      who ++ " was sent a message of " ++ name ++ " in which " ++ path ++ " is missing or of another kind.",
-      "Compare the name and the type of this field with what is sent."
+      trWith "{who} was sent a message of {topic} in which {field} is missing or of another kind." ["who" =@ who, "topic" =: Text.pack name, "field" =: Text.pack path],
+      tr "Compare the name and the type of this field with what is sent."
     )
-  LinkLost _ -> ("link-lost", "The connection to the robot was lost.", "Check that the robot is on, then run the program again.")
-  Malformed line -> ("malformed", "The robot said something that Rosy does not understand.", take 200 line)
-  RanBefore -> ("ran-before", "The program called simulate a second time.", "A program runs one robot once; put both controllers in one list.")
+  LinkLost _ -> ("link-lost", tr "The connection to the robot was lost.", tr "Check that the robot is on, then run the program again.")
+  Malformed line -> ("malformed", tr "The robot said something that Rosy does not understand.", quoted (take 200 line))
+  RanBefore -> ("ran-before", tr "The program called simulate a second time.", tr "A program runs one robot once; put both controllers in one list.")
+  where
+    divided = tr "It may have divided by zero."
 
 -- | The start of a message. The message is a learner's own text: it may have no end, and may fail in its turn.
 readable :: String -> String

@@ -41,6 +41,7 @@ import Rosy.Problem
 import Rosy.Profile (Mapping (..), Robot (..))
 import Rosy.Provenance
 import Rosy.Robot.Known (simulated)
+import Rosy.Sentence (english, sentenceId)
 import Rosy.Topic (absolute, pattern OpenAction, pattern OpenMessage)
 
 -- ---------------------------------------------------------------------------------------------
@@ -208,9 +209,10 @@ problem p =
   "{\"severity\":\"error\",\"kind\":" <> text (problemKind p)
     <> foldMap (\f -> ",\"function\":" <> text f) (problemFunction p)
     <> ",\"message\":"
-    <> text (problemMessage p)
+    <> sentence (problemMessage p)
     <> ",\"hint\":"
-    <> text (problemHint p)
+    <> sentence (problemHint p)
+    <> (if null translated then mempty else ",\"sentences\":" <> object translated)
     <> ",\"ghc\":"
     <> text (problemOriginal p)
     <> foldMap (\t -> ",\"time\":" <> Builder.doubleDec t) (problemTime p)
@@ -218,6 +220,9 @@ problem p =
     <> list text (problemInputs p)
     <> foldMap (\(from, to) -> ",\"start\":" <> position from <> ",\"end\":" <> position to) (problemPlace p)
     <> "}"
+  where
+    sentence = text . Text.unpack . english
+    translated = [(name, Encoding.fromEncoding (Encoding.value found)) | (name, said) <- [("message", problemMessage p), ("hint", problemHint p)], Just found <- [sentenceId said]]
 
 position :: (Int, Int) -> Builder
 position (l, c) = object [("line", Builder.intDec l), ("column", Builder.intDec c)]

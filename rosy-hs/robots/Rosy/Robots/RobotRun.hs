@@ -21,6 +21,8 @@ import Control.Concurrent.STM
 import Control.Exception
 import Control.Monad (unless, void)
 import Data.IORef
+import qualified Data.Text as T
+import qualified Data.Text.IO as T
 import Ros.Names (readArguments)
 import Ros.Node (Settings (..))
 import Ros.SlicedTimeout (timeoutInSlices)
@@ -35,9 +37,10 @@ import Rosy.Robots.Connection
 import Rosy.Robots.DriverLock (withDriverLock)
 import Rosy.Robots.Guard
 import Rosy.Robots.Target
+import Rosy.Sentence (english)
 import System.Environment (getEnvironment)
 import System.Exit
-import System.IO (BufferMode (..), hPutStrLn, hSetBuffering, stderr, stdout)
+import System.IO (BufferMode (..), hSetBuffering, stderr, stdout)
 import System.Posix.Process (exitImmediately)
 import System.Posix.Signals (Handler (..), Signal, installHandler, sigHUP, sigINT, sigTERM, sigUSR1)
 
@@ -85,8 +88,8 @@ runOnRobotFor seconds target program = withDriverLock (targetAddress target) $ d
       _ -> pure ExitSuccess
   where
     told p = do
-      hPutStrLn stderr (problemMessage p)
-      unless (null (problemHint p)) (hPutStrLn stderr (problemHint p))
+      T.hPutStrLn stderr (english (problemMessage p))
+      unless (T.null (english (problemHint p))) (T.hPutStrLn stderr (english (problemHint p)))
 
 -- | A second, in microseconds: what a program that was asked to stop may still take (protocol/README.md, stop).
 stopTimeout :: Int

@@ -1,3 +1,4 @@
+{-# LANGUAGE OverloadedStrings #-}
 {-# LANGUAGE ScopedTypeVariables #-}
 {-# OPTIONS_GHC -Wno-incomplete-patterns -Wno-missing-methods -Wno-missing-fields -Wno-partial-fields #-}
 
@@ -7,13 +8,14 @@
 module Test.Rosy.Problem (tests) where
 
 import Control.Exception (ErrorCall (..), SomeException, TypeError (..), evaluate, throw, toException, try)
-import Data.List (isInfixOf)
 import qualified Data.Map as Map
-import Data.Maybe (fromJust)
+import Data.Maybe (fromJust, isJust)
+import qualified Data.Text as Text
 import Rosy
 import Rosy.Problem
 import Rosy.Program (Names (..), within)
 import Rosy.Runnable (program)
+import Rosy.Sentence (english, sentenceId)
 import Support.Rehearsal
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
@@ -52,14 +54,14 @@ tests =
         ],
       testCase "a run that comes to an empty place names the one at the position of GHC's message, or the next one inside of the expression" $ do
         let places = [((1, 25), (1, 26), "second", "b"), ((1, 17), (1, 22), "first", "a"), ((4, 3), (4, 4), "third", "c")]
-            at said = let p = atEmptyPlace places (problemFrom (Just "f") [] Nothing (toException (TypeError said))) in (problemKind p, problemMessage p, problemHint p, problemPlace p)
+            at said = let p = atEmptyPlace places (problemFrom (Just "f") [] Nothing (toException (TypeError said))) in (problemKind p, english (problemMessage p), english (problemHint p), problemPlace p)
         at "Main.hs:1:25: error:" @?= ("hole", "second", "b", Just ((1, 25), (1, 26)))
         at "Main.hs:1:17-21: error:" @?= ("hole", "first", "a", Just ((1, 17), (1, 22)))
         at "Main.hs:1:8-26: error:" @?= ("hole", "first", "a", Just ((1, 17), (1, 22)))
         at "Main.hs:(2,1)-(4,4): error:" @?= ("hole", "third", "c", Just ((4, 3), (4, 4)))
         at "Main.hs:9:1: error:" @?= ("hole", "third", "c", Just ((4, 3), (4, 4)))
         at "nowhere" @?= ("hole", "f came to an empty place.", "Put a value in it.", Nothing)
-        problemMessage (atEmptyPlace places (problemFrom (Just "f") [] Nothing (toException (ErrorCall "Main.hs:1:17: x")))) @?= "f stopped with an error: Main.hs:1:17: x",
+        english (problemMessage (atEmptyPlace places (problemFrom (Just "f") [] Nothing (toException (ErrorCall "Main.hs:1:17: x"))))) @?= "f stopped with an error: Main.hs:1:17: x",
       testCase "a task that cannot be computed is blamed on its definition, and live tasks clean up" $ do
         heard <- rehearse [Steps 0 [] True] (program (Names []) (parallel guarded (within "plan" (const broken))))
         (concatMap heardCommands heard, heardEnd (last heard))
@@ -75,5 +77,7 @@ tests =
         Right _ -> assertFailure "nothing was thrown"
         Left (e :: SomeException) -> do
           let problem = problemFrom (Just "f") [] Nothing e
-          problemMessage problem @?= wanted
-          assertBool (problemHint problem) (not ("Prelude" `isInfixOf` problemHint problem))
+          english (problemMessage problem) @?= Text.pack wanted
+          assertBool (Text.unpack (english (problemHint problem))) (not ("Prelude" `Text.isInfixOf` english (problemHint problem)))
+          -- Every message has a translation; the learner's own text is an argument of it.
+          assertBool "it has no id" (isJust (sentenceId (problemMessage problem)))

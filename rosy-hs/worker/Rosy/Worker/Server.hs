@@ -401,7 +401,7 @@ timeProblem = problemNowhere "time" (tr "The program has computed for too long."
 
 -- | For a program that had no memory left to report it. Takes the active function.
 memoryProblem :: Maybe Text -> Problem
-memoryProblem atWork = (problemNowhere "memory" (verbatim (Text.pack what)) (verbatim (Text.pack why))) {function = atWork}
+memoryProblem atWork = (problemNowhere "memory" what why) {function = atWork}
   where
     (what, why) = tooMuchMemory (Text.unpack <$> atWork)
 

@@ -28,26 +28,37 @@ whatFits raw = case wantedType raw of
     [] -> trWith "What fits is {a type}." ["type" =: t]
     fits -> trWith "What fits is {a type}, for example {or names}." ["type" =: t, "names" =* fits]
 
--- | The holes of a program: start and end, and message and hint of a run that comes to one.
+-- | The holes of a program: start and end, and message and hint of a run that comes to it, as 'portable' sentences.
 emptyPlaces :: ProgramOutline -> [CompilerMessage] -> [((Int, Int), (Int, Int), String, String)]
 emptyPlaces outline raws =
-  [ (position (start s), position (end s), Text.unpack (message s), Text.unpack (hint raw))
+  [ (position (start s), position (end s), portable (cameTo (name s) (enclosing outline s) (line (start s))), portable (hint raw))
     | raw <- raws,
       category raw == Hole,
       Just s <- [messageSpan raw]
   ]
   where
     position p = (line p, column p)
-    message s = "The run came to the empty place" <> name s <> maybe "" ((" in " <>) . quoted) (enclosing outline s) <> " (line " <> Text.pack (show (line (start s))) <> ")."
     -- A plain _ has no name.
     name s = case snippet (text outline) s of
-      Just written | written /= "_" -> " " <> quoted written
-      _ -> ""
-    hint raw = needs raw <> has raw
-    needs raw = maybe "It needs a value" (("It needs " <>) . withArticle) (wantedType raw)
-    has raw = case [quoted (n <> " :: " <> t) | (n, t) <- atHand raw, n `notElem` map fst (bindings outline)] of
-      [] -> "."
-      local -> "; you have " <> Text.intercalate ", " local <> "."
+      Just written | written /= "_" -> Just written
+      _ -> Nothing
+    hint raw = needs (wantedType raw) [quoted (n <> " :: " <> t) | (n, t) <- atHand raw, n `notElem` map fst (bindings outline)]
+
+-- | What a run says that comes to a hole with this name, in this definition and line.
+cameTo :: Maybe Text -> Maybe Text -> Int -> Sentence
+cameTo name definition at = case (name, definition) of
+  (Nothing, Nothing) -> trWith "The run came to the empty place (line {line})." ["line" =# at]
+  (Just n, Nothing) -> trWith "The run came to the empty place ‘{name}’ (line {line})." ["name" =: n, "line" =# at]
+  (Nothing, Just d) -> trWith "The run came to the empty place in ‘{definition}’ (line {line})." ["definition" =: d, "line" =# at]
+  (Just n, Just d) -> trWith "The run came to the empty place ‘{name}’ in ‘{definition}’ (line {line})." ["name" =: n, "definition" =: d, "line" =# at]
+
+-- | The type that a hole needs, and the local names with their types.
+needs :: Maybe Type -> [Text] -> Sentence
+needs wanted local = case (wanted, local) of
+  (Nothing, []) -> tr "It needs a value."
+  (Just t, []) -> trWith "It needs {a type}." ["type" =: t]
+  (Nothing, _) -> trWith "It needs a value; you have {names}." ["names" =* local]
+  (Just t, _) -> trWith "It needs {a type}; you have {names}." ["type" =: t, "names" =* local]
 
 -- | The type that GHC found for a hole; nothing when it is not known.
 wantedType :: CompilerMessage -> Maybe Type

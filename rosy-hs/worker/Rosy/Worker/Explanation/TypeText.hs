@@ -18,6 +18,7 @@ where
 import Data.Char (isSpace)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Rosy.Sentence (isFunction)
 
 -- | A type as text.
 type Type = Text
@@ -43,9 +44,6 @@ splitArrows t = map Text.strip (go (0 :: Int) "" (unwrapped t))
         Nothing -> [acc]
     -- A constraint says nothing to a learner.
     unwrapped x = maybe x Text.strip (after "=>" x)
-
-isFunction :: Type -> Bool
-isFunction t = length (splitArrows t) > 1
 
 -- | The parts of a type that is applied: @Memory (Maybe Int)@ is @Memory@ and @(Maybe Int)@.
 typeAtoms :: Type -> [Type]
