@@ -10,9 +10,12 @@ import {replaceFile} from "./atomic_file.ts"
 import type {Outcome} from "./commands.ts"
 import {commands, toBlocks} from "./commands.ts"
 import {openReader, type Reader} from "./reader/index.ts"
+import {speakAsTerminal} from "./terminal_language.ts"
 import {neutralize} from "./terminal_text.ts"
 import {answerLine, greeting} from "./text_service.ts"
+import {words} from "./words/index.ts"
 
+speakAsTerminal(process.env)
 const [command = "", ...args] = process.argv.slice(2)
 if (command === "text-service") await serveText()
 const outcome =
@@ -20,7 +23,7 @@ const outcome =
 process.stdout.on("error", failure => {
   // A reader that has left is told nothing.
   if ((failure as NodeJS.ErrnoException).code !== "EPIPE")
-    process.stderr.write("The output cannot be written: the disk may be full.\n")
+    process.stderr.write(`${words.commandLine.outputCannotBeWritten}\n`)
   process.exitCode = 1
 })
 // A file keeps every character; a terminal would obey some.
@@ -42,31 +45,32 @@ function parser(): Promise<Reader> {
   return openReader({runtime: wasm("web-tree-sitter.wasm"), grammar: wasm("tree-sitter-haskell.wasm")})
 }
 
-async function blocks(words: readonly string[]): Promise<Outcome> {
-  const at = words.indexOf("-o")
-  const to = at === -1 ? undefined : words[at + 1]
-  const [path, ...others] = at === -1 ? words : words.filter((_, i) => i !== at && i !== at + 1)
+async function blocks(given: readonly string[]): Promise<Outcome> {
+  const at = given.indexOf("-o")
+  const to = at === -1 ? undefined : given[at + 1]
+  const [path, ...others] = at === -1 ? given : given.filter((_, i) => i !== at && i !== at + 1)
   if (path === undefined || others.length > 0 || (at !== -1 && to === undefined))
-    return {out: "", err: "Usage: to-blocks FILE.hs -o FILE.rosy", status: 2}
+    return {out: "", err: words.commandLine.usage, status: 2}
   let bytes: Uint8Array
   try {
     bytes = readFileSync(path)
   } catch {
-    return {out: "", err: `Cannot read ${path}.`, status: 1}
+    return {out: "", err: words.commandLine.cannotRead(path), status: 1}
   }
   const made = toBlocks(basename(path).replace(/\.hs$/, ""), bytes, await parser())
   if (to === undefined) return made
   try {
     replaceFile(to, made.out)
   } catch (failure) {
-    return {out: "", err: `Cannot write ${to}${reasonOf(failure)}.`, status: 1}
+    return {out: "", err: refusalOf(to, failure), status: 1}
   }
   return {...made, out: ""}
 }
 
-function reasonOf(failure: unknown): string {
+function refusalOf(path: string, failure: unknown): string {
   const code = (failure as NodeJS.ErrnoException).code
-  if (code === "ENOSPC" || code === "EDQUOT" || code === "EFBIG") return ": the disk is full"
-  if (code === "EACCES" || code === "EPERM" || code === "EROFS") return ": it is not allowed"
-  return ""
+  if (code === "ENOSPC" || code === "EDQUOT" || code === "EFBIG") return words.commandLine.diskIsFull(path)
+  if (code === "EACCES" || code === "EPERM" || code === "EROFS")
+    return words.commandLine.writingIsNotAllowed(path)
+  return words.commandLine.cannotWrite(path)
 }

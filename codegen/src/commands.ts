@@ -2,6 +2,7 @@
 
 import type {Reader} from "./reader/index.ts"
 import {causeOf, layoutOf, openView} from "./reader/index.ts"
+import {words} from "./words/index.ts"
 import {newProject, openProject, parseProject, saveProject} from "./workspace/project_file.ts"
 
 export interface Outcome {
@@ -14,12 +15,12 @@ export interface Outcome {
 export function commands(command: string, args: readonly string[], read: (path: string) => string): Outcome {
   const [path] = args
   if (command !== "to-haskell" || path === undefined || args.length > 1)
-    return {out: "", err: "Usage: to-haskell FILE.rosy, or to-blocks FILE.hs -o FILE.rosy", status: 2}
+    return {out: "", err: words.commandLine.usage, status: 2}
   let text: string
   try {
     text = read(path)
   } catch {
-    return {out: "", err: `Cannot read ${path}.`, status: 1}
+    return {out: "", err: words.commandLine.cannotRead(path), status: 1}
   }
   return toHaskellText(text)
 }
@@ -36,13 +37,13 @@ function toHaskellText(text: string): Outcome {
   if (loose > 0)
     return {
       out: project.haskell,
-      err: `${loose === 1 ? "One loose block belongs" : `${loose} loose blocks belong`} to no function and is not in the Haskell.`,
+      err: words.commandLine.looseBlocks(loose),
       status: 1,
     }
   if (stale > 0)
     return {
       out: project.haskell,
-      err: "The text was changed after the blocks; the text was taken.",
+      err: words.commandLine.textWasChanged,
       status: 0,
     }
   return {out: project.haskell, err: "", status: 0}
@@ -55,17 +56,19 @@ export function toBlocks(name: string, bytes: Uint8Array, reader: Reader): Outco
   const out = saveProject({...newProject(name), haskell: text, layout: layoutOf(view)})
   const notes = view.declarations.flatMap(s => {
     const d = view.module.pieces[s.piece]?.declaration
-    return s.block.type === "raw_definition" && causeOf(String(s.block.extraState?.reason)) !== "directive"
-      ? [
-          `${s.name === "_" ? firstLine(d?.kind === "raw-declaration" ? d.text : "") : s.name} stays as text. ${s.block.extraState?.reason ?? ""}`.trim(),
-        ]
-      : []
+    if (s.block.type !== "raw_definition") return []
+    const reason = String(s.block.extraState?.reason ?? "")
+    const cause = causeOf(reason)
+    const what = s.name === "_" ? firstLine(d?.kind === "raw-declaration" ? d.text : "") : (s.name ?? "")
+    return cause === "directive"
+      ? []
+      : [words.commandLine.staysAsText(what, cause === undefined ? reason : words.reasons[cause])]
   })
   const same = sameBytes(new TextEncoder().encode(text), bytes)
   if (same) return {out, err: notes.join("\n"), status: 0}
   return {
     out,
-    err: ["Some characters of this file are not UTF-8 and were replaced.", ...notes].join("\n"),
+    err: [words.commandLine.charactersWereReplaced, ...notes].join("\n"),
     status: 1,
   }
 }

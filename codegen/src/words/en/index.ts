@@ -1,9 +1,10 @@
 /// Every word of blocks, types and refusals in English: what the other languages translate.
 
 import {blocks} from "./blocks.ts"
+import {commandLine} from "./command_line.ts"
 import {reasons} from "./reasons.ts"
 import {sentences} from "./sentences.ts"
 import {toolbox} from "./toolbox.ts"
 import {vocabulary} from "./vocabulary.ts"
 
-export const en = {...blocks, ...vocabulary, ...sentences, toolbox, reasons} as const
+export const en = {...blocks, ...vocabulary, ...sentences, toolbox, reasons, commandLine} as const

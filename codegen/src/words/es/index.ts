@@ -2,9 +2,10 @@
 
 import type {Words} from "../index.ts"
 import {blocks} from "./blocks.ts"
+import {commandLine} from "./command_line.ts"
 import {reasons} from "./reasons.ts"
 import {sentences} from "./sentences.ts"
 import {toolbox} from "./toolbox.ts"
 import {vocabulary} from "./vocabulary.ts"
 
-export const es: Words = {...blocks, ...vocabulary, ...sentences, toolbox, reasons}
+export const es: Words = {...blocks, ...vocabulary, ...sentences, toolbox, reasons, commandLine}

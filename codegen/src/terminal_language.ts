@@ -1,0 +1,26 @@
+/// Language of the command line: that of the machine's locale, as `sim-service/rosy_sim/wording.py` reads it.
+
+import {de} from "./words/de/index.ts"
+import {es} from "./words/es/index.ts"
+import {fr} from "./words/fr/index.ts"
+import {speak, type Words} from "./words/index.ts"
+import {pt} from "./words/pt/index.ts"
+
+type Environment = Readonly<Record<string, string | undefined>>
+
+/// Tables of the languages besides English.
+const tables: Readonly<Record<string, Words>> = {de, es, fr, pt}
+
+/// The first variable that is set and not empty names the language. POSIX.1-2017, Base Definitions, section 8.2.
+const variables = ["ROSY_LOCALE", "LC_ALL", "LC_MESSAGES", "LANG"]
+
+export function terminalLanguage(environment: Environment): string {
+  const named = variables.map(name => environment[name]).find(value => value) ?? ""
+  return named.split(/[.@_-]/)[0]?.toLowerCase() ?? ""
+}
+
+/// Chooses the words of the machine's locale; English where there is no table.
+export function speakAsTerminal(environment: Environment): void {
+  const table = tables[terminalLanguage(environment)]
+  if (table !== undefined) speak(table)
+}

@@ -1,0 +1,19 @@
+/// What `to-haskell` and `to-blocks` say in a terminal, in Spanish.
+
+import type {Words} from "../index.ts"
+
+export const commandLine: Words["commandLine"] = {
+  usage: "Uso: to-haskell ARCHIVO.rosy, o to-blocks ARCHIVO.hs -o ARCHIVO.rosy",
+  cannotRead: path => `No se puede leer ${path}.`,
+  cannotWrite: path => `No se puede escribir ${path}.`,
+  diskIsFull: path => `No se puede escribir ${path}: el disco está lleno.`,
+  writingIsNotAllowed: path => `No se puede escribir ${path}: no está permitido.`,
+  outputCannotBeWritten: "No se puede escribir la salida: quizá el disco está lleno.",
+  looseBlocks: count =>
+    count === 1
+      ? "Un bloque suelto no pertenece a ninguna función y no está en el Haskell."
+      : `${count} bloques sueltos no pertenecen a ninguna función y no están en el Haskell.`,
+  textWasChanged: "El texto se cambió después que los bloques; se tomó el texto.",
+  staysAsText: (what, reason) => `${what} queda como texto. ${reason}`.trim(),
+  charactersWereReplaced: "Algunos caracteres de este archivo no son UTF-8 y se han reemplazado.",
+}
