@@ -2,6 +2,7 @@
 
 import type {VNode} from "preact"
 import {useEffect, useState} from "preact/hooks"
+import {handInHelp} from "../help/guide_links.ts"
 import {words} from "../words/index.ts"
 import type {BoardRequest, BoardTask, HandedIn, PupilOnBoard} from "./board_messages.ts"
 import {dayAndTime} from "./day_and_time.ts"
@@ -110,6 +111,9 @@ export function HandIns(props: HandInsProps): VNode | null {
     <section class="board-hand-ins" aria-labelledby="hand-ins">
       <header>
         <h2 id="hand-ins">{w.handIns}</h2>
+        <a class="link" target="_blank" rel="noopener" href={handInHelp}>
+          {words.guide.more}
+        </a>
         <label class="field">
           <span>{w.task}</span>
           <select value={task.id} onChange={event => setChosen(Number(event.currentTarget.value))}>

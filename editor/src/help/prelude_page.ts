@@ -9,7 +9,7 @@ import {blockView, type KnownName, preludeNames} from "@rosy/codegen"
 import {chosenLanguage} from "../browser/preferences.ts"
 import {words} from "../words/index.ts"
 import {languageFor, loadLanguage} from "../words/language_choice.ts"
-import {placeOf} from "./help_links.ts"
+import {guidePage, placeOf} from "./help_links.ts"
 
 /// What the block that says a name says about it.
 function told({name, kind, type}: KnownName): string {
@@ -45,7 +45,10 @@ function show(): void {
   title.textContent = words.help.title
   const lead = document.createElement("p")
   lead.textContent = words.help.lead
-  document.getElementById("names")?.append(title, lead, ...preludeNames().map(entry))
+  const more = document.createElement("a")
+  more.href = guidePage
+  more.textContent = words.guide.more
+  document.getElementById("names")?.append(title, lead, more, ...preludeNames().map(entry))
   // What the address names was not there yet when the page was opened.
   document.getElementById(decodeURIComponent(window.location.hash.slice(1)))?.scrollIntoView()
 }

@@ -2,6 +2,7 @@
 
 import type {VNode} from "preact"
 import {useEffect, useState} from "preact/hooks"
+import {guidePageOfCourse} from "../help/guide_links.ts"
 import {useController, usePageState} from "../page/app_context.ts"
 import {IconButton, TextWithCode} from "../page/controls.tsx"
 import {CloseIcon} from "../page/icons.tsx"
@@ -16,6 +17,7 @@ export function LessonPanel(): VNode | null {
   const isTrial = usePageState(s => s.lessons.writing?.mode === "trying")
   if (open === null) return null
   const {lesson} = open
+  const more = guidePageOfCourse(lesson.course)
   return (
     <aside class="lesson" aria-label={words.lessons.panel}>
       {isTrial && <Trial />}
@@ -39,6 +41,13 @@ export function LessonPanel(): VNode | null {
         ))}
       </ol>
       <WayOn open={open} />
+      {more !== undefined && (
+        <p>
+          <a class="link" target="_blank" rel="noopener" href={more}>
+            {words.guide.more}
+          </a>
+        </p>
+      )}
       {lesson.file !== null && !isTrial && <LessonLink file={lesson.file} />}
     </aside>
   )

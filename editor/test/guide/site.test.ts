@@ -6,6 +6,7 @@ import {expect, test} from "vitest"
 import {convertMarkdown, type Resolver} from "../../plugins/guide/markdown.ts"
 import {readSite} from "../../plugins/guide/site.ts"
 import {programIn} from "../../src/browser/share_link.ts"
+import {allGuideLinks} from "../../src/help/guide_links.ts"
 
 const root = fileURLToPath(new URL("../../..", import.meta.url))
 const site = await readSite(root)
@@ -35,6 +36,15 @@ test("every link inside the guide leads to a page and to an anchor of it", () =>
       })
       .map(target => `${name}: ${target}`),
   )
+  expect(dead).toEqual([])
+})
+
+test("every page of Rosy that leads into the guide leads to a page and to an anchor of it", () => {
+  const dead = allGuideLinks.filter(address => {
+    const [page = "", anchor = ""] = address.replace(/^guide\//, "").split("#")
+    const led = pages.get(page.replace(/\.html$/, ""))
+    return led === undefined || (anchor !== "" && !led.includes(`id="${anchor}"`))
+  })
   expect(dead).toEqual([])
 })
 

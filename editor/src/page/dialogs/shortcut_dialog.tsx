@@ -1,6 +1,7 @@
 /// Dialog with all keyboard shortcuts, by part of the page.
 
 import {Fragment, type VNode} from "preact"
+import {pageHelp} from "../../help/guide_links.ts"
 import {keysOf} from "../../state/shortcuts.ts"
 import {words} from "../../words/index.ts"
 import {useController} from "../app_context.ts"
@@ -9,7 +10,16 @@ import {Dialog} from "../controls.tsx"
 export function KeysDialog(): VNode {
   return (
     <Dialog name="keys" title={words.keys.title} lead={words.keys.lead}>
-      {() => <Sections />}
+      {() => (
+        <>
+          <p>
+            <a class="link" target="_blank" rel="noopener" href={pageHelp}>
+              {words.guide.more}
+            </a>
+          </p>
+          <Sections />
+        </>
+      )}
     </Dialog>
   )
 }

@@ -1,6 +1,7 @@
 /// Problems panel: a card per problem with its reason, its fixes, and a link to the block or text it concerns.
 
 import type {VNode} from "preact"
+import {guidePageOfProblem} from "../../help/guide_links.ts"
 import type {PageState} from "../../state/page_state.ts"
 import {type Finding, isOverlapping} from "../../state/program.ts"
 import {compiled, trustedFindings} from "../../state/visible_findings.ts"
@@ -69,6 +70,7 @@ function Card({finding}: {finding: Finding}): VNode {
   const document = usePageState(s => s.document)
   const fixes = [...finding.fixes, ...conflictFixes(document, finding)]
   const place = finding.block !== null || finding.range !== null
+  const more = guidePageOfProblem(finding.kind)
   return (
     <article class={`problem ${finding.severity}`} data-kind={finding.kind}>
       <p>
@@ -95,6 +97,11 @@ function Card({finding}: {finding: Finding}): VNode {
           <button type="button" class="link" onClick={() => desk.showFinding(finding)}>
             {words.showIt}
           </button>
+        )}
+        {more !== undefined && (
+          <a class="link" target="_blank" rel="noopener" href={more}>
+            {words.guide.more}
+          </a>
         )}
         {finding.ghc !== "" && (
           <details>

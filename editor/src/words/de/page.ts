@@ -180,6 +180,7 @@ export const page: Omit<
     menu: "Handbuch (auf Englisch)",
     teachers: "Für Lehrkräfte (auf Englisch)",
     isEnglish: "Dieses Handbuch gibt es auf Englisch; Rosy selbst spricht auch Deutsch.",
+    more: "Mehr dazu im Handbuch",
   },
   about: "Über Rosy: Lizenzen",
   language: "Sprache",

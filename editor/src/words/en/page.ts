@@ -170,6 +170,8 @@ export const page = {
     menu: "Guide",
     teachers: "For teachers",
     isEnglish: "The guide is in English.",
+    /// Of a lesson, a problem, or a part of the page.
+    more: "Read more in the guide",
   },
   about: "About Rosy: licences",
   language: "Language",

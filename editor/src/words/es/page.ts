@@ -186,6 +186,7 @@ export const page: Omit<
     menu: "Guía (en inglés)",
     teachers: "Para docentes (en inglés)",
     isEnglish: "Esta guía está en inglés; Rosy también habla español.",
+    more: "Leer más en la guía",
   },
   about: "Sobre Rosy: licencias",
   language: "Idioma",

@@ -190,6 +190,7 @@ export const page: Omit<
     menu: "Guide (en anglais)",
     teachers: "Pour les enseignants (en anglais)",
     isEnglish: "Ce guide est en anglais ; Rosy lui-même parle aussi français.",
+    more: "En savoir plus dans le guide",
   },
   about: "À propos de Rosy : licences",
   language: "Langue",

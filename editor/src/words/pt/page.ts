@@ -180,6 +180,7 @@ export const page: Omit<
     menu: "Guia (em inglês)",
     teachers: "Para professores (em inglês)",
     isEnglish: "Este guia está em inglês; o próprio Rosy também fala português.",
+    more: "Ler mais no guia",
   },
   about: "Sobre o Rosy: licenças",
   language: "Idioma",
