@@ -258,3 +258,17 @@ test("German is chosen in the menu, spoken after that, and remembered", async ({
   await expect(page.getByRole("status").filter({hasText: "Läuft"})).toBeVisible()
   await page.getByTestId("run").click()
 })
+
+test.describe("a reader of German", () => {
+  test.use({locale: "de-DE"})
+
+  test("is shown the guide in German where it is translated, and can read it in English", async ({page}) => {
+    await page.goto("/guide/why.html#not-run")
+    await expect(page).toHaveURL(/\/guide\/de\/why\.html#not-run$/)
+    await expect(page.getByRole("heading", {name: "Warum läuft eine Funktion nicht?"})).toBeInViewport()
+    await page.getByRole("link", {name: "This page in English"}).click()
+    await expect(page.getByRole("heading", {name: "Why does a function not run?"})).toBeVisible()
+    await page.getByRole("link", {name: "Work with the page"}).click()
+    await expect(page.getByText("gibt es nur auf Englisch")).toBeVisible()
+  })
+})

@@ -21,10 +21,10 @@ export function programOf(info: string, text: string): Program | null {
   }
 }
 
-export function programHtml({text, canBeOpened}: Program, openAddress: string): string {
+export function programHtml({text, canBeOpened}: Program, openAddress: string, openWords: string): string {
   const code = `<pre tabindex="0"><code>${coloured(text.trimEnd())}</code></pre>`
   if (!canBeOpened) return `<div class="program">${code}</div>\n`
-  return `<div class="program">${code}<a class="open" href="${escapeHtml(openAddress)}">Open in Rosy</a></div>\n`
+  return `<div class="program">${code}<a class="open" href="${escapeHtml(openAddress)}">${escapeHtml(openWords)}</a></div>\n`
 }
 
 /// Tokens that have a colour (Haskell 2010 report §2). The build is loaded by Node, which cannot import the lexer of codegen.

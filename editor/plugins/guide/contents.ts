@@ -1,6 +1,6 @@
 /// Contents of the guide: its chapters and their pages in reading order, read from `docs/contents.json`.
 
-import {readFileSync} from "node:fs"
+import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {join} from "node:path"
 
 /// A page that is written in a Markdown file of the repository.
@@ -13,8 +13,24 @@ export interface SourcePage {
 
 export interface Chapter {
   readonly title: string
+  /// Its title in other languages, by tag.
+  readonly translated?: Readonly<Record<string, string>>
   readonly pages: readonly SourcePage[]
 }
+
+/// Where a page of `docs` is in another language: `docs/why.md` in `docs/de/why.md`.
+export const translatedFile = (file: string, language: string): string =>
+  file.replace(/^docs\//, `docs/${language}/`)
+
+/// The languages besides English in which at least one page is written: the folders of `docs` that are named like one.
+export function translations(root: string): readonly string[] {
+  return readdirSync(join(root, "docs"), {withFileTypes: true})
+    .filter(one => one.isDirectory() && /^[a-z]{2}$/.test(one.name))
+    .map(one => one.name)
+}
+
+export const isTranslated = (root: string, file: string, language: string): boolean =>
+  file.startsWith("docs/") && existsSync(join(root, translatedFile(file, language)))
 
 /// Path from the root of the repository.
 export const contentsFile = "docs/contents.json"

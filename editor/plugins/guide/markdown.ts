@@ -4,6 +4,7 @@
 /// what a page must not contain. It reads no file.
 
 import {Marked, type Token, type Tokens} from "marked"
+import {guideWords} from "../../src/guide/guide_words.ts"
 import {escapeHtml, programHtml, programOf} from "./code_block.ts"
 
 /// A part of a page below a heading, as text, for the search.
@@ -37,7 +38,7 @@ export interface ConvertedPage {
 
 const anchorTag = /^<a id="([\w-]+)"><\/a>$/
 
-export function convertMarkdown(text: string, resolver: Resolver): ConvertedPage {
+export function convertMarkdown(text: string, resolver: Resolver, table = guideWords("en")): ConvertedPage {
   const faults: string[] = []
   const anchors = new Set<string>()
   const sections: {anchor: string; heading: string; text: string}[] = []
@@ -63,7 +64,7 @@ export function convertMarkdown(text: string, resolver: Resolver): ConvertedPage
         const anchor = sections[headings++]?.anchor ?? ""
         const words = this.parser.parseInline(inside)
         const link =
-          depth === 1 ? "" : ` <a class="here" href="#${anchor}" aria-label="Link to this part">#</a>`
+          depth === 1 ? "" : ` <a class="here" href="#${anchor}" aria-label="${escapeHtml(table.here)}">#</a>`
         return `<h${depth} id="${anchor}">${words}${link}</h${depth}>\n`
       },
       html({text: html}) {
@@ -75,7 +76,7 @@ export function convertMarkdown(text: string, resolver: Resolver): ConvertedPage
         const program = programOf(lang ?? "", code)
         if (program === null)
           return `<pre class="${lang === "says" ? "says" : "terminal"}" tabindex="0"><code>${escapeHtml(code)}</code></pre>\n`
-        return programHtml(program, resolver.openAddress(program.text, program.room))
+        return programHtml(program, resolver.openAddress(program.text, program.room), table.openProgram)
       },
       link({href, tokens: inside}) {
         const words = this.parser.parseInline(inside)

@@ -1,19 +1,39 @@
 /// HTML of a guide page around its content: top bar with search, contents, links to the pages before and after. Plain HTML that can be read without a script.
 
+import {guideWords} from "../../src/guide/guide_words.ts"
 import {escapeHtml} from "./code_block.ts"
-import type {Chapter} from "./contents.ts"
 
 /// Addresses of the files that every page loads, from a guide page.
 export interface SharedFiles {
   readonly styles: readonly string[]
   readonly script: string
-  readonly searchIndex: string
+  /// By language.
+  readonly searchIndex: Readonly<Record<string, string>>
 }
 
 export interface LaidOutPage {
   readonly name: string
+  readonly language: string
   readonly title: string
   readonly html: string
+}
+
+/// A page as others link to it: its address from a page of the same language, and the language in which it is written.
+export interface LinkedPage {
+  readonly address: string
+  readonly title: string
+  readonly language: string
+}
+
+/// The guide in one language. A page that is not translated is there in English.
+export interface Edition {
+  readonly language: string
+  readonly chapters: readonly {readonly title: string; readonly pages: readonly string[]}[]
+  readonly pages: ReadonlyMap<string, LinkedPage>
+  /// The open page in other languages, by tag.
+  readonly alternates: ReadonlyMap<string, string>
+  /// From a page of this language to the folder of the guide.
+  readonly up: string
 }
 
 const icon =
@@ -21,47 +41,46 @@ const icon =
 
 export const pageAddress = (name: string): string => `${name}.html`
 
-export function layOut(
-  page: LaidOutPage,
-  chapters: readonly Chapter[],
-  titles: ReadonlyMap<string, string>,
-  files: SharedFiles,
-): string {
-  const all = chapters.flatMap(chapter => chapter.pages.map(one => one.name))
+export function layOut(page: LaidOutPage, edition: Edition, files: SharedFiles): string {
+  const words = guideWords(edition.language)
+  const all = edition.chapters.flatMap(chapter => chapter.pages)
   const place = all.indexOf(page.name)
   const link = (name: string | undefined, rel: string, word: string) =>
     name === undefined
       ? ""
-      : `<a class="${rel}" rel="${rel}" href="${pageAddress(name)}"><small>${word}</small> ${escapeHtml(titles.get(name) ?? name)}</a>`
+      : `<a class="${rel}" rel="${rel}" href="${edition.pages.get(name)?.address}"><small>${word}</small> ${escapeHtml(edition.pages.get(name)?.title ?? name)}</a>`
+  const alternates = [...edition.alternates].map(
+    ([language, address]) => `<link rel="alternate" hreflang="${language}" href="${address}">`,
+  )
   return `<!doctype html>
-<html lang="en">
+<html lang="${edition.language}">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
-<title>${escapeHtml(page.title)} · Rosy guide</title>
+<title>${escapeHtml(page.title)} · ${words.brand}</title>
 <link rel="icon" href="${icon}">
-${files.styles.map(address => `<link rel="stylesheet" href="${address}">`).join("\n")}
-<script type="module" src="${files.script}"></script>
+${[...alternates, ...files.styles.map(address => `<link rel="stylesheet" href="${edition.up}${address}">`)].join("\n")}
+<script type="module" src="${edition.up}${files.script}"></script>
 </head>
 <body>
-<a class="skip" href="#content">To the text</a>
+<a class="skip" href="#content">${words.skip}</a>
 <header class="top">
-<a class="brand" href="index.html">Rosy guide</a>
-<search data-index="${files.searchIndex}" hidden>
-<input type="search" id="search" placeholder="Search the guide" aria-label="Search the guide" autocomplete="off" spellcheck="false" aria-controls="found">
+<a class="brand" href="index.html">${words.brand}</a>
+<search data-index="${edition.up}${files.searchIndex[edition.language]}" hidden>
+<input type="search" id="search" placeholder="${words.search}" aria-label="${words.search}" autocomplete="off" spellcheck="false" aria-controls="found">
 <div class="found" id="found" hidden></div>
 </search>
-<a class="to-rosy" href="../">Open Rosy</a>
+<a class="to-rosy" href="${edition.up}../">${words.openRosy}</a>
 </header>
 <p class="language" id="language" hidden></p>
 <div class="columns">
-<nav class="contents" aria-label="Contents"><details open><summary>Contents</summary>
-${contents(chapters, titles, page.name)}
+<nav class="contents" aria-label="${words.contents}"><details open><summary>${words.contents}</summary>
+${contents(edition, page.name)}
 </details></nav>
 <main id="content">
 ${page.html}
-<nav class="turn" aria-label="Next and previous page">${link(all[place - 1], "prev", "Before:")}${link(all[place + 1], "next", "Next:")}</nav>
+<nav class="turn" aria-label="${words.turn}">${link(all[place - 1], "prev", words.before)}${link(all[place + 1], "next", words.next)}</nav>
 </main>
 </div>
 </body>
@@ -69,13 +88,24 @@ ${page.html}
 `
 }
 
-function contents(chapters: readonly Chapter[], titles: ReadonlyMap<string, string>, open: string): string {
-  const item = (name: string) =>
-    `<li><a href="${pageAddress(name)}"${name === open ? ' aria-current="page"' : ""}>${escapeHtml(titles.get(name) ?? name)}</a></li>`
-  return chapters
-    .map(
-      ({title, pages}) =>
-        `<p>${escapeHtml(title)}</p>\n<ul>${pages.map(one => item(one.name)).join("")}</ul>`,
-    )
-    .join("\n")
+function contents({language, chapters, pages, alternates}: Edition, open: string): string {
+  const item = (name: string) => {
+    const page = pages.get(name)
+    const current = name === open ? ' aria-current="page"' : ""
+    const other =
+      page === undefined || page.language === language
+        ? ""
+        : ` <small>(${guideWords(language).inEnglish})</small>`
+    return `<li><a href="${page?.address}"${current}>${escapeHtml(page?.title ?? name)}${other}</a></li>`
+  }
+  const languages = [...alternates].map(
+    ([tag, address]) =>
+      `<li><a href="${address}?lang=${tag}" lang="${tag}" hreflang="${tag}">${guideWords(tag).readHere}</a></li>`,
+  )
+  return [
+    ...chapters.map(
+      ({title, pages: names}) => `<p>${escapeHtml(title)}</p>\n<ul>${names.map(item).join("")}</ul>`,
+    ),
+    ...(languages.length === 0 ? [] : [`<ul class="languages">${languages.join("")}</ul>`]),
+  ].join("\n")
 }

@@ -31,7 +31,12 @@ export function guide(root: string): Plugin {
       const files = {
         styles: stylesOf(entry, bundle).map(name => `../${name}`),
         script: `../${entry.fileName}`,
-        searchIndex: asset("guide-search.json", JSON.stringify(site.searchIndex)),
+        searchIndex: Object.fromEntries(
+          [...site.searchIndex].map(([language, entries]) => [
+            language,
+            asset(`guide-search-${language}.json`, JSON.stringify(entries)),
+          ]),
+        ),
       }
       for (const [name, source] of site.html(files, path => pictures.get(path) ?? ""))
         this.emitFile({type: "asset", fileName: `guide/${pageAddress(name)}`, source})

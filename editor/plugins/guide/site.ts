@@ -5,20 +5,29 @@
 import {existsSync, readFileSync} from "node:fs"
 import {basename, dirname, join, normalize} from "node:path"
 import {fragmentOf} from "../../src/browser/share_link.ts"
+import {guideWords} from "../../src/guide/guide_words.ts"
 import type {SearchEntry} from "../../src/guide/search.ts"
-import {type Chapter, readContents} from "./contents.ts"
+import {type Chapter, isTranslated, readContents, translatedFile, translations} from "./contents.ts"
 import {type ConvertedPage, convertMarkdown, type Resolver} from "./markdown.ts"
-import {type LaidOutPage, layOut, pageAddress, type SharedFiles} from "./page_layout.ts"
+import {type Edition, layOut, pageAddress, type SharedFiles} from "./page_layout.ts"
 import {pngSize} from "./png_size.ts"
 
 export interface Site {
   readonly chapters: readonly Chapter[]
-  readonly searchIndex: readonly SearchEntry[]
+  /// By language. A page that is not translated is found in English.
+  readonly searchIndex: ReadonlyMap<string, readonly SearchEntry[]>
   /// Paths of the pictures from the root of the repository.
   readonly pictures: readonly string[]
   readonly faults: readonly string[]
-  /// The HTML of each page, by its name; `pictureAddress` gives the address of a picture by its path.
+  /// The HTML of each page, by its name, behind its language if that is not English: `why`, `de/why`. `pictureAddress` gives the address of a picture by its path.
   html(files: SharedFiles, pictureAddress: (path: string) => string): ReadonlyMap<string, string>
+}
+
+/// A Markdown file of the guide and the page that it becomes.
+interface Source {
+  readonly file: string
+  readonly name: string
+  readonly language: string
 }
 
 /// Pages of the service beside the guide, written `rosy:ADDRESS` in a link.
@@ -29,72 +38,140 @@ const pictureMark = (path: string) => `picture:${path}`
 
 export async function readSite(root: string): Promise<Site> {
   const chapters = readContents(root)
-  const sources = chapters.flatMap(chapter => chapter.pages)
-  const nameOf = new Map(sources.map(({file, name}) => [file, name]))
+  const english: readonly Source[] = chapters.flatMap(chapter =>
+    chapter.pages.map(page => ({...page, language: "en"})),
+  )
+  const languages = translations(root)
+  const sources: readonly Source[] = [
+    ...english,
+    ...languages.flatMap(language =>
+      english
+        .filter(({file}) => isTranslated(root, file, language))
+        .map(({file, name}) => ({file: translatedFile(file, language), name, language})),
+    ),
+  ]
+  const byFile = new Map(sources.map(source => [source.file, source]))
   const texts = new Map(sources.map(({file}) => [file, readFileSync(join(root, file), "utf8")]))
   const addresses = await openAddresses([...texts.values()])
   const pictures = new Set<string>()
   /// Links into pages, which are checked when all pages are converted.
   const anchored: {from: string; to: string; anchor: string}[] = []
 
-  const resolverOf = (file: string): Resolver => ({
-    link(target) {
-      if (besideGuide.test(target)) return {kind: "page", address: `../${target.slice("rosy:".length)}`}
-      const [path = "", anchor = ""] = target.split("#")
-      const to = path === "" ? file : normalize(join(dirname(file), path))
-      const name = nameOf.get(to)
-      if (name === undefined) return existsSync(join(root, to)) ? {kind: "words"} : null
-      if (anchor !== "") anchored.push({from: file, to, anchor})
-      return {kind: "page", address: pageAddress(name) + (anchor === "" ? "" : `#${anchor}`)}
-    },
-    picture(target) {
-      const path = normalize(join(dirname(file), target))
-      if (!existsSync(join(root, path))) return null
-      pictures.add(path)
-      // Pictures are taken with two pixels per CSS pixel.
-      const {width, height} = pngSize(readFileSync(join(root, path)))
-      return {address: pictureMark(path), width: Math.round(width / 2), height: Math.round(height / 2)}
-    },
-    openAddress: (program, room) => `../${addresses.get(projectOf(program, room)) ?? ""}`,
-  })
+  const resolverOf = ({file, language}: Source): Resolver => {
+    const up = upFrom(language)
+    /// What is not there in this language is there in English.
+    const orEnglish = (path: string, exists: (one: string) => boolean) =>
+      exists(path) ? path : path.replace(`docs/${language}/`, "docs/")
+    return {
+      link(target) {
+        if (besideGuide.test(target))
+          return {kind: "page", address: `${up}../${target.slice("rosy:".length)}`}
+        const [path = "", anchor = ""] = target.split("#")
+        const wanted = path === "" ? file : normalize(join(dirname(file), path))
+        const to = orEnglish(wanted, one => byFile.has(one))
+        const found = byFile.get(to)
+        if (found === undefined)
+          return existsSync(
+            join(
+              root,
+              orEnglish(wanted, one => existsSync(join(root, one))),
+            ),
+          )
+            ? {kind: "words"}
+            : null
+        if (anchor !== "") anchored.push({from: file, to, anchor})
+        return {kind: "page", address: addressFrom(language, found) + (anchor === "" ? "" : `#${anchor}`)}
+      },
+      picture(target) {
+        const path = orEnglish(normalize(join(dirname(file), target)), one => existsSync(join(root, one)))
+        if (!existsSync(join(root, path))) return null
+        pictures.add(path)
+        // Pictures are taken with two pixels per CSS pixel.
+        const {width, height} = pngSize(readFileSync(join(root, path)))
+        return {address: pictureMark(path), width: Math.round(width / 2), height: Math.round(height / 2)}
+      },
+      openAddress: (program, room) => `${up}../${addresses.get(projectOf(program, room)) ?? ""}`,
+    }
+  }
 
   const pages = new Map<string, ConvertedPage>(
-    sources.map(({file}) => [file, convertMarkdown(texts.get(file) ?? "", resolverOf(file))]),
+    sources.map(source => [
+      source.file,
+      convertMarkdown(texts.get(source.file) ?? "", resolverOf(source), guideWords(source.language)),
+    ]),
   )
-  const titles = new Map(sources.map(({file, name}) => [name, pages.get(file)?.title ?? name]))
   const faults = [...pages].flatMap(([file, page]) => page.faults.map(fault => `${file}: ${fault}`))
   for (const {from, to, anchor} of anchored)
     if (pages.get(to)?.anchors.has(anchor) !== true)
       faults.push(`${from}: links to ${to}#${anchor}, which does not exist`)
 
+  /// The page of a name in a language, else in English.
+  const sourceOf = (name: string, language: string): Source => {
+    const found = sources.filter(source => source.name === name)
+    return (found.find(source => source.language === language) ?? found[0]) as Source
+  }
+  const editionOf = ({name, language}: Source): Edition => ({
+    language,
+    up: upFrom(language),
+    chapters: chapters.map(({title, translated, pages: inside}) => ({
+      title: translated?.[language] ?? title,
+      pages: inside.map(page => page.name),
+    })),
+    pages: new Map(
+      english.map(page => {
+        const source = sourceOf(page.name, language)
+        const title = pages.get(source.file)?.title ?? page.name
+        return [page.name, {title, address: addressFrom(language, source), language: source.language}]
+      }),
+    ),
+    alternates: new Map(
+      sources
+        .filter(source => source.name === name && source.language !== language)
+        .map(source => [source.language, addressFrom(language, source)]),
+    ),
+  })
+
   return {
     chapters,
-    searchIndex: sources.flatMap(({file, name}) => {
-      const {title, sections} = pages.get(file) as ConvertedPage
-      return sections.map(({anchor, heading, text}) => ({
-        page: pageAddress(name),
-        title,
-        anchor,
-        heading,
-        text,
-      }))
-    }),
+    searchIndex: new Map(
+      ["en", ...languages].map(language => [
+        language,
+        english.flatMap(({name}) => {
+          const source = sourceOf(name, language)
+          const {title, sections} = pages.get(source.file) as ConvertedPage
+          const page = addressFrom(language, source)
+          return sections.map(({anchor, heading, text}) => ({page, title, anchor, heading, text}))
+        }),
+      ]),
+    ),
     pictures: [...pictures],
     faults,
     html: (files, pictureAddress) =>
       new Map(
-        sources.map(({file, name}) => {
-          const {title, html} = pages.get(file) as ConvertedPage
+        sources.map(source => {
+          const {name, language} = source
+          const {title, html} = pages.get(source.file) as ConvertedPage
           const shown = html.replace(
             /src="picture:([^"]+)"/g,
-            (_, path: string) => `src="${pictureAddress(path)}"`,
+            (_, path: string) => `src="${upFrom(language)}${pictureAddress(path)}"`,
           )
-          const page: LaidOutPage = {name, title, html: shown}
-          return [name, layOut(page, chapters, titles, files)]
+          return [
+            language === "en" ? name : `${language}/${name}`,
+            layOut({name, language, title, html: shown}, editionOf(source), files),
+          ]
         }),
       ),
   }
 }
+
+/// From a page of a language to the folder of the guide.
+const upFrom = (language: string): string => (language === "en" ? "" : "../")
+
+/// The address of a page from a page of this language.
+const addressFrom = (language: string, {name, language: written}: Source): string =>
+  language === written
+    ? pageAddress(name)
+    : `${upFrom(language)}${written === "en" ? "" : `${written}/`}${pageAddress(name)}`
 
 /// A project file (protocol §5) without blocks: the page makes them.
 function projectOf(program: string, room: string): string {

@@ -1,6 +1,10 @@
 /// Search box of the guide: results below the field while one types. The index is fetched when the field is used first.
 
+import {guideWords} from "./guide_words.ts"
 import {type SearchEntry, type SearchResult, search} from "./search.ts"
+
+/// In the language of the page.
+const words = guideWords(document.documentElement.lang)
 
 export function openSearch(): void {
   const host = document.querySelector<HTMLElement>("search")
@@ -24,7 +28,7 @@ export function openSearch(): void {
     } catch {
       // The service is away; the next letter tries again.
       index = null
-      found.replaceChildren(paragraph("The search is not there: the connection to Rosy is gone."))
+      found.replaceChildren(paragraph(words.away))
       found.hidden = false
     }
   }
@@ -70,12 +74,7 @@ function moveFocus(
 }
 
 function showResults(found: HTMLElement, results: readonly SearchResult[], query: string): void {
-  const count =
-    results.length === 0
-      ? `Nothing about “${query}”. Try another word, or only its beginning.`
-      : results.length === 1
-        ? "1 place"
-        : `${results.length} places`
+  const count = results.length === 0 ? words.nothingAbout(query) : words.places(results.length)
   const status = paragraph(count)
   status.setAttribute("role", "status")
   const list = document.createElement("ul")

@@ -1,8 +1,10 @@
 /// The guide's Markdown files: converted without a fault, with links that lead somewhere and programs that open.
 
 import {readFileSync} from "node:fs"
+import {dirname, join} from "node:path"
 import {fileURLToPath} from "node:url"
-import {expect, test} from "vitest"
+import {describe, expect, test} from "vitest"
+import {isTranslated, translatedFile, translations} from "../../plugins/guide/contents.ts"
 import {convertMarkdown, type Resolver} from "../../plugins/guide/markdown.ts"
 import {readSite} from "../../plugins/guide/site.ts"
 import {programIn} from "../../src/browser/share_link.ts"
@@ -13,7 +15,7 @@ const site = await readSite(root)
 const files = {
   styles: ["../assets/guide.css"],
   script: "../assets/guide.js",
-  searchIndex: "../assets/guide.json",
+  searchIndex: {en: "../assets/guide.json", de: "../assets/guide-de.json"},
 }
 const pages = site.html(files, path => `../assets/${path}`)
 
@@ -25,13 +27,16 @@ test("has no faults: each link, picture and anchor exists", () => {
   expect(pages.size).toBeGreaterThan(5)
 })
 
+const leavesGuide = (name: string, target: string) =>
+  target.startsWith("data:") || join(dirname(name), target).startsWith("../")
+
 test("every link inside the guide leads to a page and to an anchor of it", () => {
   const dead = [...pages].flatMap(([name, html]) =>
     targets(html, "href")
-      .filter(target => !target.startsWith("../") && !target.startsWith("data:"))
+      .filter(target => !leavesGuide(name, target))
       .filter(target => {
-        const [page = "", anchor = ""] = target.split("#")
-        const led = page === "" ? html : pages.get(page.replace(/\.html$/, ""))
+        const [page = "", anchor = ""] = target.replace(/\?lang=\w+/, "").split("#")
+        const led = page === "" ? html : pages.get(join(dirname(name), page).replace(/\.html$/, ""))
         return led === undefined || (anchor !== "" && !led.includes(`id="${anchor}"`))
       })
       .map(target => `${name}: ${target}`),
@@ -65,8 +70,8 @@ test("a page loads nothing from elsewhere, and contains no script and no style o
 test("every link to a program contains the program that is shown", async () => {
   let count = 0
   for (const html of pages.values())
-    for (const target of targets(html, "href").filter(one => one.startsWith("../#program="))) {
-      const opened = await programIn(target.slice(3))
+    for (const target of targets(html, "href").filter(one => /^(?:\.\.\/)+#program=/.test(one))) {
+      const opened = await programIn(target.slice(target.indexOf("#")))
       if (opened.kind !== "program") throw new Error(`expected a program, got ${opened.kind}`)
       expect(JSON.parse(opened.text)).toMatchObject({rosy: 1, layout: {declarations: [], loose: []}})
       count += 1
@@ -77,8 +82,40 @@ test("every link to a program contains the program that is shown", async () => {
 test("the search knows every heading of the language reference", () => {
   const reference = readFileSync(`${root}/rosy-hs/LANGUAGE.md`, "utf8")
   const headings = reference.match(/^#+ /gm)?.length
-  expect(site.searchIndex.filter(entry => entry.page === "language.html")).toHaveLength(headings ?? 0)
+  expect((site.searchIndex.get("en") ?? []).filter(entry => entry.page === "language.html")).toHaveLength(
+    headings ?? 0,
+  )
 })
+
+describe.each(translations(root))("in %s", language => {
+  const translated = site.chapters
+    .flatMap(chapter => chapter.pages)
+    .filter(page => isTranslated(root, page.file, language))
+  const textOf = (file: string) => readFileSync(join(root, file), "utf8")
+
+  test.each(translated)("$name has the programs, pictures and anchors of the English page", ({file}) => {
+    for (const pattern of [/^```haskell[\s\S]*?^```$/gm, /!\[[^\]]*\]\(([^)]*)\)/g, /<a id="[^"]*">/g]) {
+      const found = (one: string) => [...textOf(one).matchAll(pattern)].map(match => match[1] ?? match[0])
+      expect(found(translatedFile(file, language)).map(withoutFolder)).toEqual(found(file).map(withoutFolder))
+    }
+  })
+
+  test("every page leads to the one in English, and back", () => {
+    for (const {name} of translated) {
+      expect(pages.get(`${language}/${name}`)).toContain(`href="../${name}.html?lang=en"`)
+      expect(pages.get(name)).toContain(`hreflang="${language}" href="${language}/${name}.html"`)
+    }
+  })
+
+  test("the contents name every page, and say which are in English", () => {
+    const html = pages.get(`${language}/index`) ?? ""
+    const all = site.chapters.flatMap(chapter => chapter.pages)
+    expect(html.match(/<li><a/g)).toHaveLength(all.length + 1)
+    expect(html.match(/<small>\(/g) ?? []).toHaveLength(all.length - translated.length)
+  })
+})
+
+const withoutFolder = (text: string) => text.replace(/^(?:\.\.\/)+/, "")
 
 const resolver: Resolver = {
   link: target => (target.startsWith("there") ? {kind: "page", address: "there.html"} : null),

@@ -177,9 +177,9 @@ export const page: Omit<
     lead: "Diese kennt jedes Haskell-Programm. Jeder steht mit seinem Typ und einem Beispiel da.",
   },
   guide: {
-    menu: "Handbuch (auf Englisch)",
+    menu: "Handbuch",
     teachers: "Für Lehrkräfte (auf Englisch)",
-    isEnglish: "Dieses Handbuch gibt es auf Englisch; Rosy selbst spricht auch Deutsch.",
+    isEnglish: "Diese Seite des Handbuchs gibt es nur auf Englisch.",
     more: "Mehr dazu im Handbuch",
   },
   about: "Über Rosy: Lizenzen",

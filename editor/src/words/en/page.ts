@@ -169,7 +169,7 @@ export const page = {
   guide: {
     menu: "Guide",
     teachers: "For teachers",
-    isEnglish: "The guide is in English.",
+    isEnglish: "This page of the guide is in English only.",
     /// Of a lesson, a problem, or a part of the page.
     more: "Read more in the guide",
   },

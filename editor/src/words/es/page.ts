@@ -185,7 +185,7 @@ export const page: Omit<
   guide: {
     menu: "Guía (en inglés)",
     teachers: "Para docentes (en inglés)",
-    isEnglish: "Esta guía está en inglés; Rosy también habla español.",
+    isEnglish: "Esta página de la guía está solo en inglés.",
     more: "Leer más en la guía",
   },
   about: "Sobre Rosy: licencias",

@@ -189,7 +189,7 @@ export const page: Omit<
   guide: {
     menu: "Guide (en anglais)",
     teachers: "Pour les enseignants (en anglais)",
-    isEnglish: "Ce guide est en anglais ; Rosy lui-même parle aussi français.",
+    isEnglish: "Cette page du guide n'existe qu'en anglais.",
     more: "En savoir plus dans le guide",
   },
   about: "À propos de Rosy : licences",

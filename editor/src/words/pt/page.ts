@@ -179,7 +179,7 @@ export const page: Omit<
   guide: {
     menu: "Guia (em inglês)",
     teachers: "Para professores (em inglês)",
-    isEnglish: "Este guia está em inglês; o próprio Rosy também fala português.",
+    isEnglish: "Esta página do guia existe só em inglês.",
     more: "Ler mais no guia",
   },
   about: "Sobre o Rosy: licenças",
