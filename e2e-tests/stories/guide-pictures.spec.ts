@@ -5,7 +5,8 @@
 
 import {readFileSync, writeFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
-import {expect, type Page} from "@playwright/test"
+import {type Browser, expect, type Page} from "@playwright/test"
+import {classPictures} from "./class_pictures.ts"
 import {rotated} from "./extent.ts"
 import {withPalette} from "./palette_png.ts"
 import {test} from "./story.ts"
@@ -51,24 +52,45 @@ test.use({viewport: {width: 1200, height: 720}, deviceScaleFactor: 1.25})
 const isUpdate = (info: {readonly config: {readonly updateSnapshots: string}}) =>
   info.config.updateSnapshots === "all"
 
-for (const picture of rotated(pictures, pictures.length))
-  test(`the picture ${picture.name} of the guide is what the page shows`, async ({page, browser}, info) => {
+/// Pictures that one story takes.
+interface Series {
+  readonly name: string
+  take(page: Page, browser: Browser, shoot: (page: Page, name: string) => Promise<void>): Promise<void>
+}
+
+const ofPrograms = pictures.map(
+  (picture): Series => ({
+    name: picture.name,
+    async take(page, _, shoot) {
+      await page.emulateMedia({colorScheme: "light", reducedMotion: "reduce"})
+      await opensProgram(page, picture)
+      await runsUntil(page, picture)
+      await picture.open?.(page)
+      await page.mouse.move(0, 0)
+      await shoot(page, picture.name)
+    },
+  }),
+)
+const series: readonly Series[] = [
+  ...ofPrograms,
+  {name: "class", take: (_, browser, shoot) => classPictures(browser, shoot)},
+]
+
+for (const {name, take} of rotated(series, series.length))
+  test(`the picture ${name} of the guide is what the page shows`, async ({page, browser}, info) => {
     const {chromium} = JSON.parse(readFileSync(madeWith, "utf8")) as {readonly chromium: string}
     test.skip(
       !isUpdate(info) && chromium !== browser.version(),
       `The pictures were made with Chromium ${chromium}.`,
     )
-    await page.emulateMedia({colorScheme: "light", reducedMotion: "reduce"})
-    await opensProgram(page, picture)
-    await runsUntil(page, picture)
-    await picture.open?.(page)
-    await page.mouse.move(0, 0)
-    await expect(page).toHaveScreenshot(`${picture.name}.png`, {scale: "device", maxDiffPixelRatio: 0.03})
-    if (isUpdate(info)) {
-      const file = `${folder}${picture.name}.png`
-      writeFileSync(file, withPalette(readFileSync(file)))
-      writeFileSync(madeWith, `${JSON.stringify({chromium: browser.version()})}\n`)
-    }
+    await take(page, browser, async (shown, file) => {
+      await expect(shown).toHaveScreenshot(`${file}.png`, {scale: "device", maxDiffPixelRatio: 0.03})
+      if (isUpdate(info)) {
+        const path = `${folder}${file}.png`
+        writeFileSync(path, withPalette(readFileSync(path)))
+        writeFileSync(madeWith, `${JSON.stringify({chromium: browser.version()})}\n`)
+      }
+    })
   })
 
 /// By the link below the program in the guide, with the seed in the address.
