@@ -71,7 +71,13 @@ export const raw: readonly BlockSpec[] = [
     press: noButtons,
     meaning: {
       as: "definition",
-      read: r => ({kind: "raw-declaration", text: textIn(r.extra, "text"), ...reason(r.extra), from: r.from}),
+      // While its field is empty or ends in a blank it stays one declaration, so that the block is not made anew under the hand that types.
+      read: r => ({
+        kind: "raw-declaration",
+        text: textIn(r.extra, "text").trim() || "_",
+        ...reason(r.extra),
+        from: r.from,
+      }),
       write: d => (d.kind === "raw-declaration" ? {extra: saved(d)} : undefined),
     },
   },

@@ -27,6 +27,11 @@ const foreignText = new RegExp(
   "u",
 )
 
+/// A part of a text; `_` while its field is empty, so that the declaration stays one and its block is not made anew under the hand that types.
+function part(extra: Extra, key: string, otherwise: string): string {
+  return textIn(extra, key, otherwise).trim() || "_"
+}
+
 const fixity: Form = {
   type: "fixity",
   rows: extra => [
@@ -66,7 +71,7 @@ const fixity: Form = {
     return [
       textIn(extra, "side", "infixl"),
       ...(precedence === "" ? [] : [precedence]),
-      textIn(extra, "operators", "+++"),
+      part(extra, "operators", "+++"),
     ].join(" ")
   },
   parts: text => {
@@ -87,7 +92,7 @@ const signature: Form = {
   ],
   tooltip: () => words.definitions.saysWhichTypeNamesHave,
   aria: () => words.definitions.typeOfNames,
-  text: extra => `${textIn(extra, "names", "f")} :: ${textIn(extra, "type", "Double")}`,
+  text: extra => `${part(extra, "names", "f")} :: ${part(extra, "type", "Double")}`,
   parts: text => {
     const [, names, type] = signatureText.exec(text) ?? []
     return names === undefined || type === undefined ? undefined : {names, type}
@@ -113,7 +118,7 @@ const foreign: Form = {
   tooltip: () => words.definitions.bringsAFunctionOfAnotherLanguage,
   aria: () => words.definitions.foreignImport,
   text: extra =>
-    `foreign import ${textIn(extra, "from", "ccall")} ${textIn(extra, "names", "f")} :: ${textIn(extra, "type", "Double")}`,
+    `foreign import ${part(extra, "from", "ccall")} ${part(extra, "names", "f")} :: ${part(extra, "type", "Double")}`,
   parts: text => {
     const [, from, names, type] = foreignText.exec(text) ?? []
     return from === undefined || names === undefined || type === undefined ? undefined : {from, names, type}

@@ -1,4 +1,7 @@
 /// Synchronization after blocks changed: the next view of a program from a workspace. Only definitions that say something else are written.
+///
+/// A definition whose text has a syntax error shows its last whole blocks, dimmed. An edit of those is applied to the readable parts of the text, and the
+/// unfinished part stays. Where that is not possible the whole edit is refused.
 
 import {chain, readTree} from "../blocks/block_reader.ts"
 import {blockView} from "../blocks/block_registry.ts"
@@ -7,6 +10,7 @@ import type {Declaration} from "../model/syntax_tree.ts"
 import type {BlockId, SavedBlock, SavedWorkspace} from "../serialized_blocks.ts"
 import {withSignatures} from "../workspace/code_generation.ts"
 import {inferWorkspace} from "../workspace/workspace_inference.ts"
+import {mergeTrees} from "./block_merge.ts"
 import {buildBlocks} from "./block_tree.ts"
 import type {ExactCount} from "./exact_texts.ts"
 import {exactTexts} from "./exact_texts.ts"
@@ -19,14 +23,15 @@ import {hashTree, transferIdentity} from "./tree_matching.ts"
 import type {Shown, View} from "./view.ts"
 import {definedIn, headerOf} from "./view.ts"
 
-/// The view after blocks were edited: `workspace` is all that is on the page now.
-/// `count`, when given, counts how the changed definitions were written.
+/// The view after blocks were edited: `workspace` is all that is on the page now. Its `refused` names definitions with unfinished text that the edit
+/// would have lost; then nothing else is changed. `count`, when given, counts how the changed definitions were written.
 export function syncBlocks(
   reader: Reader,
-  view: View,
+  before: View,
   workspace: SavedWorkspace,
   {count}: {readonly count?: ExactCount} = {},
 ): View {
+  const {refused: _, ...view} = before
   const tops = workspace.blocks.blocks
   const loose = tops.filter(b => blockView(b.type)?.meaning.as !== "definition")
   const now = tops
@@ -45,7 +50,18 @@ export function syncBlocks(
     // The very same value says the same; to compare thousands of blocks at each edit would be felt.
     return b === undefined || (b !== s.block && hashTree(b, true) !== hashTree(s.block, true))
   })
-  const nextId = Math.max(view.nextId, firstFree(tops))
+  let nextId = Math.max(view.nextId, firstFree(tops))
+  const newId = (): BlockId => `t${nextId++}`
+  const refused: string[] = []
+  for (const s of changed) {
+    const b = found.get(s)
+    if (b === undefined || !s.dimmed) continue
+    const outside = [...now, ...loose].filter(other => other !== b)
+    const merged = mergedWithText(view, s, b, outside, newId)
+    if (merged === undefined) refused.push(s.name)
+    else found.set(s, merged)
+  }
+  if (refused.length > 0) return {...view, refused}
   if (changed.length === 0 && added.length === 0)
     return {
       ...view,
@@ -77,6 +93,20 @@ export function syncBlocks(
     return b === undefined ? [] : [{...s, block: b, dimmed: s.dimmed && !changed.includes(s)}]
   })
   return settle(reader, {...view, loose, nextId}, text, kept, added, new Set(changed))
+}
+
+/// The blocks of a definition's unfinished text with an edit of its last whole blocks; undefined where they do not go together.
+function mergedWithText(
+  view: View,
+  shown: Shown,
+  edited: SavedBlock,
+  outside: readonly SavedBlock[],
+  newId: () => BlockId,
+): SavedBlock | undefined {
+  const piece = view.module.pieces[shown.piece]
+  const built = piece === undefined ? undefined : buildBlocks(piece, newId, definedIn(view.module))
+  if (built === undefined) return undefined
+  return mergeTrees(shown.block, edited, transferIdentity(shown.block, built.block).block, outside)
 }
 
 /// The module with a header that exports renamed definitions by their new names.
@@ -177,6 +207,8 @@ function printable(
     if (own === undefined) return {kind: "raw-declaration", text: ""}
     // Text that was complete without a signature stays so; one that had empty sockets could not have it yet.
     const was = piece?.declaration
+    // What is unfinished gets no type: it would be the type of a part.
+    if (piece?.broken === true) return own
     const hadNone = was?.kind === "function" && was.signature === undefined && !hasUnknowns(was)
     // The block of `main` always knows its type; text that does not say it stays so.
     if (

@@ -127,6 +127,11 @@ export class Context {
     return lines.length === 0 ? {} : {comment: lines.join("\n")}
   }
 
+  /// Whether a node has taken the last comment.
+  isLastTaken(): boolean {
+    return this.taken[this.taken.length - 1] === true
+  }
+
   /// A type as text on one line, its comments left for the node around it.
   typeText(node: Range): string {
     let text = ""

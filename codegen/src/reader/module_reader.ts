@@ -60,6 +60,8 @@ interface Converted {
   readonly broken: boolean
   readonly spans: ReadonlyMap<object, Range>
   readonly words: readonly Word[]
+  /// Whether the comment behind the definition is that of its last step or local definition.
+  readonly hasTail: boolean
 }
 
 /// Longer definitions are kept as text: they are not shown as blocks, and a broken one would cost the parser seconds.
@@ -96,14 +98,17 @@ export class Reader {
     for (const part of parts) {
       let piece: Omit<Piece, "slice" | "start" | "end" | "kind">
       if (part.kind === "declaration") {
-        const source = JSON.stringify([key, part.trouble ?? "", part.column, part.comment, part.source])
+        const tail = part.tail === undefined ? "" : text.slice(part.core.end, part.tail.end)
+        const source = JSON.stringify([key, part.trouble ?? "", part.column, part.comment, part.source, tail])
         // Two equal definitions must not share their nodes.
         const converted =
-          (seen.has(source) ? undefined : this.known.get(source)) ?? this.convert(part, fixities)
+          (seen.has(source) ? undefined : this.known.get(source)) ??
+          this.convertWithTail(part, tail, fixities) ??
+          this.convert(part, fixities)
         seen.set(source, converted)
         piece = {
           ...converted,
-          core: part.core,
+          core: converted.hasTail ? {start: part.core.start, end: part.core.end + tail.length} : part.core,
           remark: part.remark,
           remarkText: part.comment,
           names: namesOf(converted.declaration, part.name),
@@ -126,7 +131,17 @@ export class Reader {
     return {text, pieces, fixities}
   }
 
-  private convert(part: Part, fixities: Fixities): Converted {
+  /// The definition with the comment behind it; undefined when that is not the comment of its last step or local definition.
+  private convertWithTail(part: Part, tail: string, fixities: Fixities): Converted | undefined {
+    if (part.tail === undefined) return undefined
+    const core = {start: part.core.start, end: part.core.end + tail.length}
+    const inner = [...part.inner, part.tail]
+    const converted = this.convert({...part, core, source: part.source + tail, inner}, fixities, true)
+    return converted.hasTail && !converted.broken ? converted : undefined
+  }
+
+  /// `withTail`: the part ends in a comment that should be that of a step.
+  private convert(part: Part, fixities: Fixities, withTail = false): Converted {
     const comments = part.inner.map(c => ({
       ...c,
       start: c.start - part.core.start,
@@ -157,6 +172,7 @@ export class Reader {
           : readTop(topOf(parsed.root), context))
     const remarkAbove = part.comment === "" ? [] : part.comment.split("\n")
     if (typeof made !== "string") {
+      const hasTail = withTail && context.isLastTaken()
       const beside = context.takeComments(0, source.length).comment
       const remarks = [
         ...remarkAbove,
@@ -168,7 +184,7 @@ export class Reader {
           ? context.spans
           : new Map([...context.spans].map(([node, span]) => [node, moved(span, -shift)]))
       spans.set(declaration, {start: 0, end: part.source.length})
-      return {declaration, broken: isBroken, spans, words}
+      return {declaration, broken: isBroken, spans, words, hasTail}
     }
     const declaration: Declaration = {
       kind: "raw-declaration",
@@ -181,6 +197,7 @@ export class Reader {
       broken: made === "broken",
       spans: new Map([[declaration, {start: 0, end: part.source.length}]]),
       words,
+      hasTail: false,
     }
   }
 

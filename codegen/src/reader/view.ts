@@ -34,6 +34,8 @@ export interface View {
   readonly nextId: number
   /// Definitions whose saved blocks said something else than the text, although their hash was that of the text. The text has won.
   readonly contradicted?: readonly string[]
+  /// Definitions whose unfinished text the last edit of the blocks would have lost, so that it was not made.
+  readonly refused?: readonly string[]
 }
 
 export interface ViewOptions {

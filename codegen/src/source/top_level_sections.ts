@@ -18,6 +18,8 @@ export interface Part {
   readonly comment: string
   /// Comments inside the core.
   readonly inner: readonly Comment[]
+  /// The comment behind the core, if it ends the line of a core of several lines: it may belong to the last step.
+  readonly tail: Comment | undefined
   readonly dashed: readonly Range[]
   readonly column: number
   readonly trouble: Cause | undefined
@@ -55,6 +57,9 @@ export function partsOf(text: string, {items, comments, dashed}: Lexed): Part[] 
       source: text.slice(core.start, core.end),
       comment: remarks.flatMap(c => wordsOf(text.slice(c.start, c.end), c.kind)).join("\n"),
       inner,
+      tail: text.slice(core.start, core.end).includes("\n")
+        ? tailBehind(text, core.end, comments)
+        : undefined,
       dashed: dashed.filter(d => d.start >= core.start && d.end <= core.end),
       column: /^ *$/.test(text.slice(lineStart, core.start)) ? core.start - lineStart : 0,
       trouble: first.trouble ?? (first.kind === "declaration" ? undefined : "directive"),
@@ -71,6 +76,7 @@ export function partsOf(text: string, {items, comments, dashed}: Lexed): Part[] 
       source: "",
       comment: "",
       inner: [],
+      tail: undefined,
       dashed: [],
       column: 0,
       trouble: undefined,
@@ -128,6 +134,18 @@ function endOfLine(text: string, from: number, comments: readonly Comment[]): nu
     if (comment === undefined) return at
     at = comment.end
   }
+}
+
+/// The comment that follows on the same line, if only blanks follow it.
+function tailBehind(text: string, from: number, comments: readonly Comment[]): Comment | undefined {
+  const blanks = /[ \t]*/y
+  blanks.lastIndex = from
+  blanks.test(text)
+  const comment = commentAt(comments, Math.max(blanks.lastIndex, from))
+  if (comment === undefined) return undefined
+  const lineEnd = /[ \t]*(?:\r?\n|$)/y
+  lineEnd.lastIndex = comment.end
+  return lineEnd.test(text) ? comment : undefined
 }
 
 function commentAt(comments: readonly Comment[], start: number): Comment | undefined {

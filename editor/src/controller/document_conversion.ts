@@ -171,20 +171,36 @@ export function analysed(document: Document, inference: Inference): Document {
   return {...document, program, findings}
 }
 
+/// What an edit of the blocks leads to.
+export type BlockEdit =
+  | {readonly kind: "made"; readonly document: Document}
+  /// The edit would have lost unfinished text of these definitions. The document is the one before, and shows its blocks anew.
+  | {readonly kind: "refused"; readonly document: Document; readonly names: readonly string[]}
+
 /// The document after the learner moved or changed blocks.
 export function withBlocks(
   reader: Reader,
   document: Document,
   workspace: SavedWorkspace,
   inference: Inference,
-): Document {
+): BlockEdit {
   const before = document.view ?? openView(reader, document.program.text)
   const view = syncBlocks(reader, before, workspace)
+  if (view.refused !== undefined)
+    return {kind: "refused", document: {...document, workspace: {...document.workspace}}, names: view.refused}
   const now = workspaceOf(view)
-  // Text in a raw block may have become several definitions: then the blocks are made anew from the text.
-  return sameDefinitions(now, workspace)
-    ? analysed(documentOf(view, workspace), inference)
-    : analysedView(view)
+  // Text in a raw block may have become several definitions, and an edit of dimmed blocks shows those of the text: then the blocks are made anew.
+  const isShown = sameDefinitions(now, workspace) && !hasMerged(before, view)
+  return {
+    kind: "made",
+    document: isShown ? analysed(documentOf(view, workspace), inference) : analysedView(view),
+  }
+}
+
+/// Whether a definition with dimmed blocks has those of its text now.
+function hasMerged(before: View, view: View): boolean {
+  const dimmed = new Set(before.declarations.flatMap(d => (d.dimmed ? [d.block.id] : [])))
+  return dimmed.size > 0 && view.declarations.some(d => !d.dimmed && dimmed.has(d.block.id))
 }
 
 function sameDefinitions(one: SavedWorkspace, other: SavedWorkspace): boolean {

@@ -72,7 +72,14 @@ export function openDocumentEditor(store: Store, parts: PageParts): DocumentEdit
     if (parts.reader === null || (shown !== null && sameBlocks(edited, shown))) return
     const now = store.now.document.workspace
     const workspace = shown === null || shown === now ? edited : mergeWorkspaces(shown, edited, now)
-    const document = withBlocks(parts.reader, store.now.document, workspace, inference)
+    const edit = withBlocks(parts.reader, store.now.document, workspace, inference)
+    const {document} = edit
+    if (edit.kind === "refused") {
+      // The blocks go back to what they were.
+      store.dispatch({kind: "analysed", before: store.now.document, document})
+      store.dispatch({kind: "notice", notice: {kind: "unfinished-text", names: edit.names}})
+      return
+    }
     if (document.workspace === workspace) shown = workspace
     store.dispatch({kind: "program-changed", document, by: "blocks", at: performance.now()})
     showText()

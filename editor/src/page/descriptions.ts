@@ -50,6 +50,8 @@ export function noticeText(notice: Notice): {readonly message: string; readonly 
       return w.noReader
     case "not-formatted":
       return {message: w.notFormatted.message(notice.left), hint: w.notFormatted.hint}
+    case "unfinished-text":
+      return {message: w.unfinishedText.message(notice.names.join(", ")), hint: w.unfinishedText.hint}
     case "not-saved":
       return w.notSaved
     case "robot-gone":

@@ -63,6 +63,8 @@ export type Notice =
   | {readonly kind: "not-saved"}
   /// So many definitions were left as they are when the text was laid out.
   | {readonly kind: "not-formatted"; readonly left: number}
+  /// An edit of blocks would have lost what is unfinished in the text of these definitions.
+  | {readonly kind: "unfinished-text"; readonly names: readonly string[]}
   /// Two tabs changed the same program; this tab's version is stored as the copy.
   | {readonly kind: "became-two"; readonly name: string; readonly copy: string}
   /// The browser keeps nothing for this page.

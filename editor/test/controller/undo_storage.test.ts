@@ -89,6 +89,7 @@ function step({document, history}: Now, one: Edit, at: number): Now {
           ChangeSet.of({from: offset, insert: one.insert}, text.length),
         )
       : withBlocks(reader, document, moved(document.workspace, one.which, one.x), infer(document.workspace))
+          .document
   return {document: next, history: recordChange(history, document, "command", at)}
 }
 

@@ -369,6 +369,11 @@ export const page: Omit<
         }),
       hint: "Sie sind nicht fertig, oder beim Setzen wäre etwas verloren gegangen.",
     },
+    unfinishedText: {
+      message: name =>
+        `${name} ist im Haskell-Text noch nicht fertig, deshalb wurde diese Änderung an den Blöcken nicht gemacht.`,
+      hint: "Schreibe die Zeile im Text zu Ende oder drücke „Rückgängig“, dann ändere die Blöcke. Blöcke, die schon im Text stehen, kannst du ändern.",
+    },
     notSaved: {
       message: "Dieser Browser hat keinen Platz, um dein Programm zu behalten.",
       hint: "Lösche Programme unter „Meine Programme“, oder speichere dieses als Datei, mit dem Menü oben in der Ecke.",

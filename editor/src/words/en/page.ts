@@ -365,6 +365,11 @@ export const page = {
         }),
       hint: "They are not finished, or laying them out would have lost something.",
     },
+    unfinishedText: {
+      message: (name: string) =>
+        `${name} is not finished in the Haskell text, so this change of its blocks was not made.`,
+      hint: "Finish the line in the text or press Undo, then change the blocks. Blocks that the text already says can be changed.",
+    },
     notSaved: {
       message: "This browser has no room to keep your program.",
       hint: "Delete programs in My programs, or save this one as a file with the menu at the top right.",

@@ -378,6 +378,11 @@ export const page: Omit<
         }),
       hint: "No están terminadas, o al darles formato se habría perdido algo.",
     },
+    unfinishedText: {
+      message: name =>
+        `${name} todavía no está completo en el texto Haskell, así que este cambio de sus bloques no se ha hecho.`,
+      hint: "Termina la línea en el texto o pulsa Deshacer y después cambia los bloques. Los bloques que el texto ya dice se pueden cambiar.",
+    },
     notSaved: {
       message: "Este navegador no tiene espacio para guardar tu programa.",
       hint: "Elimina programas en Mis programas, o guarda este como archivo con el menú de arriba a la derecha.",

@@ -380,6 +380,11 @@ export const page: Omit<
         }),
       hint: "Quelque chose n'y est pas terminé, ou la mise en forme aurait perdu quelque chose.",
     },
+    unfinishedText: {
+      message: name =>
+        `${name} n'est pas terminé dans le texte Haskell : ce changement de ses blocs n'a pas été fait.`,
+      hint: "Termine la ligne dans le texte ou appuie sur Annuler, puis change les blocs. Les blocs que le texte dit déjà peuvent être changés.",
+    },
     notSaved: {
       message: "Ce navigateur n'a plus de place pour garder ton programme.",
       hint: "Supprime des programmes dans « Mes programmes », ou enregistre celui-ci dans un fichier avec le menu en haut à droite.",

@@ -370,6 +370,11 @@ export const page: Omit<
         }),
       hint: "Ainda não está tudo pronto, ou algo se perderia ao arrumar.",
     },
+    unfinishedText: {
+      message: name =>
+        `${name} ainda não está completo no texto Haskell, por isso esta mudança nos blocos não foi feita.`,
+      hint: "Termine a linha no texto ou aperte Desfazer e depois mude os blocos. Os blocos que o texto já diz podem ser mudados.",
+    },
     notSaved: {
       message: "Este navegador não tem espaço para guardar o seu programa.",
       hint: "Apague programas em Meus programas, ou salve este como arquivo pelo menu no alto à direita.",
