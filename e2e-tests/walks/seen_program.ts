@@ -24,8 +24,6 @@ export interface SeenProgram {
   readonly project: string | undefined
   /// What the page says about keeping it.
   readonly saved: string
-  /// Whether some text is broken, so that its last blocks are shown dimmed.
-  readonly broken: boolean
 }
 
 export function look(page: Page): Promise<SeenProgram> {
@@ -46,7 +44,6 @@ export function look(page: Page): Promise<SeenProgram> {
       })),
       project: localStorage.getItem(`rosy.program.${current}`) ?? undefined,
       saved: document.querySelector("[data-testid=saved]")?.textContent ?? "",
-      broken: document.querySelector(".blocklyBlockCanvas .rosyDim") !== null,
     }
   })
 }

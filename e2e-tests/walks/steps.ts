@@ -60,7 +60,9 @@ async function writes(page: Page, at: Target, text: string): Promise<boolean> {
   const input = page.locator(".blocklyHtmlInput")
   if ((await input.count()) === 0) return false
   await input.fill(text)
-  await input.press("Enter")
+  await drawn(page)
+  // A change that would lose unfinished text is refused at its first letter, which closes the field.
+  if ((await input.count()) > 0) await page.keyboard.press("Enter")
   return true
 }
 

@@ -136,8 +136,6 @@ function lostBy({holds}: Done, seen: SeenProgram, now: SeenProgram): string | un
     case undefined:
       return undefined
     case "remarks":
-      // A change of dimmed blocks writes them in place of the broken text, until it is undone.
-      if (seen.broken) return undefined
       return commentWords(before) === commentWords(after) ? undefined : "comments have changed"
     case "same":
       return before === after ? undefined : "the text is not as before"

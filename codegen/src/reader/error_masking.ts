@@ -15,12 +15,14 @@ export function maskCandidates(source: string): readonly Range[] {
   const ordered = [...suspicious, ...regions.filter(r => !suspicious.includes(r))]
   const found = new Map<string, Range>()
   for (const region of ordered)
+    // A guard stands for no expression, although a name in its place may be read as one.
     for (const range of [
       withoutWhere(source, behindSign(source, region)),
       behindSign(source, region),
       region,
     ])
-      if (range !== undefined && range.end > range.start) found.set(`${range.start} ${range.end}`, range)
+      if (range !== undefined && range.end > range.start && source[range.start] !== "|")
+        found.set(`${range.start} ${range.end}`, range)
   return [...found.values()].slice(0, maximumCandidates)
 }
 

@@ -4,11 +4,14 @@ import {beforeAll, describe, expect, test} from "vitest"
 import type {Reader} from "../../src/reader/index.ts"
 import {causeOf, openView, syncBlocks, syncText, workspaceOf} from "../../src/reader/index.ts"
 import {everyBlock, infer} from "../../src/workspace/workspace_inference.ts"
+import {disagreements} from "./agreement.ts"
 import {testReader} from "./open.ts"
 
 let reader: Reader
+let other: Reader
 beforeAll(async () => {
   reader = await testReader()
+  other = await testReader()
 })
 
 /// A broken program, the text of the part that is kept, and how many blocks there are beside it at least.
@@ -18,6 +21,7 @@ const programs: readonly (readonly [what: string, text: string, kept: string, bl
   ["a bracket too much in an equation", "f 0 = 1\nf n = n * 2)\nf m = m\n", "n * 2)", 5],
   ["two commas in a local definition", "f x = g x\n  where\n    g y = [1,, 2]\n    h = 3\n", "[1,, 2]", 6],
   ["an alternative", "f x = case x of\n  1 -> 2\n  2 -> (3\n  n -> n\n", "(3", 7],
+  ["a guard too much", "f x = x + 1\n\n  | otherwise = _\n", "x + 1\n\n  | otherwise = _", 2],
   ["an error above a where", "f x = x + * 2\n  where\n    y = 2\n", "x + * 2", 3],
 ]
 
@@ -33,6 +37,7 @@ describe("a definition with", () => {
     ])
     expect(all.length - raw.length).toBeGreaterThanOrEqual(blocks)
     expect(view.declarations.map(d => d.dimmed)).toEqual([false])
+    expect(disagreements(view, other)).toEqual([])
   })
 })
 

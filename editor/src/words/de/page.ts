@@ -371,7 +371,7 @@ export const page: Omit<
     },
     unfinishedText: {
       message: name =>
-        `${name} ist im Haskell-Text noch nicht fertig, deshalb wurde diese Änderung an den Blöcken nicht gemacht.`,
+        `Im Haskell-Text noch nicht fertig: ${name}. Diese Änderung an den Blöcken wurde nicht gemacht.`,
       hint: "Schreibe die Zeile im Text zu Ende oder drücke „Rückgängig“, dann ändere die Blöcke. Blöcke, die schon im Text stehen, kannst du ändern.",
     },
     notSaved: {

@@ -367,7 +367,7 @@ export const page = {
     },
     unfinishedText: {
       message: (name: string) =>
-        `${name} is not finished in the Haskell text, so this change of its blocks was not made.`,
+        `Not finished in the Haskell text: ${name}. This change of the blocks was not made.`,
       hint: "Finish the line in the text or press Undo, then change the blocks. Blocks that the text already says can be changed.",
     },
     notSaved: {

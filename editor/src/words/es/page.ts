@@ -380,7 +380,7 @@ export const page: Omit<
     },
     unfinishedText: {
       message: name =>
-        `${name} todavía no está completo en el texto Haskell, así que este cambio de sus bloques no se ha hecho.`,
+        `Todavía no está completo en el texto Haskell: ${name}. Este cambio de los bloques no se ha hecho.`,
       hint: "Termina la línea en el texto o pulsa Deshacer y después cambia los bloques. Los bloques que el texto ya dice se pueden cambiar.",
     },
     notSaved: {

@@ -382,7 +382,7 @@ export const page: Omit<
     },
     unfinishedText: {
       message: name =>
-        `${name} n'est pas terminé dans le texte Haskell : ce changement de ses blocs n'a pas été fait.`,
+        `Pas encore terminé dans le texte Haskell : ${name}. Ce changement des blocs n'a pas été fait.`,
       hint: "Termine la ligne dans le texte ou appuie sur Annuler, puis change les blocs. Les blocs que le texte dit déjà peuvent être changés.",
     },
     notSaved: {

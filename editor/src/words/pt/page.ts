@@ -372,7 +372,7 @@ export const page: Omit<
     },
     unfinishedText: {
       message: name =>
-        `${name} ainda não está completo no texto Haskell, por isso esta mudança nos blocos não foi feita.`,
+        `Ainda não está completo no texto Haskell: ${name}. Esta mudança nos blocos não foi feita.`,
       hint: "Termine a linha no texto ou aperte Desfazer e depois mude os blocos. Os blocos que o texto já diz podem ser mudados.",
     },
     notSaved: {
