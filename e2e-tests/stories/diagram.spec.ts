@@ -34,6 +34,14 @@ test("a node of the random walker leads to its block and its lines, and values t
     /^\w+Bumper (Pressed|Released)$/,
   )
   await learner.keeps("diagram-running")
+  // The chosen node has its questions.
+  await diagram(page).getByRole("button", {name: "Why did chgdir not run?"}).click()
+  await expect(page.getByTestId("why-answer")).toContainText(/^chgdir (takes a ChgDir; none came|did run)/)
+  await node(page, /^Led2: command/).click()
+  await diagram(page).getByRole("button", {name: "Why no Led2?"}).click()
+  await expect(page.getByTestId("why").getByRole("heading")).toHaveText("Why no Led2?")
+  await expect(page.getByTestId("why-answer")).toContainText("cliff takes a Cliff; none came")
+  await learner.keeps("diagram-questions")
   await learner.stops()
 })
 

@@ -32,6 +32,7 @@ export interface BlocksOptions {
 export interface Questions {
   /// Whether there is a run to ask about.
   canAsk(): boolean
+  why(functionName: string): void
   whyNot(functionName: string): void
 }
 

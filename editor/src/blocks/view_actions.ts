@@ -95,6 +95,7 @@ function menuActions(
       options.questions?.canAsk() === true
         ? (inference().definitions.get(block.getRootBlock().id)?.name ?? null)
         : null,
+    askWhy: name => options.questions?.why(name),
     askWhyNot: name => options.questions?.whyNot(name),
   }
 }

@@ -126,6 +126,7 @@ function selectedFunction(program: Program, selected: string | null): string | n
 
 /// Selects the block of a node and shows its text.
 function choose(store: Store, parts: PageParts, node: DiagramNode): void {
+  store.dispatch({kind: "node-chosen", node: {kind: node.kind, key: node.key}})
   const {program} = store.now.document
   const definition = program.definitions.find(d => d.name === node.key)
   const {at} = node

@@ -63,7 +63,12 @@ export function mountBlocks(
       canRedo: () => store.now.history.future.length > 0,
     },
     questions: {
-      canAsk: () => store.now.room.run !== null && store.now.robots.held === null,
+      canAsk: () => store.now.room.run !== null,
+      why(name) {
+        const time = store.now.room.lookedAt ?? store.now.room.frame?.time ?? null
+        const question = {kind: "run", function: name, time} as const
+        store.dispatch({kind: "why", event: {kind: "asked", question}})
+      },
       whyNot(name) {
         const until = store.now.room.lookedAt ?? store.now.room.frame?.time ?? 0
         const since = Math.max(0, until - lookedBackFor)
@@ -131,9 +136,9 @@ export function mountRoom(canvas: HTMLCanvasElement, {store, parts}: MountContex
     holds: thing => store.dispatch({kind: "held", thing}),
     follows: follows => store.dispatch({kind: "follows", follows}),
     asked(about) {
-      const {room, robots} = store.now
+      const {room} = store.now
       const time = room.lookedAt ?? room.frame?.time ?? null
-      if (room.run === null || robots.held !== null || time === null) return
+      if (room.run === null || time === null) return
       const question: Question =
         about.kind === "robot" ? motionQuestion(time) : {kind: "position", time: about.time ?? time}
       store.dispatch({kind: "why", event: {kind: "asked", question}})

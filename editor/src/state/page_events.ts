@@ -137,6 +137,8 @@ export type ViewEvent =
   | {readonly kind: "layout"; readonly layout: Layout}
   /// A new diagram was drawn, or could not be.
   | {readonly kind: "diagram"; readonly outcome: PageState["diagram"]["outcome"]}
+  /// The learner chose a node of the diagram.
+  | {readonly kind: "node-chosen"; readonly node: PageState["diagram"]["chosen"]}
   | {readonly kind: "dialog"; readonly dialog: PageState["dialog"]}
   | {readonly kind: "shared"; readonly shared: Shared | null}
   | {readonly kind: "notice"; readonly notice: Notice | null}

@@ -122,8 +122,12 @@ export interface PageState {
   readonly network: {readonly parts: readonly ProgramPart[]; readonly text: string} | null
   /// The topics that the program connects its types to itself, of its newest text that the compiler could read.
   readonly topics: readonly OwnTopic[]
-  /// What the diagram region shows, and how many drawings there have been.
-  readonly diagram: {readonly outcome: "waiting" | "drawn" | "empty" | "failed"; readonly drawings: number}
+  /// What the diagram region shows, how many drawings there have been, and the node that was chosen last in the newest one.
+  readonly diagram: {
+    readonly outcome: "waiting" | "drawn" | "empty" | "failed"
+    readonly drawings: number
+    readonly chosen: {readonly kind: string; readonly key: string} | null
+  }
   readonly room: RoomState
   /// The runs in this room.
   readonly runTree: RunTree
@@ -224,7 +228,7 @@ export const initialState: PageState = {
   types: {text: "", names: [], at: []},
   network: null,
   topics: [],
-  diagram: {outcome: "waiting", drawings: 0},
+  diagram: {outcome: "waiting", drawings: 0, chosen: null},
   room: emptyRoom,
   runTree: noRuns,
   robots: noRobots,

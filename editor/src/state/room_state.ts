@@ -65,6 +65,8 @@ export interface RoomState {
   readonly held: number | null
   /// The run whose frames are drawn; `null` before the first one and after a reset.
   readonly run: number | null
+  /// The program of that run; `null` without one.
+  readonly source: string | null
   /// Without a run, frames are drawn too: ROS clients and the learner's hands move the robot. But what still comes from
   /// the run before a reset is not; it ends when the service sends the room again.
   readonly idle: boolean
@@ -84,6 +86,7 @@ export const emptyRoom: RoomState = {
   firings: emptyLog,
   held: null,
   run: null,
+  source: null,
   idle: false,
   preview: noPreview,
 }

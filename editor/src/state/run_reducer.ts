@@ -106,6 +106,7 @@ function start(state: PageState, seed: number | null, from?: RunOrigin): Transit
     clock: "going",
     room: {
       ...clearRoom(state.room, run),
+      source: text,
       preview: {...noPreview, ran: isReal ? null : text},
     },
     runTree: isReal ? state.runTree : beginRun(state.runTree, state, begun),
@@ -140,7 +141,12 @@ function continueRun(state: PageState): Transition {
   const begun = start(state, state.seed, from).state
   const continued = {
     ...begun,
-    room: {...roomUntil(state.room, frame.time), run: begun.runs, preview: begun.room.preview},
+    room: {
+      ...roomUntil(state.room, frame.time),
+      run: begun.runs,
+      source: begun.room.source,
+      preview: begun.room.preview,
+    },
     lines: state.lines.filter(line => line.time <= frame.time),
   }
   return sending(continued, {...runMessage(continued, begun.runs), after: frame.step, of})

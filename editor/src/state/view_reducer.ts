@@ -31,7 +31,12 @@ export function reduceViewEvent(state: PageState, event: ViewEvent): PageState {
     case "view":
       return {...state, arrangement: withView(state.arrangement, event.view)}
     case "diagram":
-      return {...state, diagram: {outcome: event.outcome, drawings: state.diagram.drawings + 1}}
+      return {
+        ...state,
+        diagram: {outcome: event.outcome, drawings: state.diagram.drawings + 1, chosen: null},
+      }
+    case "node-chosen":
+      return {...state, diagram: {...state.diagram, chosen: event.node}}
     case "arranged":
       return {...state, arrangement: event.arrangement, arranging: null}
     case "arranging":

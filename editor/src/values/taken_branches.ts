@@ -19,7 +19,7 @@ export function takenBranches(state: Pick<PageState, "document" | "room" | "valu
   const {room, document} = state
   const frame = shownFrame(room)
   const {program} = document
-  if (!state.valuesShown || room.run === null || frame === null || room.preview.ran !== program.text)
+  if (!state.valuesShown || room.run === null || frame === null || room.source !== program.text)
     return noBranches
   const latest = latestFirings(room.firings, room.lookedAt ?? frame.time)
   const ranges = [...latest.values()]

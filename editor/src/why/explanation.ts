@@ -71,6 +71,7 @@ const sentenceIds = [
   "ran-feedback",
   "ran-task",
   "nothing-sent",
+  "none-came",
   "nothing-sent-yet",
   "not-recorded",
   "not-known-before",

@@ -161,6 +161,7 @@ function questionPieces(question: Question): readonly Piece[] {
         ? fill(asked.motion, {})
         : fill(asked.command, {value: [{kind: "code", text: question.value || question.command}]})
     case "firing":
+    case "run":
       return fill(asked.firing, {function: [{kind: "function", text: question.function}]})
     case "memory":
       return fill(asked.memory, {type: [{kind: "code", text: question.type}]})
@@ -174,7 +175,32 @@ function questionPieces(question: Question): readonly Piece[] {
         ? fill(asked.notRun, {function: [name]})
         : fill(asked.notSent, {function: [name], type: [{kind: "code", text: question.command}]})
     }
+    case "no-command":
+      return fill(asked.noCommand, {type: [{kind: "code", text: question.command}]})
+    case "not-received":
+      return fill(asked.notReceived, {type: [{kind: "code", text: question.type}]})
   }
+}
+
+/// Buttons that ask questions, each labelled with its question.
+export function QuestionButtons({all}: {all: readonly Question[]}): VNode {
+  const {store} = useController()
+  return (
+    <>
+      {all.map((question, i) => (
+        <button
+          key={i}
+          type="button"
+          class="plain small question"
+          onClick={() => store.dispatch({kind: "why", event: {kind: "asked", question}})}
+        >
+          <span>
+            <Pieces all={questionPieces(question)} />
+          </span>
+        </button>
+      ))}
+    </>
+  )
 }
 
 /// A small button that asks a question.
@@ -196,7 +222,7 @@ export function WhyButton({question, about}: {question: () => Question; about: s
 /// Asks about the motion of the robot at the displayed moment.
 export function RobotWhy(): VNode | null {
   const {store} = useController()
-  const there = usePageState(s => s.room.run !== null && s.room.frame !== null && s.robots.held === null)
+  const there = usePageState(s => s.room.run !== null && s.room.frame !== null)
   if (!there) return null
   return (
     <button

@@ -7,8 +7,10 @@ export type Question =
   /// The latest command of a type until then, `Velocity` for the motion of the robot.
   | {readonly kind: "command"; readonly command: string; readonly value: string; readonly time: number | null}
   | {readonly kind: "firing"; readonly firing: number; readonly function: string}
+  /// The latest run of a function until then.
+  | {readonly kind: "run"; readonly function: string; readonly time: number | null}
   | {readonly kind: "memory"; readonly type: string; readonly time: number | null}
-  /// As Haskell shows it.
+  /// As Haskell shows it, or its constructor: the latest one.
   | {readonly kind: "event"; readonly value: string; readonly time: number | null}
   /// How the robot came to the place where it was then.
   | {readonly kind: "position"; readonly time: number}
@@ -20,6 +22,10 @@ export type Question =
       readonly since: number
       readonly until: number
     }
+  /// A command of a type that shows no effect between two times.
+  | {readonly kind: "no-command"; readonly command: string; readonly since: number; readonly until: number}
+  /// An event of the program that no function received.
+  | {readonly kind: "not-received"; readonly type: string; readonly since: number; readonly until: number}
 
 /// About the motion of the robot.
 export const motionQuestion = (time: number | null): Question => ({
@@ -75,6 +81,7 @@ export type WhyRequest =
       readonly run?: number
       readonly time?: number
       readonly firing?: number
+      readonly function?: string
       readonly memory?: string
       readonly event?: string
       readonly position?: true
@@ -84,8 +91,9 @@ export type WhyRequest =
       readonly op: "whyNot"
       readonly id: number
       readonly run?: number
-      readonly function: string
+      readonly function?: string
       readonly command?: string
+      readonly event?: string
       readonly since: number
       readonly until: number
     }
@@ -125,6 +133,8 @@ function requestOf(question: Question, id: number): WhyRequest {
       return {op: "why", id, command: question.command, ...at(question.time)}
     case "firing":
       return {op: "why", id, firing: question.firing}
+    case "run":
+      return {op: "why", id, function: question.function, ...at(question.time)}
     case "memory":
       return {op: "why", id, memory: question.type, ...at(question.time)}
     case "event":
@@ -134,6 +144,14 @@ function requestOf(question: Question, id: number): WhyRequest {
     case "not": {
       const {function: name, command, since, until} = question
       return {op: "whyNot", id, function: name, ...(command === "" ? {} : {command}), since, until}
+    }
+    case "no-command": {
+      const {command, since, until} = question
+      return {op: "whyNot", id, command, since, until}
+    }
+    case "not-received": {
+      const {type, since, until} = question
+      return {op: "whyNot", id, event: type, since, until}
     }
   }
 }

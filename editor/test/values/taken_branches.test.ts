@@ -72,7 +72,7 @@ function stateOf(ran: string | null, lookedAt: number | null = null): PageState 
     ...initialState,
     valuesShown: true,
     document: {...emptyDocument, program: {...emptyDocument.program, text, spans}},
-    room: {...room, lookedAt, preview: {...room.preview, ran}},
+    room: {...room, lookedAt, source: ran},
   }
 }
 

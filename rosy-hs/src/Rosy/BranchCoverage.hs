@@ -54,15 +54,12 @@ tick :: Int -> ()
 tick branch = unsafeDupablePerformIO $ do
   now <- readIORef recording
   case now of
-    On taken inOrder | IntSet.size taken < mostBranches, branch `IntSet.notMember` taken -> writeIORef recording (On (IntSet.insert branch taken) (branch : inOrder))
+    On taken inOrder | branch `IntSet.notMember` taken -> writeIORef recording (On (IntSet.insert branch taken) (branch : inOrder))
     _ -> pure ()
 {-# NOINLINE tick #-}
 
--- | The most branches that are recorded of one firing. A choice of ours: many times what a learner reads.
-mostBranches :: Int
-mostBranches = 20
-
--- | Run an action; with the condition also record the branches that are taken meanwhile, in the order in which each was taken first.
+-- | Run an action; with the condition also record the branches that are taken meanwhile, each once, in the order in which each was taken
+-- first. The text of the program limits how many these are.
 recordingBranches :: Bool -> IO a -> IO (a, [Branch])
 recordingBranches isRecorded action = do
   when isRecorded (writeIORef recording (On IntSet.empty []))

@@ -82,10 +82,13 @@ def why_memory(run: RecordedRun, kind: str, time: float) -> Answer:
 
 
 def why_event(run: RecordedRun, text: str, time: float) -> Answer:
-    """When the robot sensed an event last, as Haskell shows it, and which functions ran for it."""
+    """When an event came last, as Haskell shows it or by its constructor, and which functions ran for it."""
+    if " " not in text:
+        text = run.latest_event_named(text, time) or text
     found = run.latest_event(text, time)
     if found is None:
-        return Answer([_unknown(run, time)], time)
+        none = Link(Sentence("none-came", type=text, until=time), time)
+        return Answer([_unknown(run, time) if run.known_since > 0 else none], time)
     since, sender, takers = found
     links = [Link(Sentence("sensed", time=since, value=text), since)]
     if sender is not None:

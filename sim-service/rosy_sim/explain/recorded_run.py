@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from ..wire.firing import Firing
-from ..world.time_step import STEP
 
 __all__ = ["MAX_FIRINGS", "RecordedRun", "SentCommand", "ShownCommand"]
 
@@ -46,8 +45,8 @@ class _Step:
     firings: list[Firing]
     events: list[str]
     commands: list[ShownCommand]
-    # The safety rules drove instead of the program.
-    is_overridden: bool = False
+    # Since when the safety rules drove instead of the program, s; None when the program drove.
+    overridden_since: float | None = None
     # A hand had put the robot in another place since the step before.
     is_placed: bool = False
 
@@ -66,6 +65,8 @@ class RecordedRun:
         self._most = most
         self._steps: deque[_Step] = deque()
         self._by_number: dict[int, tuple[float, Firing]] = {}
+        # Since when the safety rules drive, as of the last step.
+        self._overridden_since: float | None = None
         # When the last step was recorded, s; None before the first.
         self.end: float | None = None
         # Earlier steps were dropped or not observed, s.
@@ -85,9 +86,11 @@ class RecordedRun:
         if self._until is not None and time > self._until + 1e-9:
             return
         self.end = time
-        if not (firings or events or commands or is_overridden or is_placed):
+        was_overridden = self._overridden_since is not None
+        self._overridden_since = (self._overridden_since if was_overridden else time) if is_overridden else None
+        if not (firings or events or commands or is_overridden or was_overridden or is_placed):
             return
-        self._steps.append(_Step(time, firings, events, commands, is_overridden, is_placed))
+        self._steps.append(_Step(time, firings, events, commands, self._overridden_since, is_placed))
         for firing in firings:
             self._by_number[firing.n] = (time, firing)
         while len(self._by_number) > self._most:
@@ -138,6 +141,24 @@ class RecordedRun:
                     return firing
         return None
 
+    def latest_firing(self, function: str, until: float) -> Firing | None:
+        """The last firing of a function at or before a time, s."""
+        for step in reversed(self._steps):
+            if step.time <= until + 1e-9:
+                for firing in reversed(step.firings):
+                    if firing.function == function:
+                        return firing
+        return None
+
+    def latest_event_named(self, constructor: str, until: float) -> str | None:
+        """The last event with a constructor (``Bumper``) at or before a time, s, as Haskell shows it."""
+        for step in reversed(self._steps):
+            if step.time <= until + 1e-9:
+                for text in reversed(step.events):
+                    if text.partition(" ")[0] == constructor:
+                        return text
+        return None
+
     def latest_event(self, text: str, until: float) -> tuple[float, Firing | None, list[Firing]] | None:
         """
         When an event came last, at or before a time, s; the firing that sent it, None for one of the robot; and the
@@ -155,15 +176,7 @@ class RecordedRun:
 
     def overridden_since(self, time: float) -> float | None:
         """When the safety rules began to drive that did so at a time, s; None when the program drove."""
-        since: float | None = None
-        later = time
-        for step in reversed(self._steps):
-            if step.time > time + 1e-9:
-                continue
-            if not step.is_overridden or later - step.time > 1.5 * STEP:
-                break
-            since = later = step.time
-        return since
+        return next((step.overridden_since for step in reversed(self._steps) if step.time <= time + 1e-9), None)
 
     def latest_placement(self, until: float) -> float | None:
         """When a hand put the robot in another place last, at or before a time, s."""

@@ -303,6 +303,7 @@ _SENTENCES: dict[SentenceId, Callable[[_Slots], Words]] = {
         since=s.since,
     ),
     "nothing-sent": lambda s: tr("No {command} was sent at {time}.", command=s.command, time=s.time),
+    "none-came": lambda s: tr("No {type} had come by {until}.", type=s.type, until=s.until),
     "nothing-sent-yet": lambda s: tr("The program has sent no {command}.", command=s.command),
     "not-recorded": lambda _: tr("The run was not recorded, because many programs were running. Run it again."),
     "not-known-before": lambda s: tr("What happened before {since} is not known any more.", since=s.since),

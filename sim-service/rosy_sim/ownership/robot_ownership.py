@@ -12,6 +12,7 @@ import msgspec
 
 from ..config import Limits
 from ..errors import BadInput
+from ..explain.why_not import RobotLimits
 from ..run.page_run import RunView
 from ..run.velocity_guard import SafetySettings
 from ..sentence import tr
@@ -73,6 +74,12 @@ class RobotOwnership:
         self._state: page.RobotState | None = None
         # Robots that are being released.
         self._releases: set[asyncio.Task[None]] = set()
+
+    @property
+    def limits(self) -> RobotLimits:
+        """The greatest speeds of the robot that the page owns."""
+        assert self._state is not None
+        return RobotLimits(self._state.max_speed, self._state.max_turn)
 
     def send_robots(self) -> None:
         """Tell the page which robots there are, if there are any."""

@@ -17,7 +17,7 @@ from typing import Literal, Protocol
 import msgspec
 
 from ..config import Limits
-from ..wire.robot_process import CommandsLine, EndedLine, Line, decode_line, encode_request, encode_safety
+from ..wire.robot_process import CommandsLine, EndedLine, Line, decode_line, encode_request, encode_switch
 
 __all__ = ["RobotListener", "RobotProcess", "RunListener"]
 
@@ -95,7 +95,11 @@ class RobotProcess:
 
     def switch_safety(self, on: bool) -> None:
         """Switch the safety rules; rosy-robot answers with its settings."""
-        self._write(encode_safety(on))
+        self._write(encode_switch("safety", on))
+
+    def observe(self, on: bool) -> None:
+        """Whether programs tell their firings with their provenance, from the next step on."""
+        self._write(encode_switch("observe", on))
 
     async def close(self) -> None:
         """End the process; returns when the robot has been told to stop."""

@@ -6,6 +6,9 @@ from __future__ import annotations
 
 import socket
 from collections.abc import Callable
+from typing import Protocol
+
+import msgspec
 
 from ..run.command_conflicts import Action, CommandConflicts
 from ..run.page_run import PageRun, RunView
@@ -13,13 +16,31 @@ from ..run.problems import broken_link, died, lost_robot
 from ..run.worker_session import RunServices
 from ..wire import page
 from ..wire.problem import Problem
-from ..wire.robot_process import CommandsLine, EndedLine, SentCommand
+from ..wire.robot_process import CommandsLine, EndedLine, ObservedStep, SentCommand, read_observed
 from ..wire.topics import CHANNELS, TopicMessage
 from ..world.events import Command
 from ..world.time_step import STEPS_PER_SECOND
 from .robot_process import RobotProcess
 
-__all__ = ["RobotRun"]
+__all__ = ["OnRobotStep", "RobotRun"]
+
+
+class OnRobotStep(Protocol):
+    """Called for each step with commands, and for each observed one."""
+
+    def __call__(
+        self,
+        time: float,
+        observed: ObservedStep | None,
+        commands: list[Command],
+        *,
+        is_first: bool,
+        is_overridden: bool,
+    ) -> None:
+        """
+        Without ``observed`` the step was not observed. ``is_first``: it is the first of the run. ``is_overridden``: the
+        safety rules owned the wheels.
+        """
 
 
 class RobotRun(PageRun):
@@ -35,10 +56,18 @@ class RobotRun(PageRun):
         services: RunServices,
         view: RunView,
         on_over: Callable[[PageRun], None],
+        on_step: OnRobotStep,
+        observes: bool = False,
     ) -> None:
         self._robot_process = robot_process
         self._commands_in_force = CommandConflicts()
-        super().__init__(request, services, view, on_over)
+        self._on_step = on_step
+        self._on_finished = on_over
+        self._observed = services.observed
+        # Whether the next step that is told is the first of the run.
+        self._is_first = observes
+        self.observe(observes)
+        super().__init__(request, services, view, self._finish)
 
     def stop(self) -> None:
         """Let the program end in good order; the wheels stop at once."""
@@ -68,6 +97,18 @@ class RobotRun(PageRun):
     def forward(self) -> None:
         """Not possible on a real robot."""
 
+    def observe(self, on: bool) -> None:
+        """Whether the firings are told with their provenance, from the next step on."""
+        is_observed = on and self._observed.admit(self)
+        if not is_observed:
+            self._observed.runs.discard(self)
+            self._is_first = False
+        self._robot_process.observe(is_observed)
+
+    def _finish(self, run: PageRun) -> None:
+        self._observed.runs.discard(self)
+        self._on_finished(run)
+
     # CompilationListener
 
     def on_started(self, link: socket.socket, problems: list[Problem]) -> None:
@@ -78,11 +119,27 @@ class RobotRun(PageRun):
     # RunListener
 
     def on_commands(self, line: CommandsLine) -> None:
-        """The program has sent commands."""
+        """The program has done a step."""
+        if self._is_over:
+            return
+        try:
+            observed = read_observed(line)
+        except msgspec.ValidationError as error:
+            self._robot_process.stop()
+            self._session.kill()
+            self._end("error", [broken_link(str(error), line.time)])
+            return
         step = round(line.time * STEPS_PER_SECOND)
         actions = [_action(command) for command in line.commands]
         for conflict in self._commands_in_force.observe(step, line.fired, line.sent, actions):
             self._view.show_conflict(line.time, conflict)
+        if observed is not None:
+            self._view.add_firings(line.time, observed.firings)
+            if observed.memory is not None:
+                self._view.set_memory(observed.memory)
+        commands = [action for action in actions if isinstance(action, Command)]
+        is_first, self._is_first = self._is_first, False
+        self._on_step(line.time, observed, commands, is_first=is_first, is_overridden=line.backing is True)
 
     def on_ended(self, line: EndedLine) -> None:
         """The program has ended."""

@@ -156,7 +156,7 @@ class PageSession:
             case page.Observe():
                 self._observes = request.on
                 self._view.shows_firings = request.on and request.frames
-                if isinstance(self._run, SimulatedRun):
+                if isinstance(self._run, SimulatedRun | RobotRun):
                     self._run.observe(request.on)
             case page.Why() | page.WhyNot():
                 self._explanations.answer(request)
@@ -260,11 +260,13 @@ class PageSession:
         if not self._is_short_enough(request.source):
             return
         self._view.run = request.run
-        self._explanations.start(request.run, request.source)
         robot = self.ownership.process
         if robot is not None:
-            self._run = RobotRun(request, robot, self._services, self._view, self._on_run_over)
+            self._explanations.start(request.run, request.source, self.ownership.limits)
+            on_step = self._explanations.on_robot_step
+            self._run = RobotRun(request, robot, self._services, self._view, self._on_run_over, on_step, self._observes)
             return
+        self._explanations.start(request.run, request.source)
         lesson, safety = self._lesson, self._safety
         if request.after is not None:
             try:

@@ -206,8 +206,6 @@ class PageView:
         if not force and not self._frame_limit.spend(1, self._now()):
             return
         world = self._room.world
-        memory, self._memory = self._memory, None
-        firings, self._firings = self._firings, []
         pose = PoseShown(round(world.x, _DIGITS), round(world.y, _DIGITS), round(world.theta, _DIGITS))
         channels: dict[str, Shown] = {
             name: [round(v, _DIGITS) if isinstance(v, float) else v for v in values]
@@ -219,8 +217,7 @@ class PageView:
             channels,
             boxes=self._moved_boxes(),
             ghost=_rounded(world.ghost()),
-            memory=memory,
-            firings=firings or None,
+            **self._observations(),
         )
 
     def show_telemetry(self, line: FrameLine) -> None:
@@ -230,7 +227,13 @@ class PageView:
         if not self._frame_limit.spend(1, self._now()):
             return
         self.step = int(line.time * STEPS_PER_SECOND)
-        self._put_frame(line.time, line.pose, line.channels)
+        self._put_frame(line.time, line.pose, line.channels, **self._observations())
+
+    def _observations(self) -> dict[str, Any]:
+        """Memory and firings that wait for a frame."""
+        memory, self._memory = self._memory, None
+        firings, self._firings = self._firings, []
+        return {"memory": memory, "firings": firings or None}
 
     def _put_frame(self, time: float, pose: PoseShown, channels: dict[str, Shown], **more: Any) -> None:
         """Send a frame with the channels that differ from the last frame."""

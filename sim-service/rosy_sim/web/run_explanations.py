@@ -14,12 +14,13 @@ from ..explain.answers import Answer, why_command, why_event, why_firing, why_me
 from ..explain.function_types import function_types
 from ..explain.recorded_run import RecordedRun, ShownCommand
 from ..explain.why import Link
-from ..explain.why_not import RobotLimits, Window
+from ..explain.why_not import FunctionType, RobotLimits, Window
 from ..robots import DEFAULT_ROBOT
 from ..run.lockstep import Lockstep
 from ..wire import page
 from ..wire.explanation import Sentence
-from ..wire.robot_link import Ended, Settled
+from ..wire.firing import Firing
+from ..wire.robot_process import ObservedStep
 from ..wire.worker import Checked
 from ..world.events import VELOCITY_CHANNEL, Command
 from ..world.time_step import STEPS_PER_SECOND
@@ -44,6 +45,7 @@ class _Explained:
     graph: msgspec.Raw | None = None
     # Whether a step of the run has passed.
     has_begun: bool = False
+    limits: RobotLimits = LIMITS
 
 
 class RunExplanations:
@@ -67,40 +69,79 @@ class RunExplanations:
         if source == self._latest.source:
             self._latest.graph = checked.graph
 
-    def start(self, run: int, source: str) -> None:
-        """A run begins."""
+    def start(self, run: int, source: str, limits: RobotLimits = LIMITS) -> None:
+        """A run begins, on a robot with these limits."""
         before = self._latest
         if before.record is not None:
             self._earlier.add(before.run, before, before.record.count)
         graph = self._checked[1] if self._checked is not None and self._checked[0] == source else None
-        self._latest = _Explained(run, source, graph=graph)
+        self._latest = _Explained(run, source, graph=graph, limits=limits)
 
     def on_step(self, lockstep: Lockstep) -> None:
-        """A step of the run has passed."""
-        latest = self._latest
-        latest.has_begun = True
+        """A step of a simulated run has passed."""
+        self._latest.has_begun = True
         done = lockstep.settled or lockstep.ended
         if not lockstep.observes:
-            latest.record = None
+            self._latest.record = None
         elif done is not None:
             step = lockstep.settled.step if lockstep.settled is not None else lockstep.step
-            time = step / STEPS_PER_SECOND
-            if latest.record is None:
-                latest.record = RecordedRun(most=MOST_FIRINGS)
-                # Numbers of firings begin anew when an observation begins: nothing of before is kept.
-                latest.record.known_since = time
-                self._placements = lockstep.world.placements
-            events = done.sensed + [g.value for f in done.firings for g in f.gave if g.to == "event"]
             placements = lockstep.world.placements
-            latest.record.add_step(
-                time,
+            if self._latest.record is None:
+                self._placements = placements
+            self._record(
+                step / STEPS_PER_SECOND,
                 done.firings,
-                events,
-                commands_of_step(done, lockstep.commands),
+                done.sensed,
+                lockstep.commands,
                 is_overridden=lockstep.is_overridden,
                 is_placed=placements != self._placements,
             )
             self._placements = placements
+
+    def on_robot_step(
+        self,
+        time: float,
+        observed: ObservedStep | None,
+        commands: list[Command],
+        *,
+        is_first: bool,
+        is_overridden: bool,
+    ) -> None:
+        """
+        A step of a run on a real robot has passed; without ``observed`` it was not observed. The first one passes a
+        little after the time of the run began.
+        """
+        self._latest.has_begun = True
+        if observed is None:
+            self._latest.record = None
+        else:
+            firings, sensed = observed.firings, observed.sensed
+            self._record(time, firings, sensed, commands, is_overridden=is_overridden, is_first=is_first)
+
+    def _record(
+        self,
+        time: float,
+        firings: list[Firing],
+        sensed: list[str],
+        commands: list[Command],
+        *,
+        is_overridden: bool,
+        is_placed: bool = False,
+        is_first: bool = False,
+    ) -> None:
+        """Record an observed step."""
+        if self._latest.record is None:
+            self._latest.record = RecordedRun(most=MOST_FIRINGS)
+            # Numbers of firings begin anew when an observation begins: nothing of before is kept.
+            self._latest.record.known_since = 0.0 if is_first else time
+        self._latest.record.add_step(
+            time,
+            firings,
+            sensed + [given.value for firing in firings for given in firing.gave if given.to == "event"],
+            commands_of_step(firings, commands),
+            is_overridden=is_overridden,
+            is_placed=is_placed,
+        )
 
     def answer(self, request: page.Why | page.WhyNot) -> None:
         """Answer a question of the page."""
@@ -110,10 +151,11 @@ class RunExplanations:
             answer = Answer([Link(Sentence("not-recorded" if about.has_begun else "run-not-begun"), 0.0)], 0.0)
         elif isinstance(request, page.WhyNot):
             window = Window(request.since, request.until)
-            functions = function_types(about.graph) if about.graph is not None else []
-            answer = why_not(run, functions, window, LIMITS, request.function, request.command, request.event)
+            answer = why_not(
+                run, _functions(about), window, about.limits, request.function, request.command, request.event
+            )
         else:
-            answer = _why(run, request)
+            answer = _why(run, request, about)
         path = [page.firing_shown(firing, run.time_of(firing)) for firing in answer.path] if run is not None else []
         sentences = [page.SentenceShown(link.said, link.time, link.firing) for link in answer.links]
         self._send(page.Because(request.id, answer.time, sentences, path))
@@ -125,28 +167,36 @@ class RunExplanations:
         return self._earlier.get(run) or _Explained(run, has_begun=True)
 
 
-def _why(run: RecordedRun, request: page.Why) -> Answer:
+def _functions(about: _Explained) -> list[FunctionType]:
+    return function_types(about.graph) if about.graph is not None else []
+
+
+def _why(run: RecordedRun, request: page.Why, about: _Explained) -> Answer:
+    limits = about.limits
     time = request.time if request.time is not None else run.end or 0.0
     if request.firing is not None:
         return why_firing(run, request.firing)
+    if request.function:
+        latest = run.latest_firing(request.function, time)
+        if latest is not None:
+            return why_firing(run, latest.n)
+        return why_not(run, _functions(about), Window(0.0, time), limits, request.function)
     if request.position:
-        return why_position(run, time, LIMITS)
+        return why_position(run, time, limits)
     if request.memory:
         return why_memory(run, request.memory, time)
     if request.event:
         return why_event(run, request.event, time)
-    return why_command(run, request.command or VELOCITY_CHANNEL, time, LIMITS)
+    return why_command(run, request.command or VELOCITY_CHANNEL, time, limits)
 
 
-def commands_of_step(done: Settled | Ended, commands: list[Command]) -> list[ShownCommand]:
+def commands_of_step(firings: list[Firing], commands: list[Command]) -> list[ShownCommand]:
     """
     The commands of a step as Haskell shows them, in the form of a trace, without one. Those of a firing have its types.
 
     All come from firings but velocities of 0 for tasks that were stopped (rule R10), and lines that ``main`` prints.
     """
-    given = deque(
-        ShownCommand(one.type, one.value) for firing in done.firings for one in firing.gave if one.to == "command"
-    )
+    given = deque(ShownCommand(one.type, one.value) for firing in firings for one in firing.gave if one.to == "command")
     told: list[ShownCommand] = []
     for command in commands:
         if command.channel != VELOCITY_CHANNEL:

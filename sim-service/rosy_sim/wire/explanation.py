@@ -37,6 +37,7 @@ SentenceId = Literal[
     "ran-feedback",
     "ran-task",
     "nothing-sent",
+    "none-came",
     "nothing-sent-yet",
     "not-recorded",
     "not-known-before",

@@ -176,14 +176,16 @@ class Observe(msgspec.Struct, tag="observe", tag_field="op"):
 
 class Why(msgspec.Struct, tag="why", tag_field="op"):
     """
-    Why is something as it is at a time, s (without one the latest)? About one of: a firing by its number, a memory by
-    its type, an event as Haskell shows it, the position of the robot, a command by its type (`Velocity`, which is also
-    meant when none is given). ``run``: another run than the latest.
+    Why is something as it is at a time, s (without one the latest)? About one of: a firing by its number, the latest
+    firing of a function by its name, a memory by its type, an event as Haskell shows it or by its constructor, the
+    position of the robot, a command by its type (`Velocity`, which is also meant when none is given). ``run``: another
+    run than the latest.
     """
 
     id: int
     time: float | None = None
     firing: int | None = None
+    function: str = ""
     position: bool = False
     memory: str = ""
     event: str = ""

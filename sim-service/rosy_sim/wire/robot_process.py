@@ -4,11 +4,13 @@ Messages of ``rosy-robot hold``: its lines about a robot, and the requests it ta
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
 import msgspec
 
+from .firing import Firing
 from .problem import Problem
+from .robot_link import MemoryValue
 from .telemetry import PlayedSound, Shown, Speech, Telemetry
 
 __all__ = [
@@ -18,13 +20,15 @@ __all__ = [
     "FrameLine",
     "Line",
     "LinkLine",
+    "ObservedStep",
     "SaidLine",
     "SentCommand",
     "SoundLine",
     "StoppedLine",
     "decode_line",
     "encode_request",
-    "encode_safety",
+    "encode_switch",
+    "read_observed",
 ]
 
 
@@ -65,12 +69,38 @@ class SentCommand(msgspec.Struct):
 
 
 class CommandsLine(msgspec.Struct, tag="commands", tag_field="op"):
-    """The commands of a step, and the functions that fired in it. ``sent`` is that of ``settled``."""
+    """
+    The commands of a step, and the functions that fired in it. ``sent`` is that of ``settled``.
+
+    Of an observed step also whether the safety rules owned the wheels, and what the program told: ``read_observed``.
+    """
 
     time: float
     fired: list[str]
     sent: list[int]
     commands: list[SentCommand]
+    backing: bool | msgspec.UnsetType = msgspec.UNSET
+    observed: Any = msgspec.UNSET
+
+
+class ObservedStep(msgspec.Struct):
+    """What a program tells of an observed step, as in ``settled``."""
+
+    firings: list[Firing] = []
+    sensed: list[str] = []
+    memory: list[MemoryValue] | None = None
+
+
+def read_observed(line: CommandsLine) -> ObservedStep | None:
+    """
+    What the program told of the step; None when it was not observed.
+
+    Raises:
+        msgspec.ValidationError: the program broke the protocol.
+    """
+    if line.observed is msgspec.UNSET:
+        return None
+    return msgspec.convert(line.observed, ObservedStep)
 
 
 class EndedLine(msgspec.Struct, tag="ended", tag_field="op"):
@@ -108,6 +138,6 @@ def encode_request(op: Literal["run", "stop", "estop", "free", "alive"]) -> byte
     return msgspec.json.encode({"op": op}) + b"\n"
 
 
-def encode_safety(on: bool) -> bytes:
-    """The line that switches the safety rules."""
-    return msgspec.json.encode({"op": "safety", "on": on}) + b"\n"
+def encode_switch(op: Literal["safety", "observe"], on: bool) -> bytes:
+    """The line that switches the safety rules, or the record of firings."""
+    return msgspec.json.encode({"op": op, "on": on}) + b"\n"

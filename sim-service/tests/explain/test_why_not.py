@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import pytest
 
+from rosy_sim.explain.answers import why_event
 from rosy_sim.explain.recorded_run import RecordedRun, ShownCommand
 from rosy_sim.explain.why_not import (
     FunctionType,
@@ -204,6 +205,17 @@ def test_why_an_event_was_not_received(event: str, answer: str) -> None:
 def test_an_event_that_came_later_was_not_sent_before() -> None:
     answer = why_not_received(run(EVENTS), FUNCTIONS, "ChgDir", Window(0, 0.5))
     assert answer.sentence == "No `ChgDir` was sent between 0.00 s and 0.50 s: **change** did not give one."
+
+
+def test_an_event_is_found_by_its_constructor_as_well() -> None:
+    story = recorded("1.00 back <- Bumper LeftBumper Pressed -> Velocity (-0.5) 0.0")
+    for named in ("Bumper", "Bumper LeftBumper Pressed"):
+        links = why_event(story, named, 2.0).links
+        assert [link.sentence for link in links] == [
+            "At 1.00 s the left bumper was pressed.",
+            "At 1.00 s **back** ran and gave `Velocity (-0.5) 0.0`.",
+        ]
+    assert [link.sentence for link in why_event(story, "Cliff", 2.0).links] == ["No `Cliff` had come by 2.00 s."]
 
 
 def test_the_safety_rules_may_drive_instead_of_the_program() -> None:

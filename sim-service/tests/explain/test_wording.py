@@ -52,6 +52,7 @@ SENTENCES = [
     Sentence("ran-task", function="say", time=1, since=1, other="caller", cause=2),
     Sentence("nothing-sent", time=2),
     Sentence("nothing-sent", time=2, type="Led1"),
+    Sentence("none-came", type="Bumper", until=3.0),
     Sentence("nothing-sent-yet"),
     Sentence("nothing-sent-yet", type="Led1"),
     Sentence("not-recorded"),

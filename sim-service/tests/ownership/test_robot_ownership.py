@@ -122,6 +122,35 @@ def test_a_program_drives_the_robot_and_the_page_sees_it(config: Config, tmp_pat
     story(tell, config, tmp_path)
 
 
+def test_a_run_on_the_robot_is_recorded_and_answers_why_and_why_not(config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        await rig.page.send("observe", on=True, frames=True)
+        rig.looks()
+        await rig.page.send("run", run=1, source="drive:0.5 tell count", speed=1)
+        frame = await rig.page.until(lambda m: m["op"] == "frame" and "firings" in m)
+        firing = frame["firings"][-1]
+        assert (firing["function"], firing["gave"][0]["value"]) == ("f", "Velocity 0.5 0.0")
+        await rig.page.until(lambda m: m["op"] == "frame" and "memory" in m)
+        await rig.page.send("why", id=1, time=firing["time"])
+        found = await rig.page.op("because", id=1)
+        assert [one["said"]["id"] for one in found["sentences"]] == ["sent", "ran-tick"]
+        assert found["sentences"][0]["said"]["value"] == "Velocity 0.5 0.0"
+        assert found["path"][-1]["function"] == "f"
+        await rig.page.send("why", id=2, function="f", time=firing["time"])
+        assert (await rig.page.op("because", id=2))["sentences"][0]["said"]["id"] == "gave"
+        await rig.page.send("whyNot", id=3, command="Led1", since=0, until=firing["time"])
+        assert (await rig.page.op("because", id=3))["sentences"][0]["said"]["id"] == "no-sender"
+        # A page that does not observe gets none, and its robot's run is not recorded.
+        await rig.page.send("observe", on=False)
+        await rig.page.send("run", run=2, source="drive:0.5 tell", speed=1)
+        await rig.page.until(lambda m: m["op"] == "frame" and m["run"] == 2 and m["fired"])
+        await rig.page.send("why", id=4)
+        assert (await rig.page.op("because", id=4))["sentences"][0]["said"]["id"] == "not-recorded"
+
+    story(tell, config, tmp_path)
+
+
 def test_functions_that_override_each_other_on_the_robot_are_reported(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()

@@ -23,6 +23,8 @@ export interface MenuActions {
   copied(): void
   /// The function whose definition a block is part of, when a question about it can be asked; `null` otherwise.
   functionToAsk(block: Blockly.Block): string | null
+  /// Asks why a function ran.
+  askWhy(name: string): void
   /// Asks why a function did not run.
   askWhyNot(name: string): void
 }
@@ -99,7 +101,7 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
   )
 
   copyAndPaste(actions)
-  whyNot(actions)
+  questions(actions)
   commentAtOnce()
   zoomKeys(actions)
 
@@ -187,11 +189,22 @@ function copyAndPaste(actions: () => MenuActions | undefined): void {
   })
 }
 
-/// Why the function that a block belongs to did not run.
-function whyNot(actions: () => MenuActions | undefined): void {
+/// Why the function that a block belongs to ran, with the case that held, and why it did not.
+function questions(actions: () => MenuActions | undefined): void {
   const {registry: menus, ScopeType} = Blockly.ContextMenuRegistry
   const asked = (block: Blockly.Block | undefined) =>
     block === undefined || block.isInFlyout ? null : (actions()?.functionToAsk(block) ?? null)
+  menus.register({
+    id: "rosyWhy",
+    weight: 0.4,
+    scopeType: ScopeType.BLOCK,
+    displayText: ({block}) => words.why.ran(asked(block) ?? ""),
+    preconditionFn: ({block}) => (asked(block) === null ? "hidden" : "enabled"),
+    callback: ({block}) => {
+      const name = asked(block)
+      if (name !== null) actions()?.askWhy(name)
+    },
+  })
   menus.register({
     id: "rosyWhyNot",
     weight: 0.5,

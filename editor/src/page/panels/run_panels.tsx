@@ -18,8 +18,7 @@ export function ConsolePanel(): VNode {
   const all = usePageState(s => s.lines)
   const allEvents = usePageState(s => s.allEvents)
   const lines = allEvents ? all : all.filter(line => !isMinorEvent(line))
-  // A real robot does not report the causes of a command.
-  const asks = usePageState(s => s.robots.held === null && s.room.run !== null)
+  const asks = usePageState(s => s.room.run !== null)
   const box = useRef<HTMLDivElement>(null)
   const stick = useRef(true)
   useLayoutEffect(() => {
@@ -85,7 +84,7 @@ function LineText({line}: {line: ConsoleLine}): VNode {
 
 export function SensorsPanel(): VNode {
   const frame = usePageState(s => shownFrame(s.room))
-  const asks = usePageState(s => s.robots.held === null && s.room.run !== null)
+  const asks = usePageState(s => s.room.run !== null)
   if (frame === null)
     return (
       <>

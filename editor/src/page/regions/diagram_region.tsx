@@ -2,6 +2,8 @@
 
 import type {CSSProperties, VNode} from "preact"
 import {useLayoutEffect, useRef, useState} from "preact/hooks"
+import {nodeQuestions} from "../../why/node_questions.ts"
+import {QuestionButtons} from "../../why/why_panel.tsx"
 import {words} from "../../words/index.ts"
 import {useController, usePageState} from "../app_context.ts"
 import {RegionHeader} from "./region_header.tsx"
@@ -54,6 +56,7 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
           PNG
         </button>
       </div>
+      <NodeQuestions />
       {message !== null && <p class="quiet diagram-message">{message}</p>}
       {/* Haskell's names and arrows go from left to right in every language. */}
       <div
@@ -64,6 +67,21 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
       />
       {asList && shown && <DiagramList />}
     </section>
+  )
+}
+
+/// What can be asked about the chosen node while there is a run.
+function NodeQuestions(): VNode | null {
+  const node = usePageState(s => s.diagram.chosen)
+  const time = usePageState(s => s.room.lookedAt ?? s.room.frame?.time ?? null)
+  const run = usePageState(s => s.room.run)
+  if (node === null || run === null || time === null) return null
+  const questions = nodeQuestions(node, time)
+  if (questions.length === 0) return null
+  return (
+    <fieldset class="node-questions" aria-label={words.why.title}>
+      <QuestionButtons all={questions} />
+    </fieldset>
   )
 }
 

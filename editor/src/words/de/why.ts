@@ -22,7 +22,10 @@ export const why: typeof english = {
     event: "Was geschah bei %{value}?",
     notRun: "Warum lief %{function} nicht?",
     notSent: "Warum schickte %{function} kein %{type}?",
+    noCommand: "Warum kein %{type}?",
+    notReceived: "Warum kam kein %{type} an?",
   },
+  ran: name => `Warum lief ${name}?`,
   notRun: name => `Warum lief ${name} nicht?`,
   noCommand: command => `Warum kein ${command}?`,
   lookThere: time => `Sieh dir ${time} an`,
@@ -55,6 +58,7 @@ export const why: typeof english = {
     "ran-task":
       "%{function} lief bei %{time}, denn %{other} war bei %{since} gelaufen, und ihre Aufgabe ging weiter.",
     "nothing-sent": "Bei %{time} wurde kein %{command} geschickt.",
+    "none-came": "Bis %{until} war kein %{type} gekommen.",
     "nothing-sent-yet": "Das Programm hat noch kein %{command} geschickt.",
     "not-recorded": "Der Lauf wurde nicht aufgezeichnet, denn viele Programme liefen. Starte es noch einmal.",
     "not-known-before": "Was vor %{since} geschah, ist nicht mehr bekannt.",

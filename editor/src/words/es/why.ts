@@ -22,7 +22,10 @@ export const why: Words["why"] = {
     event: "¿Qué pasó con %{value}?",
     notRun: "¿Por qué no se ejecutó %{function}?",
     notSent: "¿Por qué %{function} no envió ningún %{type}?",
+    noCommand: "¿Por qué no hay ningún %{type}?",
+    notReceived: "¿Por qué no se recibió ningún %{type}?",
   },
+  ran: name => `¿Por qué se ejecutó ${name}?`,
   notRun: name => `¿Por qué no se ejecutó ${name}?`,
   noCommand: command => `¿Por qué no hay ningún ${command}?`,
   lookThere: time => `Mirar qué pasó a los ${time}`,
@@ -57,6 +60,7 @@ export const why: Words["why"] = {
     "ran-task":
       "%{function} se ejecutó a los %{time} porque %{other} se había ejecutado a los %{since} y su tarea continuó.",
     "nothing-sent": "A los %{time} no se envió ningún %{command}.",
+    "none-came": "Hasta los %{until} no había llegado ningún %{type}.",
     "nothing-sent-yet": "El programa no ha enviado ningún %{command}.",
     "not-recorded":
       "Esta ejecución no se registró, porque había muchos programas en marcha. Ejecuta el programa otra vez.",

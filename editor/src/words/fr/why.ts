@@ -22,7 +22,10 @@ export const why: typeof english = {
     event: "Que s'est-il passé avec %{value} ?",
     notRun: "Pourquoi %{function} ne s'est-elle pas lancée ?",
     notSent: "Pourquoi %{function} n'a-t-elle envoyé aucun %{type} ?",
+    noCommand: "Pourquoi aucun %{type} ?",
+    notReceived: "Pourquoi aucun %{type} n'a-t-il été reçu ?",
   },
+  ran: name => `Pourquoi ${name} s'est-elle lancée ?`,
   notRun: name => `Pourquoi ${name} ne s'est-elle pas lancée ?`,
   noCommand: command => `Pourquoi aucun ${command} ?`,
   lookThere: time => `Regarder à ${time}`,
@@ -57,6 +60,7 @@ export const why: typeof english = {
     "ran-task":
       "%{function} s'est lancée à %{time}, car %{other} s'était lancée à %{since}, et sa tâche a continué.",
     "nothing-sent": "Aucun %{command} n'a été envoyé à %{time}.",
+    "none-came": "Aucun %{type} n'était arrivé avant %{until}.",
     "nothing-sent-yet": "Le programme n'a encore envoyé aucun %{command}.",
     "not-recorded":
       "Ce passage n'a pas été enregistré, car beaucoup de programmes tournaient. Démarre encore une fois.",

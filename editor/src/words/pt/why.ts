@@ -23,7 +23,10 @@ export const why: typeof english = {
     event: "O que aconteceu com %{value}?",
     notRun: "Por que %{function} não foi executada?",
     notSent: "Por que %{function} não enviou %{type}?",
+    noCommand: "Por que nenhum %{type}?",
+    notReceived: "Por que nenhum %{type} foi recebido?",
   },
+  ran: name => `Por que ${name} foi executada?`,
   notRun: name => `Por que ${name} não foi executada?`,
   noCommand: command => `Por que nenhum ${command}?`,
   lookThere: time => `Veja aos ${time}`,
@@ -58,6 +61,7 @@ export const why: typeof english = {
     "ran-task":
       "%{function} foi executada aos %{time} porque %{other} tinha sido executada aos %{since}, e a sua tarefa continuou.",
     "nothing-sent": "Nenhum %{command} foi enviado aos %{time}.",
+    "none-came": "Até %{until} nenhum %{type} tinha chegado.",
     "nothing-sent-yet": "O programa ainda não enviou nenhum %{command}.",
     "not-recorded":
       "A execução não foi gravada, porque muitos programas estavam sendo executados. Execute de novo.",

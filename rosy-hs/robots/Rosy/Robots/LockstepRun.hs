@@ -30,6 +30,7 @@ import qualified Data.ByteString as B
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as C
 import Data.IORef
+import Data.Maybe (isJust, isNothing)
 import Data.Text (Text)
 import qualified Data.Text as T
 import GHC.Clock (getMonotonicTime)
@@ -55,20 +56,16 @@ data Observer = Observer
     onMessages :: [Message] -> IO (),
     -- | a command of the program, before the guard
     onProgramCommand :: Action -> IO (),
-    -- | a step in which functions fired
+    -- | a step in which functions fired, or that is observed
     onSettled :: SettledStep -> IO (),
+    -- | whether the program is to tell its firings with their provenance, from the next step on
+    observes :: IO Bool,
     -- | the robot is awaited, lost or back
     onNotice :: Notice -> IO ()
   }
 
--- | A step that the program has done, with functions that fired.
-data SettledStep = SettledStep
-  { firedInStep :: [Text],
-    -- | how many of the commands each of them sent; empty when one function sent all of them
-    sentInStep :: [Int],
-    -- | in the order in which the program sent them
-    commandsInStep :: [Action]
-  }
+-- | A step that the program has done: what it tells of it, and its commands in their order.
+data SettledStep = SettledStep StepReport [Action]
 
 -- | For a terminal: texts of the program go to standard output, the state of the connection to standard error.
 onTerminal :: String -> Observer
@@ -79,6 +76,7 @@ onTerminal name =
         SayCommand (Say s) -> putStrLn s
         _ -> pure (),
       onSettled = const (pure ()),
+      observes = pure False,
       onNotice = hPutStrLn stderr . explainNotice name
     }
 
@@ -190,13 +188,17 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
                     why : _ -> Just (Failed (T.pack why) "Another way to the robot may have it." Nothing)
                     [] -> Nothing
                 )
-            Just (Settled fired sent) -> do
-              done <- readIORef commands <* writeIORef commands []
-              Nothing <$ unless (null fired) (onSettled observer (SettledStep fired sent (reverse done)))
-            Just (HasEnded "error" p) -> pure (Just (maybe (Failed "The program failed." "" Nothing) (\(m, hint, v) -> Failed m hint (Just v)) p))
-            Just (HasEnded "stopped" _) -> pure (Just Stopped)
-            Just (HasEnded _ _) -> pure (Just Finished)
+            Just (Settled report) -> Nothing <$ settles report
+            Just (HasEnded how p report) -> do
+              when (isJust (reportObserved report)) (settles report)
+              pure . Just $ case how of
+                "error" -> maybe (Failed "The program failed." "" Nothing) (\(m, hint, v) -> Failed m hint (Just v)) p
+                "stopped" -> Stopped
+                _ -> Finished
             Nothing -> pure (Just (Failed "The program said something that a robot does not understand." "" Nothing))
+      settles report = do
+        done <- readIORef commands <* writeIORef commands []
+        unless (null (reportFired report) && isNothing (reportObserved report)) (onSettled observer (SettledStep report (reverse done)))
       isOwn t = T.pack (topicName t) `notElem` map routeTopic pipeRoutes
       carry a = do
         onProgramCommand observer a
@@ -243,7 +245,8 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
             some <- atomically (takeEvents connection `orElse` pure [])
             ms <- (early ++) . concat <$> mapM passes some
             since <- readIORef beganAt
-            say (batchLines n (t - since) ms)
+            watched <- observes observer
+            say (batchLines (StepQuestions (watched && n `mod` tickSteps == 0) watched) n (t - since) ms)
             outcome <- listen
             case outcome of
               Just e -> ended n e

@@ -10,8 +10,11 @@
 module Rosy.Robots.PipeCodec
   ( startLine,
     batchLines,
+    StepQuestions (..),
+    noQuestions,
     stopLine,
     ProgramLine (..),
+    StepReport (..),
     readProgramLine,
   )
 where
@@ -19,8 +22,10 @@ where
 import Data.Aeson (Object, Value (..), (.!=), (.:), (.:?))
 import qualified Data.Aeson as Aeson
 import Data.Aeson.Encoding (fromEncoding, text, value)
+import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Aeson.Types (Parser, parseMaybe)
 import Data.ByteString (ByteString)
+import qualified Data.ByteString as ByteString
 import Data.ByteString.Builder (Builder, doubleDec, intDec)
 import Data.Either (fromRight)
 import Data.Text (Text)
@@ -38,10 +43,19 @@ startLine seed clock = "{\"op\":\"start\",\"protocol\":1,\"seed\":" <> intDec se
 stopLine :: Builder
 stopLine = "{\"op\":\"stop\"}\n"
 
--- | The messages of a step, and its number and time.
-batchLines :: Int -> Double -> [Message] -> Builder
-batchLines step time messages =
-  foldMap sensorLine messages <> "{\"op\":\"step\",\"step\":" <> intDec step <> ",\"time\":" <> doubleDec time <> "}\n"
+-- | What a program is to tell of a step besides its commands: what it remembers, and its firings with their provenance.
+data StepQuestions = StepQuestions {asksMemory :: Bool, asksFirings :: Bool}
+
+noQuestions :: StepQuestions
+noQuestions = StepQuestions False False
+
+-- | The messages of a step, its number and time, and what is asked about it.
+batchLines :: StepQuestions -> Int -> Double -> [Message] -> Builder
+batchLines (StepQuestions memory firings) step time messages =
+  foldMap sensorLine messages <> "{\"op\":\"step\",\"step\":" <> intDec step <> ",\"time\":" <> doubleDec time
+    <> (if memory then ",\"memory\":true" else mempty)
+    <> (if firings then ",\"firings\":true" else mempty)
+    <> "}\n"
 
 -- | A message on a topic of the program's own that is also the simulated robot's travels once, in the robot's message.
 sensorLine :: Message -> Builder
@@ -57,35 +71,54 @@ sensorLine (Message c fields) = case routeFor pipeRoutes c of
 data ProgramLine
   = Commands Action
   | Ready
-  | -- | It has done all that this step makes it do; these functions fired, and sent so many of the step's commands each. Without
-    -- counts one function sent all of them.
-    Settled [Text] [Int]
-  | -- | It has ended: @done@, @stopped@ or @error@, with what a person should know, what to do, and all of the problem.
-    HasEnded Text (Maybe (Text, Text, Value))
+  | -- | It has done all that this step makes it do.
+    Settled StepReport
+  | -- | It has ended in this step: @done@, @stopped@ or @error@, with what a person should know, what to do, and all of the problem.
+    HasEnded Text (Maybe (Text, Text, Value)) StepReport
   | -- | It names one of its topics.
     DeclaresTopic Topic
   deriving (Eq, Show)
 
+-- | What a program tells of a step.
+data StepReport = StepReport
+  { reportFired :: [Text],
+    -- | How many of the step's commands each of these functions sent. Without counts one function sent all of them.
+    reportSent :: [Int],
+    -- | Of an observed step: the fields @firings@, @sensed@ and @memory@, as they are.
+    reportObserved :: Maybe Value
+  }
+  deriving (Eq, Show)
+
+-- | Longest line of a program whose observations are passed on, bytes. A choice of ours: the values of a step have at most 50,000
+-- characters, and a service takes lines of a million bytes.
+longestObserved :: Int
+longestObserved = 600000
+
 -- | Nothing for a line that protocol/README.md does not have.
 readProgramLine :: ByteString -> Maybe ProgramLine
 readProgramLine bytes = case Aeson.decodeStrict' bytes of
-  Just (Object o) -> parseMaybe programLine o
+  Just (Object o) -> parseMaybe (programLine (ByteString.length bytes <= longestObserved)) o
   _ -> Nothing
 
-programLine :: Object -> Parser ProgramLine
-programLine o = do
+-- | With the observations of the step, or without.
+programLine :: Bool -> Object -> Parser ProgramLine
+programLine observes o = do
   op <- o .: "op"
   case op :: Text of
     "publish" -> fmap Commands (wanted <$> o .: "topic" <*> o .: "msg")
-    "settled" -> Settled <$> o .:? "fired" .!= [] <*> o .:? "sent" .!= []
+    "settled" -> Settled <$> report
     "ready" -> pure Ready
     "advertise" -> DeclaresTopic <$> named Sent
     "subscribe" -> DeclaresTopic <$> named Taken
     "ended" -> do
       problem <- o .:? "problem"
-      HasEnded <$> o .: "how" <*> traverse (\p -> (,,) <$> p .: "message" <*> p .:? "hint" .!= "" <*> pure (Object p)) problem
+      HasEnded <$> o .: "how" <*> traverse (\p -> (,,) <$> p .: "message" <*> p .:? "hint" .!= "" <*> pure (Object p)) problem <*> report
     _ -> fail "unknown op"
   where
     -- What the simulated robot does not have may be another robot's, or the program's own.
     wanted topic msg = fromRight (OpenAction (Text.unpack topic) msg) (readAction pipeRoutes topic msg)
+    report = StepReport <$> o .:? "fired" .!= [] <*> o .:? "sent" .!= [] <*> pure observed
+    observed
+      | observes && KeyMap.member "firings" o = Just (Object (KeyMap.filterWithKey (\key _ -> key `elem` ["firings", "sensed", "memory"]) o))
+      | otherwise = Nothing
     named use = (\name kind -> Topic name kind use) <$> o .: "topic" <*> o .:? "type" .!= ""

@@ -37,6 +37,7 @@ import Rosy.Robot
 import Rosy.Robots.Connection
 import Rosy.Robots.Guard
 import Rosy.Robots.LockstepRun
+import Rosy.Robots.PipeCodec (StepReport (..))
 import Rosy.Robots.Target (Profile (..), Target (..))
 import Rosy.Robots.Telemetry
 
@@ -51,6 +52,8 @@ data Request
     Alive
   | -- | the safety rules are to be on, or off
     Safety Bool
+  | -- | the firings of programs are to be told with their provenance, or not
+    Observe Bool
   | -- | the robot has no owner any more
     Leave
   deriving (Eq, Show)
@@ -60,6 +63,7 @@ readRequest :: ByteString -> Maybe Request
 readRequest bytes = case Aeson.decodeStrict' bytes of
   Just (Object o) -> case parseMaybe (.: "op") o of
     Just "safety" -> Safety <$> parseMaybe (.: "on") o
+    Just "observe" -> Observe <$> parseMaybe (.: "on") o
     op -> op >>= (`lookup` ops)
   _ -> Nothing
   where
@@ -85,6 +89,8 @@ data RobotProcess = RobotProcess
     aliveAt :: TVar Double,
     -- | checks of the owner since the latest heartbeat
     silentChecks :: TVar Int,
+    -- | whether programs tell their firings
+    observed :: TVar Bool,
     -- | stop flag of the running program
     running :: TVar (Maybe (TVar Bool)),
     lines' :: TBQueue L.ByteString
@@ -129,6 +135,7 @@ runRobotProcess limits target connection (Requests asked) nextProgram write = do
       <*> newTVarIO Nothing
       <*> newTVarIO t0
       <*> newTVarIO 0
+      <*> newTVarIO False
       <*> newTVarIO Nothing
       <*> newTBQueueIO maxQueuedLines
   sendSettings h target
@@ -141,6 +148,7 @@ runRobotProcess limits target connection (Requests asked) nextProgram write = do
           EmergencyStop -> emergencyStop h connection
           Free -> atomically (writeTVar (stoppedAt h) Nothing) >> sendLine h (stoppedLine False)
           Safety on -> atomically (stateTVar (guarded h) (setSafetyRules on)) >>= mapM_ (sendCommand connection) >> sendSettings h target
+          Observe on -> atomically (writeTVar (observed h) on)
           Alive -> getMonotonicTime >>= atomically . recordHeartbeat h
           Leave -> pure ()
         unless (r == Leave) requests
@@ -240,11 +248,13 @@ observer h =
           SayCommand (Say s) -> sendLine h (saidLine t s)
           SoundCommand s -> sendLine h (soundLine t s)
           _ -> pure (),
-      onSettled = \(SettledStep fired sent commands) -> do
+      onSettled = \(SettledStep (StepReport fired sent told) commands) -> do
         atomically (modifyTVar' (robotState h) (recordFirings fired))
-        unless (null commands) $ do
+        backing <- isEvading <$> readTVarIO (guarded h)
+        unless (null commands && isNothing told) $ do
           t <- elapsed h
-          sendLine h (commandsLine t fired sent commands),
+          sendLine h (commandsLine t fired sent commands ((,) backing <$> told)),
+      observes = readTVarIO (observed h),
       onNotice = sendLine h . linkLine
     }
 

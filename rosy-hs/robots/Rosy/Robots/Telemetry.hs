@@ -135,10 +135,12 @@ soundLine :: Double -> Sound -> L.ByteString
 soundLine time s = line ["op" .= ("sound" :: Text), "time" .= time, "sound" .= fromEnum s]
 
 -- | The commands of a step in which these functions fired, and how many each of them sent. A message on a topic of the program's own
--- has no channel.
-commandsLine :: Double -> [Text] -> [Int] -> [Action] -> L.ByteString
-commandsLine time names sent commands =
-  line ["op" .= ("commands" :: Text), "time" .= time, "fired" .= names, "sent" .= sent, "commands" .= map command commands]
+-- has no channel. Of an observed step also whether the safety rules own the wheels, and what the program told of it.
+commandsLine :: Double -> [Text] -> [Int] -> [Action] -> Maybe (Bool, Value) -> L.ByteString
+commandsLine time names sent commands observed =
+  line $
+    ["op" .= ("commands" :: Text), "time" .= time, "fired" .= names, "sent" .= sent, "commands" .= map command commands]
+      ++ concat [["backing" .= backing, "observed" .= told] | Just (backing, told) <- [observed]]
   where
     command (OpenAction _ _) = object ["channel" .= Null, "values" .= ([] :: [Value])]
     command (Action c fields) = object ["channel" .= channelName c, "values" .= map fieldValue fields]

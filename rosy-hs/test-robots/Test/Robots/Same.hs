@@ -104,13 +104,13 @@ reference main' = withProgramAtPipe main' $ \socket -> do
         case readProgramLine l of
           Just (Commands a) -> first (a :) <$> wishes
           Just (DeclaresTopic _) -> wishes
-          Just (HasEnded _ _) -> pure ([], True)
+          Just (HasEnded {}) -> pure ([], True)
           Just _ -> pure ([], False)
           Nothing -> assertFailure (show l)
       go n = \case
         [] -> say' socket stopLine >> fst <$> wishes
         ms : rest -> do
-          say' socket (batchLines n (timeOf n) ms)
+          say' socket (batchLines noQuestions n (timeOf n) ms)
           (as, ended) <- wishes
           (as ++) <$> if ended then pure [] else go (n + 1) rest
   say' socket (startLine 1 0)
