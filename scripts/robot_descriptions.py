@@ -61,6 +61,11 @@ class Vocabulary:
         first = self.types.get(leaves[0][1], {})
         return len(first["values"]) if channel["kind"] in ("event", "command") and len(leaves) == 2 and "values" in first else 0
 
+    def codes(self, type_name: str) -> dict[str, int]:
+        """The numbers of a choice by its values; none for what is no choice."""
+        entry = self.types.get(type_name, {})
+        return self.codes(entry["alias"]) if "alias" in entry else dict(entry.get("values", {}))
+
     def code(self, type_name: str, value: str) -> int:
         """The number of a choice in messages."""
         entry = self.types[type_name]

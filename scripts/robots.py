@@ -253,7 +253,12 @@ def field_code(kind: str, value: float) -> str:
     return f"Number {float(value)}" if kind == "Double" else f"Whole {value}"
 
 
-def leaf(kind: str, place: str | Json) -> str:
+def leaf(kind: str, place: str | Json, codes: Json) -> str:
+    if isinstance(place, dict) and "codes" in place:
+        unknown = set(place["codes"]) ^ set(codes)
+        if unknown - set(codes):
+            raise BadRobot(f"{kind} has no values {', '.join(sorted(unknown))}")
+        return f"ACode [{', '.join(f'({codes[name]}, {json.dumps(json.dumps(value))})' for name, value in place['codes'].items())}]"
     if isinstance(place, dict) and "bit" in place:
         return f"ABit {place['bit']}"
     if isinstance(place, dict) and "flags" in place:
@@ -263,22 +268,39 @@ def leaf(kind: str, place: str | Json) -> str:
     return {"Bool": "ATruth", "String": "AText"}.get(kind, "AWhole")
 
 
-def place_code(kind: str, place: str | Json) -> str:
+def place_code(kind: str, place: str | Json, codes: Json) -> str:
     if isinstance(place, dict) and "yaw" in place:
         return f"Yaw {path(place['yaw'])}"
-    where = place if isinstance(place, str) else place["path"]
-    made = leaf(kind, place)
-    return f"At {path(where)} {f'({made})' if ' ' in made else made}"
+    made = leaf(kind, place, codes)
+    argument = f"({made})" if " " in made else made
+    if isinstance(place, dict) and "paths" in place:
+        return f"AtAll [{', '.join(path(p) for p in place['paths'])}] {argument}"
+    return f"At {path(place if isinstance(place, str) else place['path'])} {argument}"
+
+
+def level_code(level: Json) -> str:
+    """Whether a place is on: a truth, a bit, or an entry in a list."""
+    if "list" in level:
+        [(kind, number)] = level["where"].items()
+        names = level.get("among", level.get("notAmong"))
+        return f"HasEntry {path(level['list'])} ({path(kind)}, {number}) {path(level['name'])} {'among' in level} {json.dumps(names)}"
+    bit = f"(ABit {level['bit']})" if "bit" in level else "ATruth"
+    return f"IsSet {path(level['path'])} {bit}"
 
 
 def mapping(vocabulary: Vocabulary, entry: Json) -> str:
     ros = entry["ros"]
     leaves = vocabulary.leaves(entry["name"])
-    if len(leaves) != len(ros["fields"]):
-        raise BadRobot(f"{entry['name']}: has {len(leaves)} fields, and {len(ros['fields'])} places in its message")
-    places = ", ".join(place_code(kind, place) for (_, kind), place in zip(leaves, ros["fields"], strict=True))
-    constants = ", ".join(f"({path(where)}, {value})" for where, value in ros.get("also", {}).items() if isinstance(value, float))
-    return f'Mapping {variable(entry["name"])}Channel "{ros["topic"]}" "{ros["type"]}" [{places}] [{constants}] {ros.get("latched", False)}'
+    fields = ros.get("fields", [])
+    if "levels" not in ros and len(leaves) != len(fields):
+        raise BadRobot(f"{entry['name']}: has {len(leaves)} fields, and {len(fields)} places in its message")
+    places = ", ".join(place_code(kind, place, vocabulary.codes(kind)) for (_, kind), place in zip(leaves, fields, strict="levels" not in ros))
+    levels = ", ".join(level_code(level) for level in ros.get("levels", []))
+    constants = ", ".join(
+        f"({path(where)}, {json.dumps(json.dumps(value))})" for where, value in ros.get("also", {}).items() if isinstance(value, float | bool)
+    )
+    delivery = "Called" if ros.get("service") else "Latched" if ros.get("latched") else "Published"
+    return f'Mapping {variable(entry["name"])}Channel "{ros["topic"]}" "{ros["type"]}" [{places}] [{levels}] [{constants}] {delivery}'
 
 
 def serial(vocabulary: Vocabulary, entry: Json) -> str:
@@ -289,7 +311,7 @@ def serial(vocabulary: Vocabulary, entry: Json) -> str:
         code = f"Output {how['output']['bit']} {how['output']['codes']}"
     elif "fields" in how:
         kinds = [kind for _, kind in vocabulary.leaves(entry["name"])]
-        fields = [f"({f['byte']}, {f['width'].upper()}, {leaf(kind, f)})" for kind, f in zip(kinds, how["fields"], strict=True)]
+        fields = [f"({f['byte']}, {f['width'].upper()}, {leaf(kind, f, {})})" for kind, f in zip(kinds, how["fields"], strict=True)]
         code = f"Values {how['packet']} [{', '.join(fields)}]"
     else:
         code = f"Command {how['packet']}"
@@ -299,7 +321,10 @@ def serial(vocabulary: Vocabulary, entry: Json) -> str:
 def messages_of(robot: Json) -> dict[str, str]:
     """The text of each message definition in use, by full name."""
     found: dict[str, str] = {}
-    first = next(iter(robot["profiles"].values()))
+    first = robot["profiles"].get("ros1")
+    if first is None:
+        # Definitions are for ROS 1: a rosbridge server knows those of its robot.
+        return found
     wanted = [re.sub(r"\{(\w+)\}", lambda m: first[m[1]], entry["ros"]["type"]) for entry in robot["channels"]]
     while wanted:
         name = wanted.pop()

@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-__all__ = ["ROBOTS", "description", "simulated"]
+__all__ = ["ROBOTS", "description", "known_robots", "simulated"]
 
 ROBOTS = Path(os.environ.get("ROSY_ROOT") or Path(__file__).resolve().parents[2]) / "protocol" / "robots"
 """Where the robot descriptions are."""
@@ -25,6 +25,13 @@ def description(name: str) -> dict[str, Any]:
     return found
 
 
+@cache
+def known_robots() -> list[str]:
+    """The names of the registry; the first is the robot that the simulator has."""
+    found: list[str] = json.loads((ROBOTS / "robots.json").read_text())
+    return found
+
+
 def simulated() -> dict[str, Any]:
-    """The description of the robot that the simulator has: the first of the registry."""
-    return description(json.loads((ROBOTS / "robots.json").read_text())[0])
+    """The description of the robot that the simulator has."""
+    return description(known_robots()[0])

@@ -106,7 +106,7 @@ class Worker:
             if script.has("refuse"):
                 self.send(op="refused", id=ident, problems=[PROBLEM])
             return
-        self.send(op="started", id=ident, problems=[], compile=0.001)
+        self.send(op="started", id=ident, problems=[], compile=0.001, uses=["Bumper"] if script.has("bump") else [])
         pid = os.fork()
         if pid == 0:
             try:

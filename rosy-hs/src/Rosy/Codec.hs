@@ -1,3 +1,4 @@
+{-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
@@ -15,9 +16,19 @@ module Rosy.Codec
     commandRoutes,
     sensorRoutes,
     sensorTopics,
+    routeLatched,
+    commandTopics,
     readMessages,
     readAction,
     routeFor,
+
+    -- * What is known of a robot
+    Levels,
+    noLevels,
+    onlyChanges,
+    Held,
+    nothingHeld,
+    commandMessage,
 
     -- * Messages
     decodeFields,
@@ -37,11 +48,13 @@ import Data.Bits (testBit, (.&.))
 import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Base64 as Base64
 import Data.Either (partitionEithers)
-import Data.List (find, sortOn)
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (find, mapAccumL, sortOn)
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Scientific (floatingOrInteger, toRealFloat)
+import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
@@ -55,26 +68,55 @@ data Route = Route
   { routeChannel :: Channel,
     routeTopic :: Text,
     routeType :: Text,
-    routeLatched :: Bool,
-    -- | The fields of a message, or which of them does not fit.
-    decoded :: Value -> Either String [Field],
+    routeDelivery :: Delivery,
+    -- | Whether every message says of all places what they are, so that only changes are events.
+    routeHasLevels :: Bool,
+    -- | The channels of a command's message, in the order of their fields, each with its fields at first; none when the message is the
+    -- command's alone.
+    routeShared :: [(Channel, [Field])],
+    -- | The fields of the messages in a message, or which of them does not fit.
+    decoded :: Value -> Either String [[Field]],
     -- | The message with these fields.
     encode :: [Field] -> Encoding.Encoding
   }
 
+routeLatched :: Route -> Bool
+routeLatched r = routeDelivery r == Latched
+
 -- | The channels of a robot with the variables of a profile.
 routes :: Robot -> Variables -> [Route]
-routes robot variables = map route (robotMappings robot)
+routes robot variables = map route mappings
   where
+    mappings = map filled (robotMappings robot)
+    filled m =
+      m
+        { topicPattern = expand variables (topicPattern m),
+          typePattern = expand variables (typePattern m),
+          mappingPlaces = map place (mappingPlaces m),
+          mappingConstants = [(steps path, x) | (path, x) <- mappingConstants m]
+        }
+    place p = case p of
+      At path leaf -> At (steps path) leaf
+      Yaw path -> Yaw (steps path)
+      AtAll paths leaf -> AtAll (map steps paths) leaf
+    steps path = [s | s <- map step path, s /= Key Text.empty]
+    step s = case s of
+      Key k -> Key (expand variables k)
+      Index i -> Index i
     route m =
       Route
         { routeChannel = mappingChannel m,
-          routeTopic = expand variables (topicPattern m),
-          routeType = expand variables (typePattern m),
-          routeLatched = mappingLatched m,
-          decoded = decodeFields (mappingPlaces m) >=> valid (mappingChannel m),
-          encode = encodeFields (mappingPlaces m) (mappingConstants m)
+          routeTopic = topicPattern m,
+          routeType = typePattern m,
+          routeDelivery = mappingDelivery m,
+          routeHasLevels = not (null (mappingLevels m)),
+          routeShared = [(mappingChannel o, fromMaybe [] (lookup (mappingChannel o) (robotHeld robot))) | length together > 1, o <- together],
+          decoded = if null (mappingLevels m) then fmap pure . (decodeFields (mappingPlaces m) >=> valid (mappingChannel m)) else decodeLevels (mappingLevels m),
+          encode = encodeFields (concatMap mappingPlaces together) (concatMap mappingConstants together)
         }
+      where
+        together = if isCommand m then [o | o <- mappings, isCommand o, topicPattern o == topicPattern m] else [m]
+    isCommand = (== CommandChannel) . channelKind . mappingChannel
     valid c fields = case channelShow c fields of
       Just _ -> Right fields
       Nothing -> Left ("a number of " ++ channelName c ++ " is out of range")
@@ -94,31 +136,89 @@ sensorTopics known = NonEmpty.groupAllWith routeTopic (sensorRoutes known)
 -- | The sensor messages in a message on a topic, in the order of the routes: one for each channel whose fields it has. Why there is
 -- none, if there is none.
 readMessages :: [Route] -> Text -> Value -> Either String [Message]
-readMessages known topic message = case partitionEithers [Message (routeChannel r) <$> decoded r message | r <- sensorRoutes known, routeTopic r == topic] of
+readMessages known topic message = case partitionEithers [map (Message (routeChannel r)) <$> decoded r message | r <- sensorRoutes known, routeTopic r == topic] of
   ([], []) -> Left ("unknown topic " ++ show topic)
   (why : _, []) -> Left why
-  (_, found) -> Right found
+  (_, found) -> Right (concat found)
 
--- | The command on a topic.
+-- | The topics that carry one command each.
+commandTopics :: [Route] -> [Text]
+commandTopics known = [routeTopic r | r <- commandRoutes known, null (routeShared r), routeDelivery r /= Called]
+
+-- | The command on a topic that carries one.
 readAction :: [Route] -> Text -> Value -> Either String Action
 readAction known topic message = case find ((== topic) . routeTopic) (commandRoutes known) of
-  Just r -> Action (routeChannel r) <$> decoded r message
-  Nothing -> Left ("unknown topic " ++ show topic)
+  Just r | topic `elem` commandTopics known -> Action (routeChannel r) . concat <$> decoded r message
+  _ -> Left ("unknown topic " ++ show topic)
 
 -- | The route of a channel; none when the robot does not have it.
 routeFor :: [Route] -> Channel -> Maybe Route
 routeFor known c = find ((== c) . routeChannel) known
+
+-- | The places of channels with levels that are on: number of the channel, place.
+newtype Levels = Levels (Set.Set (Int, Int))
+
+-- | No place is on.
+noLevels :: Levels
+noLevels = Levels Set.empty
+
+-- | The messages without those that repeat what a place was before, in order.
+onlyChanges :: [Route] -> [Message] -> Levels -> ([Message], Levels)
+onlyChanges known messages (Levels before) = (concat kept, Levels after)
+  where
+    (after, kept) = mapAccumL change before messages
+    change on m = case m of
+      Message c [Whole place, Whole level]
+        | channelNumber c `elem` withLevels ->
+          let key = (channelNumber c, place)
+           in if (level /= 0) == Set.member key on then (on, []) else (if level /= 0 then Set.insert key on else Set.delete key on, [m])
+      _ -> (on, [m])
+    withLevels = [channelNumber (routeChannel r) | r <- known, routeHasLevels r]
+
+-- | The last fields of each command whose message has other commands too, by the number of its channel.
+newtype Held = Held (IntMap.IntMap [Field])
+
+-- | No command was sent.
+nothingHeld :: Held
+nothingHeld = Held IntMap.empty
+
+-- | The message of a command, with what the other commands in it were last; none for what the robot does not have.
+commandMessage :: [Route] -> Action -> Held -> (Maybe (Route, Encoding.Encoding), Held)
+commandMessage known (Action c fields) (Held before) = case routeFor (commandRoutes known) c of
+  Nothing -> (Nothing, Held before)
+  Just r
+    | null (routeShared r) -> (Just (r, encode r fields), Held before)
+    | otherwise ->
+      let after = IntMap.insert (channelNumber c) fields before
+       in (Just (r, encode r (concat [IntMap.findWithDefault atFirst (channelNumber o) after | (o, atFirst) <- routeShared r])), Held after)
+
+-- | Each place and whether it is on, or what is missing in the message.
+decodeLevels :: [Level] -> Value -> Either String [[Field]]
+decodeLevels levels message = sequence [(\on -> [Whole place, Whole (fromEnum on)]) <$> level l | (place, l) <- zip [0 ..] levels]
+  where
+    level l = case l of
+      IsSet path leaf -> at path message >>= maybe (Left (spelled path ++ " does not fit")) (Right . (== Whole 1)) . decodeLeaf leaf
+      HasEntry path (kind, number) name isIn names ->
+        at path message >>= \case
+          Array entries -> Right (any (\e -> (at kind e >>= wholeAt) == Right (Just number) && maybe False ((== isIn) . (`elem` names)) (textAt name e)) entries)
+          _ -> Left (spelled path ++ " is not a list")
+    wholeAt = Right . wholeIn
+    textAt path e = case at path e of
+      Right (String t) -> Just t
+      _ -> Nothing
 
 -- | The fields of a message, or which of them does not fit.
 decodeFields :: [Place] -> Value -> Either String [Field]
 decodeFields places message = mapM place places
   where
     place p = case p of
-      At path leaf -> at path message >>= maybe (Left (spelled path ++ " does not fit")) Right . decodeLeaf leaf
+      At path leaf -> fitting path leaf
+      AtAll paths leaf -> maybe (Left "there is no place") (`fitting` leaf) (listToMaybe paths)
       Yaw path -> do
         z <- number (path ++ [Key "z"])
         w <- number (path ++ [Key "w"])
         pure (Number (wrapped (2 * atan2 z w)))
+    fitting path leaf = at path message >>= maybe (Left (spelled path ++ " does not fit")) Right . decodeLeaf leaf
     number path = at path message >>= maybe (Left (spelled path ++ " is not a number")) Right . numberIn
     -- To (-pi, pi].
     wrapped a
@@ -153,6 +253,7 @@ decodeLeaf leaf v = case leaf of
     _ -> Nothing
   ABit b -> (\n -> Whole (fromEnum (testBit n b))) <$> wholeIn v
   TheFirstOf flags -> (\n -> Whole (fromMaybe 0 (find (\f -> n .&. f /= 0) flags))) <$> wholeIn v
+  ACode codes -> Whole . fst <$> find ((== Just v) . Aeson.decodeStrict' . Text.encodeUtf8 . snd) codes
 
 -- | What is at a path. An array of bytes may be a text in base 64, as rosbridge servers write it.
 at :: [Step] -> Value -> Either String Value
@@ -175,14 +276,19 @@ spelled path = show (Text.unpack (Text.intercalate "." (map step path)))
 data Tree = Leaf ([Field] -> Encoding.Encoding) | Branch [(Step, Tree)]
 
 -- | The message with these fields, and with the constants in its other fields. Partial application prepares the message.
-encodeFields :: [Place] -> [([Step], Double)] -> [Field] -> Encoding.Encoding
-encodeFields places constants = encoded (foldl grown (Branch []) (concat (zipWith leaves [0 ..] places) ++ [(path, const (Encoding.double x)) | (path, x) <- constants]))
+encodeFields :: [Place] -> [([Step], Text)] -> [Field] -> Encoding.Encoding
+encodeFields places constants = encoded (foldl grown (Branch []) (concat (zipWith leaves [0 ..] places) ++ [(path, const (json x)) | (path, x) <- constants]))
   where
     leaves i (At path leaf) = [(path, encodeLeaf leaf . (!! i))]
+    leaves i (AtAll paths leaf) = [(path, encodeLeaf leaf . (!! i)) | path <- paths]
     leaves i (Yaw path) = [(path ++ [Key "z"], half sin . (!! i)), (path ++ [Key "w"], half cos . (!! i))]
     half f field = case field of
       Number a -> Encoding.double (f (a / 2))
       _ -> Encoding.null_
+
+-- | What is JSON already.
+json :: Text -> Encoding.Encoding
+json = Encoding.unsafeToEncoding . Text.encodeUtf8Builder
 
 grown :: Tree -> ([Step], [Field] -> Encoding.Encoding) -> Tree
 grown _ ([], leaf) = Leaf leaf
@@ -205,6 +311,7 @@ encodeLeaf :: Leaf -> Field -> Encoding.Encoding
 encodeLeaf leaf field = case field of
   Number x | ANumber factor <- leaf -> if factor == 1 then Encoding.double x else Encoding.int (round (x / factor))
   Number x -> Encoding.double x
+  Whole n | ACode codes <- leaf -> maybe Encoding.null_ json (lookup n codes)
   Whole n | ATruth <- leaf -> Encoding.bool (n /= 0)
   Whole n -> Encoding.int n
   Channel.Text t -> Encoding.string (map valid t)

@@ -12,9 +12,11 @@ module Rosy.Profile
 
     -- * Messages
     Mapping (..),
+    Delivery (..),
     Place (..),
     Leaf (..),
     Step (..),
+    Level (..),
 
     -- * Serial packets
     Serial (..),
@@ -63,19 +65,40 @@ data Mapping = Mapping
   { mappingChannel :: Channel,
     topicPattern :: Text,
     typePattern :: Text,
-    -- | One per field of the channel.
+    -- | One per field of the channel; none when the message has 'mappingLevels'.
     mappingPlaces :: [Place],
-    -- | Fields of the message that are always the same.
-    mappingConstants :: [([Step], Double)],
-    -- | Whether late subscribers get the last message.
-    mappingLatched :: Bool
+    -- | Whether each place of an event channel is on. Every message says so of all places, and only changes are events.
+    mappingLevels :: [Level],
+    -- | Fields of the message that are always the same, as JSON.
+    mappingConstants :: [([Step], Text)],
+    mappingDelivery :: Delivery
   }
+
+-- | How messages reach their receivers.
+data Delivery
+  = Published
+  | -- | Late subscribers get the last message.
+    Latched
+  | -- | The message is the request of a service.
+    Called
+  deriving (Eq, Show)
 
 -- | Where a field is in a message.
 data Place
   = At [Step] Leaf
   | -- | A heading about the vertical axis, in the @z@ and @w@ of a quaternion.
     Yaw [Step]
+  | -- | The same in several places.
+    AtAll [[Step]] Leaf
+  deriving (Eq, Show)
+
+-- | A truth in a message.
+data Level
+  = -- | A truth or a bit is set.
+    IsSet [Step] Leaf
+  | -- | The list at the first path has an entry whose number at the second path is this one and whose text at the third path is one of
+    -- these, or, with 'False', none of these.
+    HasEntry [Step] ([Step], Int) [Step] Bool [Text]
   deriving (Eq, Show)
 
 -- | What is at a place.
@@ -89,9 +112,11 @@ data Leaf
     ABit Int
   | -- | A set of flags, of which the field is the first of these that is set, or 0.
     TheFirstOf [Int]
+  | -- | A choice that the message writes as other JSON values, by code.
+    ACode [(Int, Text)]
   deriving (Eq, Show)
 
--- | A step from the top of a message to a field.
+-- | A step from the top of a message to a field. A key may contain variables of a profile; an empty key is no step.
 data Step = Key Text | Index Int
   deriving (Eq, Show)
 

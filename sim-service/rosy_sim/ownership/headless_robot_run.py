@@ -25,6 +25,7 @@ from ..wording import in_terminal
 from ..worker.blocking_worker import BlockingWorker
 from .driver_locks import PORTS, active_drivers, canonical_address
 from .robot_configuration import check_address
+from .robot_parts import missing_parts_problem
 
 __all__ = ["run_on_robot"]
 
@@ -60,6 +61,9 @@ def run_on_robot(
         answer = worker.run(source, theirs)
         if isinstance(answer, Refused):
             return answer.problems, 1
+        missing = missing_parts_problem(address, answer.uses)
+        if missing is not None:
+            return [*answer.problems, missing], 1
         descriptor, settle = str(ours.fileno()), str(worker.limits.settle)
         command = [str(robot_executable), address, descriptor, str(seconds), settle]
         with _forwarded_signals() as forward, subprocess.Popen(command, pass_fds=[ours.fileno()]) as process:

@@ -55,6 +55,7 @@ class RobotProcess:
     """Connects at once; close() stops the robot."""
 
     def __init__(self, executable: Path, address: str, limits: Limits, listener: RobotListener) -> None:
+        self.address = address
         self._listener = listener
         # Listeners of the programs that were handed over, in their order.
         self._runs: deque[RunListener] = deque()

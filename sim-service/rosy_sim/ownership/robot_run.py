@@ -20,6 +20,7 @@ from ..wire.robot_process import CommandsLine, EndedLine, ObservedStep, SentComm
 from ..wire.topics import CHANNELS, TopicMessage
 from ..world.events import Command
 from ..world.time_step import STEPS_PER_SECOND
+from .robot_parts import missing_parts_problem
 from .robot_process import RobotProcess
 
 __all__ = ["OnRobotStep", "RobotRun"]
@@ -111,8 +112,14 @@ class RobotRun(PageRun):
 
     # CompilationListener
 
-    def on_started(self, link: socket.socket, problems: list[Problem]) -> None:
-        """The program runs."""
+    def on_started(self, link: socket.socket, problems: list[Problem], uses: list[str]) -> None:
+        """The program runs, if the robot has what it uses."""
+        missing = missing_parts_problem(self._robot_process.address, uses)
+        if missing is not None:
+            link.close()
+            self._session.kill()
+            self._end("error", [missing])
+            return
         self._view.show_state("running", problems)
         self._robot_process.run(link, self)
 

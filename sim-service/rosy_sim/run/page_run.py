@@ -144,7 +144,7 @@ class PageRun(ABC):
         self._view.show_state("compiling")
 
     @abstractmethod
-    def on_started(self, link: socket.socket, problems: list[Problem]) -> None:
+    def on_started(self, link: socket.socket, problems: list[Problem], uses: list[str]) -> None:
         """The program runs; this run owns its link."""
 
     def on_failed(self, ended: Literal["refused", "error"], problems: list[Problem]) -> None:

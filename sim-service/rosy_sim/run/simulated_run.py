@@ -191,7 +191,7 @@ class SimulatedRun(PageRun):
 
     # CompilationListener
 
-    def on_started(self, link: socket.socket, problems: list[Problem]) -> None:
+    def on_started(self, link: socket.socket, problems: list[Problem], _uses: list[str]) -> None:
         """The program runs."""
         self._warnings = problems
         self._view.show_state("running", problems)

@@ -65,6 +65,8 @@ class Started(msgspec.Struct, tag="started", tag_field="op"):
     id: int
     problems: list[Problem] = []
     compile: float = 0.0
+    # Types of the library that its functions take and give.
+    uses: list[str] = []
 
 
 class Refused(msgspec.Struct, tag="refused", tag_field="op"):

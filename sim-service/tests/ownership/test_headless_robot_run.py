@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import queue
+import socket
 import threading
 from pathlib import Path
 from typing import Any
@@ -120,3 +121,11 @@ def test_an_interrupt_of_the_command_alone_reaches_the_driver_of_the_robot(confi
     with BlockingWorker(config) as worker:
         worker.ready()
         assert run_on_robot(worker, stand_in(tmp_path, waits), "drive:0.5", ADDRESS, 60.0)[1] == 7
+
+
+def test_a_program_that_needs_a_part_the_robot_lacks_is_told_so_before_it_starts(config: Config) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server, BlockingWorker(config) as worker:
+        worker.ready()
+        address = f"ws://127.0.0.1:{server.getsockname()[1]}?robot=turtlebot3"
+        problems, status = run_on_robot(worker, SPEAKER, "drive:0.5 bump done@100", address, 60.0)
+    assert ([str(problem.message) for problem in problems], status) == (["The robot (TurtleBot 3) has no Bumper."], 1)

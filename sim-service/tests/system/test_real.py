@@ -6,6 +6,7 @@ import asyncio
 import io
 import json
 import os
+import socket
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -14,8 +15,10 @@ from typing import Any
 import pytest
 
 from rosy_sim.config import Config, Limits, discover
+from rosy_sim.robot_description import simulated
 from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.run.headless_run import RunOutput, RunResult, RunSettings, run_program
+from rosy_sim.wire.worker import Started
 from rosy_sim.worker.blocking_worker import BlockingWorker
 from rosy_sim.world.world import World
 from rosy_sim.worlds.gallery import named_world, usable_arena
@@ -50,6 +53,8 @@ PROGRAMS = {
     "forwardBackward": FORWARD_BACKWARD,
 }
 
+
+TYPES = {kind["name"] for kind in simulated()["types"]}
 
 LIMITS = Limits(settle=20.0, ready=60.0, gone=20.0, compile=60.0, preview=120.0, worker_ready=120.0)
 
@@ -88,6 +93,38 @@ def test_a_program_gives_the_same_bytes_at_any_speed(name: str, worker: Blocking
 def test_the_error_sound_plays_once_at_the_wall(worker: BlockingWorker) -> None:
     _, lines, _, _ = run(worker, AND_PLAY, RunSettings(8.0, 1))
     assert [c for line in lines for c in line["commands"] if "Sound" in c] == ["ErrorSound"]
+
+
+USING = """data Mood = Mood
+
+accelerate :: Velocity -> Velocity
+accelerate (Velocity v w) = Velocity (v + 0.5) w
+
+bumped :: BumperLeft -> Done ()
+bumped _ = Done ()
+
+sulk :: Either Cliff Button -> Mood
+sulk _ = Mood
+
+look :: Mood -> (Memory Int, Maybe Led1)
+look _ = (Memory 1, Nothing)
+
+drive :: Task ()
+drive = do
+  task accelerate bumped
+  task () (sulk, look)
+
+main = simulate drive
+"""
+
+
+def test_a_start_says_which_types_of_the_library_the_program_uses(worker: BlockingWorker) -> None:
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+    with ours:
+        answer = worker.run(USING, theirs)
+    worker.kill()
+    assert isinstance(answer, Started), answer
+    assert [name for name in answer.uses if name in TYPES] == ["BumperLeft", "Button", "Cliff", "Led1", "Velocity"]
 
 
 def test_forward_backward_ends_at_the_wall_behind(worker: BlockingWorker) -> None:

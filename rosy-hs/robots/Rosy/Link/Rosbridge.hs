@@ -26,7 +26,7 @@ import Network.Socket (close)
 import qualified Network.WebSockets as WS
 import Ros.Net.Rpc (connectTo)
 import Ros.SlicedTimeout (delayInSlices, timeoutInSlices)
-import Rosy.Codec (Route)
+import Rosy.Codec (Levels, Route, noLevels, nothingHeld, onlyChanges)
 import Rosy.Core (Topic (..), TopicUse (..))
 import Rosy.Robot (pattern OdometryMessage)
 import Rosy.Robots.Connection
@@ -40,6 +40,8 @@ withRosbridge host port path known use = do
   outgoing <- newTQueueIO
   connected <- newTVarIO False
   own <- newTVarIO []
+  held <- newTVarIO nothingHeld
+  levels <- newTVarIO noLevels
   let connection =
         Connection
           { connectionName = "the robot at ws://" ++ host ++ ":" ++ show port ++ path,
@@ -52,7 +54,10 @@ withRosbridge host port path known use = do
                 isConnected <- readTVar connected
                 when isConnected (mapM_ (writeTQueue outgoing . Just) (topicFrames new))
               pure [],
-            sendCommand = \a -> atomically (readTVar connected >>= \c -> when c (mapM_ (writeTQueue outgoing . Just) (encodeCommand known a))),
+            sendCommand = \a -> atomically $ do
+              frame <- stateTVar held (encodeCommand known a)
+              isConnected <- readTVar connected
+              when isConnected (mapM_ (writeTQueue outgoing . Just) frame),
             takeEvents = awaitEvents hearing
           }
       -- What was told last, a stop, is to arrive: the base would notice the silence only 0.6 s later. The server answers a goodbye
@@ -60,7 +65,7 @@ withRosbridge host port path known use = do
       goodbye = do
         atomically (readTVar connected >>= \c -> when c (writeTQueue outgoing Nothing))
         timeoutInSlices flushTimeout (atomically (readTVar connected >>= check . not))
-  withAsync (keepConnected host port path known own hearing outgoing connected) $ \_ -> use connection `finally` goodbye
+  withAsync (keepConnected host port path known own levels hearing outgoing connected) $ \_ -> use connection `finally` goodbye
 
 -- | Half a second, in microseconds.
 flushTimeout :: Int
@@ -70,8 +75,8 @@ flushTimeout = 500000
 silenceTimeout :: Int
 silenceTimeout = 1000000
 
-keepConnected :: String -> Int -> String -> [Route] -> TVar [Topic] -> EventQueue -> TQueue (Maybe L.ByteString) -> TVar Bool -> IO ()
-keepConnected host port path known own hearing outgoing connected = go firstPause ""
+keepConnected :: String -> Int -> String -> [Route] -> TVar [Topic] -> TVar Levels -> EventQueue -> TQueue (Maybe L.ByteString) -> TVar Bool -> IO ()
+keepConnected host port path known own levels hearing outgoing connected = go firstPause ""
   where
     go pause said = do
       why <- (runConnection >> pure "the connection ended") `catches` [Handler (\e -> pure (explainConnectionError (e :: IOException))), Handler (\e -> pure (ended (e :: WS.ConnectionException))), Handler (\(_ :: WS.HandshakeException) -> pure "what listens there is no rosbridge server")]
@@ -97,10 +102,14 @@ keepConnected host port path known own hearing outgoing connected = go firstPaus
       let read' = forever $ do
             frame <- WS.receiveData c
             taken <- map topicName . filter ((== Taken) . topicUse) <$> readTVarIO own
-            forM_ (decodeFrame known taken frame) $ \m -> do
+            let messages = decodeFrame known taken frame
+            changed <- atomically $ do
+              -- A message without a change is a sign of life too.
+              modifyTVar' messageCount (+ length messages)
+              stateTVar levels (onlyChanges known messages)
+            forM_ changed $ \m -> do
               wasPresent <- readIORef present
               atomically $ do
-                modifyTVar' messageCount (+ 1)
                 case m of
                   OdometryMessage _ | not wasPresent -> enqueue hearing Connected
                   _ -> pure ()

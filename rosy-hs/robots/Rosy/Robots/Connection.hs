@@ -32,7 +32,7 @@ import Data.List (nubBy)
 import qualified Data.Text as Text
 import Data.Time.Clock.POSIX (getPOSIXTime)
 import Rosy.Channel (Action, Channel (..), Kind (..), Message (..))
-import Rosy.Codec (Route (..), commandRoutes, readAction)
+import Rosy.Codec (Route, commandTopics, readAction)
 import Rosy.Core (Topic)
 import Rosy.Topic (pattern OpenAction)
 
@@ -58,7 +58,7 @@ data Connection = Connection
 resolveCommand :: Connection -> Action -> Maybe Action
 resolveCommand connection a = case a of
   OpenAction name message
-    | name `elem` map (Text.unpack . routeTopic) (commandRoutes (connectionRoutes connection)) -> either (const Nothing) Just (readAction (connectionRoutes connection) (Text.pack name) message)
+    | Text.pack name `elem` commandTopics (connectionRoutes connection) -> either (const Nothing) Just (readAction (connectionRoutes connection) (Text.pack name) message)
   _ -> Just a
 
 data RobotEvent

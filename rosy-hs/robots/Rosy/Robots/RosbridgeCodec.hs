@@ -20,21 +20,25 @@ import Data.Aeson (Value (..), object, (.:), (.=))
 import qualified Data.Aeson as Aeson
 import Data.Aeson.Encoding (encodingToLazyByteString, pair, pairs, text)
 import Data.Aeson.Types (parseMaybe)
+import Data.Bifunctor (first)
 import qualified Data.ByteString.Lazy as L
 import Data.Either (fromRight)
+import Data.Function (on)
+import Data.List (nubBy)
 import qualified Data.List.NonEmpty as NonEmpty
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as T
-import Rosy.Channel (Action (..), Message)
+import Rosy.Channel (Action, Message)
 import Rosy.Codec
 import Rosy.Core (Topic (..), TopicUse (..))
+import Rosy.Profile (Delivery (..))
 import Rosy.Topic (absolute, pattern OpenAction, pattern OpenMessage)
 
 -- | The frames that are sent first. Lights are latched: what is published right after @advertise@ is lost
 -- while the server connects to the base.
 openingFrames :: [Route] -> [L.ByteString]
-openingFrames known = map advertise (commandRoutes known) ++ map (subscribe . NonEmpty.head) (sensorTopics known)
+openingFrames known = map advertise (nubBy ((==) `on` routeTopic) (filter ((/= Called) . routeDelivery) (commandRoutes known))) ++ map (subscribe . NonEmpty.head) (sensorTopics known)
   where
     advertise r = Aeson.encode (object ["op" .= ("advertise" :: Text), "topic" .= routeTopic r, "type" .= routeType r, "latch" .= routeLatched r])
     subscribe r = Aeson.encode (object ["op" .= ("subscribe" :: Text), "topic" .= routeTopic r, "type" .= routeType r])
@@ -47,12 +51,14 @@ topicFrames topics = [Aeson.encode (object ["op" .= operation (topicUse t), "top
       Sent -> "advertise" :: Text
       Taken -> "subscribe"
 
--- | The frame of a command; none for what the robot does not have.
-encodeCommand :: [Route] -> Action -> Maybe L.ByteString
-encodeCommand _ (OpenAction name message) = Just (Aeson.encode (object ["op" .= ("publish" :: Text), "topic" .= name, "msg" .= message]))
-encodeCommand known (Action c fields) = frame <$> routeFor (commandRoutes known) c
+-- | The frame of a command, with what is held for the next; none for what the robot does not have.
+encodeCommand :: [Route] -> Action -> Held -> (Maybe L.ByteString, Held)
+encodeCommand _ (OpenAction name message) held = (Just (Aeson.encode (object ["op" .= ("publish" :: Text), "topic" .= name, "msg" .= message])), held)
+encodeCommand known a held = first (fmap frame) (commandMessage known a held)
   where
-    frame r = encodingToLazyByteString (pairs (pair "op" (text "publish") <> pair "topic" (text (routeTopic r)) <> pair "msg" (encode r fields)))
+    frame (r, message) = encodingToLazyByteString . pairs $ case routeDelivery r of
+      Called -> pair "op" (text "call_service") <> pair "service" (text (routeTopic r)) <> pair "type" (text (routeType r)) <> pair "args" message
+      _ -> pair "op" (text "publish") <> pair "topic" (text (routeTopic r)) <> pair "msg" message
 
 -- | The messages in a frame: the robot's, and one on a topic of the program's own. None for what is no message of the robot's: other operations, other topics,
 -- odometry with a place that is no number (@null@).

@@ -3,7 +3,7 @@
 -- Description : Which robot, how it is reached, and what its topics are called.
 --
 -- In: @ws://HOST:9090@, @ros://HOST:11311@ or @serial:/dev/kobuki@, with options behind a question mark. Out: a
--- 'Target', or a sentence. Options: @robot@, @ros=1|2@, @prefix@, @odometry@, @velocity@, @messages@, @max_speed@,
+-- 'Target', or a sentence. Options: @robot@, @ros=1|2@, @prefix@, @odometry@, @velocity@, @messages@, @stamped=on|off@, @max_speed@,
 -- @max_turn@ (m/s, rad/s), @safety=on|off@, @patience@ (s) and @profile=FILE@, a JSON object with any of these.
 module Rosy.Robots.Target
   ( Target (..),
@@ -77,9 +77,10 @@ instance Show Profile where
 
 -- | The channels of the robot with the names that they have there.
 targetRoutes :: Target -> [Route]
-targetRoutes t = [if isRos2 p then r {routeType = T.replace (T.pack "/") (T.pack "/msg/") (routeType r)} else r | r <- routes (profileRobot p) (profileVariables p)]
+targetRoutes t = [if isRos2 p then r {routeType = T.replace (T.pack "/") (kindOf r) (routeType r)} else r | r <- routes (profileRobot p) (profileVariables p)]
   where
     p = targetProfile t
+    kindOf r = T.pack (if routeDelivery r == Called then "/srv/" else "/msg/")
 
 -- | Where odometry comes from.
 odometryTopic :: [Route] -> String
@@ -90,6 +91,8 @@ data TargetError
     StrangeTarget String
   | -- | No robot has this name.
     UnknownRobot String
+  | -- | The robot of this name is not reached in this way.
+    NoSuchWay String String
   | StrangeOption String
   | -- | An option's value: name, value.
     StrangeValue String String
@@ -101,11 +104,12 @@ explainTargetError :: TargetError -> String
 explainTargetError e = case e of
   StrangeTarget t -> "\"" ++ t ++ "\" is no robot. A robot is ws://HOST:9090, ros://HOST:11311 or serial:/dev/kobuki."
   UnknownRobot n -> "There is no robot called \"" ++ n ++ "\". There are " ++ unwords (map robotName robots) ++ "."
+  NoSuchWay name way -> "A " ++ name ++ " cannot be reached over " ++ way ++ ". It is behind a rosbridge server: ws://HOST:9090?robot=" ++ name ++ "."
   StrangeOption o -> "A robot has no option \"" ++ o ++ "\". There are " ++ unwords known ++ "."
   StrangeValue o v -> "\"" ++ v ++ "\" does not fit the option " ++ o ++ "."
   StrangeProfile f -> "The profile " ++ f ++ " cannot be read. It is a JSON object of options, such as {\"prefix\": \"/robot1\"}."
   where
-    known = ["robot", "ros", "prefix", "odometry", "velocity", "messages", "max_speed", "max_turn", "safety", "patience", "profile"]
+    known = ["robot", "ros", "prefix", "odometry", "velocity", "messages", "stamped", "max_speed", "max_turn", "safety", "patience", "profile"]
 
 -- | The profile that is named there, if one is: its options come before those of the address.
 profileFile :: String -> Maybe FilePath
@@ -122,6 +126,7 @@ withFile profile t = do
       first = named ++ maybe [] (fromRight [] . fromJson "") profile
       robot = lookup "robot" first
   chosen <- maybe (maybe (Left (UnknownRobot "")) Right (listToMaybe robots)) (\n -> maybe (Left (UnknownRobot n)) Right (find ((== n) . robotName) robots)) robot
+  mapM_ (Left . NoSuchWay (robotName chosen)) (missingWay way chosen)
   fromProfile <- maybe (Right []) (fromJson (fromMaybe "" (lookup "profile" named))) profile
   let (speed, turn) = robotLimits chosen
       begun = Target t way (startProfile chosen (lookup "ros" first)) (Limits speed turn) True 10
@@ -129,10 +134,14 @@ withFile profile t = do
   where
     -- It moves the topics that are not named.
     prefixFirst = uncurry (++) . partition ((== "prefix") . fst)
-    -- Which ROS it is decides where the other options start from, wherever it is written.
-    startProfile chosen version = Profile chosen (fromMaybe [] (lookup (if ros2 then "ros2" else "ros1") (robotProfiles chosen))) ros2
+    -- Which ROS it is decides where the other options start from, wherever it is written. Without it the robot's first one counts.
+    startProfile chosen version = Profile chosen (fromMaybe [] (lookup name (robotProfiles chosen))) (name == "ros2")
       where
-        ros2 = fmap (takeWhile (/= '.')) version == Just "2"
+        name = maybe (maybe "ros1" fst (listToMaybe (robotProfiles chosen))) (("ros" ++) . takeWhile (/= '.')) version
+    missingWay way chosen = case way of
+      Ros1 _ _ | "ros1" `notElem` map fst (robotProfiles chosen) -> Just "ROS 1"
+      Serial _ | null (robotSerial chosen) -> Just "a serial cable"
+      _ -> Nothing
 
 fromJson :: FilePath -> B.ByteString -> Either TargetError [(String, String)]
 fromJson file text = case Aeson.decodeStrict' text of
@@ -149,7 +158,7 @@ fromJson file text = case Aeson.decodeStrict' text of
 option :: Target -> (String, String) -> Either TargetError Target
 option t (k, v) = case k of
   "ros"
-    | takeWhile (/= '.') v `elem` ["1", "2"] -> Right t
+    | ("ros" ++ takeWhile (/= '.') v) `elem` map fst (robotProfiles (profileRobot p)) -> Right t
     | otherwise -> bad
   "robot" -> Right t
   -- A topic that is defined below the prefix follows it; a TurtleBot's odometry does not.
@@ -157,6 +166,11 @@ option t (k, v) = case k of
   "odometry" -> topic
   "velocity" -> topic
   "messages" -> if null v then bad else Right t {targetProfile = p {profileVariables = set k v (profileVariables p)}}
+  -- The base takes its velocities with a time (geometry_msgs/TwistStamped).
+  "stamped"
+    | v == "off" -> Right t
+    | v == "on", Just _ <- lookup "velocityType" (profileVariables p) -> Right t {targetProfile = p {profileVariables = set "velocityType" "geometry_msgs/TwistStamped" (set "velocityIn" "twist" (profileVariables p))}}
+    | otherwise -> bad
   "max_speed" -> number (\x -> t {targetLimits = (targetLimits t) {maxSpeed = x}})
   "max_turn" -> number (\x -> t {targetLimits = (targetLimits t) {maxTurn = x}})
   "patience" -> number (\x -> t {targetPatience = x})

@@ -17,7 +17,7 @@ import Rosy.Robot
 
 -- | All robots; the first is the one that an address means without @robot=@.
 robots :: [Robot]
-robots = [kobuki, turtlesim]
+robots = [kobuki, turtlesim, create3, turtlebot3]
 
 -- | The robot of the simulator.
 simulated :: Robot
@@ -29,25 +29,25 @@ kobuki =
     { robotName = "kobuki",
       robotProfiles = [("ros1", [("prefix", "/mobile_base"), ("odometry", "/odom"), ("velocity", "{prefix}/commands/velocity"), ("messages", "kobuki_msgs")]), ("ros2", [("prefix", ""), ("odometry", "{prefix}/odom"), ("velocity", "{prefix}/commands/velocity"), ("messages", "kobuki_ros_interfaces")])],
       robotMappings =
-        [ Mapping buttonChannel "{prefix}/events/button" "{messages}/ButtonEvent" [At [Key "button"] AWhole, At [Key "state"] AWhole] [] False,
-          Mapping bumperChannel "{prefix}/events/bumper" "{messages}/BumperEvent" [At [Key "bumper"] AWhole, At [Key "state"] AWhole] [] False,
-          Mapping cliffChannel "{prefix}/events/cliff" "{messages}/CliffEvent" [At [Key "sensor"] AWhole, At [Key "state"] AWhole] [] False,
-          Mapping wheelChannel "{prefix}/events/wheel_drop" "{messages}/WheelDropEvent" [At [Key "wheel"] AWhole, At [Key "state"] AWhole] [] False,
-          Mapping robotStatusChannel "{prefix}/events/robot_state" "{messages}/RobotStateEvent" [At [Key "state"] AWhole] [] True,
-          Mapping odometryChannel "{odometry}" "nav_msgs/Odometry" [At [Key "pose", Key "pose", Key "position", Key "x"] (ANumber 1), At [Key "pose", Key "pose", Key "position", Key "y"] (ANumber 1), Yaw [Key "pose", Key "pose", Key "orientation"], At [Key "twist", Key "twist", Key "linear", Key "x"] (ANumber 1), At [Key "twist", Key "twist", Key "angular", Key "z"] (ANumber 1)] [([Key "pose", Key "pose", Key "position", Key "z"], 0.0), ([Key "pose", Key "pose", Key "orientation", Key "x"], 0.0), ([Key "pose", Key "pose", Key "orientation", Key "y"], 0.0), ([Key "twist", Key "twist", Key "linear", Key "y"], 0.0), ([Key "twist", Key "twist", Key "linear", Key "z"], 0.0), ([Key "twist", Key "twist", Key "angular", Key "x"], 0.0), ([Key "twist", Key "twist", Key "angular", Key "y"], 0.0)] False,
-          Mapping turnRateChannel "{prefix}/sensors/imu_data" "sensor_msgs/Imu" [At [Key "angular_velocity", Key "z"] (ANumber 1)] [([Key "angular_velocity", Key "x"], 0.0), ([Key "angular_velocity", Key "y"], 0.0)] False,
-          Mapping batteryChannel "{prefix}/sensors/core" "{messages}/SensorState" [At [Key "battery"] (ANumber 0.1)] [] False,
-          Mapping chargerChannel "{prefix}/sensors/core" "{messages}/SensorState" [At [Key "charger"] AWhole] [] False,
-          Mapping dockInfraRedChannel "{prefix}/sensors/dock_ir" "{messages}/DockInfraRed" [At [Key "data", Index 2] (TheFirstOf [1, 2, 4, 8, 16, 32]), At [Key "data", Index 1] (TheFirstOf [1, 2, 4, 8, 16, 32]), At [Key "data", Index 0] (TheFirstOf [1, 2, 4, 8, 16, 32])] [] False,
-          Mapping digitalInputChannel "{prefix}/events/digital_input" "{messages}/DigitalInputEvent" [At [Key "values", Index 0] ATruth, At [Key "values", Index 1] ATruth, At [Key "values", Index 2] ATruth, At [Key "values", Index 3] ATruth] [] False,
-          Mapping analogInputChannel "{prefix}/sensors/core" "{messages}/SensorState" [At [Key "analog_input", Index 0] (ANumber 0.0008058608058608059), At [Key "analog_input", Index 1] (ANumber 0.0008058608058608059), At [Key "analog_input", Index 2] (ANumber 0.0008058608058608059), At [Key "analog_input", Index 3] (ANumber 0.0008058608058608059)] [] False,
-          Mapping velocityChannel "{velocity}" "geometry_msgs/Twist" [At [Key "linear", Key "x"] (ANumber 1), At [Key "angular", Key "z"] (ANumber 1)] [([Key "linear", Key "y"], 0.0), ([Key "linear", Key "z"], 0.0), ([Key "angular", Key "x"], 0.0), ([Key "angular", Key "y"], 0.0)] False,
-          Mapping led1Channel "{prefix}/commands/led1" "{messages}/Led" [At [Key "value"] AWhole] [] True,
-          Mapping led2Channel "{prefix}/commands/led2" "{messages}/Led" [At [Key "value"] AWhole] [] True,
-          Mapping externalPowerChannel "{prefix}/commands/external_power" "{messages}/ExternalPower" [At [Key "source"] AWhole, At [Key "state"] AWhole] [] True,
-          Mapping motorPowerChannel "{prefix}/commands/motor_power" "{messages}/MotorPower" [At [Key "state"] AWhole] [] True,
-          Mapping soundChannel "{prefix}/commands/sound" "{messages}/Sound" [At [Key "value"] AWhole] [] False,
-          Mapping sayChannel "/rosy/say" "std_msgs/String" [At [Key "data"] AText] [] False
+        [ Mapping buttonChannel "{prefix}/events/button" "{messages}/ButtonEvent" [At [Key "button"] AWhole, At [Key "state"] AWhole] [] [] Published,
+          Mapping bumperChannel "{prefix}/events/bumper" "{messages}/BumperEvent" [At [Key "bumper"] AWhole, At [Key "state"] AWhole] [] [] Published,
+          Mapping cliffChannel "{prefix}/events/cliff" "{messages}/CliffEvent" [At [Key "sensor"] AWhole, At [Key "state"] AWhole] [] [] Published,
+          Mapping wheelChannel "{prefix}/events/wheel_drop" "{messages}/WheelDropEvent" [At [Key "wheel"] AWhole, At [Key "state"] AWhole] [] [] Published,
+          Mapping robotStatusChannel "{prefix}/events/robot_state" "{messages}/RobotStateEvent" [At [Key "state"] AWhole] [] [] Latched,
+          Mapping odometryChannel "{odometry}" "nav_msgs/Odometry" [At [Key "pose", Key "pose", Key "position", Key "x"] (ANumber 1), At [Key "pose", Key "pose", Key "position", Key "y"] (ANumber 1), Yaw [Key "pose", Key "pose", Key "orientation"], At [Key "twist", Key "twist", Key "linear", Key "x"] (ANumber 1), At [Key "twist", Key "twist", Key "angular", Key "z"] (ANumber 1)] [] [([Key "pose", Key "pose", Key "position", Key "z"], "0.0"), ([Key "pose", Key "pose", Key "orientation", Key "x"], "0.0"), ([Key "pose", Key "pose", Key "orientation", Key "y"], "0.0"), ([Key "twist", Key "twist", Key "linear", Key "y"], "0.0"), ([Key "twist", Key "twist", Key "linear", Key "z"], "0.0"), ([Key "twist", Key "twist", Key "angular", Key "x"], "0.0"), ([Key "twist", Key "twist", Key "angular", Key "y"], "0.0")] Published,
+          Mapping turnRateChannel "{prefix}/sensors/imu_data" "sensor_msgs/Imu" [At [Key "angular_velocity", Key "z"] (ANumber 1)] [] [([Key "angular_velocity", Key "x"], "0.0"), ([Key "angular_velocity", Key "y"], "0.0")] Published,
+          Mapping batteryChannel "{prefix}/sensors/core" "{messages}/SensorState" [At [Key "battery"] (ANumber 0.1)] [] [] Published,
+          Mapping chargerChannel "{prefix}/sensors/core" "{messages}/SensorState" [At [Key "charger"] AWhole] [] [] Published,
+          Mapping dockInfraRedChannel "{prefix}/sensors/dock_ir" "{messages}/DockInfraRed" [At [Key "data", Index 2] (TheFirstOf [1, 2, 4, 8, 16, 32]), At [Key "data", Index 1] (TheFirstOf [1, 2, 4, 8, 16, 32]), At [Key "data", Index 0] (TheFirstOf [1, 2, 4, 8, 16, 32])] [] [] Published,
+          Mapping digitalInputChannel "{prefix}/events/digital_input" "{messages}/DigitalInputEvent" [At [Key "values", Index 0] ATruth, At [Key "values", Index 1] ATruth, At [Key "values", Index 2] ATruth, At [Key "values", Index 3] ATruth] [] [] Published,
+          Mapping analogInputChannel "{prefix}/sensors/core" "{messages}/SensorState" [At [Key "analog_input", Index 0] (ANumber 0.0008058608058608059), At [Key "analog_input", Index 1] (ANumber 0.0008058608058608059), At [Key "analog_input", Index 2] (ANumber 0.0008058608058608059), At [Key "analog_input", Index 3] (ANumber 0.0008058608058608059)] [] [] Published,
+          Mapping velocityChannel "{velocity}" "geometry_msgs/Twist" [At [Key "linear", Key "x"] (ANumber 1), At [Key "angular", Key "z"] (ANumber 1)] [] [([Key "linear", Key "y"], "0.0"), ([Key "linear", Key "z"], "0.0"), ([Key "angular", Key "x"], "0.0"), ([Key "angular", Key "y"], "0.0")] Published,
+          Mapping led1Channel "{prefix}/commands/led1" "{messages}/Led" [At [Key "value"] AWhole] [] [] Latched,
+          Mapping led2Channel "{prefix}/commands/led2" "{messages}/Led" [At [Key "value"] AWhole] [] [] Latched,
+          Mapping externalPowerChannel "{prefix}/commands/external_power" "{messages}/ExternalPower" [At [Key "source"] AWhole, At [Key "state"] AWhole] [] [] Latched,
+          Mapping motorPowerChannel "{prefix}/commands/motor_power" "{messages}/MotorPower" [At [Key "state"] AWhole] [] [] Latched,
+          Mapping soundChannel "{prefix}/commands/sound" "{messages}/Sound" [At [Key "value"] AWhole] [] [] Published,
+          Mapping sayChannel "/rosy/say" "std_msgs/String" [At [Key "data"] AText] [] [] Published
         ],
       robotHeld = [(led1Channel, [Whole 0]), (led2Channel, [Whole 0]), (externalPowerChannel, [Whole 1, Whole 1, Whole 1, Whole 1]), (motorPowerChannel, [Whole 1])],
       robotLimits = (0.7, 3.141592653589793),
@@ -100,9 +100,9 @@ turtlesim =
     { robotName = "turtlesim",
       robotProfiles = [("ros1", [("prefix", "/turtle1"), ("odometry", "{prefix}/pose"), ("velocity", "{prefix}/cmd_vel"), ("messages", "turtlesim")]), ("ros2", [("prefix", "/turtle1"), ("odometry", "{prefix}/pose"), ("velocity", "{prefix}/cmd_vel"), ("messages", "turtlesim")])],
       robotMappings =
-        [ Mapping odometryChannel "{odometry}" "turtlesim/Pose" [At [Key "x"] (ANumber 1), At [Key "y"] (ANumber 1), At [Key "theta"] (ANumber 1), At [Key "linear_velocity"] (ANumber 1), At [Key "angular_velocity"] (ANumber 1)] [] False,
-          Mapping velocityChannel "{velocity}" "geometry_msgs/Twist" [At [Key "linear", Key "x"] (ANumber 1), At [Key "angular", Key "z"] (ANumber 1)] [([Key "linear", Key "y"], 0.0), ([Key "linear", Key "z"], 0.0), ([Key "angular", Key "x"], 0.0), ([Key "angular", Key "y"], 0.0)] False,
-          Mapping sayChannel "/rosy/say" "std_msgs/String" [At [Key "data"] AText] [] False
+        [ Mapping odometryChannel "{odometry}" "turtlesim/Pose" [At [Key "x"] (ANumber 1), At [Key "y"] (ANumber 1), At [Key "theta"] (ANumber 1), At [Key "linear_velocity"] (ANumber 1), At [Key "angular_velocity"] (ANumber 1)] [] [] Published,
+          Mapping velocityChannel "{velocity}" "geometry_msgs/Twist" [At [Key "linear", Key "x"] (ANumber 1), At [Key "angular", Key "z"] (ANumber 1)] [] [([Key "linear", Key "y"], "0.0"), ([Key "linear", Key "z"], "0.0"), ([Key "angular", Key "x"], "0.0"), ([Key "angular", Key "y"], "0.0")] Published,
+          Mapping sayChannel "/rosy/say" "std_msgs/String" [At [Key "data"] AText] [] [] Published
         ],
       robotHeld = [],
       robotLimits = (2.0, 2.0),
@@ -113,4 +113,52 @@ turtlesim =
           ("std_msgs", "String", "string data\n"),
           ("turtlesim", "Pose", "float32 x\nfloat32 y\nfloat32 theta\n\nfloat32 linear_velocity\nfloat32 angular_velocity\n")
         ]
+    }
+
+create3 :: Robot
+create3 =
+  Robot
+    { robotName = "create3",
+      robotProfiles = [("ros2", [("prefix", ""), ("odometry", "{prefix}/odom"), ("velocity", "{prefix}/cmd_vel"), ("velocityType", "geometry_msgs/Twist"), ("velocityIn", ""), ("messages", "irobot_create_msgs")])],
+      robotMappings =
+        [ Mapping buttonChannel "{prefix}/interface_buttons" "{messages}/InterfaceButtons" [] [IsSet [Key "button_1", Key "is_pressed"] ATruth, IsSet [Key "button_power", Key "is_pressed"] ATruth, IsSet [Key "button_2", Key "is_pressed"] ATruth] [] Published,
+          Mapping bumperChannel "{prefix}/hazard_detection" "{messages}/HazardDetectionVector" [] [HasEntry [Key "detections"] ([Key "type"], 1) [Key "header", Key "frame_id"] True ["bump_left", "bump_front_left"], HasEntry [Key "detections"] ([Key "type"], 1) [Key "header", Key "frame_id"] False ["bump_left", "bump_front_left", "bump_right", "bump_front_right"], HasEntry [Key "detections"] ([Key "type"], 1) [Key "header", Key "frame_id"] True ["bump_right", "bump_front_right"]] [] Published,
+          Mapping cliffChannel "{prefix}/hazard_detection" "{messages}/HazardDetectionVector" [] [HasEntry [Key "detections"] ([Key "type"], 2) [Key "header", Key "frame_id"] True ["cliff_side_left"], HasEntry [Key "detections"] ([Key "type"], 2) [Key "header", Key "frame_id"] False ["cliff_side_left", "cliff_side_right"], HasEntry [Key "detections"] ([Key "type"], 2) [Key "header", Key "frame_id"] True ["cliff_side_right"]] [] Published,
+          Mapping wheelChannel "{prefix}/hazard_detection" "{messages}/HazardDetectionVector" [] [HasEntry [Key "detections"] ([Key "type"], 4) [Key "header", Key "frame_id"] False ["right_wheel", "wheel_drop_right", "wheel_drop_right_joint"], HasEntry [Key "detections"] ([Key "type"], 4) [Key "header", Key "frame_id"] True ["right_wheel", "wheel_drop_right", "wheel_drop_right_joint"]] [] Published,
+          Mapping odometryChannel "{odometry}" "nav_msgs/Odometry" [At [Key "pose", Key "pose", Key "position", Key "x"] (ANumber 1), At [Key "pose", Key "pose", Key "position", Key "y"] (ANumber 1), Yaw [Key "pose", Key "pose", Key "orientation"], At [Key "twist", Key "twist", Key "linear", Key "x"] (ANumber 1), At [Key "twist", Key "twist", Key "angular", Key "z"] (ANumber 1)] [] [] Published,
+          Mapping turnRateChannel "{prefix}/imu" "sensor_msgs/Imu" [At [Key "angular_velocity", Key "z"] (ANumber 1)] [] [] Published,
+          Mapping batteryChannel "{prefix}/battery_state" "sensor_msgs/BatteryState" [At [Key "voltage"] (ANumber 1)] [] [] Published,
+          Mapping chargerChannel "{prefix}/dock_status" "{messages}/DockStatus" [At [Key "is_docked"] (ACode [(0, "false"), (6, "true")])] [] [] Published,
+          Mapping velocityChannel "{velocity}" "{velocityType}" [At [Key "{velocityIn}", Key "linear", Key "x"] (ANumber 1), At [Key "{velocityIn}", Key "angular", Key "z"] (ANumber 1)] [] [([Key "{velocityIn}", Key "linear", Key "y"], "0.0"), ([Key "{velocityIn}", Key "linear", Key "z"], "0.0"), ([Key "{velocityIn}", Key "angular", Key "x"], "0.0"), ([Key "{velocityIn}", Key "angular", Key "y"], "0.0")] Published,
+          Mapping led1Channel "{prefix}/cmd_lightring" "{messages}/LightringLeds" [AtAll [[Key "leds", Index 2], [Key "leds", Index 3], [Key "leds", Index 4]] (ACode [(0, "{\"red\": 0, \"green\": 0, \"blue\": 0}"), (1, "{\"red\": 0, \"green\": 255, \"blue\": 0}"), (2, "{\"red\": 255, \"green\": 120, \"blue\": 0}"), (3, "{\"red\": 255, \"green\": 0, \"blue\": 0}")])] [] [([Key "override_system"], "true")] Published,
+          Mapping led2Channel "{prefix}/cmd_lightring" "{messages}/LightringLeds" [AtAll [[Key "leds", Index 0], [Key "leds", Index 1], [Key "leds", Index 5]] (ACode [(0, "{\"red\": 0, \"green\": 0, \"blue\": 0}"), (1, "{\"red\": 0, \"green\": 255, \"blue\": 0}"), (2, "{\"red\": 255, \"green\": 120, \"blue\": 0}"), (3, "{\"red\": 255, \"green\": 0, \"blue\": 0}")])] [] [([Key "override_system"], "true")] Published,
+          Mapping motorPowerChannel "{prefix}/e_stop" "{messages}/EStop" [At [Key "e_stop_on"] (ACode [(1, "false"), (0, "true")])] [] [] Called,
+          Mapping soundChannel "{prefix}/cmd_audio" "{messages}/AudioNoteVector" [At [Key "notes"] (ACode [(0, "[{\"frequency\": 523, \"max_runtime\": {\"sec\": 0, \"nanosec\": 150000000}}, {\"frequency\": 659, \"max_runtime\": {\"sec\": 0, \"nanosec\": 150000000}}, {\"frequency\": 784, \"max_runtime\": {\"sec\": 0, \"nanosec\": 300000000}}]"), (1, "[{\"frequency\": 784, \"max_runtime\": {\"sec\": 0, \"nanosec\": 150000000}}, {\"frequency\": 659, \"max_runtime\": {\"sec\": 0, \"nanosec\": 150000000}}, {\"frequency\": 523, \"max_runtime\": {\"sec\": 0, \"nanosec\": 300000000}}]"), (2, "[{\"frequency\": 440, \"max_runtime\": {\"sec\": 0, \"nanosec\": 150000000}}, {\"frequency\": 554, \"max_runtime\": {\"sec\": 0, \"nanosec\": 150000000}}, {\"frequency\": 440, \"max_runtime\": {\"sec\": 0, \"nanosec\": 150000000}}, {\"frequency\": 554, \"max_runtime\": {\"sec\": 0, \"nanosec\": 300000000}}]"), (3, "[{\"frequency\": 880, \"max_runtime\": {\"sec\": 0, \"nanosec\": 100000000}}]"), (4, "[{\"frequency\": 196, \"max_runtime\": {\"sec\": 0, \"nanosec\": 300000000}}, {\"frequency\": 147, \"max_runtime\": {\"sec\": 0, \"nanosec\": 500000000}}]"), (5, "[{\"frequency\": 392, \"max_runtime\": {\"sec\": 0, \"nanosec\": 150000000}}, {\"frequency\": 523, \"max_runtime\": {\"sec\": 0, \"nanosec\": 150000000}}, {\"frequency\": 659, \"max_runtime\": {\"sec\": 0, \"nanosec\": 150000000}}, {\"frequency\": 784, \"max_runtime\": {\"sec\": 0, \"nanosec\": 300000000}}]"), (6, "[{\"frequency\": 784, \"max_runtime\": {\"sec\": 0, \"nanosec\": 150000000}}, {\"frequency\": 659, \"max_runtime\": {\"sec\": 0, \"nanosec\": 150000000}}, {\"frequency\": 523, \"max_runtime\": {\"sec\": 0, \"nanosec\": 150000000}}, {\"frequency\": 392, \"max_runtime\": {\"sec\": 0, \"nanosec\": 300000000}}]")])] [] [([Key "append"], "false")] Published,
+          Mapping sayChannel "/rosy/say" "std_msgs/String" [At [Key "data"] AText] [] [] Published
+        ],
+      robotHeld = [(led1Channel, [Whole 0]), (led2Channel, [Whole 0]), (motorPowerChannel, [Whole 1])],
+      robotLimits = (0.306, 1.9),
+      robotSerial = [],
+      robotMessages = []
+    }
+
+turtlebot3 :: Robot
+turtlebot3 =
+  Robot
+    { robotName = "turtlebot3",
+      robotProfiles = [("ros2", [("prefix", ""), ("odometry", "{prefix}/odom"), ("velocity", "{prefix}/cmd_vel"), ("velocityType", "geometry_msgs/Twist"), ("velocityIn", ""), ("messages", "turtlebot3_msgs")])],
+      robotMappings =
+        [ Mapping buttonChannel "{prefix}/sensor_state" "{messages}/SensorState" [] [IsSet [Key "button"] (ABit 0), IsSet [Key "button"] (ABit 1)] [] Published,
+          Mapping odometryChannel "{odometry}" "nav_msgs/Odometry" [At [Key "pose", Key "pose", Key "position", Key "x"] (ANumber 1), At [Key "pose", Key "pose", Key "position", Key "y"] (ANumber 1), Yaw [Key "pose", Key "pose", Key "orientation"], At [Key "twist", Key "twist", Key "linear", Key "x"] (ANumber 1), At [Key "twist", Key "twist", Key "angular", Key "z"] (ANumber 1)] [] [] Published,
+          Mapping turnRateChannel "{prefix}/imu" "sensor_msgs/Imu" [At [Key "angular_velocity", Key "z"] (ANumber 1)] [] [] Published,
+          Mapping batteryChannel "{prefix}/battery_state" "sensor_msgs/BatteryState" [At [Key "voltage"] (ANumber 1)] [] [] Published,
+          Mapping velocityChannel "{velocity}" "{velocityType}" [At [Key "{velocityIn}", Key "linear", Key "x"] (ANumber 1), At [Key "{velocityIn}", Key "angular", Key "z"] (ANumber 1)] [] [([Key "{velocityIn}", Key "linear", Key "y"], "0.0"), ([Key "{velocityIn}", Key "linear", Key "z"], "0.0"), ([Key "{velocityIn}", Key "angular", Key "x"], "0.0"), ([Key "{velocityIn}", Key "angular", Key "y"], "0.0")] Published,
+          Mapping motorPowerChannel "{prefix}/motor_power" "std_srvs/SetBool" [At [Key "data"] (ACode [(1, "true"), (0, "false")])] [] [] Called,
+          Mapping soundChannel "{prefix}/sound" "{messages}/Sound" [At [Key "value"] (ACode [(0, "1"), (1, "0"), (2, "2"), (3, "4"), (4, "3"), (5, "4"), (6, "5")])] [] [] Called,
+          Mapping sayChannel "/rosy/say" "std_msgs/String" [At [Key "data"] AText] [] [] Published
+        ],
+      robotHeld = [(motorPowerChannel, [Whole 1])],
+      robotLimits = (0.22, 1.82),
+      robotSerial = [],
+      robotMessages = []
     }

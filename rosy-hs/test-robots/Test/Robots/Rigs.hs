@@ -1,5 +1,5 @@
 -- |
--- Description : The robots that the tests have: a strict rosbridge server, a rospy node, a base on a pseudo-terminal.
+-- Description : The robots that the tests have: strict rosbridge servers, a rospy node, a base on a pseudo-terminal.
 module Test.Robots.Rigs
   ( -- * A test with a robot
     Ready,
@@ -9,6 +9,7 @@ module Test.Robots.Rigs
     -- * Robots
     Rig (..),
     rosbridge,
+    ros2Robot,
     rospy,
     serial,
     plainEnvironment,
@@ -93,6 +94,31 @@ rosbridge version ros = (\_ use -> plainEnvironment >>= \e -> withProgram e "/us
           }
     prefix' = if version == "2" then "" else "/mobile_base"
     velocity x = isPrefixOf ("got " ++ prefix' ++ "/commands/velocity {\"linear\": {\"x\": " ++ x)
+
+-- | A stand-in for a robot of this name, with these further words for its program and options of its address.
+ros2Robot :: String -> [String] -> String -> Either String FilePath -> Maybe WithRig
+ros2Robot name more extra ros = (\_ use -> plainEnvironment >>= \e -> withProgram e "/usr/bin/python3" ([peers "ros2_robot.py", name] ++ more) (act e use)) <$ installed ros
+  where
+    act e use p = do
+      port <- drop 5 <$> hears p "port "
+      use
+        Rig
+          { called = name,
+            url = "ws://127.0.0.1:" ++ port,
+            options = "&robot=" ++ name ++ extra,
+            robot = p,
+            environment = e,
+            streaming = say p ("stream /odom " ++ odometry (stamp "2")),
+            prepared = pure (),
+            attached = void (hears p "subscribed /odom"),
+            bumped = say p "hazard 1 bump_front_left on",
+            moves = velocity "0.2",
+            stands = velocity "0.0",
+            backs = velocity "-0.1",
+            red = isPrefixOf ("got /cmd_lightring {\"leds\": [" ++ light 0 ++ ", " ++ light 0 ++ ", " ++ light 255 ++ ", " ++ light 255 ++ ", " ++ light 255 ++ ", " ++ light 0 ++ "]")
+          }
+    velocity x = isPrefixOf ("got /cmd_vel {\"linear\": {\"x\": " ++ x)
+    light r = "{\"red\": " ++ show (r :: Int) ++ ", \"green\": 0, \"blue\": 0}"
 
 rospy :: Either String FilePath -> Maybe WithRig
 rospy ros = (\folder use -> withMaster folder (\e -> withPeer e "mobile_base" (act e use))) <$ installed ros

@@ -18,6 +18,7 @@ module Test.Robots.Same
   )
 where
 
+import Control.Applicative ((<|>))
 import Control.Concurrent.Async (wait, waitSTM, withAsync)
 import Control.Concurrent.STM
 import Control.Exception (bracket, finally)
@@ -37,7 +38,7 @@ import Foreign.Ptr (nullPtr)
 import Network.Socket (Family (..), Socket, SocketType (..), close, defaultProtocol, socketPair, withFdSocket)
 import Network.Socket.ByteString (recv)
 import Network.Socket.ByteString.Lazy (sendAll)
-import Rosy.Channel (Action, Message)
+import Rosy.Channel (Action (..), Field (..), Message)
 import Rosy.Kobuki.Command (wheelCommand)
 import Rosy.Launch (onLink)
 import Rosy.Link.Pipe (pipeLink)
@@ -73,9 +74,12 @@ tests ready =
       "the same stream gives the same commands"
       [ testCase "the stream has something for every program, and they answer it differently" differ,
         testCase "a robot in the simulator's place" (forM_ plays inPlace),
-        story ready (rosbridge "1") "rosbridge on ROS 1" (jsonRobot "/mobile_base"),
-        story ready (rosbridge "2") "rosbridge on ROS 2" (jsonRobot ""),
-        story ready rospy "ROS 1" (jsonRobot "/mobile_base"),
+        story ready (rosbridge "1") "rosbridge on ROS 1" (jsonRobot (kobuki "/mobile_base")),
+        story ready (rosbridge "2") "rosbridge on ROS 2" (jsonRobot (kobuki "")),
+        story ready rospy "ROS 1" (jsonRobot (kobuki "/mobile_base")),
+        story ready (ros2Robot "create3" [] "") "a Create 3" (jsonRobot create3),
+        story ready (ros2Robot "turtlebot3" [] "") "a TurtleBot 3" (jsonRobot turtlebot3),
+        story ready (ros2Robot "turtlebot3" ["stamped"] "&stamped=on") "a TurtleBot 3 that takes velocities with a time" (jsonRobot turtlebot3),
         story ready serial "serial" serialRobot
       ]
 
@@ -235,26 +239,98 @@ inPlace (name, main') = do
 reached :: Rig -> (Connection -> IO a) -> IO a
 reached r use = either (assertFailure . explainTargetError) pure (readTarget (url r ++ "?safety=off" ++ options r)) >>= (`withConnection` use)
 
+-- | A robot that speaks JSON: the programs for which it has the parts, its line for a message, and the commands in what it was told.
+data JsonRobot = JsonRobot
+  { programs :: [(String, IO ())],
+    sends :: Message -> Maybe String,
+    toldBy :: [String] -> [Action]
+  }
+
+kobuki :: String -> JsonRobot
+kobuki prefix' = JsonRobot plays (Just . messageTo prefix') (mapMaybe (commandOf prefix'))
+
+-- | A Create 3, by the definitions of its messages.
+create3 :: JsonRobot
+create3 = JsonRobot (filter ((`elem` paper) . fst) plays) sent (concatMap ros2Command)
+  where
+    sent m = case m of
+      OdometryMessage o -> Just ("send /odom " ++ odometryJson o)
+      BumperMessage (Bumper side s) -> hazard 1 (case side of LeftBumper -> "bump_left"; CenterBumper -> "bump_front_center"; RightBumper -> "bump_front_right") (s == Pressed)
+      CliffMessage (Cliff side s) -> hazard 2 (case side of LeftCliff -> "cliff_side_left"; CenterCliff -> "cliff_front_left"; RightCliff -> "cliff_side_right") (s == Hole)
+      WheelMessage (Wheel side s) -> hazard 4 (case side of LeftWheel -> "left_wheel"; RightWheel -> "right_wheel") (s == Air)
+      ButtonMessage (Button n s) -> Just (unwords ["button", case n of Button0 -> "button_1"; Button1 -> "button_power"; Button2 -> "button_2", switch (s == Pressed)])
+      _ -> Nothing
+    hazard kind frame on = Just (unwords ["hazard", show (kind :: Int), frame, switch on])
+    switch on = if on then "on" else "off"
+
+turtlebot3 :: JsonRobot
+turtlebot3 = JsonRobot (filter ((`elem` ["accelerate", "drawSquare"]) . fst) plays) sent (concatMap ros2Command)
+  where
+    sent m = case m of
+      OdometryMessage o -> Just ("send /odom " ++ odometryJson o)
+      _ -> Nothing
+
+-- | The programs of the paper.
+paper :: [String]
+paper = ["accelerate", "accelerateAndPlay", "forwardBackward", "safetyControl", "mux", "randomWalk", "safeRandomWalk", "drawSquare"]
+
+-- | The commands in a line of a ROS 2 robot. The light ring says what both lights are.
+ros2Command :: String -> [Action]
+ros2Command line = case break (== ' ') <$> stripPrefix "got " line of
+  Just (topic, text) | Just (Object o) <- Aeson.decode (LC.pack text) -> case topic of
+    "/cmd_vel" -> fold' (\m -> [VelocityCommand (Velocity v w) | (v, w) <- fold' pure (parseMaybe twist m)]) (parseMaybe (\m -> m .: "twist" <|> pure m) o)
+    "/cmd_lightring" -> fold' (\ls -> [Led1Command (Led1 (color (ls !! 3))), Led2Command (Led2 (color (ls !! 1)))]) (parseMaybe (.: "leds") o)
+    "/cmd_audio" -> fold' (\notes -> [SoundCommand (melody (map (.: "frequency") notes))]) (parseMaybe (.: "notes") o)
+    "/rosy/say" -> fold' (\s -> [SayCommand (Say s)]) (parseMaybe (.: "data") o)
+    _ -> []
+  _ -> []
+  where
+    fold' = maybe []
+    twist m = (,) <$> (m .: "linear" >>= (.: "x")) <*> (m .: "angular" >>= (.: "z"))
+    color led = case parseMaybe (\l -> (,) <$> l .: "red" <*> l .: "green") led :: Maybe (Int, Int) of
+      Just (255, 0) -> Red
+      Just (255, _) -> Orange
+      Just (0, 255) -> Green
+      _ -> Black
+    -- By its first note and their number.
+    melody notes = case (length notes, mapMaybe (parseMaybe id) (take 1 notes) :: [Int]) of
+      (3, [523]) -> OnSound
+      (3, _) -> OffSound
+      (1, _) -> ButtonSound
+      (2, _) -> ErrorSound
+      (_, [440]) -> RechargeSound
+      (_, [392]) -> CleaningStartSound
+      _ -> CleaningEndSound
+
 -- | Messages go in as JSON, and commands come out so. All programs drive over one connection.
-jsonRobot :: String -> Rig -> IO ()
-jsonRobot prefix' r = do
-  expected <- mapM (reference . snd) plays
+jsonRobot :: JsonRobot -> Rig -> IO ()
+jsonRobot kind r = do
+  expected <- mapM (reference . snd) (programs kind)
   prepared r
-  reached r $ \base -> forM_ (zip3 plays expected (False : repeat True)) $ \((name, main'), e, known) -> do
+  reached r $ \base -> forM_ (zip3 (programs kind) expected (False : repeat True)) $ \((name, main'), e, known) -> do
     before <- length <$> transcript (robot r)
     got <- concat <$> playing main' base known (\hands -> unless known (attached r) >> stream hands)
     sameAs name got e
-    let told ls = mapMaybe (commandOf prefix') (drop before ls)
-    awaitTranscript (robot r) (\ls -> all (\(_, is) -> filter is (through (told ls)) == filter is (through got)) channels)
-    transcript (robot r) >>= \ls -> sameAs (name ++ ", told") (through (told ls)) (through got)
+    let told ls = toldBy kind (drop before ls)
+    awaitTranscript (robot r) (\ls -> all (\(_, is) -> seen is (told ls) == seen is got) channels)
+    transcript (robot r) >>= \ls -> sameAs (name ++ ", told") (concatMap (\(_, is) -> seen is (told ls)) channels) (concatMap (\(_, is) -> seen is got) channels)
   where
     -- Each topic travels by itself, so a message is answered before the next is sent, which could overtake it.
     stream hands = forM_ (zip [0 ..] (map snd recorded)) $ \(n, ms) -> do
       ended <- isOver hands
       unless ended $ do
         at hands n
-        forM_ (ms ++ [RobotStatusMessage Online | n == 0]) $ \m -> say (robot r) (messageTo prefix' m) >> answers hands 1
+        forM_ (mapMaybe (sends kind) (ms ++ [RobotStatusMessage Online | n == 0])) $ \line -> say (robot r) line >> answers hands 1
         when (ticksAt n) (tick hands)
+    -- A light that is told to be what it is may be told again with the other one.
+    seen is as = (if any isLight chosen then once . (dark chosen ++) else id) chosen
+      where
+        chosen = filter is (through as)
+    dark chosen = take 1 [a | Action c _ <- take 1 chosen, a <- [Action c [Whole 0]]]
+    isLight a = case a of
+      Led1Command _ -> True
+      Led2Command _ -> True
+      _ -> False
 
 -- | The command in a line of a robot whose topics have this prefix.
 commandOf :: String -> String -> Maybe Action

@@ -13,7 +13,7 @@ import Rosy.Codec
 import Rosy.Robot
 import Rosy.Robots.DynamicMessage
 import Rosy.Robots.Guard (Limits (..))
-import Rosy.Robots.RosbridgeCodec (decodeFrame)
+import Rosy.Robots.RosbridgeCodec (decodeFrame, encodeCommand)
 import Rosy.Robots.Target
 import Test.Tasty
 import Test.Tasty.HUnit
@@ -55,6 +55,47 @@ tests =
             bytes = Ros.encode pose
         (B.length bytes, Ros.messageMd5 (Proxy :: Proxy (DynamicMessage "turtlesim/Pose"))) @?= (20, "863b248d5016ca62ea2e895ae5265cf9")
         fmap (\(DynamicMessage v) -> readMessages known "/turtle1/pose" v) (Ros.decode bytes :: Either Ros.DecodeError (DynamicMessage "turtlesim/Pose")) @?= Right (Right [turned]),
+      testCase "a Create 3 and a TurtleBot 3 are behind rosbridge on ROS 2" $ do
+        fmap (\t -> (named t odometryChannel, named t velocityChannel, named t bumperChannel)) (readTarget "ws://h?robot=create3")
+          @?= Right (Just ("/odom", "nav_msgs/msg/Odometry"), Just ("/cmd_vel", "geometry_msgs/msg/Twist"), Just ("/hazard_detection", "irobot_create_msgs/msg/HazardDetectionVector"))
+        fmap (\t -> (targetLimits t, named t bumperChannel, named t soundChannel)) (readTarget "ws://h?robot=turtlebot3&prefix=/a") @?= Right (Limits 0.22 1.82, Nothing, Just ("/a/sound", "turtlebot3_msgs/srv/Sound"))
+        fmap (`named` velocityChannel) (readTarget "ws://h?robot=turtlebot3&stamped=on") @?= Right (Just ("/cmd_vel", "geometry_msgs/msg/TwistStamped"))
+        readTarget "ros://h?robot=create3" @?= Left (NoSuchWay "create3" "ROS 1")
+        readTarget "serial:/dev/kobuki?robot=turtlebot3" @?= Left (NoSuchWay "turtlebot3" "a serial cable")
+        readTarget "ws://h?robot=create3&ros=1" @?= Left (StrangeValue "ros" "1")
+        readTarget "ws://h?stamped=on" @?= Left (StrangeValue "stamped" "on"),
+      testCase "a Create 3's hazards are events when they come and when they are absent" $ do
+        let known = either (const []) targetRoutes (readTarget "ws://h?robot=create3")
+            vector entries = "{\"op\":\"publish\",\"topic\":\"/hazard_detection\",\"msg\":{\"header\":{},\"detections\":[" <> entries <> "]}}"
+            play levels (frame : rest) = let (ms, levels') = onlyChanges known (decodeFrame known [] frame) levels in ms : play levels' rest
+            play _ [] = []
+            bump = "{\"header\":{\"frame_id\":\"bump_front_left\"},\"type\":1}"
+            strange = "{\"header\":{\"frame_id\":\"base_link\"},\"type\":1}"
+            stall = "{\"header\":{\"frame_id\":\"left_wheel\"},\"type\":3}"
+            fall = "{\"header\":{\"frame_id\":\"right_wheel\"},\"type\":4}"
+            backup = "{\"header\":{\"frame_id\":\"base_link\"},\"type\":0}"
+        play noLevels [vector "", vector bump, vector (bump <> "," <> stall), vector (strange <> "," <> backup), vector fall, vector ""]
+          @?= [ [],
+                [BumperMessage (Bumper LeftBumper Pressed)],
+                [],
+                [BumperMessage (Bumper LeftBumper Released), BumperMessage (Bumper CenterBumper Pressed)],
+                [BumperMessage (Bumper CenterBumper Released), WheelMessage (Wheel RightWheel Air)],
+                [WheelMessage (Wheel RightWheel Ground)]
+              ],
+      testCase "both lights of a Create 3 are in each message, and its motors and a TurtleBot 3's sounds are services" $ do
+        let told address = go nothingHeld
+              where
+                known = either (const []) targetRoutes (readTarget address)
+                go held (a : rest) = let (frame, held') = encodeCommand known a held in frame : go held' rest
+                go _ [] = []
+            ring l r = "{\"op\":\"publish\",\"topic\":\"/cmd_lightring\",\"msg\":{\"leds\":[" <> r <> "," <> r <> "," <> l <> "," <> l <> "," <> l <> "," <> r <> "],\"override_system\":true}}"
+            dark = "{\"red\": 0, \"green\": 0, \"blue\": 0}"
+            red' = "{\"red\": 255, \"green\": 0, \"blue\": 0}"
+            green = "{\"red\": 0, \"green\": 255, \"blue\": 0}"
+        told "ws://h?robot=create3" [Led1Command (Led1 Red), Led2Command (Led2 Green), MotorPowerCommand MotorsOff]
+          @?= [Just (ring red' dark), Just (ring red' green), Just "{\"op\":\"call_service\",\"service\":\"/e_stop\",\"type\":\"irobot_create_msgs/srv/EStop\",\"args\":{\"e_stop_on\":true}}"]
+        told "ws://h?robot=turtlebot3" [SoundCommand ErrorSound, Led1Command (Led1 Red)]
+          @?= [Just "{\"op\":\"call_service\",\"service\":\"/sound\",\"type\":\"turtlebot3_msgs/srv/Sound\",\"args\":{\"value\":3}}", Nothing],
       testCase "what cannot be read is said" $ do
         readTarget "http://h" @?= Left (StrangeTarget "http://h")
         readTarget "ws://h:99999" @?= Left (StrangeTarget "ws://h:99999")

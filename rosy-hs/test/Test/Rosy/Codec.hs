@@ -26,10 +26,11 @@ tests =
         "reads what it has written"
         [ testProperty (robotName robot ++ ", " ++ profile ++ ", " ++ channelName (routeChannel route)) $
             forAll (fieldsOf (mappingPlaces mapping) (routeChannel route)) $ \fields ->
-              fmap (decoded route) (Aeson.decode (encodingToLazyByteString (encode route fields))) === Just (Right fields)
+              fmap (decoded route) (Aeson.decode (encodingToLazyByteString (encode route (together route fields)))) === Just (Right [fields])
           | robot <- robots,
             (profile, variables) <- robotProfiles robot,
-            (mapping, route) <- zip (robotMappings robot) (routes robot variables)
+            (mapping, route) <- zip (robotMappings robot) (routes robot variables),
+            not (routeHasLevels route)
         ],
       testCase "leaves no variable in a topic or a type" $
         [t | robot <- robots, (_, variables) <- robotProfiles robot, route <- routes robot variables, t <- [routeTopic route, routeType route], Text.any (`elem` "{}") t] @?= [],
@@ -46,6 +47,10 @@ tests =
         [(a, b) | (i, a) <- zip [0 :: Int ..] everything, (j, b) <- zip [0 ..] everything, i < j, channelNumber a == channelNumber b, channelName a /= channelName b] @?= []
     ]
   where
+    -- With the other commands in its message as they are at first.
+    together route fields = case routeShared route of
+      [] -> fields
+      shared -> concat [if c == routeChannel route then fields else atFirst | (c, atFirst) <- shared]
     everything = concatMap (map mappingChannel . robotMappings) robots
     sensed = filter ((/= CommandChannel) . channelKind) everything
 
@@ -55,12 +60,16 @@ fieldsOf places c = mapM place places `suchThat` (isJust . channelShow c)
   where
     place p = case p of
       Yaw _ -> Number <$> elements [0, 0.5, -0.25, 3]
-      At _ leaf -> case leaf of
-        -- What is scaled is a whole number in the message.
-        ANumber factor | factor /= 1 -> (\n -> Number (scaled factor (fromIntegral (n :: Int)))) <$> choose (0, 255)
-        ANumber _ -> Number <$> arbitrary
-        AWhole -> Whole <$> choose (0, 8)
-        ATruth -> Whole <$> choose (0, 1)
-        AText -> Text . filter (\x -> x < '\xD800' || x > '\xDFFF') <$> arbitrary
-        ABit _ -> Whole <$> choose (0, 1)
-        TheFirstOf flags -> Whole <$> elements (0 : flags)
+      At _ leaf -> fieldOf leaf
+      AtAll _ leaf -> fieldOf leaf
+    fieldOf leaf = case leaf of
+      -- What is scaled is a whole number in the message.
+      ANumber factor | factor /= 1 -> (\n -> Number (scaled factor (fromIntegral (n :: Int)))) <$> choose (0, 255)
+      ANumber _ -> Number <$> arbitrary
+      AWhole -> Whole <$> choose (0, 8)
+      ATruth -> Whole <$> choose (0, 1)
+      AText -> Text . filter (\x -> x < '\xD800' || x > '\xDFFF') <$> arbitrary
+      ABit _ -> Whole <$> choose (0, 1)
+      TheFirstOf flags -> Whole <$> elements (0 : flags)
+      -- What several choices are in the message is read as the first of them.
+      ACode codes -> Whole <$> elements [n | (i, (n, v)) <- zip [0 ..] codes, v `notElem` map snd (take i codes)]

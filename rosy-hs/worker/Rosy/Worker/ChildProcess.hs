@@ -32,6 +32,7 @@ import GHC.Clock (getMonotonicTime)
 import Rosy.Worker.Explanation (explainAll, withoutHiddenEnds)
 import Rosy.Worker.Explanation.EmptyPlaces (emptyPlaces)
 import Rosy.Worker.Ghc
+import Rosy.Worker.Graph (usedTypes)
 import Rosy.Worker.Problem (isError)
 import Rosy.Worker.Protocol
 import Rosy.Worker.Report (Report (..))
@@ -147,6 +148,7 @@ runProgram settings session answer link page memory source = runToExit answer $ 
   when isLarge (setAllocationArea compileAllocationArea)
   (report, mayRun) <- checkSource settings ForRun session source
   let found = problems report
+      uses = usedTypes (parts report)
   case mayRun of
     Nothing -> writeAll answer ("R" <> line ("problems" .= found))
     Just (program, places) -> do
@@ -162,7 +164,7 @@ runProgram settings session answer link page memory source = runToExit answer $ 
       when (on computingLimit) $ limitCpu (runSeconds settings)
       limitProcess (if on memoryLimit then size + 2 * memory + heapSlack else 0) (on processLimit)
       now <- getMonotonicTime
-      writeAll answer ("S" <> line ("problems" .= found <> "compile" .= (now - began)))
+      writeAll answer ("S" <> line ("problems" .= found <> "compile" .= (now - began) <> "uses" .= uses))
       closeFd answer
       when (systemCalls (protections settings)) filterRunning
       let Fd fd = link

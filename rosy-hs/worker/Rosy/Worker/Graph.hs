@@ -11,11 +11,13 @@ module Rosy.Worker.Graph
     Shape (..),
     Connection (..),
     ConnectionUse (..),
+    usedTypes,
   )
 where
 
 import Data.Aeson (Series, ToJSON (..), object, pairs, (.=))
 import Data.Aeson.Types (Pair)
+import qualified Data.Set as Set
 import Data.Text (Text)
 import Rosy.Worker.Problem (Position (..), Span (..))
 
@@ -58,6 +60,22 @@ data Connection = Connection
 
 data ConnectionUse = Taken | Sent
   deriving (Eq, Show)
+
+-- | The types of the library that the functions of these parts take and give, each once, in alphabetical order.
+usedTypes :: [Part] -> [Text]
+usedTypes = Set.toAscList . foldMap used
+  where
+    used part = case part of
+      FunctionPart {} -> foldMap leaves (gives part : takes part)
+      TaskPart {} -> foldMap used (begins part ++ runs part)
+      ChartPart {} -> foldMap used (steps part)
+      StepPart {} -> Set.empty
+    leaves shape = case shape of
+      AllOf shapes -> foldMap leaves shapes
+      EitherOf shapes -> foldMap leaves shapes
+      MaybeOf inner -> leaves inner
+      EachOf inner -> leaves inner
+      Leaf {} -> if isOwn shape then Set.empty else Set.singleton (spelled shape)
 
 instance ToJSON Part where
   toJSON part = case part of

@@ -1,0 +1,35 @@
+"""Which of a program's types a robot does not have."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rosy_sim.ownership.robot_parts import missing_parts
+
+
+@pytest.mark.parametrize(
+    ("address", "uses", "missing"),
+    [
+        ("ws://h", ["Bumper", "Led1", "Position"], []),
+        ("ws://h?robot=create3", ["BumperLeft", "Cliff", "Led1", "Sound", "Velocity"], []),
+        ("ws://h?robot=create3", ["AnalogInput", "RobotStatus"], ["AnalogInput", "RobotStatus"]),
+        (
+            "ws://h?ros=2&robot=turtlebot3",
+            ["()", "BumperLeft", "Memory Int", "Position", "Sound", "String"],
+            ["BumperLeft"],
+        ),
+        ("ws://h?robot=turtlesim", ["Led1", "Pose", "Velocity"], ["Led1"]),
+        ("ws://h?robot=hoover", ["Bumper"], []),
+    ],
+)
+def test_views_belong_to_their_channel(address: str, uses: list[str], missing: list[str]) -> None:
+    assert missing_parts(address, uses) == missing
+
+
+def test_a_profile_names_the_robot(tmp_path: Path) -> None:
+    file = tmp_path / "profile.json"
+    file.write_text('{"robot": "turtlebot3"}')
+    assert missing_parts(f"ws://h?profile={file}", ["Bumper"]) == ["Bumper"]
+    assert missing_parts(f"ws://h?profile={file}&robot=kobuki", ["Bumper"]) == []
