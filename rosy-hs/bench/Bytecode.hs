@@ -46,7 +46,7 @@ run fired batches = do
           { open = const (pure (Opening 1 0)),
             next = atomicModifyIORef' left $ \case
               [] -> ([], Nothing)
-              (k, batch) : rest -> (rest, Just (Batch k (0.02 * fromIntegral k) batch True False False)),
+              (k, batch) : rest -> (rest, Just (Batch k (0.02 * fromIntegral k) batch True False False False)),
             answer = \a -> modifyIORef' fired (+ length (answerFired a)),
             end = \_ _ -> pure (),
             atWork = const (pure ()),

@@ -37,6 +37,9 @@ module Rosy.Core
     clockInterest,
     channelLimit,
     lacks,
+    noInterest,
+    unite,
+    tickInterest,
 
     -- * Outputs
     Plan (.., Plain),
@@ -140,7 +143,7 @@ interestIn occurrence = case occurrence of
   Sensed (Message channel _) -> case channelKind channel of
     ClockChannel -> channelInterest channel .|. clockInterest
     _ -> channelInterest channel
-  Tick -> bit 0
+  Tick -> tickInterest
   Emitted _ -> bit 1
 
 -- | The messages of one channel.
@@ -154,6 +157,18 @@ clockInterest = bit 2
 -- | The numbers of a robot's channels that a program can take are smaller than this; the last bit is for the program's own topics.
 channelLimit :: Int
 channelLimit = 60
+
+-- | The empty set.
+noInterest :: Interest
+noInterest = 0
+
+-- | What is in one of two sets.
+unite :: Interest -> Interest -> Interest
+unite = (.|.)
+
+-- | The default-rate clock.
+tickInterest :: Interest
+tickInterest = bit 0
 
 -- | Whether the second set lacks something of the first.
 lacks :: Interest -> Interest -> Bool

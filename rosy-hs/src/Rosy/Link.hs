@@ -17,6 +17,7 @@ where
 
 import Rosy.Channel (Action, Message)
 import Rosy.Core (FunctionName, Topic)
+import Rosy.Loop.Quiescence (Quiescence, neverQuiet)
 import Rosy.Problem (Problem)
 import Rosy.Provenance (Record)
 
@@ -55,7 +56,9 @@ data Batch = Batch
     -- | Whether what the program remembers is requested.
     batchLooks :: Bool,
     -- | Whether the provenance of the firings is requested.
-    batchWatches :: Bool
+    batchWatches :: Bool,
+    -- | Whether the batch is of a quiet step that is over: no answer is awaited.
+    batchLate :: Bool
   }
 
 -- | What the program did with a batch.
@@ -72,12 +75,14 @@ data Answer = Answer
     -- | What the program remembers, type and value, when it is requested and differs from the last report.
     answerMemory :: Maybe [(String, String)],
     -- | The firings with their provenance, when that is requested.
-    answerRecords :: Maybe [Record]
+    answerRecords :: Maybe [Record],
+    -- | What must happen before anything in the program can fire.
+    answerQuiescence :: Quiescence
   }
 
 -- | Nothing was done.
 noAnswer :: Answer
-noAnswer = Answer 0 [] [] [] [] [] Nothing Nothing
+noAnswer = Answer 0 [] [] [] [] [] Nothing Nothing neverQuiet
 
 -- | How a run ended.
 data Ending = EndedDone | EndedStopped | EndedError Problem

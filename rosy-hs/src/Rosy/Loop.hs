@@ -25,6 +25,9 @@ module Rosy.Loop
     collect,
     remembered,
     emissionsOf,
+    Quiescence (..),
+    neverQuiet,
+    quiescence,
     isMark,
 
     -- * Limits
@@ -41,6 +44,7 @@ import Rosy.Core
 import Rosy.Loop.Advance
 import Rosy.Loop.Deliver
 import Rosy.Loop.Fire
+import Rosy.Loop.Quiescence
 import Rosy.Loop.State
 import System.Random (StdGen)
 

@@ -12,6 +12,7 @@ module Rosy.Run
 where
 
 import Control.Exception
+import Control.Monad (unless)
 import Data.Maybe (fromMaybe)
 import Rosy.BranchCoverage (Branch, branchSize, recordingBranches)
 import Rosy.Channel (Channel (..), Kind (..), Message (..), tellMessage)
@@ -73,7 +74,9 @@ batches link told batch = drive "main" (Done [] []) (occasions batch)
           let (report, network') = collect network
           memory <- if batchLooks batch then showMemory (remembered network') else pure (toldMemory told)
           (watch, found) <- recordsOf batch (toldFirings told) done
-          answer link (answerOf batch done report) {answerMemory = if memory == toldMemory told then Nothing else Just memory, answerRecords = found}
+          let answered = answerOf batch done report
+          unless (batchLate batch) $
+            answer link answered {answerMemory = if memory == toldMemory told then Nothing else Just memory, answerRecords = found, answerQuiescence = quiescence network'}
           following <- next link
           case following of
             Nothing -> cleanUp link watch batch {batchMessages = []} (Done [] []) EndedStopped (stop network')
@@ -134,7 +137,8 @@ answerOf batch (Done functions _) report =
       answerSensed = [tellMessage message | message@(Message c _) <- batchMessages batch, channelKind c == EventChannel],
       answerEvents = reportEvents report,
       answerMemory = Nothing,
-      answerRecords = Nothing
+      answerRecords = Nothing,
+      answerQuiescence = neverQuiet
     }
   where
     inOrder = reverse functions

@@ -15,9 +15,14 @@ module Rosy.Wire
     pipeRoutes,
 
     -- * What leaves
+    Telling (..),
     writeOpening,
     writeAnswer,
     writeEnding,
+
+    -- * Steps
+    ticksEvery,
+    quietSteps,
   )
 where
 
@@ -33,10 +38,11 @@ import qualified Data.IntMap.Strict as IntMap
 import Data.List (intersperse)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Rosy.Channel (Action (..), Channel (..), Field, Message, tellAction)
+import Rosy.Channel (Action (..), Channel (..), Field, Kind (..), Message, tellAction)
 import Rosy.Codec
-import Rosy.Core (Topic (..), TopicUse (..), nameText)
+import Rosy.Core (Interest, Topic (..), TopicUse (..), channelInterest, clockInterest, interestedIn, nameText, tickInterest, unite)
 import Rosy.Link
+import Rosy.Loop.Quiescence (Quiescence (..))
 import Rosy.Problem
 import Rosy.Profile (Mapping (..), Robot (..))
 import Rosy.Provenance
@@ -49,11 +55,12 @@ import Rosy.Topic (absolute, pattern OpenAction, pattern OpenMessage)
 
 -- | A line from the simulator.
 data Line
-  = -- | Protocol version, seed, time of day at the start (s), trace.
-    StartLine Int Int Double Bool
+  = -- | Protocol version, seed, time of day at the start (s), trace, whether quiet steps are left out.
+    StartLine Int Int Double Bool Bool
   | SensorLine [Message]
-  | -- | Number and time (s) of the step whose messages came before, whether the memory is looked at, and whether the firings are.
-    StepLine Int Double Bool Bool
+  | -- | Number and time (s) of the step whose messages came before, whether the memory is looked at, whether the firings are, and whether
+    -- the step was quiet and is over.
+    StepLine Int Double Bool Bool Bool
   | StopLine
   deriving (Eq, Show)
 
@@ -79,8 +86,8 @@ line taken o = do
       case readMessages pipeRoutes topic msg of
         Left why | null own -> fail why
         found -> pure (SensorLine (fromRight [] found ++ own))
-    "step" -> StepLine <$> o .: "step" <*> o .: "time" <*> o .:? "memory" .!= False <*> o .:? "firings" .!= False
-    "start" -> StartLine <$> o .: "protocol" <*> o .: "seed" <*> o .:? "clock" .!= 0 <*> o .:? "trace" .!= False
+    "step" -> StepLine <$> o .: "step" <*> o .: "time" <*> o .:? "memory" .!= False <*> o .:? "firings" .!= False <*> o .:? "late" .!= False
+    "start" -> StartLine <$> o .: "protocol" <*> o .: "seed" <*> o .:? "clock" .!= 0 <*> o .:? "trace" .!= False <*> o .:? "quiet" .!= False
     "stop" -> pure StopLine
     _ -> fail ("unknown op " ++ show op)
 
@@ -104,18 +111,24 @@ writeOpening own =
       "{\"op\":\"" <> op <> "\",\"topic\":" <> text (topicName t)
         <> (",\"type\":" <> text (topicType t) <> "}\n")
 
+-- | What answers tell beside what fired: with trace what was heard and said in words, and how many of the next steps are quiet.
+data Telling = Telling {tellsTrace :: Bool, tellsQuiet :: Bool}
+
 -- | A batch: commands in firing order, then that the program has settled. With trace also in words.
-writeAnswer :: Bool -> Answer -> Builder
-writeAnswer trace a =
+writeAnswer :: Telling -> Answer -> Builder
+writeAnswer telling a =
   foldMap action (answerActions a)
     <> "{\"op\":\"settled\",\"step\":"
     <> Builder.intDec (answerStep a)
-    <> done trace a
+    <> done telling a
+    <> (if tellsQuiet telling && quiet > 0 then ",\"quiet\":" <> Builder.intDec quiet else mempty)
     <> "}\n"
+  where
+    quiet = quietSteps (answerStep a) (answerQuiescence a)
 
 -- | The last batch: commands, zero velocity, and how the program ended. With trace also in words.
-writeEnding :: Bool -> Answer -> Ending -> Builder
-writeEnding trace a ending =
+writeEnding :: Telling -> Answer -> Ending -> Builder
+writeEnding telling a ending =
   foldMap action (answerActions a')
     <> "{\"op\":\"ended\",\"how\":"
     <> ( case ending of
@@ -123,19 +136,19 @@ writeEnding trace a ending =
            EndedStopped -> "\"stopped\""
            EndedError p -> "\"error\",\"problem\":" <> problem p
        )
-    <> done trace a'
+    <> done telling a'
     <> "}\n"
   where
     a' = a {answerActions = answerActions a ++ [Action c rest | r <- commandRoutes pipeRoutes, let c = routeChannel r, Just rest <- [channelRest c]]}
 
 -- | What fired in a step and what was sensed, with trace what was heard and said, and what is remembered when it is requested.
-done :: Bool -> Answer -> Builder
-done trace a =
+done :: Telling -> Answer -> Builder
+done telling a =
   ",\"fired\":"
     <> list (text . nameText) (answerFired a)
     <> sent (answerSent a)
     <> (if null (answerSensed a) then mempty else ",\"sensed\":" <> list text (answerSensed a))
-    <> ( if trace
+    <> ( if tellsTrace telling
            then ",\"events\":" <> list text (answerEvents a) <> ",\"commands\":" <> list (text . tellAction) (answerActions a)
            else mempty
        )
@@ -236,3 +249,32 @@ text = Encoding.fromEncoding . Encoding.string . map whole
 list :: (a -> Builder) -> [a] -> Builder
 list _ [] = "[]"
 list f (x : xs) = "[" <> f x <> foldMap (\y -> "," <> f y) xs <> "]"
+
+-- ---------------------------------------------------------------------------------------------
+-- Steps
+
+-- | The default rate is 10 Hz and a step is 20 ms: every fifth step ticks (protocol/README.md).
+ticksEvery :: Int
+ticksEvery = 5
+
+-- | Steps per second of the simulator (protocol/README.md).
+stepsPerSecond :: Double
+stepsPerSecond = 50
+
+-- | The most steps that are called quiet at once. A choice of ours: 10 s.
+mostQuiet :: Int
+mostQuiet = 500
+
+-- | How many of the steps after this one need no answer as long as no event happens and no message of the program's own topics arrives.
+-- The step before a moment counts as one that needs an answer, for times are sums of rounded numbers.
+quietSteps :: Int -> Quiescence -> Int
+quietSteps step (Quiescence until' waking)
+  | interestedIn waking stateInterest = 0
+  | otherwise = max 0 (min beforeTick beforeMoment)
+  where
+    beforeTick = if interestedIn waking tickInterest then ticksEvery - 1 - step `mod` ticksEvery else mostQuiet
+    beforeMoment = floor (max 0 (min (fromIntegral mostQuiet) (until' * stepsPerSecond - fromIntegral (step + 2)))) :: Int
+
+-- | The messages that come without an event: odometry and the changes of states.
+stateInterest :: Interest
+stateInterest = foldr (unite . channelInterest) clockInterest [c | r <- sensorRoutes pipeRoutes, let c = routeChannel r, channelKind c /= EventChannel]

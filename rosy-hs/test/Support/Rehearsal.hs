@@ -14,18 +14,20 @@ module Support.Rehearsal
 where
 
 import Control.Exception
+import Control.Monad (unless, when)
 import Data.Aeson (Object, (.!=), (.:), (.:?))
 import qualified Data.Aeson as Aeson
 import Data.Aeson.Types (Parser, parseEither)
 import Data.ByteString.Builder (Builder, toLazyByteString)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.IORef
-import Rosy.Channel (Message)
-import Rosy.Core (Program)
+import Rosy.Channel (Channel (..), Kind (..), Message (..), tellAction)
+import Rosy.Core (Interest, Occurrence (Sensed), Program, interestIn, interestedIn, nameText, tickInterest)
 import Rosy.Link
+import Rosy.Loop (Quiescence (..), neverQuiet)
 import Rosy.Problem (Fault (..))
 import Rosy.Run (runOn)
-import Rosy.Wire (writeAnswer, writeEnding)
+import Rosy.Wire (Telling (..), writeAnswer, writeEnding)
 
 -- | What the other end does next.
 data Cue
@@ -52,15 +54,18 @@ data Curtain = Curtain
 
 instance Exception Curtain
 
--- | Run a program from its first cue to its end, or to the last cue.
+-- | Run a program from its first cue to its end, or to the last cue. It must be silent in batches that it has called quiet.
 rehearse :: [Cue] -> Program r -> IO [Heard]
 rehearse cues program = do
   left <- newIORef cues
   now <- newIORef 0
   heard <- newIORef []
+  promised <- newIORef neverQuiet
+  isQuiet <- newIORef False
   let hear builder = do
         time <- readIORef now
         modifyIORef' heard (read' time builder :)
+      keepsQuiet what = readIORef isQuiet >>= \quiet -> when (quiet && not (null what)) (error ("not silent in a quiet step: " ++ unwords what))
       link =
         Link
           { open = const (pure (Opening 1 0)),
@@ -75,9 +80,16 @@ rehearse cues program = do
                     Breaks -> throwIO (LinkLost "closed")
                     Steps time messages tick -> do
                       writeIORef now time
-                      pure (Just (Batch 0 time messages tick False True)),
-            answer = hear . writeAnswer True,
-            end = \a ending -> hear (writeEnding True a ending),
+                      promise <- readIORef promised
+                      writeIORef isQuiet (time < quietUntil promise - 1e-6 && not (any (wakes promise) ([interestIn (Sensed m) | m <- messages] ++ [tickInterest | tick])) && not (any isEvent messages))
+                      pure (Just (Batch 0 time messages tick False True False)),
+            answer = \a -> do
+              keepsQuiet (map nameText (answerFired a) ++ map tellAction (answerActions a))
+              writeIORef promised (answerQuiescence a)
+              hear (writeAnswer (Telling True False) a),
+            end = \a ending -> do
+              unless (isStopped ending) (keepsQuiet ["ended"])
+              hear (writeEnding (Telling True False) a ending),
             atWork = const (pure ()),
             atRest = pure ()
           }
@@ -91,6 +103,17 @@ rehearse cues program = do
         modifyIORef' heard (Heard time [] [] [] (Just Broken) :)
       | otherwise -> throwIO exception
   reverse <$> readIORef heard
+
+wakes :: Quiescence -> Interest -> Bool
+wakes promise = interestedIn (wakingInterest promise)
+
+-- | A message that ends the quiet whatever the program follows.
+isEvent :: Message -> Bool
+isEvent (Message channel _) = channelKind channel == EventChannel
+
+isStopped :: Ending -> Bool
+isStopped EndedStopped = True
+isStopped _ = False
 
 -- | The last of the lines says it all.
 read' :: Double -> Builder -> Heard

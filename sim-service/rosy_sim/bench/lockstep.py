@@ -1,42 +1,101 @@
-"""A real program in lockstep at ``max``: times real time, the Haskell process included."""
+"""
+Real programs in lockstep at ``max``: times real time, the Haskell process included, beside the machine's bare round
+trip, which a step costs at least in which the program is asked.
+"""
 
 from __future__ import annotations
 
+import os
 import statistics
+import time
+from typing import NamedTuple
 
 from ..config import Config
 from ..robots import DEFAULT_ROBOT
 from ..run.headless_run import RunOutput, RunSettings, run_program
+from ..run.lockstep import Lockstep
 from ..worker.blocking_worker import BlockingWorker
 from ..world.world import World
-from ..worlds.gallery import DEFAULT_WORLD, named_world, usable_arena
+from ..worlds.gallery import named_world, usable_arena
+from . import round_trip
 
 __all__ = ["report"]
 
-_SECONDS = 120.0
-_ROUNDS = 5
+_SECONDS = float(os.environ.get("ROSY_BENCH_SECONDS", "120"))
+_ROUNDS = int(os.environ.get("ROSY_BENCH_ROUNDS", "5"))
 
-_PROGRAMS = {
-    "move": "move :: Velocity\nmove = Velocity 0.5 0\n\nmain = simulate move\n",
-    "accelerate, at 50 Hz": (
-        "accelerate :: Velocity -> Velocity\naccelerate (Velocity v w) = Velocity (v + 0.5) w\n\n"
-        "main = simulate accelerate\n"
+
+class _Row(NamedTuple):
+    """A program, its room, and the goal, in times real time."""
+
+    name: str
+    source: str
+    world: str
+    goal: int
+
+
+_BACK_OFF = """backOff :: Bumper -> Velocity
+backOff (Bumper _ Pressed) = Velocity (-0.1) 0.4
+backOff _ = Velocity 0.2 0.1
+
+main = simulate (backOff, start)
+
+start :: RobotStatus -> Velocity
+start _ = Velocity 0.2 0.1
+"""
+
+_PATROL = """patrol :: Task ()
+patrol = forever (do { once (Velocity 0.3 0); wait 2; once (Velocity 0 0.8); wait 2 })
+
+main = simulate patrol
+"""
+
+_ROWS = [
+    _Row("a task with pauses", _PATROL, "room", 1000),
+    _Row("events, backOff", _BACK_OFF, "room", 1000),
+    _Row("default rate, move", "move :: Velocity\nmove = Velocity 0.1 0.1\n\nmain = simulate move\n", "room", 1000),
+    _Row(
+        "50 Hz, accelerate",
+        "accelerate :: Velocity -> Velocity\naccelerate (Velocity v w) = Velocity (v * 0.5 + 0.05) 0.1\n\n"
+        "main = simulate accelerate\n",
+        "room",
+        500,
     ),
-}
+]
 
 
 def report(config: Config) -> None:
     """Print a row per program."""
-    arena = usable_arena(named_world(DEFAULT_WORLD), DEFAULT_WORLD)
-    for name, source in _PROGRAMS.items():
-        factors = []
+    trip = round_trip.report()
+    for row in _ROWS:
+        asked, factors, costs = 0.0, [], []
         for _ in range(_ROUNDS):
-            with BlockingWorker(config) as worker:
-                worker.ready()
-                settings = RunSettings(_SECONDS, 1, limits=config.limits)
-                world = World(arena, DEFAULT_ROBOT)
-                outcome = run_program(worker, source, world, settings, RunOutput())
-            factors.append(_SECONDS / outcome.wall)
+            asked, wall, cost = _run(config, row)
+            factors.append(_SECONDS / wall)
+            costs.append(cost)
         factor = statistics.median(factors)
-        label = f"program in lockstep, {name}"
-        print(f"  {label:<56} {factor * 50:>9,.0f} steps/s   {factor:>7,.0f} x real time")
+        label = f"program in lockstep, {row.name}"
+        print(
+            f"  {label:<56} {factor * 50:>9,.0f} steps/s   {factor:>7,.0f} x real time   goal {row.goal:,}; asked in"
+            f" {100 * asked:.0f} % of the steps; {1e6 / factor / 50:.0f} µs a step,"
+            f" {1e6 * statistics.median(costs):.0f} of them computing here; bare round trip {1e6 * trip:.0f} µs"
+        )
+
+
+def _run(config: Config, row: _Row) -> tuple[float, float, float]:
+    """The share of steps in which the program was asked, the duration in s, our processor time per step in s."""
+    asked = 0
+
+    def observe(lockstep: Lockstep) -> None:
+        nonlocal asked
+        asked += not lockstep.was_quiet
+
+    with BlockingWorker(config) as worker:
+        worker.ready()
+        settings = RunSettings(_SECONDS, 1, limits=config.limits)
+        world = World(usable_arena(named_world(row.world), row.world), DEFAULT_ROBOT)
+        began = time.process_time()
+        outcome = run_program(worker, row.source, world, settings, RunOutput(observe=observe))
+    if outcome.problems or not outcome.steps:
+        raise RuntimeError(f"{row.name}: {outcome.problems}")
+    return asked / outcome.steps, outcome.wall, (time.process_time() - began) / outcome.steps

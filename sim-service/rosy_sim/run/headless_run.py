@@ -70,6 +70,8 @@ class RunSettings:
     actions: tuple[tuple[float, HandAction], ...] = ()
     limits: Limits = field(default_factory=Limits)
     safety: SafetySettings = OFF
+    # Whether steps in which nothing can fire are left out; False only for comparison.
+    skips_quiet: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,7 +162,7 @@ def run_over_link(
     if program is None:
         program = _NativeProgram()
     traces = output.trace is not None or output.record is not None
-    lockstep = Lockstep(world, settings.seed, traces, settings.safety)
+    lockstep = Lockstep(world, settings.seed, traces, settings.safety, settings.skips_quiet)
     lockstep.observes = output.provenance or output.record is not None
     began = time.perf_counter()
     ended: Ended = "error"
@@ -233,9 +235,11 @@ class _Steps:
         lockstep = self._lockstep
         while self._actions and self._actions[0][0] <= lockstep.time + 1e-9:
             apply_hand(lockstep, self._actions.pop(0)[1])
-        self._send(lockstep.sense())
-        self._read_while("thinking", self._limits.settle)
-        self._say()
+        batch = lockstep.sense()
+        if batch:
+            self._send(batch)
+            self._read_while("thinking", self._limits.settle)
+            self._say()
         if self._output.trace is not None:
             self._output.trace.write(lockstep.trace_line(self._output.provenance))
         done = lockstep.settled or lockstep.ended

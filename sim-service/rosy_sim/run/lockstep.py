@@ -7,6 +7,9 @@ The owner transfers the bytes and decides when time passes::
     send(lockstep.sense())             feed() until settled   } once per 20 ms
     lockstep.integrate()                                      }
 
+A step is quiet when the program has said that nothing can fire in it, and no event happens. Such a step has settled
+when it is sensed, and nothing is sent. The program gets the states that have changed meanwhile before its next step.
+
 ``feed`` applies commands as they come; nothing moves before ``integrate``. Velocities pass the ``velocity_guard``, as
 on real robots: the latest is repeated while the program lives (rule R9), and the safety rules may override it. The
 watchdog of the base stops the robot of a dead program.
@@ -26,6 +29,7 @@ from ..world.goals import GoalTracker, Observation
 from ..world.time_step import STEPS_PER_SECOND
 from ..world.world import World
 from .command_conflicts import CommandConflict, CommandConflicts
+from .quiet_steps import MemoryRequest, QuietSteps
 from .velocity_guard import OFF, SafetySettings, Velocity, VelocityGuard
 
 __all__ = ["Lockstep", "State"]
@@ -41,10 +45,13 @@ GUARD_STEPS = 5
 class Lockstep:
     """One run of a program in a world."""
 
-    def __init__(self, world: World, seed: int, trace: bool = False, safety: SafetySettings = OFF) -> None:
+    def __init__(
+        self, world: World, seed: int, trace: bool = False, safety: SafetySettings = OFF, quiet: bool = True
+    ) -> None:
         self.world = world
         self._seed = seed
         self._trace = trace
+        self._quiet = QuietSteps() if quiet else None
         # Whether the program tells its firings with their provenance (language rule R12).
         self.observes = False
         self._link = SimulatorLink()
@@ -66,6 +73,8 @@ class Lockstep:
         # Messages on topics of its own that the program gets in the next step.
         self._posted: list[TopicMessage] = []
         self.settled: Settled | None = None
+        # Whether the program was left out of the current step; set by sense().
+        self.was_quiet = False
         # What the robot sensed in the current step; set by sense().
         self.events: list[Reading] = []
         # The program's last line.
@@ -92,14 +101,17 @@ class Lockstep:
 
     def begin(self) -> bytes:
         """What to send first."""
-        return start_line(self._seed, self._trace)
+        return start_line(self._seed, self._trace, self._quiet is not None)
 
     def stop(self) -> bytes:
-        """What to send to ask the program to end."""
-        return stop_line()
+        """What to send to ask the program to end. Its clean-ups read the states of the last step."""
+        return self._late_batch() + stop_line()
 
-    def sense(self, memory: bool = False) -> bytes:
-        """The batch of the current step, which may ask what the program remembers. Call when ready or integrated."""
+    def sense(self, memory: MemoryRequest = "none") -> bytes:
+        """
+        The batch of the current step, which may ask what the program remembers; empty when the step is quiet. Call when
+        ready or integrated.
+        """
         world = self.world
         self.events = events = world.sense()
         for event in events:
@@ -109,15 +121,34 @@ class Lockstep:
         self.published = []
         self.conflicts = []
         self.settled = None
-        self._link.step = self.step
-        self.state = "thinking"
+        self.was_quiet = False
         if self._trace:
             self._sensed = (world.x, world.y, world.theta, world.v, world.w)
+        quiet = self._quiet
+        may_skip = quiet is not None and quiet.covers(self.step, memory) and not self._posted and not self.observes
+        if quiet is not None and may_skip and quiet.skip(events, world.odometry()):
+            self.settled = Settled(self.step)
+            self.was_quiet = True
+            self.state = "settled"
+            return b""
+        late = self._late_batch()
+        asks = memory != "none"
+        if quiet is not None:
+            quiet.end(asks)
+        self._link.step = self.step
+        self.state = "thinking"
         sensed = self._lines([*events, Reading(ODOMETRY.name, world.odometry())])
         # Messages of the program's own topics stand before the odometry.
         sensed[-1:-1] = [message.line() for message in self._posted]
         self._posted = []
-        return b"".join(sensed) + step_line(self.step, memory, self.observes)
+        return late + b"".join(sensed) + step_line(self.step, asks, self.observes)
+
+    def _late_batch(self) -> bytes:
+        """The states of the quiet steps that have passed; empty when there were none."""
+        missed = self._quiet.take_missed() if self._quiet is not None else None
+        if missed is None:
+            return b""
+        return b"".join(self._lines(missed)) + step_line(self.step - 1, late=True)
 
     def _lines(self, readings: list[Reading]) -> list[bytes]:
         """
@@ -154,6 +185,9 @@ class Lockstep:
             if isinstance(message, Settled):
                 self.settled = message
                 self.state = "settled"
+                # Of a topic that the program takes itself it gets every message.
+                if self._quiet is not None and not self._link.subscribed:
+                    self._quiet.begin(self.step, message.quiet)
                 self.conflicts = self._commands_in_force.observe(self.step, message.fired, message.sent, self._actions)
             elif isinstance(message, Ready):
                 self.state = "ready"

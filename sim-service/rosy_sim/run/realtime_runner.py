@@ -19,6 +19,7 @@ from ..wire.robot_link import LimitExceeded, LinkError
 from ..world.time_step import STEP
 from .lateness import Lateness
 from .lockstep import Lockstep
+from .quiet_steps import MemoryRequest
 
 __all__ = ["Ending", "RealTimeRunner", "RunnerListener"]
 
@@ -78,7 +79,7 @@ class RealTimeRunner:
         self._single_steps = 0
         # When the next step is due, on the loop's clock; moved on by each step.
         self._due = 0.0
-        self._timer: asyncio.TimerHandle | None = None
+        self._timer: asyncio.Handle | None = None
         # When the memory was requested last, on the loop's clock.
         self._memory_read = 0.0
         # When the program must have answered, on the monotonic clock; None while no answer is due.
@@ -147,7 +148,9 @@ class RealTimeRunner:
 
     def _next(self) -> None:
         """Schedule the next step."""
-        self._timer = None
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
         if self._stopping or self._over:
             return
         if self._lockstep.step < self._replayed:
@@ -178,12 +181,27 @@ class RealTimeRunner:
         self._step()
 
     def _step(self) -> None:
-        self._deadline = time.monotonic() + self._limits.settle
         now = self._loop.time()
-        reads_memory = self.paused or now - self._memory_read >= _MEMORY_INTERVAL
-        if reads_memory:
+        memory: MemoryRequest = "none"
+        if self.paused:
+            memory = "now"
+        elif now - self._memory_read >= _MEMORY_INTERVAL:
+            memory = "soon"
+        batch = self._lockstep.sense(memory)
+        if not batch:
+            self._finish_step()
+            # Not at once: other runs have their turn between two steps at full speed.
+            self._timer = self._loop.call_soon(self._next)
+            return
+        if memory != "none":
             self._memory_read = now
-        self._send(self._lockstep.sense(reads_memory))
+        self._deadline = time.monotonic() + self._limits.settle
+        self._send(batch)
+
+    def _finish_step(self) -> None:
+        """A step has settled."""
+        self._lockstep.integrate()
+        self._listener.on_step(self._lockstep)
 
     def _read(self) -> None:
         try:
@@ -219,8 +237,7 @@ class RealTimeRunner:
         if state == "ready":
             self._due = self._loop.time()
         elif state == "settled":
-            self._lockstep.integrate()
-            self._listener.on_step(self._lockstep)
+            self._finish_step()
         self._continue()
 
     def _send(self, data: bytes) -> None:

@@ -84,7 +84,8 @@ class Settled(msgspec.Struct, tag="settled", tag_field="op"):
     """
     The end of the program's batch. ``sent`` is the number of commands of each function in ``fired``, absent when one
     function sent all of them. ``commands`` and ``events`` only with trace; ``memory`` only when the step asked for it
-    and it is not what the program told last; ``firings`` only when the step asked for them.
+    and it is not what the program told last; ``firings`` only when the step asked for them. ``quiet`` is the number of
+    the next steps in which nothing can fire as long as no event happens and no message arrives.
     """
 
     step: int
@@ -95,6 +96,7 @@ class Settled(msgspec.Struct, tag="settled", tag_field="op"):
     commands: list[str] = []
     memory: list[MemoryValue] | None = None
     firings: list[Firing] = []
+    quiet: int = 0
 
 
 class Ended(msgspec.Struct, tag="ended", tag_field="op"):
@@ -137,14 +139,19 @@ MAX_TOPICS = 100
 """Most topics that a program may take, and most that it may send, the robot's own included."""
 
 
-def start_line(seed: int, trace: bool) -> bytes:
-    """The first line."""
-    return msgspec.json.encode({"op": "start", "protocol": PROTOCOL, "seed": seed, "trace": trace}) + b"\n"
+def start_line(seed: int, trace: bool, quiet: bool = False) -> bytes:
+    """The first line. With ``quiet`` the program tells which steps are quiet."""
+    line: dict[str, object] = {"op": "start", "protocol": PROTOCOL, "seed": seed, "trace": trace}
+    return msgspec.json.encode(line | ({"quiet": True} if quiet else {})) + b"\n"
 
 
-def step_line(step: int, memory: bool = False, firings: bool = False) -> bytes:
-    """The end of a step's batch; it may ask what the program remembers, and for its firings with their provenance."""
+def step_line(step: int, memory: bool = False, firings: bool = False, late: bool = False) -> bytes:
+    """
+    The end of a step's batch; it may ask what the program remembers, and for its firings with their provenance.
+    ``late`` is the batch of a quiet step that is over, which is not answered.
+    """
     asking = (b',"memory":true' if memory else b"") + (b',"firings":true' if firings else b"")
+    asking += b',"late":true' if late else b""
     return b'{"op":"step","step":%d,"time":%s%s}\n' % (step, repr(step / STEPS_PER_SECOND).encode(), asking)
 
 

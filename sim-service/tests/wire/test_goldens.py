@@ -58,14 +58,13 @@ def test_the_simulator_holds_each_conversation_with_a_program(path: Path) -> Non
         if robot_executable == "sim":
             match line["op"]:
                 case "start":
-                    assert line == json.loads(start_line(line["seed"], line["trace"]))
+                    assert line == json.loads(start_line(line["seed"], line["trace"], "quiet" in line))
                     traced = line["trace"]
                 case "publish":
                     events += sensed(line) is not None
                 case "step":
-                    assert line == json.loads(
-                        step_line(line["step"], line.get("memory", False), line.get("firings", False))
-                    )
+                    asked = [line.get(what, False) for what in ("memory", "firings", "late")]
+                    assert line == json.loads(step_line(line["step"], *asked))
                     link.step = line["step"]
                 case op:
                     assert (op, line) == ("stop", json.loads(stop_line()))

@@ -124,7 +124,7 @@ def test_any_bytes_give_messages_or_a_link_error(data: bytes) -> None:
 
 def test_a_step_is_sensed_sent_and_integrated() -> None:
     lockstep = Lockstep(hall(), seed=5, trace=True)
-    assert json.loads(lockstep.begin()) == {"op": "start", "protocol": 1, "seed": 5, "trace": True}
+    assert json.loads(lockstep.begin()) == {"op": "start", "protocol": 1, "seed": 5, "trace": True, "quiet": True}
     assert lockstep.feed(READY) == "ready"
     lines = [json.loads(line) for line in lockstep.sense().splitlines()]
     assert {line["op"] for line in lines[:-1]} == {"publish"}

@@ -139,7 +139,7 @@ realLink clock patience r connection = do
                 n <- atomicModifyIORef' steps (\i -> (i + 1, i))
                 writeIORef ticked tick
                 since <- readIORef beganAt
-                pure (Just (Batch n (t - since) ms tick False False))
+                pure (Just (Batch n (t - since) ms tick False False False))
   pure
     Link
       { open = \topics -> do

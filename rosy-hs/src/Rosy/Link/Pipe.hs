@@ -43,7 +43,7 @@ foreign import ccall safe "write" c_write :: CInt -> Ptr Word8 -> CSize -> IO CS
 pipeLink :: CInt -> Ptr Word32 -> IO Link
 pipeLink descriptor page = do
   rest <- newIORef ByteString.empty
-  tracing <- newIORef False
+  telling <- newIORef (Telling False False)
   taken <- newIORef []
   let heard = do
         bytes <- readLineFrom descriptor rest
@@ -56,19 +56,19 @@ pipeLink descriptor page = do
       { open = \topics -> do
           l <- heard
           case l of
-            StartLine 1 seed clock trace -> do
-              writeIORef tracing trace
+            StartLine 1 seed clock trace quiet -> do
+              writeIORef telling (Telling trace quiet)
               writeIORef taken [topicName t | t <- topics, topicUse t == Taken]
               send descriptor (writeOpening topics)
               pure (Opening seed clock)
             _ -> throwIO (Malformed "the first line is not a start of protocol 1"),
         next = batch heard [],
         answer = \a -> do
-          trace <- readIORef tracing
-          send descriptor (writeAnswer trace a),
+          what <- readIORef telling
+          send descriptor (writeAnswer what a),
         end = \a ending -> do
-          trace <- readIORef tracing
-          send descriptor (writeEnding trace a ending),
+          what <- readIORef telling
+          send descriptor (writeEnding what a ending),
         atWork = unless (page == nullPtr) . leave page . nameBytes,
         atRest = unless (page == nullPtr) (poke page 0)
       }
@@ -79,13 +79,9 @@ batch heard messages = do
   l <- heard
   case l of
     SensorLine found -> batch heard (reverse found ++ messages)
-    StepLine step time looks watches -> pure (Just (Batch step time (reverse messages) (step `mod` ticksEvery == 0) looks watches))
+    StepLine step time looks watches late -> pure (Just (Batch step time (reverse messages) (step `mod` ticksEvery == 0) looks watches late))
     StopLine -> pure Nothing
     StartLine {} -> throwIO (Malformed "a second start")
-
--- | The default rate is 10 Hz and a step is 20 ms: every fifth step ticks (protocol/README.md).
-ticksEvery :: Int
-ticksEvery = 5
 
 -- | The next line without its end. The reference keeps what was read beyond it.
 readLineFrom :: CInt -> IORef ByteString -> IO ByteString

@@ -88,7 +88,7 @@ liven born (Function name (Sense tell shape) give) = case shape of
     Just arrivals -> Passing name (kinds t) born tell arrivals Empty give
     Nothing -> Keeping name (kinds t) born tell t (unused t) Empty give
   where
-    kinds t = interest t .|. mayNeed t
+    kinds t = Interests (interest t) (interest t .|. mayNeed t)
 
 -- | Let a function that listens see what happened, and fire as often as it has unused values. Stops at a 'Done'.
 offerTo :: ScopeId -> Occurrence -> Live -> Step Live

@@ -18,6 +18,7 @@ module Rosy.Loop.State
     canRead,
     Given (..),
     Live (..),
+    Interests (..),
     Telling,
     listens,
     Running (..),
@@ -140,9 +141,12 @@ data Live
   = -- | Nothing to keep: reads states and samples.
     forall n. Steady !FunctionName !Interest (Telling n) !(Reading n) !(n -> Effects)
   | -- | Takes every value as it comes.
-    forall n. Passing !FunctionName !Interest !Int (Telling n) !(Occurrence -> Arrivals n) !(Seq (Reading n)) !(n -> Effects)
+    forall n. Passing !FunctionName !Interests !Int (Telling n) !(Occurrence -> Arrivals n) !(Seq (Reading n)) !(n -> Effects)
   | -- | Keeps values until their partners come.
-    forall n s. Keeping !FunctionName !Interest !Int (Telling n) !(Trigger s n) !s !(Seq (Reading n)) !(n -> Effects)
+    forall n s. Keeping !FunctionName !Interests !Int (Telling n) !(Trigger s n) !s !(Seq (Reading n)) !(n -> Effects)
+
+-- | What a function that follows events is offered: the occurrences that bring it values, and with them the states that a value may wait for.
+data Interests = Interests {bringing :: !Interest, offered :: !Interest}
 
 -- | How inputs are told.
 type Telling n = n -> [InputValue] -> [InputValue]
@@ -151,8 +155,8 @@ type Telling n = n -> [InputValue] -> [InputValue]
 listens :: Interest -> Occurrence -> Live -> Bool
 listens kind occurrence live = case live of
   Steady _ kinds _ _ _ -> interestedIn kinds kind
-  Passing _ kinds born _ _ _ _ -> interestedIn kinds kind && notBefore born
-  Keeping _ kinds born _ _ _ _ _ -> interestedIn kinds kind && notBefore born
+  Passing _ kinds born _ _ _ _ -> interestedIn (offered kinds) kind && notBefore born
+  Keeping _ kinds born _ _ _ _ _ -> interestedIn (offered kinds) kind && notBefore born
   where
     notBefore born = case occurrence of
       Emitted e -> eventSerial e >= born

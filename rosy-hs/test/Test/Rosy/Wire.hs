@@ -117,9 +117,14 @@ programs =
     ("done", simulate (taskNamed (Name "start") (Names [Name "accelerate", Name "untilBump"]) (Led1 Green) (accelerate, untilBump))),
     ("events", simulateNamed (Names [Name "lift", Name "alarm", Name "count"]) (lift, alarm, count)),
     ("memory", simulateNamed (Names [Name "hold", Name "share"]) (hold, share)),
-    ("firings", simulateNamed (Names [Name "bump", Name "forwardBackward", Name "report"]) (remember, forwardBackward, report))
+    ("firings", simulateNamed (Names [Name "bump", Name "forwardBackward", Name "report"]) (remember, forwardBackward, report)),
+    ("quiet", simulateNamed (Names [Name "onBump", Name "patrol"]) (onBump, patrol))
   ]
   where
+    onBump :: Bumper -> Velocity -> Say
+    onBump (Bumper _ _) v = Say (show v)
+    patrol :: Task ()
+    patrol = once (Velocity 0.5 0) >> wait 2 >> once (Say . show :: Position -> Say)
     remember :: Bumper -> (Memory Bool, Cancel)
     remember _ = (Memory True, Cancel)
     forwardBackward :: Memory Bool -> Velocity -> Velocity
@@ -181,19 +186,22 @@ newtype Line' = Line' Value deriving (Eq)
 instance Show Line' where
   show (Line' v) = Char8.unpack (Lazy.toStrict (Aeson.encode v))
 
--- | Each side speaks until its batch ends.
+-- | Each side speaks until its batch ends. A late step does not end one.
 interleaved :: [Value] -> [Value] -> [(String, Value)]
 interleaved [] prog = map ("prog",) prog
 interleaved sim prog = map ("sim",) batch ++ map ("prog",) reply ++ interleaved sim' prog'
   where
     (batch, sim') = through ["start", "step", "stop"] sim
     (reply, prog') = through ["ready", "settled", "ended"] prog
-    through ops ls = case break (\l -> op l `elem` map Just ops) ls of
+    through ops ls = case break (\l -> op l `elem` map Just ops && not (isLate l)) ls of
       (before, l : rest) -> (before ++ [l], rest)
       (before, []) -> (before, [])
     op :: Value -> Maybe String
     op (Object o) = parseMaybe (.: "op") o
     op _ = Nothing
+    isLate :: Value -> Bool
+    isLate (Object o) = parseMaybe (.: "late") o == Just True
+    isLate _ = False
 
 -- | Say these lines to a program over a socket, hang up, and hear all that it said.
 held :: [ByteString.ByteString] -> IO () -> IO [Value]
