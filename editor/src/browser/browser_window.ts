@@ -1,5 +1,6 @@
 /// Window events and properties: size, colour scheme, visibility, the address, and the keyboard shortcuts that work everywhere.
 
+import type {PageVisibility} from "../state/messages.ts"
 import type {Size} from "../state/page_state.ts"
 import {isChord, type Keys} from "../state/shortcuts.ts"
 
@@ -126,6 +127,26 @@ export function watchVisibility(lost: () => void): void {
   document.addEventListener("visibilitychange", () => {
     if (document.visibilityState === "hidden") lost()
   })
+}
+
+export function pageVisibility(): PageVisibility {
+  if (document.visibilityState === "hidden") return "hidden"
+  return document.hasFocus() ? "focused" : "visible"
+}
+
+/// Tells each change of the page's visibility.
+export function watchPageVisibility(changed: (now: PageVisibility) => void): void {
+  let before = pageVisibility()
+  const look = () => {
+    const now = pageVisibility()
+    if (now === before) return
+    before = now
+    changed(now)
+  }
+  document.addEventListener("visibilitychange", look)
+  window.addEventListener("focus", look)
+  // While it is lost, the focus may move to a frame within the page.
+  window.addEventListener("blur", () => setTimeout(look))
 }
 
 /// Text fields keep their own undo while they are being edited.

@@ -1,6 +1,6 @@
 /// Runs of programs: the effects of state changes, the connection to the service, the keep-alive for real robots, and the access code of the robots.
 
-import {seedInAddress} from "../browser/browser_window.ts"
+import {pageVisibility, seedInAddress, watchPageVisibility} from "../browser/browser_window.ts"
 import {download, fileName, pickFile} from "../browser/local_files.ts"
 import {openAccessCode, ownName, setOwnName} from "../browser/preferences.ts"
 import {openConnection} from "../browser/service_connection.ts"
@@ -52,10 +52,14 @@ export function connectService(
       if (message.op === "hello" && message.inClass === true) openClass()
       if (message.op === "completed") completions.heard(message)
       store.dispatch({kind: "heard", message})
+      // A service takes a new page for one that has the focus.
+      const state = pageVisibility()
+      if (message.op === "hello" && state !== "focused") parts.service?.send({op: "visibility", state})
     },
     lost: () => store.dispatch({kind: "link-lost"}),
     malformed: message => console.warn(`Rosy's service sent something this page does not know: ${message}`),
   })
+  watchPageVisibility(state => parts.service?.send({op: "visibility", state}))
 }
 
 /// Real robots drive only while a visible page sends `alive`.

@@ -170,6 +170,9 @@ export type ServiceMessage =
 /// How many seconds of the run pass in one of the learner's; `"max"` is as fast as it can.
 export type Speed = number | "max"
 
+/// How much of the page its user sees; `visible` is beside the window that has the focus.
+export type PageVisibility = "focused" | "visible" | "hidden"
+
 /// Input of the learner to the simulated robot: buttons, lifting, moving.
 export type Hand =
   | {readonly press: string}
@@ -221,6 +224,7 @@ export type PageMessage =
   | {readonly op: "resume"}
   | {readonly op: "forward"}
   | {readonly op: "observe"; readonly on: boolean; readonly frames?: boolean}
+  | {readonly op: "visibility"; readonly state: PageVisibility}
   | WhyRequest
   | ({readonly op: "input"} & Hand)
   | {readonly op: "unlock"; readonly code: string}

@@ -158,6 +158,8 @@ class PageSession:
                 self._view.shows_firings = request.on and request.frames
                 if isinstance(self._run, SimulatedRun | RobotRun):
                     self._run.observe(request.on)
+            case page.Visibility():
+                self._view.set_visibility(request.state)
             case page.Why() | page.WhyNot():
                 self._explanations.answer(request)
             case page.Unlock():

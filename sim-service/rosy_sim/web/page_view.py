@@ -48,6 +48,9 @@ _MAX_SOUNDS = 10
 _OUTPUT_RATE, _OUTPUT_BURST = 100.0, 300.0
 """Texts and sounds that reach the page, a second and at once."""
 
+_BACKGROUND_RATE = 20.0
+"""Frames per second of a page without the focus, which is beside the window in which its user works."""
+
 _FRAME_BURST = 3.0
 """Frames that may go out at once, so that a step that is late gets one too."""
 
@@ -80,7 +83,10 @@ class PageView:
         self._boxes: list[tuple[float, float, float]] = []
         self._goals: list[page.Goal] = []
         self._output_limit = TokenBucket(_OUTPUT_RATE, _OUTPUT_BURST, now())
+        self._frame_rate = frame_rate
         self._frame_limit = TokenBucket(frame_rate, _FRAME_BURST, now())
+        # A hidden page gets the frames that show a change of its run's state only.
+        self._is_hidden = False
         # For the next frame: functions that have fired, and the memory if it has changed.
         self._fired: list[str] = []
         self._sensed: list[str] = []
@@ -199,11 +205,22 @@ class PageView:
 
     # Frames
 
+    def set_visibility(self, visible: page.Visible) -> None:
+        """How much of the page is seen: it decides how many frames it gets."""
+        was_hidden, self._is_hidden = self._is_hidden, visible == "hidden"
+        rate = self._frame_rate if visible == "focused" else min(self._frame_rate, _BACKGROUND_RATE)
+        self._frame_limit = TokenBucket(rate, _FRAME_BURST, self._now())
+        if was_hidden and not self._is_hidden:
+            self.show_frame(force=True)
+
+    def _may_show_frame(self) -> bool:
+        return not self._is_hidden and self._frame_limit.spend(1, self._now())
+
     def show_frame(self, force: bool = False) -> None:
         """Show the simulated robot as it is now, unless the last frame was too recent."""
         if not self._shows_simulator:
             return
-        if not force and not self._frame_limit.spend(1, self._now()):
+        if not force and not self._may_show_frame():
             return
         world = self._room.world
         pose = PoseShown(round(world.x, _DIGITS), round(world.y, _DIGITS), round(world.theta, _DIGITS))
@@ -224,7 +241,7 @@ class PageView:
         """Show a real robot as it reports itself, unless the last frame was too recent."""
         self.add_fired(line.fired)
         self.add_sensed(line.sensed)
-        if not self._frame_limit.spend(1, self._now()):
+        if not self._may_show_frame():
             return
         self.step = int(line.time * STEPS_PER_SECOND)
         self._put_frame(line.time, line.pose, line.channels, **self._observations())

@@ -68,6 +68,8 @@ __all__ = [
     "Take",
     "Uncompared",
     "Unlock",
+    "Visibility",
+    "Visible",
     "Why",
     "WhyNot",
     "WorkerState",
@@ -81,6 +83,9 @@ __all__ = [
 PROTOCOL = 1
 
 Speed = float | Literal["max"]
+
+Visible = Literal["focused", "visible", "hidden"]
+"""How much of a page its user sees."""
 
 MAX_PREVIEW = 300.0
 """Longest run that a page may have previewed, s, simulated."""
@@ -174,6 +179,12 @@ class Observe(msgspec.Struct, tag="observe", tag_field="op"):
     frames: bool = False
 
 
+class Visibility(msgspec.Struct, tag="visibility", tag_field="op"):
+    """Whether the page has the focus, is only visible, or is hidden, as the browser says: it decides about frames."""
+
+    state: Visible
+
+
 class Why(msgspec.Struct, tag="why", tag_field="op"):
     """
     Why is something as it is at a time, s (without one the latest)? About one of: a firing by its number, the latest
@@ -262,6 +273,7 @@ Request = (
     | Resume
     | Forward
     | Observe
+    | Visibility
     | Why
     | WhyNot
     | Input

@@ -1,0 +1,78 @@
+"""Frames by how much of the page is seen."""
+
+from __future__ import annotations
+
+import pytest
+
+from rosy_sim.config import Config
+from rosy_sim.web.app import Service
+from rosy_sim.web.outbox import Outbox
+from rosy_sim.web.page_view import PageView, Room
+from rosy_sim.wire import page
+
+from ..conftest import hall
+from .test_app import Page, story
+
+
+class Clock:
+    """Goes on by hand, s."""
+
+    now = 0.0
+
+    def time(self) -> float:
+        return self.now
+
+
+class Sent(Outbox):
+    """Counts the frames that a page would get if it read each at once."""
+
+    def __init__(self) -> None:
+        super().__init__(10)
+        self.frames: list[page.Frame] = []
+
+    def put(self, answer: page.Answer) -> None:
+        if isinstance(answer, page.Frame):
+            self.frames.append(answer)
+
+
+def watched(visible: page.Visible | None, seconds: int = 10) -> tuple[PageView, Sent]:
+    """The frames of a run at 50 steps a second."""
+    clock, sent = Clock(), Sent()
+    view = PageView(sent, Room({}, hall()), 60.0, clock.time)
+    if visible is not None:
+        view.set_visibility(visible)
+    for step in range(50 * seconds):
+        view.step = step
+        view.add_fired(["move"])
+        view.show_frame()
+        clock.now += 0.02
+    return view, sent
+
+
+@pytest.mark.parametrize(("visible", "most"), [(None, 500), ("focused", 500), ("visible", 203), ("hidden", 0)])
+def test_a_page_gets_as_many_frames_as_its_user_can_see(visible: page.Visible | None, most: int) -> None:
+    _, sent = watched(visible)
+    assert most - 3 <= len(sent.frames) <= most
+
+
+def test_a_page_that_is_seen_again_gets_a_frame_with_what_fired_last() -> None:
+    view, sent = watched("hidden")
+    view.set_visibility("visible")
+    [frame] = sent.frames
+    assert (frame.step, set(frame.fired), len(frame.fired)) == (499, {"move"}, 200)
+    view.set_visibility("focused")
+    assert len(sent.frames) == 1
+
+
+def test_a_hidden_page_is_told_what_its_program_says_and_gets_no_frames(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("visibility", state="hidden")
+        await page.send("run", run=1, source="drive:0.3 say:hi@30", speed=1)
+        await page.op("state", run=1, state="running")
+        before = len([m for m in page.seen if m["op"] == "frame"])
+        await page.op("said", run=1)
+        assert len([m for m in page.seen if m["op"] == "frame"]) == before
+        await page.send("visibility", state="focused")
+        await page.until(lambda m: m["op"] == "frame" and m["run"] == 1 and m["step"] > 0)
+
+    story(play, config)
