@@ -8,5 +8,10 @@ export const seed = Number(process.env["ROSY_TEST_SEED"] ?? 1)
 
 /// All rows, or every `parts`-th: the next ones with the next seed, so that each row has its turn.
 export function rotated<Row>(rows: readonly Row[], parts: number): readonly Row[] {
-  return rows.filter((_, i) => isFull || (i + seed) % parts === 0)
+  return isFull ? rows : turn(rows, parts, seed)
+}
+
+/// The rows of a day that has this seed.
+export function turn<Row>(rows: readonly Row[], parts: number, day: number): readonly Row[] {
+  return rows.filter((_, i) => (i + day) % parts === 0)
 }

@@ -41,6 +41,19 @@ export class Keys implements Hands {
     await this.steps(/stack of blocks$/, "Tab")
   }
 
+  /// From anywhere on the page into the blocks of a program that is there already.
+  async enters(): Promise<void> {
+    await this.page.getByRole("button", {name: "Blocks", exact: true}).focus()
+    await this.press("Enter")
+    const isThere = () =>
+      this.page.evaluate(() => document.activeElement?.closest(".blocklySvg .blocklyWorkspace") != null)
+    for (let count = 0; !(await isThere()); count++) {
+      if (count > patience) throw new Error("expected to come to the blocks")
+      await this.press("Tab")
+    }
+    await this.press("Control+Home")
+  }
+
   async starts(found: string): Promise<void> {
     // Where nothing is chosen, what is found stands alone.
     await this.press("w")
@@ -241,6 +254,7 @@ export class Keys implements Hands {
       }
       await this.press("ArrowDown")
     }
-    throw new Error(`expected ${entry} in the menu`)
+    const entries = await this.page.locator(".blocklyMenuItem").allTextContents()
+    throw new Error(`expected ${entry} in the menu of ${entries.join(" / ")}`)
   }
 }

@@ -1,52 +1,8 @@
 /// Lessons from the list to their end: one in blocks with a wrong attempt and a hint on the way, one in text.
 
-import {expect, type Locator, type Page} from "@playwright/test"
-import {Learner} from "./learner.ts"
+import {expect, type Page} from "@playwright/test"
+import {Pupil} from "./pupil.ts"
 import {test} from "./story.ts"
-
-class Pupil extends Learner {
-  panel(): Locator {
-    return this.page.getByRole("complementary", {name: "Lesson"})
-  }
-
-  async opensLesson(name: string): Promise<void> {
-    await this.page.goto("/")
-    await expect(this.haskell()).toContainText("simulate")
-    await this.page.getByRole("button", {name: "Lessons"}).click()
-    await this.page.getByRole("dialog").getByRole("button", {name}).click()
-    await expect(this.panel().getByRole("heading", {name})).toBeVisible()
-    // Lessons take their time in seconds of the run: the clock goes faster here.
-    await this.page.getByRole("combobox", {name: "Speed"}).selectOption("4")
-  }
-
-  async answers(text: string): Promise<void> {
-    await this.panel().getByRole("button", {name: text}).click()
-  }
-
-  async goesOn(): Promise<void> {
-    await this.panel().getByRole("button", {name: "Next step"}).click()
-  }
-
-  check(text: string): Locator {
-    return this.panel().locator(".check", {hasText: text})
-  }
-
-  /// Runs the program, from a stand.
-  async tries(): Promise<void> {
-    // A run may end by itself between a look at the button and the press.
-    await expect(async () => {
-      if ((await this.runButton().textContent()) === "Stop") await this.runButton().click()
-      await expect(this.runButton()).toHaveText("Run", {timeout: 1000})
-    }).toPass()
-    await this.runs()
-  }
-
-  /// Replaces the program at once, as by pasting.
-  async writes(program: string): Promise<void> {
-    await this.emptiesHaskell()
-    await this.page.keyboard.insertText(program)
-  }
-}
 
 const pupil = (page: Page) => new Pupil(page)
 

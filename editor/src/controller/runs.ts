@@ -4,6 +4,7 @@ import {pageVisibility, seedInAddress, watchPageVisibility} from "../browser/bro
 import {download, fileName, pickFile} from "../browser/local_files.ts"
 import {openAccessCode, ownName, setOwnName} from "../browser/preferences.ts"
 import {openConnection} from "../browser/service_connection.ts"
+import {judgedSeed} from "../lessons/lesson_state.ts"
 import type {Speaker} from "../room/sound_synthesis.ts"
 import type {PageEvent} from "../state/page_events.ts"
 import {awaitsProgram} from "../state/page_state.ts"
@@ -83,7 +84,7 @@ export function storeAccess(store: Store): void {
 export function runProgram(store: Store, editor: DocumentEditor): void {
   if (awaitsProgram(store.now)) return
   editor.flush()
-  store.dispatch({kind: "run-pressed", seed: seedInAddress() ?? newSeed()})
+  store.dispatch({kind: "run-pressed", seed: seedInAddress() ?? judgedSeed(store.now.lessons) ?? newSeed()})
 }
 
 /// Seed of a run: any integer that the service accepts (protocol §4).

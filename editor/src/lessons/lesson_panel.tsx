@@ -8,8 +8,9 @@ import {IconButton, TextWithCode} from "../page/controls.tsx"
 import {CloseIcon} from "../page/icons.tsx"
 import {compiled} from "../state/visible_findings.ts"
 import {words} from "../words/index.ts"
+import {type Hint, hintsOf} from "./hints.ts"
 import type {LessonVerdict, Seen, Step} from "./lesson.ts"
-import {currentStep, editedDraft, isDone, type OpenLesson} from "./lesson_state.ts"
+import {currentStep, editedDraft, isDone, type OpenLesson, shownHints} from "./lesson_state.ts"
 
 export function LessonPanel(): VNode | null {
   const desk = useController()
@@ -226,42 +227,49 @@ export function seenText({what, time, number, name}: Seen): string {
   return Object.hasOwn(known, what) ? (known[what]?.(number, time, name ?? "") ?? "") : ""
 }
 
-/// The hints of the first check that is not done, one after the other.
+/// The hints about one check, one after the other.
 function Hints({open, step}: {open: OpenLesson; step: Step}): VNode | null {
   const {store} = useController()
-  const isOpen = (id: string) => open.checks?.checks.find(one => one.id === id)?.state !== "done"
-  const check = step.checks.find(one => isOpen(one.id) && one.hints.length > 0)
-  if (check === undefined) return null
-  // A lesson may leave out the first sizes; a piece to take is code.
-  const hints = check.hints.map((text, i) => ({text, isPiece: i === 2})).filter(hint => hint.text !== "")
-  const shown = hints.slice(0, open.hints)
+  const text = usePageState(s => s.document.program.text)
+  const declared = usePageState(s => s.declared)
+  const found = hintsOf(step.checks, open.checks, {text, declared})
+  if (found === null) return null
+  const {check, hints} = found
+  const shown = hints.slice(0, shownHints(open, check))
   return (
     <div class="hints">
       <div aria-live="polite">
-        {shown.map(({text, isPiece}) =>
-          isPiece ? (
-            <pre class="piece" key={text} dir="ltr">
-              {text}
-            </pre>
-          ) : (
-            <p key={text}>
-              <TextWithCode text={text} strong={null} />
-            </p>
-          ),
-        )}
+        {shown.map(hint => (
+          <HintLine hint={hint} key={JSON.stringify(hint)} />
+        ))}
       </div>
       {shown.length < hints.length && (
         <button
           type="button"
           class="link hint"
           // The button pulses once after a while without progress; progress makes it a new one.
-          key={`${open.at} ${open.hints} ${open.checks?.checks.map(one => one.state).join()}`}
-          onClick={() => store.dispatch({kind: "lesson", event: {kind: "hint-wanted"}})}
+          key={`${open.at} ${check} ${shown.length} ${open.checks?.checks.map(one => one.state).join()}`}
+          onClick={() => store.dispatch({kind: "lesson", event: {kind: "hint-wanted", check}})}
         >
           {shown.length === 0 ? words.lessons.hint : words.lessons.moreHint}
         </button>
       )}
     </div>
+  )
+}
+
+function HintLine({hint}: {hint: Hint}): VNode {
+  if (hint.kind === "piece")
+    return (
+      <pre class="piece" dir="ltr">
+        {hint.text}
+      </pre>
+    )
+  const text = hint.kind === "not-run" ? words.lessons.notRun(hint.name) : hint.text
+  return (
+    <p>
+      <TextWithCode text={text} strong={null} />
+    </p>
   )
 }
 

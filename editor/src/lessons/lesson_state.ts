@@ -11,8 +11,8 @@ export interface OpenLesson {
   readonly at: number
   /// The answer chosen in each question, by the id of its step.
   readonly answers: {readonly [step: string]: string}
-  /// How many hints are shown.
-  readonly hints: number
+  /// The check that hints were asked for last, and how many of its hints are shown; `null` until then.
+  readonly hints: {readonly check: string; readonly count: number} | null
   /// What the service says about the shown step; `null` until it has said something.
   readonly checks: LessonChecks | null
   /// The number of the last run that is judged: an earlier run says nothing about this step.
@@ -56,7 +56,8 @@ export type LessonEvent =
   | {readonly kind: "closed"}
   | {readonly kind: "answered"; readonly answer: string}
   | {readonly kind: "stepped"; readonly to: number; readonly runs: number}
-  | {readonly kind: "hint-wanted"}
+  /// `check` is the one that the hint is about.
+  | {readonly kind: "hint-wanted"; readonly check: string}
   | {readonly kind: "judged"; readonly checks: LessonChecks}
   /// A draft, new or not, is shown in the editor.
   | {readonly kind: "draft-opened"; readonly draft: LessonDraft}
@@ -101,6 +102,13 @@ export function watchedNow(state: LessonsState): Watched {
   return (state.open === null ? undefined : currentStep(state.open))?.watched ?? null
 }
 
+/// Seed of a run that checks judge, so that the same program gets the same verdict each time; the rehearsals of the lessons have the same
+/// one (`sim-service/tests/system/test_lessons.py`). `null` where no check depends on chance.
+export function judgedSeed(state: LessonsState): number | null {
+  const watched = watchedNow(state)
+  return watched === null || watched.checks.length === 0 ? null : 1
+}
+
 export function reduceLesson(state: LessonsState, event: LessonEvent): LessonTransition {
   const {open} = state
   switch (event.kind) {
@@ -122,10 +130,12 @@ export function reduceLesson(state: LessonsState, event: LessonEvent): LessonTra
     }
     case "stepped": {
       if (open === null || open.lesson.steps[event.to] === undefined) return {state}
-      return shown({...state, open: {...open, at: event.to, hints: 0, checks: null, since: event.runs}})
+      return shown({...state, open: {...open, at: event.to, hints: null, checks: null, since: event.runs}})
     }
     case "hint-wanted":
-      return open === null ? {state} : {state: {...state, open: {...open, hints: open.hints + 1}}}
+      return open === null
+        ? {state}
+        : {state: {...state, open: {...open, hints: moreHints(open, event.check)}}}
     case "judged":
       return {state: judged(state, event.checks)}
     case "draft-opened": {
@@ -160,10 +170,20 @@ const opened = (lesson: Lesson, at: number, runs: number): OpenLesson => ({
   lesson,
   at,
   answers: {},
-  hints: 0,
+  hints: null,
   checks: null,
   since: runs,
 })
+
+/// How many hints about a check are shown.
+export function shownHints({hints}: OpenLesson, check: string): number {
+  return hints?.check === check ? hints.count : 0
+}
+
+/// Another check begins with its first hint: those of the check before were asked for, and these were not.
+function moreHints(open: OpenLesson, check: string): OpenLesson["hints"] {
+  return {check, count: shownHints(open, check) + 1}
+}
 
 /// The state without an open lesson; from the trial of a draft the way leads back to the editor.
 export function withoutLesson(state: LessonsState): LessonsState {

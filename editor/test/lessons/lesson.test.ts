@@ -7,6 +7,7 @@ import {type Lesson, type LessonChecks, lessonDecoder} from "../../src/lessons/l
 import {
   firstOpenStep,
   isDone,
+  judgedSeed,
   type LessonEvent,
   type LessonsState,
   noLessons,
@@ -106,6 +107,12 @@ describe("a step", () => {
     expect(reduceLesson(after(opened, at(2)), {kind: "closed"}).watched).toBe(null)
   })
 
+  test("with checks is run with the same seed each time", () => {
+    expect(judgedSeed(noLessons)).toBe(null)
+    expect(judgedSeed(after(opened))).toBe(null)
+    expect(judgedSeed(after(opened, at(2)))).toBe(1)
+  })
+
   test("is passed by a run that began after it was shown", () => {
     expect(done(after(opened, at(2), judged(3, true)))).toEqual([])
     expect(done(after(opened, at(2), judged(4, false)))).toEqual([])
@@ -115,10 +122,12 @@ describe("a step", () => {
     expect(last !== undefined && isDone(passed, last)).toBe(true)
   })
 
-  test("shows hints from the beginning when it is shown again", () => {
-    const hinted = after(opened, at(2), {kind: "hint-wanted"}, {kind: "hint-wanted"})
-    expect(hinted.open?.hints).toBe(2)
-    expect(reduceLesson(hinted, at(1)).state.open?.hints).toBe(0)
+  test("shows hints from the beginning when it is shown again, and when they are about another check", () => {
+    const wanted = (check: string): LessonEvent => ({kind: "hint-wanted", check})
+    const hinted = after(opened, at(2), wanted("far"), wanted("far"))
+    expect(hinted.open?.hints).toEqual({check: "far", count: 2})
+    expect(reduceLesson(hinted, wanted("near")).state.open?.hints).toEqual({check: "near", count: 1})
+    expect(reduceLesson(hinted, at(1)).state.open?.hints).toBe(null)
   })
 })
 

@@ -133,6 +133,8 @@ def test_goals_of_the_room() -> None:
     # To stay away from something is done when the time is over without it.
     assert verdict(goals, told("open", "avoid")).state == "done"
     assert verdict(goals, told("open", "avoid"), final=False).state == "open"
+    # Before a run.
+    assert verdict(goals, Recording(ARENA), final=False).state == "open"
 
 
 GRAPH = ProgramGraph(

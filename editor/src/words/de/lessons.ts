@@ -41,6 +41,7 @@ export const lessons: Words["lessons"] = {
   again: "Diesen Schritt neu beginnen",
   hint: "Gib mir einen Tipp",
   moreHint: "Noch ein Tipp",
+  notRun: (name: string) => `\`${name}\` ist definiert, aber nichts benutzt es. Führt \`simulate\` es aus?`,
   mendFirst: "Im Programm ist ein Fehler. Behebe ihn zuerst: Eine Karte sagt, was zu tun ist.",
   pressRun: "Drücke Start, dann wird während der Fahrt geprüft.",
   letItRun: (time: number) => `Lass es ${time} Sekunden laufen.`,

@@ -38,6 +38,8 @@ export const lessons = {
   again: "Begin this step again",
   hint: "Give me a hint",
   moreHint: "One more hint",
+  /// A hint about a function of the learner's.
+  notRun: (name: string) => `\`${name}\` is defined, but nothing uses it yet. Does \`simulate\` run it?`,
   mendFirst: "The program has a mistake. Mend it first: a card says what to do.",
   pressRun: "Press Run, and the checks are made while it drives.",
   letItRun: (time: number) => `Let it run for ${time} seconds.`,

@@ -47,6 +47,7 @@ export const lessons: Words["lessons"] = {
   again: "Empezar este paso otra vez",
   hint: "Dame una pista",
   moreHint: "Una pista más",
+  notRun: (name: string) => `\`${name}\` está definida, pero nada la usa todavía. ¿La ejecuta \`simulate\`?`,
   mendFirst: "El programa tiene un error. Corrígelo primero: una tarjeta dice qué hacer.",
   pressRun: "Pulsa Ejecutar, y se comprobará mientras se mueve.",
   letItRun: time =>

@@ -52,6 +52,8 @@ export const lessons: Words["lessons"] = {
   again: "Recommencer cette étape",
   hint: "Donne-moi un indice",
   moreHint: "Encore un indice",
+  notRun: (name: string) =>
+    `\`${name}\` est définie, mais rien ne l’utilise encore. Est-ce que \`simulate\` l’exécute ?`,
   mendFirst: "Il y a une erreur dans le programme. Corrige-la d'abord : une carte dit quoi faire.",
   pressRun: "Appuie sur Démarrer, et tout est vérifié pendant que le robot roule.",
   letItRun: (time: number) =>

@@ -42,6 +42,7 @@ export const lessons: Words["lessons"] = {
   again: "Começar este passo de novo",
   hint: "Me dê uma dica",
   moreHint: "Mais uma dica",
+  notRun: (name: string) => `\`${name}\` está definida, mas nada a usa ainda. O \`simulate\` a executa?`,
   mendFirst: "O programa tem um erro. Conserte-o primeiro: um cartão diz o que fazer.",
   pressRun: "Aperte Executar, e tudo é conferido enquanto ele anda.",
   letItRun: (time: number) =>

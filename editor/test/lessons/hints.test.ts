@@ -1,0 +1,64 @@
+/// Hints: about the check that the last run missed, nothing that is done already, and functions that nothing uses.
+
+import {describe, expect, test} from "vitest"
+import {hintsOf, isInProgram, unusedFunctions} from "../../src/lessons/hints.ts"
+import type {Check, LessonChecks, LessonVerdict} from "../../src/lessons/lesson.ts"
+
+const checks: readonly Check[] = [
+  {id: "takes", text: "It takes a `Cliff`", hints: ["Which function?", "", "cliff :: Cliff -> Stop"]},
+  {id: "stays", text: "It stays up", hints: ["Is it fast?", "Look at go."]},
+]
+const told = (run: number | null, ...states: readonly LessonVerdict["state"][]): LessonChecks => ({
+  run,
+  passed: false,
+  over: true,
+  checks: states.map((state, i) => ({id: checks[i]?.id ?? "", state, seen: null})),
+})
+const text = `cliff :: Cliff -> Stop
+cliff _ = Stop
+
+go = Velocity 0.2 0
+
+main = simulate go
+`
+const program = {text: "main = simulate ()\n", declared: []}
+const texts = (found: ReturnType<typeof hintsOf>) =>
+  found?.hints.map(hint => (hint.kind === "not-run" ? hint : hint.text))
+
+describe("hints", () => {
+  test("are about the first check that is open, and about one that a run has missed before it", () => {
+    expect(hintsOf(checks, null, program)?.check).toBe("takes")
+    expect(hintsOf(checks, told(null, "open", "missed"), program)?.check).toBe("takes")
+    expect(hintsOf(checks, told(1, "open", "missed"), program)?.check).toBe("stays")
+    expect(hintsOf(checks, told(1, "done", "open"), program)?.check).toBe("stays")
+    expect(hintsOf(checks, told(1, "done", "done"), program)).toBe(null)
+  })
+
+  test("leave out a piece that the program has already", () => {
+    expect(texts(hintsOf(checks, null, program))).toEqual(["Which function?", "cliff :: Cliff -> Stop"])
+    expect(texts(hintsOf(checks, null, {...program, text}))).toEqual(["Which function?"])
+  })
+
+  test("begin, after a run, with a function that nothing uses", () => {
+    const declared = [
+      {name: "cliff", type: "Cliff -> Stop"},
+      {name: "main", type: "IO ()"},
+    ]
+    const [first] = hintsOf(checks, told(1, "missed"), {text, declared})?.hints ?? []
+    expect(first).toEqual({kind: "not-run", name: "cliff"})
+    expect(texts(hintsOf(checks, null, {text, declared}))).toEqual(["Which function?"])
+  })
+})
+
+test("a piece is in a program when all its lines are, whatever the spaces", () => {
+  expect(isInProgram("cliff  ::Cliff -> Stop\ncliff _ = Stop", text)).toBe(true)
+  expect(isInProgram("cliff _ = Stop\nmain = simulate cliff", text)).toBe(false)
+})
+
+test("a function is used by another definition, not by its own and not by a comment", () => {
+  const of = (...names: readonly string[]) => names.map(name => ({name, type: "Int -> Int"}))
+  const loop =
+    "-- half is not used\nhalf n = half (n - 1)\n\ntwice n = n\n\ntwice' n = twice n\n\nmain = f twice'\n"
+  expect(unusedFunctions({text: loop, declared: of("half", "twice", "twice'")})).toEqual(["half"])
+  expect(unusedFunctions({text, declared: [{name: "go", type: "Velocity"}]})).toEqual([])
+})
