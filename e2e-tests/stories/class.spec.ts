@@ -1,82 +1,22 @@
 /// Class mode: pupils join on the teacher's computer, nothing that was reported as saved is lost, and the teacher sees who needs help.
 
-import {mkdtempSync, rmSync} from "node:fs"
-import {tmpdir} from "node:os"
-import {join} from "node:path"
 import {AxeBuilder} from "@axe-core/playwright"
 import {type Browser, expect, type Page} from "@playwright/test"
 import {Learner, screenshot} from "./learner.ts"
-import {startService, type Talker} from "./service.ts"
+import {device, RunningClass, savedIn} from "./running_class.ts"
 import {test} from "./story.ts"
 
-interface Class {
-  readonly service: Talker
-  readonly address: string
-  readonly code: string
-  readonly board: string
-}
-
-let classes: string
-let running: Class
-
-/// Starts the class; with `port` a class whose service was killed starts again.
-async function startClass(port: string | null = null): Promise<Class> {
-  const on = port === null ? [] : ["--port", port]
-  const service = startService(["--class", "7b", "--host", "127.0.0.1", ...on], {
-    ...process.env,
-    ROSY_CLASSES: classes,
-  })
-  const [, address] = await service.says(/Rosy is ready at (\S+)\//)
-  const [, code] = await service.says(/Class code +(\S+)/)
-  const [, board] = await service.says(/Teacher's board +(\S+)/)
-  return {service, address: address ?? "", code: code ?? "", board: board ?? ""}
-}
+let running: RunningClass
 
 test.beforeEach(async () => {
-  classes = mkdtempSync(join(tmpdir(), "rosy-classes-"))
-  running = await startClass()
+  running = await RunningClass.start()
 })
 
-test.afterEach(async () => {
-  await running.service.ends()
-  rmSync(classes, {recursive: true, force: true})
-})
+test.afterEach(() => running.ends())
 
-/// A device of its own for a pupil or the teacher.
-async function device(browser: Browser): Promise<Page> {
-  const context = await browser.newContext({viewport: {width: 1440, height: 900}})
-  return context.newPage()
-}
+const joins = (browser: Browser, nickname: string) => running.joins(browser, nickname)
 
-async function joins(browser: Browser, nickname: string): Promise<{learner: Learner; words: string}> {
-  const page = await device(browser)
-  await page.goto(`${running.address}/?example=forwardBackward#class=${running.code}`)
-  const card = page.getByRole("dialog", {name: "Join your class"})
-  await expect(card.getByRole("textbox", {name: "Class code"})).toHaveValue(running.code)
-  await card.getByRole("textbox", {name: "Nickname"}).fill(nickname)
-  await card.getByRole("button", {name: "Join the class"}).click()
-  await expect(page.getByTestId("three-words")).toBeVisible()
-  const words = (await page.getByTestId("three-words").textContent()) ?? ""
-  expect(words.trim().split(" ")).toHaveLength(3)
-  await page.getByRole("button", {name: "I wrote them down"}).click()
-  const learner = new Learner(page)
-  await expect(learner.haskell()).toContainText("simulate")
-  return {learner, words}
-}
-
-async function continues(browser: Browser, words: string): Promise<Learner> {
-  const page = await device(browser)
-  await page.goto(`${running.address}/`)
-  const card = page.getByRole("dialog", {name: "Join your class"})
-  await card.getByRole("button", {name: "I joined before"}).click()
-  await card.getByRole("textbox", {name: "Class code"}).fill(running.code.toUpperCase())
-  await card.getByRole("textbox", {name: "Your three words"}).fill(` ${words.toUpperCase()} `)
-  await card.getByRole("button", {name: "Go on with my work"}).click()
-  await page.getByRole("button", {name: "I wrote them down"}).click()
-  return new Learner(page)
-}
-
-const savedIn = ({page}: Learner) => expect(page.getByTestId("class-saved")).toHaveText("Saved in the class")
+const continues = (browser: Browser, words: string) => running.continues(browser, words)
 
 test("a pupil's last letter is on another device, also after the service was killed", async ({browser}) => {
   const {learner: ada, words} = await joins(browser, "Ada")
@@ -89,12 +29,12 @@ test("a pupil's last letter is on another device, also after the service was kil
   await expect(tablet.haskell()).toContainText("0.25")
   await expect(tablet.page.getByTestId("class-bar")).toContainText("Ada")
 
-  await running.service.ends("SIGKILL")
+  await running.dies()
   await expect(tablet.page.getByTestId("class-saved")).toContainText("No connection to the class")
   // Work goes on without the service, and reaches it when it is back.
   await tablet.changesNumber("0.25", "0.75")
   await expect(tablet.haskell()).toContainText("0.75")
-  running = await startClass(new URL(running.address).port)
+  running = await running.startsAgain()
   await savedIn(tablet)
   const text = await tablet.haskellText()
   await tablet.page.context().close()
@@ -112,14 +52,14 @@ test("what two devices changed without each other becomes two programs", async (
   const tablet = await continues(browser, words)
   await expect(tablet.haskell()).toContainText("0.25")
 
-  await running.service.ends("SIGKILL")
+  await running.dies()
   for (const learner of [ada, tablet])
     await expect(learner.page.getByTestId("class-saved")).toContainText("No connection to the class")
   await ada.changesNumber("0.25", "0.35")
   await expect(ada.haskell()).toContainText("0.35")
   await tablet.changesNumber("0.25", "0.45")
   await expect(tablet.haskell()).toContainText("0.45")
-  running = await startClass(new URL(running.address).port)
+  running = await running.startsAgain()
   await savedIn(ada)
   await savedIn(tablet)
 

@@ -7,7 +7,7 @@
 /// Without a GPU each frame is composed by the processor. At 60 frames per second this takes more than the page, the service
 /// and the programs together, and no story depends on the rate. The first frame after a pause comes at once.
 
-import {type BrowserContext, test as base, type Page} from "@playwright/test"
+import {type Browser, type BrowserContext, test as base, type Page} from "@playwright/test"
 
 /// Milliseconds between two frames.
 const interval = 50
@@ -74,14 +74,22 @@ async function prepare(context: BrowserContext): Promise<BrowserContext> {
   return context
 }
 
+/// Prepares all contexts that a browser opens from now on; what is returned ends that.
+export function prepareContexts(browser: Browser): () => void {
+  const open = browser.newContext.bind(browser)
+  browser.newContext = async options => prepare(await open(options))
+  return () => {
+    browser.newContext = open
+  }
+}
+
 export const test = base.extend({
   // The context of a story is one that this opens.
   browser: [
     async ({browser}, use) => {
-      const open = browser.newContext.bind(browser)
-      browser.newContext = async options => prepare(await open(options))
+      const end = prepareContexts(browser)
       await use(browser)
-      browser.newContext = open
+      end()
     },
     {scope: "worker"},
   ],
