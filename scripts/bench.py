@@ -102,6 +102,10 @@ BENCHES = {
         "a class of thirty pupils whose programs drive, without the teacher's board and with it",
         [Command(simulator("class"), small=simulator("class", "--pupils", "2", "--seconds", "1"))],
     ),
+    "attacks": Benchmark(
+        "what others notice of one client's attacks, beside the same without: checks, steps, a new page and its program",
+        [Command(simulator("attacks"), small=simulator("attacks", "--seconds", "1"))],
+    ),
 }
 
 

@@ -12,22 +12,21 @@ import json
 import multiprocessing
 import tempfile
 import time
-from collections.abc import AsyncIterator
-from contextlib import AsyncExitStack, asynccontextmanager
+from contextlib import AsyncExitStack
 from dataclasses import replace
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
 import psutil
-import uvicorn
 import uvloop
 from websockets.asyncio.client import ClientConnection, connect
 
 from ..classroom.class_folder import open_class
 from ..classroom.class_store import ClassStore
 from ..config import Config
-from ..web.app import Service, build_app
+from ..web.app import Service
+from .serving import serving
 
 __all__ = ["PROGRAM", "report"]
 
@@ -52,7 +51,7 @@ def report(config: Config, pupils: int, seconds: float, program: str = PROGRAM) 
 async def _measure(config: Config, store: ClassStore, pupils: int, seconds: float, program: str) -> float:
     ours, theirs = multiprocessing.Pipe()
     admission = store.admission()
-    async with _serving(config, store) as (service, port):
+    async with serving(config, store) as (service, port):
         clients = multiprocessing.get_context("spawn").Process(
             target=_run_clients,
             args=(port, pupils, admission.code, admission.teacher_key, program, theirs),
@@ -75,30 +74,6 @@ async def _measure(config: Config, store: ClassStore, pupils: int, seconds: floa
             clients.join(5)
             clients.kill()
     return late
-
-
-@asynccontextmanager
-async def _serving(config: Config, store: ClassStore) -> AsyncIterator[tuple[Service, int]]:
-    app = build_app(config, store)
-    service: Service = app.state.service
-    server = uvicorn.Server(
-        uvicorn.Config(
-            app,
-            port=0,
-            log_level="critical",
-            ws="websockets-sansio",
-            ws_per_message_deflate=False,
-            timeout_graceful_shutdown=1,
-        )
-    )
-    serving = asyncio.create_task(server.serve())
-    while not (server.started and service.worker.state == "ready"):  # noqa: ASYNC110 (nothing to wait on)
-        await asyncio.sleep(0.02)
-    try:
-        yield service, server.servers[0].sockets[0].getsockname()[1]
-    finally:
-        server.should_exit = True
-        await serving
 
 
 async def _print_row(service: Service, clients: Connection, pupils: int, seconds: float, *, board: bool) -> float:
