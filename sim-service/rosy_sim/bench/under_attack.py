@@ -104,7 +104,7 @@ def _run_others(port: int, code: str, talk: Connection) -> None:
 
 
 async def _others(port: int, code: str, talk: Connection) -> None:
-    """One page drives, one checks; for each number of seconds that is asked for, tell what they notice, and a new page."""
+    """One page drives, one checks; for each number of seconds asked for, tell what they and a new page notice."""
     async with opened(port) as driving, opened(port) as checking:
         await driving.send("run", run=1, source=_PROGRAM, seed=1, speed=1)
         await driving.answer("frame")
