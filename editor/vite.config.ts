@@ -54,6 +54,7 @@ export default defineConfig({
         index: page("index.html"),
         prelude: page("prelude.html"),
         board: page("board.html"),
+        projector: page("projector.html"),
         [guideEntry]: page("src/guide/guide.ts"),
       },
     },

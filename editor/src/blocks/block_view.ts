@@ -9,6 +9,7 @@ import {words} from "../words/index.ts"
 import {Annotations} from "./appearance/annotations.ts"
 import {rendererName} from "./appearance/renderer.ts"
 import {setScrollBarThickness, showScrollBarsInUse} from "./appearance/scroll_bars.ts"
+import {TeacherComments} from "./appearance/teacher_comments.ts"
 import {ValueLabels} from "./appearance/value_labels.ts"
 import {cullByViewport} from "./appearance/viewport_culling.ts"
 import {fitToHost} from "./appearance/workspace_size.ts"
@@ -52,6 +53,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   const workspace = inject(host, options, toolboxInfo(language, level))
   const marks = new Annotations(workspace)
   const values = new ValueLabels(workspace)
+  const comments = new TeacherComments(workspace)
   const away = cullByViewport(workspace, host)
   const stopScrollBars = showScrollBarsInUse(workspace, host)
   const freeFocus = restoreFocus(workspace)
@@ -95,6 +97,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       changes.loaded()
       marks.forget()
       values.refresh()
+      comments.refresh()
       away.update()
       const again = focused === undefined ? null : workspace.getBlockById(focused)
       if (again !== null) {
@@ -117,6 +120,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     },
     glow: functions => marks.glow(definitionsOf(functions)),
     mark: (problems, accepted = false) => marks.setTold(problems, accepted),
+    showComments: shown => comments.show(shown),
     setTone(tone) {
       host.dataset.theme = tone
       workspace.setTheme(blocklyTheme(tone))

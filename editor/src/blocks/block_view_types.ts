@@ -2,6 +2,7 @@
 
 import type {BlockId, BlockProblem, Inference, Level, SavedBlock, SavedWorkspace} from "@rosy/codegen"
 import type {NumberDragListener} from "../preview/number_grip.ts"
+import type {CommentOnBlock} from "./appearance/teacher_comments.ts"
 import type {Tone} from "./appearance/theme.ts"
 import type {BlockValue} from "./appearance/value_labels.ts"
 import type {TextDropTarget} from "./dragging/text_drop_target.ts"
@@ -77,6 +78,8 @@ export interface BlocksView {
   /// Shows problems from the compiler or a run on their blocks, until called again. `accepted`: the compiler has taken
   /// the program, so what the blocks' own inference has against it is not shown.
   mark(problems: readonly BlockProblem[], accepted?: boolean): void
+  /// Shows the teacher's comments at their blocks, until called again.
+  showComments(comments: readonly CommentOnBlock[]): void
   setTone(tone: Tone): void
   setLevel(level: Level): void
   /// Shows only the blocks of these words in the toolbox (`lessons/toolbox_words.ts`); `null` for those of the level.

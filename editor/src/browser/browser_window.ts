@@ -59,6 +59,11 @@ export function isEmbedded(): boolean {
   return new URLSearchParams(window.location.search).has("embed")
 }
 
+/// Whether the page is shown inside of the teacher's board (`classroom/guest_messages.ts`).
+export function isBoardGuest(): boolean {
+  return new URLSearchParams(window.location.search).get("embed") === "board"
+}
+
 /// The fragment of the address, which may contain a program.
 export function addressFragment(): string {
   return window.location.hash

@@ -10,7 +10,7 @@ import "../styles/class.css"
 import "../styles/room_tests.css"
 import "../styles/board.css"
 import {render, type VNode} from "preact"
-import {useLayoutEffect, useRef, useState} from "preact/hooks"
+import {useState} from "preact/hooks"
 import {openBrowserStorage} from "../browser/browser_storage.ts"
 import {chosenLanguage} from "../browser/preferences.ts"
 import {openProgramStore, type ProgramStore} from "../browser/program_store.ts"
@@ -24,7 +24,10 @@ import {SendTool} from "./board_send.tsx"
 import {board, change} from "./board_state.ts"
 import {HandIns, TaskTool} from "./board_tasks.tsx"
 import {uncheckedCount} from "./hand_in_checks.ts"
+import {KeyForm} from "./key_form.tsx"
+import {ProjectorTool} from "./projector_tool.tsx"
 import {Pupils} from "./pupil_cards.tsx"
+import {ShownProgramDialog} from "./shown_program.tsx"
 
 function open(): void {
   const storage = openBrowserStorage(window)
@@ -39,7 +42,7 @@ interface BoardProps extends BoardConnection {
   readonly programs: ProgramStore
 }
 
-function BoardPage({send, unlock, download, programs, openRun}: BoardProps): VNode {
+function BoardPage({send, unlock, download, programs, openRun, openProjector}: BoardProps): VNode {
   const {
     class: opened,
     link,
@@ -52,7 +55,8 @@ function BoardPage({send, unlock, download, programs, openRun}: BoardProps): VNo
     checkRefused,
   } = board.value
   const w = words.classroom.board
-  if (opened === null) return <Lock unlock={unlock} />
+  if (opened === null)
+    return <KeyForm title={w.title} isLost={link === "lost"} refused={board.value.refused} unlock={unlock} />
   return (
     <>
       <header class="board-head">
@@ -66,6 +70,7 @@ function BoardPage({send, unlock, download, programs, openRun}: BoardProps): VNo
           <Invitation code={opened.code} addresses={opened.addresses} />
           <EyesUp send={send} />
           <SendTool send={send} programs={programs} />
+          <ProjectorTool send={send} open={openProjector} />
           <TaskTool tasks={tasks} pupils={pupils} send={send} refused={taskRefused} />
         </section>
         <HandIns
@@ -94,51 +99,8 @@ function BoardPage({send, unlock, download, programs, openRun}: BoardProps): VNo
         />
         <Pupils send={send} />
       </main>
-      {shown !== null && <ShownProgram />}
+      {shown !== null && <ShownProgramDialog shown={shown} send={send} />}
     </>
-  )
-}
-
-function Lock({unlock}: Pick<BoardProps, "unlock">): VNode {
-  const w = words.classroom.board
-  const {refused, link} = board.value
-  const [key, setKey] = useState("")
-  return (
-    <main class="board-lock">
-      <form
-        class="class-form"
-        onSubmit={event => {
-          event.preventDefault()
-          unlock(key)
-        }}
-      >
-        <h1>{w.title}</h1>
-        <p class="quiet">{w.lead}</p>
-        <label class="field">
-          <span>{w.key}</span>
-          <input
-            type="password"
-            value={key}
-            required
-            maxLength={60}
-            autocomplete="off"
-            onInput={event => setKey(event.currentTarget.value)}
-          />
-        </label>
-        {link === "lost" ? (
-          <p role="status">{w.lost}</p>
-        ) : (
-          refused !== null && (
-            <p class="refused" role="alert">
-              {refused}
-            </p>
-          )
-        )}
-        <button type="submit" class="primary">
-          {w.open}
-        </button>
-      </form>
-    </main>
   )
 }
 
@@ -209,27 +171,6 @@ function EyesUp({send}: Pick<BoardProps, "send">): VNode {
       </button>
       {attention !== null && <p role="status">{w.areLooking}</p>}
     </form>
-  )
-}
-
-function ShownProgram(): VNode | null {
-  const w = words.classroom.board
-  const {shown} = board.value
-  const dialog = useRef<HTMLDialogElement>(null)
-  useLayoutEffect(() => dialog.current?.showModal(), [])
-  if (shown === null) return null
-  const title = w.programOf(shown.nickname, shown.name)
-  return (
-    <dialog class="board-program" ref={dialog} aria-label={title} onClose={() => change({shown: null})}>
-      <header>
-        <h2>{title}</h2>
-        <p class="quiet">{w.readOnly}</p>
-        <button type="button" class="plain" onClick={() => change({shown: null})}>
-          {w.close}
-        </button>
-      </header>
-      <iframe src={shown.address} title={title} />
-    </dialog>
   )
 }
 

@@ -17,6 +17,8 @@ export interface BoardConnection {
   readonly download: (task: BoardTask) => Promise<boolean>
   /// Opens a pupil's program for a task in its worst room.
   readonly openRun: (task: number, pupil: number) => void
+  /// Opens the page for the projector in a window of its own.
+  readonly openProjector: () => void
 }
 
 /// Connects with the key of the address, or with the one that this tab had before.
@@ -43,6 +45,8 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
           change({refused: words.classroom.refused[message.reason], class: null})
         } else if (message.reason === "deadline" || message.reason === "tasks" || message.reason === "disk")
           change({taskRefused: words.classroom.board.refused[message.reason]})
+        else if (message.reason === "comments")
+          change({commentRefused: words.classroom.board.refused.comments})
         else if (message.reason === "rooms") change({checkRefused: words.classroom.board.check.refused})
       } else if (message.op === "pupils") change({pupils: message.pupils})
       else if (message.op === "room") rooms.value = new Map([...rooms.value, [message.pupil, message.world]])
@@ -52,6 +56,10 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
           ...message.places.map(place => [place.pupil, place] as const),
         ])
       else if (message.op === "tasks") change({tasks: message.tasks, taskRefused: null})
+      else if (message.op === "projecting") {
+        const {pupil, named, program} = message
+        change({projecting: pupil, ...(pupil === null ? {} : {projectorSight: {named, program}})})
+      } else if (message.op === "comments") change({comments: message.comments})
       else if (message.op === "sent") change({said: sentence(message)})
       else if (message.op === "checking") change({checking: message})
       else if (message.op === "result") change({results: withResult(board.value.results, message)})
@@ -72,7 +80,9 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
     tabs.open(pupil)
     send({op: "open-run", task, pupil})
   }
-  return {send, unlock, download, openRun}
+  // Always the same window: a second press brings it to the front.
+  const openProjector = () => void window.open(`./projector.html#key=${key ?? ""}`, "rosy-projector")
+  return {send, unlock, download, openRun, openProjector}
 }
 
 /// Tabs for pupils' programs in their worst rooms. A browser lets a page open one only while a click is served, so it is empty until the program arrives.
@@ -118,6 +128,10 @@ function sentence({pages, later}: BoardMessage & {readonly op: "sent"}): string 
 async function show(message: BoardMessage & {readonly op: "program"}): Promise<void> {
   const pupil = board.value.pupils.find(one => one.id === message.pupil)
   if (message.text === null || pupil === undefined) return
-  const address = `./?embed${await fragmentOf(message.text)}`
-  change({shown: {nickname: pupil.nickname, name: message.name, address}})
+  const address = `./?embed=board${await fragmentOf(message.text)}`
+  const {nickname, id} = pupil
+  change({
+    shown: {pupil: id, nickname, name: message.name, address, program: message.program},
+    commentRefused: null,
+  })
 }

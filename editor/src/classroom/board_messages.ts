@@ -1,5 +1,6 @@
 /// Messages of the teacher's board, both ways (protocol §11).
 
+import type {PlaceInProgram} from "../state/block_comments.ts"
 import {
   boolean,
   type Decoded,
@@ -16,7 +17,14 @@ import {
 } from "../state/decode.ts"
 import type {Pose, World} from "../worlds/world.ts"
 import {readWorld} from "../worlds/world_decoder.ts"
-import {type LessonProgress, type Refusal, refusals, type Shared} from "./class_messages.ts"
+import {
+  type LessonProgress,
+  type OwnComment,
+  ownComment,
+  type Refusal,
+  refusals,
+  type Shared,
+} from "./class_messages.ts"
 import {
   type Checking,
   type CheckRequest,
@@ -40,6 +48,9 @@ export interface PupilOnBoard {
   readonly changed: number | null
   readonly lesson: LessonProgress | null
   readonly needs: readonly Need[]
+  /// Comments on places in the pupil's programs, and those that the pupil has dealt with.
+  readonly comments: number
+  readonly done: number
 }
 
 export interface Place extends Pose {
@@ -66,7 +77,14 @@ export interface BoardTask {
   readonly handedIn: readonly HandedIn[]
 }
 
+/// How the projector shows pupils: with their nicknames, and with their programs beside the room.
+export interface ProjectorSight {
+  readonly named: boolean
+  readonly program: boolean
+}
+
 export type BoardMessage =
+  | ({readonly op: "projecting"; readonly pupil: number | null} & ProjectorSight)
   | {
       readonly op: "board"
       readonly code: string
@@ -76,7 +94,15 @@ export type BoardMessage =
   | {readonly op: "pupils"; readonly pupils: readonly PupilOnBoard[]}
   | {readonly op: "room"; readonly pupil: number; readonly world: World}
   | {readonly op: "places"; readonly places: readonly Place[]}
-  | {readonly op: "program"; readonly pupil: number; readonly name: string; readonly text: string | null}
+  | {
+      readonly op: "program"
+      readonly pupil: number
+      readonly name: string
+      readonly text: string | null
+      /// Its identifier; `null` for a hand-in.
+      readonly program: string | null
+    }
+  | {readonly op: "comments"; readonly pupil: number; readonly comments: readonly OwnComment[]}
   | {readonly op: "sent"; readonly pages: number; readonly later: number}
   | {readonly op: "refused"; readonly reason: Refusal}
   | {readonly op: "tasks"; readonly tasks: readonly BoardTask[]}
@@ -106,6 +132,15 @@ export type BoardRequest =
   | {readonly op: "close-task"; readonly task: number}
   | {readonly op: "open-hand-in"; readonly task: number; readonly pupil: number}
   | {readonly op: "comment"; readonly task: number; readonly pupil: number; readonly text: string}
+  | {
+      readonly op: "add-comment"
+      readonly pupil: number
+      readonly program: string
+      readonly text: string
+      readonly place: PlaceInProgram
+    }
+  | {readonly op: "remove-comment"; readonly comment: number}
+  | ({readonly op: "project"; readonly pupil: number | null} & ProjectorSight)
   | CheckRequest
   | {readonly op: "cancel-check"}
   | {readonly op: "show-results"; readonly task: number}
@@ -126,6 +161,8 @@ const pupil = object<PupilOnBoard>(get => ({
   changed: get("changed", optional(number, null)),
   lesson: get("lesson", optional(lesson, null)),
   needs: get("needs", list(oneOf("hand", "error", "idle"))),
+  comments: get("comments", number),
+  done: get("done", number),
 }))
 const handedIn = object<HandedIn>(get => ({
   pupil: get("pupil", number),
@@ -142,7 +179,7 @@ const task = object<BoardTask>(get => ({
   open: get("open", boolean),
   handedIn: get("handed_in", list(handedIn)),
 }))
-const world: Decoder<World> = (value, path) => {
+export const world: Decoder<World> = (value, path) => {
   const read = readWorld(value)
   if (read.kind === "fault") throw new Mismatch(path, "a room")
   return read.world
@@ -164,6 +201,8 @@ const boardMessage: Decoder<BoardMessage> = (value, path) => {
         "room",
         "places",
         "program",
+        "projecting",
+        "comments",
         "sent",
         "refused",
         "tasks",
@@ -196,7 +235,17 @@ const boardMessage: Decoder<BoardMessage> = (value, path) => {
           pupil: get("pupil", number),
           name: get("name", string),
           text: get("text", optional(string, null)),
+          program: get("program", optional(string, null)),
         }
+      case "projecting":
+        return {
+          op,
+          pupil: get("pupil", optional(number, null)),
+          named: get("named", boolean),
+          program: get("program", boolean),
+        }
+      case "comments":
+        return {op, pupil: get("pupil", number), comments: get("comments", list(ownComment))}
       case "sent":
         return {op, pages: get("pages", number), later: get("later", number)}
       case "refused":

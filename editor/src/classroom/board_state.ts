@@ -2,8 +2,18 @@
 
 import {type Signal, signal} from "@preact/signals"
 import type {World} from "../worlds/world.ts"
-import type {BoardMessage, BoardTask, Place, PupilOnBoard} from "./board_messages.ts"
+import type {BoardMessage, BoardTask, Place, ProjectorSight, PupilOnBoard} from "./board_messages.ts"
+import type {OwnComment} from "./class_messages.ts"
 import type {Checking, Results} from "./hand_in_checks.ts"
+
+export interface ShownProgram {
+  readonly pupil: number
+  readonly nickname: string
+  readonly name: string
+  readonly address: string
+  /// Its identifier; `null` for a hand-in, which takes no comments on places.
+  readonly program: string | null
+}
 
 export interface Board {
   readonly link: "connecting" | "open" | "lost"
@@ -12,7 +22,14 @@ export interface Board {
   readonly attention: string | null
   readonly pupils: readonly PupilOnBoard[]
   /// A pupil's program to look at: its link for an embedded page.
-  readonly shown: {readonly nickname: string; readonly name: string; readonly address: string} | null
+  readonly shown: ShownProgram | null
+  /// The comments on the programs of the pupil whose program was opened last.
+  readonly comments: readonly OwnComment[]
+  /// Why the last comment was not stored.
+  readonly commentRefused: string | null
+  /// The pupil whose room the projector shows, and how it shows pupils.
+  readonly projecting: number | null
+  readonly projectorSight: ProjectorSight
   readonly tasks: readonly BoardTask[]
   /// Why the last task was not opened, or the last change not stored.
   readonly taskRefused: string | null
@@ -33,6 +50,10 @@ export const board: Signal<Board> = signal({
   attention: null,
   pupils: [],
   shown: null,
+  comments: [],
+  commentRefused: null,
+  projecting: null,
+  projectorSight: {named: false, program: false},
   tasks: [],
   taskRefused: null,
   checking: {number: 0, task: null, done: 0, of: 0, rooms: 0},

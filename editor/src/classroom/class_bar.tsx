@@ -4,9 +4,11 @@ import type {Signal} from "@preact/signals"
 import type {VNode} from "preact"
 import {useLayoutEffect, useRef, useState} from "preact/hooks"
 import {TextEntry} from "../page/text_entry.tsx"
+import type {Program} from "../state/program.ts"
 import {words} from "../words/index.ts"
-import type {OwnTask} from "./class_messages.ts"
+import type {OwnComment, OwnTask} from "./class_messages.ts"
 import type {ClassState} from "./class_state.ts"
+import {CommentLines} from "./comment_lines.tsx"
 import {TaskLines} from "./task_lines.tsx"
 
 /// What the card and the bar show, and their commands.
@@ -23,6 +25,12 @@ export interface ClassDesk {
   handIn(task: number): void
   closeComment(task: OwnTask): void
   leave(): void
+  /// The open program with its entry in the program store.
+  readonly open: {readonly value: {readonly program: Program; readonly id: string | null}}
+  nameOf(program: string): string | null
+  showComment(comment: OwnComment): void
+  openProgram(program: string): void
+  setDone(comment: OwnComment, done: boolean): void
 }
 
 interface Props {
@@ -31,7 +39,7 @@ interface Props {
 
 export function ClassBar({desk}: Props): VNode {
   const w = words.classroom
-  const {member, link, saved, hand, handout} = desk.state.value
+  const {member, link, saved, hand, handout, blockComments} = desk.state.value
   return (
     <section class="class-bar" aria-label={w.bar} data-testid="class-bar">
       {member === null ? (
@@ -61,6 +69,16 @@ export function ClassBar({desk}: Props): VNode {
       )}
       {member !== null && (
         <TaskLines state={desk.state.value} handIn={desk.handIn} closeComment={desk.closeComment} />
+      )}
+      {member !== null && blockComments.length > 0 && (
+        <CommentLines
+          comments={blockComments}
+          {...desk.open.value}
+          nameOf={desk.nameOf}
+          show={desk.showComment}
+          open={desk.openProgram}
+          setDone={desk.setDone}
+        />
       )}
       {member !== null && handout !== null && (
         <p class="class-handout" role="status">

@@ -1,5 +1,6 @@
 /// Messages of a pupil's page in class mode, both ways (protocol §11).
 
+import type {BlockComment, PlaceInProgram} from "../state/block_comments.ts"
 import {
   boolean,
   type Decoded,
@@ -27,6 +28,7 @@ export const refusals = [
   "tasks",
   "disk",
   "rooms",
+  "comments",
   "nickname-empty",
   "nickname-long",
   "nickname-letters",
@@ -78,6 +80,13 @@ export interface Handout {
   readonly text: string
 }
 
+/// The teacher's comment on a place in a program; `at` in seconds since 1970.
+export interface OwnComment extends BlockComment {
+  readonly program: string
+  readonly at: number
+  readonly done: boolean
+}
+
 export type PupilMessage =
   | {readonly op: "join"; readonly code: string; readonly nickname: string; readonly language: string}
   | {readonly op: "resume"; readonly code: string; readonly words: string}
@@ -98,6 +107,7 @@ export type PupilMessage =
   | ({readonly op: "status"} & PageStatus)
   | {readonly op: "hand"; readonly up: boolean}
   | {readonly op: "hand-in"; readonly task: number; readonly name: string; readonly text: string}
+  | {readonly op: "comment-done"; readonly comment: number; readonly done: boolean}
 
 export type ClassMessage =
   | {
@@ -132,6 +142,7 @@ export type ClassMessage =
   | {readonly op: "lowered"}
   | {readonly op: "tasks"; readonly tasks: readonly OwnTask[]}
   | {readonly op: "not-handed-in"; readonly task: number; readonly reason: "late" | "full"}
+  | {readonly op: "comments"; readonly comments: readonly OwnComment[]}
 
 const entry = object<ProgramEntry>(get => ({
   id: get("id", string),
@@ -154,6 +165,21 @@ const ownTask = object<OwnTask>(get => ({
   handedIn: get("handed_in", optional(handedIn, null)),
 }))
 
+const place = object<PlaceInProgram>(get => ({
+  definition: get("definition", optional(string, null)),
+  piece: get("piece", string),
+  start: get("start", number),
+  end: get("end", number),
+}))
+export const ownComment = object<OwnComment>(get => ({
+  id: get("id", number),
+  program: get("program", string),
+  at: get("at", number),
+  text: get("text", string),
+  place: get("place", place),
+  done: get("done", boolean),
+}))
+
 const classMessage: Decoder<ClassMessage> = (value, path) => {
   const op = object(get =>
     get(
@@ -170,6 +196,7 @@ const classMessage: Decoder<ClassMessage> = (value, path) => {
         "lowered",
         "tasks",
         "not-handed-in",
+        "comments",
       ),
     ),
   )(value, path)
@@ -229,6 +256,8 @@ const classMessage: Decoder<ClassMessage> = (value, path) => {
         return {op, tasks: get("tasks", list(ownTask))}
       case "not-handed-in":
         return {op, task: get("task", number), reason: get("reason", oneOf("late", "full"))}
+      case "comments":
+        return {op, comments: get("comments", list(ownComment))}
     }
   })(value, path)
 }

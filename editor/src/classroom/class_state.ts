@@ -1,7 +1,7 @@
 /// State of class mode on a pupil's page: what the card, the class bar and the eyes-up message show. Pure.
 
 import {hashOf} from "@rosy/codegen"
-import type {ClassMessage, Handout, OwnTask, Refusal} from "./class_messages.ts"
+import type {ClassMessage, Handout, OwnComment, OwnTask, Refusal} from "./class_messages.ts"
 
 export interface ClassState {
   readonly link: "connecting" | "open" | "lost"
@@ -22,6 +22,8 @@ export interface ClassState {
   readonly handIn: {readonly task: number; readonly state: HandInState} | null
   /// Comments that the pupil has closed, by `commentKey`.
   readonly readComments: readonly string[]
+  /// The teacher's comments on places in the pupil's programs, oldest first.
+  readonly blockComments: readonly OwnComment[]
 }
 
 export type HandInState = "asked" | "late" | "full" | "offline"
@@ -42,6 +44,7 @@ export const firstClassState: ClassState = {
   tasks: [],
   handIn: null,
   readComments: [],
+  blockComments: [],
 }
 
 export type ClassEvent =
@@ -142,6 +145,8 @@ function heard(state: ClassState, message: ClassMessage, receivedHandouts: reado
       return {...state, tasks: message.tasks, handIn: state.handIn?.state === "asked" ? null : state.handIn}
     case "not-handed-in":
       return {...state, handIn: {task: message.task, state: message.reason}}
+    case "comments":
+      return {...state, blockComments: message.comments}
     case "program":
     case "saved":
     case "conflict":

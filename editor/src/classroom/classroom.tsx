@@ -3,8 +3,6 @@
 import {signal} from "@preact/signals"
 import {parseProject, saveProject} from "@rosy/codegen"
 import {render} from "preact"
-import type {BrowserStorage} from "../browser/browser_storage.ts"
-import type {ProgramStore} from "../browser/program_store.ts"
 import {freshName, freshPlace} from "../controller/autosave.ts"
 import {lessonCommands} from "../controller/lessons.ts"
 import type {ProgramLoader} from "../controller/program_loader.ts"
@@ -30,6 +28,8 @@ import {openClassSocket} from "./class_socket.ts"
 import {type ClassEvent, type ClassState, commentKey, firstClassState, reduceClass} from "./class_state.ts"
 import {openClassSync} from "./class_sync.ts"
 import {readMembership, teacherKey, writeMembership} from "./membership.ts"
+import type {PageOfClass} from "./page_of_class.ts"
+import {openPupilComments} from "./pupil_comments.ts"
 
 /// Milliseconds between a change and its being sent to the service.
 const savePause = 2000
@@ -44,16 +44,8 @@ const mostReadComments = 50
 /// Longest timer that browsers keep, in milliseconds (HTML, timer initialization: a signed 32-bit number).
 const longestTimer = 2 ** 31 - 1
 
-export interface PageOfClass {
-  readonly store: Store
-  readonly loader: ProgramLoader
-  readonly shelf: ProgramStore
-  readonly storage: BrowserStorage
-  /// The class code that the page's address contained; empty if none.
-  readonly code: string
-}
-
-export function openClassroom({store, loader, shelf, storage, code}: PageOfClass): void {
+export function openClassroom(page: PageOfClass): void {
+  const {store, loader, shelf, storage, code} = page
   const isTeacher = storage.shared.getItem(teacherKey) !== null
   const readComments = (): readonly string[] => (storage.shared.getItem(commentsKey) ?? "").split("\n")
   const state = signal<ClassState>({...firstClassState, readComments: readComments()})
@@ -138,6 +130,7 @@ export function openClassroom({store, loader, shelf, storage, code}: PageOfClass
   )
 
   const desk: ClassDesk = {
+    ...openPupilComments(page, state, send),
     state,
     code,
     isTeacher,

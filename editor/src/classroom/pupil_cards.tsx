@@ -27,7 +27,7 @@ export function Pupils({send}: Props): VNode {
 function PupilCard({pupil, send}: {pupil: PupilOnBoard} & Props): VNode {
   const w = words.classroom.board
   const {id, nickname, online, running, program, changed, lesson, needs} = pupil
-  const {selected, tasks} = board.value
+  const {selected, tasks, projecting, projectorSight} = board.value
   const handedIn = tasks.find(task => task.open)?.handedIn.find(one => one.pupil === id)
   return (
     <li class={needs.length > 0 ? "needs-help" : online ? "" : "away"} data-testid={`pupil ${nickname}`}>
@@ -69,6 +69,7 @@ function PupilCard({pupil, send}: {pupil: PupilOnBoard} & Props): VNode {
           </>
         )}
       </p>
+      {pupil.comments > 0 && <p class="quiet">{w.comments.count(pupil.done, pupil.comments)}</p>}
       {handedIn !== undefined && <p>{w.task.at(dayAndTime(handedIn.at))}</p>}
       {lesson !== null && <p class="quiet">{w.lesson(lesson.name, lesson.done, lesson.steps)}</p>}
       <details>
@@ -85,6 +86,15 @@ function PupilCard({pupil, send}: {pupil: PupilOnBoard} & Props): VNode {
           {w.look}
         </button>
       )}
+      <button
+        type="button"
+        class="plain"
+        aria-pressed={projecting === id}
+        aria-label={w.projector.showOf(nickname)}
+        onClick={() => send({op: "project", pupil: id, ...projectorSight})}
+      >
+        {w.projector.show}
+      </button>
     </li>
   )
 }

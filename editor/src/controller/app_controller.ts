@@ -2,12 +2,12 @@
 
 import {openClipboard} from "../blocks/interaction/clipboard.ts"
 import {openBrowserStorage, storageInMemory} from "../browser/browser_storage.ts"
-import {isEmbedded, takeRunInAddress} from "../browser/browser_window.ts"
+import {isBoardGuest, isEmbedded, takeRunInAddress} from "../browser/browser_window.ts"
 import {pickFile} from "../browser/local_files.ts"
 import {ownName, takeClassCode} from "../browser/preferences.ts"
 import {openProgramStore, type ProgramStore} from "../browser/program_store.ts"
 import {fetchReader, fetchWorlds} from "../browser/remote_resources.ts"
-import type {PageOfClass} from "../classroom/classroom.tsx"
+import type {PageOfClass} from "../classroom/page_of_class.ts"
 import type {AppController} from "../page/app_context.ts"
 import {openNumberDragging} from "../preview/number_dragging.ts"
 import {openSpeaker} from "../room/sound_synthesis.ts"
@@ -103,7 +103,14 @@ export function openController(address: string): AppController {
   sendAlive(store, parts)
   storeAccess(store)
   const classMode = openClassMode(() =>
-    loadClass({store, loader, shelf: programStore, storage, code: classCode}),
+    loadClass({
+      store,
+      loader,
+      shelf: programStore,
+      storage,
+      code: classCode,
+      reveal: controller.showFinding,
+    }),
   )
   connectService(address, store, parts, completions, classMode.announced)
   const canStore = isEmbedded() || storage.isPersistent
@@ -114,6 +121,8 @@ export function openController(address: string): AppController {
     }
     if (first === "linked" && runsAtOnce && store.now.robots.held === null) controller.run()
     classMode.programOpened()
+    if (isBoardGuest())
+      void import("../classroom/board_guest.ts").then(({openBoardGuest}) => openBoardGuest(store, parts))
   })
   return controller
 }
@@ -124,6 +133,9 @@ function loadClass(page: PageOfClass): void {
   void import("../classroom/classroom.tsx").then(({openClassroom}) => openClassroom(page))
 }
 
+/// The blocks and the room; on the teacher's board the text as well, because a line of it can be chosen.
+const embeddedArrangement = () => (isBoardGuest() ? firstArrangement : withView(firstArrangement, "blocks"))
+
 function openStore(parts: PageParts, programStore: ProgramStore, lessons: Pick<PageState, "lessons">): Store {
   const embedded = isEmbedded()
   const store: Store = createStore(
@@ -131,7 +143,7 @@ function openStore(parts: PageParts, programStore: ProgramStore, lessons: Pick<P
     {
       ...programStore.preferences(),
       ...lessons,
-      ...(embedded ? {embedded, arrangement: withView(firstArrangement, "blocks")} : {}),
+      ...(embedded ? {embedded, arrangement: embeddedArrangement()} : {}),
       robots: {...noRobots, who: ownName()},
     },
   )

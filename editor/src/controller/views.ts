@@ -7,6 +7,7 @@ import {roomKeys} from "../room/gestures.ts"
 import {worldKeys} from "../room/world_editor_shortcuts.ts"
 import {overlayOf} from "../runs/overlay.ts"
 import {textKeys} from "../source/shortcuts.ts"
+import {locateComments} from "../state/block_comments.ts"
 import type {PageState} from "../state/page_state.ts"
 import {textRangeOf} from "../state/program.ts"
 import {recentlyFired} from "../state/room_state.ts"
@@ -44,6 +45,8 @@ export function openViewUpdates(
   const updateValues = openValueUpdates(parts)
   let before: PageState | null = null
   let glow = ""
+  /// A pending edit of the text kept them from being shown in it.
+  let areCommentsBehind = false
   let explained: Explanation | null = null
   return (state, now) => {
     const {blocks, source, room} = parts
@@ -69,6 +72,18 @@ export function openViewUpdates(
       source?.link(selected === null ? null : textRangeOf(program.spans, selected))
       blocks?.highlight(selected === null || selectedIn === "blocks" ? [] : [selected])
       if (selected !== null && selectedIn === "haskell") blocks?.reveal(selected)
+    }
+    const areCommentsMoved = changed("document") && state.blockComments.length > 0
+    if (changed("blockComments") || areCommentsMoved || (areCommentsBehind && !isTyping())) {
+      const located = locateComments(program, state.blockComments)
+      const texts = located.map(({comment, range, block}) => ({
+        range,
+        block,
+        text: `${words.classroom.task.comment} ${comment.text}`,
+      }))
+      areCommentsBehind = isTyping()
+      if (!areCommentsBehind) source?.showComments(texts)
+      blocks?.showComments(texts.flatMap(({block, text}) => (block === null ? [] : [{block, text}])))
     }
     if (changed("room") || changed("run")) {
       const names = isActive(state.run) ? recentlyFired(state.room) : []

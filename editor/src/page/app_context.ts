@@ -96,7 +96,7 @@ export interface AppController {
   /// Opens the page again in another language.
   chooseLanguage(language: string): void
   /// Brings the block and the text of a problem into sight.
-  showFinding(finding: Finding): void
+  showFinding(finding: Pick<Finding, "range" | "block">): void
 }
 
 export const ControllerContext = createContext<AppController | null>(null)

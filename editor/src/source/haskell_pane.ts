@@ -10,6 +10,7 @@ import {Annotation, Compartment, EditorState} from "@codemirror/state"
 import {drawSelection, EditorView, keymap} from "@codemirror/view"
 import type {Finding} from "../state/program.ts"
 import {changesBetween} from "../state/text_changes.ts"
+import {commentLines, setComments} from "./comment_lines.ts"
 import {compilerInfoField, completion, setCompilerInfo} from "./completion.ts"
 import {cursorCorrection, lineDecorations, setExplained, setGlowing, setLinked} from "./decorations.ts"
 import {diagnosticsOf, saidBy, standThere} from "./diagnostics.ts"
@@ -101,6 +102,7 @@ export function openHaskellPane(host: HTMLElement, options: SourceOptions): Hask
         syntaxColouring,
         lineDecorations,
         valueWidgets,
+        commentLines,
         lintGutter(),
         EditorView.updateListener.of(update => {
           const mine = update.transactions.some(t => t.annotation(fromPage) === true)
@@ -143,6 +145,9 @@ export function openHaskellPane(host: HTMLElement, options: SourceOptions): Hask
     },
     showValues(values, taken) {
       view.dispatch({effects: [setValues.of(values), setTaken.of(taken)]})
+    },
+    showComments(comments) {
+      view.dispatch({effects: setComments.of(comments)})
     },
     mark(findings) {
       found = findings

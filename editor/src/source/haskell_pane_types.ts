@@ -2,6 +2,7 @@
 
 import type {Finding, Fix, Program} from "../state/program.ts"
 import type {ChangeSet} from "../state/text_changes.ts"
+import type {CommentOnLine} from "./comment_lines.ts"
 import type {CompilerInfo, Completer} from "./completion.ts"
 import type {Range} from "./decorations.ts"
 import type {DropPreview} from "./drop_preview.ts"
@@ -24,6 +25,8 @@ export interface HaskellPane {
   explain(ranges: readonly Range[]): void
   /// Shows values at the ends of lines, and marks the branches that functions took.
   showValues(values: readonly LineValue[], taken: readonly Range[]): void
+  /// Shows the teacher's comments below the lines that they are about.
+  showComments(comments: readonly CommentOnLine[]): void
   mark(findings: readonly Finding[]): void
   /// Where the cursor is.
   cursor(): number

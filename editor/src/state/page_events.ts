@@ -6,6 +6,7 @@ import type {WhyEvent} from "../why/why_state.ts"
 import type {WorldEdit} from "../worlds/editor_value.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
 import type {Arrangement, Region, View} from "./arrangement.ts"
+import type {BlockComment} from "./block_comments.ts"
 import type {ChangeOrigin, Document, History} from "./history.ts"
 import type {Hand, ServiceMessage, Speed} from "./messages.ts"
 import type {
@@ -152,6 +153,8 @@ export type ViewEvent =
   | {readonly kind: "previewing"; readonly previewing: boolean}
   | {readonly kind: "follows"; readonly follows: boolean}
   | {readonly kind: "films"; readonly films: boolean}
+  /// The teacher's comments on the open program, to be shown at their places.
+  | {readonly kind: "block-comments"; readonly comments: readonly BlockComment[]}
 
 export type PageEvent =
   | ConnectionEvent

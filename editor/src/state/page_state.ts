@@ -6,6 +6,7 @@ import {noQuestion, type WhyState} from "../why/why_state.ts"
 import type {WorldEditor} from "../worlds/editor_value.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
 import {type Arrangement, firstArrangement, type Region} from "./arrangement.ts"
+import type {BlockComment} from "./block_comments.ts"
 import {type Document, emptyDocument, emptyHistory, type History, type NumberDrag} from "./history.ts"
 import type {Declared, Speed, TypesAtPlaces, WorkerState} from "./messages.ts"
 import type {BlockId, Finding} from "./program.ts"
@@ -173,6 +174,8 @@ export interface PageState {
   /// The rooms of the service, for their gallery; `null` until they have been read.
   readonly rooms: readonly World[] | null
   readonly notice: Notice | null
+  /// The teacher's comments on the open program that the pupil has not dealt with.
+  readonly blockComments: readonly BlockComment[]
   /// Where the regions are, and which of them are hidden.
   readonly arrangement: Arrangement
   /// A region is being moved: what it would be like to let it fall where it is; `next` is `null` where nothing would change.
@@ -249,6 +252,7 @@ export const initialState: PageState = {
   why: noQuestion,
   rooms: null,
   notice: null,
+  blockComments: [],
   arrangement: firstArrangement,
   arranging: null,
   region: "blocks",

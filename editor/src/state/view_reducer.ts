@@ -61,6 +61,8 @@ export function reduceViewEvent(state: PageState, event: ViewEvent): PageState {
       return {...state, previewing: event.previewing}
     case "follows":
       return {...state, follows: event.follows}
+    case "block-comments":
+      return {...state, blockComments: event.comments}
     case "films":
       return {...state, films: event.films}
     default:

@@ -11,9 +11,22 @@ from typing import Annotated, Any, Literal
 import msgspec
 
 from .check_messages import CancelCheck, CheckAll, Checking, OpenRun, ResultShown, RunShown, ShowResults
-from .message_fields import BadRequest, Identifier, Label, LessonProgress, ProjectText, Refused, Shared, Typed
+from .message_fields import (
+    BadRequest,
+    Identifier,
+    Label,
+    LessonProgress,
+    PlaceInProgram,
+    ProjectText,
+    Refused,
+    Shared,
+    Typed,
+)
+from .projector_messages import Project, Projecting
+from .pupil_messages import OwnComment
 
 __all__ = [
+    "AddComment",
     "BoardAnswer",
     "BoardRequest",
     "BoardShown",
@@ -21,6 +34,7 @@ __all__ = [
     "BoardTasks",
     "CloseTask",
     "Comment",
+    "CommentsShown",
     "HandedIn",
     "LowerHand",
     "Need",
@@ -32,6 +46,7 @@ __all__ = [
     "ProgramShown",
     "PupilShown",
     "PupilsShown",
+    "RemoveComment",
     "RoomShown",
     "Send",
     "Sent",
@@ -47,7 +62,7 @@ Need = Literal["hand", "error", "idle"]
 """Why a pupil may need help: a raised hand, an error for a minute, no run for five minutes."""
 
 CommentText = Annotated[str, msgspec.Meta(max_length=2000)]
-"""A teacher's comment on a hand-in."""
+"""A teacher's comment."""
 
 
 # Requests of the board
@@ -115,6 +130,21 @@ class Comment(msgspec.Struct, tag="comment", tag_field="op"):
     text: CommentText
 
 
+class AddComment(msgspec.Struct, tag="add-comment", tag_field="op"):
+    """Comment on a place in a pupil's program."""
+
+    pupil: int
+    program: Identifier
+    text: Annotated[str, msgspec.Meta(min_length=1, max_length=2000)]
+    place: PlaceInProgram
+
+
+class RemoveComment(msgspec.Struct, tag="remove-comment", tag_field="op"):
+    """Take back a comment on a place in a program."""
+
+    comment: int
+
+
 BoardRequest = (
     Unlock
     | OpenProgram
@@ -125,6 +155,9 @@ BoardRequest = (
     | CloseTask
     | OpenHandIn
     | Comment
+    | AddComment
+    | RemoveComment
+    | Project
     | CheckAll
     | CancelCheck
     | ShowResults
@@ -155,6 +188,9 @@ class PupilShown(msgspec.Struct):
     changed: float | None
     lesson: LessonProgress | None
     needs: list[Need]
+    # Comments on places in the pupil's programs, and those that the pupil has dealt with.
+    comments: int
+    done: int
 
 
 class PupilsShown(msgspec.Struct, tag="pupils", tag_field="op"):
@@ -186,11 +222,14 @@ class PlacesShown(msgspec.Struct, tag="places", tag_field="op"):
 
 
 class ProgramShown(msgspec.Struct, tag="program", tag_field="op"):
-    """A pupil's program; ``text`` is ``None`` if there is none."""
+    """
+    A pupil's program; ``text`` is ``None`` if there is none. ``program`` is its identifier, ``None`` for a hand-in.
+    """
 
     pupil: int
     name: str
     text: str | None
+    program: str | None = None
 
 
 class Sent(msgspec.Struct, tag="sent", tag_field="op"):
@@ -230,6 +269,13 @@ class BoardTasks(msgspec.Struct, tag="tasks", tag_field="op"):
     tasks: list[BoardTask]
 
 
+class CommentsShown(msgspec.Struct, tag="comments", tag_field="op"):
+    """The comments on the programs of the pupil whose program the board opened last, oldest first."""
+
+    pupil: int
+    comments: list[OwnComment]
+
+
 BoardAnswer = (
     BoardShown
     | PupilsShown
@@ -239,6 +285,8 @@ BoardAnswer = (
     | Sent
     | Refused
     | BoardTasks
+    | CommentsShown
+    | Projecting
     | Checking
     | ResultShown
     | RunShown

@@ -46,6 +46,7 @@ def write_export(store: ClassStore, target: AtomicFile) -> int:
     count = 0
     with zipfile.ZipFile(cast("IO[bytes]", _Stream(target)), "w", zipfile.ZIP_DEFLATED) as archive:
         everything: list[dict[str, object]] = []
+        comments = store.comments.comments()
         for pupil in pupils:
             taken: set[str] = set()
             for version in store.programs(pupil.id):
@@ -58,6 +59,17 @@ def write_export(store: ClassStore, target: AtomicFile) -> int:
                     "words": pupil.words,
                     "joined": _date(pupil.joined),
                     "history": history,
+                    "comments": [
+                        {
+                            "program": one.program,
+                            "at": _date(one.at),
+                            "text": one.text,
+                            "place": msgspec.Raw(one.place),
+                            "done": one.done,
+                        }
+                        for one in comments
+                        if one.pupil == pupil.id
+                    ],
                 }
             )
         content = {"pupils": everything, "tasks": _tasks(store, {pupil.id: pupil.nickname for pupil in pupils})}

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
+from .comment_store import CommentStore
 from .schema import migrate
 from .task_store import TaskStore
 
@@ -123,6 +124,7 @@ class ClassStore:
         self._database.execute("PRAGMA secure_delete = ON")
         migrate(self._database)
         self.tasks = TaskStore(self._database, self._transaction)
+        self.comments = CommentStore(self._database, self._transaction)
         with self._transaction():
             if self._database.execute("SELECT count(*) FROM class").fetchone()[0] == 0:
                 self._database.execute(

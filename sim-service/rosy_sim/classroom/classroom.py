@@ -23,11 +23,14 @@ from ..wording import in_terminal
 from . import board_messages as b
 from . import pupil_messages as p
 from .check_messages import CheckResult, OpenRun, RunShown
-from .class_store import ClassStore, Conflict, NicknameTaken, Pupil, Saved, StoreFull
+from .class_comments import ClassComments
+from .class_store import ClassStore, Conflict, NicknameTaken, Pupil, Saved, StoreFull, Version
 from .class_tasks import ClassTasks
 from .hand_in_export import hand_ins_zip
 from .message_fields import Refused
 from .nickname import BadNickname, read_nickname
+from .projection import Projection
+from .projector_messages import Project, Projected
 from .pupil_state import PupilState
 from .store_thread import StoreThread
 from .word_list import draw_words, read_words
@@ -88,6 +91,8 @@ class Classroom:
         self._admitting = asyncio.Lock()
         self._store = StoreThread(store)
         self.tasks = ClassTasks(store, self._store, time.time)
+        self.comments = ClassComments(store, self._store, time.time)
+        self.projection = Projection(self._newest_program)
         self.pages: set[PupilPage] = set()
         # The newest one for each pupil, and the newest one for those without one of their own.
         self._handouts: dict[int, p.Handout] = {}
@@ -193,6 +198,8 @@ class Classroom:
         names = [p.ProgramName(v.program, v.name, v.number, v.at) for v in programs]
         page.put(p.Entered(pupil.id, pupil.nickname, pupil.words, token, member.state.hand, names))
         self._show_tasks(page)
+        if comments := self.comments.of_pupil(pupil.id):
+            page.put(p.OwnComments(comments))
         if self.attention is not None:
             page.put(p.Attention(self.attention))
         if (handout := self._handouts.get(pupil.id, self._handout)) is not None:
@@ -210,6 +217,11 @@ class Classroom:
                 await self._save(page, member, request)
             case p.HandIn():
                 await self._hand_in(page, member, request)
+            case p.CommentDone():
+                if await self.comments.set_done(member.pupil.id, request.comment, request.done):
+                    self._show_comments(member.pupil.id)
+                else:
+                    page.put(Refused("request"))
             case p.Read():
                 latest = await self._store.call(ClassStore.latest, member.pupil.id, request.program)
                 if latest is not None:
@@ -274,6 +286,24 @@ class Classroom:
         if await self.tasks.comment(request):
             self._show_all_tasks(request.pupil)
 
+    async def add_comment(self, request: b.AddComment) -> Refused | None:
+        """Comment on a place in a pupil's program; what is returned says why not."""
+        refused = await self.comments.add(request)
+        if refused is None:
+            self._show_comments(request.pupil)
+        return refused
+
+    async def remove_comment(self, comment: int) -> None:
+        """Take back a comment on a place in a program."""
+        if (pupil := await self.comments.remove(comment)) is not None:
+            self._show_comments(pupil)
+
+    def _show_comments(self, pupil: int) -> None:
+        comments = p.OwnComments(self.comments.of_pupil(pupil))
+        for page in self.pages:
+            if page.pupil is not None and page.pupil.id == pupil:
+                page.put(comments)
+
     def _show_all_tasks(self, pupil: int | None = None) -> None:
         for page in self.pages:
             if pupil is None or (page.pupil is not None and page.pupil.id == pupil):
@@ -306,6 +336,7 @@ class Classroom:
     def pupils_shown(self) -> b.PupilsShown:
         """All pupils as the board shows them now."""
         now, date = self.now(), time.time()
+        comments = self.comments.counts()
         return b.PupilsShown(
             [
                 b.PupilShown(
@@ -318,6 +349,7 @@ class Classroom:
                     None if member.changed is None else max(0.0, round(date - member.changed)),
                     member.state.lesson,
                     member.state.needs(now),
+                    *comments.get(member.pupil.id, (0, 0)),
                 )
                 for member in self._members.values()
             ]
@@ -354,13 +386,35 @@ class Classroom:
             page.put(handout)
         return b.Sent(len(reached), len(to - {page.pupil.id for page in reached if page.pupil is not None}))
 
+    def project(self, request: Project) -> Refused | None:
+        """Choose what the projectors show; what is returned says why not."""
+        if request.pupil is not None and request.pupil not in self._members:
+            return Refused("request")
+        self.projection.choose(request)
+        return None
+
+    async def projected(self) -> Projected:
+        """
+        What the projectors show.
+
+        Raises:
+            sqlite3.Error: the disk is broken.
+        """
+        member = self._members.get(self.projection.choice.pupil or 0)
+        if member is None:
+            return await self.projection.shown(None, None, False, False)
+        state = member.state
+        return await self.projection.shown(member.pupil, member.changed, bool(state.pages), state.running)
+
+    async def _newest_program(self, pupil: int) -> Version | None:
+        return next(iter(await self._store.call(ClassStore.programs, pupil)), None)
+
     async def program_shown(self, request: b.OpenProgram) -> b.ProgramShown:
         """The newest version of a pupil's program."""
         if request.program is None:
-            programs = await self._store.call(ClassStore.programs, request.pupil)
-            latest = next(iter(programs), None)
+            latest = await self._newest_program(request.pupil)
         else:
             latest = await self._store.call(ClassStore.latest, request.pupil, request.program)
         if latest is None:
             return b.ProgramShown(request.pupil, "", None)
-        return b.ProgramShown(request.pupil, latest.name, latest.text)
+        return b.ProgramShown(request.pupil, latest.name, latest.text, latest.program)

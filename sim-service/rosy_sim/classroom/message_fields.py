@@ -15,6 +15,7 @@ __all__ = [
     "Identifier",
     "Label",
     "LessonProgress",
+    "PlaceInProgram",
     "ProjectText",
     "Refusal",
     "Refused",
@@ -43,7 +44,19 @@ gallery as a JSON string, that of a lesson its name.
 
 Refusal = (
     Literal[
-        "code", "words", "token", "key", "attempts", "taken", "full", "request", "deadline", "tasks", "disk", "rooms"
+        "code",
+        "words",
+        "token",
+        "key",
+        "attempts",
+        "taken",
+        "full",
+        "request",
+        "deadline",
+        "tasks",
+        "disk",
+        "rooms",
+        "comments",
     ]
     | Fault
 )
@@ -60,6 +73,19 @@ class LessonProgress(msgspec.Struct):
     name: Label
     done: int
     steps: int
+
+
+class PlaceInProgram(msgspec.Struct):
+    """
+    A place in a program that the page finds again after edits: the range from ``start`` to ``end`` (UTF-16 units) of
+    ``piece``, the text of the definition with that name as it was when the place was chosen; ``None`` for lines outside
+    of definitions.
+    """
+
+    definition: Label | None
+    piece: Annotated[str, msgspec.Meta(min_length=1, max_length=20_000)]
+    start: Annotated[int, msgspec.Meta(ge=0, le=40_000)]
+    end: Annotated[int, msgspec.Meta(ge=0, le=40_000)]
 
 
 class Refused(msgspec.Struct, tag="refused", tag_field="op"):

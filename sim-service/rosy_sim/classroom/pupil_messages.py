@@ -11,10 +11,21 @@ from typing import Annotated, Literal
 import msgspec
 
 from .class_store import Reason
-from .message_fields import BadRequest, Identifier, Label, LessonProgress, ProjectText, Refused, Shared, Typed
+from .message_fields import (
+    BadRequest,
+    Identifier,
+    Label,
+    LessonProgress,
+    PlaceInProgram,
+    ProjectText,
+    Refused,
+    Shared,
+    Typed,
+)
 
 __all__ = [
     "Attention",
+    "CommentDone",
     "Conflicting",
     "Enter",
     "Entered",
@@ -26,6 +37,8 @@ __all__ = [
     "Join",
     "Lowered",
     "NotHandedIn",
+    "OwnComment",
+    "OwnComments",
     "OwnHandIn",
     "OwnTask",
     "OwnTasks",
@@ -116,7 +129,14 @@ class HandIn(msgspec.Struct, tag="hand-in", tag_field="op"):
     text: ProjectText
 
 
-PupilRequest = Join | Resume | Enter | Forget | Here | Save | Read | Status | Hand | HandIn
+class CommentDone(msgspec.Struct, tag="comment-done", tag_field="op"):
+    """The pupil has dealt with a comment on an own program, or has not after all."""
+
+    comment: int
+    done: bool
+
+
+PupilRequest = Join | Resume | Enter | Forget | Here | Save | Read | Status | Hand | HandIn | CommentDone
 
 
 # Answers to a pupil's page
@@ -227,6 +247,23 @@ class NotHandedIn(msgspec.Struct, tag="not-handed-in", tag_field="op"):
     reason: Literal["late", "full"]
 
 
+class OwnComment(msgspec.Struct):
+    """The teacher's comment on a place in an own program; ``at`` in s since 1970."""
+
+    id: int
+    program: str
+    at: float
+    text: str
+    place: PlaceInProgram
+    done: bool
+
+
+class OwnComments(msgspec.Struct, tag="comments", tag_field="op"):
+    """All comments on own programs, oldest first."""
+
+    comments: list[OwnComment]
+
+
 PupilAnswer = (
     Entered
     | Refused
@@ -239,6 +276,7 @@ PupilAnswer = (
     | Lowered
     | OwnTasks
     | NotHandedIn
+    | OwnComments
 )
 
 

@@ -73,6 +73,19 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
         # The result of the newest check as JSON (`check_messages.CheckResult`); empty if it was not checked.
         "ALTER TABLE hand_in ADD COLUMN result BLOB NOT NULL DEFAULT x''",
     ),
+    (
+        # The teacher's comments on places in programs. `place` is JSON (`message_fields.Place`), `done` 0 or 1.
+        """CREATE TABLE comment (
+            id INTEGER PRIMARY KEY AUTOINCREMENT,
+            pupil INTEGER NOT NULL REFERENCES pupil (id) ON DELETE CASCADE,
+            program TEXT NOT NULL,
+            at REAL NOT NULL,
+            text TEXT NOT NULL,
+            place BLOB NOT NULL,
+            done INTEGER NOT NULL DEFAULT 0
+        )""",
+        "CREATE INDEX comment_of_pupil ON comment (pupil)",
+    ),
 )
 
 

@@ -48,6 +48,7 @@ from .class_sockets import ClassSockets
 from .example_paths import ExamplePaths
 from .examples import example_file, examples
 from .page_session import PageSession
+from .projector_sockets import ProjectorSockets
 from .room_tests import RoomTests
 from .ros_bridge import RosClient
 from .static_pages import StaticPages
@@ -84,9 +85,11 @@ class Service:
         self.room_tests = RoomTests(config)
         self._checks: HandInChecks | None = None
         self._class_sockets: ClassSockets | None = None
+        self._projectors: ProjectorSockets | None = None
         if classroom is not None:
             self._checks = HandInChecks(classroom.tasks, config, self.room_tests.queue)
             self._class_sockets = ClassSockets(classroom, self._checks, self.sessions, _first_completed)
+            self._projectors = ProjectorSockets(classroom, self.sessions, _first_completed)
         self.previews = PreviewPool(config)
         self._run_services = RunServices(
             self.worker, self.run_queue, config.limits, self.lateness, QuestionScheduler(time.monotonic)
@@ -191,6 +194,13 @@ class Service:
             await socket.close(_POLICY_VIOLATION)
             return
         await self._class_sockets.serve_board(socket)
+
+    async def serve_projector(self, socket: WebSocket) -> None:
+        """Serve a projector in class mode."""
+        if self._projectors is None or not _same_origin(socket):
+            await socket.close(_POLICY_VIOLATION)
+            return
+        await self._projectors.serve(socket)
 
     # HTTP
 
@@ -360,6 +370,11 @@ async def _board(_request: Request) -> Response:
     return RedirectResponse("./board.html")
 
 
+async def _projector(_request: Request) -> Response:
+    """The page for the projector, which the board opens."""
+    return RedirectResponse("./projector.html")
+
+
 def build_app(
     config: Config,
     class_store: ClassStore | None = None,
@@ -383,6 +398,7 @@ def build_app(
         WebSocketRoute("/api/room-tests/{session}", service.serve_room_test),
         WebSocketRoute("/api/class", service.serve_pupil),
         WebSocketRoute("/api/board", service.serve_board),
+        WebSocketRoute("/api/projector", service.serve_projector),
         Route("/api/health", service.health),
         Route("/api/examples", service.list_examples),
         Route("/api/examples/{name}", service.one_example),
@@ -395,6 +411,7 @@ def build_app(
     routes.append(Route("/embed", _embed))
     if classroom is not None:
         routes.append(Route("/board", _board))
+        routes.append(Route("/projector", _projector))
         routes.append(Route("/api/hand-ins/{task:int}", service.hand_ins))
     if config.api_docs.is_dir():
         routes.append(Mount("/api-docs", StaticPages(directory=config.api_docs, html=True)))

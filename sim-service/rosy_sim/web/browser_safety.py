@@ -98,9 +98,13 @@ async def _refuse(scope: Scope, receive: Receive, send: Send) -> None:
 
 
 def _with_headers(send: Send, scope: Scope) -> Send:
-    """Adds the headers to the response; only a page that asks to be embedded may be framed by other sites."""
+    """
+    Adds the headers to the response; only a page that asks to be embedded may be framed by other sites. One that asks
+    for the teacher's board may be framed by this service, because it tells its frame what is chosen in it.
+    """
     query = parse_qs(scope["query_string"].decode("latin-1"), keep_blank_values=True)
     is_embedded = "embed" in query
+    is_on_board = query.get("embed") == ["board"]
 
     async def sending(message: Message) -> None:
         if message["type"] == "http.response.start":
@@ -110,6 +114,9 @@ def _with_headers(send: Send, scope: Scope) -> Send:
             if scope["path"].startswith(_GUIDE):
                 headers["Content-Security-Policy"] = _GUIDE_POLICY
                 headers["X-Frame-Options"] = "DENY"
+            elif is_on_board:
+                headers["Content-Security-Policy"] = f"{_POLICY}; frame-ancestors 'self'"
+                headers["X-Frame-Options"] = "SAMEORIGIN"
             elif is_embedded:
                 headers["Content-Security-Policy"] = f"{_POLICY}; frame-ancestors *"
             else:

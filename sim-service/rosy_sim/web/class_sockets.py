@@ -7,24 +7,24 @@ The classroom decides; here are connections, their limits, and the rooms of the 
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import logging
 import sqlite3
 from collections.abc import Awaitable, Callable, Mapping
 
 import msgspec
-from starlette.websockets import WebSocket, WebSocketDisconnect
+from starlette.websockets import WebSocket
 
 from ..classroom import board_messages as b
 from ..classroom import pupil_messages as p
 from ..classroom.check_messages import CancelCheck, CheckAll, Checking, OpenRun, ResultShown, ShowResults
 from ..classroom.classroom import Classroom, PupilPage
 from ..classroom.hand_in_checks import HandInChecks
-from ..classroom.message_fields import BadRequest, Refused, encode
+from ..classroom.message_fields import Refused
+from ..classroom.projector_messages import Project, Projecting
 from ..sentence import tr
-from ..token_bucket import TokenBucket
 from ..wording import in_terminal
 from .address_slots import AddressSlots
+from .class_connection import ClassConnection
 from .page_session import PageSession
 
 __all__ = ["ClassSockets"]
@@ -33,15 +33,6 @@ _log = logging.getLogger(__name__)
 
 _TRY_AGAIN = 1013
 """WebSocket close code of a full service. Registry of RFC 6455, section 11.7."""
-
-_RATE, _BURST = 20.0, 400.0
-"""Messages that a page may send, a second and at once."""
-
-_CHARACTERS_PER_MESSAGE = 2000
-"""Characters that count as one more message."""
-
-_QUEUE = 500
-"""Messages waiting for a slow page before it is disconnected."""
 
 _MAX_PAGES, _ADDRESS_PAGES = 500, 250
 """Pupils' pages, of all addresses and of one."""
@@ -54,56 +45,6 @@ _PLACES_PERIOD = 0.1
 
 _LOOKS_PER_LIST = 10
 """Looks at the robots for each look at the list of pupils: the list is compared once a second."""
-
-Answer = p.PupilAnswer | b.BoardAnswer
-
-
-class _Connection:
-    """The two directions of a socket: requests one after the other, answers from a bounded queue."""
-
-    def __init__(self, socket: WebSocket) -> None:
-        self._socket = socket
-        self._queue: asyncio.Queue[str] = asyncio.Queue(_QUEUE)
-        self.overflowed = asyncio.Event()
-        # The task whose results a board shows.
-        self.results_of: int | None = None
-
-    @property
-    def address(self) -> str:
-        return self._socket.client.host if self._socket.client is not None else ""
-
-    @property
-    def is_idle(self) -> bool:
-        """Whether all answers are on their way."""
-        return self._queue.empty()
-
-    def put(self, answer: Answer) -> None:
-        try:
-            self._queue.put_nowait(encode(answer))
-        except asyncio.QueueFull:
-            self.overflowed.set()
-
-    async def receive(self, serve: Callable[[str | bytes], Awaitable[None]]) -> None:
-        """Serve requests until the page disconnects; one that exceeds its rate is read more slowly."""
-        now = asyncio.get_running_loop().time
-        limit = TokenBucket(_RATE, _BURST, now())
-        while True:
-            message = await self._socket.receive()
-            if message["type"] == "websocket.disconnect":
-                return
-            text = message.get("text") or message.get("bytes") or ""
-            try:
-                await serve(text)
-            except BadRequest:
-                self.put(Refused("request"))
-            if wait := limit.overdraw(1 + len(text) / _CHARACTERS_PER_MESSAGE, now()):
-                await asyncio.sleep(wait)
-
-    async def send(self) -> None:
-        with contextlib.suppress(WebSocketDisconnect, RuntimeError):
-            # The page may disconnect during a send; the receiver notices as well.
-            while True:
-                await self._socket.send_text(await self._queue.get())
 
 
 class ClassSockets:
@@ -134,7 +75,7 @@ class ClassSockets:
     async def serve_pupil(self, socket: WebSocket) -> None:
         """Serve a pupil's page until it disconnects."""
         await socket.accept()
-        connection = _Connection(socket)
+        connection = ClassConnection(socket)
         if not self._pages.take(connection.address):
             await socket.close(_TRY_AGAIN)
             return
@@ -152,7 +93,7 @@ class ClassSockets:
     async def serve_board(self, socket: WebSocket) -> None:
         """Serve a board until it disconnects; it is told nothing before it has given the key."""
         await socket.accept()
-        connection = _Connection(socket)
+        connection = ClassConnection(socket)
         if not self._boards.take(connection.address):
             await socket.close(_TRY_AGAIN)
             return
@@ -178,7 +119,7 @@ class ClassSockets:
         finally:
             self._boards.free(connection.address)
 
-    def _try_key(self, connection: _Connection, key: str) -> bool:
+    def _try_key(self, connection: ClassConnection, key: str) -> bool:
         classroom = self._classroom
         admitted = classroom.admits_teacher(key, connection.address)
         if not admitted:
@@ -187,16 +128,17 @@ class ClassSockets:
         connection.put(b.BoardShown(classroom.admission.code, classroom.addresses(), classroom.attention))
         return True
 
-    async def _try_to_serve(self, connection: _Connection, request: b.BoardRequest) -> None:
+    async def _try_to_serve(self, connection: ClassConnection, request: b.BoardRequest) -> None:
         try:
             await self._serve_teacher(connection, request)
         except sqlite3.Error as error:
             _log.error("%s", in_terminal(tr("The class cannot be read or stored: {why}", why=error)))
             connection.put(Refused("disk"))
 
-    async def _serve_teacher(self, connection: _Connection, request: b.BoardRequest) -> None:
+    async def _serve_teacher(self, connection: ClassConnection, request: b.BoardRequest) -> None:
         match request:
             case b.OpenProgram():
+                connection.comments_of = request.pupil
                 connection.put(await self._classroom.program_shown(request))
             case b.SetAttention():
                 self._classroom.set_attention(request.message)
@@ -213,6 +155,14 @@ class ClassSockets:
                 connection.put(await self._classroom.hand_in_shown(request))
             case b.Comment():
                 await self._classroom.comment(request)
+            case b.AddComment():
+                if refused := await self._classroom.add_comment(request):
+                    connection.put(refused)
+            case b.RemoveComment():
+                await self._classroom.remove_comment(request.comment)
+            case Project():
+                if refused := self._classroom.project(request):
+                    connection.put(refused)
             case CheckAll():
                 self._checks.start(request, connection.put)
             case CancelCheck():
@@ -224,12 +174,14 @@ class ClassSockets:
             case b.Unlock():
                 connection.put(Refused("request"))
 
-    async def _watch(self, connection: _Connection) -> None:
+    async def _watch(self, connection: ClassConnection) -> None:
         """Tell the board what changes. A board that reads slowly misses positions, nothing else."""
         rooms: dict[int, object] = {}
         places: dict[int, b.Place] = {}
         shown: b.PupilsShown | None = None
         tasks: b.BoardTasks | None = None
+        comments: b.CommentsShown | None = None
+        projecting = Projecting(None, False, False)
         checking = Checking()
         results: dict[tuple[int, int], bytes] = {}
         looks = 0
@@ -242,6 +194,14 @@ class ClassSockets:
                 if (newest := self._classroom.tasks.shown()) != tasks:
                     tasks = newest
                     connection.put(newest)
+                if (pupil := connection.comments_of) is not None:
+                    commented = b.CommentsShown(pupil, self._classroom.comments.of_pupil(pupil))
+                    if commented != comments:
+                        comments = commented
+                        connection.put(commented)
+                if (choice := self._classroom.projection.choice) != projecting:
+                    projecting = choice
+                    connection.put(choice)
                 for result in self._new_results(connection.results_of, results):
                     connection.put(result)
                 if (progress := self._checks.progress) != checking:

@@ -113,6 +113,10 @@ class PageSession:
         """The room as JSON: another object after each change."""
         return self._room.json
 
+    def snapshot(self) -> page.Frame:
+        """The simulated robot as it is now, for others than the page."""
+        return self._view.snapshot()
+
     # Requests
 
     def receive(self, text: str | bytes) -> None:

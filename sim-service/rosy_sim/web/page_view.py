@@ -237,6 +237,26 @@ class PageView:
             **self._observations(),
         )
 
+    def snapshot(self) -> page.Frame:
+        """A frame with all that is drawn of the simulated robot, for others than the page."""
+        world = self._room.world
+        boxes = [
+            (round(x, _DIGITS), round(y, _DIGITS), round(theta, _DIGITS)) for x, y, theta in world.obstacles.poses()
+        ]
+        return page.Frame(
+            self.step / STEPS_PER_SECOND,
+            PoseShown(round(world.x, _DIGITS), round(world.y, _DIGITS), round(world.theta, _DIGITS)),
+            {
+                name: [round(v, _DIGITS) if isinstance(v, float) else v for v in values]
+                for name, values in world.channels().items()
+            },
+            [],
+            [],
+            run=self.run,
+            step=self.step,
+            boxes=boxes or None,
+        )
+
     def show_telemetry(self, line: FrameLine) -> None:
         """Show a real robot as it reports itself, unless the last frame was too recent."""
         self.add_fired(line.fired)

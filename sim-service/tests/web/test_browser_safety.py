@@ -58,6 +58,12 @@ def test_a_name_that_was_made_to_point_here_is_refused(host: str) -> None:
     assert ask(host, kind="websocket")[0]["type"] == "websocket.close"
 
 
+def test_the_page_inside_of_the_board_is_framed_by_this_service_only() -> None:
+    answer = headers(ask("localhost", "embed=board"))
+    assert "frame-ancestors 'self'" in answer["content-security-policy"]
+    assert answer["x-frame-options"] == "SAMEORIGIN"
+
+
 @pytest.mark.parametrize(
     ("query", "framed"), [("", False), ("example=a", False), ("embed", True), ("lang=de&embed", True)]
 )

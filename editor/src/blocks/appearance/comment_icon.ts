@@ -12,12 +12,17 @@ class SpeechBubbleIcon extends Blockly.icons.CommentIcon {
     const root = this.svgRoot
     if (root === null || root.querySelector(".rosyRemark") !== null) return
     root.addEventListener("pointerdown", down => dragBlock(this.getSourceBlock(), down))
-    const {dom, Svg} = Blockly.utils
-    // The first shape stays: it carries the ring of the focus.
-    for (const symbol of root.querySelectorAll(".blocklyIconSymbol")) symbol.remove()
-    dom.createSvgElement(Svg.PATH, {class: "rosyRemark", d: bubble}, root)
-    dom.createSvgElement(Svg.PATH, {class: "rosyRemarkLines", d: lines}, root)
+    drawSpeechBubble(root)
   }
+}
+
+/// Draws the speech bubble in the place of an icon's own symbols.
+export function drawSpeechBubble(root: SVGGElement): void {
+  const {dom, Svg} = Blockly.utils
+  // The first shape stays: it carries the ring of the focus.
+  for (const symbol of root.querySelectorAll(".blocklyIconSymbol")) symbol.remove()
+  dom.createSvgElement(Svg.PATH, {class: "rosyRemark", d: bubble}, root)
+  dom.createSvgElement(Svg.PATH, {class: "rosyRemarkLines", d: lines}, root)
 }
 
 /// Starts a drag of the block when the pointer moves after a press on its icon. Blockly drags the focused node; an icon cannot be dragged, so Blockly would scroll the

@@ -126,6 +126,10 @@ export const styleSheet = `
 .blocklyMenuItemContent .blocklyShortcutContainer .blocklyShortcut { color: var(--ink-2) !important; }
 .blocklyTooltipDiv { background: var(--ink) !important; color: var(--paper) !important; border: 0 !important; border-radius: 8px; box-shadow: 0 4px 18px #0003 !important; font: 400 13.5px/1.4 Inter, system-ui, sans-serif !important; opacity: 1 !important; padding: 7px 11px !important; max-width: 320px; }
 .rosyBlocks .blocklyIconGroup.blocklyCommentIcon .blocklyIconShape { fill: none; stroke: none; }
+.rosyBlocks .blocklyIconGroup.rosyTeacherComment .blocklyIconShape { fill: none; stroke: none; }
+.rosyBlocks .rosyTeacherComment .rosyRemark { fill: #ffd166; stroke: #1c2230; stroke-width: 1.2; }
+.rosyBlocks .rosyTeacherComment .rosyRemarkLines { fill: none; stroke: #1c2230; stroke-width: 1.6; stroke-linecap: round; }
+.rosyBlocks .blocklyBlock.rosyCommented > .blocklyPath:not(.blocklyPathSelected) { stroke: var(--warn); stroke-width: 3; stroke-dasharray: 2 3; }
 .rosyBlocks .blocklyCommentIcon .rosyRemark { fill: #ffffff; stroke: none; }
 .rosyBlocks .blocklyCommentIcon .rosyRemarkLines { fill: none; stroke: #1c2230; stroke-width: 1.6; stroke-linecap: round; }
 .rosyBlocks .blocklyTextarea, .rosyBlocks .blocklyCommentText { background: var(--paper) !important; color: var(--ink) !important; font: 400 13.5px/1.4 Inter, system-ui, sans-serif !important; }

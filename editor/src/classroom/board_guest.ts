@@ -1,0 +1,47 @@
+/// Page with a pupil's program inside of the teacher's board: tells the board which place is chosen and where the comments are, and shows them.
+
+import type {PageParts} from "../controller/page_parts.ts"
+import {lineNumber, locatePlace, placeOf, quoteOf} from "../state/block_comments.ts"
+import type {PageState} from "../state/page_state.ts"
+import type {Store} from "../state/store.ts"
+import {type ChosenPlace, type GuestMessage, type HostMessage, listen, post} from "./guest_messages.ts"
+
+export function openBoardGuest(store: Store, parts: PageParts): void {
+  const board = window.parent
+  if (board === window) return
+  const told = new Map<GuestMessage["kind"], string>()
+  /// Sends what is news.
+  const tell = (message: GuestMessage) => {
+    const text = JSON.stringify(message)
+    if (told.get(message.kind) === text) return
+    told.set(message.kind, text)
+    post(board, message)
+  }
+  listen<HostMessage>(
+    () => board,
+    ({comments}) => store.dispatch({kind: "block-comments", comments}),
+  )
+  store.onFrame(state => {
+    tell({kind: "chosen", chosen: chosenPlace(state, parts.source?.cursor() ?? 0)})
+    const {program} = state.document
+    const lines = state.blockComments.map(({id, place}) => {
+      const range = locatePlace(program, place)
+      return {comment: id, line: range === null ? null : lineNumber(program.text, range.start)}
+    })
+    tell({kind: "located", lines})
+  })
+  tell({kind: "ready"})
+}
+
+/// Nothing is chosen before the teacher chooses a block, or puts the cursor into the text.
+function chosenPlace({document, selected, selectedIn}: PageState, cursor: number): ChosenPlace | null {
+  if (selected === null && selectedIn === "blocks") return null
+  const place = placeOf(document.program, selected, cursor)
+  const range = place === null ? null : locatePlace(document.program, place)
+  if (place === null || range === null) return null
+  return {
+    place,
+    line: lineNumber(document.program.text, range.start),
+    quote: quoteOf(place.piece.slice(place.start, place.end)),
+  }
+}

@@ -1,0 +1,41 @@
+/// Messages between the teacher's board and the page with a pupil's program inside of it, which the board frames. Both are pages of the same service.
+
+import type {BlockComment, PlaceInProgram} from "../state/block_comments.ts"
+
+/// A place that the teacher chose in the program: its line, and its text to be quoted.
+export interface ChosenPlace {
+  readonly place: PlaceInProgram
+  readonly line: number
+  readonly quote: string
+}
+
+/// The line of a comment in the program as it is shown; `null` when its place is gone.
+export interface CommentLine {
+  readonly comment: number
+  readonly line: number | null
+}
+
+export type GuestMessage =
+  /// The program is open.
+  | {readonly kind: "ready"}
+  | {readonly kind: "chosen"; readonly chosen: ChosenPlace | null}
+  | {readonly kind: "located"; readonly lines: readonly CommentLine[]}
+
+export type HostMessage = {readonly kind: "comments"; readonly comments: readonly BlockComment[]}
+
+/// Sends to a window if it shows a page of this service; the browser drops the message otherwise.
+export function post(to: Window, message: GuestMessage | HostMessage): void {
+  to.postMessage({rosy: message}, window.location.origin)
+}
+
+/// Calls `heard` with the messages that come from a window, if it shows a page of this service. The result stops that.
+export function listen<Message>(from: () => Window | null, heard: (message: Message) => void): () => void {
+  const receive = (event: MessageEvent<unknown>) => {
+    if (event.origin !== window.location.origin || event.source !== from()) return
+    const {data} = event
+    // A page of the same service, loaded with this one, sends what the types say.
+    if (typeof data === "object" && data !== null && "rosy" in data) heard(data.rosy as Message)
+  }
+  window.addEventListener("message", receive)
+  return () => window.removeEventListener("message", receive)
+}

@@ -1,0 +1,143 @@
+/// A pupil's program on the teacher's board: the page with a copy of it, and the comments on its places.
+
+import type {VNode} from "preact"
+import {useEffect, useLayoutEffect, useRef, useState} from "preact/hooks"
+import {quoteOf} from "../state/block_comments.ts"
+import {words} from "../words/index.ts"
+import type {BoardRequest} from "./board_messages.ts"
+import {board, change, type ShownProgram} from "./board_state.ts"
+import type {OwnComment} from "./class_messages.ts"
+import {type ChosenPlace, type GuestMessage, listen, post} from "./guest_messages.ts"
+
+interface Props {
+  readonly shown: ShownProgram
+  readonly send: (request: BoardRequest) => void
+}
+
+/// What the page in the frame says of the program.
+interface Guest {
+  readonly isReady: boolean
+  readonly chosen: ChosenPlace | null
+  /// The lines of comments; `null` for a place that is gone.
+  readonly lines: ReadonlyMap<number, number | null>
+}
+
+const noGuest: Guest = {isReady: false, chosen: null, lines: new Map()}
+
+export function ShownProgramDialog({shown, send}: Props): VNode {
+  const w = words.classroom.board
+  const dialog = useRef<HTMLDialogElement>(null)
+  const frame = useRef<HTMLIFrameElement>(null)
+  const [guest, setGuest] = useState(noGuest)
+  useLayoutEffect(() => dialog.current?.showModal(), [])
+  useEffect(() => {
+    setGuest(noGuest)
+    return listen<GuestMessage>(
+      () => frame.current?.contentWindow ?? null,
+      message => setGuest(now => heard(now, message)),
+    )
+  }, [shown.address])
+  const {program, pupil} = shown
+  const comments = program === null ? [] : board.value.comments.filter(one => one.program === program)
+  const told = JSON.stringify(comments)
+  useEffect(() => {
+    const page = frame.current?.contentWindow
+    if (guest.isReady && page) post(page, {kind: "comments", comments: comments.filter(({done}) => !done)})
+  }, [guest.isReady, told])
+  const title = w.programOf(shown.nickname, shown.name)
+  return (
+    <dialog class="board-program" ref={dialog} aria-label={title} onClose={() => change({shown: null})}>
+      <header>
+        <h2>{title}</h2>
+        <p class="quiet">{w.readOnly}</p>
+        <button type="button" class="plain" onClick={() => change({shown: null})}>
+          {w.close}
+        </button>
+      </header>
+      <iframe ref={frame} src={shown.address} title={title} />
+      {program !== null && (
+        <Comments
+          comments={comments}
+          guest={guest}
+          add={(text, {place}) => send({op: "add-comment", pupil, program, text, place})}
+          remove={comment => send({op: "remove-comment", comment})}
+        />
+      )}
+    </dialog>
+  )
+}
+
+function heard(guest: Guest, message: GuestMessage): Guest {
+  switch (message.kind) {
+    case "ready":
+      return {...guest, isReady: true}
+    case "chosen":
+      return {...guest, chosen: message.chosen}
+    case "located":
+      return {...guest, lines: new Map(message.lines.map(({comment, line}) => [comment, line]))}
+  }
+}
+
+interface CommentsProps {
+  readonly comments: readonly OwnComment[]
+  readonly guest: Guest
+  readonly add: (text: string, chosen: ChosenPlace) => void
+  readonly remove: (comment: number) => void
+}
+
+function Comments({comments, guest, add, remove}: CommentsProps): VNode {
+  const w = words.classroom.board.comments
+  const [text, setText] = useState("")
+  const {chosen, lines} = guest
+  const {commentRefused} = board.value
+  return (
+    <section class="board-comments" aria-label={w.title} data-testid="board-comments">
+      <form
+        onSubmit={event => {
+          event.preventDefault()
+          if (chosen === null || text.trim() === "") return
+          change({commentRefused: null})
+          add(text.trim(), chosen)
+          setText("")
+        }}
+      >
+        <p role="status">{chosen === null ? w.choose : w.about(chosen.line, chosen.quote)}</p>
+        <div class="board-comment">
+          <input
+            type="text"
+            aria-label={w.text}
+            value={text}
+            maxLength={2000}
+            onInput={event => setText(event.currentTarget.value)}
+          />
+          <button type="submit" class="plain" disabled={chosen === null || text.trim() === ""}>
+            {w.send}
+          </button>
+        </div>
+        {commentRefused !== null && (
+          <p class="refused" role="alert">
+            {commentRefused}
+          </p>
+        )}
+      </form>
+      <ul>
+        {comments.map(({id, text, place, done}) => {
+          const quote = quoteOf(place.piece.slice(place.start, place.end))
+          const line = lines.get(id)
+          return (
+            <li key={id}>
+              <q>{text}</q>
+              <span class="quiet">
+                {done || line === undefined ? quote : line === null ? w.gone(quote) : w.at(line, quote)}
+              </span>
+              <span>{done ? w.done : w.open}</span>
+              <button type="button" class="plain" aria-label={w.removeOf(text)} onClick={() => remove(id)}>
+                {w.remove}
+              </button>
+            </li>
+          )
+        })}
+      </ul>
+    </section>
+  )
+}

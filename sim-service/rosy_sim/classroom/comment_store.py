@@ -1,0 +1,74 @@
+"""
+Store of the teacher's comments on places in programs, in SQLite.
+
+Blocking, as ``class_store.py``, which opens the database. Times are in s since 1970.
+"""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Callable
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+
+__all__ = ["MAX_COMMENTS", "CommentKept", "CommentStore"]
+
+MAX_COMMENTS = 200
+"""Comments on the programs of one pupil."""
+
+
+@dataclass(frozen=True, slots=True)
+class CommentKept:
+    """A comment; ``place`` is JSON (``message_fields.PlaceInProgram``)."""
+
+    id: int
+    pupil: int
+    program: str
+    at: float
+    text: str
+    place: bytes
+    done: bool = False
+
+
+class CommentStore:
+    """
+    Comments in an open database.
+
+    Args:
+        database: of the class, with the current schema.
+        transaction: opens a transaction.
+    """
+
+    def __init__(self, database: sqlite3.Connection, transaction: Callable[[], AbstractContextManager[None]]) -> None:
+        self._database = database
+        self._transaction = transaction
+
+    def comments(self) -> list[CommentKept]:
+        """All comments, oldest first."""
+        rows = self._database.execute("SELECT id, pupil, program, at, text, place, done FROM comment ORDER BY id")
+        return [
+            CommentKept(number, pupil, program, at, text, place, bool(done))
+            for number, pupil, program, at, text, place, done in rows
+        ]
+
+    def add(self, pupil: int, program: str, text: str, place: bytes, now: float) -> CommentKept | None:
+        """Add a comment; ``None`` if the pupil has ``MAX_COMMENTS``."""
+        with self._transaction():
+            (count,) = self._database.execute("SELECT count(*) FROM comment WHERE pupil = ?", (pupil,)).fetchone()
+            if count >= MAX_COMMENTS:
+                return None
+            cursor = self._database.execute(
+                "INSERT INTO comment (pupil, program, at, text, place) VALUES (?, ?, ?, ?, ?)",
+                (pupil, program, now, text, place),
+            )
+            return CommentKept(cursor.lastrowid or 0, pupil, program, now, text, place)
+
+    def set_done(self, comment: int, done: bool) -> None:
+        """Set whether the pupil has dealt with a comment."""
+        with self._transaction():
+            self._database.execute("UPDATE comment SET done = ? WHERE id = ?", (int(done), comment))
+
+    def remove(self, comment: int) -> None:
+        """Delete a comment."""
+        with self._transaction():
+            self._database.execute("DELETE FROM comment WHERE id = ?", (comment,))

@@ -1,0 +1,74 @@
+"""
+Messages of the projector, which shows the room of one pupil. ``protocol/README.md``, section 11.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+
+from .message_fields import BadRequest, Typed
+
+__all__ = ["Project", "Projected", "Projecting", "RoomProjected", "UnlockProjector", "read_projector_request"]
+
+
+class Project(msgspec.Struct, tag="project", tag_field="op"):
+    """
+    Request of the board: show the room of a pupil on the projectors, ``named`` with the nickname, with ``program``
+    beside it; ``None`` shows nothing.
+    """
+
+    pupil: int | None
+    named: bool = False
+    program: bool = False
+
+
+class Projecting(msgspec.Struct, tag="projecting", tag_field="op"):
+    """Answer to the board: what the projectors show."""
+
+    pupil: int | None
+    named: bool
+    program: bool
+
+
+class UnlockProjector(msgspec.Struct, tag="unlock", tag_field="op"):
+    """Request of a projector: the teacher's key."""
+
+    key: Typed
+
+
+class Projected(msgspec.Struct, tag="projected", tag_field="op"):
+    """
+    Answer to a projector: what it shows now. ``number`` is another one whenever the teacher chooses another pupil.
+    ``nickname`` is ``None`` for a pupil who is not named, ``haskell`` without a program beside the room.
+    """
+
+    number: int
+    shows: bool
+    nickname: str | None
+    online: bool
+    running: bool
+    haskell: str | None
+
+
+class RoomProjected(msgspec.Struct, tag="room", tag_field="op"):
+    """Answer to a projector: the room."""
+
+    world: Any
+
+
+_decoder: msgspec.json.Decoder[UnlockProjector] = msgspec.json.Decoder(UnlockProjector)
+
+
+def read_projector_request(text: str | bytes) -> UnlockProjector:
+    """
+    Read a message of a projector.
+
+    Raises:
+        BadRequest: it is none.
+    """
+    try:
+        return _decoder.decode(text)
+    except (msgspec.MsgspecError, UnicodeDecodeError) as error:
+        raise BadRequest(str(error)) from error
