@@ -14,8 +14,8 @@ export function maskCandidates(source: string): readonly Range[] {
   const suspicious = regions.filter(r => !isBalanced(source.slice(r.start, r.end)))
   const ordered = [...suspicious, ...regions.filter(r => !suspicious.includes(r))]
   const found = new Map<string, Range>()
+  // A guard stands for no expression, although a name in its place may be read as one.
   for (const region of ordered)
-    // A guard stands for no expression, although a name in its place may be read as one.
     for (const range of [
       withoutWhere(source, behindSign(source, region)),
       behindSign(source, region),
