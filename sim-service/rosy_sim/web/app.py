@@ -49,6 +49,7 @@ from .example_paths import ExamplePaths
 from .examples import example_file, examples
 from .page_session import PageSession
 from .projector_sockets import ProjectorSockets
+from .reading_pace import ReadingPace, message_cost
 from .room_tests import RoomTests
 from .ros_bridge import RosClient
 from .static_pages import StaticPages
@@ -58,14 +59,8 @@ __all__ = ["Service", "build_app"]
 _POLICY_VIOLATION, _TRY_AGAIN = 1008, 1013
 """WebSocket close codes. RFC 6455, section 7.4.1, and its registry."""
 
-_PAGE_RATE, _ROS_RATE = 100.0, 500.0
-"""Messages that a page and a ROS client may send, a second."""
-
-_WORK_RATE, _WORK_BURST = 0.1, 0.25
-"""Computing time that a page's messages may take on the event loop: a share of it, and s at once."""
-
-_CHARACTERS_PER_MESSAGE = 2000
-"""Characters that count as one more message: programs and rooms are long, and cost more to serve."""
+_ROS_RATE = 500.0
+"""Messages that a ROS client may send, a second."""
 
 
 class Service:
@@ -297,8 +292,7 @@ async def _receive(socket: WebSocket, session: PageSession) -> None:
     so that it delays no other.
     """
     now = asyncio.get_running_loop().time
-    limit = TokenBucket(_PAGE_RATE, 2 * _PAGE_RATE, now())
-    work = TokenBucket(_WORK_RATE, _WORK_BURST, now())
+    pace = ReadingPace(now())
     while True:
         message = await socket.receive()
         if message["type"] == "websocket.disconnect":
@@ -306,9 +300,7 @@ async def _receive(socket: WebSocket, session: PageSession) -> None:
         text = message.get("text") or message.get("bytes") or ""
         begun = time.thread_time()
         session.receive(text)
-        spent = time.thread_time() - begun
-        slow = work.overdraw(spent, now())
-        if wait := max(slow, limit.overdraw(1 + len(text) / _CHARACTERS_PER_MESSAGE, now())):
+        if wait := pace.wait(len(text), time.thread_time() - begun, now()):
             await asyncio.sleep(wait)
 
 
@@ -321,7 +313,7 @@ async def _receive_ros(socket: WebSocket, session: PageSession, client: RosClien
             return
         text = message.get("text") or message.get("bytes") or ""
         session.receive_ros(client, text)
-        if wait := limit.overdraw(1 + len(text) / _CHARACTERS_PER_MESSAGE, now()):
+        if wait := limit.overdraw(message_cost(len(text)), now()):
             await asyncio.sleep(wait)
 
 

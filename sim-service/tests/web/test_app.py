@@ -484,19 +484,23 @@ def test_a_room_of_too_many_movable_things_is_refused_before_it_is_built(
     story(play, config)
 
 
-def test_a_page_whose_messages_take_long_is_read_more_slowly_than_the_others(config: Config) -> None:
+def test_a_page_that_used_up_its_share_is_read_no_further_and_the_others_are(
+    config: Config, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("rosy_sim.web.reading_pace._MESSAGE_RATE", 1e-6)
+
     async def tell() -> None:
-        async with serving(config) as (address, _), opened(address) as busy, opened(address) as other:
-            await busy.send("world", world=pile(20))
-            for i in range(1500):
-                await busy.send("input", move={"thing": 0, "x": 2 + i % 2, "y": 2, "theta": 0})
+        async with serving(config) as (address, _), opened(address) as busy:
             await busy.send("nonsense")
-            await other.send("nonsense")
-            last = asyncio.create_task(busy.op("refusal"))
-            await other.op("refusal")
-            assert not last.done()
-            last.cancel()
-            await asyncio.gather(last, return_exceptions=True)
+            await busy.op("refusal")
+            await busy.send("nonsense")
+            second = asyncio.create_task(busy.op("refusal"))
+            async with opened(address) as other:
+                await other.send("nonsense")
+                await other.op("refusal")
+            assert not second.done()
+            second.cancel()
+            await asyncio.gather(second, return_exceptions=True)
 
     asyncio.run(tell())
 
