@@ -298,7 +298,7 @@ const tasks: Recipes = {
   async "four-times/square"(hands) {
     await newTask(hands, "square")
     await hands.stacks("repeat a number of times", "do these steps")
-    await hands.stacks("do one thing", "times")
+    await hands.stacks("do one thing", "×")
     await hands.puts("side")
     await runsInstead(hands, "side", "square")
   },

@@ -58,7 +58,7 @@ export async function drawSquare(hands: Hands): Promise<void> {
   await hands.takesUp("definition of drawSquare")
   await hands.throws(/one after the other, say/)
   await hands.stacks("repeat a number of times", "do these steps")
-  await hands.stacks("do one thing", "times")
+  await hands.stacks("do one thing", "×")
   await hands.puts("move", "Forward", "50")
   await hands.stacks("do one thing")
   await hands.puts("turn", "left:", "90")

@@ -80,6 +80,7 @@ data Route = Route
     encode :: [Field] -> Encoding.Encoding
   }
 
+-- | Whether those who subscribe later get the last message as well.
 routeLatched :: Route -> Bool
 routeLatched r = routeDelivery r == Latched
 

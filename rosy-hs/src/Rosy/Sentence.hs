@@ -43,6 +43,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 
+-- | A sentence for people: an English template of the tables with its arguments, or a text that is the same in every language.
 data Sentence
   = Template !Text [(Text, Argument)]
   | Verbatim !Text
