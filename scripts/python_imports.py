@@ -41,6 +41,7 @@ LAYERS = (
     ("ownership",),
     ("classroom",),
     ("web", "lsp"),
+    ("cluster",),
     ("bench", "cli", "problem_text", "__main__"),
 )
 """A module imports from its own layer and from those before it. The table in sim-service/README.md explains them."""

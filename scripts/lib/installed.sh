@@ -26,6 +26,9 @@ need() {
     *" tools "*)
       give_up "this is an installed Rosy. Tests and benchmarks need its source: git clone it, and run ./rosy there."
       ;;
+    *" cluster "*)
+      give_up "this is an installed Rosy. A cluster needs its source: git clone it, and run ./rosy there."
+      ;;
     *" builder "*)
       if [ -d "$ROSY_ROOT/python-home" ]; then
         give_up "programs for a robot's computer cannot be built from a stick. Install Rosy on this machine for that."

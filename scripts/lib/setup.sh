@@ -7,6 +7,7 @@
 #   need page      the files that the browser loads
 #   need codegen   the conversions between blocks and Haskell, for Node
 #   need language-server  the same, and the page that explains every name, for other editors
+#   need cluster   Ray, for programs on many machines
 #   need tools     test tools: browser, linters, test libraries
 #
 # `need` first lists the steps that are still to be done, checks that they can succeed (preflight.sh), and then does them
@@ -15,6 +16,7 @@
 ROSY_STATE="$ROSY_ROOT/.rosy"
 ROSY_PYTHON="$ROSY_STATE/venv/bin/python"
 export ROSY_PYTHON
+ROSY_CLUSTER_PYTHON="$ROSY_STATE/venv-cluster/bin/python"
 export PYTHONPATH="$ROSY_ROOT/sim-service${PYTHONPATH:+:$PYTHONPATH}"
 # A cabal configuration without a package server: only Debian's packages are used, and nothing is asked of the network.
 export CABAL_DIR="$ROSY_STATE/cabal"
@@ -54,6 +56,7 @@ NODE_OLDEST=20
 made() {
   case "$1" in
     venv) "$ROSY_PYTHON" -c '' 2>/dev/null ;;
+    venv-cluster) "$ROSY_CLUSTER_PYTHON" -c '' 2>/dev/null && [ -x "$ROSY_STATE/venv-cluster/bin/ray" ] ;;
     venv-tools) compgen -G "$ROSY_STATE/venv/lib/python3*/site-packages/pytest" >/dev/null ;;
     node) [ -x "$NODE_FOLDER/bin/node" ] ;;
     npm) [ -d "$ROSY_ROOT/node_modules/vite" ] ;;
@@ -74,6 +77,7 @@ print_of() {
     apt-runtime) echo "$APT_RUNTIME" ;;
     apt-tools) echo "$APT_TOOLS" ;;
     venv) checksum "$ROSY_ROOT/sim-service/requirements.lock" ;;
+    venv-cluster) checksum "$ROSY_ROOT/sim-service/requirements-cluster.lock" ;;
     venv-tools) checksum "$ROSY_ROOT/sim-service/requirements.lock" "$ROSY_ROOT/sim-service/requirements-test.lock" ;;
     node) checksum "$ROSY_ROOT/sim-service/requirements-node.lock" ;;
     npm | npm-tools) checksum "$ROSY_ROOT/package-lock.json" ;;
@@ -93,6 +97,7 @@ print_of() {
 sentence_of() {
   case "$1" in
     venv) sentence "Installing the Python packages of the simulator." ;;
+    venv-cluster) sentence "Installing Ray, which runs programs on many machines." ;;
     venv-tools) sentence "Installing the Python packages of the tests." ;;
     node) sentence "Installing Node." ;;
     npm) sentence "Installing the packages of the page." ;;
@@ -127,6 +132,11 @@ pip_install() {
 do_venv() {
   rm -rf "$ROSY_STATE/venv" "$ROSY_STATE/stamps/venv-tools"
   "$(find_python)" -m venv "$ROSY_STATE/venv" && pip_install -r "$ROSY_ROOT/sim-service/requirements.lock"
+}
+do_venv-cluster() {
+  rm -rf "$ROSY_STATE/venv-cluster"
+  "$(find_python)" -m venv "$ROSY_STATE/venv-cluster" &&
+    ROSY_PYTHON="$ROSY_CLUSTER_PYTHON" pip_install -r "$ROSY_ROOT/sim-service/requirements-cluster.lock"
 }
 do_venv-tools() { pip_install -r "$ROSY_ROOT/sim-service/requirements-test.lock"; }
 do_node() {
@@ -176,6 +186,7 @@ steps_for() {
       language-server) echo venv node npm codegen api-docs ;;
       # The names of the language are explained by a page made with Python.
       page) echo venv node npm codegen api-docs page ;;
+      cluster) echo venv-cluster ;;
       tools) echo apt-tools venv venv-tools node npm-tools ;;
     esac
   done
@@ -220,7 +231,7 @@ plan() {
     case "$name" in
       apt-runtime) packages="$packages $APT_RUNTIME" ;;
       apt-tools) packages="$packages $APT_TOOLS" ;;
-      venv) has_venv_module || packages="$packages python3-venv" ;;
+      venv | venv-cluster) has_venv_module || packages="$packages python3-venv" ;;
     esac
   done
   # shellcheck disable=SC2086
@@ -259,4 +270,10 @@ install_packages() {
   # shellcheck disable=SC2086
   step "$name" "$(print_of "$name")" "$(sentence "Installing from Debian: {packages}" packages "$apt_pending")" apt_install $apt_pending
   case " $* " in *" apt-tools "*) install_browsers ;; esac
+}
+
+# The tests go without Ray where it cannot be installed.
+install_cluster_for_tests() {
+  # In a shell of its own, which a step that fails ends.
+  (need cluster) || say "Not installed, and left out by the tests: {packages}. The log is in {file}." packages Ray file .rosy/log/venv-cluster.log
 }

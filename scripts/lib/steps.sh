@@ -62,6 +62,7 @@ cost_of() {
     apt-tools) echo 60 201 780 ;;
     venv) echo 15 15 56 ;;
     venv-tools) echo 20 45 186 ;;
+    venv-cluster) echo 40 90 330 ;;
     node) echo 10 58 207 ;;
     npm) echo 20 62 139 ;;
     npm-tools) echo 25 100 291 ;;

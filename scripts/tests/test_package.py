@@ -83,8 +83,10 @@ def test_an_installed_rosy_runs_a_program(contents: Path, tmp_path: Path) -> Non
     )
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout.splitlines()[-1])["ended"] == "time"
-    refused = on_another_machine(["--ro-bind", str(installed), str(installed)], [], [str(installed / "rosy"), "test"], tmp_path)
-    assert (refused.returncode, refused.stderr.count("\n")) == (1, 1)
+    for command in (["test"], ["start", "--cluster"]):
+        refused = on_another_machine(["--ro-bind", str(installed), str(installed)], [], [str(installed / "rosy"), *command], tmp_path)
+        assert (refused.returncode, refused.stderr.count("\n")) == (1, 1)
+        assert "needs its source" in refused.stderr or "need its source" in refused.stderr
 
 
 @pytest.mark.skipif(not WHOLE, reason="the stick is made in nightly")

@@ -1,6 +1,6 @@
 """
-Command line of the service: ``serve``, ``class``, ``run``, ``check``, ``build``, ``lsp``. ``./rosy help COMMAND``
-explains them.
+Command line of the service: ``serve``, ``node``, ``class``, ``run``, ``check``, ``build``, ``lsp``.
+``./rosy help COMMAND`` explains them.
 
 Every expected failure ends as one sentence on stderr; the exit status is the error's own.
 """
@@ -22,6 +22,7 @@ import msgspec
 
 from .atomic_file import AtomicFile
 from .classroom.command import add_class_options, run_class_command
+from .cluster.node import add_node_options, start_node, use_token
 from .config import Config, discover
 from .errors import BadInput, OutputFailed, RosyError
 from .explain.causal_chain import explain
@@ -32,6 +33,7 @@ from .ownership.robot_configuration import read_robot_configuration
 from .problem_text import format_problem
 from .robots import DEFAULT_ROBOT
 from .rooms.command import add_options, check_options, test_in_rooms
+from .rooms.programs import Pool
 from .run.grading import format_table, grade_programs, programs_in
 from .run.headless_run import RunOutput, RunResult, RunSettings, run_native, run_program
 from .run.input_file import read_inputs
@@ -95,7 +97,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _command(arguments: Sequence[str] | None) -> int:
     options, unknown = _parser().parse_known_args(arguments)
     if unknown:
-        command = "start" if options.command == "serve" else options.command
+        command = "start" if options.command in ("serve", "node") else options.command
         raise BadInput(
             tr(
                 "{command} does not take {unknown}. ./rosy {command} --help says what there is.",
@@ -115,6 +117,8 @@ def _command(arguments: Sequence[str] | None) -> int:
         config = replace(config, robots=robots, class_name=options.class_name)
         host = options.host or ("127.0.0.1" if options.class_name is None else "0.0.0.0")
         return serve(config, host, options.port, not options.no_browser, options.unprotected)
+    if options.command == "node":
+        return start_node(config, options, _print)
     if options.command == "class":
         return run_class_command(config.classes, options, _print)
     if options.command == "lsp":
@@ -130,7 +134,7 @@ def _command(arguments: Sequence[str] | None) -> int:
     check_options(options)
     if options.rooms is not None:
         _warn_without_sandbox(config)
-        return test_in_rooms(config, options, _seconds(options.seconds), _safety(options), _print)
+        return test_in_rooms(config, options, _seconds(options.seconds), _safety(options), _print, _cluster_pool)
     if len(options.files) > 1 or options.files[0].is_dir():
         return _grade(config, options)
     options.file = options.files[0]
@@ -149,6 +153,7 @@ def _parser() -> argparse.ArgumentParser:
     serve.add_argument("--robot", action="append", default=[], metavar="NAME=ADDRESS")
     serve.add_argument("--robots", type=Path, metavar="FILE")
     serve.add_argument("--unprotected", action="store_true")
+    add_node_options(commands.add_parser("node", prog="rosy start", add_help=False, allow_abbrev=False))
     check = commands.add_parser("check", prog="rosy check", add_help=False, allow_abbrev=False)
     check.add_argument("file", type=Path)
     check.add_argument("--json", action="store_true")
@@ -175,6 +180,14 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("--provenance", action="store_true")
     run.add_argument("--explain", nargs="?", const="")
     return parser
+
+
+def _cluster_pool(address: str) -> Pool:
+    # Only the environment of `./rosy run --cluster` has Ray, which reads how it is to be used when it is imported.
+    use_token()
+    from .cluster.trials import ClusterPool
+
+    return ClusterPool(address)
 
 
 def _worker(config: Config) -> BlockingWorker:

@@ -14,7 +14,8 @@ from ..errors import RosyError
 from ..sentence import tr
 from .room_test import Report, RoomTest, shrunk_report, try_rooms
 from .trial import Outcome
-from .trial_pool import PoolClosed, TrialPool
+from .trial_pool import PoolClosed, TrialPool, Trials
+from .trial_process import Setup
 
 __all__ = ["BUDGET", "try_in_background"]
 
@@ -44,7 +45,7 @@ async def try_in_background(
     """
     loop = asyncio.get_running_loop()
     patient = config.with_limits(config.limits.stretched(_PATIENCE))
-    pool = TrialPool(test.task(source, patient, _LOWEST_PRIORITY), 1)
+    pool = TrialPool(Setup.of(patient, _LOWEST_PRIORITY), 1)
 
     def outcome_in_loop(outcome: Outcome) -> None:
         loop.call_soon_threadsafe(on_outcome, outcome)
@@ -54,7 +55,7 @@ async def try_in_background(
             loop.call_soon_threadsafe(on_shrink, tried)
 
     shrinks = shrink_in_loop if on_shrink is not None else None
-    work = loop.run_in_executor(None, _in_pool, pool, test, outcome_in_loop, shrinks)
+    work = loop.run_in_executor(None, _in_pool, pool, pool.program(test.task(source)), test, outcome_in_loop, shrinks)
     try:
         return await asyncio.shield(work)
     except asyncio.CancelledError:
@@ -65,13 +66,17 @@ async def try_in_background(
 
 def _in_pool(
     pool: TrialPool,
+    trials: Trials,
     test: RoomTest,
     on_outcome: Callable[[Outcome], None],
     on_shrink: Callable[[int], None] | None,
 ) -> Report:
     with pool:
         try:
-            report = try_rooms(test, pool, on_outcome)
-            return report if on_shrink is None else shrunk_report(test, pool, report, on_shrink)
+            report = try_rooms(test, trials, on_outcome)
+            report = report if on_shrink is None else shrunk_report(test, trials, report, on_shrink)
         except PoolClosed as error:
             raise RosyError(tr("The test was cancelled.")) from error
+    if report.lost is not None:
+        raise RosyError(report.lost)
+    return report

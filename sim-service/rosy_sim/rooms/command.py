@@ -9,9 +9,9 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 import msgspec
@@ -29,10 +29,11 @@ from ..wording import in_terminal, machine_wording
 from ..worker.native_build import is_native
 from ..world.properties import BadProperty, read_properties
 from .families import read_family
+from .programs import Pool, Progress, Tested, test_programs
 from .report_text import format_report, report_values, worst_status
-from .room_test import MAX_ROOMS, Report, RoomTest, check_goals, shrunk_report, try_rooms
-from .trial import Outcome
+from .room_test import MAX_ROOMS, Report, RoomTest, check_goals
 from .trial_pool import TrialPool
+from .trial_process import Setup
 
 __all__ = ["add_options", "check_options", "test_in_rooms"]
 
@@ -42,7 +43,7 @@ DEFAULT_FAMILY, DEFAULT_SEED, DEFAULT_PROPERTIES = "obstacles", 1, "reaches-goal
 MAX_SECONDS = 3600.0
 """Longest run in each room, s."""
 
-_ONLY_WITH_ROOMS = ("family", "hold", "json", "processes")
+_ONLY_WITH_ROOMS = ("family", "hold", "json", "processes", "cluster")
 _NOT_WITH_ROOMS = ("world", "speed", "trace", "input", "robot")
 
 
@@ -67,6 +68,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--hold", nargs="+", action="extend", metavar="PROPERTY")
     parser.add_argument("--json", action="store_true", default=None)
     parser.add_argument("--processes", type=int, metavar="N")
+    parser.add_argument("--cluster", metavar="ADDRESS")
 
 
 def check_options(options: argparse.Namespace) -> None:
@@ -96,8 +98,12 @@ def test_in_rooms(
     seconds: float,
     safety: SafetySettings,
     write: Callable[[str], None],
+    connect: Callable[[str], Pool],
 ) -> int:
-    """Test the programs of some files and folders; returns the exit status."""
+    """
+    Test the programs of some files and folders; returns the exit status. ``connect`` gives the pool of the cluster at
+    an address.
+    """
     test = replace(_room_test(options, seconds), safety=safety)
     processes = options.processes if options.processes is not None else len(os.sched_getaffinity(0))
     if not 1 <= processes <= 256:
@@ -107,17 +113,19 @@ def test_in_rooms(
         if is_native(file):
             raise BadInput(tr("{file} is a built program; --rooms tests programs from their text.", file=file))
     output = _Output(write, sys.stderr.isatty())
+    sources = [read_program(file).source for file in files]
     reports: list[Report] = []
     values: list[dict[str, object]] = []
-    for file in files:
-        source = read_program(file).source
-        with TrialPool(test.task(source, config), min(processes, test.rooms)) as pool:
-            report, shrink_seconds = _with_progress(test, pool, str(file), output)
-        reports.append(report)
-        room_file = _write_smallest(file, files, report)
-        values.append(report_values(str(file), report, room_file))
-        if not options.json:
-            _print_report(file, test, report, room_file, shrink_seconds, output)
+    local = min(processes, test.rooms * len(files))
+    with TrialPool(Setup.of(config), local) if options.cluster is None else connect(options.cluster) as pool:
+        progress = Progress(partial(_show_progress, output, test.rooms * len(files)))
+        for file, tested in zip(files, test_programs(test, sources, pool, progress), strict=True):
+            output.progress("")
+            reports.append(tested.report)
+            room_file = _write_smallest(file, files, tested.report)
+            values.append(report_values(str(file), tested.report, room_file))
+            if not options.json:
+                _print_report(file, test, tested, room_file, output)
     if options.json:
         head = {
             "family": test.family.name,
@@ -145,28 +153,10 @@ def _room_test(options: argparse.Namespace, seconds: float) -> RoomTest:
     return RoomTest(family, options.rooms, seed, seconds, properties)
 
 
-def _with_progress(test: RoomTest, pool: TrialPool, name: str, output: _Output) -> tuple[Report, float]:
-    """The report, and how long the smallest failing room was looked for, s of a wall clock."""
-    done = passed = 0
-
-    def on_outcome(outcome: Outcome) -> None:
-        nonlocal done, passed
-        done += 1
-        passed += outcome.has_passed
-        progress = tr("{done} of {all} rooms, {passed} passed", done=done, all=test.rooms, passed=passed)
-        output.progress(f"{neutralize_line(name)}: {in_terminal(progress)}")
-
-    def on_shrink(tried: int) -> None:
-        progress = tr("looking for the smallest failing room, {tried} tried", tried=tried)
-        output.progress(f"{neutralize_line(name)}: {in_terminal(progress)}")
-
-    try:
-        report = try_rooms(test, pool, on_outcome)
-        began = time.monotonic()
-        shrunk = shrunk_report(test, pool, report, on_shrink)
-        return shrunk, time.monotonic() - began
-    finally:
-        output.progress("")
+def _show_progress(output: _Output, rooms: int, done: int, passed: int, shrunk: int) -> None:
+    counted = in_terminal(tr("{done} of {all} rooms, {passed} passed", done=done, all=rooms, passed=passed))
+    shrinking = in_terminal(tr("looking for the smallest failing room, {tried} tried", tried=shrunk)) if shrunk else ""
+    output.progress("; ".join(filter(None, (counted, shrinking))))
 
 
 def _write_smallest(file: Path, files: list[Path], report: Report) -> str | None:
@@ -181,9 +171,12 @@ def _write_smallest(file: Path, files: list[Path], report: Report) -> str | None
     return str(path)
 
 
-def _print_report(
-    file: Path, test: RoomTest, report: Report, room_file: str | None, shrink_seconds: float, output: _Output
-) -> None:
+def _print_report(file: Path, test: RoomTest, tested: Tested, room_file: str | None, output: _Output) -> None:
+    report = tested.report
+    if report.lost is not None:
+        lost = tr("this program ended the compiler part of Rosy twice: {why}", why=report.lost)
+        output.write(neutralize_line(f"{file}: {in_terminal(lost)}"))
+        return
     if report.refused:
         for refused in report.refused:
             problem = worded(refused, machine_wording())
@@ -203,7 +196,9 @@ def _print_report(
         proof=proof,
     )
     output.write(neutralize_line(in_terminal(smallest)))
-    tried = tr("Rooms tried for it: {tried}, in {seconds} s.", tried=shrunk.trials, seconds=f"{shrink_seconds:.1f}")
+    tried = tr(
+        "Rooms tried for it: {tried}, in {seconds} s.", tried=shrunk.trials, seconds=f"{tested.shrink_seconds:.1f}"
+    )
     output.write(neutralize_line(in_terminal(tried)))
     options = f"--world {room_file} --seed {outcome.seed} --seconds {test.seconds:g}"
     if test.safety.on:

@@ -9,7 +9,7 @@ import msgspec
 
 from ..sentence import Sentence, tr
 from ..terminal_text import neutralize_line
-from ..wire.problem import Problem, worded
+from ..wire.problem import Problem, to_wire, worded
 from ..wire.room_tests import FindingShown
 from ..wording import in_terminal, machine_wording
 from .room_test import Report, worst_first
@@ -70,6 +70,8 @@ def report_values(name: str, report: Report, file: str | None) -> dict[str, Any]
         "problems": msgspec.to_builtins(report.refused),
         "rooms": [_values(outcome) for outcome in worst_first(report.outcomes)],
     }
+    if report.lost is not None:
+        found["lost"] = msgspec.to_builtins(to_wire(report.lost))
     if report.smallest is not None:
         shrunk, outcome = report.smallest.shrunk, report.smallest.outcome
         found["smallest"] = {
@@ -95,13 +97,15 @@ def _values(outcome: Outcome) -> dict[str, Any]:
 
 
 def worst_status(reports: Sequence[Report]) -> int:
-    """The exit status: 1 when a program does not compile, 2 when one crashed, 3 when a property failed."""
+    """The exit status: 1 when a program does not compile, 2 when one crashed or was lost, 3 when a property failed."""
     return max((_status(report) for report in reports), default=0)
 
 
 def _status(report: Report) -> int:
     if report.refused:
         return 1
+    if report.lost is not None:
+        return 2
     if any(outcome.failed for outcome in report.outcomes if not outcome.has_crashed):
         return 3
     return 2 if any(outcome.has_crashed for outcome in report.outcomes) else 0

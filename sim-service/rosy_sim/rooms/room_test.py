@@ -10,17 +10,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from ..config import Config
 from ..errors import BadInput
 from ..run.velocity_guard import OFF, SafetySettings
-from ..sentence import tr
+from ..sentence import Sentence, tr
 from ..wire.problem import Problem
 from ..world.properties import Property
 from .families import Family
 from .reductions import reduction_of
 from .shrinking import Shrunk, shrink
 from .trial import Outcome
-from .trial_pool import TrialPool
+from .trial_pool import ProgramLost, Trials
 from .trial_process import Answer, Task, Trial
 
 __all__ = ["MAX_ROOMS", "Report", "RoomTest", "Smallest", "check_goals", "shrunk_report", "try_rooms", "worst_first"]
@@ -42,7 +41,7 @@ class RoomTest:
     properties: tuple[Property, ...]
     safety: SafetySettings = OFF
 
-    def task(self, source: str, config: Config, nice: int = 0) -> Task:
+    def task(self, source: str) -> Task:
         """What a trial process must know to test a program."""
         return Task(
             source,
@@ -51,12 +50,7 @@ class RoomTest:
             self.family.name,
             self.family.base,
             self.seed,
-            config.worker,
-            config.sandbox,
-            [str(folder) for folder in config.visible],
-            config.limits,
             self.safety,
-            nice,
         )
 
 
@@ -83,11 +77,15 @@ class Smallest:
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """``outcomes`` are by room number, with their worlds. With ``refused`` the program does not compile."""
+    """
+    ``outcomes`` are by room number, with their worlds. With ``refused`` the program does not compile; with ``lost`` it
+    ended the worker twice, and has no outcomes.
+    """
 
     outcomes: list[Outcome] = field(default_factory=list)
     worlds: list[_Json] = field(default_factory=list)
     refused: list[Problem] = field(default_factory=list)
+    lost: Sentence | None = None
     smallest: Smallest | None = None
 
     @property
@@ -96,31 +94,35 @@ class Report:
         return sum(outcome.has_passed for outcome in self.outcomes)
 
 
-def try_rooms(test: RoomTest, pool: TrialPool, on_outcome: Callable[[Outcome], None]) -> Report:
+def try_rooms(test: RoomTest, trials: Trials, on_outcome: Callable[[Outcome], None]) -> Report:
     """
     Try a program in all rooms of a test.
 
-    ``on_outcome`` is called for each room, in the order in which they are ready.
+    ``on_outcome`` is called for each room, in the order in which they are ready. The report of a program that is lost
+    (``ProgramLost``) says so.
     """
 
     def on_answer(answer: Answer) -> None:
         if answer.outcome is not None:
             on_outcome(answer.outcome)
 
-    # The first room alone: a program that does not compile compiles in none.
-    answers = pool.run([Trial(1)])
-    first = answers[0].outcome
-    assert first is not None
-    if first.ended == "refused":
-        return Report(refused=first.problems)
-    on_outcome(first)
-    answers += pool.run([Trial(number) for number in range(2, test.rooms + 1)], on_answer)
+    try:
+        # The first room alone: a program that does not compile compiles in none.
+        answers = trials.run([Trial(1)])
+        first = answers[0].outcome
+        assert first is not None
+        if first.ended == "refused":
+            return Report(refused=first.problems)
+        on_outcome(first)
+        answers += trials.run([Trial(number) for number in range(2, test.rooms + 1)], on_answer)
+    except ProgramLost as error:
+        return Report(lost=error.why)
     outcomes = [answer.outcome for answer in answers if answer.outcome is not None]
     worlds = [answer.world for answer in answers if answer.world is not None]
     return Report(outcomes, worlds)
 
 
-def shrunk_report(test: RoomTest, pool: TrialPool, report: Report, on_shrink: Callable[[int], None]) -> Report:
+def shrunk_report(test: RoomTest, trials: Trials, report: Report, on_shrink: Callable[[int], None]) -> Report:
     """
     The report with the smallest room in which the program fails, if it fails in one.
 
@@ -132,19 +134,22 @@ def shrunk_report(test: RoomTest, pool: TrialPool, report: Report, on_shrink: Ca
     # The earliest failure is the quickest to watch; among equals, the fewest things are the quickest to shrink.
     name = test.family.name
     outcome, world = min(failing, key=lambda one: (one[0].time, reduction_of(name, one[1]).things, one[0].room))
-    return replace(report, smallest=_shrink(name, outcome, world, pool, on_shrink))
+    try:
+        return replace(report, smallest=_shrink(name, outcome, world, trials, on_shrink))
+    except ProgramLost as error:
+        return Report(lost=error.why)
 
 
-def _shrink(family: str, outcome: Outcome, world: _Json, pool: TrialPool, on_shrink: Callable[[int], None]) -> Smallest:
+def _shrink(family: str, outcome: Outcome, world: _Json, trials: Trials, on_shrink: Callable[[int], None]) -> Smallest:
     tried = 0
     last = outcome
 
     def first_failing(rooms: Sequence[_Json]) -> int | None:
         nonlocal tried, last
         # As many together as there are processes: more would be tried in vain behind the first that fails.
-        for first in range(0, len(rooms), pool.processes):
-            some = rooms[first : first + pool.processes]
-            answers = pool.run([Trial(outcome.room, room, outcome.seed) for room in some])
+        for first in range(0, len(rooms), trials.processes):
+            some = rooms[first : first + trials.processes]
+            answers = trials.run([Trial(outcome.room, room, outcome.seed) for room in some])
             tried += len(some)
             on_shrink(tried)
             for i, answer in enumerate(answers):

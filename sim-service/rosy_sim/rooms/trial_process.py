@@ -1,8 +1,8 @@
 """
-Trial process: runs one program in one room after another, with a worker of its own.
+Trial process: runs programs in one room after another, with a worker of its own that stays warm.
 
-In: lines of JSON, the first a ``Task``, each other one a ``Trial``. Out: one line per trial, an ``Answer``. It ends
-when its input ends, also in the middle of a run, so nothing is left of it when its owner is gone.
+In: lines of JSON, the first a ``Setup``, each other one a ``Request``. Out: one line per request, an ``Answer``. It
+ends when its input ends, also in the middle of a run, so nothing is left of it when its owner is gone.
 """
 
 from __future__ import annotations
@@ -28,11 +28,27 @@ from ..world.properties import read_properties
 from .families import Family, generate_room
 from .trial import Outcome, judge_run, refused
 
-__all__ = ["Answer", "Task", "Trial", "main"]
+__all__ = ["Answer", "Request", "Setup", "Task", "Trial", "main"]
+
+
+class Setup(msgspec.Struct, frozen=True):
+    """How the worker of a process is started, as in ``Config``."""
+
+    worker: tuple[str, ...]
+    sandbox: bool
+    visible: list[str]
+    limits: Limits
+    # Added to the priority of the process; 19 is the lowest there is.
+    nice: int = 0
+
+    @staticmethod
+    def of(config: Config, nice: int = 0) -> Setup:
+        """The worker of this machine."""
+        return Setup(config.worker, config.sandbox, [str(folder) for folder in config.visible], config.limits, nice)
 
 
 class Task(msgspec.Struct, frozen=True):
-    """What all trials of a process share. ``base`` is the room of ``like:ROOM``; ``seconds`` are simulated."""
+    """What all trials of a program share. ``base`` is the room of ``like:ROOM``; ``seconds`` are simulated."""
 
     source: str
     properties: str
@@ -40,14 +56,7 @@ class Task(msgspec.Struct, frozen=True):
     family: str
     base: dict[str, Any] | None
     seed: int
-    # How the worker is started, as in ``Config``.
-    worker: tuple[str, ...]
-    sandbox: bool
-    visible: list[str]
-    limits: Limits
     safety: SafetySettings = OFF
-    # Added to the priority of the process; 19 is the lowest there is.
-    nice: int = 0
 
 
 class Trial(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -58,11 +67,23 @@ class Trial(msgspec.Struct, frozen=True, omit_defaults=True):
     seed: int = 0
 
 
+class Request(msgspec.Struct, frozen=True, omit_defaults=True):
+    """A trial of a task; without one, of the task of the request before."""
+
+    trial: Trial
+    task: Task | None = None
+
+
 class Answer(msgspec.Struct, frozen=True, omit_defaults=True):
-    """The outcome of a trial and the world it was in, or why the worker could not be used."""
+    """
+    The outcome of a trial and the world it was in, or why the worker could not be used.
+
+    A process that has answered with a failure ends. ``was_ready`` tells whether its worker had been ready before.
+    """
 
     outcome: Outcome | None = None
     world: dict[str, Any] | None = None
+    was_ready: bool = False
     failure: str = ""
     failure_sentence: Sentence | None = None
 
@@ -71,18 +92,29 @@ def main() -> int:
     """Serve standard input until it ends."""
     lines: queue.SimpleQueue[bytes] = queue.SimpleQueue()
     threading.Thread(target=_read_lines, args=(lines,), daemon=True).start()
-    task = msgspec.json.decode(lines.get(), type=Task)
-    os.nice(task.nice)
+    setup = msgspec.json.decode(lines.get(), type=Setup)
+    os.nice(setup.nice)
+    is_ready = False
     with contextlib.suppress(BrokenPipeError):
         try:
-            with BlockingWorker(_config(task)) as worker:
+            with BlockingWorker(_config(setup)) as worker:
                 worker.ready()
-                while True:
-                    _answer(_try(worker, task, msgspec.json.decode(lines.get(), type=Trial)))
+                is_ready = True
+                _serve(worker, setup.limits, lines)
         except RosyError as error:
-            _answer(Answer(failure=str(error), failure_sentence=to_wire(error.sentence)))
+            failure = to_wire(error.sentence)
+            _answer(Answer(was_ready=is_ready, failure=str(error), failure_sentence=failure))
             return error.exit_status
     return 0
+
+
+def _serve(worker: BlockingWorker, limits: Limits, lines: queue.SimpleQueue[bytes]) -> None:
+    task: Task | None = None
+    while True:
+        request = msgspec.json.decode(lines.get(), type=Request)
+        task = request.task if request.task is not None else task
+        assert task is not None
+        _answer(_try(worker, limits, task, request.trial))
 
 
 def _read_lines(lines: queue.SimpleQueue[bytes]) -> None:
@@ -99,13 +131,13 @@ def _answer(answer: Answer) -> None:
     sys.stdout.buffer.flush()
 
 
-def _config(task: Task) -> Config:
+def _config(setup: Setup) -> Config:
     nowhere = Path("/")
-    visible = tuple(Path(folder) for folder in task.visible)
-    return Config(nowhere, nowhere, nowhere, task.worker, task.sandbox, visible, limits=task.limits)
+    visible = tuple(Path(folder) for folder in setup.visible)
+    return Config(nowhere, nowhere, nowhere, setup.worker, setup.sandbox, visible, limits=setup.limits)
 
 
-def _try(worker: BlockingWorker, task: Task, trial: Trial) -> Answer:
+def _try(worker: BlockingWorker, limits: Limits, task: Task, trial: Trial) -> Answer:
     number, world, seed = trial.room, trial.world, trial.seed
     if world is None:
         room = generate_room(Family(task.family, task.base), task.seed, number)
@@ -116,7 +148,7 @@ def _try(worker: BlockingWorker, task: Task, trial: Trial) -> Answer:
         if isinstance(started, Refused):
             return Answer(refused(number, seed, started.problems), world)
         properties = read_properties(task.properties)
-        outcome = judge_run(ours, worker, (number, world, seed), task.seconds, properties, task.limits, task.safety)
+        outcome = judge_run(ours, worker, (number, world, seed), task.seconds, properties, limits, task.safety)
     worker.kill()
     worker.gone()
     return Answer(outcome, world)

@@ -15,7 +15,7 @@ import msgspec
 import pytest
 
 from rosy_sim.config import Limits
-from rosy_sim.rooms.trial_process import Answer, Task, Trial
+from rosy_sim.rooms.trial_process import Answer, Request, Setup, Task, Trial
 from rosy_sim.worlds.gallery import load_world, usable_arena
 
 from ..conftest import PATIENCE
@@ -144,8 +144,9 @@ def test_an_interrupt_leaves_nothing_behind(environment: Environment, tmp_path: 
 
 
 def test_a_trial_process_without_a_worker_says_so() -> None:
-    task = Task("", "never-falls", 1.0, "maze", None, 1, ("/nowhere",), False, [], Limits())
-    lines = b"".join(msgspec.json.encode(message) + b"\n" for message in (task, Trial(1)))
+    setup = Setup(("/nowhere",), False, [], Limits())
+    request = Request(Trial(1), Task("", "never-falls", 1.0, "maze", None, 1))
+    lines = b"".join(msgspec.json.encode(message) + b"\n" for message in (setup, request))
     command = [sys.executable, "-m", "rosy_sim.rooms"]
     # Its input stays open until it has answered: the end of the input ends it at once.
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0) as running:

@@ -1,0 +1,152 @@
+"""
+Node of a cluster: command ``./rosy start --cluster [ADDRESS]``.
+
+Without an address this machine becomes the head of a new cluster; with one it joins that cluster. The command waits for
+Ray's processes until it is interrupted, and takes everything of the node with it. What Ray says goes to a file.
+
+A client of Ray can run anything as its user, so all nodes and commands of a cluster share a secret token in a file.
+The head makes it; a person copies it to the other machines.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import secrets
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from ..config import Config
+from ..errors import BadInput, RosyError, WorkerMissing
+from ..sentence import tr
+from ..web.lan_addresses import lan_addresses
+from ..wording import in_terminal
+
+__all__ = ["DEFAULT_PORT", "add_node_options", "start_node", "use_token"]
+
+_POLL = 0.2
+"""Between two looks whether Ray has started, s."""
+
+DEFAULT_PORT = 6379
+"""Ray's own default for the head of a cluster."""
+
+
+def add_node_options(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the command."""
+    parser.add_argument("--cluster", dest="address", nargs="?", metavar="ADDRESS")
+    parser.add_argument("--host")
+    parser.add_argument("--port", type=int, default=DEFAULT_PORT)
+    parser.add_argument("--processes", type=int, metavar="N")
+
+
+def token_file() -> Path:
+    """The secret of the cluster: ROSY_CLUSTER_TOKEN names its file; else in the person's data folder."""
+    data = os.environ.get("XDG_DATA_HOME", "")
+    home = Path(data) if data.startswith("/") else Path.home() / ".local" / "share"
+    return Path(os.environ.get("ROSY_CLUSTER_TOKEN") or home / "rosy" / "cluster-token")
+
+
+def use_token() -> None:
+    """
+    Have Ray, when it is imported in this process, ask for the token and show it.
+
+    Raises:
+        BadInput: there is none on this machine.
+    """
+    file = token_file()
+    if not file.is_file():
+        raise BadInput(
+            tr(
+                "The secret of the cluster is not on this machine. Copy {file} from the machine where the cluster was "
+                "started to the same place here.",
+                file=str(file),
+            )
+        )
+    os.environ |= {"RAY_AUTH_MODE": "token", "RAY_AUTH_TOKEN_PATH": str(file), "RAY_USAGE_STATS_ENABLED": "0"}
+
+
+def start_node(config: Config, options: argparse.Namespace, output: Callable[[str], None]) -> int:
+    """
+    Be a node until an interrupt; returns the exit status.
+
+    Raises:
+        BadInput: an option cannot be used, or the token is missing.
+        WorkerMissing: this machine cannot run programs.
+        ClusterFailed: Ray could not start, or ended by itself.
+    """
+    if not config.worker:
+        raise WorkerMissing
+    if not 1 <= options.port <= 65535:
+        raise BadInput(tr("--port must be between 1 and 65535."))
+    processes = options.processes if options.processes is not None else len(os.sched_getaffinity(0))
+    if not 1 <= processes <= 256:
+        raise BadInput(tr("--processes must be between 1 and 256."))
+    command = [str(Path(sys.executable).with_name("ray")), "start", "--block", "--disable-usage-stats"]
+    command += ["--num-cpus", str(processes)]
+    host = options.host or next(iter(lan_addresses()), "127.0.0.1")
+    address = options.address or f"{host}:{options.port}"
+    if options.address is None:
+        _make_token()
+        command += ["--head", "--port", str(options.port), "--include-dashboard", "false"]
+    else:
+        command += ["--address", address]
+    if options.host is not None or options.address is None:
+        command += ["--node-ip-address", host]
+    use_token()
+    log = config.root / ".rosy" / "log" / f"cluster-node-{os.getpid()}.log"
+    log.parent.mkdir(parents=True, exist_ok=True)
+    with log.open("wb") as said:
+        ray = subprocess.Popen(command, stdout=said, stderr=subprocess.STDOUT, start_new_session=True)
+    interrupted = threading.Event()
+
+    def interrupt(*_: object) -> None:
+        interrupted.set()
+        ray.terminate()
+
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, interrupt)
+    if not _wait_until_ready(ray, log) and not interrupted.is_set():
+        raise ClusterFailed(tr("The node could not start; what Ray says is in {file}.", file=str(log)))
+    if options.address is None:
+        output(in_terminal(tr("The cluster runs at {address}. Other machines join it with:", address=address)))
+        output(f"  ./rosy start --cluster {address}")
+        output(in_terminal(tr("They need its secret first, at the same place: {file}", file=str(token_file()))))
+        output(in_terminal(tr("Programs are tested on it with:")))
+        output(f"  ./rosy run FOLDER --rooms 100 --cluster {address}")
+    else:
+        output(in_terminal(tr("This machine is a node of the cluster at {address}.", address=address)))
+    sys.stdout.flush()
+    ray.wait()
+    if not interrupted.is_set():
+        raise ClusterFailed(tr("The node has ended; what Ray says is in {file}.", file=str(log)))
+    return 0
+
+
+class ClusterFailed(RosyError):
+    """A node could not start, or ended by itself."""
+
+
+def _wait_until_ready(ray: subprocess.Popen[bytes], log: Path) -> bool:
+    """Whether Ray has started; it says so in a line of its log."""
+    while ray.poll() is None:
+        if b"Ray runtime started" in log.read_bytes():
+            return True
+        time.sleep(_POLL)
+    return False
+
+
+def _make_token() -> None:
+    """The head's token: readable by its owner only; the one of an earlier start stays."""
+    file = token_file()
+    file.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        descriptor = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+    except FileExistsError:
+        return
+    with os.fdopen(descriptor, "w") as written:
+        written.write(secrets.token_hex(32))

@@ -1,0 +1,1 @@
+"""Tests on a cluster of Ray nodes, all on this machine."""

@@ -1,0 +1,141 @@
+"""
+``./rosy run … --rooms N --cluster ADDRESS`` on real Ray nodes: the same report as on one machine, also when a node is
+lost; programs that end workers; an interrupt; and what is refused.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+from contextlib import nullcontext
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rosy_sim.cluster.node import use_token
+from rosy_sim.errors import BadInput
+
+from ..conftest import PATIENCE
+from ..extent import WHOLE
+from ..processes import alive
+from ..test_cli import Here, environment, here, one_sentence, rosy
+from .ray_nodes import CLUSTER_PYTHON, Node, needs_ray
+
+__all__ = ["environment", "here"]
+
+
+@pytest.fixture
+def token(environment: dict[str, str], tmp_path: Path) -> dict[str, str]:
+    """The environment of a cluster with a secret of its own."""
+    return {**environment, "ROSY_CLUSTER_TOKEN": str(tmp_path / "token")}
+
+
+def on_cluster(environment: dict[str, str], head: Node, *arguments: object) -> subprocess.Popen[str]:
+    command = [str(CLUSTER_PYTHON), "-m", "rosy_sim", "run", *map(str, arguments), "--cluster", head.address]
+    return subprocess.Popen(
+        command,
+        env=environment,
+        cwd=environment["ROSY_ROOT"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        process_group=0,
+    )
+
+
+def told(running: subprocess.Popen[str]) -> tuple[int, str]:
+    said, wrong = running.communicate(timeout=PATIENCE)
+    assert wrong.endswith("the sandbox is turned off.\n")
+    return running.returncode, said
+
+
+def programs(folder: Path, scripts: dict[str, str]) -> None:
+    for name, script in scripts.items():
+        (folder / "class" / name).mkdir(parents=True)
+        (folder / "class" / name / "p.hs").write_text(script)
+
+
+@needs_ray
+@pytest.mark.long
+def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> None:
+    programs(tmp_path, {"ann": "done@1", "bob": "drive:0.5", "cem": "refuse", "dora": "drive:0.2 bump"})
+    rooms = 120 if WHOLE else 12
+    test = ("class", "--rooms", rooms, "--seconds", 15, "--hold", "never-pushes", "1", "s", "--json")
+    alone = rosy(token, "run", *test)
+    with Node(token) as head, Node(token, head) as second:
+        running = on_cluster(token, head, *test)
+        while not second.trial_processes() and running.poll() is None:
+            os.sched_yield()
+        assert second.trial_processes()
+        second.kill()
+        with Node(token, head) if WHOLE else nullcontext():
+            assert told(running) == (3, alone.stdout)
+
+        # A program that ends its worker is tried again, and then named; the others have their results.
+        programs(tmp_path / "odd", {"ann": "done@1", "eve": "die"})
+        status, said = told(on_cluster(token, head, tmp_path / "odd" / "class", "--rooms", 2, "--json"))
+        reports: list[dict[str, Any]] = json.loads(said)["programs"]
+        assert status == 3
+        assert [len(report["rooms"]) for report in reports] == [2, 0]
+        assert ["lost" in report for report in reports] == [False, True]
+
+        # An interrupt leaves nothing on the nodes.
+        (tmp_path / "slow.hs").write_text("drive:0.1 hang@100")
+        running = on_cluster(token, head, "slow.hs", "--rooms", 50)
+        while not (busy := head.trial_processes()) and running.poll() is None:
+            os.sched_yield()
+        os.killpg(running.pid, signal.SIGINT)
+        running.communicate(timeout=PATIENCE)
+        assert running.returncode == 130
+        while alive(busy):
+            os.sched_yield()
+
+        # A client without the secret is refused.
+        (tmp_path / "token").write_text("0" * 64)
+        stranger = on_cluster(token, head, "slow.hs", "--rooms", 2)
+        said, wrong = stranger.communicate(timeout=PATIENCE)
+        assert (stranger.returncode, said) == (2, "")
+        assert "cannot be used from this machine" in wrong.splitlines()[-1]
+
+
+def test_a_program_that_ends_its_worker_twice_is_named(environment: dict[str, str], tmp_path: Path) -> None:
+    programs(tmp_path, {"ann": "done@1", "eve": "die", "fay": "done@1"})
+    done = rosy(environment, "run", "class", "--rooms", 2, "--hold", "never-falls")
+    assert done.returncode == 2
+    first, second, third = done.stdout.splitlines()
+    assert first.endswith("ann/p.hs: 2 of 2 rooms passed.")
+    assert "eve/p.hs: this program ended the compiler part of Rosy twice" in second
+    assert third.endswith("fay/p.hs: 2 of 2 rooms passed.")
+
+
+def test_without_the_secret_nothing_is_tried(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("ROSY_CLUSTER_TOKEN", str(tmp_path / "none"))
+    with pytest.raises(BadInput, match=r"Copy .*none from the machine"):
+        use_token()
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["run", "p.hs", "--cluster", "127.0.0.1:6379"],
+        ["node", "--cluster", "--port", "0"],
+        ["node", "--cluster", "--processes", "0"],
+        ["node", "--cluster", "127.0.0.1:6379", "--class"],
+    ],
+)
+def test_a_bad_option_gives_one_sentence(command: list[str], here: Here, tmp_path: Path) -> None:
+    (tmp_path / "p.hs").write_text("done@1")
+    one_sentence(here(*command))
+
+
+@needs_ray
+def test_a_cluster_that_is_not_there_is_named(token: dict[str, str], tmp_path: Path) -> None:
+    (tmp_path / "p.hs").write_text("done@1")
+    (tmp_path / "token").write_text("0" * 64)
+    command = [str(CLUSTER_PYTHON), "-m", "rosy_sim", "run", "p.hs", "--rooms", "2", "--cluster", "127.0.0.1:1"]
+    done = subprocess.run(command, env=token, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert "The cluster at 127.0.0.1:1 cannot be used from this machine" in done.stderr.splitlines()[-1]
