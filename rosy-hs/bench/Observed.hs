@@ -19,7 +19,7 @@ import Rosy.Loop (What (..))
 import Rosy.Program (Names (..))
 import Rosy.Run (runOn)
 import Rosy.Runnable (program)
-import Rosy.Wire (writeAnswer)
+import Rosy.Wire (Telling (..), writeAnswer)
 
 -- | Steps of 20 ms.
 type Steps = [Batch]
@@ -28,7 +28,7 @@ type Steps = [Batch]
 steps :: Int -> Bool -> Steps
 steps n watched = [step k | k <- [0 .. n - 1]]
   where
-    step k = Batch k (0.02 * fromIntegral k) (bumps k ++ odometry k) (k `mod` 5 == 0) False watched
+    step k = Batch k (0.02 * fromIntegral k) (bumps k ++ odometry k) (k `mod` 5 == 0) False watched False
     bumps k = if k `mod` 50 == 49 then messages (Bump (k `mod` 100 == 99)) else []
     odometry k = messages (Odom (fromIntegral (k `mod` 7)))
     messages s = [m | Hear m <- [what s]]
@@ -42,7 +42,7 @@ runSteps todo = do
         Link
           { open = const (pure (Opening 1 0)),
             next = atomicModifyIORef' left (\case [] -> ([], Nothing); batch : rest -> (rest, Just batch)),
-            answer = \a -> modifyIORef' bytes (+ fromIntegral (Lazy.length (toLazyByteString (writeAnswer False a)))),
+            answer = \a -> modifyIORef' bytes (+ fromIntegral (Lazy.length (toLazyByteString (writeAnswer (Telling False False) a)))),
             end = \_ _ -> pure (),
             atWork = const (pure ()),
             atRest = pure ()
