@@ -32,6 +32,7 @@ module Rosy.Codec
 
     -- * Messages
     decodeFields,
+    decodeNumbers,
     decodeLeaf,
     scaled,
     encodeFields,
@@ -76,6 +77,8 @@ data Route = Route
     routeShared :: [(Channel, [Field])],
     -- | The fields of the messages in a message, or which of them does not fit.
     decoded :: Value -> Either String [[Field]],
+    -- | 'decodeNumbers' of a message that has one value.
+    decodedNumbers :: [Double] -> Maybe [Field],
     -- | The message with these fields.
     encode :: [Field] -> Encoding.Encoding
   }
@@ -113,6 +116,7 @@ routes robot variables = map route mappings
           routeHasLevels = not (null (mappingLevels m)),
           routeShared = [(mappingChannel o, fromMaybe [] (lookup (mappingChannel o) (robotHeld robot))) | length together > 1, o <- together],
           decoded = if null (mappingLevels m) then fmap pure . (decodeFields (mappingPlaces m) >=> valid (mappingChannel m)) else decodeLevels (mappingLevels m),
+          decodedNumbers = if null (mappingLevels m) then decodeNumbers (mappingPlaces m) else const Nothing,
           encode = encodeFields (concatMap mappingPlaces together) (concatMap mappingConstants together)
         }
       where
@@ -218,10 +222,22 @@ decodeFields places message = mapM place places
       Yaw path -> do
         z <- number (path ++ [Key "z"])
         w <- number (path ++ [Key "w"])
-        pure (Number (wrapped (2 * atan2 z w)))
+        pure (heading z w)
     fitting path leaf = at path message >>= maybe (Left (spelled path ++ " does not fit")) Right . decodeLeaf leaf
     number path = at path message >>= maybe (Left (spelled path ++ " is not a number")) Right . numberIn
-    -- To (-pi, pi].
+
+-- | The fields in the numbers of a message, which are in the order of its places; nothing when a place holds something else.
+decodeNumbers :: [Place] -> [Double] -> Maybe [Field]
+decodeNumbers places found = case (places, found) of
+  ([], []) -> Just []
+  (At _ (ANumber factor) : more, x : rest) -> (Number (scaled factor x) :) <$> decodeNumbers more rest
+  (Yaw _ : more, z : w : rest) -> (heading z w :) <$> decodeNumbers more rest
+  _ -> Nothing
+
+-- | The angle about the vertical in a quaternion, in (-pi, pi].
+heading :: Double -> Double -> Field
+heading z w = Number (wrapped (2 * atan2 z w))
+  where
     wrapped a
       | a > pi = a - 2 * pi
       | a <= negate pi = a + 2 * pi

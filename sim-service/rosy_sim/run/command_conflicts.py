@@ -100,7 +100,9 @@ def senders(fired: Sequence[str], sent: Sequence[int], actions: Sequence[Action]
 
     Those before the first function's are lines that ``main`` prints. Without ``sent`` one function sent all of them.
     """
-    counts = sent if sent else [len(actions)] if len(fired) == 1 else []
+    if len(fired) == 1 and not sent:
+        return [(fired[0], action) for action in actions]
+    counts = sent
     if len(counts) != len(fired) or sum(counts) > len(actions):
         return []
     names = [name for name, count in zip(fired, counts, strict=True) for _ in range(count)]

@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import select
 import socket
+import struct
 import subprocess
 import time
 from collections.abc import Callable
@@ -26,6 +27,7 @@ from ..worker.blocking_worker import BlockingWorker
 from ..world.goals import GoalState
 from ..world.time_step import STEP
 from ..world.world import World
+from .core_affinity import REVIEW_STEPS, CoreAffinity
 from .hands import HandAction, apply_hand
 from .lockstep import Lockstep, State
 from .problems import broken_link, died, stuck, too_much_output, worker_lost
@@ -45,8 +47,9 @@ __all__ = [
 
 Ended = Literal["time", "done", "error", "stuck", "refused"]
 
-_CHUNK = 65536
-"""Bytes read at once."""
+
+_TIMEVAL = struct.Struct("@ll")
+"""``struct timeval``: seconds and microseconds."""
 
 
 class TraceOutput(Protocol):
@@ -72,6 +75,8 @@ class RunSettings:
     safety: SafetySettings = OFF
     # Whether steps in which nothing can fire are left out; False only for comparison.
     skips_quiet: bool = True
+    # Whether the program and this thread share a core; False only for comparison.
+    pins: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,7 +172,9 @@ def run_over_link(
     began = time.perf_counter()
     ended: Ended = "error"
     try:
-        ended, problems = _Steps(link, lockstep, settings, output).run()
+        # A run that waits for the clock gains nothing.
+        with CoreAffinity(link, settings.pins and settings.speed is None) as core:
+            ended, problems = _Steps(link, lockstep, settings, output, core).run()
     except _Stuck:
         program.kill()
         last = program.gone()
@@ -189,8 +196,16 @@ def run_over_link(
 class _Steps:
     """The steps of one run, over a blocking socket."""
 
-    def __init__(self, link: socket.socket, lockstep: Lockstep, settings: RunSettings, output: RunOutput) -> None:
+    def __init__(
+        self,
+        link: socket.socket,
+        lockstep: Lockstep,
+        settings: RunSettings,
+        output: RunOutput,
+        core: CoreAffinity,
+    ) -> None:
         self._link = link
+        self._core = core
         self._lockstep = lockstep
         self._settings = settings
         self._limits = settings.limits
@@ -202,19 +217,21 @@ class _Steps:
         """All steps until the program or the time has ended."""
         lockstep = self._lockstep
         last = round(self._settings.seconds / STEP)
-        self._link.settimeout(self._limits.ready)
+        _limit_waiting(self._link, self._limits.ready)
         self._send(lockstep.begin())
         self._read_while("opening", self._limits.ready)
         if lockstep.state == "ended":
             # A program without `simulate` may have printed.
             self._say()
-        self._link.settimeout(self._limits.settle)
+        _limit_waiting(self._link, self._limits.settle)
         began = time.perf_counter()
         while lockstep.state != "ended":
             if lockstep.step >= last:
                 self._stop()
                 return "time", []
             self._wait_for_clock(began)
+            if lockstep.step % REVIEW_STEPS == 0:
+                self._core.review()
             if self._step():
                 self._stop()
                 return "time", []
@@ -271,8 +288,8 @@ class _Steps:
         deadline = time.monotonic() + limit
         while self._lockstep.state == state:
             try:
-                data = self._link.recv(_CHUNK)
-            except TimeoutError as error:
+                data = self._core.receive()
+            except BlockingIOError as error:
                 raise _Stuck from error
             if not data:
                 raise _Died
@@ -289,10 +306,22 @@ class _Steps:
                 left = deadline - time.monotonic()
                 if left <= 0 or not select.select([self._link], [], [], left)[0]:
                     return
-                data = self._link.recv(_CHUNK)
+                data = self._core.receive()
                 if not data:
                     return
                 self._lockstep.feed(data)
         except (OSError, LinkError):
             # The time is over in any case, and the worker ends the program with its sandbox.
             return
+
+
+def _limit_waiting(link: socket.socket, seconds: float) -> None:
+    """
+    Let each call of a blocking socket fail with ``BlockingIOError`` after this time.
+
+    The kernel keeps this time; for a timeout of Python's own each call would be two.
+    """
+    link.settimeout(None)
+    limit = _TIMEVAL.pack(int(seconds), int(seconds % 1 * 1e6))
+    link.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, limit)
+    link.setsockopt(socket.SOL_SOCKET, socket.SO_SNDTIMEO, limit)

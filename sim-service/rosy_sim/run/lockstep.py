@@ -156,7 +156,12 @@ class Lockstep:
 
         On a topic that the program takes itself they are whole messages; the channels that share a topic give one.
         """
-        lines: list[bytes] = []
+        if not self._link.subscribed:
+            *others, last = readings
+            lines = [reading_line(reading) for reading in others]
+            lines.append(ODOMETRY.line(last.values) if last.channel == ODOMETRY.name else reading_line(last))
+            return lines
+        lines = []
         for index, reading in enumerate(readings):
             channel = CHANNELS[reading.channel]
             if channel.topic not in self._link.subscribed:

@@ -83,6 +83,11 @@ def read_command(topic: str, msg: bytes | msgspec.Raw) -> Command:
     Raises:
         BadMessage: the topic is none the robot obeys, or the message does not fit it.
     """
+    data = bytes(msg)
+    return _read_short_command(topic, data) if len(data) <= _SHORT else _read_command(topic, data)
+
+
+def _read_command(topic: str, msg: bytes) -> Command:
     channel = _COMMANDS.get(topic)
     if channel is None:
         raise BadMessage(tr("the robot does not listen to {topic}", topic=topic))
@@ -90,6 +95,12 @@ def read_command(topic: str, msg: bytes | msgspec.Raw) -> Command:
         return Command(channel.name, channel.read(msgspec.json.decode(msg)))
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
         raise BadMessage(tr("on {topic}: {why}", topic=topic, why=error)) from error
+
+
+_SHORT = 200
+"""Messages up to this length are remembered, bytes: a velocity has 60. Programs often repeat a command."""
+
+_read_short_command = lru_cache(maxsize=4096)(_read_command)
 
 
 @lru_cache(maxsize=4096)

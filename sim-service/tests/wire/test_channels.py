@@ -7,6 +7,7 @@ import subprocess
 import sys
 from typing import Any
 
+import msgspec
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -47,6 +48,22 @@ def test_a_channel_reads_what_it_has_written(name: str, data: st.DataObject) -> 
     assert (line["op"], line["topic"]) == ("publish", channel.topic)
     assert channel.read(line["msg"]) == pytest.approx(values)
     assert channel.read(channel.full(values, 1.5, 7)) == pytest.approx(values)
+
+
+@pytest.mark.parametrize("name", list(CHANNELS))
+@given(data=st.data())
+def test_a_line_has_the_bytes_of_its_encoded_message(name: str, data: st.DataObject) -> None:
+    channel = CHANNELS[name]
+    values = data.draw(values_of(channel))
+    encoded = msgspec.json.encode({"op": "publish", "topic": channel.topic, "msg": channel.message(values)})
+    assert channel.line(values) == encoded + b"\n"
+
+
+@pytest.mark.parametrize("values", [(-0.0, 1e-7, 0.0, 1e22, 5e-324), (0, 1, 2, -3, 4), (float("nan"),) * 5])
+def test_the_odometry_line_has_the_bytes_of_its_encoded_message(values: tuple[Any, ...]) -> None:
+    odometry = CHANNELS["Odometry"]
+    encoded = msgspec.json.encode({"op": "publish", "topic": odometry.topic, "msg": odometry.message(values)})
+    assert odometry.line(values) == encoded + b"\n"
 
 
 @pytest.mark.parametrize(

@@ -98,9 +98,9 @@ readLineFrom descriptor rest = readIORef rest >>= go []
         when (ByteString.null more) (throwIO (LinkLost "closed"))
         go (if ByteString.null bytes then pieces else bytes : pieces) more
 
--- | How much is read at once, bytes: many times a batch, which is below 1 kB.
+-- | How much is read at once, bytes: several times a batch, which is below 1 kB, and less than what GHC gives a block of memory of its own.
 pieceSize :: Int
-pieceSize = 16384
+pieceSize = 3000
 
 -- | Write all of it.
 send :: CInt -> Builder.Builder -> IO ()

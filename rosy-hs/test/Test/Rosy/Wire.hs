@@ -32,11 +32,13 @@ import Rosy.Problem (Fault)
 import Rosy.Program (Names (..), simulateNamed, taskNamed)
 import Rosy.Robot
 import Rosy.Wire
+import Rosy.Wire.NumberTemplate
 import System.Directory (listDirectory)
 import System.Environment (lookupEnv)
 import System.FilePath (dropExtension, takeExtension, (</>))
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
+import Test.Tasty.QuickCheck (testProperty)
 
 tests :: TestTree
 tests =
@@ -86,6 +88,26 @@ tests =
         case readLine (odom "-0.7071067811865476" "-0.7071067811865475") of
           Right (SensorLine [OdometryMessage o]) -> assertBool (show o) (abs (odometryOrientation o - Orientation (pi / 2)) < 1e-9)
           other -> assertFailure (show other),
+      testProperty "the lines of each step say what they say with other spaces, which are read as JSON" $ \step time x y z w v a ->
+        and
+          [ readLine plain == readLine ("{ " <> ByteString.drop 1 plain)
+            | late <- ["", ",\"late\":true"],
+              plain <-
+                [ "{\"op\":\"step\",\"step\":" <> number (abs step :: Int) <> ",\"time\":" <> number (time :: Double) <> late <> "}",
+                  "{\"op\":\"publish\",\"topic\":\"/odom\",\"msg\":{\"pose\":{\"pose\":{\"position\":{\"x\":" <> number (x :: Double) <> ",\"y\":" <> number (y :: Double)
+                    <> ("},\"orientation\":{\"z\":" <> number (z :: Double) <> ",\"w\":" <> number (w :: Double))
+                    <> ("}}},\"twist\":{\"twist\":{\"linear\":{\"x\":" <> number (v :: Double) <> "},\"angular\":{\"z\":" <> number (a :: Double) <> "}}}}}")
+                ]
+          ],
+      testCase "a template reads the numbers of lines of its form, and of no others" $ do
+        let form = numberTemplate "{\"x\\\"1\":1,\"y\":[2.5,-3]}"
+            reads' = numbersIn form
+        reads' "{\"x\\\"1\":0.1,\"y\":[-1e-3,17]}" @?= Just [0.1, -0.001, 17]
+        reads' "{\"x\\\"1\":0.30000000000000004,\"y\":[5e-324,1.7976931348623157e308]}" @?= Just [0.30000000000000004, 5.0e-324, 1.7976931348623157e308]
+        map show <$> reads' "{\"x\\\"1\":-0.0,\"y\":[0,1]}" @?= Just ["0.0", "0.0", "1.0"]
+        mapM_
+          (\other -> reads' other @?= Nothing)
+          ["", "{\"x\\\"1\":1", "{\"x\\\"1\":null,\"y\":[2,3]}", "{\"x\\\"1\":1,\"y\":[2,3]} ", "{\"x\\\"1\":1,\"y\":[2,3,4]}", "{\"x\\\"1\":0x1,\"y\":[2,3]}", "{\"x\\\"1\":1-2,\"y\":[2,3]}"],
       testCase "a number out of range is refused" $
         assertBool "" (either (const True) (const False) (readLine "{\"op\":\"publish\",\"topic\":\"/mobile_base/events/bumper\",\"msg\":{\"bumper\":3,\"state\":1}}"))
     ]
@@ -95,6 +117,8 @@ tests =
     stop' = "{\"op\":\"stop\"}"
     (publishes, velocity, ended, done) = ("publish", "/mobile_base/commands/velocity", "ended", "done") :: (String, String, String, String)
     zero = 0 :: Double
+    number :: Show n => n -> ByteString.ByteString
+    number = Char8.pack . show
     odom z w =
       ByteString.concat
         [ "{\"op\":\"publish\",\"topic\":\"/odom\",\"msg\":{\"header\":{\"seq\":3},\"pose\":{\"pose\":{\"position\":{\"x\":1,\"y\":2.0,\"z\":0},\"orientation\":{\"x\":0,\"y\":0,\"z\":",

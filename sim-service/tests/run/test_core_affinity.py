@@ -1,0 +1,132 @@
+"""Core affinity of a lockstep: which cores this thread and a program are on, and that it ends with the run."""
+
+from __future__ import annotations
+
+import os
+import socket
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import pytest
+
+from rosy_sim.run import core_affinity
+from rosy_sim.run.core_affinity import CoreAffinity
+
+pytestmark = pytest.mark.skipif(
+    not hasattr(os, "sched_setaffinity") or len(os.sched_getaffinity(0)) < 2, reason="needs two cores"
+)
+
+
+@pytest.fixture(autouse=True)
+def given() -> Iterator[set[int]]:
+    """The cores that this process was given."""
+    cores = os.sched_getaffinity(0)
+    yield cores
+    os.sched_setaffinity(0, cores)
+
+
+@pytest.fixture(autouse=True)
+def waited(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    """How long the pair has waited for its core, s; the clock stands unless a test moves it."""
+    times = [0.0, 0.0]
+    monkeypatch.setattr(core_affinity, "_waited", lambda process: times[1] if process == "thread-self" else 0.0)
+    monkeypatch.setattr("time.perf_counter", lambda: times[0])
+    return times
+
+
+@contextmanager
+def program() -> Iterator[tuple[socket.socket, int]]:
+    """Our end of the link to a process that answers whatever it gets until the link is closed, and the process."""
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+    child = os.fork()
+    if child == 0:
+        ours.close()
+        while theirs.recv(100):
+            theirs.sendall(b"answer")
+        os._exit(0)
+    theirs.close()
+    try:
+        with ours:
+            yield ours, child
+    finally:
+        os.waitpid(child, 0)
+
+
+def answer(link: socket.socket, core: CoreAffinity) -> bytes:
+    """What the program answers to something."""
+    link.sendall(b"step")
+    return core.receive()
+
+
+def test_both_are_on_one_core_during_a_run_and_this_thread_has_its_cores_back_after_it(given: set[int]) -> None:
+    with program() as (link, child), CoreAffinity(link) as core:
+        assert answer(link, core) == b"answer"
+        mine = os.sched_getaffinity(0)
+        assert mine == os.sched_getaffinity(child)
+        assert len(mine) == 1
+        assert mine <= given
+        assert answer(link, core) == b"answer"
+    assert os.sched_getaffinity(0) == given
+
+
+def test_a_process_with_one_core_keeps_it_and_leaves_the_program_alone(given: set[int]) -> None:
+    with program() as (link, child):
+        os.sched_setaffinity(0, {min(given)})
+        with CoreAffinity(link) as core:
+            assert answer(link, core) == b"answer"
+            assert os.sched_getaffinity(child) == given
+        assert os.sched_getaffinity(0) == {min(given)}
+
+
+def test_a_program_that_was_given_other_cores_keeps_them(given: set[int]) -> None:
+    first, second, *_ = sorted(given)
+    with program() as (link, child):
+        os.sched_setaffinity(child, {second})
+        with CoreAffinity(link) as core:
+            assert answer(link, core) == b"answer"
+            assert os.sched_getaffinity(child) == {second}
+            assert os.sched_getaffinity(0) == {second}
+        assert os.sched_getaffinity(0) >= {first, second}
+
+
+def test_a_pair_leaves_a_busy_core_and_has_one_core_again_when_it_is_quiet(
+    given: set[int], waited: list[float]
+) -> None:
+    with program() as (link, child), CoreAffinity(link) as core:
+        answer(link, core)
+        waited[:] = [1.0, 0.5]
+        core.review()
+        assert not core.is_pinned
+        assert os.sched_getaffinity(0) == os.sched_getaffinity(child) == given
+        waited[:] = [2.0, 0.6]
+        core.review()
+        assert core.is_pinned
+        assert len(os.sched_getaffinity(0) | os.sched_getaffinity(child)) == 1
+
+
+def test_a_pair_whose_program_has_ended_is_free(given: set[int], waited: list[float]) -> None:
+    with program() as (link, child):
+        with CoreAffinity(link) as core:
+            answer(link, core)
+            link.shutdown(socket.SHUT_RDWR)
+            os.waitid(os.P_PID, child, os.WEXITED | os.WNOWAIT)
+            waited[:] = [1.0, 1.0]
+            core.review()
+            waited[:] = [2.0, 1.0]
+            core.review()
+        assert os.sched_getaffinity(0) == given
+
+
+def test_a_program_in_a_thread_of_this_process_is_not_pinned(given: set[int]) -> None:
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+    with ours, theirs, CoreAffinity(ours) as core:
+        theirs.sendall(b"ready")
+        assert core.receive() == b"ready"
+        assert not core.is_pinned
+        assert os.sched_getaffinity(0) == given
+
+
+def test_nothing_is_pinned_unless_wanted(given: set[int]) -> None:
+    with program() as (link, child), CoreAffinity(link, wanted=False) as core:
+        assert answer(link, core) == b"answer"
+        assert os.sched_getaffinity(child) == os.sched_getaffinity(0) == given
