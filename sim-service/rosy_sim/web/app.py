@@ -320,7 +320,11 @@ async def _receive_ros(socket: WebSocket, session: PageSession, client: RosClien
 async def _send_ros(socket: WebSocket, client: RosClient) -> None:
     try:
         while True:
-            await socket.send_text(await client.get())
+            frame = await client.get()
+            if isinstance(frame, bytes):
+                await socket.send_bytes(frame)
+            else:
+                await socket.send_text(frame)
     except (WebSocketDisconnect, RuntimeError):
         # The client disconnected during a send.
         return

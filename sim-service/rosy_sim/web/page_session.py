@@ -309,6 +309,9 @@ class PageSession:
 
     def _on_step(self, lockstep: Lockstep) -> None:
         self._lesson.on_step(lockstep)
+        if self.bridge:
+            for command in lockstep.commands:
+                self.bridge.post_command(command, self._loop.time())
         self._explanations.on_step(lockstep)
         if lockstep.settled is not None:
             self._hands.record_step(lockstep)

@@ -11,8 +11,9 @@ from collections import deque
 from collections.abc import Iterable
 
 from ..wire.channels import Values
-from ..wire.rosbridge import RosbridgeClient
-from ..wire.topics import CHANNELS, LATCHED, ODOMETRY, TopicMessage, topic_message
+from ..wire.ros_messages import completed
+from ..wire.rosbridge import Frame, Reply, RosbridgeClient, RosbridgeGraph
+from ..wire.topics import CHANNELS, COMMAND_TOPICS, LATCHED, ODOMETRY, TopicMessage, topic_message
 from ..world.events import Command, Reading
 from ..world.world import Odometry
 
@@ -28,18 +29,18 @@ _MAX_WAITING = 1_000
 class RosClient:
     """One connection."""
 
-    def __init__(self) -> None:
-        self.protocol = RosbridgeClient()
-        self._waiting: deque[str] = deque(maxlen=_MAX_WAITING)
+    def __init__(self, shared: RosbridgeGraph) -> None:
+        self.protocol = RosbridgeClient(shared)
+        self._waiting: deque[Frame] = deque(maxlen=_MAX_WAITING)
         self._not_empty = asyncio.Event()
 
-    def put(self, texts: Iterable[str]) -> None:
+    def put(self, frames: Iterable[Frame]) -> None:
         """Queue frames."""
-        self._waiting.extend(texts)
+        self._waiting.extend(frames)
         if self._waiting:
             self._not_empty.set()
 
-    async def get(self) -> str:
+    async def get(self) -> Frame:
         """The next frame."""
         while not self._waiting:
             self._not_empty.clear()
@@ -52,6 +53,7 @@ class RosBridge:
 
     def __init__(self) -> None:
         self._clients: set[RosClient] = set()
+        self._shared = RosbridgeGraph()
         # Latched topics that have had a message, for clients that come later; and the latest values of each channel.
         self._latched: dict[str, None] = {}
         self._latest: dict[str, Values] = {}
@@ -67,7 +69,7 @@ class RosBridge:
 
     def join(self) -> RosClient:
         """A new connection."""
-        client = RosClient()
+        client = RosClient(self._shared)
         for topic in self._latched:
             client.protocol.deliver(topic, topic_message(self._latest, topic, 0.0, self._seq), 0.0)
         self._clients.add(client)
@@ -76,12 +78,33 @@ class RosBridge:
     def leave(self, client: RosClient) -> None:
         """A connection is closed."""
         self._clients.discard(client)
+        self._forward(client.protocol.leave())
 
     def receive(self, client: RosClient, text: str | bytes, now: float) -> list[Command | TopicMessage]:
         """Serve a message; returns the commands in it, and the messages for others."""
         reply = client.protocol.receive(text, now)
         client.put(reply.texts)
+        self._forward(reply)
+        for message in reply.commanded:
+            self._post_completed(message, now)
         return reply.commands
+
+    def post_command(self, command: Command, now: float) -> None:
+        """Send a command of the program to the clients that have subscribed to its topic."""
+        channel = CHANNELS[command.channel]
+        if any(channel.topic in client.protocol.topics for client in self._clients):
+            message = channel.full(command.values, self._shared.graph.time, self._seq)
+            self._post_completed(TopicMessage(channel.topic, message), now)
+
+    def _post_completed(self, message: TopicMessage, now: float) -> None:
+        self.post(TopicMessage(message.topic, completed(COMMAND_TOPICS[message.topic], message.msg)), now)
+
+    def _forward(self, reply: Reply) -> None:
+        """Queue the frames of a reply that are for other clients."""
+        for protocol, frame in reply.forwards:
+            for client in self._clients:
+                if client.protocol is protocol:
+                    client.put([frame])
 
     def post(self, message: TopicMessage, now: float) -> None:
         """Send a message on a topic that is none of the robot's to all clients."""
@@ -90,6 +113,7 @@ class RosBridge:
 
     def publish(self, readings: list[Reading], odometry: Odometry, time: float, now: float) -> None:
         """Send to all clients what the robot sensed in a step at simulated ``time``."""
+        self._shared.graph.time = time
         self._latest[ODOMETRY.name] = odometry
         topics: list[str] = []
         for reading in readings:
