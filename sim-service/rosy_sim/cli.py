@@ -21,6 +21,7 @@ from typing import NoReturn
 import msgspec
 
 from .atomic_file import AtomicFile
+from .classroom.class_places import class_place
 from .classroom.command import add_class_options, run_class_command
 from .cluster.node import add_node_options, start_node, use_token
 from .config import Config, discover
@@ -120,7 +121,7 @@ def _command(arguments: Sequence[str] | None) -> int:
     if options.command == "node":
         return start_node(config, options, _print)
     if options.command == "class":
-        return run_class_command(config.classes, options, _print)
+        return run_class_command(class_place(config.classes, config.class_database), options, _print)
     if options.command == "lsp":
         # Imported for this command alone: the types of the protocol take a third of a second.
         from .lsp.server import serve_editor

@@ -88,6 +88,8 @@ class Config:
     robots: dict[str, str] = field(default_factory=dict)
     # The folder of classes, one folder each. ROSY_CLASSES; else in the person's data folder (XDG base directories).
     classes: Path = field(default_factory=lambda: _classes())
+    # URL of the PostgreSQL database of all classes; None for the folder. ROSY_CLASS_DATABASE.
+    class_database: str | None = None
     # The class that is served; None without class mode.
     class_name: str | None = None
     limits: Limits = field(default_factory=Limits)
@@ -116,6 +118,7 @@ def discover() -> Config:
         if executable is not None
         else (),
         sandbox=os.environ.get("ROSY_SANDBOX", "on") != "off",
+        class_database=os.environ.get("ROSY_CLASS_DATABASE") or None,
         visible=_visible(executable),
         robot_executable=Path(robot_executable).resolve() if robot_executable else _built(root, "rosy-robot"),
     )

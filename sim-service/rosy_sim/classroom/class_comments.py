@@ -55,7 +55,7 @@ class ClassComments:
         Add a comment to a program that the pupil has; what is returned says why not.
 
         Raises:
-            sqlite3.Error: the disk is full or broken; nothing was changed.
+            StoreError: the disk is full or broken; nothing was changed.
         """
         text = request.text.strip()
         place = request.place

@@ -11,7 +11,6 @@ import os
 import re
 import secrets
 import shutil
-import sqlite3
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -20,8 +19,9 @@ from pathlib import Path
 from ..errors import BadInput
 from ..sentence import tr
 from .class_store import Admission, ClassStore
+from .database import SqliteDatabase, StoreError
 
-__all__ = ["class_names", "delete_class", "new_admission", "open_class", "read_class"]
+__all__ = ["check_name", "class_names", "delete_class", "new_admission", "open_class", "read_class"]
 
 _LETTERS = "bcdfghjkmnpqrstvwxyz23456789"
 """Without vowels, which form words, and without letters and digits that look alike."""
@@ -47,9 +47,19 @@ def class_names(folder: Path) -> list[str]:
     return sorted(path.parent.name for path in folder.glob(f"*/{_DATABASE}"))
 
 
-def _class_path(folder: Path, name: str) -> Path:
+def check_name(name: str) -> None:
+    """
+    Refuse what cannot be the name of a class.
+
+    Raises:
+        BadInput: it cannot.
+    """
     if _NAME.fullmatch(name) is None:
         raise BadInput(tr("The name of a class has at most 40 letters, digits, - and _."))
+
+
+def _class_path(folder: Path, name: str) -> Path:
+    check_name(name)
     return folder / name
 
 
@@ -86,8 +96,8 @@ def _opened(database: Path, name: str) -> Iterator[ClassStore]:
     try:
         # The file is created for its owner only, before anything is in it.
         os.close(os.open(database, os.O_CREAT | os.O_RDWR, 0o600))
-        store = ClassStore(database, new_admission(), time.time())
-    except (OSError, sqlite3.Error) as error:
+        store = ClassStore(SqliteDatabase(database), new_admission(), time.time())
+    except (OSError, StoreError) as error:
         raise BadInput(
             tr("The class {name} cannot be opened ({database}): {why}.", name=name, database=database, why=error)
         ) from error

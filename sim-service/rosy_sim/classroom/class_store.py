@@ -1,21 +1,19 @@
 """
-Store of one class in SQLite: pupils, the devices they use, and every version of their programs.
+Store of one class in a database: pupils, the devices they use, and every version of their programs.
 
 Blocking: the service calls it from a thread of its own (``store_thread.py``). A method that returns has its change on
-the disk (WAL journal, ``synchronous=FULL``). It does not decide who may ask for what.
+the disk. It does not decide who may ask for what.
 """
 
 from __future__ import annotations
 
 import hashlib
-import sqlite3
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Literal
 
 from .comment_store import CommentStore
+from .database import Database
 from .schema import migrate
 from .task_store import TaskStore
 
@@ -109,41 +107,33 @@ class ClassStore:
     An open class.
 
     Args:
-        path: the database; it is created when it does not exist.
+        database: of the class; its schema is brought up to date.
         new_admission: code and key of a class that is created.
         now: s since 1970.
     """
 
-    def __init__(self, path: Path, new_admission: Admission, now: float) -> None:
-        # Autocommit: transactions are explicit. One thread at a time uses it (`store_thread.py`).
-        self._database = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
-        self._database.execute("PRAGMA journal_mode = WAL")
-        self._database.execute("PRAGMA synchronous = FULL")
-        self._database.execute("PRAGMA foreign_keys = ON")
-        # What is deleted is overwritten.
-        self._database.execute("PRAGMA secure_delete = ON")
-        migrate(self._database)
-        self.tasks = TaskStore(self._database, self._transaction)
-        self.comments = CommentStore(self._database, self._transaction)
-        with self._transaction():
-            if self._database.execute("SELECT count(*) FROM class").fetchone()[0] == 0:
-                self._database.execute(
-                    "INSERT INTO class VALUES (?, ?, ?)", (new_admission.code, new_admission.teacher_key, now)
-                )
+    def __init__(self, database: Database, new_admission: Admission, now: float) -> None:
+        """
+        Raises:
+            BadInput: the class was written by a newer Rosy.
+            StoreError: the database cannot be read or written.
+        """
+        self._database = database
+        self.tasks = TaskStore(database)
+        self.comments = CommentStore(database)
+        try:
+            migrate(database)
+            with database.transaction():
+                if database.execute("SELECT count(*) FROM class").fetchone()[0] == 0:
+                    admission = (new_admission.code, new_admission.teacher_key, now)
+                    database.execute("INSERT INTO class VALUES (?, ?, ?)", admission)
+        except BaseException:
+            database.close()
+            raise
 
     def close(self) -> None:
-        """Close the database; the journal is merged into it."""
+        """Close the database."""
         self._database.close()
-
-    @contextmanager
-    def _transaction(self) -> Iterator[None]:
-        self._database.execute("BEGIN IMMEDIATE")
-        try:
-            yield
-        except BaseException:
-            self._database.execute("ROLLBACK")
-            raise
-        self._database.execute("COMMIT")
 
     # The class
 
@@ -162,7 +152,7 @@ class ClassStore:
         self, nickname: str, new_words: Callable[[], str], token: str, now: float
     ) -> Pupil | NicknameTaken | StoreFull:
         """Add a pupil, who uses the device with this token. ``new_words`` is called until its answer is unused."""
-        with self._transaction():
+        with self._database.transaction():
             (count,) = self._database.execute("SELECT count(*) FROM pupil").fetchone()
             if count >= MAX_PUPILS:
                 return StoreFull()
@@ -172,11 +162,11 @@ class ClassStore:
             words = new_words()
             while self._database.execute("SELECT 1 FROM pupil WHERE words = ?", (words,)).fetchone():
                 words = new_words()
-            cursor = self._database.execute(
-                "INSERT INTO pupil (nickname, nickname_key, words, joined) VALUES (?, ?, ?, ?)",
+            (number,) = self._database.execute(
+                "INSERT INTO pupil (nickname, nickname_key, words, joined) VALUES (?, ?, ?, ?) RETURNING id",
                 (nickname, key, words, now),
-            )
-            pupil = Pupil(cursor.lastrowid or 0, nickname, words, now)
+            ).fetchone()
+            pupil = Pupil(number, nickname, words, now)
             self._add_device(pupil.id, token, now)
         return pupil
 
@@ -188,12 +178,14 @@ class ClassStore:
         if row is None:
             return None
         pupil = Pupil(*row)
-        with self._transaction():
+        with self._database.transaction():
             self._add_device(pupil.id, token, now)
         return pupil
 
     def _add_device(self, pupil: int, token: str, now: float) -> None:
-        self._database.execute("INSERT INTO device VALUES (?, ?, ?)", (_hash(token), pupil, now))
+        self._database.execute(
+            "INSERT INTO device (token_hash, pupil, created) VALUES (?, ?, ?)", (_hash(token), pupil, now)
+        )
         self._database.execute(
             "DELETE FROM device WHERE pupil = ? AND token_hash NOT IN "
             "(SELECT token_hash FROM device WHERE pupil = ? ORDER BY created DESC, rowid DESC LIMIT ?)",
@@ -211,7 +203,7 @@ class ClassStore:
 
     def forget_device(self, token: str) -> None:
         """The device with this token is let in no more."""
-        with self._transaction():
+        with self._database.transaction():
             self._database.execute("DELETE FROM device WHERE token_hash = ?", (_hash(token),))
 
     # Programs
@@ -237,7 +229,7 @@ class ClassStore:
             unacknowledged: the marks of earlier requests from the same device, made after ``base``, whose answers did
                 not arrive: the text was made from what they stored.
         """
-        with self._transaction():
+        with self._database.transaction():
             latest = self.latest(pupil, program)
             if latest is not None:
                 if latest.text == text and latest.name == name:
@@ -247,17 +239,17 @@ class ClassStore:
             size = len(text.encode())
             if not self._make_room(pupil, size):
                 return StoreFull()
-            cursor = self._database.execute(
+            (number,) = self._database.execute(
                 "INSERT INTO version (pupil, program, at, reason, mark, name, text, size) "
-                "VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+                "VALUES (?, ?, ?, ?, ?, ?, ?, ?) RETURNING number",
                 (pupil, program, now, reason, mark, name, text, size),
-            )
+            ).fetchone()
             self._database.execute(
                 "DELETE FROM version WHERE pupil = ? AND program = ? AND number NOT IN "
                 "(SELECT number FROM version WHERE pupil = ? AND program = ? ORDER BY number DESC LIMIT ?)",
                 (pupil, program, pupil, program, MAX_VERSIONS),
             )
-            return Saved(cursor.lastrowid or 0)
+            return Saved(number)
 
     def _make_room(self, pupil: int, size: int) -> bool:
         """Remove superseded versions, oldest first, until there is room for ``size`` bytes; whether there is."""

@@ -66,7 +66,7 @@ class ClassTasks:
         Store a hand-in; returns whether the task was open.
 
         Raises:
-            sqlite3.Error: the disk is full or broken; nothing was changed.
+            StoreError: the disk is full or broken; nothing was changed.
         """
         now = self.today()
         task = self._tasks.get(request.task)
@@ -147,7 +147,7 @@ class ClassTasks:
         Store the result of the hand-in of that time, unless the pupil has handed in again since.
 
         Raises:
-            sqlite3.Error: the disk is full or broken; nothing was changed.
+            StoreError: the disk is full or broken; nothing was changed.
         """
         encoded = msgspec.json.encode(result)
         stored = await self._thread.call(lambda store: store.tasks.grade(task, pupil, at, encoded))

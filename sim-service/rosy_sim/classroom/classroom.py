@@ -10,7 +10,6 @@ from __future__ import annotations
 import asyncio
 import logging
 import secrets
-import sqlite3
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -26,6 +25,7 @@ from .check_messages import CheckResult, OpenRun, RunShown
 from .class_comments import ClassComments
 from .class_store import ClassStore, Conflict, NicknameTaken, Pupil, Saved, StoreFull, Version
 from .class_tasks import ClassTasks
+from .database import StoreError
 from .hand_in_export import hand_ins_zip
 from .message_fields import Refused
 from .nickname import BadNickname, read_nickname
@@ -124,7 +124,7 @@ class Classroom:
                 await self._admit(page, request)
             else:
                 await self._serve_member(page, self._members[page.pupil.id], request)
-        except sqlite3.Error as error:
+        except StoreError as error:
             _log.error("%s", in_terminal(tr("The class cannot be stored: {why}", why=error)))
             if isinstance(request, p.Save):
                 page.put(p.SaveFailed(request.program, request.mark))
@@ -398,7 +398,7 @@ class Classroom:
         What the projectors show.
 
         Raises:
-            sqlite3.Error: the disk is broken.
+            StoreError: the disk is broken.
         """
         member = self._members.get(self.projection.choice.pupil or 0)
         if member is None:

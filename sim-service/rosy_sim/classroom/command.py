@@ -14,7 +14,7 @@ from ..sentence import tr
 from ..terminal_text import neutralize_line
 from ..wording import in_terminal
 from .class_export import write_export
-from .class_folder import class_names, delete_class, read_class
+from .class_places import ClassPlace
 
 __all__ = ["add_class_options", "run_class_command"]
 
@@ -26,7 +26,7 @@ def add_class_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("-o", dest="output", type=Path, metavar="FILE")
 
 
-def run_class_command(folder: Path, options: argparse.Namespace, output: Callable[[str], None]) -> int:
+def run_class_command(place: ClassPlace, options: argparse.Namespace, output: Callable[[str], None]) -> int:
     """
     Run the command; returns the exit status.
 
@@ -36,16 +36,16 @@ def run_class_command(folder: Path, options: argparse.Namespace, output: Callabl
     if options.action != "export" and options.output is not None:
         raise BadInput(tr("-o is for export: the file to write."))
     if options.action == "list":
-        for name in class_names(folder):
+        for name in place.names():
             output(name)
         return 0
-    name = _chosen(folder, options.name)
+    name = _chosen(place, options.name)
     if options.action == "delete":
-        delete_class(folder, name)
+        place.delete(name)
         output(in_terminal(tr("The class {name} is deleted.", name=name)))
         return 0
     target = options.output or Path(f"{name}.zip")
-    with read_class(folder, name) as store, AtomicFile(target) as file:
+    with place.read(name) as store, AtomicFile(target) as file:
         programs = write_export(store, file)
         pupils = len(store.pupils())
     written = tr(
@@ -58,11 +58,11 @@ def run_class_command(folder: Path, options: argparse.Namespace, output: Callabl
     return 0
 
 
-def _chosen(folder: Path, name: str | None) -> str:
+def _chosen(place: ClassPlace, name: str | None) -> str:
     """The named class, or the only one that there is."""
     if name is not None:
         return name
-    names = class_names(folder)
+    names = place.names()
     if not names:
         raise BadInput(tr("There is no class yet; ./rosy start --class begins one."))
     if len(names) > 1:

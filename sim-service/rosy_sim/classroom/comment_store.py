@@ -1,15 +1,14 @@
 """
-Store of the teacher's comments on places in programs, in SQLite.
+Store of the teacher's comments on places in programs, in a database.
 
 Blocking, as ``class_store.py``, which opens the database. Times are in s since 1970.
 """
 
 from __future__ import annotations
 
-import sqlite3
-from collections.abc import Callable
-from contextlib import AbstractContextManager
 from dataclasses import dataclass
+
+from .database import Database
 
 __all__ = ["MAX_COMMENTS", "CommentKept", "CommentStore"]
 
@@ -36,12 +35,10 @@ class CommentStore:
 
     Args:
         database: of the class, with the current schema.
-        transaction: opens a transaction.
     """
 
-    def __init__(self, database: sqlite3.Connection, transaction: Callable[[], AbstractContextManager[None]]) -> None:
+    def __init__(self, database: Database) -> None:
         self._database = database
-        self._transaction = transaction
 
     def comments(self) -> list[CommentKept]:
         """All comments, oldest first."""
@@ -53,22 +50,22 @@ class CommentStore:
 
     def add(self, pupil: int, program: str, text: str, place: bytes, now: float) -> CommentKept | None:
         """Add a comment; ``None`` if the pupil has ``MAX_COMMENTS``."""
-        with self._transaction():
+        with self._database.transaction():
             (count,) = self._database.execute("SELECT count(*) FROM comment WHERE pupil = ?", (pupil,)).fetchone()
             if count >= MAX_COMMENTS:
                 return None
-            cursor = self._database.execute(
-                "INSERT INTO comment (pupil, program, at, text, place) VALUES (?, ?, ?, ?, ?)",
+            (number,) = self._database.execute(
+                "INSERT INTO comment (pupil, program, at, text, place) VALUES (?, ?, ?, ?, ?) RETURNING id",
                 (pupil, program, now, text, place),
-            )
-            return CommentKept(cursor.lastrowid or 0, pupil, program, now, text, place)
+            ).fetchone()
+            return CommentKept(number, pupil, program, now, text, place)
 
     def set_done(self, comment: int, done: bool) -> None:
         """Set whether the pupil has dealt with a comment."""
-        with self._transaction():
+        with self._database.transaction():
             self._database.execute("UPDATE comment SET done = ? WHERE id = ?", (int(done), comment))
 
     def remove(self, comment: int) -> None:
         """Delete a comment."""
-        with self._transaction():
+        with self._database.transaction():
             self._database.execute("DELETE FROM comment WHERE id = ?", (comment,))

@@ -10,7 +10,6 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import logging
-import sqlite3
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -29,6 +28,7 @@ from ..world.properties import BadProperty, read_properties
 from ..worlds.gallery import DEFAULT_WORLD, named_world
 from .check_messages import CheckAll, Checking, CheckResult, Fault
 from .class_tasks import ClassTasks
+from .database import StoreError
 from .message_fields import Refused
 from .program_fingerprint import source_of
 from .task_store import HandInKept
@@ -92,7 +92,7 @@ class HandInChecks:
             await self._check_all(request, kept)
         except (BadInput, BadProperty):
             refuse(Refused("rooms"))
-        except sqlite3.Error as error:
+        except StoreError as error:
             _log.error("%s", in_terminal(tr("Results cannot be stored: {why}", why=error)))
             refuse(Refused("disk"))
         finally:

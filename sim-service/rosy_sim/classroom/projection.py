@@ -50,7 +50,7 @@ class Projection:
             changed: when a program of theirs was stored last.
 
         Raises:
-            sqlite3.Error: the disk is broken.
+            StoreError: the disk is broken.
         """
         if pupil is None:
             return Projected(self._number, False, None, False, False, None)

@@ -1,15 +1,14 @@
 """
-Schema of a class database: migrations, applied in order; ``PRAGMA user_version`` counts those applied.
+Schema of a class database: migrations, applied in order; the database counts those applied.
 
 A migration that was released is never changed; a change of the schema is a further migration at the end.
 """
 
 from __future__ import annotations
 
-import sqlite3
-
 from ..errors import BadInput
 from ..sentence import tr
+from .database import Database
 
 __all__ = ["MIGRATIONS", "migrate"]
 
@@ -89,23 +88,16 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
 )
 
 
-def migrate(database: sqlite3.Connection) -> None:
+def migrate(database: Database) -> None:
     """
     Bring a database to the current schema; each migration is one transaction.
 
     Raises:
         BadInput: the database was written by a newer Rosy.
+        StoreError: a migration failed, and changed nothing.
     """
-    (applied,) = database.execute("PRAGMA user_version").fetchone()
+    applied = database.applied_migrations()
     if applied > len(MIGRATIONS):
         raise BadInput(tr("This class was opened by a newer Rosy; open it with that one."))
     for number, statements in enumerate(MIGRATIONS[applied:], start=applied + 1):
-        database.execute("BEGIN IMMEDIATE")
-        try:
-            for statement in statements:
-                database.execute(statement)
-            database.execute(f"PRAGMA user_version = {number}")
-        except BaseException:
-            database.execute("ROLLBACK")
-            raise
-        database.execute("COMMIT")
+        database.migrate(statements, number)

@@ -35,7 +35,7 @@ class StoreThread:
         Call a method of the store. A caller that is cancelled does not cancel the call.
 
         Raises:
-            sqlite3.Error: the disk is full or broken; nothing was changed.
+            StoreError: the disk is full or broken; nothing was changed.
         """
         loop = asyncio.get_running_loop()
         return await asyncio.shield(

@@ -1,15 +1,14 @@
 """
-Store of a class's tasks in SQLite: titles and deadlines, the newest hand-in of each pupil, the teacher's comments.
+Store of a class's tasks in a database: titles and deadlines, the newest hand-in of each pupil, the teacher's comments.
 
 Blocking, as ``class_store.py``, which opens the database. Times are in s since 1970.
 """
 
 from __future__ import annotations
 
-import sqlite3
-from collections.abc import Callable
-from contextlib import AbstractContextManager
 from dataclasses import dataclass
+
+from .database import Database
 
 __all__ = ["MAX_TASKS", "HandIn", "HandInKept", "Task", "TaskStore"]
 
@@ -67,12 +66,10 @@ class TaskStore:
 
     Args:
         database: of the class, with the current schema.
-        transaction: opens a transaction.
     """
 
-    def __init__(self, database: sqlite3.Connection, transaction: Callable[[], AbstractContextManager[None]]) -> None:
+    def __init__(self, database: Database) -> None:
         self._database = database
-        self._transaction = transaction
 
     def tasks(self) -> list[Task]:
         """All tasks, oldest first."""
@@ -81,24 +78,24 @@ class TaskStore:
 
     def open(self, title: str, deadline: float | None, now: float) -> Task | None:
         """Open a task and end the others; ``None`` if there are ``MAX_TASKS``."""
-        with self._transaction():
+        with self._database.transaction():
             (count,) = self._database.execute("SELECT count(*) FROM task").fetchone()
             if count >= MAX_TASKS:
                 return None
             self._database.execute("UPDATE task SET closed = ? WHERE closed IS NULL", (now,))
-            cursor = self._database.execute(
-                "INSERT INTO task (title, opened, deadline) VALUES (?, ?, ?)", (title, now, deadline)
-            )
-            return Task(cursor.lastrowid or 0, title, now, deadline)
+            (number,) = self._database.execute(
+                "INSERT INTO task (title, opened, deadline) VALUES (?, ?, ?) RETURNING id", (title, now, deadline)
+            ).fetchone()
+            return Task(number, title, now, deadline)
 
     def close(self, task: int, now: float) -> None:
         """End a task."""
-        with self._transaction():
+        with self._database.transaction():
             self._database.execute("UPDATE task SET closed = ? WHERE id = ? AND closed IS NULL", (now, task))
 
     def hand_in(self, task: int, pupil: int, name: str, text: str, now: float, fingerprint: str = "") -> None:
         """Store a pupil's hand-in in place of an earlier one and its result. The comment stays."""
-        with self._transaction():
+        with self._database.transaction():
             self._database.execute(
                 "INSERT INTO hand_in (task, pupil, at, name, text, fingerprint) VALUES (?, ?, ?, ?, ?, ?) "
                 "ON CONFLICT (task, pupil) DO UPDATE SET "
@@ -109,12 +106,12 @@ class TaskStore:
 
     def comment(self, task: int, pupil: int, text: str) -> None:
         """Set the teacher's comment on a hand-in."""
-        with self._transaction():
+        with self._database.transaction():
             self._database.execute("UPDATE hand_in SET comment = ? WHERE task = ? AND pupil = ?", (text, task, pupil))
 
     def grade(self, task: int, pupil: int, at: float, result: bytes) -> bool:
         """Set the result of the hand-in of that time; returns whether it is still the newest."""
-        with self._transaction():
+        with self._database.transaction():
             changed = self._database.execute(
                 "UPDATE hand_in SET result = ? WHERE task = ? AND pupil = ? AND at = ?", (result, task, pupil, at)
             )

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import asyncio
 import logging
-import sqlite3
 from collections.abc import Awaitable, Callable, Mapping
 
 import msgspec
@@ -18,6 +17,7 @@ from ..classroom import board_messages as b
 from ..classroom import pupil_messages as p
 from ..classroom.check_messages import CancelCheck, CheckAll, Checking, OpenRun, ResultShown, ShowResults
 from ..classroom.classroom import Classroom, PupilPage
+from ..classroom.database import StoreError
 from ..classroom.hand_in_checks import HandInChecks
 from ..classroom.message_fields import Refused
 from ..classroom.projector_messages import Project, Projecting
@@ -131,7 +131,7 @@ class ClassSockets:
     async def _try_to_serve(self, connection: ClassConnection, request: b.BoardRequest) -> None:
         try:
             await self._serve_teacher(connection, request)
-        except sqlite3.Error as error:
+        except StoreError as error:
             _log.error("%s", in_terminal(tr("The class cannot be read or stored: {why}", why=error)))
             connection.put(Refused("disk"))
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import asyncio
 import logging
-import sqlite3
 from collections.abc import Awaitable, Callable, Mapping
 
 from starlette.websockets import WebSocket
 
 from ..classroom.classroom import Classroom
+from ..classroom.database import StoreError
 from ..classroom.message_fields import Refused
 from ..classroom.projector_messages import Projected, RoomProjected, read_projector_request
 from ..sentence import tr
@@ -94,7 +94,7 @@ class ProjectorSockets:
         while True:
             try:
                 newest = await self._classroom.projected()
-            except sqlite3.Error as error:
+            except StoreError as error:
                 _log.error("%s", in_terminal(tr("The class cannot be read or stored: {why}", why=error)))
                 connection.put(Refused("disk"))
                 return

@@ -23,7 +23,7 @@ import uvicorn
 import uvloop
 from starlette.applications import Starlette
 
-from ..classroom.class_folder import open_class
+from ..classroom.class_places import class_place
 from ..classroom.class_store import Admission
 from ..config import Config
 from ..errors import BadInput, WorkerMissing
@@ -72,7 +72,8 @@ def serve(config: Config, host: str, port: int, open_browser: bool, unprotected:
     _raise_priority()
     with contextlib.ExitStack() as stack:
         stack.callback(listener.close)
-        store = stack.enter_context(open_class(config.classes, config.class_name)) if config.class_name else None
+        classes = class_place(config.classes, config.class_database)
+        store = stack.enter_context(classes.open(config.class_name)) if config.class_name else None
         app = build_app(config, store, addresses, own_names(host))
         code = app.state.service.robots.code if config.robots else None
         greeting = _Greeting(address, addresses() if is_any else None, code, store.admission() if store else None)

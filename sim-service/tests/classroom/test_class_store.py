@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sqlite3
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -20,17 +18,11 @@ from rosy_sim.classroom.class_store import (
     Saved,
     StoreFull,
 )
+from rosy_sim.classroom.database import SqliteDatabase, StoreError
 from rosy_sim.classroom.word_list import WORD_LISTS, draw_words, read_words
 from rosy_sim.errors import BadInput
 
-ADMISSION = Admission("code", "key")
-
-
-@pytest.fixture
-def store(tmp_path: Path) -> Iterator[ClassStore]:
-    opened = ClassStore(tmp_path / "class.sqlite3", ADMISSION, 0.0)
-    yield opened
-    opened.close()
+from .conftest import ADMISSION, Opens
 
 
 def join(store: ClassStore, nickname: str = "Ada", token: str = "token", words: str = "") -> Pupil:
@@ -49,38 +41,41 @@ def number(saved: Saved | Conflict | StoreFull) -> int:
     return saved.number
 
 
-def test_a_class_keeps_its_code_and_key_when_it_is_opened_again(tmp_path: Path) -> None:
-    ClassStore(tmp_path / "c", ADMISSION, 0.0).close()
-    again = ClassStore(tmp_path / "c", Admission("other", "other"), 0.0)
+def test_a_class_keeps_its_code_and_key_when_it_is_opened_again(opens: Opens) -> None:
+    ClassStore(opens("c"), ADMISSION, 0.0).close()
+    again = ClassStore(opens("c"), Admission("other", "other"), 0.0)
     assert again.admission() == ADMISSION
     again.close()
 
 
-def test_the_database_is_journalled_and_flushed_at_each_commit(store: ClassStore) -> None:
+def test_the_database_is_journalled_and_flushed_at_each_commit(tmp_path: Path) -> None:
+    store = ClassStore(SqliteDatabase(tmp_path / "c"), ADMISSION, 0.0)
     database = store._database
     assert database.execute("PRAGMA journal_mode").fetchone() == ("wal",)
     assert database.execute("PRAGMA synchronous").fetchone() == (2,)
     assert database.execute("PRAGMA user_version").fetchone() == (len(schema.MIGRATIONS),)
+    store.close()
 
 
-def test_a_class_of_a_newer_rosy_is_left_alone(tmp_path: Path) -> None:
-    database = sqlite3.connect(tmp_path / "c")
-    database.execute(f"PRAGMA user_version = {len(schema.MIGRATIONS) + 1}")
-    database.close()
+def test_a_class_of_a_newer_rosy_is_left_alone(opens: Opens) -> None:
+    ClassStore(opens("c"), ADMISSION, 0.0).close()
+    newer = opens("c")
+    newer.migrate(["CREATE TABLE more (a INTEGER)"], len(schema.MIGRATIONS) + 1)
+    newer.close()
     with pytest.raises(BadInput, match="newer Rosy"):
-        ClassStore(tmp_path / "c", ADMISSION, 0.0)
+        ClassStore(opens("c"), ADMISSION, 0.0)
 
 
-def test_a_migration_that_fails_changes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    store = ClassStore(tmp_path / "c", ADMISSION, 0.0)
+def test_a_migration_that_fails_changes_nothing(opens: Opens, monkeypatch: pytest.MonkeyPatch) -> None:
+    store = ClassStore(opens("c"), ADMISSION, 0.0)
     join(store)
     store.close()
-    broken = (*schema.MIGRATIONS, ("CREATE TABLE more (a)", "nonsense"))
+    broken = (*schema.MIGRATIONS, ("CREATE TABLE more (a INTEGER)", "nonsense"))
     monkeypatch.setattr(schema, "MIGRATIONS", broken)
-    with pytest.raises(sqlite3.Error):
-        ClassStore(tmp_path / "c", ADMISSION, 0.0)
-    monkeypatch.setattr(schema, "MIGRATIONS", (*schema.MIGRATIONS[:-1], ("CREATE TABLE more (a)",)))
-    again = ClassStore(tmp_path / "c", ADMISSION, 0.0)
+    with pytest.raises(StoreError):
+        ClassStore(opens("c"), ADMISSION, 0.0)
+    monkeypatch.setattr(schema, "MIGRATIONS", (*schema.MIGRATIONS[:-1], ("CREATE TABLE more (a INTEGER)",)))
+    again = ClassStore(opens("c"), ADMISSION, 0.0)
     assert [pupil.nickname for pupil in again.pupils()] == ["Ada"]
     assert again._database.execute("SELECT count(*) FROM more").fetchone() == (0,)
     again.close()
@@ -111,7 +106,8 @@ def test_words_and_devices_lead_to_their_pupil_and_to_no_other(store: ClassStore
     assert store.pupil_of("t2") == ben
 
 
-def test_tokens_are_not_in_the_database(store: ClassStore, tmp_path: Path) -> None:
+def test_tokens_are_not_in_the_database(tmp_path: Path) -> None:
+    store = ClassStore(SqliteDatabase(tmp_path / "c"), ADMISSION, 0.0)
     join(store, token="the-secret-of-a-device")
     assert all(b"the-secret-of-a-device" not in file.read_bytes() for file in tmp_path.iterdir())
 

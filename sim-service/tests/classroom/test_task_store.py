@@ -2,23 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from pathlib import Path
-
 import pytest
 
 from rosy_sim.classroom import schema, task_store
-from rosy_sim.classroom.class_store import Admission, ClassStore, Pupil
+from rosy_sim.classroom.class_store import ClassStore, Pupil
 from rosy_sim.classroom.task_store import HandIn, HandInKept, Task
 
-ADMISSION = Admission("code", "key")
-
-
-@pytest.fixture
-def store(tmp_path: Path) -> Iterator[ClassStore]:
-    opened = ClassStore(tmp_path / "class.sqlite3", ADMISSION, 0.0)
-    yield opened
-    opened.close()
+from .conftest import ADMISSION, Opens
 
 
 def joined(store: ClassStore, nickname: str) -> int:
@@ -34,14 +24,14 @@ def opened(store: ClassStore, title: str, now: float, deadline: float | None = N
 
 
 def test_a_class_of_the_first_schema_keeps_its_pupils_and_gets_tasks(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    opens: Opens, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with monkeypatch.context() as old:
         old.setattr(schema, "MIGRATIONS", schema.MIGRATIONS[:1])
-        before = ClassStore(tmp_path / "c", ADMISSION, 0.0)
+        before = ClassStore(opens("c"), ADMISSION, 0.0)
         ada = joined(before, "Ada")
         before.close()
-    store = ClassStore(tmp_path / "c", ADMISSION, 0.0)
+    store = ClassStore(opens("c"), ADMISSION, 0.0)
     store.tasks.hand_in(opened(store, "Maze", 1.0).id, ada, "walk", "text", 2.0)
     assert [pupil.nickname for pupil in store.pupils()] == ["Ada"]
     assert store.tasks.hand_ins() == [HandIn(1, ada, 2.0, "walk")]

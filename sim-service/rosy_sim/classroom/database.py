@@ -1,0 +1,119 @@
+"""
+Database of a class: the few operations that its stores need, and the SQLite file behind them.
+
+``postgresql_database.py`` has the same operations on a PostgreSQL server. Statements are written once, in the common
+part of both languages, with ``?`` for a value. Blocking; one thread at a time uses it.
+"""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+__all__ = ["Database", "Rows", "SqliteDatabase", "StoreError"]
+
+
+class StoreError(Exception):
+    """The disk is full or broken, or the database server cannot be reached; the transaction changed nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rows:
+    """The rows that a statement gives, and how many it changed."""
+
+    rows: Sequence[tuple[Any, ...]]
+    rowcount: int
+
+    def fetchone(self) -> Any:
+        """The first row; ``None`` without one."""
+        return self.rows[0] if self.rows else None
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self.rows)
+
+
+class Database(Protocol):
+    """A database of one class. Statements outside of a transaction are transactions of their own."""
+
+    def execute(self, statement: str, values: Sequence[object] = ()) -> Rows:
+        """
+        Run a statement.
+
+        Raises:
+            StoreError: nothing was changed.
+        """
+
+    def transaction(self) -> AbstractContextManager[None]:
+        """
+        A transaction that no other writer interrupts; its changes are on the disk when it ends.
+
+        Raises:
+            StoreError: nothing was changed.
+        """
+
+    def applied_migrations(self) -> int:
+        """How many migrations of ``schema.py`` the database has."""
+
+    def migrate(self, statements: Sequence[str], number: int) -> None:
+        """Apply the migration of that number, as one transaction."""
+
+    def close(self) -> None:
+        """Close it."""
+
+
+class SqliteDatabase:
+    """A file in WAL mode; it is created when it does not exist."""
+
+    def __init__(self, path: Path) -> None:
+        with _as_store_error():
+            # Autocommit: transactions are explicit. One thread at a time uses it (`store_thread.py`).
+            self._connection = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
+        self.execute("PRAGMA journal_mode = WAL")
+        self.execute("PRAGMA synchronous = FULL")
+        self.execute("PRAGMA foreign_keys = ON")
+        # What is deleted is overwritten.
+        self.execute("PRAGMA secure_delete = ON")
+
+    def execute(self, statement: str, values: Sequence[object] = ()) -> Rows:
+        """``Database.execute``."""
+        with _as_store_error():
+            cursor = self._connection.execute(statement, values)
+            return Rows(cursor.fetchall(), cursor.rowcount)
+
+    @contextmanager
+    def transaction(self) -> Iterator[None]:
+        """``Database.transaction``."""
+        self.execute("BEGIN IMMEDIATE")
+        try:
+            yield
+        except BaseException:
+            self.execute("ROLLBACK")
+            raise
+        self.execute("COMMIT")
+
+    def applied_migrations(self) -> int:
+        """``Database.applied_migrations``: SQLite has a place for this number."""
+        return int(self.execute("PRAGMA user_version").fetchone()[0])
+
+    def migrate(self, statements: Sequence[str], number: int) -> None:
+        """``Database.migrate``."""
+        with self.transaction():
+            for statement in statements:
+                self.execute(statement)
+            self.execute(f"PRAGMA user_version = {number}")
+
+    def close(self) -> None:
+        """Close the file; the journal is merged into it."""
+        self._connection.close()
+
+
+@contextmanager
+def _as_store_error() -> Iterator[None]:
+    try:
+        yield
+    except sqlite3.Error as error:
+        raise StoreError(str(error)) from error

@@ -1,0 +1,56 @@
+"""Places of classes: one service opens a class; it is read beside it, listed and deleted, in a folder or on a server."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rosy_sim.classroom.class_places import ClassPlace, class_place
+from rosy_sim.classroom.class_store import Pupil
+from rosy_sim.errors import BadInput
+
+from ..postgresql_server import needs_postgresql
+
+
+@pytest.fixture(params=["folder", pytest.param("postgresql", marks=needs_postgresql)])
+def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> ClassPlace:
+    if request.param == "folder":
+        return class_place(tmp_path, None)
+    from rosy_sim.classroom import postgresql_database
+
+    monkeypatch.setattr(postgresql_database.PostgresqlDatabase.__init__, "__kwdefaults__", {"patience": 0.0})
+    return class_place(tmp_path, request.getfixturevalue("server"))
+
+
+def test_a_class_is_kept_until_it_is_deleted(place: ClassPlace) -> None:
+    with place.open("7b") as store:
+        admission = store.admission()
+        assert isinstance(store.join("Ada", lambda: "a b c", "token", 1.0), Pupil)
+        # While a service has it open it can be read, and neither opened nor deleted.
+        with place.read("7b") as read:
+            assert [pupil.nickname for pupil in read.pupils()] == ["Ada"]
+        with pytest.raises(BadInput, match="open in another Rosy"), place.open("7b"):
+            pass
+        with pytest.raises(BadInput, match="open in another Rosy"):
+            place.delete("7b")
+    with place.open("7b") as store:
+        assert store.admission() == admission
+    assert "7b" in place.names()
+    place.delete("7b")
+    assert "7b" not in place.names()
+
+
+def test_what_is_no_class_is_refused(place: ClassPlace) -> None:
+    with pytest.raises(BadInput, match="no class called 8c"), place.read("8c"):
+        pass
+    with pytest.raises(BadInput, match="no class called 8c"):
+        place.delete("8c")
+    with pytest.raises(BadInput, match="at most 40 letters"), place.open("../8c"):
+        pass
+
+
+@needs_postgresql
+def test_a_server_that_is_not_there_is_named(tmp_path: Path) -> None:
+    with pytest.raises(BadInput, match="database of the classes cannot be used"):
+        class_place(tmp_path, f"postgresql://rosy@/none?host={tmp_path}").names()
