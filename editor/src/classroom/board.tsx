@@ -79,20 +79,20 @@ function BoardPage({send, unlock, download, programs, openRun, openProjector}: B
           send={send}
           download={download}
           connection={opened}
-          check={({id, handedIn}) => (
+          check={shownTask => (
             <>
               <CheckForm
-                task={id}
+                task={shownTask.id}
                 checking={checking}
-                unchecked={uncheckedCount(handedIn, results.get(id) ?? new Map(), checking)}
+                unchecked={uncheckedCount(shownTask, results.get(shownTask.id) ?? new Map(), checking)}
                 refused={checkRefused}
                 own={programs}
                 send={send}
               />
               <ResultTable
                 pupils={pupils}
-                results={results.get(id) ?? new Map()}
-                open={pupil => openRun(id, pupil)}
+                results={results.get(shownTask.id) ?? new Map()}
+                open={pupil => openRun(shownTask.id, pupil)}
               />
             </>
           )}

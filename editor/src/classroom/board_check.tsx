@@ -94,12 +94,7 @@ export function CheckForm(props: CheckProps): VNode {
       {unchecked > 0 && (
         <p class="board-unchecked">
           <span role="status">{w.unchecked(unchecked)}</span>
-          <button
-            type="button"
-            class="plain"
-            disabled={choices.properties.length === 0}
-            onClick={() => send({...checkRequest(task, choices, own.read), unchecked: true})}
-          >
+          <button type="button" class="plain" onClick={() => send({op: "check-new", task})}>
             {w.checkNew}
           </button>
         </p>

@@ -5,10 +5,11 @@ import {downloadBlob} from "../browser/local_files.ts"
 import {fragmentOf} from "../browser/share_link.ts"
 import {words} from "../words/index.ts"
 import {type BoardMessage, type BoardRequest, type BoardTask, readBoardMessage} from "./board_messages.ts"
-import {board, change, places, rooms, withResult} from "./board_state.ts"
+import {board, change, places, rooms, sharingListeners, withResult} from "./board_state.ts"
 import {openClassSocket} from "./class_socket.ts"
 import {projectInRoom, type RunInRoom} from "./hand_in_checks.ts"
 import {teacherKey} from "./membership.ts"
+import type {SharingBounds, SharingMessage} from "./shared_messages.ts"
 
 export interface BoardConnection {
   readonly send: (request: BoardRequest) => void
@@ -33,7 +34,10 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
       change({link: "open"})
       if (key !== null) socket.send({op: "unlock", key})
     },
-    lost: () => change({link: "lost"}),
+    lost() {
+      change({link: "lost"})
+      hearSharing({op: "sharing-over", why: "ended"})
+    },
     received(message) {
       if (message.op === "board") {
         storage.tab.setItem(teacherKey, key ?? "")
@@ -47,6 +51,8 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
           change({taskRefused: words.classroom.board.refused[message.reason]})
         else if (message.reason === "comments")
           change({commentRefused: words.classroom.board.refused.comments})
+        else if (message.reason === "busy" || message.reason === "away")
+          change({sharingRefused: words.classroom.board.refused[message.reason]})
         else if (message.reason === "rooms") change({checkRefused: words.classroom.board.check.refused})
       } else if (message.op === "pupils") change({pupils: message.pupils})
       else if (message.op === "room") rooms.value = new Map([...rooms.value, [message.pupil, message.world]])
@@ -64,11 +70,19 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
       else if (message.op === "checking") change({checking: message})
       else if (message.op === "result") change({results: withResult(board.value.results, message)})
       else if (message.op === "run") void tabs.fill(message)
+      else if (message.op === "share-waiting") change({sharing: "asked", sharingRefused: null})
+      else if (
+        message.op === "shared" ||
+        message.op === "sharing-over" ||
+        message.op === "updates" ||
+        message.op === "cursor"
+      )
+        hearSharing(message)
       else void show(message)
     },
   })
   const send = (request: BoardRequest) => {
-    if (request.op === "check-all") change({checkRefused: null})
+    if (request.op === "check-all" || request.op === "check-new") change({checkRefused: null})
     if (!socket.send(request)) change({link: "lost"})
   }
   const unlock = (typed: string) => {
@@ -83,6 +97,14 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
   // Always the same window: a second press brings it to the front.
   const openProjector = () => void window.open(`./projector.html#key=${key ?? ""}`, "rosy-projector")
   return {send, unlock, download, openRun, openProjector}
+}
+
+function hearSharing(message: SharingMessage | SharingBounds): void {
+  const {sharing} = board.value
+  if (message.op === "shared") change({sharing: "on", sharingLine: null})
+  else if (message.op === "sharing-over" && (sharing === "asked" || sharing === "on"))
+    change({sharing: message.why})
+  for (const heard of sharingListeners) heard(message)
 }
 
 /// Tabs for pupils' programs in their worst rooms. A browser lets a page open one only while a click is served, so it is empty until the program arrives.
@@ -133,5 +155,7 @@ async function show(message: BoardMessage & {readonly op: "program"}): Promise<v
   change({
     shown: {pupil: id, nickname, name: message.name, address, program: message.program},
     commentRefused: null,
+    sharing: null,
+    sharingRefused: null,
   })
 }

@@ -1,14 +1,23 @@
 /// Page with a pupil's program inside of the teacher's board: tells the board which place is chosen and where the comments are, and shows them.
 
+import type {DocumentEditor} from "../controller/document_editor.ts"
 import type {PageParts} from "../controller/page_parts.ts"
+import type {ProgramLoader} from "../controller/program_loader.ts"
 import {lineNumber, locatePlace, placeOf, quoteOf} from "../state/block_comments.ts"
 import type {PageState} from "../state/page_state.ts"
 import type {Store} from "../state/store.ts"
 import {type ChosenPlace, type GuestMessage, type HostMessage, listen, post} from "./guest_messages.ts"
+import {openGuestSharing} from "./guest_sharing.ts"
 
-export function openBoardGuest(store: Store, parts: PageParts): void {
+export function openBoardGuest(
+  store: Store,
+  parts: PageParts,
+  loader: ProgramLoader,
+  editor: DocumentEditor,
+): void {
   const board = window.parent
   if (board === window) return
+  const sharing = openGuestSharing(store, parts, loader, editor, message => post(board, message))
   const told = new Map<GuestMessage["kind"], string>()
   /// Sends what is news.
   const tell = (message: GuestMessage) => {
@@ -19,7 +28,10 @@ export function openBoardGuest(store: Store, parts: PageParts): void {
   }
   listen<HostMessage>(
     () => board,
-    ({comments}) => store.dispatch({kind: "block-comments", comments}),
+    message => {
+      if (message.kind === "comments") store.dispatch({kind: "block-comments", comments: message.comments})
+      else sharing.heard(message)
+    },
   )
   store.onFrame(state => {
     tell({kind: "chosen", chosen: chosenPlace(state, parts.source?.cursor() ?? 0)})

@@ -31,9 +31,17 @@ import {
   type CheckResult,
   checking,
   checkResult,
+  type NewCheckRequest,
   type RunInRoom,
   runInRoom,
 } from "./hand_in_checks.ts"
+import {
+  type SharingBounds,
+  type SharingMessage,
+  type SharingRequest,
+  sharingMessage,
+  sharingOps,
+} from "./shared_messages.ts"
 
 export type Need = "hand" | "error" | "idle"
 
@@ -75,6 +83,8 @@ export interface BoardTask {
   readonly deadline: number | null
   readonly open: boolean
   readonly handedIn: readonly HandedIn[]
+  /// There was a check of all hand-ins.
+  readonly checked: boolean
 }
 
 /// How the projector shows pupils: with their nicknames, and with their programs beside the room.
@@ -84,6 +94,9 @@ export interface ProjectorSight {
 }
 
 export type BoardMessage =
+  | {readonly op: "share-waiting"; readonly pupil: number; readonly program: string}
+  | SharingMessage
+  | SharingBounds
   | ({readonly op: "projecting"; readonly pupil: number | null} & ProjectorSight)
   | {
       readonly op: "board"
@@ -116,6 +129,8 @@ export type BoardMessage =
   | ({readonly op: "run"} & RunInRoom)
 
 export type BoardRequest =
+  | {readonly op: "ask-to-share"; readonly pupil: number; readonly program: string}
+  | SharingRequest
   | {readonly op: "unlock"; readonly key: string}
   | {readonly op: "open"; readonly pupil: number; readonly program: string | null}
   | {readonly op: "attention"; readonly message: string | null}
@@ -142,6 +157,7 @@ export type BoardRequest =
   | {readonly op: "remove-comment"; readonly comment: number}
   | ({readonly op: "project"; readonly pupil: number | null} & ProjectorSight)
   | CheckRequest
+  | NewCheckRequest
   | {readonly op: "cancel-check"}
   | {readonly op: "show-results"; readonly task: number}
   | {readonly op: "open-run"; readonly task: number; readonly pupil: number}
@@ -178,6 +194,7 @@ const task = object<BoardTask>(get => ({
   deadline: get("deadline", optional(number, null)),
   open: get("open", boolean),
   handedIn: get("handed_in", list(handedIn)),
+  checked: get("checked", boolean),
 }))
 export const world: Decoder<World> = (value, path) => {
   const read = readWorld(value)
@@ -209,10 +226,14 @@ const boardMessage: Decoder<BoardMessage> = (value, path) => {
         "checking",
         "result",
         "run",
+        "share-waiting",
+        ...sharingOps,
       ),
     ),
   )(value, path)
   if (op === "checking") return {op, ...checking(value, path)}
+  if (op === "updates" || op === "cursor" || op === "shared" || op === "sharing-over")
+    return sharingMessage(value, path)
   if (op === "run") return {op, ...runInRoom(value, path)}
   return object<BoardMessage>(get => {
     switch (op) {
@@ -223,6 +244,8 @@ const boardMessage: Decoder<BoardMessage> = (value, path) => {
           addresses: get("addresses", list(string)),
           attention: get("attention", optional(string, null)),
         }
+      case "share-waiting":
+        return {op, pupil: get("pupil", number), program: get("program", string)}
       case "pupils":
         return {op, pupils: get("pupils", list(pupil))}
       case "room":

@@ -5,6 +5,7 @@ import type {World} from "../worlds/world.ts"
 import type {BoardMessage, BoardTask, Place, ProjectorSight, PupilOnBoard} from "./board_messages.ts"
 import type {OwnComment} from "./class_messages.ts"
 import type {Checking, Results} from "./hand_in_checks.ts"
+import type {SharingBounds, SharingMessage} from "./shared_messages.ts"
 
 export interface ShownProgram {
   readonly pupil: number
@@ -27,6 +28,12 @@ export interface Board {
   readonly comments: readonly OwnComment[]
   /// Why the last comment was not stored.
   readonly commentRefused: string | null
+  /// Editing the shown program together with its pupil.
+  readonly sharing: "asked" | "on" | "declined" | "ended" | null
+  /// The line of the pupil's cursor.
+  readonly sharingLine: number | null
+  /// Why the pupil was not asked.
+  readonly sharingRefused: string | null
   /// The pupil whose room the projector shows, and how it shows pupils.
   readonly projecting: number | null
   readonly projectorSight: ProjectorSight
@@ -52,6 +59,9 @@ export const board: Signal<Board> = signal({
   shown: null,
   comments: [],
   commentRefused: null,
+  sharing: null,
+  sharingLine: null,
+  sharingRefused: null,
   projecting: null,
   projectorSight: {named: false, program: false},
   tasks: [],
@@ -65,6 +75,8 @@ export const board: Signal<Board> = signal({
 /// Rooms and robots change ten times a second; each miniature reads its own.
 export const rooms = signal<ReadonlyMap<number, World>>(new Map())
 export const places = signal<ReadonlyMap<number, Place>>(new Map())
+/// Called with what the frame of the shown program has to know while it is edited together.
+export const sharingListeners = new Set<(message: SharingMessage | SharingBounds) => void>()
 export const change = (to: Partial<Board>) => {
   board.value = {...board.value, ...to}
 }

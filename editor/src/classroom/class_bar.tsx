@@ -9,10 +9,12 @@ import {words} from "../words/index.ts"
 import type {OwnComment, OwnTask} from "./class_messages.ts"
 import type {ClassState} from "./class_state.ts"
 import {CommentLines} from "./comment_lines.tsx"
+import type {SharingCommands} from "./pupil_sharing.ts"
+import {SharingLine} from "./sharing_lines.tsx"
 import {TaskLines} from "./task_lines.tsx"
 
 /// What the card and the bar show, and their commands.
-export interface ClassDesk {
+export interface ClassDesk extends SharingCommands {
   readonly state: Signal<ClassState>
   readonly code: string
   readonly isTeacher: boolean
@@ -39,7 +41,7 @@ interface Props {
 
 export function ClassBar({desk}: Props): VNode {
   const w = words.classroom
-  const {member, link, saved, hand, handout, blockComments} = desk.state.value
+  const {member, link, saved, hand, handout, blockComments, sharing} = desk.state.value
   return (
     <section class="class-bar" aria-label={w.bar} data-testid="class-bar">
       {member === null ? (
@@ -78,6 +80,14 @@ export function ClassBar({desk}: Props): VNode {
           show={desk.showComment}
           open={desk.openProgram}
           setDone={desk.setDone}
+        />
+      )}
+      {member !== null && sharing !== null && (
+        <SharingLine
+          sharing={sharing}
+          allowSharing={desk.allowSharing}
+          declineSharing={desk.declineSharing}
+          endSharing={desk.endSharing}
         />
       )}
       {member !== null && handout !== null && (

@@ -14,6 +14,13 @@ import {
   parseJson,
   string,
 } from "../state/decode.ts"
+import {
+  type SharingBounds,
+  type SharingMessage,
+  type SharingRequest,
+  sharingMessage,
+  sharingOps,
+} from "./shared_messages.ts"
 
 export const refusals = [
   "code",
@@ -29,6 +36,8 @@ export const refusals = [
   "disk",
   "rooms",
   "comments",
+  "busy",
+  "away",
   "nickname-empty",
   "nickname-long",
   "nickname-letters",
@@ -108,8 +117,21 @@ export type PupilMessage =
   | {readonly op: "hand"; readonly up: boolean}
   | {readonly op: "hand-in"; readonly task: number; readonly name: string; readonly text: string}
   | {readonly op: "comment-done"; readonly comment: number; readonly done: boolean}
+  | {readonly op: "share"; readonly number: number; readonly project: string; readonly text: string}
+  | {readonly op: "decline"; readonly number: number}
+  | SharingRequest
+
+/// The teacher asks to edit a program together with the pupil.
+export interface SharingQuestion {
+  readonly number: number
+  readonly program: string
+  readonly name: string
+}
 
 export type ClassMessage =
+  | ({readonly op: "asked-to-share"} & SharingQuestion)
+  | SharingMessage
+  | SharingBounds
   | {
       readonly op: "entered"
       readonly pupil: number
@@ -197,11 +219,17 @@ const classMessage: Decoder<ClassMessage> = (value, path) => {
         "tasks",
         "not-handed-in",
         "comments",
+        "asked-to-share",
+        ...sharingOps,
       ),
     ),
   )(value, path)
+  if (op === "updates" || op === "cursor" || op === "shared" || op === "sharing-over")
+    return sharingMessage(value, path)
   return object<ClassMessage>(get => {
     switch (op) {
+      case "asked-to-share":
+        return {op, number: get("number", number), program: get("program", string), name: get("name", string)}
       case "entered":
         return {
           op,

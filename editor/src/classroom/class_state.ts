@@ -1,7 +1,7 @@
 /// State of class mode on a pupil's page: what the card, the class bar and the eyes-up message show. Pure.
 
 import {hashOf} from "@rosy/codegen"
-import type {ClassMessage, Handout, OwnComment, OwnTask, Refusal} from "./class_messages.ts"
+import type {ClassMessage, Handout, OwnComment, OwnTask, Refusal, SharingQuestion} from "./class_messages.ts"
 
 export interface ClassState {
   readonly link: "connecting" | "open" | "lost"
@@ -24,7 +24,17 @@ export interface ClassState {
   readonly readComments: readonly string[]
   /// The teacher's comments on places in the pupil's programs, oldest first.
   readonly blockComments: readonly OwnComment[]
+  /// Editing together with the teacher.
+  readonly sharing: Sharing | null
 }
+
+export type Sharing =
+  | ({readonly kind: "asked"} & SharingQuestion)
+  /// `line` is the line of the teacher's cursor.
+  | {readonly kind: "on"; readonly line: number | null}
+  | {readonly kind: "ended"}
+  /// The program that the teacher asked about is not in this browser.
+  | {readonly kind: "gone"; readonly name: string}
 
 export type HandInState = "asked" | "late" | "full" | "offline"
 
@@ -45,6 +55,7 @@ export const firstClassState: ClassState = {
   handIn: null,
   readComments: [],
   blockComments: [],
+  sharing: null,
 }
 
 export type ClassEvent =
@@ -58,6 +69,8 @@ export type ClassEvent =
   | {readonly kind: "hand-in"; readonly task: number; readonly state: HandInState}
   | {readonly kind: "task-ended"; readonly task: number}
   | {readonly kind: "comments-read"; readonly comments: readonly string[]}
+  | {readonly kind: "sharing"; readonly sharing: Sharing | null}
+  | {readonly kind: "sharing-line"; readonly line: number | null}
   | {readonly kind: "left"}
 
 /// `receivedHandouts` are those that this browser has shown before.
@@ -70,7 +83,13 @@ export function reduceClass(
     case "heard":
       return heard(state, event.message, receivedHandouts)
     case "link":
-      return {...state, link: event.link, asked: false, handIn: lostHandIn(state, event.link)}
+      return {
+        ...state,
+        link: event.link,
+        asked: false,
+        handIn: lostHandIn(state, event.link),
+        sharing: event.link === "lost" ? endedSharing(state.sharing) : state.sharing,
+      }
     case "card":
       return {...state, card: event.card, refused: null}
     case "asked":
@@ -87,9 +106,19 @@ export function reduceClass(
       return {...state, tasks: ended(state.tasks, event.task)}
     case "comments-read":
       return {...state, readComments: event.comments}
+    case "sharing":
+      return {...state, sharing: event.sharing}
+    case "sharing-line":
+      return state.sharing?.kind === "on" ? {...state, sharing: {kind: "on", line: event.line}} : state
     case "left":
       return {...firstClassState, link: state.link, card: "join"}
   }
+}
+
+/// A question is withdrawn, or editing together has ended.
+function endedSharing(sharing: Sharing | null): Sharing | null {
+  if (sharing?.kind === "on") return {kind: "ended"}
+  return sharing?.kind === "asked" ? null : sharing
 }
 
 /// A hand-in whose answer was lost with the connection.
@@ -135,6 +164,12 @@ function heard(state: ClassState, message: ClassMessage, receivedHandouts: reado
       // A browser that the class does not know any more asks for the code.
       if (message.reason === "token") return {...state, member: null, card: "join", asked: false}
       return {...state, refused: message.reason, asked: false}
+    case "asked-to-share": {
+      const {number, program, name} = message
+      return {...state, sharing: {kind: "asked", number, program, name}}
+    }
+    case "sharing-over":
+      return {...state, sharing: endedSharing(state.sharing)}
     case "attention":
       return {...state, attention: message.message}
     case "handout":
@@ -151,6 +186,9 @@ function heard(state: ClassState, message: ClassMessage, receivedHandouts: reado
     case "saved":
     case "conflict":
     case "unsaved":
+    case "shared":
+    case "updates":
+    case "cursor":
       return state
   }
 }

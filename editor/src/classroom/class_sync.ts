@@ -13,6 +13,8 @@ export interface OpenProgram {
   id(): string | null
   /// Stores it in the program store.
   store(): void
+  /// Gives it an entry of its own although it is unchanged, as an example that runs.
+  claim(): void
   /// Shows the text of an entry in its place.
   show(id: string, text: string): void
   /// Gives the program as it is on the page a new entry and a new name, because its entry has another text now.
@@ -181,6 +183,7 @@ export function openClassSync(
     },
     save(reason) {
       open.store()
+      if (open.id() === null && reason === "run") open.claim()
       const id = open.id()
       if (id !== null) push(id, reason)
       changed()

@@ -30,6 +30,7 @@ import {openClassSync} from "./class_sync.ts"
 import {readMembership, teacherKey, writeMembership} from "./membership.ts"
 import type {PageOfClass} from "./page_of_class.ts"
 import {openPupilComments} from "./pupil_comments.ts"
+import {openPupilSharing} from "./pupil_sharing.ts"
 
 /// Milliseconds between a change and its being sent to the service.
 const savePause = 2000
@@ -64,6 +65,7 @@ export function openClassroom(page: PageOfClass): void {
     },
     lost() {
       sync.lost()
+      sharing.lost()
       dispatch({kind: "link", link: "lost"})
     },
     received: heard,
@@ -72,6 +74,11 @@ export function openClassroom(page: PageOfClass): void {
   /// What the service would refuse before the page is let in is not sent.
   const send = (message: PupilMessage): boolean =>
     state.value.member !== null && state.value.link === "open" && socket.send(message)
+  /// Stores the open program as if it were changed: without an entry, or with one that has another text now, it gets a new one.
+  const storeAnew = () => {
+    store.dispatch({kind: "renamed", name: store.now.name})
+    loader.store()
+  }
   const sync = openClassSync(
     storage.shared,
     shelf,
@@ -79,15 +86,14 @@ export function openClassroom(page: PageOfClass): void {
       id: loader.storedId,
       store: loader.store,
       show: (id, text) => loader.openText(words.yourProgram, text, {id}),
-      becomeTwo() {
-        store.dispatch({kind: "renamed", name: store.now.name})
-        loader.store()
-      },
+      claim: storeAnew,
+      becomeTwo: storeAnew,
     },
     {name: freshName, place: freshPlace, renamed},
     send,
     showSaved,
   )
+  const sharing = openPupilSharing(page, state, dispatch, send)
   const status = openStatus(store, send)
   const pause = openPause(store)
   const endTasks = openTaskTimers(task => dispatch({kind: "task-ended", task}))
@@ -101,6 +107,7 @@ export function openClassroom(page: PageOfClass): void {
       return
     }
     const wasUp = state.value.hand
+    sharing.heard(message)
     dispatch({kind: "heard", message})
     if (message.op === "entered") {
       sync.entered(message.programs, message.token !== null)
@@ -131,6 +138,7 @@ export function openClassroom(page: PageOfClass): void {
 
   const desk: ClassDesk = {
     ...openPupilComments(page, state, send),
+    ...sharing.commands,
     state,
     code,
     isTeacher,

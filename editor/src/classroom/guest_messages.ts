@@ -1,6 +1,7 @@
 /// Messages between the teacher's board and the page with a pupil's program inside of it, which the board frames. Both are pages of the same service.
 
 import type {BlockComment, PlaceInProgram} from "../state/block_comments.ts"
+import type {SharingMessage, SharingRequest} from "./shared_messages.ts"
 
 /// A place that the teacher chose in the program: its line, and its text to be quoted.
 export interface ChosenPlace {
@@ -20,8 +21,16 @@ export type GuestMessage =
   | {readonly kind: "ready"}
   | {readonly kind: "chosen"; readonly chosen: ChosenPlace | null}
   | {readonly kind: "located"; readonly lines: readonly CommentLine[]}
+  /// While the program is edited together: what the service has to know, and the line of the pupil's cursor.
+  | {readonly kind: "sharing"; readonly message: SharingRequest}
+  | {readonly kind: "line"; readonly line: number | null}
 
-export type HostMessage = {readonly kind: "comments"; readonly comments: readonly BlockComment[]}
+export type HostMessage =
+  | {readonly kind: "comments"; readonly comments: readonly BlockComment[]}
+  /// The pupil, of this name, allows to edit the program together, as it is now.
+  | {readonly kind: "share"; readonly nickname: string; readonly project: string; readonly text: string}
+  | {readonly kind: "shared"; readonly message: SharingMessage}
+  | {readonly kind: "end-sharing"}
 
 /// Sends to a window if it shows a page of this service; the browser drops the message otherwise.
 export function post(to: Window, message: GuestMessage | HostMessage): void {

@@ -42,8 +42,12 @@ export interface CheckRequest {
   readonly seconds: number
   readonly properties: string
   readonly world?: unknown
-  /// Whether only hand-ins without a result are checked.
-  readonly unchecked?: boolean
+}
+
+/// Checks the hand-ins without a result as the newest check of all has checked the others.
+export interface NewCheckRequest {
+  readonly op: "check-new"
+  readonly task: number
 }
 
 /// `read` gives the project file of a program of the teacher's.
@@ -108,11 +112,11 @@ export type Results = ReadonlyMap<number, CheckResult>
 
 /// The number of hand-ins that the checks have left out, as those that came while one went on; 0 before the first check.
 export function uncheckedCount(
-  handedIn: readonly {readonly pupil: number}[],
+  {handedIn, checked}: {readonly handedIn: readonly {readonly pupil: number}[]; readonly checked: boolean},
   results: Results,
-  {number: checks, task}: Checking,
+  {task}: Checking,
 ): number {
-  if (task !== null || (checks === 0 && results.size === 0)) return 0
+  if (task !== null || !checked) return 0
   return handedIn.filter(({pupil}) => !results.has(pupil)).length
 }
 

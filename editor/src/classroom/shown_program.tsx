@@ -5,9 +5,11 @@ import {useEffect, useLayoutEffect, useRef, useState} from "preact/hooks"
 import {quoteOf} from "../state/block_comments.ts"
 import {words} from "../words/index.ts"
 import type {BoardRequest} from "./board_messages.ts"
-import {board, change, type ShownProgram} from "./board_state.ts"
+import {BoardSharing} from "./board_sharing.tsx"
+import {board, change, type ShownProgram, sharingListeners} from "./board_state.ts"
 import type {OwnComment} from "./class_messages.ts"
-import {type ChosenPlace, type GuestMessage, listen, post} from "./guest_messages.ts"
+import {type ChosenPlace, type GuestMessage, type HostMessage, listen, post} from "./guest_messages.ts"
+import type {SharingBounds, SharingMessage} from "./shared_messages.ts"
 
 interface Props {
   readonly shown: ShownProgram
@@ -34,8 +36,23 @@ export function ShownProgramDialog({shown, send}: Props): VNode {
     setGuest(noGuest)
     return listen<GuestMessage>(
       () => frame.current?.contentWindow ?? null,
-      message => setGuest(now => heard(now, message)),
+      message => {
+        if (message.kind === "sharing") send(message.message)
+        else if (message.kind === "line") change({sharingLine: message.line})
+        else setGuest(now => heard(now, message))
+      },
     )
+  }, [shown.address])
+  useEffect(() => {
+    const tell = (message: SharingMessage | SharingBounds) => {
+      const page = frame.current?.contentWindow
+      if (page) post(page, hostMessage(message, shown.nickname))
+    }
+    sharingListeners.add(tell)
+    return () => {
+      sharingListeners.delete(tell)
+      if (board.value.sharing === "asked" || board.value.sharing === "on") send({op: "end-sharing"})
+    }
   }, [shown.address])
   const {program, pupil} = shown
   const comments = program === null ? [] : board.value.comments.filter(one => one.program === program)
@@ -49,7 +66,7 @@ export function ShownProgramDialog({shown, send}: Props): VNode {
     <dialog class="board-program" ref={dialog} aria-label={title} onClose={() => change({shown: null})}>
       <header>
         <h2>{title}</h2>
-        <p class="quiet">{w.readOnly}</p>
+        <BoardSharing shown={shown} send={send} />
         <button type="button" class="plain" onClick={() => change({shown: null})}>
           {w.close}
         </button>
@@ -67,7 +84,20 @@ export function ShownProgramDialog({shown, send}: Props): VNode {
   )
 }
 
-function heard(guest: Guest, message: GuestMessage): Guest {
+function hostMessage(message: SharingMessage | SharingBounds, nickname: string): HostMessage {
+  switch (message.op) {
+    case "shared":
+      return {kind: "share", nickname, project: message.project ?? "", text: message.text ?? ""}
+    case "sharing-over":
+      return {kind: "end-sharing"}
+    default:
+      return {kind: "shared", message}
+  }
+}
+
+type NewsOfGuest = Exclude<GuestMessage, {readonly kind: "sharing" | "line"}>
+
+function heard(guest: Guest, message: NewsOfGuest): Guest {
   switch (message.kind) {
     case "ready":
       return {...guest, isReady: true}

@@ -106,6 +106,8 @@ export function openController(address: string): AppController {
     loadClass({
       store,
       loader,
+      editor,
+      parts,
       shelf: programStore,
       storage,
       code: classCode,
@@ -122,7 +124,9 @@ export function openController(address: string): AppController {
     if (first === "linked" && runsAtOnce && store.now.robots.held === null) controller.run()
     classMode.programOpened()
     if (isBoardGuest())
-      void import("../classroom/board_guest.ts").then(({openBoardGuest}) => openBoardGuest(store, parts))
+      void import("../classroom/board_guest.ts").then(({openBoardGuest}) =>
+        openBoardGuest(store, parts, loader, editor),
+      )
   })
   return controller
 }

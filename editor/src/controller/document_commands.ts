@@ -34,6 +34,9 @@ export function documentCommands(store: Store, parts: PageParts, editor: Documen
     undo() {
       if (store.now.worldEditor !== null) return store.dispatch({kind: "world-edited", edit: {kind: "undo"}})
       editor.flush()
+      // The steps of the document are those of both who edit it.
+      const shared = parts.source?.shared() ?? null
+      if (shared !== null) return shared.undo()
       store.dispatch({kind: "undo-pressed"})
       // Text that was typed and undone within one frame leaves the document as it was drawn; the pane still has it.
       editor.showText()
@@ -41,6 +44,8 @@ export function documentCommands(store: Store, parts: PageParts, editor: Documen
     redo() {
       if (store.now.worldEditor !== null) return store.dispatch({kind: "world-edited", edit: {kind: "redo"}})
       editor.flush()
+      const shared = parts.source?.shared() ?? null
+      if (shared !== null) return shared.redo()
       store.dispatch({kind: "redo-pressed"})
       editor.showText()
     },

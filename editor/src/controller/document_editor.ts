@@ -51,11 +51,12 @@ export function openDocumentEditor(store: Store, parts: PageParts): DocumentEdit
     if (parts.reader === null) return null
     const edit = typing.take()
     if (edit === null) return null
-    const {text, changes} = edit
+    const {text, changes, isOwn} = edit
     const began = performance.now()
     const document = withText(parts.reader, store.now.document, text, changes)
     store.dispatch({kind: "program-changed", document, changes, by: "haskell", at: began})
-    if (parts.source !== null) cursorMoved(parts.source.cursor())
+    // The cursor chooses a block where the learner writes, not where another user does.
+    if (parts.source !== null && isOwn) cursorMoved(parts.source.cursor())
     typing.cost(performance.now() - began)
     return changes
   }

@@ -14,13 +14,15 @@ export interface PendingEdit {
   readonly text: string
   /// From the document's text to `text`.
   readonly changes: ChangeSet
+  /// Something of it was typed here, not by another user who edits the text, too.
+  readonly isOwn: boolean
 }
 
 export interface EditDebounce {
   /// Whether an edit is pending.
   waits(): boolean
   /// The text was changed, to `text`.
-  typed(text: string, changes: ChangeSet): void
+  typed(text: string, changes: ChangeSet, isOwn: boolean): void
   /// The edits since the last call, to be applied now.
   take(): PendingEdit | null
   /// Drops the pending edit: another program is open.
@@ -53,9 +55,13 @@ export function openEditDebounce(follow: () => void): EditDebounce {
   }
   return {
     waits: () => pending !== null,
-    typed(text, changes) {
+    typed(text, changes, isOwn) {
       if (pending === null) since = performance.now()
-      pending = {text, changes: pending === null ? changes : pending.changes.compose(changes)}
+      pending = {
+        text,
+        changes: pending === null ? changes : pending.changes.compose(changes),
+        isOwn: isOwn || pending?.isOwn === true,
+      }
       soon()
     },
     take() {

@@ -44,6 +44,8 @@ export interface Origin {
 export interface ProgramLoader {
   /// Opens the text of a project file, or of Haskell if `name` ends with `.hs`.
   openText(name: string, text: string, origin?: Origin): void
+  /// Calls `heard` before another program takes the place of the open one.
+  onOpening(heard: () => void): void
   /// Opens a program or a room from the learner's disk; `null` for a file that is not text.
   openFile(name: string, text: string | null): void
   newProgram(): void
@@ -76,6 +78,7 @@ export function openProgramLoader(
 ): ProgramLoader {
   let project = newProject("")
   let requests = 0
+  const openings: (() => void)[] = []
   const notify = (notice: Notice) => store.dispatch({kind: "notice", notice})
   const projectText = () => writeProject(project, store.now.document, store.now.name, store.now.worldName)
   const roomOf = (id: string | null) => (id === null ? null : stored.replacedRoom(id))
@@ -111,6 +114,7 @@ export function openProgramLoader(
     opened: OpenedProject,
     {welcome = false, id = null, reloaded = false, inLesson = false, isFirst = false}: Origin,
   ) => {
+    for (const heard of openings) heard()
     requests += 1
     autosave.opened(id, reloaded)
     setExampleInAddress(null)
@@ -149,6 +153,7 @@ export function openProgramLoader(
     })
   return {
     openText,
+    onOpening: heard => openings.push(heard),
     openFile(name, text) {
       if (text === null) notify({kind: "not-text", name})
       else if (store.now.worldEditor !== null || isWorldFile(name, text))

@@ -106,8 +106,8 @@ export function mountSource(
       const {document, declared} = store.now
       return signatureFix(document.program, declared, offset, words.writeType)
     },
-    edited(text, changes) {
-      editor.typing.typed(text, changes)
+    edited(text, changes, isOwn) {
+      editor.typing.typed(text, changes, isOwn)
       edited()
     },
   })

@@ -6,7 +6,7 @@ import {defaultKeymap, indentLess, indentMore} from "@codemirror/commands"
 import {bracketMatching} from "@codemirror/language"
 import {lintGutter, lintKeymap, openLintPanel, setDiagnostics} from "@codemirror/lint"
 import {highlightSelectionMatches, search, searchKeymap} from "@codemirror/search"
-import {Annotation, Compartment, EditorState} from "@codemirror/state"
+import {Annotation, Compartment, EditorState, Transaction} from "@codemirror/state"
 import {drawSelection, EditorView, keymap} from "@codemirror/view"
 import type {Finding} from "../state/program.ts"
 import {changesBetween} from "../state/text_changes.ts"
@@ -19,6 +19,7 @@ import type {HaskellPane, SourceOptions} from "./haskell_pane_types.ts"
 import {indentation} from "./indentation.ts"
 import {numberDragging} from "./number_drag.ts"
 import {renamePanel, renameShortcut} from "./rename_panel.ts"
+import {openSharedText, type SharedText, sharedText} from "./shared_text.ts"
 import {ownKeys} from "./shortcuts.ts"
 import {programShown, syntaxColouring} from "./syntax_colouring.ts"
 import {tooltips} from "./tooltips.ts"
@@ -29,6 +30,8 @@ const fromPage = Annotation.define<true>()
 
 export function openHaskellPane(host: HTMLElement, options: SourceOptions): HaskellPane {
   const editable = new Compartment()
+  const sharing = new Compartment()
+  let shared: SharedText | null = null
   // Tab indents after typing; in a walk through the page by keyboard it goes on to the next
   // part (WCAG 2.2 §2.1.2: no keyboard trap).
   let writing = false
@@ -104,11 +107,13 @@ export function openHaskellPane(host: HTMLElement, options: SourceOptions): Hask
         valueWidgets,
         commentLines,
         lintGutter(),
+        sharing.of([]),
         EditorView.updateListener.of(update => {
           const mine = update.transactions.some(t => t.annotation(fromPage) === true)
-          if (update.docChanged && !mine) writing = true
+          const isOwn = update.transactions.every(t => t.annotation(Transaction.remote) !== true)
+          if (update.docChanged && !mine && isOwn) writing = true
           if (update.focusChanged && !update.view.hasFocus) writing = false
-          if (update.docChanged && !mine) options.edited(update.state.doc.toString(), update.changes)
+          if (update.docChanged && !mine) options.edited(update.state.doc.toString(), update.changes, isOwn)
           else if (update.selectionSet && update.transactions.some(t => t.isUserEvent("select")))
             options.cursorMoved(update.state.selection.main.head)
         }),
@@ -163,6 +168,19 @@ export function openHaskellPane(host: HTMLElement, options: SourceOptions): Hask
       marked = said
       markedLines = lines
       view.dispatch(setDiagnostics(view.state, diagnostics))
+    },
+    share(side, name, changed) {
+      const told = EditorView.updateListener.of(update => {
+        if (update.docChanged || update.selectionSet) changed()
+      })
+      view.dispatch({effects: sharing.reconfigure([sharedText(side, name), told])})
+      shared = openSharedText(view)
+      return shared
+    },
+    shared: () => shared,
+    endSharing() {
+      shared = null
+      view.dispatch({effects: sharing.reconfigure([])})
     },
     cursor: () => view.state.selection.main.head,
     reveal(range) {

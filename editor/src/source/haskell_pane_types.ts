@@ -8,6 +8,7 @@ import type {Range} from "./decorations.ts"
 import type {DropPreview} from "./drop_preview.ts"
 import type {NumberDragging} from "./number_drag.ts"
 import type {Renamer} from "./rename_panel.ts"
+import type {SharedText, Side} from "./shared_text.ts"
 import type {Documentation} from "./tooltips.ts"
 import type {LineValue} from "./value_widgets.ts"
 
@@ -28,6 +29,11 @@ export interface HaskellPane {
   /// Shows the teacher's comments below the lines that they are about.
   showComments(comments: readonly CommentOnLine[]): void
   mark(findings: readonly Finding[]): void
+  /// Begins to edit the text, as it is, together with another page, whose user has this name. `changed` is called after each change of text and selection.
+  share(side: Side, name: string, changed: () => void): SharedText
+  /// The text while it is edited together; `null` otherwise.
+  shared(): SharedText | null
+  endSharing(): void
   /// Where the cursor is.
   cursor(): number
   /// Brings a place into sight and puts the cursor there.
@@ -72,8 +78,8 @@ export interface SourceOptions {
   cursorMoved(offset: number): void
   /// The dragging of the number at the cursor.
   readonly numbers: NumberDragging
-  /// The learner changed the text, to `text`.
-  edited(text: string, changes: ChangeSet): void
+  /// The text was changed in the pane, to `text`; not `isOwn` by another user who edits it, too.
+  edited(text: string, changes: ChangeSet, isOwn: boolean): void
   /// The learner chose a way to mend a problem.
   mend(fix: Fix): void
   /// What can be made better at a place that has no problem.

@@ -80,6 +80,10 @@ class Browser {
           this.page = text
           this.shown.push(text)
         },
+        claim: () => {
+          this.open = this.place()
+          this.shelf.insert(this.open, "walk", this.page, 1)
+        },
         becomeTwo: () => {
           // As autosave does: the page keeps its text, under a new entry and name.
           const copy = this.place()
@@ -305,4 +309,21 @@ describe("a program in the class", () => {
       }
     }
   })
+})
+
+test("a program is saved when it runs unchanged, not when it is only open", () => {
+  const service = new Service()
+  const browser = new Browser(service, "a")
+  browser.enters()
+  browser.page = "example"
+  browser.save()
+  expect(service.texts()).toEqual([])
+  browser.sync.save("run")
+  browser.settle()
+  expect(service.texts()).toEqual(["example"])
+  expect(browser.sync.state()).toBe("saved")
+  // The next run is of the same program.
+  browser.sync.save("run")
+  browser.settle()
+  expect(service.texts()).toEqual(["example"])
 })

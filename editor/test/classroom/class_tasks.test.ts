@@ -35,7 +35,7 @@ test("the messages about tasks are read", () => {
   const late = {op: "not-handed-in", task: 1, reason: "late"}
   expect(readClassMessage(JSON.stringify(late))).toEqual({kind: "ok", value: late})
   const handedIn = {pupil: 3, at: 5, name: "walk", comment: "", alike: [4]}
-  const task = {id: 1, title: "Maze", opened: 1, deadline: null, open: false}
+  const task = {id: 1, title: "Maze", opened: 1, deadline: null, open: false, checked: true}
   expect(readBoardMessage(JSON.stringify({op: "tasks", tasks: [{...task, handed_in: [handedIn]}]}))).toEqual({
     kind: "ok",
     value: {op: "tasks", tasks: [{...task, handedIn: [handedIn]}]},

@@ -47,14 +47,14 @@ test("the room of a program of the teacher's is sent, a room of the gallery by i
 })
 
 test("hand-ins that a check left out are counted when it has ended", () => {
-  const handedIn = [{pupil: 1}, {pupil: 2}, {pupil: 3}]
+  const task = {handedIn: [{pupil: 1}, {pupil: 2}, {pupil: 3}], checked: true}
   const none = {number: 0, task: null, done: 0, of: 0, rooms: 0}
   const one = new Map([[2, outcome(5, 60)]])
-  expect(uncheckedCount(handedIn, new Map(), none)).toBe(0)
-  expect(uncheckedCount(handedIn, one, {...none, number: 1, task: 4})).toBe(0)
-  expect(uncheckedCount(handedIn, one, {...none, number: 1})).toBe(2)
+  expect(uncheckedCount({...task, checked: false}, new Map(), {...none, number: 1})).toBe(0)
+  expect(uncheckedCount(task, one, {...none, number: 1, task: 4})).toBe(0)
+  expect(uncheckedCount(task, one, {...none, number: 1})).toBe(2)
   // A check before the board was opened.
-  expect(uncheckedCount(handedIn, one, none)).toBe(2)
+  expect(uncheckedCount(task, one, none)).toBe(2)
 })
 
 test("the messages about a check are read", () => {

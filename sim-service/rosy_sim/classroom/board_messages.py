@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal
 
 import msgspec
 
-from .check_messages import CancelCheck, CheckAll, Checking, OpenRun, ResultShown, RunShown, ShowResults
+from .check_messages import CancelCheck, CheckAll, Checking, CheckNew, OpenRun, ResultShown, RunShown, ShowResults
 from .message_fields import (
     BadRequest,
     Identifier,
@@ -24,6 +24,8 @@ from .message_fields import (
 )
 from .projector_messages import Project, Projecting
 from .pupil_messages import OwnComment
+from .shared_messages import AskToShare, Cursor, EndSharing, Over, Push, Updates, Waiting
+from .shared_messages import Shared as ShareBegun
 
 __all__ = [
     "AddComment",
@@ -159,9 +161,14 @@ BoardRequest = (
     | RemoveComment
     | Project
     | CheckAll
+    | CheckNew
     | CancelCheck
     | ShowResults
     | OpenRun
+    | AskToShare
+    | Push
+    | Cursor
+    | EndSharing
 )
 
 
@@ -253,7 +260,9 @@ class HandedIn(msgspec.Struct):
 
 
 class BoardTask(msgspec.Struct):
-    """A task with its hand-ins, oldest first; times in s since 1970."""
+    """
+    A task with its hand-ins, oldest first; times in s since 1970. ``checked``: there was a check of all hand-ins.
+    """
 
     id: int
     title: str
@@ -261,6 +270,7 @@ class BoardTask(msgspec.Struct):
     deadline: float | None
     open: bool
     handed_in: list[HandedIn]
+    checked: bool = False
 
 
 class BoardTasks(msgspec.Struct, tag="tasks", tag_field="op"):
@@ -290,6 +300,11 @@ BoardAnswer = (
     | Checking
     | ResultShown
     | RunShown
+    | Waiting
+    | ShareBegun
+    | Updates
+    | Cursor
+    | Over
 )
 
 

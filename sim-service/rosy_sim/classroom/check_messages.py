@@ -15,6 +15,7 @@ from ..wire.room_tests import MAX_ROOMS, MAX_SECONDS, TestedRoom
 __all__ = [
     "CancelCheck",
     "CheckAll",
+    "CheckNew",
     "CheckResult",
     "Checking",
     "Fault",
@@ -36,8 +37,8 @@ too long; the trial process was lost.
 
 class CheckAll(msgspec.Struct, tag="check-all", tag_field="op"):
     """
-    Try every hand-in of a task in the same rooms, or with ``unchecked`` those without a result only. The family
-    ``room`` has ``world`` as its first room and rooms like it as the others; ``own`` likewise the room of each hand-in.
+    Try every hand-in of a task in the same rooms. The family ``room`` has ``world`` as its first room and rooms like it
+    as the others; ``own`` likewise the room of each hand-in.
     """
 
     task: int
@@ -48,7 +49,12 @@ class CheckAll(msgspec.Struct, tag="check-all", tag_field="op"):
     seconds: Annotated[float, msgspec.Meta(gt=0, le=MAX_SECONDS)]
     properties: Annotated[str, msgspec.Meta(max_length=1000)]
     world: Any = None
-    unchecked: bool = False
+
+
+class CheckNew(msgspec.Struct, tag="check-new", tag_field="op"):
+    """Try the hand-ins of a task that have no result as its newest ``CheckAll`` has tried the others."""
+
+    task: int
 
 
 class CancelCheck(msgspec.Struct, tag="cancel-check", tag_field="op"):

@@ -13,7 +13,7 @@ import msgspec
 
 from . import board_messages as b
 from . import pupil_messages as p
-from .check_messages import CheckResult
+from .check_messages import CheckAll, CheckResult
 from .class_store import ClassStore
 from .message_fields import Refused
 from .program_fingerprint import fingerprint, source_of
@@ -92,7 +92,9 @@ class ClassTasks:
         """The newest tasks as the board shows them now."""
         now = self.today()
         tasks = {
-            task.id: b.BoardTask(task.id, task.title, task.opened, task.deadline, task.is_open(now), [])
+            task.id: b.BoardTask(
+                task.id, task.title, task.opened, task.deadline, task.is_open(now), [], bool(task.check)
+            )
             for task in list(self._tasks.values())[-_SHOWN_ON_BOARD:]
         }
         alike_in = {task: self.alike(task) for task in tasks}
@@ -142,6 +144,22 @@ class ClassTasks:
         self._hand_ins[key] = replace(self._hand_ins[key], comment=text)
         return True
 
+    async def keep_check(self, request: CheckAll) -> None:
+        """
+        Store what a check tries, for the hand-ins that come after it.
+
+        Raises:
+            sqlite3.Error: the disk is full or broken; nothing was changed.
+        """
+        encoded = msgspec.json.encode(request)
+        await self._thread.call(lambda store: store.tasks.set_check(request.task, encoded))
+        self._tasks[request.task] = replace(self._tasks[request.task], check=encoded)
+
+    def newest_check(self, task: int) -> CheckAll | None:
+        """The newest check of all hand-ins of a task; ``None`` if there was none."""
+        found = self._tasks.get(task)
+        return msgspec.json.decode(found.check, type=CheckAll) if found is not None and found.check else None
+
     async def grade(self, task: int, pupil: int, at: float, result: CheckResult) -> None:
         """
         Store the result of the hand-in of that time, unless the pupil has handed in again since.
@@ -169,4 +187,4 @@ class ClassTasks:
 
 
 def _closed(task: Task, now: float) -> Task:
-    return Task(task.id, task.title, task.opened, task.deadline, now if task.closed is None else task.closed)
+    return replace(task, closed=now if task.closed is None else task.closed)

@@ -32,6 +32,8 @@ from .nickname import BadNickname, read_nickname
 from .projection import Projection
 from .projector_messages import Project, Projected
 from .pupil_state import PupilState
+from .shared_editing import Participant, SharedEditing
+from .shared_messages import AskToShare, Cursor, Decline, EndSharing, Push, Share
 from .store_thread import StoreThread
 from .word_list import draw_words, read_words
 
@@ -94,6 +96,7 @@ class Classroom:
         self.comments = ClassComments(store, self._store, time.time)
         self.projection = Projection(self._newest_program)
         self.pages: set[PupilPage] = set()
+        self.sharing = SharedEditing(self._participants)
         # The newest one for each pupil, and the newest one for those without one of their own.
         self._handouts: dict[int, p.Handout] = {}
         self._handout: p.Handout | None = None
@@ -116,6 +119,7 @@ class Classroom:
         self.pages.discard(page)
         if page.pupil is not None:
             self._members[page.pupil.id].state.disconnect(id(page), self.now())
+            self.sharing.page_left(page.pupil.id, page)
 
     async def serve(self, page: PupilPage, request: p.PupilRequest) -> None:
         """Serve a request of a pupil's page."""
@@ -204,6 +208,7 @@ class Classroom:
             page.put(p.Attention(self.attention))
         if (handout := self._handouts.get(pupil.id, self._handout)) is not None:
             page.put(handout)
+        self.sharing.page_entered(pupil.id, _participant(page))
 
     async def _serve_member(self, page: PupilPage, member: _Member, request: p.PupilRequest) -> None:
         match request:
@@ -231,6 +236,9 @@ class Classroom:
                     await self._store.call(ClassStore.forget_device, page.token)
                 self.leave(page)
                 page.pupil = page.token = None
+            case Share() | Decline() | Push() | Cursor() | EndSharing():
+                if refused := self.sharing.serve_page(member.pupil.id, _participant(page), request):
+                    page.put(refused)
             case p.Join() | p.Resume() | p.Enter():
                 page.put(Refused("request"))
 
@@ -386,6 +394,14 @@ class Classroom:
             page.put(handout)
         return b.Sent(len(reached), len(to - {page.pupil.id for page in reached if page.pupil is not None}))
 
+    async def ask_to_share(self, board: Participant, request: AskToShare) -> Refused | None:
+        """Ask a pupil whether the teacher may edit a program together with the pupil; what is returned says why not."""
+        latest = await self._store.call(ClassStore.latest, request.pupil, request.program)
+        return Refused("request") if latest is None else self.sharing.ask(board, request, latest.name)
+
+    def _participants(self, pupil: int) -> list[Participant]:
+        return [_participant(page) for page in self.pages if page.pupil is not None and page.pupil.id == pupil]
+
     def project(self, request: Project) -> Refused | None:
         """Choose what the projectors show; what is returned says why not."""
         if request.pupil is not None and request.pupil not in self._members:
@@ -418,3 +434,7 @@ class Classroom:
         if latest is None:
             return b.ProgramShown(request.pupil, "", None)
         return b.ProgramShown(request.pupil, latest.name, latest.text, latest.program)
+
+
+def _participant(page: PupilPage) -> Participant:
+    return Participant(page, page.put)

@@ -26,7 +26,7 @@ from ..sentence import tr
 from ..wording import in_terminal
 from ..world.properties import BadProperty, read_properties
 from ..worlds.gallery import DEFAULT_WORLD, named_world
-from .check_messages import CheckAll, Checking, CheckResult, Fault
+from .check_messages import CheckAll, Checking, CheckNew, CheckResult, Fault
 from .class_tasks import ClassTasks
 from .database import StoreError
 from .message_fields import Refused
@@ -61,13 +61,15 @@ class HandInChecks:
         self._check: asyncio.Task[None] | None = None
         self.progress = Checking()
 
-    def start(self, request: CheckAll, refuse: Callable[[Refused], None]) -> None:
+    def start(self, request: CheckAll | CheckNew, refuse: Callable[[Refused], None]) -> None:
         """Begin a check. ``refuse`` is called when it cannot begin, or when a result cannot be stored."""
-        if self._check is not None or self._tasks.task(request.task) is None:
+        is_new = isinstance(request, CheckNew)
+        check = self._tasks.newest_check(request.task) if isinstance(request, CheckNew) else request
+        if self._check is not None or check is None or self._tasks.task(request.task) is None:
             refuse(Refused("request"))
             return
         self.progress = Checking(self.progress.number + 1, request.task)
-        self._check = asyncio.get_running_loop().create_task(self._run(request, refuse))
+        self._check = asyncio.get_running_loop().create_task(self._run(check, is_new, refuse))
 
     async def cancel(self) -> None:
         """End the check, if one goes on, and its processes."""
@@ -82,12 +84,14 @@ class HandInChecks:
         self.progress = Checking(self.progress.number)
         self._check = None
 
-    async def _run(self, request: CheckAll, refuse: Callable[[Refused], None]) -> None:
+    async def _run(self, request: CheckAll, is_new: bool, refuse: Callable[[Refused], None]) -> None:
         try:
             read_properties(request.properties)
             if request.family != "own":
                 await asyncio.to_thread(_room_test, request, "")
-            kept = [one for one in await self._tasks.kept(request.task) if not (request.unchecked and one.result)]
+            if not is_new:
+                await self._tasks.keep_check(request)
+            kept = [one for one in await self._tasks.kept(request.task) if not (is_new and one.result)]
             self.progress = msgspec.structs.replace(self.progress, of=len(kept))
             await self._check_all(request, kept)
         except (BadInput, BadProperty):

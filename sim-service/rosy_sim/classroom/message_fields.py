@@ -57,6 +57,8 @@ Refusal = (
         "disk",
         "rooms",
         "comments",
+        "busy",
+        "away",
     ]
     | Fault
 )

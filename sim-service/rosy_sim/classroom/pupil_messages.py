@@ -22,6 +22,8 @@ from .message_fields import (
     Shared,
     Typed,
 )
+from .shared_messages import Asked, Cursor, Decline, EndSharing, Over, Push, Share, Updates
+from .shared_messages import Shared as ShareBegun
 
 __all__ = [
     "Attention",
@@ -136,7 +138,24 @@ class CommentDone(msgspec.Struct, tag="comment-done", tag_field="op"):
     done: bool
 
 
-PupilRequest = Join | Resume | Enter | Forget | Here | Save | Read | Status | Hand | HandIn | CommentDone
+PupilRequest = (
+    Join
+    | Resume
+    | Enter
+    | Forget
+    | Here
+    | Save
+    | Read
+    | Status
+    | Hand
+    | HandIn
+    | CommentDone
+    | Share
+    | Decline
+    | Push
+    | Cursor
+    | EndSharing
+)
 
 
 # Answers to a pupil's page
@@ -277,6 +296,11 @@ PupilAnswer = (
     | OwnTasks
     | NotHandedIn
     | OwnComments
+    | Asked
+    | ShareBegun
+    | Updates
+    | Cursor
+    | Over
 )
 
 

@@ -85,6 +85,10 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
         )""",
         "CREATE INDEX comment_of_pupil ON comment (pupil)",
     ),
+    (
+        # The newest check of all hand-ins as JSON (`check_messages.CheckAll`); empty if there was none.
+        "ALTER TABLE task ADD COLUMN check_settings BLOB NOT NULL DEFAULT x''",
+    ),
 )
 
 

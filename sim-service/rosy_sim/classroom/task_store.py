@@ -18,13 +18,17 @@ MAX_TASKS = 200
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """A task; ``closed`` is when the teacher ended it, ``deadline`` when it ends by itself."""
+    """
+    A task; ``closed`` is when the teacher ended it, ``deadline`` when it ends by itself. ``check`` is the newest check
+    of all hand-ins as JSON (``check_messages.CheckAll``), empty if there was none.
+    """
 
     id: int
     title: str
     opened: float
     deadline: float | None = None
     closed: float | None = None
+    check: bytes = b""
 
     def is_open(self, now: float) -> bool:
         """Whether pupils can hand in."""
@@ -73,7 +77,9 @@ class TaskStore:
 
     def tasks(self) -> list[Task]:
         """All tasks, oldest first."""
-        rows = self._database.execute("SELECT id, title, opened, deadline, closed FROM task ORDER BY id")
+        rows = self._database.execute(
+            "SELECT id, title, opened, deadline, closed, check_settings FROM task ORDER BY id"
+        )
         return [Task(*row) for row in rows]
 
     def open(self, title: str, deadline: float | None, now: float) -> Task | None:
@@ -92,6 +98,11 @@ class TaskStore:
         """End a task."""
         with self._database.transaction():
             self._database.execute("UPDATE task SET closed = ? WHERE id = ? AND closed IS NULL", (now, task))
+
+    def set_check(self, task: int, check: bytes) -> None:
+        """Set the newest check of all hand-ins."""
+        with self._transaction():
+            self._database.execute("UPDATE task SET check_settings = ? WHERE id = ?", (check, task))
 
     def hand_in(self, task: int, pupil: int, name: str, text: str, now: float, fingerprint: str = "") -> None:
         """Store a pupil's hand-in in place of an earlier one and its result. The comment stays."""

@@ -15,12 +15,14 @@ from starlette.websockets import WebSocket
 
 from ..classroom import board_messages as b
 from ..classroom import pupil_messages as p
-from ..classroom.check_messages import CancelCheck, CheckAll, Checking, OpenRun, ResultShown, ShowResults
+from ..classroom.check_messages import CancelCheck, CheckAll, Checking, CheckNew, OpenRun, ResultShown, ShowResults
 from ..classroom.classroom import Classroom, PupilPage
 from ..classroom.database import StoreError
 from ..classroom.hand_in_checks import HandInChecks
 from ..classroom.message_fields import Refused
 from ..classroom.projector_messages import Project, Projecting
+from ..classroom.shared_editing import Participant
+from ..classroom.shared_messages import AskToShare, Cursor, EndSharing, Push
 from ..sentence import tr
 from ..wording import in_terminal
 from .address_slots import AddressSlots
@@ -118,6 +120,7 @@ class ClassSockets:
             )
         finally:
             self._boards.free(connection.address)
+            self._classroom.sharing.board_left(connection)
 
     def _try_key(self, connection: ClassConnection, key: str) -> bool:
         classroom = self._classroom
@@ -163,7 +166,7 @@ class ClassSockets:
             case Project():
                 if refused := self._classroom.project(request):
                     connection.put(refused)
-            case CheckAll():
+            case CheckAll() | CheckNew():
                 self._checks.start(request, connection.put)
             case CancelCheck():
                 await self._checks.cancel()
@@ -171,6 +174,14 @@ class ClassSockets:
                 connection.results_of = request.task
             case OpenRun():
                 connection.put(await self._classroom.run_shown(request))
+            case AskToShare():
+                board = Participant(connection, connection.put)
+                if refused := await self._classroom.ask_to_share(board, request):
+                    connection.put(refused)
+            case Push() | Cursor() | EndSharing():
+                board = Participant(connection, connection.put)
+                if refused := self._classroom.sharing.serve_board(board, request):
+                    connection.put(refused)
             case b.Unlock():
                 connection.put(Refused("request"))
 

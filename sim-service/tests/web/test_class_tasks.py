@@ -280,18 +280,22 @@ def test_the_board_checks_all_hand_ins_in_rooms_and_opens_the_worst_one(config: 
             assert (await board.op("result"))["result"] is None
             assert "worst" not in str(ada.seen) + str(ben.seen)
             # Only this one is checked; the others keep their results of two rooms.
-            await board.send("check-all", **{**CHECK, "rooms": 1, "unchecked": True})
-            assert set(await results(board, 1)) == {second}
+            await board.send("check-new", task=1)
+            (again,) = (await results(board, 1)).items()
+            assert (again[0], again[1]["rooms"], again[1]["properties"]) == (second, 2, CHECK["properties"])
             await board.op("checking", such=lambda m: m["task"] is None)
-        # The service starts again.
+            await hand_in(ada, project("drive:0.5"))
+        # The service starts again, and knows what the last check of all has tried.
         async with teaching(config) as opened:
             board = await opened.board()
+            assert (await board.op("tasks"))["tasks"][0]["checked"]
             await board.send("show-results", task=1)
-            assert {pupil: one["rooms"] for pupil, one in (await results(board, 3)).items()} == {
-                first: 2,
-                second: 1,
-                third: 2,
-            }
+            assert {pupil: one["rooms"] for pupil, one in (await results(board, 2)).items()} == {second: 2, third: 2}
+            await board.send("check-new", task=1)
+            (last,) = (await results(board, 1)).items()
+            assert (last[0], last[1]["rooms"], last[1]["seed"]) == (first, 2, CHECK["seed"])
+            await board.send("check-new", task=9)
+            assert (await board.op("refused"))["reason"] == "request"
 
     asyncio.run(run())
 

@@ -79,6 +79,19 @@ export const classroom: Words["classroom"] = {
     done: "Erledigt",
     doneOf: text => `Erledigt: „${text}“`,
   },
+  sharing: {
+    teacher: "Deine Lehrkraft",
+    asked: name =>
+      `Deine Lehrkraft fragt, ob ihr „${name}“ zusammen bearbeiten wollt. Beide sehen dann sofort, was der andere ändert.`,
+    allow: "Erlauben",
+    decline: "Jetzt nicht",
+    on: "Deine Lehrkraft und du bearbeitet dieses Programm zusammen.",
+    teacherLine: line => `Deine Lehrkraft ist in Zeile ${line}.`,
+    end: "Nicht mehr zusammen bearbeiten",
+    ended: "Ihr bearbeitet das Programm nicht mehr zusammen. Es bleibt, wie es ist.",
+    gone: name => `„${name}“ ist nicht in diesem Browser und kann deshalb nicht zusammen bearbeitet werden.`,
+    close: "Schließen",
+  },
   projector: {
     title: "Beamer",
     nothing: "Auf der Tafel wählen, wessen Raum hier zu sehen ist.",
@@ -146,6 +159,8 @@ export const classroom: Words["classroom"] = {
       tasks: "Diese Klasse hat 200 Aufgaben, mehr kann eine Klasse nicht haben.",
       comments: "Zu diesen Programmen gibt es 200 Kommentare, mehr gehen nicht. Nimm einige zurück.",
       disk: "Rosy kann es nicht speichern: Die Platte ist voll oder defekt.",
+      busy: "Dieses Kind wird schon auf einem anderen Board gefragt oder bearbeitet dort zusammen.",
+      away: "Dieses Kind ist nicht verbunden. Fragen Sie später noch einmal.",
     },
     comments: {
       title: "Kommentare",
@@ -160,6 +175,16 @@ export const classroom: Words["classroom"] = {
       remove: "Zurücknehmen",
       removeOf: text => `Zurücknehmen: „${text}“`,
       count: (done, of) => `${done} von ${of} Kommentaren erledigt`,
+    },
+    sharing: {
+      ask: "Fragen, ob wir zusammen bearbeiten",
+      withdraw: "Frage zurücknehmen",
+      asked: nickname => `${nickname} wurde gefragt, ob Sie das Programm zusammen bearbeiten dürfen.`,
+      on: nickname =>
+        `Sie und ${nickname} bearbeiten dieses Programm zusammen. Rückgängig nimmt nur Ihre eigenen Änderungen zurück.`,
+      declined: nickname => `${nickname} möchte jetzt nicht zusammen bearbeiten. Dies ist eine Kopie.`,
+      ended: () => "Das gemeinsame Bearbeiten ist zu Ende. Änderungen hier erreichen das Kind nicht mehr.",
+      line: (nickname, line) => `${nickname} ist in Zeile ${line}.`,
     },
     projector: {
       title: "Beamer",

@@ -74,6 +74,19 @@ export const classroom = {
     done: "Done",
     doneOf: (text: string) => `Done: “${text}”`,
   },
+  sharing: {
+    teacher: "Your teacher",
+    asked: (name: string) =>
+      `Your teacher asks to edit “${name}” together with you. Each of you then sees at once what the other changes.`,
+    allow: "Allow",
+    decline: "Not now",
+    on: "Your teacher and you are editing this program together.",
+    teacherLine: (line: number) => `Your teacher is in line ${line}.`,
+    end: "Stop editing together",
+    ended: "Editing together has ended. The program stays as it is.",
+    gone: (name: string) => `“${name}” is not in this browser, so it cannot be edited together.`,
+    close: "Close",
+  },
   projector: {
     title: "Projector",
     nothing: "Choose on the board whose room is shown here.",
@@ -141,6 +154,8 @@ export const classroom = {
       tasks: "This class has 200 tasks, the most that a class can have.",
       comments: "This pupil has 200 comments, the most that there can be. Take back some of them.",
       disk: "Rosy cannot store it: the disk is full or broken.",
+      busy: "This pupil is being asked or edits together already, on another board.",
+      away: "This pupil is not connected. Ask again later.",
     },
     comments: {
       title: "Comments",
@@ -155,6 +170,17 @@ export const classroom = {
       remove: "Take back",
       removeOf: (text: string) => `Take back “${text}”`,
       count: (done: number, of: number) => `${done} of ${of} comments done`,
+    },
+    sharing: {
+      ask: "Ask to edit together",
+      withdraw: "Take back the question",
+      asked: (nickname: string) => `${nickname} was asked whether you may edit the program together.`,
+      on: (nickname: string) =>
+        `You and ${nickname} are editing this program together. Undo takes back your own changes only.`,
+      declined: (nickname: string) => `${nickname} does not want to edit together now. This is a copy.`,
+      ended: (_nickname: string) =>
+        "Editing together has ended. Changes here do not reach the pupil any more.",
+      line: (nickname: string, line: number) => `${nickname} is in line ${line}.`,
     },
     projector: {
       title: "Projector",

@@ -78,6 +78,19 @@ export const classroom: Words["classroom"] = {
     done: "Hecho",
     doneOf: text => `Hecho: «${text}»`,
   },
+  sharing: {
+    teacher: "Tu profesor",
+    asked: name =>
+      `Tu profesor pregunta si podéis editar «${name}» juntos. Cada uno ve al momento lo que cambia el otro.`,
+    allow: "Permitir",
+    decline: "Ahora no",
+    on: "Tu profesor y tú editáis este programa juntos.",
+    teacherLine: line => `Tu profesor está en la línea ${line}.`,
+    end: "Dejar de editar juntos",
+    ended: "La edición conjunta ha terminado. El programa queda como está.",
+    gone: name => `«${name}» no está en este navegador, así que no se puede editar en conjunto.`,
+    close: "Cerrar",
+  },
   projector: {
     title: "Proyector",
     nothing: "Elige en el panel qué sala se ve aquí.",
@@ -145,6 +158,8 @@ export const classroom: Words["classroom"] = {
       tasks: "Esta clase tiene 200 tareas, el máximo posible.",
       comments: "Hay 200 comentarios para este alumno, el máximo. Retira algunos.",
       disk: "Rosy no puede guardarlo: el disco está lleno o dañado.",
+      busy: "A este alumno ya se le ha preguntado o ya edita en conjunto, en otro tablero.",
+      away: "Este alumno no está conectado. Pregunta más tarde.",
     },
     comments: {
       title: "Comentarios",
@@ -159,6 +174,16 @@ export const classroom: Words["classroom"] = {
       remove: "Retirar",
       removeOf: text => `Retirar «${text}»`,
       count: (done, of) => `${done} de ${of} comentarios hechos`,
+    },
+    sharing: {
+      ask: "Pedir editar juntos",
+      withdraw: "Retirar la pregunta",
+      asked: nickname => `Se ha preguntado a ${nickname} si podéis editar el programa juntos.`,
+      on: nickname =>
+        `Tú y ${nickname} editáis este programa juntos. Deshacer retira solo tus propios cambios.`,
+      declined: nickname => `${nickname} no quiere editar en conjunto ahora. Esto es una copia.`,
+      ended: () => "La edición conjunta ha terminado. Los cambios de aquí ya no llegan al alumno.",
+      line: (nickname, line) => `${nickname} está en la línea ${line}.`,
     },
     projector: {
       title: "Proyector",

@@ -82,6 +82,19 @@ export const classroom: Words["classroom"] = {
     done: "C'est fait",
     doneOf: text => `C'est fait : « ${text} »`,
   },
+  sharing: {
+    teacher: "Ton professeur",
+    asked: name =>
+      `Ton professeur demande à modifier « ${name} » avec toi. Chacun voit alors aussitôt ce que l'autre change.`,
+    allow: "Autoriser",
+    decline: "Pas maintenant",
+    on: "Ton professeur et toi modifiez ce programme ensemble.",
+    teacherLine: line => `Ton professeur est à la ligne ${line}.`,
+    end: "Ne plus modifier ensemble",
+    ended: "La modification à deux est terminée. Le programme reste tel qu'il est.",
+    gone: name => `« ${name} » n'est pas dans ce navigateur ; on ne peut donc pas le modifier ensemble.`,
+    close: "Fermer",
+  },
   projector: {
     title: "Projecteur",
     nothing: "Choisir sur le tableau du prof la salle à montrer ici.",
@@ -150,6 +163,8 @@ export const classroom: Words["classroom"] = {
       tasks: "Cette classe a 200 devoirs, le maximum possible.",
       comments: "Cet élève a 200 commentaires, le maximum. Retirez-en quelques-uns.",
       disk: "Rosy ne peut pas l'enregistrer : le disque est plein ou abîmé.",
+      busy: "Cet élève a déjà une question ou modifie déjà à deux, sur un autre tableau.",
+      away: "Cet élève n'est pas connecté. Demandez plus tard.",
     },
     comments: {
       title: "Commentaires",
@@ -164,6 +179,17 @@ export const classroom: Words["classroom"] = {
       remove: "Retirer",
       removeOf: text => `Retirer « ${text} »`,
       count: (done, of) => `${done} commentaires faits sur ${of}`,
+    },
+    sharing: {
+      ask: "Demander à modifier ensemble",
+      withdraw: "Retirer la question",
+      asked: nickname => `On a demandé à ${nickname} si vous pouvez modifier le programme ensemble.`,
+      on: nickname =>
+        `Vous et ${nickname} modifiez ce programme ensemble. Annuler ne retire que vos propres changements.`,
+      declined: nickname => `${nickname} ne veut pas modifier à deux maintenant. Ceci est une copie.`,
+      ended: () =>
+        "La modification à deux est terminée. Les changements faits ici n'atteignent plus l'élève.",
+      line: (nickname, line) => `${nickname} est à la ligne ${line}.`,
     },
     projector: {
       title: "Projecteur",

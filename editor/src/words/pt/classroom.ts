@@ -77,6 +77,19 @@ export const classroom: Words["classroom"] = {
     done: "Feito",
     doneOf: text => `Feito: “${text}”`,
   },
+  sharing: {
+    teacher: "Seu professor",
+    asked: name =>
+      `Seu professor pergunta se vocês podem editar “${name}” juntos. Cada um vê na hora o que o outro muda.`,
+    allow: "Permitir",
+    decline: "Agora não",
+    on: "Você e seu professor estão editando este programa juntos.",
+    teacherLine: line => `Seu professor está na linha ${line}.`,
+    end: "Parar de editar juntos",
+    ended: "A edição em conjunto terminou. O programa fica como está.",
+    gone: name => `“${name}” não está neste navegador e por isso não pode ser editado em conjunto.`,
+    close: "Fechar",
+  },
   projector: {
     title: "Projetor",
     nothing: "Escolha no painel qual sala aparece aqui.",
@@ -144,6 +157,8 @@ export const classroom: Words["classroom"] = {
       tasks: "Esta turma tem 200 tarefas, o máximo possível.",
       comments: "Há 200 comentários para este aluno, o máximo. Retire alguns.",
       disk: "Rosy não consegue guardar: o disco está cheio ou com defeito.",
+      busy: "Este aluno já foi perguntado ou já edita em conjunto, em outro painel.",
+      away: "Este aluno não está conectado. Pergunte de novo mais tarde.",
     },
     comments: {
       title: "Comentários",
@@ -158,6 +173,16 @@ export const classroom: Words["classroom"] = {
       remove: "Retirar",
       removeOf: text => `Retirar “${text}”`,
       count: (done, of) => `${done} de ${of} comentários feitos`,
+    },
+    sharing: {
+      ask: "Pedir para editar juntos",
+      withdraw: "Retirar o pedido",
+      asked: nickname => `Perguntamos a ${nickname} se vocês podem editar o programa juntos.`,
+      on: nickname =>
+        `Você e ${nickname} estão editando este programa juntos. Desfazer retira só as suas próprias mudanças.`,
+      declined: nickname => `${nickname} não quer editar junto agora. Isto é uma cópia.`,
+      ended: () => "A edição em conjunto terminou. As mudanças aqui não chegam mais ao aluno.",
+      line: (nickname, line) => `${nickname} está na linha ${line}.`,
     },
     projector: {
       title: "Projetor",
