@@ -85,6 +85,12 @@ def _posts(count: int) -> dict[str, Any]:
     return _room(rounds=[{"x": x, "y": y, "r": 0.15, "movable": True} for x, y in places])
 
 
+def _checkerboard(side: int) -> dict[str, Any]:
+    """A room of so many tiles a side whose wall tiles have no neighbours, so each is a wall of its own."""
+    rows = ["".join("#" if (x + y) % 2 and (x > 9 or y > 9) else "." for x in range(side)) for y in range(side)]
+    return {"name": "attack", "tiles": rows, "start": {"x": 2.5, "y": side / 2 - 2.5, "theta": 0}}
+
+
 def _page(attack: Callable[[PageClient], Awaitable[None]]) -> Callable[[int, Begun], Awaitable[None]]:
     """A client that is a page."""
 
@@ -160,6 +166,7 @@ ATTACKS = [
     Attack("fifty of them", 50, _in_room(_pile(2000, movable=True))),
     Attack("200 movable things, fifty pages", 50, _in_room(_posts(200))),
     Attack("2,000 fixed things on each other, fifty pages", 50, _in_room(_pile(2000, movable=False))),
+    Attack("20,000 walls, fifty pages", 50, _in_room(_checkerboard(200))),
     Attack("compile bombs, checked and completed", 1, _page(_bomb)),
     Attack("wrong codes for the robots", 1, _page(_guess)),
     Attack("400 pages from one address", 400, _page(_stay)),

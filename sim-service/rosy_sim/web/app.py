@@ -47,6 +47,7 @@ from .browser_safety import BrowserSafety
 from .class_sockets import ClassSockets
 from .example_paths import ExamplePaths
 from .examples import example_file, examples
+from .loop_scheduler import LoopScheduler, PageTurns
 from .page_session import PageSession
 from .projector_sockets import ProjectorSockets
 from .reading_pace import ReadingPace, message_cost
@@ -70,6 +71,7 @@ class Service:
         self.config = config
         self.sessions: dict[str, PageSession] = {}
         self._slots = AddressSlots(config.limits.sessions, config.limits.address_sessions)
+        self._loop_scheduler = LoopScheduler()
         # None without class mode.
         self.classroom = classroom
         self.lateness = Lateness()
@@ -123,28 +125,30 @@ class Service:
         if not _same_origin(socket):
             await socket.close(_POLICY_VIOLATION)
             return
-        await socket.accept()
         address = socket.client.host if socket.client is not None else ""
-        if not self._slots.take(address):
+        turns = PageTurns(self._loop_scheduler, address)
+        await socket.accept()
+        async with turns.turn():
+            session = self._open(address, turns) if self._slots.take(address) else None
+        if session is None:
             full = service_full(self._slots.total) if self._slots.is_full else address_full(self._slots.each)
             await socket.send_text(page.encode(page.Refusal(full.message, full.hint, full.sentences)))
             await socket.close(_TRY_AGAIN)
             return
-        session = PageSession(
-            secrets.token_urlsafe(9),
-            self._run_services,
-            self.robots,
-            self.previews,
-            self.classroom is not None,
-            address,
-        )
         self.sessions[session.id] = session
         try:
-            await _first_completed(_receive(socket, session), _send(socket, session), session.outbox.overflowed.wait())
+            await _first_completed(
+                _receive(socket, session, turns), _send(socket, session), session.outbox.overflowed.wait()
+            )
         finally:
             del self.sessions[session.id]
             self._slots.free(address)
             await session.close()
+
+    def _open(self, address: str, turns: PageTurns) -> PageSession:
+        in_class = self.classroom is not None
+        ident = secrets.token_urlsafe(9)
+        return PageSession(ident, self._run_services, self.robots, self.previews, turns, in_class, address)
 
     async def serve_ros(self, socket: WebSocket) -> None:
         """
@@ -286,7 +290,7 @@ async def _first_completed(*works: Coroutine[Any, Any, object]) -> None:
         task.result()
 
 
-async def _receive(socket: WebSocket, session: PageSession) -> None:
+async def _receive(socket: WebSocket, session: PageSession, turns: PageTurns) -> None:
     """
     Read until the page disconnects. A page whose messages are too many, or take too long to serve, is read more slowly,
     so that it delays no other.
@@ -298,9 +302,9 @@ async def _receive(socket: WebSocket, session: PageSession) -> None:
         if message["type"] == "websocket.disconnect":
             return
         text = message.get("text") or message.get("bytes") or ""
-        begun = time.thread_time()
-        session.receive(text)
-        if wait := pace.wait(len(text), time.thread_time() - begun, now()):
+        before = turns.spent
+        await session.receive(text)
+        if wait := pace.wait(len(text), turns.spent - before, now()):
             await asyncio.sleep(wait)
 
 

@@ -1,8 +1,8 @@
 """
 Page session: one connected page, its room, its run and its requests. Turns requests into runs and events into answers.
 
-Everything happens on the event loop without waiting, except compilations and checks, which are tasks. The page's
-socket belongs to ``app``.
+Everything happens on the event loop: a message is served in a turn of the page (``loop_scheduler.py``), and the room
+that it asks for is built in several. Compilations and checks are tasks. The page's socket belongs to ``app``.
 """
 
 from __future__ import annotations
@@ -19,7 +19,6 @@ from ..ownership.robot_ownership import RobotOwnership
 from ..ownership.robot_registry import RobotRegistry
 from ..ownership.robot_run import RobotRun
 from ..previews.preview_pool import PreviewPool
-from ..robots import DEFAULT_ROBOT
 from ..run.lockstep import Lockstep
 from ..run.page_run import PageRun
 from ..run.replay import NO_REPLAY
@@ -36,11 +35,13 @@ from ..world.world import ActionRefused, World
 from ..worlds.gallery import DEFAULT_WORLD, named_world, usable_world
 from .idle_simulation import IdleSimulation
 from .lesson_checks import LessonChecks
+from .loop_scheduler import PageTurns
 from .outbox import Outbox
 from .page_hands import PageHands
 from .page_previews import PagePreviews
 from .page_view import PageView, Room
 from .program_checks import ProgramChecks
+from .room_building import BuiltRoom, build_room, rebuild_room
 from .ros_bridge import RosBridge, RosClient
 from .run_explanations import RunExplanations
 from .safety_switch import SafetySwitch
@@ -59,10 +60,12 @@ class PageSession:
         services: RunServices,
         robots: RobotRegistry,
         previews: PreviewPool,
+        turns: PageTurns,
         in_class: bool = False,
         address: str = "",
     ) -> None:
         self.id = ident
+        self._turns = turns
         # The client's.
         self._address = address
         self._services = services
@@ -119,10 +122,21 @@ class PageSession:
 
     # Requests
 
-    def receive(self, text: str | bytes) -> None:
-        """Serve one message of the page, or refuse it."""
+    async def receive(self, text: str | bytes) -> None:
+        """Serve one message of the page, or refuse it. There is one at a time."""
         try:
-            self._serve(page.read_request(text))
+            async with self._turns.turn(len(text)):
+                request = page.read_request(text)
+                if not isinstance(request, page.ChooseWorld | page.Reset | page.Run):
+                    self._serve(request)
+                    return
+            if isinstance(request, page.ChooseWorld):
+                built = await build_room(request.world, self._turns)
+            else:
+                built = await rebuild_room(self._room, self._turns)
+            async with self._turns.turn():
+                if not self.closed.is_set():
+                    self._serve_with_room(request, built)
         except page.BadRequest as error:
             # The hint is for developers.
             self.refuse(tr("The page sent something Rosy does not understand."), verbatim(str(error)))
@@ -135,6 +149,18 @@ class PageSession:
         """Tell the page that its last message changed nothing."""
         self.outbox.put(page.refusal(message, hint))
 
+    def _serve_with_room(self, request: page.ChooseWorld | page.Reset | page.Run, built: BuiltRoom) -> None:
+        match request:
+            case page.ChooseWorld():
+                self._choose_world(built.with_robot())
+            case page.Reset():
+                self._end_now()
+                self._forget_run()
+                self._reset_world(built.with_robot())
+                self._view.show_room(self._room)
+            case page.Run():
+                self._start(request, built)
+
     def _serve(self, request: page.Request) -> None:
         match request:
             case page.Check():
@@ -142,17 +168,8 @@ class PageSession:
                     self._checks.check(request)
             case page.Complete():
                 self._checks.complete(request)
-            case page.Run():
-                self._start(request)
             case page.Preview():
                 self._preview(request)
-            case page.Reset():
-                self._end_now()
-                self._forget_run()
-                self._reset_world()
-                self._view.show_room(self._room)
-            case page.ChooseWorld():
-                self._choose_world(request.world)
             case page.ChooseLessonStep():
                 self._lesson.choose(request.step, self.world.arena)
             case page.Input():
@@ -220,18 +237,16 @@ class PageSession:
         self._view.show_frame(force=True)
         self._wake_idle()
 
-    def _choose_world(self, wanted: object) -> None:
-        value: object = named_world(wanted) if isinstance(wanted, str) else wanted
-        world = usable_world(value, tr("This"))
+    def _choose_world(self, room: Room) -> None:
         self._end_now()
         self._forget_run()
         self._hands.forget_room()
-        self._room = Room(value, world)
-        self._view.show_room(self._room)
+        self._room = room
+        self._view.show_room(room)
 
-    def _reset_world(self, seed: int = 0) -> None:
-        self._room = Room(self._room.json, World(self.world.arena, DEFAULT_ROBOT, seed))
-        self._view.reset(self._room)
+    def _reset_world(self, room: Room) -> None:
+        self._room = room
+        self._view.reset(room)
 
     def _is_short_enough(self, source: str) -> bool:
         if len(source) <= self._limits.source:
@@ -261,7 +276,7 @@ class PageSession:
 
     # Runs
 
-    def _start(self, request: page.Run) -> None:
+    def _start(self, request: page.Run, built: BuiltRoom) -> None:
         self._end_now()
         if not self._is_short_enough(request.source):
             return
@@ -286,7 +301,7 @@ class PageSession:
             seed = request.seed if request.seed is not None else _random.randrange(2**31)
             replay, settings = NO_REPLAY, safety.settings
             self._hands.begin(seed, settings, request.run)
-        self._reset_world(seed)
+        self._reset_world(built.with_robot(seed))
         self._idle.pause()
         lesson.start(request.run, request.source, self.world.arena)
         simulation = Simulation(

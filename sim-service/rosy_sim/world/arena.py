@@ -159,11 +159,13 @@ def read_arena(value: object) -> Arena:
         raise ArenaError("tile", tr("a tile must be between 0.05 and 10 metres wide."))
     tiles = _tiles(fields.get("tiles", []))
     width, height = _size(fields.get("size"), tile, tiles)
-    walls = tuple(_wall(v, p) for v, p in items(fields, "walls"))
-    boxes = tuple(_box(v, p) for v, p in items(fields, "boxes"))
-    rounds = tuple(_round(v, p) for v, p in items(fields, "rounds"))
-    if len(walls) + len(boxes) + len(rounds) > MAX_SHAPES:
+    lists = [items(fields, key) for key in ("walls", "boxes", "rounds")]
+    if sum(map(len, lists)) > MAX_SHAPES:
+        # Before they are read, which takes long.
         raise ArenaError("walls", tr("a world can hold at most {most} things.", most=MAX_SHAPES))
+    walls = tuple(_wall(v, p) for v, p in lists[0])
+    boxes = tuple(_box(v, p) for v, p in lists[1])
+    rounds = tuple(_round(v, p) for v, p in lists[2])
     things: tuple[Box | Round, ...] = (*boxes, *rounds)
     if sum(thing.movable for thing in things) > MAX_MOVABLE:
         raise ArenaError("boxes", tr("a world can hold at most {most} things that can be pushed.", most=MAX_MOVABLE))
@@ -184,6 +186,9 @@ def read_arena(value: object) -> Arena:
 def _tiles(value: object) -> tuple[str, ...]:
     if not isinstance(value, list):
         raise ArenaError("tiles", tr("expected a list of rows."))
+    if sum(len(row) for row in value if isinstance(row, str)) > MAX_TILES:
+        # Before they are read, which takes long.
+        raise ArenaError("tiles", tr("a world can have at most {most} tiles.", most=MAX_TILES))
     rows: list[str] = []
     for i, row in enumerate(value):
         path = f"tiles[{i}]"
@@ -206,8 +211,6 @@ def _tiles(value: object) -> tuple[str, ...]:
         rows.append(row)
     if rows and not rows[0]:
         raise ArenaError("tiles[0]", tr("the row is empty."))
-    if rows and len(rows) * len(rows[0]) > MAX_TILES:
-        raise ArenaError("tiles", tr("a world can have at most {most} tiles.", most=MAX_TILES))
     if rows and not any("." in row for row in rows):
         raise ArenaError("tiles", tr("there is no floor; the robot needs at least some tiles marked with a dot."))
     return tuple(rows)

@@ -7,6 +7,7 @@ the surface of a wall rather than bounced out of it: it never ends inside one, a
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import pymunk
@@ -78,9 +79,14 @@ class Clearance(NamedTuple):
 
 
 class Obstacles:
-    """Walls, blocks and boxes of an arena."""
+    """
+    Walls, blocks and boxes of an arena; none before they are added.
 
-    def __init__(self, arena: Arena, body: Body) -> None:
+    Args:
+        body: of the robot.
+    """
+
+    def __init__(self, body: Body) -> None:
         self._radius = body.radius
         self._contact_gap = body.contact_gap
         self._space = space = pymunk.Space()
@@ -95,10 +101,23 @@ class Obstacles:
         # Whether a movable thing still slides; set by push().
         self.awake = False
         self._all_shapes = pymunk.ShapeFilter(mask=_STATIC | _MOVABLE)
+        # Contacts that the current drag may still look at.
+        self._contacts_left = 0
+        self._robot = pymunk.Body(body.mass, body.inertia)
+        self._robot_shape = pymunk.Circle(self._robot, body.radius)
+        self._robot_shape.filter = pymunk.ShapeFilter(categories=_ROBOT, mask=_MOVABLE)
+        self._robot_shape.elasticity = 0.0
+        self._robot_shape.friction = 0.1
+
+    def add(self, arena: Arena) -> Iterator[None]:
+        """Add what is in an arena, and the robot, in pieces of some 25 µs; once, and to the end."""
+        space = self._space
         for x, y, w, h in _solid_rectangles(arena):
             self._fixed(pymunk.Poly(space.static_body, [(x, y), (x + w, y), (x + w, y + h), (x, y + h)]))
+            yield
         for wall in arena.walls:
             self._fixed(pymunk.Segment(space.static_body, (wall.x0, wall.y0), (wall.x1, wall.y1), WALL_THICKNESS / 2))
+            yield
         things: tuple[Box | Round, ...] = (*arena.boxes, *arena.rounds)
         overlaps = 0
         for thing in things:
@@ -107,19 +126,14 @@ class Obstacles:
                 # Counted at once, because a pile takes long to build.
                 overlaps += self._count_overlaps(self.movables[-1])
                 _refuse_more_than(MAX_OVERLAPS, overlaps)
+            yield
         # With what was added after them; those of two movable things are counted twice.
         overlaps = 0
         for moving in self.movables:
             overlaps += self._count_overlaps(moving)
             _refuse_more_than(2 * MAX_OVERLAPS, overlaps)
-        # Contacts that the current drag may still look at.
-        self._contacts_left = 0
-        self._robot = pymunk.Body(body.mass, body.inertia)
-        shape = pymunk.Circle(self._robot, body.radius)
-        shape.filter = pymunk.ShapeFilter(categories=_ROBOT, mask=_MOVABLE)
-        shape.elasticity = 0.0
-        shape.friction = 0.1
-        space.add(self._robot, shape)
+            yield
+        space.add(self._robot, self._robot_shape)
 
     def _count_overlaps(self, body: pymunk.Body) -> int:
         return sum(len(self._space.shape_query(shape)) for shape in body.shapes)
@@ -177,9 +191,9 @@ class Obstacles:
         self._space.reindex_shapes_for_body(self._robot)
         x0, y0 = body.position
         turn = math.remainder(theta - body.angle, math.tau)
-        canonical_address = min(math.hypot(x - x0, y - y0), _MAX_DRAG)
-        pieces = max(1, math.ceil(canonical_address / _DRAG_STEP), math.ceil(abs(turn) / _DRAG_TURN))
-        far = canonical_address / math.hypot(x - x0, y - y0) if canonical_address else 0.0
+        distance = min(math.hypot(x - x0, y - y0), _MAX_DRAG)
+        pieces = max(1, math.ceil(distance / _DRAG_STEP), math.ceil(abs(turn) / _DRAG_TURN))
+        far = distance / math.hypot(x - x0, y - y0) if distance else 0.0
         dx, dy, dtheta = (x - x0) * far / pieces, (y - y0) * far / pieces, turn / pieces
         self._contacts_left = _MAX_DRAG_CONTACTS
         for _ in range(pieces):
@@ -299,26 +313,22 @@ def _refuse_more_than(most: int, overlaps: int) -> None:
         raise ArenaError("", tr("too many things lie on each other; give the movable ones places of their own."))
 
 
-def _solid_rectangles(arena: Arena) -> list[tuple[float, float, float, float]]:
+def _solid_rectangles(arena: Arena) -> Iterator[tuple[float, float, float, float]]:
     """The border and the wall tiles as few rectangles (x, y, w, h): runs of a row, merged upwards when equal."""
     w, h, b = arena.width, arena.height, _BORDER
-    found = [(-b, -b, w + 2 * b, b), (-b, h, w + 2 * b, b), (-b, 0.0, b, h), (w, 0.0, b, h)]
+    yield from ((-b, -b, w + 2 * b, b), (-b, h, w + 2 * b, b), (-b, 0.0, b, h), (w, 0.0, b, h))
     open_runs: dict[tuple[int, int], int] = {}
     rows = len(arena.tiles)
     tile = arena.tile
 
-    def close(run: tuple[int, int], top: int, bottom: int) -> None:
-        found.append((run[0] * tile, (rows - bottom) * tile, (run[1] - run[0]) * tile, (bottom - top) * tile))
-
     for i, row in enumerate((*arena.tiles, "")):
         runs = _runs(row)
-        for run, top in list(open_runs.items()):
-            if run not in runs:
-                close(run, top, i)
-                del open_runs[run]
+        known = set(runs)
+        for run in [run for run in open_runs if run not in known]:
+            top = open_runs.pop(run)
+            yield run[0] * tile, (rows - i) * tile, (run[1] - run[0]) * tile, (i - top) * tile
         for run in runs:
             open_runs.setdefault(run, i)
-    return found
 
 
 def _runs(row: str) -> list[tuple[int, int]]:

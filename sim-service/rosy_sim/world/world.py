@@ -51,11 +51,17 @@ class World:
     """
     One robot in one room.
 
+    Args:
+        arena: the room.
+        robot: its robot.
+        seed: of all random numbers.
+        obstacles: those of the arena, where they were built before.
+
     Raises:
         ArenaError: the robot cannot stand where the arena starts it.
     """
 
-    def __init__(self, arena: Arena, robot: Robot, seed: int = 0) -> None:
+    def __init__(self, arena: Arena, robot: Robot, seed: int = 0, obstacles: Obstacles | None = None) -> None:
         self.arena = arena
         self.robot = robot
         realism = arena.realism
@@ -67,7 +73,11 @@ class World:
         self._wheels = (0.0, 0.0)
         self._rolled = 0.0
         self._latency = CommandLatency(realism.latency) if realism is not None and realism.latency else None
-        self.obstacles = Obstacles(arena, robot.body)
+        if obstacles is None:
+            obstacles = Obstacles(robot.body)
+            for _ in obstacles.add(arena):
+                pass
+        self.obstacles = obstacles
         self._motors = MotorController(robot.limits)
         self._has_holes = any("O" in row for row in arena.tiles)
         # Ground truth, in the room: m, m, rad (not wrapped), m/s, rad/s. Changed by integrate() and apply().

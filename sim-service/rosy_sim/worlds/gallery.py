@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +21,7 @@ __all__ = [
     "DEFAULT_WORLD",
     "load_world",
     "named_world",
+    "refusing_worlds",
     "usable_arena",
     "usable_world",
     "world_names",
@@ -79,7 +82,14 @@ def usable_world(value: object, where: str | Sentence) -> World:
     Raises:
         BadInput: with the path to what is wrong.
     """
-    try:
+    with refusing_worlds(where):
         return World(read_arena(value), DEFAULT_ROBOT)
+
+
+@contextmanager
+def refusing_worlds(where: str | Sentence) -> Iterator[None]:
+    """Turn what is wrong with a world into BadInput."""
+    try:
+        yield
     except ArenaError as error:
         raise BadInput(tr("{where} is not a world: {why}", where=where, why=error)) from error

@@ -477,11 +477,36 @@ def test_a_room_of_too_many_movable_things_is_refused_before_it_is_built(
         places = [(0.5 + 0.8 * (i % 50), 0.5 + 0.9 * (i // 50)) for i in range(2000)]
         rounds = [{"x": x, "y": y, "r": 0.15, "movable": True} for x, y in places]
         start = {"x": 0.9, "y": 41, "theta": 0}
-        monkeypatch.setattr("rosy_sim.world.world.Obstacles", lambda *_: pytest.fail("the room was built"))
+        monkeypatch.setattr("rosy_sim.web.room_building.Obstacles", lambda *_: pytest.fail("the room was built"))
         await page.send("world", world={"name": "posts", "size": [42, 42], "start": start, "rounds": rounds})
         assert "at most 200 things that can be pushed" in (await page.op("refusal"))["message"]
 
     story(play, config)
+
+
+def test_a_room_that_takes_long_to_build_is_built_while_others_are_served(config: Config) -> None:
+    side = 200
+    rows = ["".join("#" if (x + y) % 2 and (x > 9 or y > 9) else "." for x in range(side)) for y in range(side)]
+    start = {"x": 2.5, "y": side / 2 - 2.5, "theta": 0}
+
+    async def tell() -> None:
+        async with serving(config) as (address, _), opened(address) as busy, opened(address) as other:
+            answers: list[str] = []
+
+            async def tell_world() -> None:
+                await busy.until(lambda m: m["op"] == "world" and m["world"]["name"] == "checkerboard")
+                answers.append("room")
+
+            await other.op("hello")
+            await busy.send("world", world={"name": "checkerboard", "start": start, "tiles": rows})
+            built = asyncio.create_task(tell_world())
+            await other.send("nonsense")
+            await other.op("refusal")
+            answers.append("other")
+            await built
+            assert answers == ["other", "room"]
+
+    asyncio.run(tell())
 
 
 def test_a_page_that_used_up_its_share_is_read_no_further_and_the_others_are(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+
 from rosy_sim.web.reading_pace import ReadingPace
 
 
