@@ -44,6 +44,15 @@ test("a branch of a run is compared with the run that it came from", async ({pag
   await page.getByTestId("why").getByRole("button", {name: "Close"}).click()
   await expect(page.getByTestId("why")).toHaveCount(0)
 
+  // Its program comes back, in one step of undo.
+  const offer = page.getByRole("button", {name: "Show its program"})
+  await offer.click()
+  await expect(learner.haskell()).toContainText("Velocity 0.5")
+  await expect(offer).toHaveCount(0)
+  await page.getByRole("button", {name: "Undo", exact: true}).click()
+  await expect(learner.haskell()).toContainText("Velocity 0.2")
+  await expect(offer).toBeVisible()
+
   // Both in one picture, and side by side.
   await page.getByLabel("Compare with").selectOption("Run 2")
   await expect(page.getByTestId("run-facts")).toContainText("Run 2 (dotted line)")

@@ -88,6 +88,7 @@ export function openController(address: string): AppController {
     undo: commands.undo,
     redo: commands.redo,
     format: commands.format,
+    showProgram: commands.showProgram,
     applyFix: commands.applyFix,
     keys: keySections,
     ...fileCommands(store, editor, loader),

@@ -14,6 +14,8 @@ export interface DocumentCommands {
   undo(): void
   redo(): void
   format(): void
+  /// Makes this text the program, in one undo step.
+  showProgram(text: string): void
   applyFix(fix: Fix): void
   /// Renames the symbol at `offset`; the reason if that is impossible, otherwise `null`.
   rename(offset: number, old: string, name: string): string | null
@@ -30,7 +32,12 @@ export function documentCommands(store: Store, parts: PageParts, editor: Documen
     const {text} = store.now.document.program
     return {code, text, edit: dropEdit(text, at, code)}
   }
+  const showProgram = (text: string) => {
+    editor.flush()
+    editor.changeText(changesBetween(store.now.document.program.text, text))
+  }
   return {
+    showProgram,
     undo() {
       if (store.now.worldEditor !== null) return store.dispatch({kind: "world-edited", edit: {kind: "undo"}})
       editor.flush()
@@ -53,7 +60,7 @@ export function documentCommands(store: Store, parts: PageParts, editor: Documen
       editor.flush()
       if (parts.reader === null) return
       const {text, left} = formatted(parts.reader, store.now.document.program.text)
-      editor.changeText(changesBetween(store.now.document.program.text, text))
+      showProgram(text)
       if (left > 0) store.dispatch({kind: "notice", notice: {kind: "not-formatted", left}})
     },
     applyFix(fix) {

@@ -93,6 +93,8 @@ export interface AppController {
   applyFix(fix: Fix): void
   /// Lays the text out anew, without losing anything.
   format(): void
+  /// Makes this text the program, in one undo step.
+  showProgram(text: string): void
   /// Opens the page again in another language.
   chooseLanguage(language: string): void
   /// Brings the block and the text of a problem into sight.

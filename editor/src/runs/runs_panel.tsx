@@ -23,6 +23,7 @@ export function RunsPanel(): VNode {
   return (
     <div class="runs" data-testid="runs">
       <Tree />
+      <ProgramOfRun />
       {tree.dropped > 0 && <p class="quiet">{words.runs.dropped(tree.dropped)}</p>}
       {tree.nodes.length > 1 && <Comparison />}
     </div>
@@ -88,6 +89,23 @@ function Tree(): VNode {
         ))}
       </div>
     </>
+  )
+}
+
+/// The offer of the program of the shown run, when the open program is another one.
+function ProgramOfRun(): VNode | null {
+  const controller = useController()
+  const shown = usePageState(s => nodeOf(s.runTree, s.room.run))
+  const text = usePageState(s => s.document.program.text)
+  const w = words.runs
+  if (shown === undefined || shown.text === text) return null
+  return (
+    <p class="run-program">
+      {w.otherProgram(shown.number)}{" "}
+      <button type="button" class="plain" onClick={() => controller.showProgram(shown.text)}>
+        {w.showProgram}
+      </button>
+    </p>
   )
 }
 

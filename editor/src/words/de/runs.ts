@@ -10,6 +10,8 @@ export const runs = {
   choose: "Wähle einen Lauf, um ihn wieder anzusehen.",
   isRunning: "Stoppe das Programm, um einen anderen Lauf anzusehen.",
   run: (number: number) => `Lauf ${number}`,
+  otherProgram: (number: number) => `Lauf ${number} hatte ein anderes Programm.`,
+  showProgram: "Sein Programm zeigen",
   continued: (run: number, at: number) => `geht weiter aus Lauf ${run} bei ${seconds(at, 2)}`,
   changes: {
     same: "dasselbe Programm",

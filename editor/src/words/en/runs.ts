@@ -10,6 +10,8 @@ export const runs = {
   choose: "Choose a run to look at it again.",
   isRunning: "Stop the program to look at another run.",
   run: (number: number) => `Run ${number}`,
+  otherProgram: (number: number) => `Run ${number} had another program.`,
+  showProgram: "Show its program",
   continued: (run: number, at: number) => `continues run ${run} at ${seconds(at, 2)}`,
   changes: {
     same: "the same program",

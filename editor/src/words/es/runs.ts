@@ -10,6 +10,8 @@ export const runs = {
   choose: "Elige una ejecución para verla otra vez.",
   isRunning: "Detén el programa para ver otra ejecución.",
   run: (number: number) => `Ejecución ${number}`,
+  otherProgram: (number: number) => `La ejecución ${number} tenía otro programa.`,
+  showProgram: "Mostrar su programa",
   continued: (run: number, at: number) => `sigue la ejecución ${run} en ${seconds(at, 2)}`,
   changes: {
     same: "el mismo programa",

@@ -10,6 +10,8 @@ export const runs = {
   choose: "Choisis une exécution pour la revoir.",
   isRunning: "Arrête le programme pour voir une autre exécution.",
   run: (number: number) => `Exécution ${number}`,
+  otherProgram: (number: number) => `L’exécution ${number} avait un autre programme.`,
+  showProgram: "Montrer son programme",
   continued: (run: number, at: number) => `continue l’exécution ${run} à ${seconds(at, 2)}`,
   changes: {
     same: "le même programme",

@@ -10,6 +10,8 @@ export const runs = {
   choose: "Escolha uma execução para vê-la de novo.",
   isRunning: "Pare o programa para ver outra execução.",
   run: (number: number) => `Execução ${number}`,
+  otherProgram: (number: number) => `A execução ${number} tinha outro programa.`,
+  showProgram: "Mostrar o programa dela",
   continued: (run: number, at: number) => `continua a execução ${run} em ${seconds(at, 2)}`,
   changes: {
     same: "o mesmo programa",
