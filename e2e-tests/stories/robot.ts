@@ -23,7 +23,7 @@ export async function openRig(): Promise<Rig> {
   const environment = {...process.env, XDG_RUNTIME_DIR: folder}
   const base = new Talker("/usr/bin/python3", [emulator, join(folder, "kobuki")], environment)
   const device = (await base.says(/^plugged (.*)$/))[1]
-  const service = startService(["--robot", `Kitchen=serial:${device}`], environment)
+  const service = startService(["--robot", `Kitchen=serial:${device}?rearm=off`], environment)
   const [, code = "", opened = ""] = await service.says(/the code (\S+): (\S+)$/)
   return {
     base,

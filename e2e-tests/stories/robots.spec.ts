@@ -125,7 +125,7 @@ test("the emergency stop works on its button, on the space bar, and from a termi
     async () => {
       await page.getByTestId("estop").hover()
       await page.mouse.down()
-      await expect(page.getByTestId("robot-link")).toHaveText("Emergency stop: it stands.")
+      await expect(page.getByTestId("robot-link")).toHaveText("It was stopped and stands.")
       await page.mouse.up()
       await page.mouse.down()
       await page.mouse.up()
@@ -140,7 +140,7 @@ test("the emergency stop works on its button, on the space bar, and from a termi
     rig.base.ask("mark")
     await stop()
     await rig.base.says(/^stood /)
-    await expect(page.getByTestId("robot-link")).toHaveText("Emergency stop: it stands.")
+    await expect(page.getByTestId("robot-link")).toHaveText("It was stopped and stands.")
     await expect(learner.status()).toHaveText("Stopped")
     await page.getByRole("button", {name: "Let it drive again"}).click()
     await expect(page.getByTestId("robot-link")).toHaveText("Connected")

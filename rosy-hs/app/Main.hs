@@ -28,6 +28,7 @@ import Foreign.C.Types (CInt)
 import GHC.Clock (getMonotonicTime)
 import Network.Socket (Socket, mkSocket, recvFd)
 import Rosy.Robot (Orientation (..), Position (..))
+import Rosy.Robots.ArmPrompt (startArmPrompt)
 import Rosy.Robots.Connection (Connection (..))
 import Rosy.Robots.DriverLock (withDriverLock)
 import Rosy.Robots.Guard
@@ -82,10 +83,11 @@ driveOnce address fd seconds limits = do
   socket <- socketAt fd
   began <- getMonotonicTime
   stopWanted <- newTVarIO False
-  guarded <- newTVarIO (newGuard (targetLimits target) (targetSafety target))
+  guarded <- newTVarIO (targetGuard target)
   forM_ seconds (`runAfter` atomically (writeTVar stopWanted True))
   pace <- realPace (stepLimit limits)
   served <- withDriverLock address . withConnection target $ \connection -> do
+    startArmPrompt (connectionName connection) guarded
     let sendHalt = atomically (stateTVar guarded haltWheels) >>= mapM_ (sendCommand connection)
     onSignals terminationSignals (sendHalt >> atomically (writeTVar stopWanted True)) (runLockstep pace (onTerminal (connectionName connection)) (readTVar stopWanted) (targetPatience target) guarded connection socket)
       `finally` sendHalt
@@ -121,6 +123,8 @@ report limits wall served = do
     Failed message hint _ -> ("error", ExitFailure 2) <$ mapM_ (T.hPutStrLn stderr) (message : [hint | not (T.null hint)])
     Stuck -> ("stuck", ExitFailure 2) <$ hPutStrLn stderr ("The program was still busy after " ++ shownSeconds (stepLimit limits) ++ " seconds, so the robot was stopped.")
     Died -> ("error", ExitFailure 2) <$ hPutStrLn stderr "The program has died, so the robot was stopped."
+    -- The observer has said why.
+    RobotRefused _ -> pure ("error", ExitFailure 2)
     RobotLost why -> ("error", ExitFailure 2) <$ hPutStrLn stderr ("The robot is gone: " ++ why ++ ".")
   putStrLn $
     ("{\"time\":" ++ show (fromIntegral (stepsRun served) / 50 :: Double) ++ ",\"pose\":" ++ maybe "null" pose (lastPose served))

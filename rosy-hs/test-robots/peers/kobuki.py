@@ -2,8 +2,8 @@
 A Kobuki at the end of a pseudo-terminal.
 
 In: command packets on the terminal; on standard input `bump BITS`, `cliff BITS`, `drop BITS`, `press BITS`, `noise`, `cut`, `corrupt`,
-`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `mute` (it answers no question), `timeout SECONDS`, `hush` (no more packets of its own), `replay HEX`, `nudge` (one packet at once), `mark`, `quit`; the path of a symbolic link as the argument, to which its process number is added. Out: a packet every 20 ms; on
-standard output `plugged PATH`, `first V W` for the first speed it is told behind that, `control V W` when the speed changes, `led1 BITS`, `led2 BITS`, `sound N`, `versions asked`, `bad BYTES`, after `mark` `stood SECONDS` when
+`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `mute` (it answers no question), `timeout SECONDS`, `hush` (no more packets of its own), `replay HEX`, `nudge` (one packet at once), `static` (only noise from now on, in which no packet is whole), `mark`, `quit`; the path of a symbolic link as the argument, to which its process number is added. Out: a packet every 20 ms; on
+standard output `plugged PATH`, `first V W` for the first speed it is told behind that, `control V W` when the speed changes, `led1 BITS`, `led2 BITS`, `sound N`, `versions asked`, `versions told` for the first time behind `plugged`, `bad BYTES`, after `mark` `stood SECONDS` when
 its wheels stand, by its own clock.
 Its wheels turn as told; counters wrap at 16 bits and begin shortly before that. Yujin documents no time after which the firmware stops
 a base that hears nothing (protocol specification, firmware change log), so this one drives on; after `timeout SECONDS` it does not.
@@ -28,7 +28,8 @@ bits = {"bump": 0, "cliff": 0, "drop": 0, "press": 0}
 left, right = 65000.0, 65000.0
 heading, stamp = 17000.0, 65000
 faults, firmware, speaking, replaying = [], 1, True, False
-outputs, versions_due, mute, marked = None, False, False, None
+outputs, versions_due, versions_told, mute, marked = None, False, False, False, None
+static = False
 fresh, patience, told_at = True, None, 0.0
 buffer = b""
 
@@ -38,8 +39,8 @@ def say(*words):
 
 
 def plug():
-    global master, slave, fresh
-    fresh = True
+    global master, slave, fresh, versions_due, versions_told
+    fresh, versions_due, versions_told = True, False, False
     master, slave = os.openpty()
     tty.setraw(slave)
     os.set_blocking(master, False)
@@ -83,16 +84,24 @@ def move():
     stamp = (stamp + 20) % 65536
 
 
+def versions():
+    """The answer to the question for them, if it was asked."""
+    global versions_due, versions_told
+    if not versions_due:
+        return b""
+    versions_due = False
+    if not versions_told:
+        versions_told = True
+        say("versions told")
+    return bytes([10, 4, 0, 0, 1, 0]) + bytes([11, 4, 0, 2, firmware, 0]) + bytes([19, 12]) + struct.pack("<III", 1, 2, 3)
+
+
 def feedback():
-    global versions_due
     core = struct.pack("<HBBBHHbbBBBB", stamp, bits["bump"], bits["drop"], bits["cliff"], int(left) % 65536, int(right) % 65536, 0, 0, bits["press"], 0, 160, 0)
     payload = bytes([1, 15]) + core + bytes([3, 3, 0, 0, 0])
     payload += bytes([4, 7]) + struct.pack("<hhBBB", int(heading), int(math.degrees(speed[1]) * 100), 0, 0, 0)
     payload += bytes([5, 6]) + bytes(6) + bytes([6, 2, 0, 0]) + bytes([13, 14, 1, 6]) + bytes(12) + bytes([16, 16]) + bytes(16)
-    if versions_due:
-        versions_due = False
-        payload += bytes([10, 4, 0, 0, 1, 0]) + bytes([11, 4, 0, 2, firmware, 0]) + bytes([19, 12]) + struct.pack("<III", 1, 2, 3)
-    return framed(payload)
+    return framed(payload + versions())
 
 
 def spoil(packet):
@@ -102,8 +111,12 @@ def spoil(packet):
     if fault == "cut":
         return packet[: len(packet) // 2]
     if fault == "corrupt":
-        return packet[:6] + bytes([packet[6] ^ 7]) + packet[7:]
+        return corrupted(packet)
     return packet
+
+
+def corrupted(packet):
+    return packet[:6] + bytes([packet[6] ^ 7]) + packet[7:]
 
 
 def stand():
@@ -182,13 +195,15 @@ def on_bytes(data):
 
 
 def on_line(words):
-    global firmware, mute, speaking, replaying, outputs, marked, patience
+    global firmware, mute, speaking, replaying, static, outputs, marked, patience
     if words[0] in bits:
         bits[words[0]] = int(words[1])
     elif words[0] in ("noise", "cut", "corrupt"):
         faults.append(words[0])
     elif words[0] in ("silence", "speak"):
         speaking = words[0] == "speak"
+    elif words[0] == "static":
+        static = True
     elif words[0] == "hush":
         replaying = True
         say("hushed")
@@ -237,7 +252,9 @@ while True:
         due += 0.02
         watch()
         move()
-        if master is not None and replaying:
-            tell(framed(NOTHING))
+        if master is not None and static:
+            tell(corrupted(feedback()))
+        elif master is not None and replaying:
+            tell(framed(NOTHING + versions()))
         elif master is not None and speaking:
             tell(spoil(feedback()))

@@ -1,6 +1,6 @@
 """
 Encodings of the messages that a rosbridge server sends: PNG, CBOR, CBOR with ROS 1's bytes, and fragments
-(ROSBRIDGE_PROTOCOL.md, section 3.1).
+(rosbridge v2.0 Protocol Specification, section 3.1).
 
 Pure. In: a message. Out: the text or the bytes of its frames.
 """

@@ -1,5 +1,5 @@
 """
-Buffer for the fragments of a rosbridge client's messages (ROSBRIDGE_PROTOCOL.md, section 3.1.1).
+Buffer for the fragments of a rosbridge client's messages (rosbridge v2.0 Protocol Specification, section 3.1.1).
 
 In: `fragment` messages in any order. Out: the text of a message when its last fragment has come. Bounded.
 """

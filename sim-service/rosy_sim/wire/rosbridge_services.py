@@ -1,6 +1,6 @@
 """
 Registry of the services that rosbridge clients offer, and of the calls that they have not answered yet
-(ROSBRIDGE_PROTOCOL.md, sections 3.3.6 to 3.3.9).
+(rosbridge v2.0 Protocol Specification, sections 3.3.6 to 3.3.9).
 
 Pure. In: offers, calls, answers and clients that leave. Out: who answers, and whose calls have failed.
 """

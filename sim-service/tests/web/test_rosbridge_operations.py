@@ -1,6 +1,6 @@
 """
-The rosbridge server, operation by operation of ROSBRIDGE_PROTOCOL.md (RobotWebTools/rosbridge_suite): a table of what a
-client sends and what it gets. Clients ask for `status` messages, so that a refusal can be seen.
+The rosbridge server, operation by operation of the rosbridge v2.0 Protocol Specification (RobotWebTools):
+a table of what a client sends and what it gets. Clients ask for `status` messages, so that a refusal can be seen.
 """
 
 from __future__ import annotations

@@ -282,7 +282,7 @@ export const page: Omit<
     limits: speed => `höchstens ${short(speed, 2)} m/s`,
     estop: "Notstopp",
     estopHint: "Den Roboter sofort anhalten (Leertaste)",
-    stopped: "Notstopp: Er steht.",
+    stopped: "Er wurde angehalten und steht.",
     letDrive: "Wieder fahren lassen",
     region: name => `Der Roboter ${name}`,
     floor: name => `Der Weg des Roboters ${name}, wie er ihn selbst misst; Plus und Minus zoomen.`,

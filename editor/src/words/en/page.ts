@@ -275,7 +275,7 @@ export const page = {
     limits: (speed: number) => `at most ${short(speed, 2)} m/s`,
     estop: "Emergency stop",
     estopHint: "Stop the robot at once (Space)",
-    stopped: "Emergency stop: it stands.",
+    stopped: "It was stopped and stands.",
     letDrive: "Let it drive again",
     region: (name: string) => `The robot ${name}`,
     floor: (name: string) => `The way of the robot ${name}, as it measures it itself; plus and minus zoom.`,

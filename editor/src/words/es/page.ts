@@ -291,7 +291,7 @@ export const page: Omit<
     limits: speed => `como máximo ${short(speed, 2)} m/s`,
     estop: "Parada de emergencia",
     estopHint: "Parar el robot enseguida (Espacio)",
-    stopped: "Parada de emergencia: está quieto.",
+    stopped: "Se detuvo y está quieto.",
     letDrive: "Dejar que se mueva otra vez",
     region: name => `El robot ${name}`,
     floor: name => `El camino del robot ${name}, medido por él mismo; más y menos cambian el tamaño.`,

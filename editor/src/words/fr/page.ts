@@ -292,7 +292,7 @@ export const page: Omit<
     limits: speed => `au plus ${short(speed, 2)} m/s`,
     estop: "Arrêt d'urgence",
     estopHint: "Arrêter le robot tout de suite (Espace)",
-    stopped: "Arrêt d'urgence : il ne bouge plus.",
+    stopped: "Il a été arrêté et ne bouge plus.",
     letDrive: "Le laisser rouler à nouveau",
     region: name => `Le robot ${name}`,
     floor: name =>

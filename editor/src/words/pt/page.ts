@@ -283,7 +283,7 @@ export const page: Omit<
     limits: speed => `no máximo ${short(speed, 2)} m/s`,
     estop: "Parada de emergência",
     estopHint: "Parar o robô na hora (Espaço)",
-    stopped: "Parada de emergência: ele está parado.",
+    stopped: "Ele foi parado e não anda.",
     letDrive: "Deixar andar de novo",
     region: name => `O robô ${name}`,
     floor: name => `O caminho do robô ${name}, como ele mesmo o mede; mais e menos mudam o zoom.`,

@@ -12,6 +12,8 @@ module Rosy.Link.Real
     -- * Control of a run
     RunControl,
     newRunControl,
+    runGuard,
+    wasRefused,
     requestStop,
     haltRobot,
 
@@ -38,11 +40,19 @@ import Rosy.Robots.Guard
 import System.IO (hPutStrLn, stderr)
 import System.Random (randomIO)
 
--- | Control of a run from outside: the stop flag, and the guard.
-data RunControl = RunControl {stopWanted :: TVar Bool, guarded :: TVar Guard}
+-- | Control of a run from outside: the stop flag, the guard, and whether the robot was refused.
+data RunControl = RunControl {stopWanted :: TVar Bool, guarded :: TVar Guard, refused :: TVar Bool}
 
 newRunControl :: Guard -> IO RunControl
-newRunControl g = RunControl <$> newTVarIO False <*> newTVarIO g
+newRunControl g = RunControl <$> newTVarIO False <*> newTVarIO g <*> newTVarIO False
+
+-- | The guard of the run.
+runGuard :: RunControl -> TVar Guard
+runGuard = guarded
+
+-- | Whether the run ended because the robot can never be driven; a person has been told why.
+wasRefused :: RunControl -> IO Bool
+wasRefused = readTVarIO . refused
 
 -- | Requests an orderly end of the program.
 requestStop :: RunControl -> IO ()
@@ -94,6 +104,7 @@ realLink clock patience r connection = do
             t <- now clock
             writeIORef lostSince (Just (t, why))
           Disconnected why -> complain (IsAwaited why)
+          Refused why -> complain (IsRefused why) >> atomically (writeTVar (refused r) True) >> throwIO (LinkLost why)
           Connected -> do
             lost <- readIORef lostSince
             complain (if isNothing lost then IsThere else IsBack)

@@ -6,31 +6,31 @@
 --
 -- In: a device. Out: a 'Connection' while an action runs. A thread reads packets and answers each with the wanted speed, as
 -- the base's own driver does; it opens the device again when the cable was pulled. A valid packet must
--- arrive first, and nothing is sent to a base without packets for 0.3 s.
+-- arrive first. The base is connected when it has said that its firmware is one that is known here; before that it is sent zero. A base with
+-- other firmware is refused for good. It is lost after 0.3 s without a valid packet, whatever noise arrives meanwhile.
 --
 -- A speed that is not renewed within 0.6 s becomes zero here, as in kobuki_node (cmd_vel_timeout), so a program that
--- hangs stops the robot. For a program that is killed, a watchdog process (a shell) waits for its end and then sends the
+-- hangs stops the robot. For a process that is killed or suspended, a guardian process ("Rosy.Robots.Guardian") sends the
 -- stop: whether the base's firmware would stop on its own is documented nowhere.
 module Rosy.Link.Serial
   ( withSerial,
-    startWatchdog,
   )
 where
 
 import Control.Concurrent (threadDelay, threadWaitRead, threadWaitWrite)
-import Control.Concurrent.Async (withAsync)
+import Control.Concurrent.Async (race, withAsync)
 import Control.Concurrent.STM
 import Control.Exception (bracket, finally, try)
-import Control.Monad (forM_, unless, void, when)
+import Control.Monad (forM_, forever, unless, when)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Internal as B (createAndTrim)
 import qualified Data.ByteString.Unsafe as B
 import Data.IORef
+import Data.Maybe (isNothing)
 import qualified Data.Text as T
 import Foreign.Ptr (castPtr)
 import GHC.Clock (getMonotonicTime)
-import Numeric (showOct)
 import Ros.SlicedTimeout (timeoutInSlices)
 import Rosy.Channel (Action)
 import Rosy.Codec (commandRoutes, routeTopic)
@@ -42,13 +42,12 @@ import Rosy.Kobuki.Sensing
 import Rosy.Robot
 import Rosy.Robots.Connection
 import Rosy.Robots.ConnectionError (explainConnectionError)
+import Rosy.Robots.Guardian
 import Rosy.Robots.SerialCodec (readParts)
 import Rosy.Wire (pipeRoutes)
-import System.IO (Handle, hClose)
 import System.Posix.IO (OpenFileFlags (..), OpenMode (..), closeFd, defaultFileFlags, fdReadBuf, fdWriteBuf, openFd)
 import System.Posix.Terminal
 import System.Posix.Types (Fd)
-import System.Process (CreateProcess (..), ProcessHandle, StdStream (..), createProcess, proc, waitForProcess)
 
 -- | Commands for the thread that writes.
 data Setpoints = Setpoints
@@ -95,19 +94,28 @@ updateSetpoints setpoints t a = do
 flushTimeout :: Int
 flushTimeout = 500000
 
--- | Opens the device whenever it is there.
+-- | Why packets are exchanged no longer.
+data ExchangeEnd
+  = -- | The device may be opened again.
+    Interrupted String
+  | -- | The base is never driven.
+    Unsupported String
+
+-- | Opens the device whenever it is there, until its base is refused.
 keepOpen :: FilePath -> Setpoints -> EventQueue -> IO ()
 keepOpen device setpoints hearing = newIORef unsensed >>= \sensing -> go sensing ""
   where
     go sensing said = do
       modifyIORef' sensing resumed
-      outcome <- try (bracket (openRaw device) closeFd (\fd -> guarded (exchangePackets fd setpoints hearing sensing)))
+      outcome <- try (bracket (openRaw device) closeFd (\fd -> withGuardian fd (baseControl 0 0) (exchangePackets fd setpoints hearing sensing)))
       was <- atomically (swapTVar (alive setpoints) False)
-      let why = either explainConnectionError id outcome
-      when (was || why /= said) (atomically (enqueue hearing (Disconnected why)))
-      threadDelay reopenPause
-      go sensing why
-    guarded act = bracket (startWatchdog device) stopWatchdog (const act)
+      case either (Interrupted . explainConnectionError) id outcome of
+        -- Said again and again, because one program may run after another.
+        Unsupported why -> forever (atomically (enqueue hearing (Refused why)) >> threadDelay reopenPause)
+        Interrupted why -> do
+          when (was || why /= said) (atomically (enqueue hearing (Disconnected why)))
+          threadDelay reopenPause
+          go sensing why
 
 -- | Pause between attempts to open the device, microseconds. Upstream's driver waits 5 s.
 reopenPause :: Int
@@ -134,48 +142,65 @@ openRaw device = do
   discardData fd InputQueue -- what was said before we listened is old
   pure fd
 
--- | Reads and answers packets until the cable is pulled.
-exchangePackets :: Fd -> Setpoints -> EventQueue -> IORef Sensing -> IO String
-exchangePackets fd setpoints hearing sensing = do
+-- | Reads and answers packets until the cable is pulled, the guardian has ended, or the base is refused.
+exchangePackets :: Fd -> Setpoints -> EventQueue -> IORef Sensing -> Guardian -> IO ExchangeEnd
+exchangePackets fd setpoints hearing sensing guardian = do
   frames <- newIORef Frame.noBytes
   sentOutputs <- newIORef Nothing
   identified <- newIORef False
-  oldFirmware <- newIORef Nothing
+  firmware <- newIORef Nothing
+  guarded <- newIORef True
+  packetCount <- newTVarIO (0 :: Int)
   let go = do
-        came <- readSome fd
-        case came of
-          Nothing -> silent >> go
-          Just b | B.null b -> pure "the cable was pulled"
-          Just b -> do
+        b <- readSome fd
+        if B.null b
+          then pure (Interrupted "the cable was pulled")
+          else do
             Frame.Feeding found _ rest <- (`Frame.feed` b) <$> readIORef frames
             writeIORef frames rest
             mapM_ (packet' . readParts) found
-            refused <- readIORef oldFirmware
-            maybe go (\v -> pure ("its firmware " ++ showVersion v ++ " speaks another protocol")) refused
-      silent = do
-        was <- atomically (swapTVar (alive setpoints) False)
-        when was (atomically (enqueue hearing (Disconnected "it has fallen silent") >> enqueue hearing (Received (RobotStatusMessage Offline))))
+            version <- readIORef firmware
+            isGuarded <- readIORef guarded
+            case version of
+              Just v | not (isSupported v) -> pure (Unsupported ("its firmware " ++ showVersion v ++ " speaks another protocol"))
+              -- Nothing may drive without a guardian: the stop goes out before the line is closed.
+              _ | not isGuarded -> Interrupted "its guardian process has ended" <$ writeAll fd (baseControl 0 0)
+              _ -> go
+      -- Counts valid packets: noise is no sign of life.
+      watch = do
+        before <- readTVarIO packetCount
+        came <- timeoutInSlices silenceTimeout (atomically (readTVar packetCount >>= check . (/= before)))
+        when (isNothing came) . atomically $ do
+          now <- readTVar packetCount
+          was <- readTVar (alive setpoints)
+          when (was && now == before) (writeTVar (alive setpoints) False >> enqueue hearing (Disconnected "it has fallen silent"))
+        watch
       packet' parts = do
         let feedback = readFeedback parts
-        forM_ (firmwareVersion feedback) $ \v@(Version major _ _) -> when (major /= 1) (writeIORef oldFirmware (Just v))
+        forM_ (firmwareVersion feedback) (writeIORef firmware . Just)
         when (or [True | Udid {} <- feedback]) (writeIORef identified True)
-        forM_ (coreOf feedback) $ \_ -> do
+        supported <- maybe False isSupported <$> readIORef firmware
+        n <- atomically (stateTVar packetCount (\n -> (n, n + 1)))
+        -- Once, for a base that is asked and does not answer.
+        when (n == unansweredQuestions && not supported) (atomically (enqueue hearing (Disconnected "it does not say which firmware it has, and is not driven before")))
+        when supported . forM_ (coreOf feedback) $ \_ -> do
           (messages, after) <- sense parts <$> readIORef sensing
           writeIORef sensing after
           atomically $ do
             was <- swapTVar (alive setpoints) True
             unless was (enqueue hearing Connected >> enqueue hearing (Received (RobotStatusMessage Online)))
             mapM_ (enqueue hearing . Received) messages
-        reply
+        reply supported
+        sendHeartbeat guardian >>= writeIORef guarded
       -- One write per packet, as the driver does.
-      reply = do
+      reply supported = do
         t <- getMonotonicTime
         known <- readIORef identified
         lastOutputs <- readIORef sentOutputs
         (bytes, before, o) <- atomically $ do
           velocity@(v, w, said) <- readTVar (wantedVelocity setpoints)
           power <- readTVar (motorPower setpoints)
-          let drives = t - said <= commandTimeout && power == MotorsOn
+          let drives = supported && t - said <= commandTimeout && power == MotorsOn
           o <- readTVar (wantedOutputs setpoints)
           packets <- flushTQueue (wantedPackets setpoints)
           pure
@@ -194,19 +219,24 @@ exchangePackets fd setpoints hearing sensing = do
           later <- readTVar (wantedOutputs setpoints)
           none <- isEmptyTQueue (wantedPackets setpoints)
           when (now == before && later == o && none) (writeTVar (written setpoints) True)
-  go
+  either id id <$> race go watch
   where
+    isSupported (Version major _ _) = major == 1
     showVersion (Version a b c) = show a ++ "." ++ show b ++ "." ++ show c
+
+-- | Packets after which a base that has not said its version is reported: each is answered with the question, two seconds.
+unansweredQuestions :: Int
+unansweredQuestions = 100
 
 -- | kobuki_node: cmd_vel_timeout, seconds.
 commandTimeout :: Double
 commandTimeout = 0.6
 
--- | What has come; nothing at the end of the line; none when nothing came for so long.
-readSome :: Fd -> IO (Maybe ByteString)
-readSome fd = timeoutInSlices silenceTimeout (threadWaitRead fd) >>= traverse (const (B.createAndTrim 4096 (\p -> fromIntegral <$> fdReadBuf fd p 4096)))
+-- | What has come; nothing at the end of the line.
+readSome :: Fd -> IO ByteString
+readSome fd = threadWaitRead fd >> B.createAndTrim 4096 (\p -> fromIntegral <$> fdReadBuf fd p 4096)
 
--- | The base counts as silent after so long without a packet, microseconds: fifteen packets, half of the time after which
+-- | The base counts as silent after so long without a valid packet, microseconds: fifteen packets, half of the time after which
 -- it stops by itself. Upstream's driver says 0.1 s (kobuki.cpp: isAlive); a busy laptop oversleeps that.
 silenceTimeout :: Int
 silenceTimeout = 300000
@@ -216,18 +246,3 @@ writeAll fd bytes = unless (B.null bytes) $ do
   threadWaitWrite fd
   n <- B.unsafeUseAsCStringLen bytes (\(p, len) -> fdWriteBuf fd (castPtr p) (fromIntegral len))
   writeAll fd (B.drop (fromIntegral n) bytes)
-
--- | Starts the watchdog: a shell that holds the line open, waits until this program has closed its pipe or ended, and then
--- sends a stop.
-startWatchdog :: FilePath -> IO (Handle, ProcessHandle)
-startWatchdog device = do
-  started <- createProcess (proc "/bin/sh" ["-c", script, "rosy-guardian", device]) {std_in = CreatePipe, close_fds = True}
-  case started of
-    (Just hold, _, _, p) -> pure (hold, p)
-    _ -> ioError (userError "no pipe to the guardian")
-  where
-    script = "trap '' INT TERM HUP; exec 3>\"$1\"; cat >/dev/null; printf '" ++ concatMap octal (B.unpack (baseControl 0 0)) ++ "' >&3 2>/dev/null"
-    octal b = '\\' : drop 1 (showOct (512 + fromIntegral b :: Int) "")
-
-stopWatchdog :: (Handle, ProcessHandle) -> IO ()
-stopWatchdog (hold, p) = hClose hold >> void (waitForProcess p)

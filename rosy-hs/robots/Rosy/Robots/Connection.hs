@@ -67,6 +67,8 @@ data RobotEvent
     Connected
   | -- | It does not, for this reason.
     Disconnected String
+  | -- | It can never be driven over this connection, for this reason.
+    Refused String
   deriving (Eq, Show)
 
 -- | Events that were not taken yet, newest first.
@@ -113,6 +115,7 @@ data Notice
   | IsThere
   | IsLost String
   | IsBack
+  | IsRefused String
   deriving (Eq, Show)
 
 -- | A sentence about the robot of this name.
@@ -123,5 +126,6 @@ explainNotice name n = case n of
   IsThere -> name ++ " is there"
   IsLost why -> name ++ " is lost" ++ because why
   IsBack -> name ++ " is back"
+  IsRefused why -> name ++ " cannot be driven" ++ because why
   where
     because why = if null why then "" else ": " ++ why

@@ -4,16 +4,18 @@
 --
 -- In: messages of the robot, commands of the program, and the time. Out: messages for the program, and commands for the
 -- robot. Pure. Speeds are kept within limits. A velocity other than zero is repeated (rule R9), because the base stops
--- without a command for 0.6 s (kobuki_node: cmd_vel_timeout); it is forgotten when the robot is lost. While the safety rules
--- are on, they override the program. Odometry is moved so that the program starts at the origin (rule R22).
+-- without a command for 0.6 s (kobuki_node: cmd_vel_timeout); it is forgotten when the robot is lost, and a robot that was lost stands until a
+-- person lets it drive again ('arm'). While the safety rules are on, they override the program. Odometry is moved so that the program starts at the origin (rule R22).
 --
 -- @sim-service/rosy_sim/run/velocity_guard.py@ does the same for the simulator; @protocol/goldens/safety.json@ holds the two together.
 module Rosy.Robots.Guard
   ( -- * What it is
     Guard,
     newGuard,
+    withoutRearming,
     Limits (..),
     isConnected,
+    isArmed,
     isEvading,
     isSafe,
 
@@ -22,6 +24,7 @@ module Rosy.Robots.Guard
     onCommand,
     onTick,
     haltWheels,
+    arm,
     startRun,
     setWatched,
     setSafetyRules,
@@ -52,14 +55,30 @@ data Guard = Guard
     halted :: !Bool,
     -- | whether the robot is watched; wheels turn only then
     watched :: !Bool,
+    -- | whether a lost robot stands until it is armed
+    rearms :: !Bool,
+    -- | whether the robot may drive; a robot that was lost may not
+    armed :: !Bool,
     origin :: !(Maybe Odometry)
   }
 
 newGuard :: Limits -> Bool -> Guard
-newGuard l yes = Guard l yes noHazards 0 (0, 0) False False True Nothing
+newGuard l yes = Guard l yes noHazards 0 (0, 0) False False True True True Nothing
+
+-- | A robot that was lost drives on as soon as it is back and the program says so.
+withoutRearming :: Guard -> Guard
+withoutRearming g = g {rearms = False, armed = True}
 
 isConnected :: Guard -> Bool
 isConnected = connected
+
+-- | Whether the robot may drive. After it was lost it may not until 'arm' or 'startRun'.
+isArmed :: Guard -> Bool
+isArmed = armed
+
+-- | Lets a robot that was lost drive again.
+arm :: Guard -> Guard
+arm g = g {armed = True}
 
 -- | Whether the safety rules own the wheels.
 isEvading :: Guard -> Bool
@@ -74,11 +93,16 @@ isSafe = safe
 onEvent :: RobotEvent -> Guard -> (([Message], [Action]), Guard)
 onEvent h g = case h of
   Connected -> (([], []), g {connected = True})
-  Disconnected _ -> (([RobotStatusMessage Offline | connected g], [VelocityCommand (Velocity 0 0) | connected g]), g {connected = False, kept = (0, 0)})
+  Disconnected _ -> lost
+  Refused _ -> lost
   Received (OdometryMessage o) -> (([OdometryMessage (from start o)], []), g {origin = Just start})
     where
       start = fromMaybe o (origin g)
   Received m -> (([m], []), g {hazards = updateHazards m (hazards g)})
+  where
+    lost
+      | connected g = (([RobotStatusMessage Offline], [VelocityCommand (Velocity 0 0)]), g {connected = False, kept = (0, 0), ownedUntil = 0, armed = not (rearms g)})
+      | otherwise = (([], []), g)
 
 -- | Odometry in the frame of where the program started.
 from :: Odometry -> Odometry -> Odometry
@@ -96,7 +120,7 @@ from (Odometry (Position x0 y0) (Orientation a0) _) (Odometry (Position x y) (Or
 onCommand :: Double -> Action -> Guard -> ([Action], Guard)
 onCommand t a g = case a of
   VelocityCommand (Velocity v w)
-    | not (connected g) || halted g -> ([], g)
+    | not (connected g) || halted g || not (armed g) -> ([], g)
     | not (watched g) || t < ownedUntil g -> ([], g {kept = limited})
     | otherwise -> ([uncurry driveAt limited], g {kept = limited})
     where
@@ -120,7 +144,7 @@ within limit x
 -- a sensor touches something and 0.2 s longer; then the latest velocity of the program holds again (rule R9).
 onTick :: Double -> Guard -> ([Action], Guard)
 onTick t g
-  | not (connected g) || halted g || not (watched g) = ([], g)
+  | not (connected g) || halted g || not (watched g) || not (armed g) = ([], g)
   | safe g, Just (v, w) <- evasiveVelocity (hazards g) = ([driveAt v w], g {ownedUntil = t + holds})
   | isEvading g && t >= ownedUntil g = ([uncurry driveAt (kept g)], g {ownedUntil = 0})
   | isEvading g || kept g == (0, 0) = ([], g)
@@ -144,7 +168,7 @@ haltWheels g = ([VelocityCommand (Velocity 0 0)], g {halted = True, kept = (0, 0
 
 -- | Another program begins: it starts where the robot is, may drive, and what is pressed is still pressed.
 startRun :: Guard -> Guard
-startRun g = g {halted = False, watched = True, kept = (0, 0), ownedUntil = 0, origin = Nothing}
+startRun g = g {halted = False, watched = True, armed = True, kept = (0, 0), ownedUntil = 0, origin = Nothing}
 
 -- | Whether the robot is watched. Unwatched wheels stand; the last command of the program is carried out again afterwards.
 setWatched :: Bool -> Guard -> ([Action], Guard)

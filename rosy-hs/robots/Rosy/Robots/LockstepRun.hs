@@ -99,6 +99,8 @@ data RunEnd
     Died
   | -- | the robot is gone, for this reason
     RobotLost String
+  | -- | the robot can never be driven, for this reason
+    RobotRefused String
   deriving (Eq, Show)
 
 -- | Sources of randomness and time of a run.
@@ -152,6 +154,7 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
   own <- newIORef []
   pose <- newIORef Nothing
   lost <- newIORef Nothing
+  refused <- newIORef Nothing
   beganAt <- newIORef 0
   -- Commands of this step, newest first.
   commands <- newIORef []
@@ -212,6 +215,7 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
           Disconnected why
             | wasHere -> onNotice observer (IsLost why) >> now >>= \t -> writeIORef lost (Just (t, why))
             | otherwise -> onNotice observer (IsAwaited why)
+          Refused why -> onNotice observer (IsRefused why) >> writeIORef refused (Just why)
           Connected -> do
             l <- readIORef lost
             onNotice observer (if null l then IsThere else IsBack)
@@ -231,15 +235,18 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
           Just some -> do
             ms <- concat <$> mapM passes some
             there <- isConnected <$> readTVarIO guarded
-            if there then pure (early ++ ms) else untilHere (early ++ ms)
+            never <- readIORef refused
+            if there || isJust never then pure (early ++ ms) else untilHere (early ++ ms)
       steps n early = do
         awaitStep pace
         stop <- atomically stopWanted
         l <- readIORef lost
+        never <- readIORef refused
         t <- now
         when (n == 0) (writeIORef beganAt t)
         case l of
           _ | stop -> ended n =<< (say stopLine >> listenToTheEnd)
+          _ | Just why <- never -> say stopLine >> ended n (RobotRefused why)
           Just (since, why) | t - since > patience -> say stopLine >> ended n (RobotLost why)
           _ -> do
             some <- atomically (takeEvents connection `orElse` pure [])

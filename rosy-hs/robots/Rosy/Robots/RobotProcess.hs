@@ -6,7 +6,8 @@
 --
 -- In: a robot, requests of @protocol/README.md@ section 7 from the service, and programs' sockets. Out: lines
 -- about the robot's state. The robot is connected and reported before the first program, between programs and after the last. Its
--- wheels turn only while a program runs, the owner's page is visible, and no emergency stop is active.
+-- wheels turn only while a program runs, the owner's page is visible, no emergency stop is active, and the robot was not lost since the owner
+-- let it drive.
 module Rosy.Robots.RobotProcess
   ( runRobotProcess,
     ProcessLimits (..),
@@ -29,7 +30,7 @@ import qualified Data.Aeson as Aeson
 import Data.Aeson.Types (parseMaybe)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as L
-import Data.Maybe (isNothing)
+import Data.Maybe (isJust, isNothing)
 import Data.Text (Text)
 import GHC.Clock (getMonotonicTime)
 import Network.Socket (Socket, close)
@@ -38,7 +39,7 @@ import Rosy.Robots.Connection
 import Rosy.Robots.Guard
 import Rosy.Robots.LockstepRun
 import Rosy.Robots.PipeCodec (StepReport (..))
-import Rosy.Robots.Target (Profile (..), Target (..))
+import Rosy.Robots.Target (Profile (..), Target (..), targetGuard)
 import Rosy.Robots.Telemetry
 
 data Request
@@ -46,7 +47,7 @@ data Request
     Run
   | Stop
   | EmergencyStop
-  | -- | the emergency stop is over
+  | -- | the emergency stop is over, and a robot that was lost may drive again
     Free
   | -- | heartbeat: the owner's page is visible
     Alive
@@ -85,6 +86,8 @@ data RobotProcess = RobotProcess
     began :: TVar Double,
     -- | start of the active emergency stop, monotonic seconds
     stoppedAt :: TVar (Maybe Double),
+    -- | whether the service was told that the wheels are held
+    toldHeld :: TVar Bool,
     -- | time of the latest heartbeat, monotonic seconds
     aliveAt :: TVar Double,
     -- | checks of the owner since the latest heartbeat
@@ -129,10 +132,11 @@ runRobotProcess limits target connection (Requests asked) nextProgram write = do
   runs <- newTQueueIO
   h <-
     RobotProcess
-      <$> newTVarIO (snd (haltWheels (newGuard (targetLimits target) (targetSafety target))))
+      <$> newTVarIO (snd (haltWheels (targetGuard target)))
       <*> newTVarIO (initialState (profileRobot (targetProfile target)))
       <*> newTVarIO t0
       <*> newTVarIO Nothing
+      <*> newTVarIO False
       <*> newTVarIO t0
       <*> newTVarIO 0
       <*> newTVarIO False
@@ -146,7 +150,7 @@ runRobotProcess limits target connection (Requests asked) nextProgram write = do
           Run -> atomically (writeTQueue runs ())
           Stop -> stopRun h >> sendHalt h connection
           EmergencyStop -> emergencyStop h connection
-          Free -> atomically (writeTVar (stoppedAt h) Nothing) >> sendLine h (stoppedLine False)
+          Free -> atomically (writeTVar (stoppedAt h) Nothing >> modifyTVar' (guarded h) arm) >> reportHeld h
           Safety on -> atomically (stateTVar (guarded h) (setSafetyRules on)) >>= mapM_ (sendCommand connection) >> sendSettings h target
           Observe on -> atomically (writeTVar (observed h) on)
           Alive -> getMonotonicTime >>= atomically . recordHeartbeat h
@@ -187,6 +191,7 @@ passEvent h connection heard' = do
   case heard' of
     Connected -> sendLine h (linkLine IsThere)
     Disconnected why -> sendLine h (linkLine ((if was then IsLost else IsAwaited) why))
+    Refused why -> sendLine h (linkLine (IsRefused why))
     Received _ -> pure ()
   actions <- atomically $ do
     (ms, actions) <- stateTVar (guarded h) (onEvent heard')
@@ -197,6 +202,17 @@ passEvent h connection heard' = do
 sendHalt :: RobotProcess -> Connection -> IO ()
 sendHalt h connection = atomically (stateTVar (guarded h) haltWheels) >>= mapM_ (sendCommand connection)
 
+-- | Reports when the wheels begin or cease to be held, by the emergency stop or because the robot of a running program was lost.
+reportHeld :: RobotProcess -> IO ()
+reportHeld h = atomically $ do
+  emergency <- isJust <$> readTVar (stoppedAt h)
+  runs <- isJust <$> readTVar (running h)
+  mayDrive <- isArmed <$> readTVar (guarded h)
+  let isHeld = emergency || (runs && not mayDrive)
+  was <- readTVar (toldHeld h)
+  full <- isFullTBQueue (lines' h)
+  when (isHeld /= was && not full) (writeTVar (toldHeld h) isHeld >> writeTBQueue (lines' h) (stoppedLine isHeld))
+
 stopRun :: RobotProcess -> IO ()
 stopRun h = atomically (readTVar (running h) >>= mapM_ (`writeTVar` True))
 
@@ -205,7 +221,7 @@ emergencyStop h connection = do
   t <- getMonotonicTime
   atomically (writeTVar (stoppedAt h) (Just t))
   sendHalt h connection
-  sendLine h (stoppedLine True)
+  reportHeld h
   stopRun h
 
 runProgram :: Double -> Target -> Connection -> RobotProcess -> Socket -> IO ()
@@ -236,6 +252,7 @@ runProgram stepLimit' target connection h socket = do
         Stuck -> ("stuck", Nothing)
         Died -> ("died", Nothing)
         RobotLost _ -> ("lost", Nothing)
+        RobotRefused _ -> ("lost", Nothing)
 
 observer :: RobotProcess -> Observer
 observer h =
@@ -270,7 +287,7 @@ sendFrame h = do
     stateTVar (robotState h) (frameLine t (isEvading here'))
   sendLine h l
 
--- | Lets the wheels turn while heartbeats arrive, and repeats an emergency stop for a second.
+-- | Lets the wheels turn while heartbeats arrive, reports when they are held, and repeats an emergency stop for a second.
 superviseOwner :: Double -> RobotProcess -> Connection -> IO ()
 superviseOwner abandonLimit' h connection = forever $ do
   threadDelay (ceiling (checkInterval * 1e6))
@@ -281,5 +298,6 @@ superviseOwner abandonLimit' h connection = forever $ do
   forM_ runs $ \_ -> do
     atomically (stateTVar (guarded h) (setWatched (t - seen < watchTimeout))) >>= mapM_ (sendCommand connection)
     when (fromIntegral silent * checkInterval > abandonLimit') (stopRun h >> sendHalt h connection)
+  reportHeld h
   stopped <- readTVarIO (stoppedAt h)
   forM_ stopped $ \since -> when (t - since < 1) (sendHalt h connection)

@@ -33,9 +33,9 @@ import Rosy.Link.Ros
 import Rosy.Link.Rosbridge
 import Rosy.Link.Serial
 import Rosy.Problem
+import Rosy.Robots.ArmPrompt (startArmPrompt)
 import Rosy.Robots.Connection
 import Rosy.Robots.DriverLock (withDriverLock)
-import Rosy.Robots.Guard
 import Rosy.Robots.Target
 import Rosy.Sentence (english)
 import System.Environment (getEnvironment)
@@ -64,7 +64,7 @@ runOnRobotFor :: Maybe Double -> Target -> IO () -> IO ExitCode
 runOnRobotFor seconds target program = withDriverLock (targetAddress target) $ do
   mapM_ (`hSetBuffering` LineBuffering) [stdout, stderr]
   ended <- newIORef EndedDone
-  r <- newRunControl (newGuard (targetLimits target) (targetSafety target))
+  r <- newRunControl (targetGuard target)
   main' <- myThreadId
   reacted <- newTVarIO False
   result <- try . withClock $ \clock -> withConnection target $ \connection -> do
@@ -77,12 +77,14 @@ runOnRobotFor seconds target program = withDriverLock (targetAddress target) $ d
             unlessReacted (exitImmediately (ExitFailure 2))
         unlessReacted act = timeoutInSlices stopTimeout (atomically (readTVar reacted >>= check)) >>= maybe act pure
     mapM_ (`runAfter` stopping) seconds
+    startArmPrompt (connectionName connection) (runGuard r)
     link <- realLink clock (targetPatience target) r connection
     onSignals terminationSignals stopping (onLink link {end = \as e -> writeIORef ended e >> end link as e} program)
       `finally` (atomically (writeTVar reacted True) >> haltRobot r connection)
   how <- readIORef ended
+  explained <- wasRefused r
   case result of
-    Left e -> ExitFailure 2 <$ told (problemFrom Nothing [] Nothing e)
+    Left e -> ExitFailure 2 <$ unless explained (told (problemFrom Nothing [] Nothing e))
     Right () -> case how of
       EndedError p -> ExitFailure 2 <$ told p
       _ -> pure ExitSuccess

@@ -4,12 +4,13 @@
 --
 -- In: @ws://HOST:9090@, @ros://HOST:11311@ or @serial:/dev/kobuki@, with options behind a question mark. Out: a
 -- 'Target', or a sentence. Options: @robot@, @ros=1|2@, @prefix@, @odometry@, @velocity@, @messages@, @stamped=on|off@, @max_speed@,
--- @max_turn@ (m/s, rad/s), @safety=on|off@, @patience@ (s) and @profile=FILE@, a JSON object with any of these.
+-- @max_turn@ (m/s, rad/s), @safety=on|off@, @rearm=on|off@, @patience@ (s) and @profile=FILE@, a JSON object with any of these.
 module Rosy.Robots.Target
   ( Target (..),
     Transport (..),
     Profile (..),
     targetRoutes,
+    targetGuard,
     odometryTopic,
     readTarget,
     withFile,
@@ -35,7 +36,7 @@ import Rosy.Codec
 import Rosy.Profile
 import Rosy.Robot (odometryChannel)
 import Rosy.Robot.Known (robots)
-import Rosy.Robots.Guard (Limits (..))
+import Rosy.Robots.Guard (Guard, Limits (..), newGuard, withoutRearming)
 import Text.Read (readMaybe)
 
 data Target = Target
@@ -47,7 +48,9 @@ data Target = Target
     -- | whether the safety rules go before the program
     targetSafety :: Bool,
     -- | how long a lost robot is waited for, seconds
-    targetPatience :: Double
+    targetPatience :: Double,
+    -- | whether a robot that was lost stands until a person lets it drive again
+    targetRearm :: Bool
   }
   deriving (Eq, Show)
 
@@ -82,6 +85,10 @@ targetRoutes t = [if isRos2 p then r {routeType = T.replace (T.pack "/") (kindOf
     p = targetProfile t
     kindOf r = T.pack (if routeDelivery r == Called then "/srv/" else "/msg/")
 
+-- | The guard of a run on it.
+targetGuard :: Target -> Guard
+targetGuard t = (if targetRearm t then id else withoutRearming) (newGuard (targetLimits t) (targetSafety t))
+
 -- | Where odometry comes from.
 odometryTopic :: [Route] -> String
 odometryTopic known = maybe "" (T.unpack . routeTopic) (routeFor known odometryChannel)
@@ -109,7 +116,7 @@ explainTargetError e = case e of
   StrangeValue o v -> "\"" ++ v ++ "\" does not fit the option " ++ o ++ "."
   StrangeProfile f -> "The profile " ++ f ++ " cannot be read. It is a JSON object of options, such as {\"prefix\": \"/robot1\"}."
   where
-    known = ["robot", "ros", "prefix", "odometry", "velocity", "messages", "stamped", "max_speed", "max_turn", "safety", "patience", "profile"]
+    known = ["robot", "ros", "prefix", "odometry", "velocity", "messages", "stamped", "max_speed", "max_turn", "safety", "rearm", "patience", "profile"]
 
 -- | The profile that is named there, if one is: its options come before those of the address.
 profileFile :: String -> Maybe FilePath
@@ -129,7 +136,7 @@ withFile profile t = do
   mapM_ (Left . NoSuchWay (robotName chosen)) (missingWay way chosen)
   fromProfile <- maybe (Right []) (fromJson (fromMaybe "" (lookup "profile" named))) profile
   let (speed, turn) = robotLimits chosen
-      begun = Target t way (startProfile chosen (lookup "ros" first)) (Limits speed turn) True 10
+      begun = Target t way (startProfile chosen (lookup "ros" first)) (Limits speed turn) True 10 True
   foldM option begun (prefixFirst (fromProfile ++ filter ((/= "profile") . fst) named))
   where
     -- It moves the topics that are not named.
@@ -174,16 +181,18 @@ option t (k, v) = case k of
   "max_speed" -> number (\x -> t {targetLimits = (targetLimits t) {maxSpeed = x}})
   "max_turn" -> number (\x -> t {targetLimits = (targetLimits t) {maxTurn = x}})
   "patience" -> number (\x -> t {targetPatience = x})
-  "safety" -> case v of
-    "on" -> Right t {targetSafety = True}
-    "off" -> Right t {targetSafety = False}
-    _ -> bad
+  "safety" -> switch (\yes -> t {targetSafety = yes})
+  "rearm" -> switch (\yes -> t {targetRearm = yes})
   _ -> Left (StrangeOption k)
   where
     p = targetProfile t
     bad = Left (StrangeValue k v)
     topic = if "/" `isPrefixOf` v then Right t {targetProfile = p {profileVariables = set k v (profileVariables p)}} else bad
     set name value = map (\(n, old) -> (n, if n == name then value else old))
+    switch f = case v of
+      "on" -> Right (f True)
+      "off" -> Right (f False)
+      _ -> bad
     number f = case readMaybe (if take 1 v == "." then '0' : v else v) of
       Just x | x >= 0, not (isInfinite x) -> Right (f x)
       _ -> bad

@@ -124,6 +124,7 @@ linkLine n = case n of
   IsThere -> link "connected" ""
   IsLost why -> link "lost" why
   IsBack -> link "connected" ""
+  IsRefused why -> link "lost" why
   where
     link :: Text -> String -> L.ByteString
     link state why = line ["op" .= ("link" :: Text), "link" .= state, "why" .= why]

@@ -21,7 +21,7 @@ import Test.Tasty.HUnit
 import Test.Tasty.QuickCheck
 
 -- | What can happen to a guard, a tenth of a second apart.
-data Happening = Says RobotEvent | Wants Action | Ticks | Halts | Watched Bool | Renewed | Switched Bool
+data Happening = Says RobotEvent | Wants Action | Ticks | Halts | Watched Bool | Renewed | Armed | Switched Bool
   deriving (Show)
 
 tests :: TestTree
@@ -34,6 +34,20 @@ tests =
       testCase "tells a robot that is lost to stand, and forgets its velocity" $
         told False [Wants (VelocityCommand (Velocity 0.2 0)), Says (Disconnected "away"), Ticks, Wants (VelocityCommand (Velocity 0.3 0)), Says Connected, Ticks]
           @?= [[VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0 0)], [], [], [], []],
+      testCase "keeps a robot that was lost standing until it is armed, whatever the program and the safety rules want" $
+        told True [Says (Disconnected "away"), Says Connected, drive, Ticks, bump CenterBumper Pressed, Ticks, bump CenterBumper Released, Armed, Ticks, drive]
+          @?= [[VelocityCommand (Velocity 0 0)], [], [], [], [], [], [], [], [], [VelocityCommand (Velocity 0.2 0)]],
+      testCase "lets a robot that was lost drive on by itself where its address says so" $
+        fst (onCommand 0 (VelocityCommand (Velocity 0.2 0)) (foldl (\g h -> snd (onEvent h g)) (withoutRearming (newGuard limits' False)) [Connected, Disconnected "away", Connected]))
+          @?= [VelocityCommand (Velocity 0.2 0)],
+      testCase "lets a new run drive a robot that was lost before" $
+        told False [Says (Disconnected "away"), Says Connected, Renewed, drive] @?= [[VelocityCommand (Velocity 0 0)], [], [], [VelocityCommand (Velocity 0.2 0)]],
+      testCase "tells a robot that is refused to stand" $
+        told False [drive, Says (Refused "old"), Ticks] @?= [[VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0 0)], []],
+      testProperty "a safety manoeuvre is never followed by zero while the program drives" $ \touches ->
+        let touch (n, on) = [bump (toEnum (n `mod` 3)) (if on then Pressed else Released), drive, Ticks]
+            happenings = drive : concatMap touch (touches :: [(Int, Bool)]) ++ [Ticks, Ticks, Ticks]
+         in VelocityCommand (Velocity 0 0) `notElem` concat (told True happenings),
       testCase "tells the program that the robot is lost, once" $
         fst (onEvent (Disconnected "x") (snd (onEvent (Disconnected "x") (snd (onEvent Connected (newGuard limits' False)))))) @?= ([], []),
       testCase "lets nothing move after a halt" $
@@ -77,6 +91,7 @@ tests =
     ]
   where
     limits' = Limits 0.7 pi
+    drive = Wants (VelocityCommand (Velocity 0.2 0))
     bump side s = Says (Received (BumperMessage (Bumper side s)))
     cliff side s = Says (Received (CliffMessage (Cliff side s)))
     wheel s = Says (Received (WheelMessage (Wheel LeftWheel s)))
@@ -132,5 +147,6 @@ toldAt limits safe = snd . mapAccumL step (snd (onEvent Connected (newGuard limi
       Halts -> swap (haltWheels g)
       Watched yes -> swap (setWatched yes g)
       Renewed -> (startRun g, [])
+      Armed -> (arm g, [])
       Switched yes -> swap (setSafetyRules yes g)
     swap (a, b) = (b, a)

@@ -5,6 +5,7 @@
 -- stories are told of all three: however a program ends, the robot is told to stop, or its own watchdog sees the silence.
 module Test.Robots.Links (tests) where
 
+import Control.Concurrent.Async (withAsync)
 import Control.Monad (forM_, unless, void)
 import Data.IORef
 import Data.List (isInfixOf, isPrefixOf, nub, transpose)
@@ -38,14 +39,21 @@ tests ready = localOption (mkTimeout 300000000) . withResource (newIORef []) pri
              [ story ready (rosbridge "1") "rosbridge on ROS 1" (ownTopics (\r -> void (hears (robot r) "subscribed /dock/core")) (pure ())),
                story ready rospy "ROS 1" (\r -> ownTopics (\_ -> mapM_ (agreed r) [("connected", "/dock/core 1"), ("listening", "/report"), ("listening", "/mobile_base/commands/sound")]) (mapM_ (say (robot r)) ["pub /dock/core kobuki_msgs/SensorState", "sub /report geometry_msgs/Twist", "sub /mobile_base/commands/sound kobuki_msgs/Sound"]) r)
              ],
-           testGroup "rosbridge alone" [story ready (rosbridge "1") "garbage is passed over, and a lost server is found again" (lostServer times)],
+           testGroup
+             "rosbridge alone"
+             [ story ready (rosbridge "1") "garbage is passed over, and a lost server is found again" (lostServer times),
+               story ready (rosbridge "1") "a robot that was lost stands until Enter is pressed" (standsUntilArmed "left" (\r -> say (robot r) "drop"))
+             ],
            testGroup
              "serial alone"
              [ story ready serial "noise, cut and corrupted packets are passed over, and a pulled cable is found again" (pulledCable times),
                story ready serial "a cable that is pulled in a turn is found again, and the robot stands" pulledInATurn,
-               story ready serial "a base that would stop by itself does so when the program stands still" (stoodStill times),
-               story ready serial "a base that answers no question is driven all the same" mute,
-               story ready serial "firmware that speaks another protocol is left alone" otherFirmware,
+               story ready serial "a base that was lost stands until Enter is pressed" (standsUntilArmed "plugged" (\r -> say (robot r) "unplug" >> say (robot r) "plug")),
+               story ready serial "a line with nothing but noise is silent" (onlyNoise times),
+               story ready serial "a base without its guardian stands, and has a new one when it drives again" (withoutGuardian times),
+               story ready serial "a guardian that stands still does not keep a program from ending" suspendedGuardian,
+               story ready serial "a base that answers no question is not driven" mute,
+               story ready serial "firmware that speaks another protocol is not driven, and that is final" otherFirmware,
                story ready serial "a base that would stop by itself does so when the cable is pulled" (pulledFromFirmware times)
              ]
          ]
@@ -83,6 +91,15 @@ stories =
     ( "it stops, or is seen to be silent, when the program is killed",
       \times r ->
         driving r "off" "steady" $ \p -> standsAfter times r "kill -9" (killPeer p)
+    ),
+    ( "it stops, or is seen to be silent, when the program is suspended, and drives on with it",
+      \times r ->
+        driving r "off" "steady" $ \p -> do
+          standsAfter times r "kill -STOP" (signal p "STOP")
+          signal p "CONT"
+          sees r "movement again" (moves r)
+          standsAfter times r "kill -HUP" (signal p "HUP")
+          exits p 0
     ),
     ( "it stops when a function fails",
       \times r ->
@@ -123,11 +140,15 @@ agreed r (what, topic) = say (robot r) (what ++ " " ++ topic) >> void (hears (ro
 driving :: Rig -> String -> String -> (Peer -> IO a) -> IO a
 driving r safety name act = streaming r >> asProgram r safety name (\p -> sees r "movement" (moves r) >> act p)
 
--- | A program of its own process.
+-- | A program of its own process. A busy machine may lose the robot for a moment: then it drives on.
 asProgram :: Rig -> String -> String -> (Peer -> IO a) -> IO a
-asProgram r safety name act = do
+asProgram r = asProgramWith r "&rearm=off"
+
+-- | With further options in the robot's address.
+asProgramWith :: Rig -> String -> String -> String -> (Peer -> IO a) -> IO a
+asProgramWith r more safety name act = do
   self <- getExecutablePath
-  withProgram (environment r) "/bin/sh" ["-c", "exec \"$@\" 2>&1", "sh", self, "--drive", url r ++ "?safety=" ++ safety ++ options r, name] act
+  withProgram (environment r) "/bin/sh" ["-c", "exec \"$@\" 2>&1", "sh", self, "--drive", url r ++ "?safety=" ++ safety ++ options r ++ more, name] act
 
 -- | What happens, and how long the robot drives on, by its own clock: until it is told to stand or its watchdog says so. It
 -- is printed beside what is allowed and not judged, because this machine may be busy.
@@ -218,33 +239,82 @@ pulledInATurn r = asProgram r "off" "turns" $ \p -> do
   signal p "TERM"
   exits p 0
 
--- | As when the computer sleeps.
-stoodStill :: IO Times -> Rig -> IO ()
-stoodStill times r = driving r "off" "steady" $ \p -> do
-  say (robot r) "timeout 0.6"
-  standsAfter times r "a sleeping computer, the same firmware" (signal p "STOP")
+-- | Packets arrive all the time, and none is whole.
+onlyNoise :: IO Times -> Rig -> IO ()
+onlyNoise times r = driving r "off" "steady" $ \p -> do
+  standsAfter times r "nothing but noise on the line" (say (robot r) "static")
+  _ <- hearsWhere p "that it is lost" ("is lost: it has fallen silent" `isInfixOf`)
+  signal p "TERM"
+  exits p 0
+
+withoutGuardian :: IO Times -> Rig -> IO ()
+withoutGuardian times r = driving r "off" "steady" $ \p -> do
+  standsAfter times r "kill -9 of its guardian" (signalChildren p "KILL")
+  _ <- hearsWhere p "why" ("is lost: its guardian process has ended" `isInfixOf`)
+  sees r "movement again" (moves r)
+  standsAfter times r "kill -STOP behind that" (signal p "STOP")
   signal p "CONT"
   sees r "movement again" (moves r)
   signal p "TERM"
   exits p 0
 
+suspendedGuardian :: Rig -> IO ()
+suspendedGuardian r = driving r "off" "steady" $ \p -> do
+  signalChildren p "STOP"
+  signal p "TERM"
+  sees r "a stop" (stands r)
+  exits p 0
+
+-- | The program commands ten times a second, and all the same the robot stands from this line of its on, until a person agrees.
+standsUntilArmed :: String -> (Rig -> IO ()) -> Rig -> IO ()
+standsUntilArmed since breaks r = do
+  answered <- newIORef 0
+  streaming r
+  asProgramWith r "" "off" "steady" $ \p -> do
+    moving answered p
+    known <- questions <$> transcript p
+    breaks r
+    awaitTranscript p ((> known) . questions)
+    told <- reverse . takeWhile (not . isPrefixOf since) . reverse <$> transcript (robot r)
+    assertBool (unlines told) (not (any (moves r) told))
+    moving answered p
+    signal p "TERM"
+    exits p 0
+  where
+    questions = length . filter ("Press Enter here to let it drive again" `isInfixOf`)
+    -- A busy machine may lose the robot for a moment, too: every question is answered until it moves.
+    moving answered p = do
+      known <- length <$> transcript (robot r)
+      withAsync (agreeing answered p) $ \_ -> awaitTranscript (robot r) (any (moves r) . drop known)
+    agreeing answered p = do
+      n <- readIORef answered
+      awaitTranscript p ((> n) . questions)
+      writeIORef answered (n + 1) >> say p ""
+      agreeing answered p
+
 mute :: Rig -> IO ()
 mute r = do
   say (robot r) "mute"
-  driving r "off" "steady" $ \p -> do
+  asProgram r "off" "steady" $ \p -> do
     sees r "a question" (== "versions asked")
-    sees r "the same question again" (== "versions asked")
+    _ <- hearsWhere p "why it is not driven" ("it does not say which firmware it has" `isInfixOf`)
+    neverMoved r
     signal p "TERM"
-    sees r "a stop" (stands r)
     exits p 0
 
 otherFirmware :: Rig -> IO ()
 otherFirmware r = do
   say (robot r) "firmware 2"
   asProgram r "off" "steady" $ \p -> do
-    _ <- hearsWhere p "why it is not driven" ("its firmware 2.2.0 speaks another protocol" `isInfixOf`)
-    signal p "TERM"
-    exits p 0
+    _ <- hearsWhere p "why it is not driven" ("cannot be driven: its firmware 2.2.0 speaks another protocol" `isInfixOf`)
+    exits p 2
+    neverMoved r
+
+-- | It was told no speed but zero.
+neverMoved :: Rig -> IO ()
+neverMoved r = do
+  told <- filter ("control " `isPrefixOf`) <$> transcript (robot r)
+  assertBool (unlines told) (all (stands r) told)
 
 -- | Some firmware may have a timeout as kobuki_node has. Then it stops the base.
 pulledFromFirmware :: IO Times -> Rig -> IO ()

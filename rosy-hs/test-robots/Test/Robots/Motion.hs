@@ -19,7 +19,7 @@ import qualified Data.ByteString as B
 import qualified Data.ByteString.Char8 as C
 import Data.IORef
 import Rosy.Channel (Action, Message)
-import Rosy.Kobuki.Command (wheelCommand)
+import Rosy.Kobuki.Command (wheelCommand, withinWheels)
 import Rosy.Kobuki.Feedback (Core (..), Inertia (..))
 import Rosy.Kobuki.Sensing
 import Rosy.Robot
@@ -228,7 +228,7 @@ overSerial r = do
         arrives (v, w) = do
           say (robot r) "nudge"
           awaitTranscript (robot r) $ \ls ->
-            take 1 (reverse [drop 2 speeds | "control" : speeds <- map words (drop before ls)]) `elem` ([words (uncurry shown (wheelCommand v w))] : [[] | (v, w) == (0, 0)])
+            take 1 (reverse [drop 2 speeds | "control" : speeds <- map words (drop before ls)]) `elem` ([words (uncurry shown (uncurry wheelCommand (withinWheels v w)))] : [[] | (v, w) == (0, 0)])
     path <- reached r (\base -> played row base False sends arrives)
     compared (called r) row path
   where

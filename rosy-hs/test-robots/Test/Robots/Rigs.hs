@@ -163,7 +163,7 @@ serial _ = Just $ \folder use -> do
           environment = e,
           streaming = pure (),
           prepared = say p "hush" >> void (hears p "hushed"),
-          attached = void (hears p "first "), -- an open line forgets what was said before
+          attached = hears p "first " >> void (hears p "versions told"), -- an open line forgets what was said before
           bumped = say p "bump 4",
           moves = (== "control 0.200 0.000 200 0"),
           stands = (== "control 0.000 0.000 0 0"),

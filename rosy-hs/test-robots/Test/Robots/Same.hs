@@ -39,7 +39,7 @@ import Network.Socket (Family (..), Socket, SocketType (..), close, defaultProto
 import Network.Socket.ByteString (recv)
 import Network.Socket.ByteString.Lazy (sendAll)
 import Rosy.Channel (Action (..), Field (..), Message)
-import Rosy.Kobuki.Command (wheelCommand)
+import Rosy.Kobuki.Command (wheelCommand, withinWheels)
 import Rosy.Launch (onLink)
 import Rosy.Link.Pipe (pipeLink)
 import Rosy.Robot
@@ -404,7 +404,7 @@ toldAs kind batches = case kind of
   _ -> [show (fromEnum sound) | SoundCommand sound <- concat batches]
   where
     lasts f = concatMap (take 1 . reverse . mapMaybe f . through) batches
-    control v w = let (speed, radius) = wheelCommand v w in unwords [show speed, show radius]
+    control v w = let (speed, radius) = uncurry wheelCommand (withinWheels v w) in unwords [show speed, show radius]
     light c = show (case c of Black -> 0 :: Int; Red -> 1; Green -> 2; Orange -> 3)
 
 -- | The same, but for a machine so busy that the link itself said stop, because it was told nothing new for 0.6 s, and went on after that.

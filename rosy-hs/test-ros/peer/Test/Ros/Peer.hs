@@ -19,6 +19,7 @@ module Test.Ros.Peer
     awaitTranscript,
     killPeer,
     signal,
+    signalChildren,
     exitOf,
     tool,
   )
@@ -152,6 +153,10 @@ killPeer = killHard . peerProcess
 -- | A signal by its name.
 signal :: Peer -> String -> IO ()
 signal p name = getPid (peerProcess p) >>= mapM_ (\n -> callProcess "kill" ["-" ++ name, show n])
+
+-- | The same for the processes that it has started.
+signalChildren :: Peer -> String -> IO ()
+signalChildren p name = getPid (peerProcess p) >>= mapM_ (\n -> callProcess "sh" ["-c", "kill -" ++ name ++ " $(cat /proc/" ++ show n ++ "/task/*/children)"])
 
 -- | How it ends.
 exitOf :: Peer -> IO ExitCode

@@ -1,0 +1,36 @@
+-- |
+-- Module      : Rosy.Robots.ArmPrompt
+-- Description : Question on the terminal whether a robot that was lost may drive again.
+--
+-- In: the guard of a run, and lines on standard input. Out: sentences on standard error; Enter arms the guard. The question is only asked,
+-- and standard input only read, when a lost robot is back. Without a keyboard the robot stands until the run ends.
+module Rosy.Robots.ArmPrompt
+  ( startArmPrompt,
+  )
+where
+
+import Control.Concurrent (forkIO, threadWaitRead)
+import Control.Concurrent.STM
+import Control.Exception (IOException, try)
+import Control.Monad (forever, void)
+import Rosy.Robots.Guard
+import System.IO (hPutStrLn, stderr)
+import System.Posix.IO (stdInput)
+import System.Posix.Signals (Handler (..), installHandler, sigTTIN)
+
+-- | Asks for the robot of this name, in a thread of its own, until the process ends.
+startArmPrompt :: String -> TVar Guard -> IO ()
+startArmPrompt name guarded = do
+  -- A job in the background that reads from the terminal would be suspended.
+  _ <- installHandler sigTTIN Ignore Nothing
+  void . forkIO . forever $ do
+    atomically (readTVar guarded >>= \g -> check (isConnected g && not (isArmed g)))
+    complain " was lost and stands. Press Enter here to let it drive again."
+    -- Waits without blocking the process; getLine alone could not be interrupted.
+    try (threadWaitRead stdInput >> getLine) >>= \case
+      Right _ -> atomically (modifyTVar' guarded (\g -> if isConnected g then arm g else g))
+      Left (_ :: IOException) -> do
+        complain " stands, because nothing can be typed here. Start the program again, or write rearm=off into the robot's address."
+        atomically (readTVar guarded >>= check . isArmed)
+  where
+    complain = hPutStrLn stderr . (name ++)

@@ -1,0 +1,52 @@
+-- |
+-- Module      : Rosy.Robots.Guardian
+-- Description : Guardian process of a serial line.
+--
+-- In: an open line, the bytes of a stop, and heartbeats. Out: a stop on the line after 'heartbeatTimeout' without a heartbeat, which
+-- is repeated until the next one, and a stop when this process has ended. So a process that is killed or suspended
+-- (SIGKILL, SIGSTOP) leaves no base driving. The process itself is C (@cbits/rosy_guardian.c@), because it is forked from a process
+-- with threads.
+module Rosy.Robots.Guardian
+  ( Guardian,
+    withGuardian,
+    sendHeartbeat,
+    heartbeatTimeout,
+  )
+where
+
+import Control.Exception (bracket)
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Unsafe as B
+import Data.Word (Word8)
+import Foreign.C.Error (throwErrnoIfMinus1)
+import Foreign.C.Types (CInt (..))
+import Foreign.Marshal.Alloc (alloca)
+import Foreign.Ptr (Ptr, castPtr)
+import Foreign.Storable (peek)
+import System.Posix.Types (Fd (..))
+
+-- | Its process number, and the descriptor that takes heartbeats.
+data Guardian = Guardian CInt CInt
+
+-- | Milliseconds without a heartbeat after which it sends a stop: kobuki_node's cmd_vel_timeout.
+heartbeatTimeout :: Int
+heartbeatTimeout = 600
+
+-- | A guardian of this line, which sends these bytes; it sends them too when the action is over. Heartbeats are expected at once.
+withGuardian :: Fd -> ByteString -> (Guardian -> IO a) -> IO a
+withGuardian (Fd line) stop = bracket start end
+  where
+    start = B.unsafeUseAsCStringLen stop $ \(bytes, size) -> alloca $ \heartbeat -> do
+      pid <- throwErrnoIfMinus1 "guardian" (c_start line (castPtr bytes) (fromIntegral size) (fromIntegral heartbeatTimeout) heartbeat)
+      Guardian pid <$> peek heartbeat
+    end (Guardian pid heartbeat) = c_end pid heartbeat
+
+-- | Whether the guardian is still there to receive it.
+sendHeartbeat :: Guardian -> IO Bool
+sendHeartbeat (Guardian _ heartbeat) = (== 0) <$> c_beat heartbeat
+
+foreign import ccall safe "rosy_guardian_start" c_start :: CInt -> Ptr Word8 -> CInt -> CInt -> Ptr CInt -> IO CInt
+
+foreign import ccall unsafe "rosy_guardian_beat" c_beat :: CInt -> IO CInt
+
+foreign import ccall safe "rosy_guardian_end" c_end :: CInt -> CInt -> IO ()
