@@ -1,4 +1,4 @@
-"""Places of classes: one service opens a class; it is read beside it, listed and deleted, in a folder or on a server."""
+"""Places of classes: one service opens a class; others read it, list it and delete it, in a folder or on a server."""
 
 from __future__ import annotations
 
