@@ -1,6 +1,6 @@
 """
 ``python -m rosy_sim.bench simulator [--pages N ...] [--seconds S] [--profile]``, ``recovery [--rounds N]``,
-``class [--pupils N] [--seconds S]``, and ``attacks [--seconds S]``.
+``class [--pupils N] [--seconds S]``, and ``attacks [--seconds S] [--only WORDS]``.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ def main() -> int:
     parser.add_argument("--pages", type=int, nargs="*", default=[50, 100, 150, 200])
     parser.add_argument("--seconds", type=float, default=10.0)
     parser.add_argument("--runs", type=int, help="programs at once; the other pages wait (default: all drive)")
+    parser.add_argument("--only", default="", help="attacks whose titles have this in them")
     parser.add_argument("--profile", action="store_true", help="say where the service's time goes")
     parser.add_argument("--pupils", type=int, default=30, help="of the class")
     parser.add_argument("--rounds", type=int, default=3, help="deaths of each kind")
@@ -33,7 +34,7 @@ def main() -> int:
             asyncio.run(recovery.measure(config, options.rounds))
             return 0
         if options.name == "attacks":
-            under_attack.report(config, options.seconds)
+            under_attack.report(config, options.seconds, options.only)
             return 0
         if options.name == "class":
             late = class_board.report(config, options.pupils, options.seconds)

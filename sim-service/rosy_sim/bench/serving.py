@@ -13,6 +13,7 @@ import uvicorn
 from ..classroom.class_store import ClassStore
 from ..config import Config
 from ..web.app import Service, build_app
+from ..web.garbage_collection import keep_what_is_loaded
 from ..web.request_deadline import RequestDeadline
 
 __all__ = ["serving"]
@@ -23,6 +24,7 @@ async def serving(config: Config, store: ClassStore | None = None) -> AsyncItera
     """Serve until the end of the block; yields the service, whose worker is ready, and its port."""
     app = build_app(config, store)
     service: Service = app.state.service
+    keep_what_is_loaded()
     server = uvicorn.Server(
         uvicorn.Config(
             app,

@@ -1,6 +1,7 @@
 """
-What others notice of an attack: how long the checks of a page take, how late the steps of a run begin, and whether a
-new page is let in, may drive the robots and gets its program started. Beside the same without the attack.
+What others notice of an attack: how long the checks of a page take, how late the steps of a run begin, how long the
+service computes at a stretch, and whether a new page is let in, may drive the robots and gets its program started.
+Beside the same without the attack.
 
 The service runs here with the worker. The attacker and the others are two more processes, so that neither computes for
 the other.
@@ -21,6 +22,7 @@ import uvloop
 from ..config import Config
 from ..web.app import Service
 from .attacks import ATTACKS, Attack
+from .loop_monitor import LoopMonitor
 from .page_client import PageClient, opened
 from .serving import serving
 
@@ -39,14 +41,21 @@ main = simulate accelerate
 """
 
 
-def report(config: Config, seconds: float) -> None:
-    """Print a row without an attack and one for each attack."""
+def report(config: Config, seconds: float, only: str = "") -> None:
+    """
+    Print a row without an attack and one for each attack.
+
+    Args:
+        config: of the service.
+        seconds: for each row.
+        only: what the titles of the attacks have in them.
+    """
     config = replace(config, robots={"Bench": "ws://127.0.0.1:9"}).with_limits(replace(config.limits, runs=_RUNS))
     with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
-        runner.run(_measure(config, seconds))
+        runner.run(_measure(config, seconds, only))
 
 
-async def _measure(config: Config, seconds: float) -> None:
+async def _measure(config: Config, seconds: float, only: str) -> None:
     ours, theirs = multiprocessing.Pipe()
     spawning = multiprocessing.get_context("spawn")
     async with serving(config) as (service, port):
@@ -54,37 +63,45 @@ async def _measure(config: Config, seconds: float) -> None:
         others.start()
         # Its end is noticed.
         theirs.close()
+        monitor = LoopMonitor()
         try:
             await asyncio.to_thread(ours.recv)
-            await _print_row(service, ours, "no attack", seconds)
+            await _print_row(service, ours, monitor, "no attack", seconds)
             for number, attack in enumerate(ATTACKS):
+                if only not in attack.title:
+                    continue
                 attacker_ours, attacker_theirs = multiprocessing.Pipe()
                 attacker = spawning.Process(target=_attack, args=(number, port, attacker_theirs), daemon=True)
                 attacker.start()
                 attacker_theirs.close()
                 try:
                     await asyncio.to_thread(attacker_ours.recv)
-                    await _print_row(service, ours, attack.title, seconds)
+                    await _print_row(service, ours, monitor, attack.title, seconds)
                 finally:
                     attacker.kill()
                     attacker.join()
             ours.send(0.0)
         finally:
+            monitor.cancel()
             others.join(5)
             others.kill()
 
 
-async def _print_row(service: Service, others: Connection, title: str, seconds: float) -> None:
+async def _print_row(service: Service, others: Connection, monitor: LoopMonitor, title: str, seconds: float) -> None:
     service.lateness.clear()
+    monitor.clear()
     others.send(seconds)
     checks, entered, started, unlocked = await asyncio.to_thread(others.recv)
     late = service.lateness.summary()
+    use = monitor.use()
     ordered = sorted(checks)
     p95 = ordered[min(len(ordered) - 1, len(ordered) * 95 // 100)]
     print(
         f"  {title:<46} "
         f"checks {statistics.median(ordered) * 1e3:5.0f} ms (median) {p95 * 1e3:5.0f} (p95); "
         f"steps late by {late['p50'] * 1e3:5.1f} ms (median) {late['p99'] * 1e3:6.1f} (p99); "
+        f"the loop computes {use.share:4.0%} of the time, at a stretch {use.p99 * 1e3:4.1f} ms (p99) "
+        f"{use.most * 1e3:5.1f} (most); "
         f"a new page is let in {'' if entered else 'NOT '}after {entered or 0.0:.2f} s, "
         f"its program drives after {started:.2f} s, its code for the robots is {'accepted' if unlocked else 'REFUSED'}",
         flush=True,
@@ -127,8 +144,10 @@ async def _others(port: int, code: str, talk: Connection) -> None:
 async def _check(page: PageClient, number: int) -> float:
     """How long a check takes, s."""
     begun = time.monotonic()
-    await page.send("check", id=number, source=f"main = simulate (Velocity 0.1 0.{number})\n")
-    await page.answer("checked")
+    # Another text each time, with names of its own: no answer can be one that was given before.
+    await page.send("check", id=number, source=_PROGRAM.replace("accelerate", f"accelerate{number}"))
+    while (await page.answer("checked"))["id"] != number:
+        pass
     return time.monotonic() - begun
 
 

@@ -29,6 +29,9 @@ _ITERATION = 0.002
 _MESSAGE, _CHARACTER = 1e-4, 8e-9
 """Computing time that is not measured: a message and a character of it, read from the socket and answered, s."""
 
+_SLOWEST = 4.0
+"""Most s that count for a second of processor time. A machine that stands still for a while is no page's fault."""
+
 
 class _Address:
     """A client address: its share, and its turns that wait, in their order."""
@@ -46,10 +49,14 @@ class LoopScheduler:
 
     Args:
         computed: the processor time of this thread, s.
+        clock: the time, s.
     """
 
-    def __init__(self, computed: Callable[[], float] = time.thread_time) -> None:
+    def __init__(
+        self, computed: Callable[[], float] = time.thread_time, clock: Callable[[], float] = time.perf_counter
+    ) -> None:
         self.computed = computed
+        self.clock = clock
         # In the order of their turns; those that have not computed for a while are forgotten.
         self._addresses: dict[str, _Address] = {}
         # The address that was given a turn which has not ended.
@@ -132,7 +139,7 @@ class PageTurns:
     def __init__(self, scheduler: LoopScheduler, address: str) -> None:
         self._scheduler = scheduler
         self._address = address
-        # Computing time of all turns, s.
+        # Time of all turns, s.
         self.spent = 0.0
 
     @asynccontextmanager
@@ -143,13 +150,14 @@ class PageTurns:
         Args:
             characters: of a message that is served.
         """
-        computed = self._scheduler.computed
+        computed, clock = self._scheduler.computed, self._scheduler.clock
         await self._scheduler.begin(self._address)
-        begun = computed()
+        begun, then = computed(), clock()
         try:
             yield
         finally:
-            spent = computed() - begun + _MESSAGE + _CHARACTER * characters
+            # On a busy machine the others wait for the whole time.
+            spent = min(clock() - then, _SLOWEST * (computed() - begun)) + _MESSAGE + _CHARACTER * characters
             self.spent += spent
             self._scheduler.end(self._address, spent)
 

@@ -32,6 +32,7 @@ from ..wording import in_terminal
 from ..worker.launcher import missing_sandbox, sandbox_warning
 from .app import build_app
 from .browser_safety import own_names
+from .garbage_collection import keep_what_is_loaded
 from .lan_addresses import is_unspecified, lan_addresses
 from .qr_code import qr_code_lines
 from .request_deadline import RequestDeadline
@@ -196,6 +197,7 @@ class _Server(uvicorn.Server):
 
 
 async def _serve(server: _Server, listener: socket.socket) -> None:
+    keep_what_is_loaded()
     await server.serve(sockets=[listener])
 
 

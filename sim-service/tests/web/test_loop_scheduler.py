@@ -49,7 +49,7 @@ class Service:
 
     def __init__(self) -> None:
         self.clock = Clock()
-        self.scheduler = LoopScheduler(lambda: self.clock.computed)
+        self.scheduler = LoopScheduler(lambda: self.clock.computed, lambda: self.clock.time)
         # The messages that were served, by the name of their page, and when.
         self.served: list[tuple[str, float]] = []
 
@@ -179,5 +179,20 @@ def test_the_time_of_a_message_that_was_refused_counts() -> None:
             assert turns.spent > 0.3
         await service.serve("o", "other", 1, 0.0)
         assert service.clock.time < 0.31
+
+    play(story)
+
+
+def test_a_busy_machine_makes_turns_dearer_and_one_that_stands_still_does_not() -> None:
+    async def story(service: Service) -> None:
+        async def spent(computed: float, passed: float) -> float:
+            turns = PageTurns(service.scheduler, "school")
+            async with turns.turn():
+                service.clock.compute(computed)
+                service.clock.time += passed
+            return turns.spent
+
+        assert 0.02 < await spent(0.01, 0.01) < 0.021
+        assert 0.04 < await spent(0.01, 60.0) < 0.041
 
     play(story)
