@@ -35,6 +35,9 @@ export interface Questions {
   canAsk(): boolean
   why(functionName: string): void
   whyNot(functionName: string): void
+  /// Whether a block is part of a case that a function may take, and the question why it did not.
+  hasCase(block: BlockId): boolean
+  whyNotCase(block: BlockId): void
 }
 
 export interface History {

@@ -97,5 +97,7 @@ function menuActions(
         : null,
     askWhy: name => options.questions?.why(name),
     askWhyNot: name => options.questions?.whyNot(name),
+    hasCase: block => options.questions?.hasCase(block.id) === true,
+    askWhyNotCase: block => options.questions?.whyNotCase(block.id),
   }
 }

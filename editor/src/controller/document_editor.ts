@@ -45,7 +45,7 @@ export function openDocumentEditor(store: Store, parts: PageParts): DocumentEdit
   }
   const cursorMoved = (offset: number) => {
     const block = innermostBlock(store.now.document.program.spans, {start: offset, end: offset})
-    store.dispatch({kind: "selected", block, in: "haskell"})
+    store.dispatch({kind: "selected", block, in: "haskell", at: offset})
   }
   const flush = () => {
     if (parts.reader === null) return null

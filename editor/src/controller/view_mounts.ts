@@ -11,6 +11,7 @@ import {openWorldEditor} from "../room/world_editor_view.ts"
 import {openHaskellPane} from "../source/haskell_pane.ts"
 import {signatureFix} from "../state/program.ts"
 import type {Store} from "../state/store.ts"
+import {caseQuestion} from "../why/untaken_case.ts"
 import {lookedBackFor, motionQuestion, type Question} from "../why/why_state.ts"
 import {words} from "../words/index.ts"
 import type {Tone} from "./colour_scheme.ts"
@@ -74,6 +75,11 @@ export function mountBlocks(
         const since = Math.max(0, until - lookedBackFor)
         const question = {kind: "not", function: name, command: "", since, until} as const
         store.dispatch({kind: "why", event: {kind: "asked", question}})
+      },
+      hasCase: block => caseQuestion(store.now, block) !== null,
+      whyNotCase(block) {
+        const question = caseQuestion(store.now, block)
+        if (question !== null) store.dispatch({kind: "why", event: {kind: "asked", question}})
       },
     },
   })

@@ -135,6 +135,8 @@ function withCheck(state: PageState, message: Message<"checked">): PageState {
 function withRunState(state: PageState, message: Message<"state">): PageState {
   const run = nextRun(state.run, {kind: "heard", message})
   if (run === state.run) return state
+  if (message.state === "running" && message.branches !== undefined && message.branches.length > 0)
+    return {...state, run, room: {...state.room, branches: message.branches}}
   if (message.state !== "ended") return {...state, run}
   const isRefused = message.ended === "refused"
   const from = isRefused ? "compiler" : "run"

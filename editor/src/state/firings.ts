@@ -33,7 +33,7 @@ export interface FiringOutput {
 }
 
 /// 1-based, counted in characters.
-interface TextPlace {
+export interface TextPlace {
   readonly line: number
   readonly column: number
 }
@@ -88,7 +88,7 @@ const output = object<FiringOutput>(get => ({
 
 const position = object<TextPlace>(get => ({line: get("line", number), column: get("column", number)}))
 
-const branch = object<FiringBranch>(get => ({
+export const branch: Decoder<FiringBranch> = object<FiringBranch>(get => ({
   in: get("in", list(string)),
   kind: get("kind", oneOf("equation", "case", "guard", "then", "else")),
   number: get("number", number),

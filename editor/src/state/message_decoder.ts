@@ -21,7 +21,7 @@ import {
   parseJson,
   string,
 } from "./decode.ts"
-import {type Firing, firing} from "./firings.ts"
+import {branch, type Firing, firing} from "./firings.ts"
 import type {
   Declared,
   Frame,
@@ -185,7 +185,9 @@ const serviceMessage: Decoder<ServiceMessage> = (value, path) => {
         const state = get("state", oneOf("queued", "compiling", "running", "ended"))
         const run = get("run", number)
         if (state === "queued") return {op, run, state, place: get("place", number)}
-        if (state !== "ended") return {op, run, state}
+        if (state === "compiling") return {op, run, state}
+        if (state === "running")
+          return {op, run, state, branches: get("branches", optional(list(branch), []))}
         return {
           op,
           run,

@@ -6,7 +6,7 @@ import type {Explanation} from "../why/explanation.ts"
 import type {WhyRequest} from "../why/why_state.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
 import type {Channels} from "./channels.ts"
-import type {Firing} from "./firings.ts"
+import type {Firing, FiringBranch} from "./firings.ts"
 import type {OwnTopic, ProgramPart} from "./program_graph.ts"
 import type {OwnedRobot, RobotName} from "./robots.ts"
 import type {ProblemSentences, Sentence} from "./sentence.ts"
@@ -125,7 +125,14 @@ export type ServiceMessage =
       /// The type that is wanted there; `null` when anything would do or nothing is known.
       readonly expected: string | null
     }
-  | {readonly op: "state"; readonly run: number; readonly state: "compiling" | "running"}
+  | {readonly op: "state"; readonly run: number; readonly state: "compiling"}
+  | {
+      readonly op: "state"
+      readonly run: number
+      readonly state: "running"
+      /// Between which the functions of a program that begins to run choose; none when it goes on.
+      readonly branches?: readonly FiringBranch[]
+    }
   | {readonly op: "state"; readonly run: number; readonly state: "queued"; readonly place: number}
   | {
       readonly op: "state"

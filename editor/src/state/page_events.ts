@@ -126,7 +126,13 @@ export type WorldEvent =
 export type ViewEvent =
   /// The keyboard takes hold of a movable thing, or of the robot again.
   | {readonly kind: "held"; readonly thing: number | null}
-  | {readonly kind: "selected"; readonly block: BlockId | null; readonly in: "blocks" | "haskell"}
+  /// `at` is the offset of the cursor, when that chose the block.
+  | {
+      readonly kind: "selected"
+      readonly block: BlockId | null
+      readonly in: "blocks" | "haskell"
+      readonly at?: number
+    }
   | {readonly kind: "charted"; readonly quantities: readonly string[]}
   | {readonly kind: "chart-span"; readonly span: ChartSpan}
   | {readonly kind: "tab"; readonly tab: Tab}

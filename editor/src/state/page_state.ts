@@ -150,6 +150,8 @@ export interface PageState {
   readonly selected: BlockId | null
   /// Where the cursor is that chose it.
   readonly selectedIn: "blocks" | "haskell"
+  /// The offset of the cursor in the text that selected it; `null` when it was selected elsewhere.
+  readonly cursor: number | null
   readonly welcome: "fresh" | "ran" | "over"
   readonly gallery: Gallery
   readonly dialog:
@@ -243,6 +245,7 @@ export const initialState: PageState = {
   refused: null,
   selected: null,
   selectedIn: "blocks",
+  cursor: null,
   welcome: "over",
   gallery: {kind: "unasked"},
   dialog: null,

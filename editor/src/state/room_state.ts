@@ -4,6 +4,7 @@ import {noPreview, type PreviewState} from "../preview/preview.ts"
 import {addFirings, emptyLog, type FiringLog, firingsUntil} from "../values/firing_log.ts"
 import type {World} from "../worlds/world.ts"
 import {speedOf} from "./channels.ts"
+import type {FiringBranch} from "./firings.ts"
 import type {Frame, Goal} from "./messages.ts"
 import {emptyRecording, frameAt, framesBetween, type Recording, record, recordedUntil} from "./recording.ts"
 
@@ -61,6 +62,8 @@ export interface RoomState {
   readonly fired: {readonly [name: string]: number}
   /// What functions took and gave; only while the values are shown.
   readonly firings: FiringLog
+  /// Equations, guards and alternatives between which the functions of the running program choose.
+  readonly branches: readonly FiringBranch[]
   /// The movable thing that the keyboard holds, numbered as in a frame; `null` is the robot.
   readonly held: number | null
   /// The run whose frames are drawn; `null` before the first one and after a reset.
@@ -84,6 +87,7 @@ export const emptyRoom: RoomState = {
   goals: [],
   fired: {},
   firings: emptyLog,
+  branches: [],
   held: null,
   run: null,
   source: null,

@@ -145,6 +145,7 @@ function continueRun(state: PageState): Transition {
       ...roomUntil(state.room, frame.time),
       run: begun.runs,
       source: begun.room.source,
+      branches: [],
       preview: begun.room.preview,
     },
     lines: state.lines.filter(line => line.time <= frame.time),

@@ -15,7 +15,7 @@ export function reduceViewEvent(state: PageState, event: ViewEvent): PageState {
     case "chart-span":
       return {...state, chartSpan: event.span}
     case "selected":
-      return {...state, selected: event.block, selectedIn: event.in}
+      return {...state, selected: event.block, selectedIn: event.in, cursor: event.at ?? null}
     case "rooms-read":
       return {...state, rooms: event.rooms}
     case "worlds-listed":

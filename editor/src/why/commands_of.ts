@@ -1,6 +1,14 @@
-/// The commands that a function of the program may give, from the types that the compiler reports. Pure.
+/// The commands that a function of the program may give, from the types that the compiler reports, and all commands that can be asked for. Pure.
 
 import type {ProgramPart, TypeShape} from "../state/program_graph.ts"
+
+/// Types of commands of the robot and of the page (`protocol/README.md`, *Topics*).
+const robotCommands: readonly string[] = ["Velocity", "Sound", "Led1", "Led2", "Say"]
+
+/// Those of the function first, then the others that a program may send: that it never sends them is an answer as well.
+export function commandsToAsk(parts: readonly ProgramPart[], name: string): readonly string[] {
+  return [...new Set([...commandsOf(parts, name), ...robotCommands])]
+}
 
 export function commandsOf(parts: readonly ProgramPart[], name: string): readonly string[] {
   const given = parts.flatMap((part): readonly string[] => {

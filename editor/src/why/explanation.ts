@@ -79,6 +79,8 @@ const sentenceIds = [
   "run-not-begun",
   "did-run",
   "did-send",
+  "did-take",
+  "not-reached",
   "not-part",
   "task-ended",
   "task-waits",

@@ -7,9 +7,11 @@ import {IconButton} from "../page/controls.tsx"
 import {CloseIcon} from "../page/icons.tsx"
 import {measures, words} from "../words/index.ts"
 import {causalPath} from "./causal_path.ts"
-import {commandsOf} from "./commands_of.ts"
+import {commandsToAsk} from "./commands_of.ts"
+import type {Explanation} from "./explanation.ts"
 import {fill, type Piece, pieces, shortFractions} from "./sentence_words.ts"
-import {isAsking, motionQuestion, otherQuestion, type Question} from "./why_state.ts"
+import {caseQuestion, caseQuestionAt} from "./untaken_case.ts"
+import {isAsking, motionQuestion, noCommandQuestion, otherQuestion, type Question} from "./why_state.ts"
 
 export function WhyPanel(): VNode | null {
   const {store} = useController()
@@ -70,17 +72,17 @@ export function WhyPanel(): VNode | null {
         )}
       </div>
       {question.kind === "not" && question.command === "" && <NotSent question={question} />}
+      <NoneSent question={question} answer={answer} />
       <AboutRobot question={question} />
     </section>
   )
 }
 
-/// The commands that the function may give, each as a question of its own.
-function NotSent({question}: {question: Question & {kind: "not"}}): VNode | null {
+/// The commands that the function may give, then the others, each as a question of its own.
+function NotSent({question}: {question: Question & {kind: "not"}}): VNode {
   const {store} = useController()
   const parts = usePageState(s => s.network?.parts ?? null)
-  const commands = parts === null ? [] : commandsOf(parts, question.function)
-  if (commands.length === 0) return null
+  const commands = commandsToAsk(parts ?? [], question.function)
   return (
     <p>
       {commands.map(command => (
@@ -95,6 +97,25 @@ function NotSent({question}: {question: Question & {kind: "not"}}): VNode | null
           {words.why.noCommand(command)}
         </button>
       ))}
+    </p>
+  )
+}
+
+/// Why no command of a type was sent, when the answer is that there was none.
+function NoneSent({question, answer}: {question: Question; answer: Explanation | null}): VNode | null {
+  const {store} = useController()
+  const now = usePageState(s => s.room.lookedAt ?? s.room.frame?.time ?? null)
+  const other = noCommandQuestion(question, answer, now)
+  if (other === null) return null
+  return (
+    <p>
+      <button
+        type="button"
+        class="link not-sent"
+        onClick={() => store.dispatch({kind: "why", event: {kind: "followed", question: other}})}
+      >
+        {words.why.noCommand(other.command)}
+      </button>
     </p>
   )
 }
@@ -175,6 +196,8 @@ function questionPieces(question: Question): readonly Piece[] {
         ? fill(asked.notRun, {function: [name]})
         : fill(asked.notSent, {function: [name], type: [{kind: "code", text: question.command}]})
     }
+    case "not-taken":
+      return fill(asked.notTaken, {value: [{kind: "code", text: question.text}]})
     case "no-command":
       return fill(asked.noCommand, {type: [{kind: "code", text: question.command}]})
     case "not-received":
@@ -200,6 +223,27 @@ export function QuestionButtons({all}: {all: readonly Question[]}): VNode {
         </button>
       ))}
     </>
+  )
+}
+
+/// Asks why the case around the chosen block, or around the cursor in the text, was not taken.
+export function CaseWhy(): VNode | null {
+  const {store} = useController()
+  const selected = usePageState(s => s.selected)
+  const cursor = usePageState(s => s.cursor)
+  const document = usePageState(s => s.document)
+  const room = usePageState(s => s.room)
+  const inBlock = () => (selected === null ? null : caseQuestion({document, room}, selected))
+  const question = cursor === null ? inBlock() : caseQuestionAt({document, room}, cursor)
+  if (question === null) return null
+  return (
+    <button
+      type="button"
+      class="link case-why"
+      onClick={() => store.dispatch({kind: "why", event: {kind: "asked", question}})}
+    >
+      {words.why.notTaken}
+    </button>
   )
 }
 

@@ -1,5 +1,6 @@
 /// Questions about a run and their answers: the part of the page's state, and the events that change it. Pure.
 
+import type {TextPlace} from "../state/firings.ts"
 import type {Explanation} from "./explanation.ts"
 
 /// Times are seconds of the run; `null` is now.
@@ -22,6 +23,15 @@ export type Question =
       readonly since: number
       readonly until: number
     }
+  /// A case of a function that was not taken: what it is told by, and its place in the text that runs.
+  | {
+      readonly kind: "not-taken"
+      readonly text: string
+      readonly start: TextPlace
+      readonly end: TextPlace
+      readonly since: number
+      readonly until: number
+    }
   /// A command of a type that shows no effect between two times.
   | {readonly kind: "no-command"; readonly command: string; readonly since: number; readonly until: number}
   /// An event of the program that no function received.
@@ -41,6 +51,19 @@ export function otherQuestion(question: Question, now: number | null): Question 
   if (question.kind !== "command" || question.command !== "Velocity" || question.value !== "") return null
   const time = question.time ?? now
   return time === null ? null : {kind: "position", time}
+}
+
+/// Why there was no command of the type, after the answer that none had been sent; `null` otherwise.
+export function noCommandQuestion(
+  question: Question,
+  answer: Explanation | null,
+  now: number | null,
+): (Question & {readonly kind: "no-command"}) | null {
+  const until = question.kind === "command" ? (question.time ?? now) : null
+  if (question.kind !== "command" || until === null) return null
+  if (answer?.sentences[0]?.said.id !== "nothing-sent-yet") return null
+  const since = Math.max(0, until - lookedBackFor)
+  return {kind: "no-command", command: question.command, since, until}
 }
 
 export interface WhyState {
@@ -94,6 +117,7 @@ export type WhyRequest =
       readonly function?: string
       readonly command?: string
       readonly event?: string
+      readonly branch?: {readonly start: TextPlace; readonly end: TextPlace}
       readonly since: number
       readonly until: number
     }
@@ -144,6 +168,10 @@ function requestOf(question: Question, id: number): WhyRequest {
     case "not": {
       const {function: name, command, since, until} = question
       return {op: "whyNot", id, function: name, ...(command === "" ? {} : {command}), since, until}
+    }
+    case "not-taken": {
+      const {start, end, since, until} = question
+      return {op: "whyNot", id, branch: {start, end}, since, until}
     }
     case "no-command": {
       const {command, since, until} = question

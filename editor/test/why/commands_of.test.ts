@@ -1,7 +1,7 @@
 /// The commands that can be asked for, from the types of a function.
 
 import {describe, expect, it} from "vitest"
-import {commandsOf} from "../../src/why/commands_of.ts"
+import {commandsOf, commandsToAsk} from "../../src/why/commands_of.ts"
 import {readParts} from "../diagram/graphs.ts"
 
 describe("the commands of a function", () => {
@@ -14,5 +14,10 @@ describe("the commands of a function", () => {
     ["accelerate", "nobody", []],
   ])("%s: %s gives %j", (example, name, commands) => {
     expect(commandsOf(readParts(example), name)).toEqual(commands)
+  })
+
+  it("come before those that it never gives when it is asked for them", () => {
+    const asked = commandsToAsk(readParts("accelerateAndPlay"), "play")
+    expect(asked).toEqual(["Sound", "Velocity", "Led1", "Led2", "Say"])
   })
 })

@@ -5,6 +5,7 @@ import type {Explanation} from "../../src/why/explanation.ts"
 import {
   isAsking,
   motionQuestion,
+  noCommandQuestion,
   noQuestion,
   otherQuestion,
   type Question,
@@ -102,5 +103,32 @@ describe("the question beside one about the robot", () => {
   it("is asked of nothing else", () => {
     expect(otherQuestion(bump, 8)).toBeNull()
     expect(otherQuestion({kind: "command", command: "Sound", value: "ErrorSound", time: 1}, 8)).toBeNull()
+  })
+})
+
+describe("after the answer that no command had been sent", () => {
+  const led: Question = {kind: "command", command: "Led1", value: "", time: 3}
+  const told = (id: "nothing-sent-yet" | "sent"): Explanation => {
+    const said = {id} as Explanation["sentences"][number]["said"]
+    return {id: 1, time: 3, sentences: [{said, time: 3, firing: null}], path: []}
+  }
+
+  it("asks why there was none", () => {
+    expect(noCommandQuestion(led, told("nothing-sent-yet"), null)).toEqual({
+      kind: "no-command",
+      command: "Led1",
+      since: 1,
+      until: 3,
+    })
+    expect(noCommandQuestion({...led, time: null}, told("nothing-sent-yet"), 1)).toMatchObject({
+      since: 0,
+      until: 1,
+    })
+  })
+
+  it("asks nothing after other answers and other questions", () => {
+    expect(noCommandQuestion(led, told("sent"), null)).toBeNull()
+    expect(noCommandQuestion(led, null, null)).toBeNull()
+    expect(noCommandQuestion(bump, told("nothing-sent-yet"), 3)).toBeNull()
   })
 })

@@ -11,11 +11,12 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ..wire.explanation import Sentence
-from ..wire.firing import Firing
+from ..wire.firing import Branch, Firing
 from ..world.events import VELOCITY_CHANNEL
 from .branches import taken_branches
 from .position import stretches
 from .recorded_run import RecordedRun, SentCommand
+from .untaken_branch import why_not_taken
 from .why import Link, sending, shown_inputs, step_back
 from .why_not import (
     FunctionType,
@@ -28,7 +29,17 @@ from .why_not import (
     why_not_sent,
 )
 
-__all__ = ["MAX_PATH", "Answer", "why_command", "why_event", "why_firing", "why_memory", "why_not", "why_position"]
+__all__ = [
+    "MAX_PATH",
+    "Answer",
+    "why_command",
+    "why_event",
+    "why_firing",
+    "why_memory",
+    "why_not",
+    "why_not_branch",
+    "why_position",
+]
 
 MAX_PATH = 60
 """Firings of a path: as many as a page can highlight and a learner can look through. A choice of ours."""
@@ -139,6 +150,15 @@ def why_not(
     if firing is not None and links[0].said.id == "gave":
         # It ran and chose otherwise.
         links[1:1] = taken_branches(run, firing)
+    return Answer(links, links[0].time, [] if firing is None else _path(run, firing))
+
+
+def why_not_branch(
+    run: RecordedRun, functions: Sequence[FunctionType], branches: Sequence[Branch], asked: Branch, window: Window
+) -> Answer:
+    """Why an equation, a guard or an alternative was not taken."""
+    links = why_not_taken(run, functions, branches, asked, window)
+    firing = run.firing(links[0].firing)
     return Answer(links, links[0].time, [] if firing is None else _path(run, firing))
 
 

@@ -9,7 +9,7 @@ from ..wire.firing import Branch, Firing
 from .recorded_run import RecordedRun
 from .why import Link
 
-__all__ = ["MAX_BRANCHES", "taken_branches"]
+__all__ = ["MAX_BRANCHES", "branch_link", "taken_branches"]
 
 MAX_BRANCHES = 2
 """Branches that an answer tells of one firing: as many as a learner reads beside the rest. A choice of ours."""
@@ -26,10 +26,11 @@ _IDS: dict[str, SentenceId] = {
 def taken_branches(run: RecordedRun, firing: Firing) -> list[Link]:
     """The first branches that a firing took: those of its function, or all when the function has no name."""
     own = [branch for branch in firing.branches if firing.function in branch.definitions]
-    return [_link(branch, firing, run.time_of(firing)) for branch in (own or firing.branches)[:MAX_BRANCHES]]
+    return [branch_link(branch, firing, run.time_of(firing)) for branch in (own or firing.branches)[:MAX_BRANCHES]]
 
 
-def _link(branch: Branch, firing: Firing, time: float) -> Link:
+def branch_link(branch: Branch, firing: Firing, time: float) -> Link:
+    """That a firing took a branch."""
     # A local definition is told by its own name.
     name = branch.definitions[-1]
     number = branch.number if branch.kind in ("equation", "case") else None

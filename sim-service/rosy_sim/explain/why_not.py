@@ -23,6 +23,7 @@ __all__ = [
     "RobotLimits",
     "Window",
     "hindrance",
+    "outside",
     "why_no_effect",
     "why_not_received",
     "why_not_run",
@@ -92,7 +93,7 @@ def why_not_run(run: RecordedRun, functions: Sequence[FunctionType], name: str, 
             return Link(Sentence("did-run", function=name, time=time, values=shown_inputs(firing)), time, firing.n)
     before = [(time, firing) for time, firing in ran if time < window.start]
     return (
-        _outside(run, window)
+        outside(run, window)
         or _missing(functions, name, window)
         or _waiting_task(run, functions, name, window)
         or _ended_task(run, name, before, window)
@@ -170,7 +171,8 @@ def _number(firing: Firing | None) -> int | None:
     return firing.n if firing is not None else None
 
 
-def _outside(run: RecordedRun, window: Window) -> Link | None:
+def outside(run: RecordedRun, window: Window) -> Link | None:
+    """The window lies before or after what is recorded."""
     if run.end is None or window.end < 0:
         return Link(Sentence("run-not-begun"), window.start)
     if window.start > run.end:

@@ -315,6 +315,15 @@ _SENTENCES: dict[SentenceId, Callable[[_Slots], Words]] = {
     "did-send": lambda s: tr(
         "{function} did send {value}, at {time}.", function=s.function, value=s.value, time=s.time
     ),
+    "did-take": lambda s: tr(
+        "{function} did take this case, at {time}{inputs}.", function=s.function, time=s.time, inputs=s.inputs
+    ),
+    "not-reached": lambda s: tr(
+        "Between {since} and {until} no function came to this choice in {function}.",
+        since=s.since,
+        until=s.until,
+        function=s.function,
+    ),
     "not-part": lambda s: tr("{function} is not part of {simulate}.", function=s.function, simulate="`simulate`"),
     "task-ended": lambda s: tr(
         "The task of {function} had ended at {time}: {other} gave {Done}.",

@@ -15,9 +15,9 @@ from ..run.page_run import PageRun, RunView
 from ..run.problems import broken_link, died, lost_robot
 from ..run.worker_session import RunServices
 from ..wire import page
-from ..wire.problem import Problem
 from ..wire.robot_process import CommandsLine, EndedLine, ObservedStep, SentCommand, read_observed
 from ..wire.topics import CHANNELS, TopicMessage
+from ..wire.worker import Started
 from ..world.events import Command
 from ..world.time_step import STEPS_PER_SECOND
 from .robot_parts import missing_parts_problem
@@ -58,11 +58,17 @@ class RobotRun(PageRun):
         view: RunView,
         on_over: Callable[[PageRun], None],
         on_step: OnRobotStep,
+        on_unobserved: Callable[[], None],
         observes: bool = False,
     ) -> None:
         self._robot_process = robot_process
         self._commands_in_force = CommandConflicts()
         self._on_step = on_step
+        # Called when the run begins or goes on without being observed: its steps without commands are not told then.
+        self._on_unobserved = on_unobserved
+        self._is_observed = False
+        # Whether the program runs on the robot, or has run.
+        self._has_begun = False
         self._on_finished = on_over
         self._observed = services.observed
         # Whether the next step that is told is the first of the run.
@@ -104,7 +110,10 @@ class RobotRun(PageRun):
         if not is_observed:
             self._observed.runs.discard(self)
             self._is_first = False
+        self._is_observed = is_observed
         self._robot_process.observe(is_observed)
+        if self._has_begun and not is_observed:
+            self._on_unobserved()
 
     def _finish(self, run: PageRun) -> None:
         self._observed.runs.discard(self)
@@ -112,16 +121,19 @@ class RobotRun(PageRun):
 
     # CompilationListener
 
-    def on_started(self, link: socket.socket, problems: list[Problem], uses: list[str]) -> None:
+    def on_started(self, link: socket.socket, started: Started) -> None:
         """The program runs, if the robot has what it uses."""
-        missing = missing_parts_problem(self._robot_process.address, uses)
+        missing = missing_parts_problem(self._robot_process.address, started.uses)
         if missing is not None:
             link.close()
             self._session.kill()
             self._end("error", [missing])
             return
-        self._view.show_state("running", problems)
+        self._view.show_started(started.problems, started.branches)
         self._robot_process.run(link, self)
+        self._has_begun = True
+        if not self._is_observed:
+            self._on_unobserved()
 
     # RunListener
 
@@ -130,7 +142,8 @@ class RobotRun(PageRun):
         if self._is_over:
             return
         try:
-            observed = read_observed(line)
+            # A step may be told with its firings after the observation has ended.
+            observed = read_observed(line) if self._is_observed else None
         except msgspec.ValidationError as error:
             self._robot_process.stop()
             self._session.kill()

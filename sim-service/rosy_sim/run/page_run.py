@@ -14,9 +14,10 @@ from collections.abc import Callable
 from typing import Literal, Protocol
 
 from ..wire import page
-from ..wire.firing import Firing
+from ..wire.firing import Branch, Firing
 from ..wire.problem import Problem
 from ..wire.robot_link import MemoryValue
+from ..wire.worker import Started
 from ..world.goals import GoalState
 from .command_conflicts import CommandConflict
 from .worker_session import RunServices, Silence, WorkerSession
@@ -34,6 +35,9 @@ class RunView(Protocol):
 
     def show_state(self, state: Literal["compiling", "running"], problems: list[Problem] | None = None) -> None:
         """Show where the run is."""
+
+    def show_started(self, problems: list[Problem], branches: list[Branch]) -> None:
+        """Show that the program begins to run, with its warnings and branches."""
 
     def show_queued(self, place: int) -> None:
         """Show the position in the run queue, 1 for the next."""
@@ -144,7 +148,7 @@ class PageRun(ABC):
         self._view.show_state("compiling")
 
     @abstractmethod
-    def on_started(self, link: socket.socket, problems: list[Problem], uses: list[str]) -> None:
+    def on_started(self, link: socket.socket, started: Started) -> None:
         """The program runs; this run owns its link."""
 
     def on_failed(self, ended: Literal["refused", "error"], problems: list[Problem]) -> None:

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from ..wire import page
 from ..wire.problem import Problem
 from ..wire.topics import TopicMessage
+from ..wire.worker import Started
 from ..world.events import Reading, velocity
 from ..world.time_step import STEPS_PER_SECOND
 from ..world.world import World
@@ -191,10 +192,10 @@ class SimulatedRun(PageRun):
 
     # CompilationListener
 
-    def on_started(self, link: socket.socket, problems: list[Problem], _uses: list[str]) -> None:
+    def on_started(self, link: socket.socket, started: Started) -> None:
         """The program runs."""
-        self._warnings = problems
-        self._view.show_state("running", problems)
+        self._warnings = started.problems
+        self._view.show_started(started.problems, started.branches)
         lockstep = self._lockstep = Lockstep(self._simulation.world, self._simulation.seed, safety=self._safety)
         self._observe(lockstep)
         self._repeat_hands(lockstep)

@@ -50,8 +50,8 @@ class CompilationListener(Protocol):
     def on_turn(self) -> None:
         """The wait in the queue is over."""
 
-    def on_started(self, link: socket.socket, problems: list[Problem], uses: list[str]) -> None:
-        """The program runs. The listener owns the socket from now on. The problems are warnings; uses: Started.uses."""
+    def on_started(self, link: socket.socket, started: Started) -> None:
+        """The program runs. The listener owns the socket from now on. The problems are warnings."""
 
     def on_failed(self, ended: Literal["refused", "error"], problems: list[Problem]) -> None:
         """The program does not compile, or the worker is lost."""
@@ -157,7 +157,7 @@ class WorkerSession:
             return
         self._compilation = None
         if isinstance(answer, Started):
-            self._listener.on_started(ours, answer.problems, answer.uses)
+            self._listener.on_started(ours, answer)
             return
         ours.close()
         if isinstance(answer, Refused):

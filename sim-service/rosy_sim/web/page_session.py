@@ -74,12 +74,14 @@ class PageSession:
         self.outbox = Outbox(self._limits.page_queue)
         default = named_world(DEFAULT_WORLD)
         self._room = Room(default, usable_world(default, DEFAULT_WORLD))
-        self._view = PageView(self.outbox, self._room, self._limits.frame_rate, self._loop.time)
+        self._explanations = RunExplanations(self.outbox.put)
+        self._view = PageView(
+            self.outbox, self._room, self._limits.frame_rate, self._loop.time, self._explanations.on_branches
+        )
         self._checks = ProgramChecks(services.worker, services.scheduler, self.outbox, self._on_checked, address)
         self._lesson = LessonChecks(self.outbox.put)
         self._previews = PagePreviews(previews, self.outbox.put, self._loop.time)
         self._hands = PageHands(self._simulated_run)
-        self._explanations = RunExplanations(self.outbox.put)
         # Holds for the simulator and for the real robot.
         self._safety = SafetySwitch(self.outbox.put, lambda: self._view.run)
         # The real robot that this page owns, if any.
@@ -284,8 +286,16 @@ class PageSession:
         robot = self.ownership.process
         if robot is not None:
             self._explanations.start(request.run, request.source, self.ownership.limits)
-            on_step = self._explanations.on_robot_step
-            self._run = RobotRun(request, robot, self._services, self._view, self._on_run_over, on_step, self._observes)
+            self._run = RobotRun(
+                request,
+                robot,
+                self._services,
+                self._view,
+                self._on_run_over,
+                self._explanations.on_robot_step,
+                self._explanations.on_robot_unobserved,
+                self._observes,
+            )
             return
         self._explanations.start(request.run, request.source)
         lesson, safety = self._lesson, self._safety

@@ -15,7 +15,7 @@ from ..run.command_conflicts import CommandConflict
 from ..run.page_run import Ended
 from ..token_bucket import TokenBucket
 from ..wire import page
-from ..wire.firing import Firing
+from ..wire.firing import Branch, Firing
 from ..wire.problem import Problem
 from ..wire.robot_link import MemoryValue
 from ..wire.robot_process import FrameLine
@@ -71,8 +71,17 @@ class PageView:
         now: a clock in s that only goes forward.
     """
 
-    def __init__(self, outbox: Outbox, room: Room, frame_rate: float, now: Callable[[], float]) -> None:
+    def __init__(
+        self,
+        outbox: Outbox,
+        room: Room,
+        frame_rate: float,
+        now: Callable[[], float],
+        on_branches: Callable[[list[Branch]], None] = lambda _: None,
+    ) -> None:
         self._outbox = outbox
+        # Called with the branches of a program that begins to run.
+        self._on_branches = on_branches
         self._now = now
         self._room = room
         self._shows_simulator = True
@@ -137,6 +146,11 @@ class PageView:
     def show_state(self, state: Literal["compiling", "running"], problems: list[Problem] | None = None) -> None:
         """Show where the run is."""
         self._outbox.put(page.RunState(self.run, state, problems or []))
+
+    def show_started(self, problems: list[Problem], branches: list[Branch]) -> None:
+        """Show that the program begins to run, with its warnings and branches."""
+        self._on_branches(branches)
+        self._outbox.put(page.RunState(self.run, "running", problems, branches=branches))
 
     def show_queued(self, place: int) -> None:
         """Show the position in the run queue."""

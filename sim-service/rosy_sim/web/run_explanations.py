@@ -6,20 +6,30 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import msgspec
 
-from ..explain.answers import Answer, why_command, why_event, why_firing, why_memory, why_not, why_position
+from ..explain.answers import (
+    Answer,
+    why_command,
+    why_event,
+    why_firing,
+    why_memory,
+    why_not,
+    why_not_branch,
+    why_position,
+)
 from ..explain.function_types import function_types
 from ..explain.recorded_run import RecordedRun, ShownCommand
+from ..explain.untaken_branch import branch_at
 from ..explain.why import Link
 from ..explain.why_not import FunctionType, RobotLimits, Window
 from ..robots import DEFAULT_ROBOT
 from ..run.lockstep import Lockstep
 from ..wire import page
 from ..wire.explanation import Sentence
-from ..wire.firing import Firing
+from ..wire.firing import Branch, Firing
 from ..wire.robot_process import ObservedStep
 from ..wire.worker import Checked
 from ..world.events import VELOCITY_CHANNEL, Command
@@ -46,6 +56,8 @@ class _Explained:
     # Whether a step of the run has passed.
     has_begun: bool = False
     limits: RobotLimits = LIMITS
+    # Between which the functions of the program choose; none until it has begun.
+    branches: list[Branch] = field(default_factory=list)
 
 
 class RunExplanations:
@@ -76,6 +88,10 @@ class RunExplanations:
             self._earlier.add(before.run, before, before.record.count)
         graph = self._checked[1] if self._checked is not None and self._checked[0] == source else None
         self._latest = _Explained(run, source, graph=graph, limits=limits)
+
+    def on_branches(self, branches: list[Branch]) -> None:
+        """The program of the latest run begins to run."""
+        self._latest.branches = branches
 
     def on_step(self, lockstep: Lockstep) -> None:
         """A step of a simulated run has passed."""
@@ -118,6 +134,11 @@ class RunExplanations:
             firings, sensed = observed.firings, observed.sensed
             self._record(time, firings, sensed, commands, is_overridden=is_overridden, is_first=is_first)
 
+    def on_robot_unobserved(self) -> None:
+        """A run on a real robot begins or goes on without being observed; its steps without commands are not told."""
+        self._latest.has_begun = True
+        self._latest.record = None
+
     def _record(
         self,
         time: float,
@@ -151,9 +172,11 @@ class RunExplanations:
             answer = Answer([Link(Sentence("not-recorded" if about.has_begun else "run-not-begun"), 0.0)], 0.0)
         elif isinstance(request, page.WhyNot):
             window = Window(request.since, request.until)
-            answer = why_not(
-                run, _functions(about), window, about.limits, request.function, request.command, request.event
-            )
+            functions, asked = _functions(about), _branch(request, about)
+            if asked is not None:
+                answer = why_not_branch(run, functions, about.branches, asked, window)
+            else:
+                answer = why_not(run, functions, window, about.limits, request.function, request.command, request.event)
         else:
             answer = _why(run, request, about)
         path = [page.firing_shown(firing, run.time_of(firing)) for firing in answer.path] if run is not None else []
@@ -169,6 +192,11 @@ class RunExplanations:
 
 def _functions(about: _Explained) -> list[FunctionType]:
     return function_types(about.graph) if about.graph is not None else []
+
+
+def _branch(request: page.WhyNot, about: _Explained) -> Branch | None:
+    place = request.branch
+    return branch_at(about.branches, place.start, place.end) if place is not None else None
 
 
 def _why(run: RecordedRun, request: page.Why, about: _Explained) -> Answer:

@@ -45,6 +45,8 @@ SentenceId = Literal[
     "run-not-begun",
     "did-run",
     "did-send",
+    "did-take",
+    "not-reached",
     "not-part",
     "task-ended",
     "task-waits",

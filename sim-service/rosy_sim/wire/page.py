@@ -14,7 +14,7 @@ import msgspec
 
 from .. import sentence
 from .explanation import Sentence
-from .firing import Firing
+from .firing import Branch, Firing, Place
 from .problem import Problem, Sentences, sentences
 from .robot_link import MemoryValue
 from .telemetry import PlayedSound, Speech, Telemetry
@@ -204,10 +204,17 @@ class Why(msgspec.Struct, tag="why", tag_field="op"):
     run: int | None = None
 
 
+class BranchPlace(msgspec.Struct):
+    """Where a branch of the program that runs starts and ends."""
+
+    start: Place
+    end: Place
+
+
 class WhyNot(msgspec.Struct, tag="whyNot", tag_field="op"):
     """
     Why did something not happen between two times, s? A function that did not run, or did not send a command of a type;
-    without a function a command that shows no effect, or an event of the program that was not received.
+    a branch that was not taken; a command that shows no effect, or an event of the program that was not received.
     """
 
     id: int
@@ -216,6 +223,7 @@ class WhyNot(msgspec.Struct, tag="whyNot", tag_field="op"):
     function: str = ""
     command: str = ""
     event: str = ""
+    branch: BranchPlace | None = None
     run: int | None = None
 
 
@@ -342,6 +350,8 @@ class RunState(msgspec.Struct, tag="state", tag_field="op", omit_defaults=True):
     ended: Literal["done", "error", "stuck", "stopped", "time", "refused"] | None = None
     # In the queue, while the state is `queued`: 1 is the next.
     place: int | None = None
+    # Between which the functions of a program that begins to run choose.
+    branches: list[Branch] = []
 
 
 class FiringShown(Firing, omit_defaults=True, frozen=True, kw_only=True):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import msgspec
 
+from .firing import Branch
 from .line_splitter import LineSplitter
 from .problem import Problem
 
@@ -67,6 +68,8 @@ class Started(msgspec.Struct, tag="started", tag_field="op"):
     compile: float = 0.0
     # Types of the library that its functions take and give.
     uses: list[str] = []
+    # Between which its functions choose.
+    branches: list[Branch] = []
 
 
 class Refused(msgspec.Struct, tag="refused", tag_field="op"):

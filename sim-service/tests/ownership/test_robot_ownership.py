@@ -147,6 +147,11 @@ def test_a_run_on_the_robot_is_recorded_and_answers_why_and_why_not(config: Conf
         await rig.page.until(lambda m: m["op"] == "frame" and m["run"] == 2 and m["fired"])
         await rig.page.send("why", id=4)
         assert (await rig.page.op("because", id=4))["sentences"][0]["said"]["id"] == "not-recorded"
+        # Neither does one that sends no command; nothing is told of its steps.
+        await rig.page.send("run", run=3, source="", speed=1)
+        await rig.page.op("state", run=3, state="running")
+        await rig.page.send("why", id=5)
+        assert (await rig.page.op("because", id=5))["sentences"][0]["said"]["id"] == "not-recorded"
 
     story(tell, config, tmp_path)
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import re
+import socket
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -18,10 +19,12 @@ import pytest
 from rosy_sim.config import discover
 from rosy_sim.explain.wording import english
 from rosy_sim.robots.kobuki import KOBUKI
-from rosy_sim.run.headless_run import RunOutput, RunSettings, run_program
+from rosy_sim.run.headless_run import RunOutput, RunSettings, run_over_link
 from rosy_sim.run.lockstep import Lockstep
 from rosy_sim.web.run_explanations import RunExplanations
 from rosy_sim.wire import page
+from rosy_sim.wire.firing import Branch
+from rosy_sim.wire.worker import Started
 from rosy_sim.worker.blocking_worker import BlockingWorker
 from rosy_sim.world.events import Lift, Press, Teleport, UserAction
 from rosy_sim.world.field_readers import Pose
@@ -56,6 +59,9 @@ QUESTIONS: dict[str, Callable[[Found], page.Why | page.WhyNot]] = {
     rf"Why was no `([^`]+)` received by {NUMBER} s\?": lambda f: page.WhyNot(1, 0.0, float(f[2]), event=f[1]),
 }
 """How a question is written, and what the page sends. That of a firing is about the latest one of a function."""
+
+CASE = rf"Why not the case `([^`]+)` of \*\*(\w+)\*\* from {NUMBER} s to {NUMBER} s\?"
+"""About a branch by what it is told by, and the innermost definition around it."""
 
 FIRING = rf"Why did \*\*(\w+)\*\* run at {NUMBER} s\?"
 
@@ -124,9 +130,17 @@ class Asked:
         self._explanations.on_checked(source, worker.check(source))
         self._explanations.start(1, source)
         self._firings: list[tuple[float, str, int]] = []
+        self._branches: list[Branch] = []
         place = World(usable_arena(named_world(world), "world"), KOBUKI, 1)
         settings = RunSettings(section.seconds, 1, None, section.hands, LIMITS)
-        outcome = run_program(worker, source, place, settings, RunOutput(observe=self._observe, provenance=True))
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+        with ours:
+            started = worker.run(source, theirs)
+            assert isinstance(started, Started)
+            self._branches = started.branches
+            self._explanations.on_branches(started.branches)
+            output = RunOutput(observe=self._observe, provenance=True)
+            outcome = run_over_link(ours, place, settings, output, worker)
         assert outcome.ended in ("time", "done")
 
     def _observe(self, lockstep: Lockstep) -> None:
@@ -145,8 +159,12 @@ class Asked:
         if firing is not None:
             numbers = [n for time, name, n in self._firings if name == firing[1] and time <= float(firing[2]) + 0.03]
             return page.Why(1, firing=numbers[-1])
-        [(made, found)] = [(made, found) for form, made in QUESTIONS.items() if (found := re.fullmatch(form, question))]
-        return made(found)
+        case = re.fullmatch(CASE, question)
+        if case is not None:
+            found = next(one for one in self._branches if (one.text, one.definitions[-1]) == (case[1], case[2]))
+            return page.WhyNot(1, float(case[3]), float(case[4]), branch=page.BranchPlace(found.start, found.end))
+        [(made, match)] = [(made, match) for form, made in QUESTIONS.items() if (match := re.fullmatch(form, question))]
+        return made(match)
 
 
 @pytest.mark.parametrize("section", ASKED, ids=[section.title for section in ASKED])
@@ -169,5 +187,5 @@ def test_there_are_sixty_questions_about_all_examples() -> None:
     assert len(asked) == len({(s.title, q) for s in SECTIONS for q, _ in s.questions}) >= 60
     with_program = {path.parent.name for path in discover().examples.glob("*/program.rosy")}
     assert {section.example for section in SECTIONS} == with_program
-    for form in [*QUESTIONS, FIRING]:
+    for form in [*QUESTIONS, FIRING, CASE]:
         assert any(re.fullmatch(form, question) for question in asked), form

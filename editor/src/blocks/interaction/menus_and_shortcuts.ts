@@ -27,6 +27,10 @@ export interface MenuActions {
   askWhy(name: string): void
   /// Asks why a function did not run.
   askWhyNot(name: string): void
+  /// Whether a block is part of a case of a function that can be asked about.
+  hasCase(block: Blockly.Block): boolean
+  /// Asks why the case around a block was not taken.
+  askWhyNotCase(block: Blockly.Block): void
 }
 
 /// Tidying moves what the learner has placed; switching blocks off and laying them out differently mean nothing in
@@ -189,7 +193,7 @@ function copyAndPaste(actions: () => MenuActions | undefined): void {
   })
 }
 
-/// Why the function that a block belongs to ran, with the case that held, and why it did not.
+/// Why the function that a block belongs to ran, with the case that held, why it did not, and why the case around the block was not taken.
 function questions(actions: () => MenuActions | undefined): void {
   const {registry: menus, ScopeType} = Blockly.ContextMenuRegistry
   const asked = (block: Blockly.Block | undefined) =>
@@ -214,6 +218,19 @@ function questions(actions: () => MenuActions | undefined): void {
     callback: ({block}) => {
       const name = asked(block)
       if (name !== null) actions()?.askWhyNot(name)
+    },
+  })
+  menus.register({
+    id: "rosyWhyNotCase",
+    weight: 0.6,
+    scopeType: ScopeType.BLOCK,
+    displayText: () => words.why.notTaken,
+    preconditionFn: ({block}) =>
+      asked(block) !== null && block !== undefined && actions()?.hasCase(block) === true
+        ? "enabled"
+        : "hidden",
+    callback: ({block}) => {
+      if (block !== undefined) actions()?.askWhyNotCase(block)
     },
   })
 }

@@ -7,7 +7,7 @@ import type {Frame} from "../../state/messages.ts"
 import {namedMemory, quantities} from "../../state/quantities.ts"
 import {type ConsoleLine, isMinorEvent, ledNames, shownFrame} from "../../state/room_state.ts"
 import {WhyButton} from "../../why/why_panel.tsx"
-import type {Question} from "../../why/why_state.ts"
+import {motionQuestion, type Question} from "../../why/why_state.ts"
 import {measures, words} from "../../words/index.ts"
 import {useController, usePageState} from "../app_context.ts"
 import {quantityName} from "../descriptions.ts"
@@ -40,8 +40,11 @@ export function ConsolePanel(): VNode {
           <span class="when">{measures.fixed(line.time, 2)}</span>
           <LineText line={line} />
           {line.count > 1 && <span class="quiet">{words.times(line.count)}</span>}
-          {asks && line.kind !== "safety" && (
-            <WhyButton about={line.text} question={() => questionOf(line)} />
+          {asks && (
+            <WhyButton
+              about={line.kind === "safety" ? words.safety.tookOver : line.text}
+              question={() => questionOf(line)}
+            />
           )}
         </p>
       ))}
@@ -58,8 +61,9 @@ export function ConsolePanel(): VNode {
   )
 }
 
-/// Why a line is there: the event, or the command that said or played it.
+/// Why a line is there: the event, the command that said or played it, or the command that the safety rules overrode.
 function questionOf({kind, text, time}: ConsoleLine): Question {
+  if (kind === "safety") return motionQuestion(time)
   return kind === "sensed"
     ? {kind: "event", value: text, time}
     : {kind: "command", command: kind === "said" ? "Say" : "Sound", value: text, time}

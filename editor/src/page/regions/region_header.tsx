@@ -2,6 +2,7 @@
 
 import type {JSX, VNode} from "preact"
 import {dropRegion, moveRegion, type Region, regions, type Side, setVisible} from "../../state/arrangement.ts"
+import {CaseWhy} from "../../why/why_panel.tsx"
 import {words} from "../../words/index.ts"
 import {useController, usePageState} from "../app_context.ts"
 import {CloseIcon, GripIcon} from "../icons.tsx"
@@ -13,6 +14,7 @@ export function RegionHeader({region}: {region: Region}): VNode {
       <DragHandle region={region} />
       <h2>{words.regions[region]}</h2>
       <span class="space" />
+      {region === "haskell" && <CaseWhy />}
       <HideButton region={region} />
     </div>
   )

@@ -152,7 +152,7 @@ runProgram settings session answer link page memory source = runToExit answer $ 
   case mayRun of
     Nothing -> writeAll answer ("R" <> line ("problems" .= found))
     Just (program, places) -> do
-      launch <- load session program
+      (branches, launch) <- load session program
       protectMemory
       -- The program uses blocking reads, whatever mode the creator of the link has set.
       setFdOption link NonBlockingRead False
@@ -164,7 +164,7 @@ runProgram settings session answer link page memory source = runToExit answer $ 
       when (on computingLimit) $ limitCpu (runSeconds settings)
       limitProcess (if on memoryLimit then size + 2 * memory + heapSlack else 0) (on processLimit)
       now <- getMonotonicTime
-      writeAll answer ("S" <> line ("problems" .= found <> "compile" .= (now - began) <> "uses" .= uses))
+      writeAll answer ("S" <> line ("problems" .= found <> "compile" .= (now - began) <> "uses" .= uses <> branchFields branches))
       closeFd answer
       when (systemCalls (protections settings)) filterRunning
       let Fd fd = link

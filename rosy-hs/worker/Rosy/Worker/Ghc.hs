@@ -71,6 +71,7 @@ import Rosy.Worker.Ghc.TreeRewrite hiding (added)
 import Rosy.Worker.Graph (Connection, Part)
 import Rosy.Worker.Problem (Declaration (..), Function, Position (..), Problem (kind, place, severity), Severity (..), Typed, isError, problemAt, problemNowhere)
 import qualified Rosy.Worker.Problem as Placed (Span (end, start))
+import Rosy.Worker.Report (Branch)
 import Rosy.Worker.Sentence
 import Rosy.Worker.StaticAdvice (Facts)
 import Rosy.Worker.TabStops (TabStops, tabStopsOf)
@@ -258,15 +259,15 @@ check restriction purpose session flags columns source (L at parsed) warnings = 
 
 -- * Running
 
--- | Compiles a checked program to bytecode in this process. The result runs it over a link's descriptor, with a shared page for the name of the
--- active function and the empty places of the program.
-load :: Session -> Ready -> IO (CInt -> Ptr Word32 -> [EmptyPlace] -> IO ())
+-- | Compiles a checked program to bytecode in this process. The result has its branches, and runs it over a link's descriptor, with a shared
+-- page for the name of the active function and the empty places of the program.
+load :: Session -> Ready -> IO ([Branch], CInt -> Ptr Word32 -> [EmptyPlace] -> IO ())
 load session (Ready env summary checked name source place) = do
   (instrumented, branches) <- instrumentBranches env place source checked
   value <- compileAndLink (addPlugins [taskAttribution] env) summary instrumented name
   -- The type checker has verified that main is an IO action.
   action <- withForeignRef value localRef
-  pure (\fd page places -> launcher session fd page places branches (void (unsafeCoerce action :: IO ())))
+  pure (branches, \fd page places -> launcher session fd page places branches (void (unsafeCoerce action :: IO ())))
 
 -- | Runs an action as main thread, which receives heap overflow exceptions.
 asMain :: IO () -> IO ()

@@ -17,6 +17,7 @@ module Rosy.Worker.Protocol
     Answer (..),
     answerLine,
     reportFields,
+    branchFields,
     completionFields,
 
     -- * Cutting a stream into lines
@@ -41,7 +42,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Text.Encoding (encodeUtf8)
 import Rosy.Worker.Problem (Completion (..), Position (Position), Problem, Span (..), Typed (..))
-import Rosy.Worker.Report (Report (..))
+import Rosy.Worker.Report (Branch, Report (..))
 
 -- | Chosen by the service; any JSON value.
 type Id = Value
@@ -140,6 +141,14 @@ reportFields report =
     -- Each type is written once; a position in the list is five numbers.
     names = Map.fromDistinctAscList (zip (Set.toAscList (Set.fromList (map hasType (types report)))) [0 :: Int ..])
     place (Typed (Span (Position l c) (Position l' c')) t) = list int [l, c, l', c', names Map.! t]
+
+-- | The branches of a program as a member of @started@; none when it has none.
+branchFields :: [Branch] -> Series
+branchFields branches = if null branches then mempty else pair "branches" (list branch branches)
+  where
+    branch (begin, finish, definitions, kind, number, told) =
+      pairs ("in" .= definitions <> "kind" .= kind <> "number" .= number <> "text" .= told <> "start" .= at begin <> "end" .= at finish)
+    at = uncurry Position
 
 -- | The members of @completed@ besides @id@.
 completionFields :: Completion -> Series

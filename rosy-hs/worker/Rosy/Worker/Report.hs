@@ -1,9 +1,10 @@
 -- |
 -- Module      : Rosy.Worker.Report
--- Description : Result of a check.
+-- Description : Result of a check, and the branches of a program that is run.
 module Rosy.Worker.Report
   ( Report (..),
     emptyReport,
+    Branch,
   )
 where
 
@@ -25,3 +26,6 @@ data Report = Report
 
 emptyReport :: [Problem] -> Report
 emptyReport ps = Report ps [] [] [] [] []
+
+-- | @Rosy.BranchCoverage.Branch@: start and end as line and column, names of the definitions around, kind, number, and what it is told by.
+type Branch = ((Int, Int), (Int, Int), [String], String, Int, String)

@@ -11,7 +11,6 @@ module Rosy.Worker.Ghc.Session
     Session (..),
     Launcher,
     EmptyPlace,
-    Branch,
     openSession,
     defaultExtensions,
   )
@@ -36,6 +35,7 @@ import GHC.Types.Name.Occurrence (emptyOccSet, isTcOcc, mkOccSet, occNameString)
 import Rosy.Worker.Allowlist (allowedModules)
 import Rosy.Worker.Ghc.Compat.Driver
 import Rosy.Worker.Ghc.TreeRewrite (ImplicitNames (..))
+import Rosy.Worker.Report (Branch)
 import Unsafe.Coerce (unsafeCoerce)
 
 -- | Package databases of the Rosy library besides the global one, its unit id, and GHC's library directory.
@@ -50,9 +50,6 @@ type Launcher = CInt -> Ptr Word32 -> [EmptyPlace] -> [Branch] -> IO () -> IO ()
 
 -- | @Rosy.Problem.EmptyPlace@: start and end as line and column, message and hint.
 type EmptyPlace = ((Int, Int), (Int, Int), String, String)
-
--- | @Rosy.BranchCoverage.Branch@: start and end as line and column, names of the definitions around, kind, number, and what it is told by.
-type Branch = ((Int, Int), (Int, Int), [String], String, Int, String)
 
 -- | The compiler environment, the launcher of the linked library, and the names in scope of every program.
 data Session = Session
