@@ -133,9 +133,12 @@ export class Learner {
   }
 
   async changesNumber(from: string, to: string): Promise<void> {
-    await this.number(from).click()
     const input = this.page.locator(".blocklyHtmlInput")
-    await input.fill(to)
+    // The editor of a number closes when the blocks are laid out again, as on a busy machine right after a click: it is clicked once more.
+    await expect(async () => {
+      await this.number(from).click({timeout: 30_000})
+      await input.fill(to, {timeout: 30_000})
+    }).toPass()
     await input.press("Enter")
   }
 
