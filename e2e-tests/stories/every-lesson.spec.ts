@@ -107,8 +107,8 @@ async function failsFirst(
   return attempt.program
 }
 
-/// A hint that is computed from the program.
-const computed = /is defined, but nothing uses it yet/
+/// Hints that are computed from the program.
+const computed = /is defined, but nothing uses it yet|a value of type \w+ yet/
 
 /// Asks for one hint after the other; they are about one check.
 async function seesHints(pupil: Pupil, {texts}: LessonFolder): Promise<void> {

@@ -1,4 +1,5 @@
-/// A teacher writes a lesson from nothing in the page, tries it, keeps it over a reload and saves it; a pupil solves it in another browser.
+/// A teacher writes a lesson from nothing in the page, tries it, learns that the solution does not pass, mends it, keeps the lesson over a reload and saves it;
+/// a pupil solves it in another browser.
 
 import {expect, type Locator, type Page} from "@playwright/test"
 import {Learner} from "./learner.ts"
@@ -45,6 +46,9 @@ test("a lesson is written from nothing, tried, kept over a reload, saved, and so
   await second.getByLabel("The run is watched for").fill("5")
   await second.getByLabel("Add a check:").selectOption("It has driven so far")
   await second.getByLabel("What pupils read about it").fill("It drives a metre")
+  // The program of the page is a wrong attempt, and in its place as a solution it is reported.
+  await second.getByRole("button", {name: "Check 1: Take the program on the page as a wrong attempt"}).click()
+  await panel.getByRole("button", {name: "Solution: Take the program on the page"}).click()
   await second.getByLabel("Hint: a question").fill("How long is a metre at 0.1 metres a second?")
   await expect(panel).not.toContainText("Still missing")
   await teacher.keeps("lesson-editor")
@@ -52,12 +56,18 @@ test("a lesson is written from nothing, tried, kept over a reload, saved, and so
   await panel.getByRole("button", {name: "Try it"}).click()
   await expect(lesson(page).getByRole("heading", {name: "Farther"})).toBeVisible()
   await triesStep(teacher, "Half a metre")
+  await expect(lesson(page).getByRole("region", {name: "Solution and wrong attempts"})).toContainText(
+    /The solution misses check 1 of step 2\. It drove 0\.\d\d metres\./,
+  )
   await expect(lesson(page).locator(".check")).toContainText(/It drove 0\.\d\d metres\./)
   await lesson(page).getByRole("button", {name: "Back to the editor"}).click()
   await teacher.changesNumber("0.1", "0.4")
   await expect(teacher.haskell()).toContainText("Velocity 0.4 0")
   await panel.getByRole("button", {name: "Solution: Take the program on the page"}).click()
-  await expect(panel).not.toContainText("There is none yet")
+  await expect(panel).toContainText("have not been tried since the last change")
+  await panel.getByRole("button", {name: "Try the solution and the wrong attempts"}).click()
+  await expect(panel).toContainText("The solution passes, and all wrong attempts fail as they should.")
+  await teacher.keeps("lesson-editor-rehearsal")
   await page.reload()
   await expect(panel.getByLabel("Title")).toHaveValue("Farther")
 

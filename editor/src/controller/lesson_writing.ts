@@ -15,6 +15,7 @@ import {words} from "../words/index.ts"
 import type {WorldFile} from "../worlds/world.ts"
 import {writeWorld} from "../worlds/world_encoder.ts"
 import type {DocumentEditor} from "./document_editor.ts"
+import {openLessonRehearsals} from "./lesson_rehearsals.ts"
 import type {ProgramLoader} from "./program_loader.ts"
 
 /// All drafts of this browser.
@@ -30,6 +31,11 @@ export function lessonEditorCommands(
   const dispatch = (event: LessonEvent) => store.dispatch({kind: "lesson", event})
   const edit: LessonEditorCommands["edit"] = change => dispatch({kind: "draft-edited", edit: change})
   const now = () => editedDraft(store.now.lessons)
+  const rehearsals = openLessonRehearsals(store)
+  const rehearse = () => {
+    const draft = now()
+    if (draft !== null) rehearsals.start(draft)
+  }
   const show = (draft: LessonDraft) => {
     store.dispatch({kind: "dialog", dialog: null})
     dispatch({kind: "draft-opened", draft})
@@ -73,11 +79,16 @@ export function lessonEditorCommands(
       editor.flush()
       edit({kind: as, program: program(store)})
     },
-    show(what) {
-      const draft = now()
-      const haskell = draft?.[what] ?? null
-      if (draft !== null && haskell !== null) openProgram(draft, haskell, draft.room, false)
+    program() {
+      editor.flush()
+      return program(store)
     },
+    show(haskell) {
+      const draft = now()
+      if (draft !== null) openProgram(draft, haskell, draft.room, false)
+    },
+    rehearsal: rehearsals.latest,
+    rehearse,
     tryOut() {
       editor.flush()
       const draft = now()
@@ -92,6 +103,7 @@ export function lessonEditorCommands(
       before = {name: store.now.name, text: loader.projectText(), id: loader.storedId()}
       openProgram(draft, lesson.steps[0]?.program ?? lesson.start, lesson.room, true)
       dispatch({kind: "draft-tried", lesson, runs: store.now.runs})
+      rehearse()
     },
     trySolution() {
       const {open} = store.now.lessons

@@ -2,6 +2,7 @@
 
 import type {VNode} from "preact"
 import {type CheckKind, checkKinds} from "../lessons/lesson_file.ts"
+import {useController} from "../page/app_context.ts"
 import {words} from "../words/index.ts"
 import {ArgumentField} from "./argument_field.tsx"
 import {initialArguments, specsOf} from "./check_arguments.ts"
@@ -9,10 +10,12 @@ import {
   type DraftCheck,
   type DraftStep,
   mostChecks,
+  mostWrong,
   replaced,
   withCheck,
   withHint,
   withText,
+  wrongCount,
 } from "./draft.ts"
 import {Choice, DraftText} from "./draft_fields.tsx"
 import {useStepChange} from "./edited_draft.ts"
@@ -31,7 +34,7 @@ export function CheckList({step, at}: Props): VNode {
   return (
     <>
       {step.checks.map((check, i) => (
-        <Check key={check.id} at={at} check={check} place={i + 1} />
+        <Check key={check.id} step={step} at={at} check={check} place={i + 1} />
       ))}
       {step.checks.length < mostChecks && (
         <Choice
@@ -47,8 +50,14 @@ export function CheckList({step, at}: Props): VNode {
 
 const hintNames = ["question", "pointer", "piece"] as const
 
-function Check(props: {readonly at: number; readonly check: DraftCheck; readonly place: number}): VNode {
-  const {at, check, place} = props
+interface CheckProps extends Props {
+  readonly check: DraftCheck
+  /// Its place, from 1.
+  readonly place: number
+}
+
+function Check(props: CheckProps): VNode {
+  const {step, at, check, place} = props
   const change = useStepChange(at)
   const w = words.lessonEditor
   const set = (by: (old: DraftCheck, language: string) => DraftCheck) =>
@@ -88,6 +97,12 @@ function Check(props: {readonly at: number; readonly check: DraftCheck; readonly
           set={text => set((old, language) => withHint(old, i, language, text))}
         />
       ))}
+      <WrongAttempts
+        check={check}
+        isFull={wrongCount(step) >= mostWrong}
+        name={`${w.check(place)}: ${w.addWrong}`}
+        set={by => set(old => ({...old, wrong: by(old.wrong)}))}
+      />
       <button
         type="button"
         class="link"
@@ -96,5 +111,57 @@ function Check(props: {readonly at: number; readonly check: DraftCheck; readonly
         {w.removeCheck(place)}
       </button>
     </fieldset>
+  )
+}
+
+interface WrongProps {
+  readonly check: DraftCheck
+  readonly isFull: boolean
+  /// Of the button that adds one.
+  readonly name: string
+  readonly set: (by: (wrong: readonly string[]) => readonly string[]) => void
+}
+
+/// Programs that fail the check; the rehearsal of the lesson makes sure of it.
+function WrongAttempts({check, isFull, name, set}: WrongProps): VNode {
+  const {lessonEditor} = useController()
+  const w = words.lessonEditor
+  return (
+    <>
+      {check.wrong.map((program, i) => (
+        // By their place: two attempts may be the same text.
+        <div class="draft-buttons" key={i}>
+          <span>{w.wrong(i + 1)}</span>
+          <button
+            type="button"
+            class="plain"
+            aria-label={`${w.wrong(i + 1)}: ${w.showStart}`}
+            onClick={() => lessonEditor.show(program)}
+          >
+            {w.showStart}
+          </button>
+          <button
+            type="button"
+            class="link"
+            onClick={() => set(wrong => wrong.filter((_, place) => place !== i))}
+          >
+            {w.removeWrong(i + 1)}
+          </button>
+        </div>
+      ))}
+      {!isFull && (
+        <button
+          type="button"
+          class="plain"
+          aria-label={name}
+          onClick={() => {
+            const program = lessonEditor.program()
+            set(wrong => [...wrong, program])
+          }}
+        >
+          {w.addWrong}
+        </button>
+      )}
+    </>
   )
 }

@@ -17,6 +17,8 @@ export interface DraftCheck {
   readonly text: Translations
   /// A question, a pointer, a piece to take.
   readonly hints: readonly Translations[]
+  /// Typical wrong attempts at the step, programs that fail this check.
+  readonly wrong: readonly string[]
 }
 
 export interface DraftAnswer {
@@ -37,6 +39,8 @@ export interface DraftStep {
   readonly right: string | null
   /// The program that the step begins with; `null`: the program as it is.
   readonly program: string | null
+  /// What hands do to the robot in a rehearsal, as the file has it; the editor has no form for it.
+  readonly hands: readonly unknown[]
 }
 
 export interface LessonDraft {
@@ -61,6 +65,7 @@ export const hintCount = 3
 export const mostSteps = 12
 export const mostChecks = 20
 export const mostAnswers = 6
+export const mostWrong = 20
 export const longestWatch = 600
 const usualWatch = 10
 
@@ -140,6 +145,7 @@ function newStep(draft: LessonDraft, kind: StepKind): DraftStep {
     answers: [],
     right: null,
     program: null,
+    hands: [],
   }
   return isQuestion(kind) ? withAnswer(withAnswer(step)) : step
 }
@@ -175,7 +181,7 @@ export function withCheck(
 ): DraftStep {
   if (step.checks.length >= mostChecks) return step
   const id = freeId("check", idsOf(draft))
-  return {...step, checks: [...step.checks, {id, kind, arguments: initial, text: {}, hints: []}]}
+  return {...step, checks: [...step.checks, {id, kind, arguments: initial, text: {}, hints: [], wrong: []}]}
 }
 
 /// The check with another text for one of its hints.
@@ -183,6 +189,10 @@ export function withHint(check: DraftCheck, place: number, language: string, tex
   const hints = Array.from({length: hintCount}, (_, i) => check.hints[i] ?? {})
   return {...check, hints: hints.with(place, withText(hints[place] ?? {}, language, text))}
 }
+
+/// How many wrong attempts the checks of a step have.
+export const wrongCount = ({checks}: DraftStep): number =>
+  checks.reduce((count, check) => count + check.wrong.length, 0)
 
 /// Replaces the item with an id.
 export function replaced<T extends {readonly id: string}>(

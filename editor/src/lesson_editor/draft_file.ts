@@ -45,8 +45,10 @@ function textsOfStep({say, after, kind, answers, checks}: DraftStep): readonly T
   return [say, after, ...inside]
 }
 
-/// The text of the lesson file. A link for pupils leaves the solution out.
-export function lessonText(draft: LessonDraft, reader: "teacher" | "pupil"): string {
+export type LessonReader = "teacher" | "pupil"
+
+/// The text of the lesson file. A link for pupils leaves the solution and the wrong attempts out.
+export function lessonText(draft: LessonDraft, reader: LessonReader): string {
   const {name, room, toolbox, start, solution, steps} = draft
   const value = {
     lesson: version,
@@ -55,21 +57,35 @@ export function lessonText(draft: LessonDraft, reader: "teacher" | "pupil"): str
     ...(toolbox === null ? {} : {toolbox}),
     start,
     ...(solution === null || reader === "pupil" ? {} : {solution}),
-    steps: steps.map(stepValue),
+    steps: steps.map(step => stepValue(step, reader)),
     texts: Object.fromEntries(languagesOf(draft).map(language => [language, textsIn(draft, language)])),
   }
   return `${JSON.stringify(value, null, 1)}\n`
 }
 
-function stepValue({id, kind, seconds, checks, answers, right, program}: DraftStep): object {
+function stepValue(step: DraftStep, reader: LessonReader): object {
+  const {id, kind, checks, answers, right, program, hands} = step
   const own = program === null ? {} : {program}
   if (isQuestion(kind)) return {id, kind, answers: answers.map(answer => answer.id), right, ...own}
+  const wrong = checks.flatMap(check => check.wrong.map(one => ({check: check.id, program: one})))
+  return {
+    id,
+    kind,
+    ...watchedStep(step),
+    ...own,
+    ...(hands.length === 0 || reader === "pupil" ? {} : {hands}),
+    ...(wrong.length === 0 || reader === "pupil" ? {} : {wrong}),
+  }
+}
+
+/// What the service judges a run by.
+export function watchedStep({seconds, checks}: DraftStep): object {
   const written = checks.map(check => ({
     kind: check.kind,
     id: check.id,
     ...Object.fromEntries(Object.entries(check.arguments).map(([name, value]) => [name, cleaned(value)])),
   }))
-  return {id, kind, seconds, checks: written, ...own}
+  return {seconds, checks: written}
 }
 
 function textsIn({title, idea, learned, steps}: LessonDraft, language: string): object {
@@ -133,6 +149,21 @@ function argumentsOf(kind: CheckKind, value: unknown, path: string): {readonly [
   )
 }
 
+interface WrongAttempt {
+  readonly check: string
+  readonly program: string
+}
+
+const wrongAttempt = object<WrongAttempt>(get => ({
+  check: get("check", string),
+  program: get("program", string),
+}))
+
+/// Of a wrong attempt that names a check which its step does not have.
+const idOfCheck: Decoder<never> = (_, path) => {
+  throw new Mismatch(path, "the id of a check of this step")
+}
+
 function draftDecoder(language: string): Decoder<LessonDraft> {
   return object<LessonDraft>(get => {
     const said = get("texts", record(lessonTexts))
@@ -140,29 +171,36 @@ function draftDecoder(language: string): Decoder<LessonDraft> {
     /// A text in the languages that have it.
     const texts = (of: (language: string) => string | undefined): Translations =>
       Object.fromEntries(languages.flatMap(tag => (of(tag) ? [[tag, of(tag) ?? ""]] : [])))
-    const check: Decoder<DraftCheck> = (value, path) => {
-      const {id, kind} = object(of => ({id: of("id", string), kind: of("kind", oneOf(...checkKinds))}))(
-        value,
-        path,
-      )
-      const most = Math.max(0, ...languages.map(tag => said[tag]?.hints[id]?.length ?? 0))
-      return {
-        id,
-        kind,
-        arguments: argumentsOf(kind, value, path),
-        text: texts(tag => said[tag]?.checks[id]),
-        hints: Array.from({length: most}, (_, i) => texts(tag => said[tag]?.hints[id]?.[i])),
+    const checkOf =
+      (wrong: readonly WrongAttempt[]): Decoder<DraftCheck> =>
+      (value, path) => {
+        const {id, kind} = object(of => ({id: of("id", string), kind: of("kind", oneOf(...checkKinds))}))(
+          value,
+          path,
+        )
+        const most = Math.max(0, ...languages.map(tag => said[tag]?.hints[id]?.length ?? 0))
+        return {
+          id,
+          kind,
+          arguments: argumentsOf(kind, value, path),
+          text: texts(tag => said[tag]?.checks[id]),
+          hints: Array.from({length: most}, (_, i) => texts(tag => said[tag]?.hints[id]?.[i])),
+          wrong: wrong.filter(one => one.check === id).map(one => one.program),
+        }
       }
-    }
     const step = object<DraftStep>(of => {
       const id = of("id", string)
+      const wrong = of("wrong", optional(list(wrongAttempt), []))
+      const checks = of("checks", optional(list(checkOf(wrong)), []))
+      const stray = wrong.findIndex(one => !checks.some(check => check.id === one.check))
+      if (stray >= 0) of(`wrong[${stray}].check`, idOfCheck)
       return {
         id,
         kind: of("kind", oneOf("predict", "run", "investigate", "modify", "make")),
         say: texts(tag => said[tag]?.steps[id]?.say),
         after: texts(tag => said[tag]?.steps[id]?.after),
         seconds: of("seconds", optional(number, 10)),
-        checks: of("checks", optional(list(check), [])),
+        checks,
         answers: of("answers", optional(list(string), [])).map(answer => ({
           id: answer,
           text: texts(tag => said[tag]?.steps[id]?.answers[answer]),
@@ -170,6 +208,13 @@ function draftDecoder(language: string): Decoder<LessonDraft> {
         })),
         right: of("right", optional(string, null)),
         program: of("program", optional(string, null)),
+        hands: of(
+          "hands",
+          optional(
+            list<unknown>(hand => hand),
+            [] as readonly unknown[],
+          ),
+        ),
       }
     })
     return {

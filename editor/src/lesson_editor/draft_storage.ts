@@ -68,6 +68,8 @@ const check = object<DraftCheck>(get => ({
   arguments: get("arguments", record(argument)),
   text: get("text", texts),
   hints: get("hints", list(texts)),
+  // Older drafts have none.
+  wrong: get("wrong", optional(list(string), [])),
 }))
 
 const answer = object<DraftAnswer>(get => ({
@@ -86,6 +88,13 @@ const step = object<DraftStep>(get => ({
   answers: get("answers", list(answer)),
   right: get("right", optional(string, null)),
   program: get("program", optional(string, null)),
+  hands: get(
+    "hands",
+    optional(
+      list<unknown>(hand => hand),
+      [] as readonly unknown[],
+    ),
+  ),
 }))
 
 const draft = object<LessonDraft>(get => ({

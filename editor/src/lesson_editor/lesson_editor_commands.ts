@@ -1,6 +1,8 @@
 /// Commands of the lesson editor, as its components use them.
 
+import type {Signal} from "@preact/signals"
 import type {DraftEdit, LessonDraft} from "./draft.ts"
+import type {Rehearsal} from "./rehearsal.ts"
 
 export interface LessonEditorCommands {
   /// Begins a lesson with the room and the program of the page.
@@ -19,9 +21,15 @@ export interface LessonEditorCommands {
   useRoom(): void
   /// Takes the program of the page.
   useProgram(as: "start" | "solution"): void
-  /// Opens the room and a program of the draft on the page.
-  show(what: "start" | "solution"): void
-  /// Shows the lesson as a pupil sees it, from its beginning.
+  /// The program of the page.
+  program(): string
+  /// Opens the room of the draft on the page, and a program of it.
+  show(program: string): void
+  /// The latest rehearsal of a draft in this tab; `null` before the first.
+  readonly rehearsal: Signal<Rehearsal | null>
+  /// Lets the service run the solution and the wrong attempts of the draft.
+  rehearse(): void
+  /// Shows the lesson as a pupil sees it, from its beginning, and rehearses it.
   tryOut(): void
   /// During a trial: opens the solution in place of the program.
   trySolution(): void

@@ -15,6 +15,7 @@ import {languagesOf} from "./draft_file.ts"
 import {type DraftMistake, mistakesOf} from "./draft_mistakes.ts"
 import {DraftContext, useEditedDraft} from "./edited_draft.ts"
 import {Materials} from "./material_form.tsx"
+import {RehearsalReport} from "./rehearsal_report.tsx"
 import {StepList} from "./step_form.tsx"
 
 export function LessonEditorPanel(): VNode | null {
@@ -70,7 +71,8 @@ function Texts(): VNode {
 
 function Finish(): VNode {
   const {lessonEditor} = useController()
-  const mistakes = mistakesOf(useEditedDraft())
+  const draft = useEditedDraft()
+  const mistakes = mistakesOf(draft)
   const w = words.lessonEditor
   const isReady = mistakes.length === 0
   return (
@@ -90,6 +92,7 @@ function Finish(): VNode {
       <button type="button" class="go" disabled={!isReady} onClick={lessonEditor.tryOut}>
         {w.tryOut}
       </button>
+      {isReady && <RehearsalReport draft={draft} />}
       <button type="button" class="plain" disabled={!isReady} onClick={lessonEditor.save}>
         {w.save}
       </button>

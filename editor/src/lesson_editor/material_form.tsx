@@ -21,7 +21,7 @@ export function Materials(): VNode {
 
 function Room(): VNode {
   const {store, lessonEditor} = useController()
-  const {room} = useEditedDraft()
+  const {room, start} = useEditedDraft()
   const isShown = usePageState(s => isSameRoom(s.room.world, room))
   const w = words.lessonEditor
   return (
@@ -34,7 +34,7 @@ function Room(): VNode {
             <button type="button" class="plain" onClick={lessonEditor.useRoom}>
               {w.useRoom}
             </button>
-            <button type="button" class="plain" onClick={() => lessonEditor.show("start")}>
+            <button type="button" class="plain" onClick={() => lessonEditor.show(start)}>
               {w.showStart}
             </button>
           </>
@@ -83,7 +83,7 @@ function Program({what}: {readonly what: "start" | "solution"}): VNode {
             type="button"
             class="plain"
             aria-label={`${w[what]}: ${w.showStart}`}
-            onClick={() => lessonEditor.show(what)}
+            onClick={() => lessonEditor.show(program)}
           >
             {w.showStart}
           </button>

@@ -114,12 +114,7 @@ function Step({step, at, count}: StepProps & {readonly count: number}): VNode {
           texts={step.after}
           set={text => change((one, draft) => ({...one, after: withText(one.after, draft.language, text)}))}
         />
-        {step.program !== null && (
-          <label class="draft-option">
-            <input type="checkbox" checked onChange={() => change(one => ({...one, program: null}))} />
-            <span>{w.programOfStep}</span>
-          </label>
-        )}
+        <ProgramOfStep step={step} at={at} />
         <div class="draft-buttons">
           {move(w.up(at + 1), -1, "↑")}
           {move(w.down(at + 1), 1, "↓")}
@@ -129,6 +124,45 @@ function Step({step, at, count}: StepProps & {readonly count: number}): VNode {
         </div>
       </fieldset>
     </details>
+  )
+}
+
+/// The program that the step begins with, in place of that of the step before.
+function ProgramOfStep({step, at}: StepProps): VNode {
+  const {lessonEditor} = useController()
+  const change = useStepChange(at)
+  const {program} = step
+  const w = words.lessonEditor
+  const take = () => {
+    const own = lessonEditor.program()
+    change(one => ({...one, program: own}))
+  }
+  return (
+    <div class="draft-buttons">
+      <label class="draft-option">
+        <input
+          type="checkbox"
+          checked={program !== null}
+          onChange={() => (program === null ? take() : change(one => ({...one, program: null})))}
+        />
+        <span>{w.programOfStep}</span>
+      </label>
+      {program !== null && (
+        <>
+          <button
+            type="button"
+            class="plain"
+            aria-label={`${w.step(at + 1)}: ${w.showStart}`}
+            onClick={() => lessonEditor.show(program)}
+          >
+            {w.showStart}
+          </button>
+          <button type="button" class="plain" aria-label={`${w.step(at + 1)}: ${w.useStart}`} onClick={take}>
+            {w.useStart}
+          </button>
+        </>
+      )}
+    </div>
   )
 }
 

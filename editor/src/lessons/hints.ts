@@ -1,6 +1,7 @@
-/// Hints for the open step, computed from the learner's program and its last run: which check they are about, and which of the lesson's hints
-/// still tell something. Pure; the panel words and shows them.
+/// Hints for the open step, computed from the learner's program and its last run: which check they are about, which of the lesson's hints still
+/// tell something, which type no function has yet, and which function nothing uses. Pure; the panel words and shows them.
 
+import {decode, list, object, optional, string} from "../state/decode.ts"
 import type {Declared} from "../state/messages.ts"
 import type {Check, LessonChecks} from "./lesson.ts"
 
@@ -8,6 +9,8 @@ export type Hint =
   | {readonly kind: "text" | "piece"; readonly text: string}
   /// A function is defined, and nothing uses it.
   | {readonly kind: "not-run"; readonly name: string}
+  /// The check is about a type that the program does not have: to be taken, or to be given.
+  | {readonly kind: "not-taken" | "not-given"; readonly type: string}
 
 export interface StepHints {
   /// The id of the check that they are about.
@@ -21,11 +24,36 @@ export interface HintedProgram {
   readonly declared: readonly Declared[]
 }
 
+/// What the service checks, as far as hints need it: patterns of an event and a command, and types of a function.
+export interface HintedCheck {
+  readonly id: string
+  readonly event: string | null
+  readonly command: string | null
+  readonly takes: readonly string[]
+  readonly gives: readonly string[]
+}
+
+const hintedCheck = object<HintedCheck>(get => ({
+  id: get("id", string),
+  event: get("event", optional(string, null)),
+  command: get("command", optional(string, null)),
+  takes: get("takes", optional(list(string), [])),
+  gives: get("gives", optional(list(string), [])),
+}))
+
+/// Those of a step's checks that can be read; the others have no hint of this kind.
+export const hintedChecks = (watched: readonly unknown[]): readonly HintedCheck[] =>
+  watched.flatMap(value => {
+    const read = decode(hintedCheck, value)
+    return read.kind === "ok" ? [read.value] : []
+  })
+
 /// The hints of the first check that the last run has missed, or else of the first that is not done; `null` when no check has any.
 export function hintsOf(
   checks: readonly Check[],
   told: LessonChecks | null,
   program: HintedProgram,
+  watched: readonly HintedCheck[] = [],
 ): StepHints | null {
   const stateOf = (check: Check) => told?.checks.find(one => one.id === check.id)?.state ?? "open"
   const hasRun = told !== null && told.run !== null
@@ -33,9 +61,17 @@ export function hintsOf(
   const missed = hasRun ? open.filter(check => stateOf(check) === "missed") : []
   for (const check of [...missed, ...open]) {
     const unused = hasRun ? unusedFunctions(program) : []
+    const [question, ...others] = lessonHints(check).filter(
+      hint => hint.kind !== "piece" || !isInProgram(hint.text, program.text),
+    )
+    const found = watched.find(one => one.id === check.id)
+    const types = found === undefined ? [] : absentTypes(found, program)
     const hints = [
       ...unused.map((name): Hint => ({kind: "not-run", name})),
-      ...lessonHints(check).filter(hint => hint.kind !== "piece" || !isInProgram(hint.text, program.text)),
+      // A question leaves more to think about than a type.
+      ...(question === undefined ? [] : [question]),
+      ...types,
+      ...others,
     ]
     if (hints.length > 0) return {check: check.id, hints}
   }
@@ -48,6 +84,23 @@ function lessonHints({hints}: Check): readonly (Hint & {readonly text: string})[
     .map((text, i) => ({kind: i === 2 ? ("piece" as const) : ("text" as const), text}))
     .filter(hint => hint.text !== "")
 }
+
+/// The first type that the check needs and the program lacks; none while the program has each of them somewhere.
+function absentTypes({event, command, takes, gives}: HintedCheck, program: HintedProgram): readonly Hint[] {
+  const typeOf = (pattern: string | null) => (pattern === null ? [] : [pattern.split(" ")[0] ?? ""])
+  const isAbsent = (type: string) => {
+    const word = new RegExp(`(?<![\\w'.])${escaped(type)}(?![\\w'])`)
+    return !word.test(withoutComments(program.text)) && !program.declared.some(one => word.test(one.type))
+  }
+  const taken = [...typeOf(event), ...takes].find(isAbsent)
+  if (taken !== undefined) return [{kind: "not-taken", type: taken}]
+  // A task sends commands whose types stand nowhere: `drive` a velocity.
+  if (/\b(do|Task)\b|>>/.test(program.text)) return []
+  const given = [...typeOf(command), ...gives].find(isAbsent)
+  return given === undefined ? [] : [{kind: "not-given", type: given}]
+}
+
+const withoutComments = (text: string): string => text.replace(/\{-[\s\S]*?-\}|--.*$/gm, "")
 
 /// Whether every line of a piece stands in the program already, apart from spaces.
 export function isInProgram(piece: string, program: string): boolean {

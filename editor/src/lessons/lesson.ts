@@ -219,18 +219,15 @@ const seen = object<Seen>(get => ({
   name: get("name", optional(string, null)),
 }))
 
+export const lessonVerdict = object<LessonVerdict>(get => ({
+  id: get("id", string),
+  state: get("state", oneOf("open", "done", "missed")),
+  seen: get("seen", optional(seen, null)),
+}))
+
 export const lessonChecks = object<LessonChecks>(get => ({
   run: get("run", optional(number, null)),
   passed: get("passed", value => value === true),
   over: get("over", value => value === true),
-  checks: get(
-    "checks",
-    list(
-      object<LessonVerdict>(at => ({
-        id: at("id", string),
-        state: at("state", oneOf("open", "done", "missed")),
-        seen: at("seen", optional(seen, null)),
-      })),
-    ),
-  ),
+  checks: get("checks", list(lessonVerdict)),
 }))

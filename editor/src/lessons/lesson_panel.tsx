@@ -1,16 +1,18 @@
 /// Panel of the open lesson: its steps, the question or the checks of the shown step, hints, and the way on.
 
 import type {VNode} from "preact"
-import {useEffect, useState} from "preact/hooks"
+import {useEffect, useMemo, useState} from "preact/hooks"
 import {guidePageOfCourse} from "../help/guide_links.ts"
+import {RehearsalReport} from "../lesson_editor/rehearsal_report.tsx"
 import {useController, usePageState} from "../page/app_context.ts"
 import {IconButton, TextWithCode} from "../page/controls.tsx"
 import {CloseIcon} from "../page/icons.tsx"
 import {compiled} from "../state/visible_findings.ts"
 import {words} from "../words/index.ts"
-import {type Hint, hintsOf} from "./hints.ts"
-import type {LessonVerdict, Seen, Step} from "./lesson.ts"
+import {type Hint, hintedChecks, hintsOf} from "./hints.ts"
+import type {LessonVerdict, Step} from "./lesson.ts"
 import {currentStep, editedDraft, isDone, type OpenLesson, shownHints} from "./lesson_state.ts"
+import {seenText} from "./seen_text.ts"
 
 export function LessonPanel(): VNode | null {
   const desk = useController()
@@ -57,7 +59,7 @@ export function LessonPanel(): VNode | null {
 /// The way from a draft, as pupils see it, back to the editor.
 function Trial(): VNode {
   const {lessonEditor} = useController()
-  const hasSolution = usePageState(s => editedDraft(s.lessons)?.solution != null)
+  const draft = usePageState(s => editedDraft(s.lessons))
   const w = words.lessonEditor
   return (
     <div class="trial">
@@ -65,11 +67,12 @@ function Trial(): VNode {
       <button type="button" class="plain" onClick={lessonEditor.back}>
         {w.back}
       </button>
-      {hasSolution && (
+      {draft !== null && draft.solution !== null && (
         <button type="button" class="plain" onClick={lessonEditor.trySolution}>
           {w.trySolution}
         </button>
       )}
+      {draft !== null && <RehearsalReport draft={draft} />}
     </div>
   )
 }
@@ -220,19 +223,13 @@ function CheckLine(props: {text: string; verdict: LessonVerdict | null; hasRun: 
   )
 }
 
-/// What was seen, as a sentence; a word that this page does not know says nothing.
-export function seenText({what, time, number, name}: Seen): string {
-  const known: {readonly [what: string]: (n: number | null, time: number | null, name: string) => string} =
-    words.lessons.seen
-  return Object.hasOwn(known, what) ? (known[what]?.(number, time, name ?? "") ?? "") : ""
-}
-
 /// The hints about one check, one after the other.
 function Hints({open, step}: {open: OpenLesson; step: Step}): VNode | null {
   const {store} = useController()
   const text = usePageState(s => s.document.program.text)
   const declared = usePageState(s => s.declared)
-  const found = hintsOf(step.checks, open.checks, {text, declared})
+  const watched = useMemo(() => hintedChecks(step.watched?.checks ?? []), [step])
+  const found = hintsOf(step.checks, open.checks, {text, declared}, watched)
   if (found === null) return null
   const {check, hints} = found
   const shown = hints.slice(0, shownHints(open, check))
@@ -265,12 +262,25 @@ function HintLine({hint}: {hint: Hint}): VNode {
         {hint.text}
       </pre>
     )
-  const text = hint.kind === "not-run" ? words.lessons.notRun(hint.name) : hint.text
   return (
     <p>
-      <TextWithCode text={text} strong={null} />
+      <TextWithCode text={hintText(hint)} strong={null} />
     </p>
   )
+}
+
+function hintText(hint: Hint): string {
+  switch (hint.kind) {
+    case "not-run":
+      return words.lessons.notRun(hint.name)
+    case "not-taken":
+      return words.lessons.notTaken(hint.type)
+    case "not-given":
+      return words.lessons.notGiven(hint.type)
+    case "text":
+    case "piece":
+      return hint.text
+  }
 }
 
 function WayOn({open}: {open: OpenLesson}): VNode | null {

@@ -145,6 +145,9 @@ export function heard(test: RoomTest, answer: Answer): RoomTest {
   }
 }
 
+/// Whether the service says no more after this message.
+export const isLast = ({op}: Answer): boolean => op === "report" || op === "failed"
+
 /// The page's one message. A room like the one of the page is made from `world`.
 export function requestOf(choices: Choices, source: string, world: World | null): object {
   const {family, rooms, seed} = choices

@@ -1,9 +1,18 @@
 /// Tests in many rooms for the page: the choices and the test of the dialog, and what its buttons do.
 
 import {type Signal, signal} from "@preact/signals"
+import {jobAddress, startJob} from "../browser/job_socket.ts"
 import type {Store} from "../state/store.ts"
-import {type Choices, firstChoices, heard, type RoomTest, requestOf, type TestedRoom} from "./room_test.ts"
-import {startTest, testAddress} from "./room_test_socket.ts"
+import {
+  type Choices,
+  firstChoices,
+  heard,
+  isLast,
+  type RoomTest,
+  readAnswer,
+  requestOf,
+  type TestedRoom,
+} from "./room_test.ts"
 
 export interface RoomTests {
   readonly choices: Signal<Choices>
@@ -34,14 +43,19 @@ export function openRoomTests(store: Store, flush: () => void): RoomTests {
       cancelTest()
       const request = requestOf(choices.value, store.now.document.program.text, store.now.room.world)
       test.value = {kind: "waiting", place: 0, rooms: choices.value.rooms}
-      cancelTest = startTest(testAddress(window.location, session), request, {
-        received(answer) {
-          test.value = heard(test.value, answer)
+      cancelTest = startJob(
+        jobAddress(window.location, "room-tests", session),
+        request,
+        {read: readAnswer, isLast},
+        {
+          received(answer) {
+            test.value = heard(test.value, answer)
+          },
+          lost() {
+            test.value = {kind: "failed", message: null}
+          },
         },
-        lost() {
-          test.value = {kind: "failed", message: null}
-        },
-      })
+      )
     },
     cancel() {
       cancelTest()

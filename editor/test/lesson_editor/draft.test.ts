@@ -70,6 +70,7 @@ function whole(): LessonDraft {
     after: {de: "Geschafft."},
     checks: step.checks.map(check => {
       const said = {...check, text: {de: `Prüfung ${check.kind}`}}
+      if (check.kind === "moves") return {...said, wrong: ["main = simulate (Velocity 0 1)\n"]}
       if (check.kind === "says") return {...said, arguments: {texts: ["hallo", " "]}}
       if (check.kind === "function") return {...said, arguments: {takes: ["Bumper", " Memory"], gives: []}}
       return check.kind === "at" ? withHint(said, 1, "de", "Schau auf die Zahl.") : said
@@ -158,6 +159,26 @@ describe("the file of a draft", () => {
     expect(read).toMatchObject({kind: "lesson", lesson: {title: "Zum Ring", toolbox: ["Velocity"]}})
     const checks = read.kind === "lesson" ? (read.lesson.steps[1]?.checks ?? []) : []
     expect(checks.find(check => check.hints.length > 0)?.hints).toEqual(["", "Schau auf die Zahl."])
+  })
+
+  test("has the solution, the wrong attempts and the movements of hands for teachers only", () => {
+    const draft = changed(whole(), 1, step => ({...step, hands: [{t: 1, press: "Button0"}]}))
+    const {solution, steps} = JSON.parse(lessonText(draft, "teacher"))
+    expect(solution).toContain("0.4")
+    const check = steps[1].checks.find((one: {kind: string}) => one.kind === "moves")
+    expect(steps[1].wrong).toEqual([{check: check.id, program: "main = simulate (Velocity 0 1)\n"}])
+    expect(steps[1].hands).toEqual([{t: 1, press: "Button0"}])
+    expect(isValid(JSON.parse(lessonText(draft, "teacher"))), JSON.stringify(isValid.errors)).toBe(true)
+    const pupil = lessonText(draft, "pupil")
+    expect(pupil).not.toContain("Velocity 0.4")
+    expect(pupil).not.toContain("wrong")
+    expect(pupil).not.toContain("hands")
+  })
+
+  test("is refused when a wrong attempt is about a check that the step does not have", () => {
+    const value = JSON.parse(lessonText(whole(), "teacher"))
+    value.steps[1].wrong = [{check: "nowhere", program: ""}]
+    expect(readDraft(JSON.stringify(value), "de")).toEqual({kind: "damaged", at: "steps[1].wrong[0].check"})
   })
 
   test("is read as the same draft", () => {

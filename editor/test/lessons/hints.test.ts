@@ -1,7 +1,7 @@
 /// Hints: about the check that the last run missed, nothing that is done already, and functions that nothing uses.
 
 import {describe, expect, test} from "vitest"
-import {hintsOf, isInProgram, unusedFunctions} from "../../src/lessons/hints.ts"
+import {hintedChecks, hintsOf, isInProgram, unusedFunctions} from "../../src/lessons/hints.ts"
 import type {Check, LessonChecks, LessonVerdict} from "../../src/lessons/lesson.ts"
 
 const checks: readonly Check[] = [
@@ -23,7 +23,7 @@ main = simulate go
 `
 const program = {text: "main = simulate ()\n", declared: []}
 const texts = (found: ReturnType<typeof hintsOf>) =>
-  found?.hints.map(hint => (hint.kind === "not-run" ? hint : hint.text))
+  found?.hints.map(hint => ("text" in hint ? hint.text : hint))
 
 describe("hints", () => {
   test("are about the first check that is open, and about one that a run has missed before it", () => {
@@ -47,6 +47,41 @@ describe("hints", () => {
     const [first] = hintsOf(checks, told(1, "missed"), {text, declared})?.hints ?? []
     expect(first).toEqual({kind: "not-run", name: "cliff"})
     expect(texts(hintsOf(checks, null, {text, declared}))).toEqual(["Which function?"])
+  })
+})
+
+describe("a type that the check needs", () => {
+  const watched = hintedChecks([
+    {kind: "function", id: "takes", takes: ["Cliff"], gives: ["Stop"]},
+    {kind: "answers", id: "stays", event: "Bumper _ Pressed", command: "Led1 Red"},
+    {kind: "at", id: "there", time: 5, goal: 0},
+    "no check",
+  ])
+  const hint = (state: LessonVerdict["state"], own: string, types: readonly string[] = []) =>
+    texts(
+      hintsOf(
+        checks,
+        told(null, state, "open"),
+        {text: own, declared: types.map(type => ({name: "f", type}))},
+        watched,
+      ),
+    )?.filter(found => typeof found !== "string")
+
+  test("is named behind the question while the program lacks it, what is taken before what is given", () => {
+    expect(texts(hintsOf(checks, null, program, watched))).toEqual([
+      "Which function?",
+      {kind: "not-taken", type: "Cliff"},
+      "cliff :: Cliff -> Stop",
+    ])
+    expect(hint("open", "f x = x", ["Cliff -> Int"])).toEqual([{kind: "not-given", type: "Stop"}])
+    expect(hint("done", "f _ = ()")).toEqual([{kind: "not-taken", type: "Bumper"}])
+  })
+
+  test("is not named when a type, a pattern or a task has it", () => {
+    expect(hint("open", "f x = x", ["Cliff -> Stop"])).toEqual([])
+    expect(hint("done", "light (Bumper _ Pressed) = Led1 Red")).toEqual([])
+    expect(hint("done", "main = simulate (do wait 1 >> f)", ["Bumper -> Done ()"])).toEqual([])
+    expect(hint("done", "-- Bumper and Led1\nf = 1")).toEqual([{kind: "not-taken", type: "Bumper"}])
   })
 })
 

@@ -19,10 +19,20 @@ __all__ = ["DocumentStep", "LessonDocument"]
 Haskell = Annotated[str, Meta(description="A program.")]
 
 
+class WrongAttempt(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """A typical wrong attempt at a step."""
+
+    check: Annotated[str, Meta(description="The id of the check that it fails.")]
+    program: Haskell
+
+
 class DocumentStep(Step, frozen=True, forbid_unknown_fields=True, kw_only=True, omit_defaults=True):
     """A step of ``lesson.json``, with the program itself in place of the name of its file."""
 
     program: Haskell | None = None
+    wrong: Annotated[list[WrongAttempt], Meta(max_length=20, description="For teachers.")] = msgspec.field(
+        default_factory=list
+    )
 
 
 class LessonDocument(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True, omit_defaults=True):

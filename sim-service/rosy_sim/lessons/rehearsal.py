@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..config import Limits
 from ..robots import DEFAULT_ROBOT
 from ..run.headless_run import RunOutput, RunResult, RunSettings, run_program
 from ..run.lockstep import Lockstep
-from ..wire.user_input import user_actions
+from ..wire.user_input import TimedInput, user_actions
 from ..worker.blocking_worker import BlockingWorker
 from ..world.arena import Arena
 from ..world.world import World
-from .lesson_file import Step, checked_step
-from .lesson_watch import LessonWatch
+from .lesson_watch import CheckedStep, LessonWatch
 from .program_graph import read_graph
 from .verdicts import Verdict
 
@@ -29,15 +29,20 @@ class Attempt:
     is_passed: bool
 
 
-def attempt(worker: BlockingWorker, source: str, step: Step, arena: Arena, seed: int, limits: Limits) -> Attempt:
-    """Check a program, run it in a room for the time of a step, and judge it."""
-    watched = checked_step(step)
-    if watched is None:
-        raise RuntimeError(f"the step {step.id} is a question and cannot be run")
-    watch = LessonWatch(watched, arena)
+def attempt(
+    worker: BlockingWorker,
+    source: str,
+    step: CheckedStep,
+    hands: Sequence[TimedInput],
+    arena: Arena,
+    seed: int,
+    limits: Limits,
+) -> Attempt:
+    """Check a program, run it in a room for the time of a step while hands do what they do, and judge it."""
+    actions = tuple((movement.t, action) for movement in hands for action in user_actions(movement))
+    watch = LessonWatch(step, arena)
     watch.set_graph(read_graph(worker.check(source).graph))
-    actions = tuple((hands.t, action) for hands in step.hands for action in user_actions(hands))
-    settings = RunSettings(watched.seconds, seed, None, actions, limits)
+    settings = RunSettings(step.seconds, seed, None, actions, limits)
 
     def observe(lockstep: Lockstep) -> None:
         # Whether a check changed does not end the run.

@@ -47,6 +47,7 @@ from .browser_safety import BrowserSafety
 from .class_sockets import ClassSockets
 from .example_paths import ExamplePaths
 from .examples import example_file, examples
+from .lesson_rehearsals import LessonRehearsals
 from .loop_scheduler import LoopScheduler, PageTurns
 from .page_session import PageSession
 from .projector_sockets import ProjectorSockets
@@ -80,6 +81,7 @@ class Service:
         self.robots = RobotRegistry(config.robots, config.robot_executable, time.monotonic, self._on_robots_change)
         self.example_paths = ExamplePaths(config.examples, self.worker, self.run_queue, config.limits)
         self.room_tests = RoomTests(config)
+        self.lesson_rehearsals = LessonRehearsals(config, self.room_tests.queue)
         self._checks: HandInChecks | None = None
         self._class_sockets: ClassSockets | None = None
         self._projectors: ProjectorSockets | None = None
@@ -176,6 +178,18 @@ class Service:
             return
         await socket.accept()
         await self.room_tests.serve(socket, session.id, session.closed, session.safety)
+        with contextlib.suppress(RuntimeError, WebSocketDisconnect):
+            # The page may have closed it first.
+            await socket.close()
+
+    async def serve_lesson_rehearsals(self, socket: WebSocket) -> None:
+        """Serve the rehearsals of a lesson for the page of a session."""
+        session = self.sessions.get(socket.path_params["session"])
+        if session is None or not _same_origin(socket):
+            await socket.close(_POLICY_VIOLATION)
+            return
+        await socket.accept()
+        await self.lesson_rehearsals.serve(socket, session.id, session.closed)
         with contextlib.suppress(RuntimeError, WebSocketDisconnect):
             # The page may have closed it first.
             await socket.close()
@@ -396,6 +410,7 @@ def build_app(
         WebSocketRoute("/api/session", service.serve_page),
         WebSocketRoute("/rosbridge/{session}", service.serve_ros),
         WebSocketRoute("/api/room-tests/{session}", service.serve_room_test),
+        WebSocketRoute("/api/lesson-rehearsals/{session}", service.serve_lesson_rehearsals),
         WebSocketRoute("/api/class", service.serve_pupil),
         WebSocketRoute("/api/board", service.serve_board),
         WebSocketRoute("/api/projector", service.serve_projector),

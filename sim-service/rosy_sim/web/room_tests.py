@@ -36,6 +36,7 @@ from ..wire.room_tests import (
     read_test,
 )
 from ..world.properties import BadProperty, read_properties
+from .job_socket import serve_job
 
 __all__ = ["RoomTests"]
 
@@ -50,7 +51,7 @@ class RoomTests:
 
     def __init__(self, config: Config) -> None:
         self._config = config
-        # Shared with the checks of hand-ins.
+        # Shared with the checks of hand-ins and the rehearsals of lessons.
         self.queue = RunQueue(max(1, len(os.sched_getaffinity(0)) // 2))
         # The sessions of pages with a test.
         self._busy: set[str] = set()
@@ -72,15 +73,9 @@ class RoomTests:
             return
         self._busy.add(session)
         outbox: asyncio.Queue[_Answer] = asyncio.Queue()
-        test = asyncio.create_task(self._test(text, safety, outbox.put_nowait))
-        left = [asyncio.create_task(_wait_for_end(socket)), asyncio.create_task(closed.wait())]
-        sender = asyncio.create_task(_send(socket, outbox))
         try:
-            await asyncio.wait([sender, *left], return_when=asyncio.FIRST_COMPLETED)
+            await serve_job(socket, closed, self._test(text, safety, outbox.put_nowait), _send(socket, outbox))
         finally:
-            for task in (test, sender, *left):
-                task.cancel()
-            await asyncio.gather(test, sender, *left, return_exceptions=True)
             self._busy.discard(session)
 
     async def _test(self, text: str, safety: SafetySettings, say: Callable[[_Answer], None]) -> None:
@@ -121,12 +116,6 @@ class RoomTests:
             lambda outcome: show(Progress(counts.done + 1, counts.passed + outcome.has_passed, 0)),
             lambda tried: show(Progress(counts.done, counts.passed, tried)),
         )
-
-
-async def _wait_for_end(socket: WebSocket) -> None:
-    """A page says nothing after its request; it closes the socket to cancel."""
-    while (await socket.receive())["type"] != "websocket.disconnect":
-        continue
 
 
 async def _send(socket: WebSocket, outbox: asyncio.Queue[_Answer]) -> None:

@@ -11,7 +11,7 @@ import pytest
 
 from rosy_sim.config import discover
 from rosy_sim.lessons.catalogue import lessons
-from rosy_sim.lessons.lesson_file import Lesson, Step, attempts
+from rosy_sim.lessons.lesson_file import Lesson, Step, attempts, checked_step
 from rosy_sim.lessons.rehearsal import attempt
 from rosy_sim.worker.blocking_worker import BlockingWorker
 from rosy_sim.worlds.gallery import usable_arena
@@ -75,7 +75,9 @@ def worker() -> Iterator[BlockingWorker]:
 @pytest.mark.parametrize("case", _share(), ids=str)
 def test_attempts_are_judged_rightly(worker: BlockingWorker, case: Case) -> None:
     arena = usable_arena(case.world, str(case))
-    did = attempt(worker, case.path.read_text("utf-8"), case.step, arena, 1, LIMITS)
+    step = checked_step(case.step)
+    assert step is not None
+    did = attempt(worker, case.path.read_text("utf-8"), step, case.step.hands, arena, 1, LIMITS)
     assert did.run.ended in ("time", "done"), did.run.problems
     missed = {verdict.id: verdict.seen for verdict in did.verdicts if verdict.state != "done"}
     if case.fails is None:

@@ -9,7 +9,7 @@ from typing import Any
 import msgspec
 import pytest
 
-from rosy_sim.wire import page, room_tests
+from rosy_sim.wire import lesson_rehearsals, page, room_tests
 from rosy_sim.wire.robot_link import Ended, Settled, SimulatorLink, start_line, step_line, stop_line
 from rosy_sim.wire.robot_process import decode_line, encode_request, encode_switch
 from rosy_sim.wire.topics import CHANNELS, COMMAND_TOPICS, ODOMETRY, SENSOR_TOPICS, odometry_line, reading_line
@@ -154,3 +154,20 @@ def test_the_service_reads_and_answers_each_test_in_many_rooms(path: Path) -> No
         else:
             with pytest.raises(room_tests.BadTest):
                 room_tests.read_test(json.dumps(line))
+
+
+@pytest.mark.parametrize("path", files("rehearsals"), ids=name)
+def test_the_service_reads_and_answers_the_rehearsals_of_a_lesson(path: Path) -> None:
+    for end, line in conversation(path):
+        if end == "service":
+            answer = msgspec.convert(
+                line, lesson_rehearsals.Queued | lesson_rehearsals.AttemptJudged | lesson_rehearsals.Failed
+            )
+            assert json.loads(lesson_rehearsals.encode_answer(answer)) == line
+        elif line["attempts"]:
+            request = lesson_rehearsals.read_request(json.dumps(line))
+            assert [attempt.source for attempt in request.attempts] == [one["source"] for one in line["attempts"]]
+            assert request.world == line["world"]
+        else:
+            with pytest.raises(lesson_rehearsals.BadRehearsal):
+                lesson_rehearsals.read_request(json.dumps(line))

@@ -52,6 +52,9 @@ export const lessonEditor: Words["lessonEditor"] = {
   removeCheck: n => `Prüfung ${n} löschen`,
   checkText: "Was Schüler dazu lesen",
   hints: {question: "Tipp: eine Frage", pointer: "Tipp: ein Hinweis", piece: "Tipp: ein Stück zum Nehmen"},
+  wrong: n => `Falscher Versuch ${n}`,
+  addWrong: "Programm der Seite als falschen Versuch nehmen",
+  removeWrong: n => `Falschen Versuch ${n} löschen`,
   checks: {
     at: "Er ist dann an einem Ort",
     faces: "Er schaut dann zu einem Ort",
@@ -96,6 +99,27 @@ export const lessonEditor: Words["lessonEditor"] = {
   back: "Zurück zum Editor",
   save: "Als Datei speichern",
   link: "Link für Schüler",
+  rehearsal: {
+    title: "Lösung und falsche Versuche",
+    never: "Die Lösung und die falschen Versuche wurden noch nicht erprobt.",
+    stale: "Die Lösung und die falschen Versuche wurden seit der letzten Änderung nicht erprobt.",
+    start: "Lösung und falsche Versuche erproben",
+    running: (done, all) => `${done} von ${all} Programmen erprobt …`,
+    good: n =>
+      n === 1
+        ? "Die Lösung besteht."
+        : "Die Lösung besteht, und alle falschen Versuche scheitern, wie sie sollen.",
+    lost: "Der Dienst hat nicht geantwortet. Versuche es gleich noch einmal.",
+    findings: {
+      "no-solution": "Es gibt noch keine Lösung; ob die Lektion lösbar ist, weiß man also nicht.",
+      "solution-misses": (step, check) => `Die Lösung besteht Prüfung ${check} von Schritt ${step} nicht.`,
+      "solution-broken": step => `Die Lösung von Schritt ${step} läuft nicht:`,
+      "wrong-passes": (step, check, n) =>
+        `Schritt ${step}: Der falsche Versuch ${n} besteht Prüfung ${check}; er sollte daran scheitern.`,
+      "wrong-broken": (step, check, n) =>
+        `Schritt ${step}: Der falsche Versuch ${n} zu Prüfung ${check} läuft nicht:`,
+    },
+  },
   missing: "Noch nötig:",
   mistakes: {
     "no-title": language => `Die Lektion hat keinen Titel (${language}).`,

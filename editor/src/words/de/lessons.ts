@@ -42,6 +42,8 @@ export const lessons: Words["lessons"] = {
   hint: "Gib mir einen Tipp",
   moreHint: "Noch ein Tipp",
   notRun: (name: string) => `\`${name}\` ist definiert, aber nichts benutzt es. Führt \`simulate\` es aus?`,
+  notTaken: (type: string) => `Noch nimmt keine deiner Funktionen einen Wert vom Typ \`${type}\`.`,
+  notGiven: (type: string) => `Noch gibt nichts in deinem Programm einen Wert vom Typ \`${type}\`.`,
   mendFirst: "Im Programm ist ein Fehler. Behebe ihn zuerst: Eine Karte sagt, was zu tun ist.",
   pressRun: "Drücke Start, dann wird während der Fahrt geprüft.",
   letItRun: (time: number) => `Lass es ${time} Sekunden laufen.`,

@@ -50,6 +50,9 @@ export const lessonEditor = {
   removeCheck: (n: number) => `Delete check ${n}`,
   checkText: "What pupils read about it",
   hints: {question: "Hint: a question", pointer: "Hint: a pointer", piece: "Hint: a piece to take"},
+  wrong: (n: number) => `Wrong attempt ${n}`,
+  addWrong: "Take the program on the page as a wrong attempt",
+  removeWrong: (n: number) => `Delete wrong attempt ${n}`,
   checks: {
     at: "The robot is at a place then",
     faces: "It looks towards a place then",
@@ -94,6 +97,26 @@ export const lessonEditor = {
   back: "Back to the editor",
   save: "Save as a file",
   link: "Link for pupils",
+  rehearsal: {
+    title: "Solution and wrong attempts",
+    never: "The solution and the wrong attempts have not been tried yet.",
+    stale: "The solution and the wrong attempts have not been tried since the last change.",
+    start: "Try the solution and the wrong attempts",
+    running: (done: number, all: number) => `${done} of ${all} programs tried…`,
+    good: (n: number) =>
+      n === 1 ? "The solution passes." : "The solution passes, and all wrong attempts fail as they should.",
+    lost: "The service did not answer. Try again in a moment.",
+    findings: {
+      "no-solution": "There is no solution yet, so it is not known whether the lesson can be solved.",
+      "solution-misses": (step: number, check: number) =>
+        `The solution misses check ${check} of step ${step}.`,
+      "solution-broken": (step: number) => `The solution of step ${step} cannot be run:`,
+      "wrong-passes": (step: number, check: number, n: number) =>
+        `Step ${step}: wrong attempt ${n} passes check ${check}, which it should fail.`,
+      "wrong-broken": (step: number, check: number, n: number) =>
+        `Step ${step}: wrong attempt ${n} of check ${check} cannot be run:`,
+    },
+  },
   missing: "Still missing:",
   mistakes: {
     "no-title": (language: string) => `The lesson has no title (${language}).`,

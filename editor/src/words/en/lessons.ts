@@ -40,6 +40,9 @@ export const lessons = {
   moreHint: "One more hint",
   /// A hint about a function of the learner's.
   notRun: (name: string) => `\`${name}\` is defined, but nothing uses it yet. Does \`simulate\` run it?`,
+  /// A hint about a type of the check that the program lacks.
+  notTaken: (type: string) => `No function of yours takes a value of type \`${type}\` yet.`,
+  notGiven: (type: string) => `Nothing in your program gives a value of type \`${type}\` yet.`,
   mendFirst: "The program has a mistake. Mend it first: a card says what to do.",
   pressRun: "Press Run, and the checks are made while it drives.",
   letItRun: (time: number) => `Let it run for ${time} seconds.`,

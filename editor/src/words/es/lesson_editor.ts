@@ -52,6 +52,9 @@ export const lessonEditor: Words["lessonEditor"] = {
   removeCheck: n => `Borrar la comprobación ${n}`,
   checkText: "Lo que leen los alumnos sobre ella",
   hints: {question: "Pista: una pregunta", pointer: "Pista: una indicación", piece: "Pista: una pieza hecha"},
+  wrong: n => `Intento equivocado ${n}`,
+  addWrong: "Tomar el programa de la página como intento equivocado",
+  removeWrong: n => `Borrar el intento equivocado ${n}`,
   checks: {
     at: "El robot está entonces en un lugar",
     faces: "Mira entonces hacia un lugar",
@@ -96,6 +99,27 @@ export const lessonEditor: Words["lessonEditor"] = {
   back: "Volver al editor",
   save: "Guardar como archivo",
   link: "Enlace para alumnos",
+  rehearsal: {
+    title: "Solución e intentos equivocados",
+    never: "La solución y los intentos equivocados todavía no se han probado.",
+    stale: "La solución y los intentos equivocados no se han probado desde el último cambio.",
+    start: "Probar la solución y los intentos equivocados",
+    running: (done, all) => `${done} de ${all} programas probados…`,
+    good: n =>
+      n === 1
+        ? "La solución pasa."
+        : "La solución pasa, y todos los intentos equivocados fallan, como deben.",
+    lost: "El servicio no ha respondido. Inténtalo de nuevo dentro de un momento.",
+    findings: {
+      "no-solution": "Todavía no hay solución; no se sabe si la lección se puede resolver.",
+      "solution-misses": (step, check) => `La solución no pasa la comprobación ${check} del paso ${step}.`,
+      "solution-broken": step => `La solución del paso ${step} no se puede ejecutar:`,
+      "wrong-passes": (step, check, n) =>
+        `Paso ${step}: el intento equivocado ${n} pasa la comprobación ${check}, y debería fallarla.`,
+      "wrong-broken": (step, check, n) =>
+        `Paso ${step}: el intento equivocado ${n} de la comprobación ${check} no se puede ejecutar:`,
+    },
+  },
   missing: "Todavía falta:",
   mistakes: {
     "no-title": language => `La lección no tiene título (${language}).`,

@@ -48,6 +48,8 @@ export const lessons: Words["lessons"] = {
   hint: "Dame una pista",
   moreHint: "Una pista más",
   notRun: (name: string) => `\`${name}\` está definida, pero nada la usa todavía. ¿La ejecuta \`simulate\`?`,
+  notTaken: (type: string) => `Ninguna función tuya toma todavía un valor de tipo \`${type}\`.`,
+  notGiven: (type: string) => `Nada en tu programa da todavía un valor de tipo \`${type}\`.`,
   mendFirst: "El programa tiene un error. Corrígelo primero: una tarjeta dice qué hacer.",
   pressRun: "Pulsa Ejecutar, y se comprobará mientras se mueve.",
   letItRun: time =>

@@ -56,6 +56,9 @@ export const lessonEditor: Words["lessonEditor"] = {
     pointer: "Indice : une piste",
     piece: "Indice : un morceau à prendre",
   },
+  wrong: n => `Essai faux ${n}`,
+  addWrong: "Prendre le programme de la page comme essai faux",
+  removeWrong: n => `Supprimer l’essai faux ${n}`,
   checks: {
     at: "Le robot est alors à un endroit",
     faces: "Il regarde alors vers un endroit",
@@ -100,6 +103,27 @@ export const lessonEditor: Words["lessonEditor"] = {
   back: "Retour à l’éditeur",
   save: "Enregistrer dans un fichier",
   link: "Lien pour les élèves",
+  rehearsal: {
+    title: "Solution et essais faux",
+    never: "La solution et les essais faux n’ont pas encore été testés.",
+    stale: "La solution et les essais faux n’ont pas été testés depuis la dernière modification.",
+    start: "Tester la solution et les essais faux",
+    running: (done, all) => `${done} programmes sur ${all} testés…`,
+    good: n =>
+      n === 1
+        ? "La solution réussit."
+        : "La solution réussit, et tous les essais faux échouent, comme prévu.",
+    lost: "Le service n’a pas répondu. Réessaie dans un instant.",
+    findings: {
+      "no-solution": "Il n’y a pas encore de solution ; on ne sait donc pas si la leçon peut être résolue.",
+      "solution-misses": (step, check) => `La solution échoue à la vérification ${check} de l’étape ${step}.`,
+      "solution-broken": step => `La solution de l’étape ${step} ne peut pas être exécutée :`,
+      "wrong-passes": (step, check, n) =>
+        `Étape ${step} : l’essai faux ${n} réussit la vérification ${check}, alors qu’il devrait y échouer.`,
+      "wrong-broken": (step, check, n) =>
+        `Étape ${step} : l’essai faux ${n} de la vérification ${check} ne peut pas être exécuté :`,
+    },
+  },
   missing: "Il manque encore :",
   mistakes: {
     "no-title": language => `La leçon n’a pas de titre (${language}).`,

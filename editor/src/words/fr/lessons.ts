@@ -54,6 +54,8 @@ export const lessons: Words["lessons"] = {
   moreHint: "Encore un indice",
   notRun: (name: string) =>
     `\`${name}\` est définie, mais rien ne l’utilise encore. Est-ce que \`simulate\` l’exécute ?`,
+  notTaken: (type: string) => `Aucune de tes fonctions ne prend encore une valeur de type \`${type}\`.`,
+  notGiven: (type: string) => `Rien dans ton programme ne donne encore une valeur de type \`${type}\`.`,
   mendFirst: "Il y a une erreur dans le programme. Corrige-la d'abord : une carte dit quoi faire.",
   pressRun: "Appuie sur Démarrer, et tout est vérifié pendant que le robot roule.",
   letItRun: (time: number) =>

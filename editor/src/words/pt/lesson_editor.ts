@@ -52,6 +52,9 @@ export const lessonEditor: Words["lessonEditor"] = {
   removeCheck: n => `Apagar a verificação ${n}`,
   checkText: "O que os alunos leem sobre ela",
   hints: {question: "Dica: uma pergunta", pointer: "Dica: uma indicação", piece: "Dica: uma peça pronta"},
+  wrong: n => `Tentativa errada ${n}`,
+  addWrong: "Usar o programa da página como tentativa errada",
+  removeWrong: n => `Apagar a tentativa errada ${n}`,
   checks: {
     at: "O robô está em um lugar nesse momento",
     faces: "Ele olha para um lugar nesse momento",
@@ -96,6 +99,25 @@ export const lessonEditor: Words["lessonEditor"] = {
   back: "Voltar ao editor",
   save: "Salvar como arquivo",
   link: "Link para alunos",
+  rehearsal: {
+    title: "Solução e tentativas erradas",
+    never: "A solução e as tentativas erradas ainda não foram testadas.",
+    stale: "A solução e as tentativas erradas não foram testadas desde a última mudança.",
+    start: "Testar a solução e as tentativas erradas",
+    running: (done, all) => `${done} de ${all} programas testados…`,
+    good: n =>
+      n === 1 ? "A solução passa." : "A solução passa, e todas as tentativas erradas falham, como devem.",
+    lost: "O serviço não respondeu. Tente de novo daqui a pouco.",
+    findings: {
+      "no-solution": "Ainda não há solução; por isso não se sabe se a lição tem solução.",
+      "solution-misses": (step, check) => `A solução não passa na verificação ${check} do passo ${step}.`,
+      "solution-broken": step => `A solução do passo ${step} não roda:`,
+      "wrong-passes": (step, check, n) =>
+        `Passo ${step}: a tentativa errada ${n} passa na verificação ${check}, em que deveria falhar.`,
+      "wrong-broken": (step, check, n) =>
+        `Passo ${step}: a tentativa errada ${n} da verificação ${check} não roda:`,
+    },
+  },
   missing: "Ainda falta:",
   mistakes: {
     "no-title": language => `A lição não tem título (${language}).`,

@@ -43,6 +43,8 @@ export const lessons: Words["lessons"] = {
   hint: "Me dê uma dica",
   moreHint: "Mais uma dica",
   notRun: (name: string) => `\`${name}\` está definida, mas nada a usa ainda. O \`simulate\` a executa?`,
+  notTaken: (type: string) => `Nenhuma função sua recebe ainda um valor do tipo \`${type}\`.`,
+  notGiven: (type: string) => `Nada no seu programa dá ainda um valor do tipo \`${type}\`.`,
   mendFirst: "O programa tem um erro. Conserte-o primeiro: um cartão diz o que fazer.",
   pressRun: "Aperte Executar, e tudo é conferido enquanto ele anda.",
   letItRun: (time: number) =>
