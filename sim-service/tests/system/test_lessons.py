@@ -85,3 +85,13 @@ def test_attempts_are_judged_rightly(worker: BlockingWorker, case: Case) -> None
     else:
         assert not did.is_passed
         assert missed.get(case.fails) is not None, "it fails another check, or without a word about what was seen"
+
+
+@pytest.mark.parametrize("name", LESSONS)
+def test_each_lesson_has_five_solutions_three_other_rooms_and_wrong_attempts(name: str) -> None:
+    lesson = LESSONS[name]
+    last = lesson.file.steps[-1]
+    solutions = [path.read_text("utf-8") for path in attempts(FOLDER / name, "solutions", last.id)]
+    assert len(set(solutions)) >= 5
+    assert len(lesson.file.other_rooms) >= 3
+    assert attempts(FOLDER / name, "wrong", last.id)
