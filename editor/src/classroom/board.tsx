@@ -42,7 +42,7 @@ interface BoardProps extends BoardConnection {
   readonly programs: ProgramStore
 }
 
-function BoardPage({send, unlock, download, programs, openRun, openProjector}: BoardProps): VNode {
+function BoardPage({send, unlock, download, backUp, programs, openRun, openProjector}: BoardProps): VNode {
   const {
     class: opened,
     link,
@@ -71,6 +71,7 @@ function BoardPage({send, unlock, download, programs, openRun, openProjector}: B
           <EyesUp send={send} />
           <SendTool send={send} programs={programs} />
           <ProjectorTool send={send} open={openProjector} />
+          <BackupTool backUp={backUp} />
           <TaskTool tasks={tasks} pupils={pupils} send={send} refused={taskRefused} />
         </section>
         <HandIns
@@ -138,6 +139,24 @@ function Code({drawing}: {drawing: QrCode}): VNode {
       <rect x={-quietZone} y={-quietZone} width={side} height={side} fill="#fff" />
       <path d={drawing.path} fill="#000" shape-rendering="crispEdges" />
     </svg>
+  )
+}
+
+function BackupTool({backUp}: Pick<BoardProps, "backUp">): VNode {
+  const w = words.classroom.board
+  const [hasFailed, setFailed] = useState(false)
+  return (
+    <div class="board-tool" data-testid="backup-tool">
+      <button type="button" class="plain" onClick={async () => setFailed(!(await backUp()))}>
+        {w.backUp}
+      </button>
+      <p class="quiet">{w.backUpHint}</p>
+      {hasFailed && (
+        <p class="refused" role="alert">
+          {w.task.downloadFailed}
+        </p>
+      )}
+    </div>
   )
 }
 

@@ -17,6 +17,8 @@ export interface BoardConnection {
   /// Whether there was something to download.
   readonly download: (task: BoardTask) => Promise<boolean>
   /// Opens a pupil's program for a task in its worst room.
+  /// Downloads everything that the class stores; whether that was possible.
+  readonly backUp: () => Promise<boolean>
   readonly openRun: (task: number, pupil: number) => void
   /// Opens the page for the projector in a window of its own.
   readonly openProjector: () => void
@@ -70,7 +72,11 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
       else if (message.op === "checking") change({checking: message})
       else if (message.op === "result") change({results: withResult(board.value.results, message)})
       else if (message.op === "run") void tabs.fill(message)
-      else if (message.op === "share-waiting") change({sharing: "asked", sharingRefused: null})
+      else if (message.op === "program-changed") {
+        const {shown} = board.value
+        if (shown !== null && shown.pupil === message.pupil && shown.program === message.program)
+          change({shown: {...shown, name: message.name, newer: message.text}})
+      } else if (message.op === "share-waiting") change({sharing: "asked", sharingRefused: null})
       else if (
         message.op === "shared" ||
         message.op === "sharing-over" ||
@@ -90,13 +96,15 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
     send({op: "unlock", key})
   }
   const download = (task: BoardTask) => downloadHandIns(task, key ?? "")
+  const backUp = () =>
+    downloadZip("api/class-backup", `rosy-class-${new Date().toISOString().slice(0, 10)}.zip`, key ?? "")
   const openRun = (task: number, pupil: number) => {
     tabs.open(pupil)
     send({op: "open-run", task, pupil})
   }
   // Always the same window: a second press brings it to the front.
   const openProjector = () => void window.open(`./projector.html#key=${key ?? ""}`, "rosy-projector")
-  return {send, unlock, download, openRun, openProjector}
+  return {send, unlock, download, backUp, openRun, openProjector}
 }
 
 function hearSharing(message: SharingMessage | SharingBounds): void {
@@ -128,11 +136,14 @@ function openRunTabs() {
 }
 
 /// The programs of a task and a table of them, as a ZIP file; whether there was one.
-async function downloadHandIns(task: BoardTask, key: string): Promise<boolean> {
+const downloadHandIns = (task: BoardTask, key: string): Promise<boolean> =>
+  downloadZip(`api/hand-ins/${task.id}`, `${task.title}.zip`, key)
+
+async function downloadZip(path: string, name: string, key: string): Promise<boolean> {
   try {
-    const answer = await fetch(`api/hand-ins/${task.id}`, {headers: {"X-Rosy-Key": key}})
+    const answer = await fetch(path, {headers: {"X-Rosy-Key": key}})
     if (!answer.ok) return false
-    downloadBlob(`${task.title}.zip`, await answer.blob())
+    downloadBlob(name, await answer.blob())
     return true
   } catch (fault) {
     // The service is away.
@@ -153,7 +164,7 @@ async function show(message: BoardMessage & {readonly op: "program"}): Promise<v
   const address = `./?embed=board${await fragmentOf(message.text)}`
   const {nickname, id} = pupil
   change({
-    shown: {pupil: id, nickname, name: message.name, address, program: message.program},
+    shown: {pupil: id, nickname, name: message.name, address, program: message.program, newer: null},
     commentRefused: null,
     sharing: null,
     sharingRefused: null,

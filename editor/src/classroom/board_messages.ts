@@ -115,6 +115,13 @@ export type BoardMessage =
       /// Its identifier; `null` for a hand-in.
       readonly program: string | null
     }
+  | {
+      readonly op: "program-changed"
+      readonly pupil: number
+      readonly program: string
+      readonly name: string
+      readonly text: string
+    }
   | {readonly op: "comments"; readonly pupil: number; readonly comments: readonly OwnComment[]}
   | {readonly op: "sent"; readonly pages: number; readonly later: number}
   | {readonly op: "refused"; readonly reason: Refusal}
@@ -227,6 +234,7 @@ const boardMessage: Decoder<BoardMessage> = (value, path) => {
         "result",
         "run",
         "share-waiting",
+        "program-changed",
         ...sharingOps,
       ),
     ),
@@ -243,6 +251,14 @@ const boardMessage: Decoder<BoardMessage> = (value, path) => {
           code: get("code", string),
           addresses: get("addresses", list(string)),
           attention: get("attention", optional(string, null)),
+        }
+      case "program-changed":
+        return {
+          op,
+          pupil: get("pupil", number),
+          program: get("program", string),
+          name: get("name", string),
+          text: get("text", string),
         }
       case "share-waiting":
         return {op, pupil: get("pupil", number), program: get("program", string)}

@@ -7,18 +7,25 @@ import {board, change, type ShownProgram} from "./board_state.ts"
 
 interface Props {
   readonly shown: ShownProgram
+  /// The copy is as the pupil has saved it.
+  readonly follows: boolean
   readonly send: (request: BoardRequest) => void
 }
 
-export function BoardSharing({shown: {nickname, pupil, program}, send}: Props): VNode {
+export function BoardSharing({shown: {nickname, pupil, program}, follows, send}: Props): VNode {
   const w = words.classroom.board.sharing
   const {sharing, sharingLine, sharingRefused} = board.value
   const isGoing = sharing === "asked" || sharing === "on"
   return (
     <>
       <p role="status" class={sharing === "on" ? "" : "quiet"} data-testid="board-sharing">
-        {sharing === null ? words.classroom.board.readOnly : w[sharing](nickname)}
+        {sharing !== null
+          ? w[sharing](nickname)
+          : program === null
+            ? words.classroom.board.readOnly
+            : w.follows}
       </p>
+      {!isGoing && !follows && <p role="status">{w.changed}</p>}
       {sharing === "on" && sharingLine !== null && <p class="quiet">{w.line(nickname, sharingLine)}</p>}
       {sharingRefused !== null && (
         <p class="refused" role="alert">

@@ -14,6 +14,8 @@ export interface ShownProgram {
   readonly address: string
   /// Its identifier; `null` for a hand-in, which takes no comments on places.
   readonly program: string | null
+  /// The project file that the pupil has saved since.
+  readonly newer: string | null
 }
 
 export interface Board {

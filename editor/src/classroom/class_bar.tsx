@@ -3,6 +3,7 @@
 import type {Signal} from "@preact/signals"
 import type {VNode} from "preact"
 import {useLayoutEffect, useRef, useState} from "preact/hooks"
+import {privacyPage} from "../help/help_links.ts"
 import {TextEntry} from "../page/text_entry.tsx"
 import type {Program} from "../state/program.ts"
 import {words} from "../words/index.ts"
@@ -230,7 +231,12 @@ function JoinCard({desk}: Props): VNode {
           {w.without}
         </button>
       </p>
-      <p class="quiet class-privacy">{w.privacy}</p>
+      <p class="quiet class-privacy">
+        {w.privacy}{" "}
+        <a href={privacyPage} target="_blank" rel="noreferrer">
+          {words.readMore}
+        </a>
+      </p>
     </form>
   )
 }

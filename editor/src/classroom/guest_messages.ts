@@ -21,6 +21,8 @@ export type GuestMessage =
   | {readonly kind: "ready"}
   | {readonly kind: "chosen"; readonly chosen: ChosenPlace | null}
   | {readonly kind: "located"; readonly lines: readonly CommentLine[]}
+  /// Whether the copy is as the pupil has saved it; not after a change by the teacher.
+  | {readonly kind: "follows"; readonly follows: boolean}
   /// While the program is edited together: what the service has to know, and the line of the pupil's cursor.
   | {readonly kind: "sharing"; readonly message: SharingRequest}
   | {readonly kind: "line"; readonly line: number | null}
@@ -31,6 +33,8 @@ export type HostMessage =
   | {readonly kind: "share"; readonly nickname: string; readonly project: string; readonly text: string}
   | {readonly kind: "shared"; readonly message: SharingMessage}
   | {readonly kind: "end-sharing"}
+  /// The pupil has saved this project file.
+  | {readonly kind: "newer"; readonly project: string}
 
 /// Sends to a window if it shows a page of this service; the browser drops the message otherwise.
 export function post(to: Window, message: GuestMessage | HostMessage): void {

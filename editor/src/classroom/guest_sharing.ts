@@ -1,6 +1,9 @@
-/// Editing together on the page inside of the teacher's board: opens the pupil's program as it is, and edits it together until either ends it. Afterwards it is a copy.
+/// The pupil's program on the page inside of the teacher's board: a copy that follows what the pupil saves until the teacher changes it; while the two edit it together, the
+/// program itself.
 
+import {parseProject} from "@rosy/codegen"
 import type {DocumentEditor} from "../controller/document_editor.ts"
+import {normalizeLineEndings} from "../controller/line_endings.ts"
 import type {PageParts} from "../controller/page_parts.ts"
 import type {ProgramLoader} from "../controller/program_loader.ts"
 import type {Store} from "../state/store.ts"
@@ -21,10 +24,26 @@ export function openGuestSharing(
   post: (message: GuestMessage) => void,
 ): GuestSharing {
   let session: SharedSession | null = null
+  /// The text as the pupil has it.
+  let pupils = store.now.document.program.text
+  const follow = (project: string) => {
+    const parsed = parseProject(project)
+    if (session !== null || !parsed.ok) return
+    editor.flush()
+    const follows = store.now.document.program.text === pupils
+    if (follows) {
+      pupils = normalizeLineEndings(parsed.project.haskell)
+      editor.changeText(changesBetween(store.now.document.program.text, pupils))
+    }
+    post({kind: "follows", follows})
+  }
   const close = () => {
-    session?.close()
+    if (session === null) return
+    session.close()
     session = null
     parts.source?.endSharing()
+    editor.flush()
+    pupils = store.now.document.program.text
   }
   const end = () => {
     if (session === null) return
@@ -37,6 +56,7 @@ export function openGuestSharing(
     heard(message) {
       if (message.kind === "shared") session?.heard(message.message)
       else if (message.kind === "end-sharing") close()
+      else if (message.kind === "newer") follow(message.project)
       else {
         close()
         loader.openText(words.yourProgram, message.project)

@@ -20,11 +20,12 @@ interface Props {
 interface Guest {
   readonly isReady: boolean
   readonly chosen: ChosenPlace | null
+  readonly follows: boolean
   /// The lines of comments; `null` for a place that is gone.
   readonly lines: ReadonlyMap<number, number | null>
 }
 
-const noGuest: Guest = {isReady: false, chosen: null, lines: new Map()}
+const noGuest: Guest = {isReady: false, follows: true, chosen: null, lines: new Map()}
 
 export function ShownProgramDialog({shown, send}: Props): VNode {
   const w = words.classroom.board
@@ -54,6 +55,11 @@ export function ShownProgramDialog({shown, send}: Props): VNode {
       if (board.value.sharing === "asked" || board.value.sharing === "on") send({op: "end-sharing"})
     }
   }, [shown.address])
+  const {newer} = shown
+  useEffect(() => {
+    const page = frame.current?.contentWindow
+    if (guest.isReady && newer !== null && page) post(page, {kind: "newer", project: newer})
+  }, [guest.isReady, newer])
   const {program, pupil} = shown
   const comments = program === null ? [] : board.value.comments.filter(one => one.program === program)
   const told = JSON.stringify(comments)
@@ -66,7 +72,7 @@ export function ShownProgramDialog({shown, send}: Props): VNode {
     <dialog class="board-program" ref={dialog} aria-label={title} onClose={() => change({shown: null})}>
       <header>
         <h2>{title}</h2>
-        <BoardSharing shown={shown} send={send} />
+        <BoardSharing shown={shown} follows={guest.follows} send={send} />
         <button type="button" class="plain" onClick={() => change({shown: null})}>
           {w.close}
         </button>
@@ -101,6 +107,8 @@ function heard(guest: Guest, message: NewsOfGuest): Guest {
   switch (message.kind) {
     case "ready":
       return {...guest, isReady: true}
+    case "follows":
+      return {...guest, follows: message.follows}
     case "chosen":
       return {...guest, chosen: message.chosen}
     case "located":

@@ -45,6 +45,7 @@ __all__ = [
     "OpenTask",
     "Place",
     "PlacesShown",
+    "ProgramChanged",
     "ProgramShown",
     "PupilShown",
     "PupilsShown",
@@ -239,6 +240,15 @@ class ProgramShown(msgspec.Struct, tag="program", tag_field="op"):
     program: str | None = None
 
 
+class ProgramChanged(msgspec.Struct, tag="program-changed", tag_field="op"):
+    """Another version of the program that the board opened last is stored."""
+
+    pupil: int
+    program: str
+    name: str
+    text: str
+
+
 class Sent(msgspec.Struct, tag="sent", tag_field="op"):
     """It was sent to so many pages; so many pupils are not connected and get it when they are."""
 
@@ -292,6 +302,7 @@ BoardAnswer = (
     | RoomShown
     | PlacesShown
     | ProgramShown
+    | ProgramChanged
     | Sent
     | Refused
     | BoardTasks

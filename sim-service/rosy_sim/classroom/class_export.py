@@ -8,11 +8,10 @@ from __future__ import annotations
 import re
 import zipfile
 from datetime import UTC, datetime
-from typing import IO, cast
+from typing import IO, Protocol, cast
 
 import msgspec
 
-from ..atomic_file import AtomicFile
 from .class_store import ClassStore, Pupil, Version
 
 __all__ = ["safe_name", "write_export"]
@@ -21,10 +20,14 @@ _UNSAFE = re.compile(r"[^\w .-]")
 """Characters that some file systems refuse in names, and those that separate folders."""
 
 
+class _Target(Protocol):
+    def write(self, data: bytes, /) -> object: ...
+
+
 class _Stream:
     """A file as ``zipfile`` needs it for writing only; the target is flushed when it is complete."""
 
-    def __init__(self, target: AtomicFile) -> None:
+    def __init__(self, target: _Target) -> None:
         self._target = target
 
     def write(self, data: bytes) -> int:
@@ -35,7 +38,7 @@ class _Stream:
         """Nothing to do."""
 
 
-def write_export(store: ClassStore, target: AtomicFile) -> int:
+def write_export(store: ClassStore, target: _Target) -> int:
     """
     Write the ZIP file; returns the number of programs in it.
 

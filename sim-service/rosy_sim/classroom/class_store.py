@@ -131,6 +131,15 @@ class ClassStore:
             database.close()
             raise
 
+    def beside(self, now: float) -> ClassStore:
+        """
+        The same class, open once more, to read it while this one is used.
+
+        Raises:
+            StoreError: the database cannot be read.
+        """
+        return ClassStore(self._database.beside(), self.admission(), now)
+
     def close(self) -> None:
         """Close the database."""
         self._database.close()

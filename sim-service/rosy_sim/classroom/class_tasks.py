@@ -149,7 +149,7 @@ class ClassTasks:
         Store what a check tries, for the hand-ins that come after it.
 
         Raises:
-            sqlite3.Error: the disk is full or broken; nothing was changed.
+            StoreError: the disk is full or broken; nothing was changed.
         """
         encoded = msgspec.json.encode(request)
         await self._thread.call(lambda store: store.tasks.set_check(request.task, encoded))

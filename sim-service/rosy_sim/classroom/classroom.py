@@ -10,9 +10,12 @@ from __future__ import annotations
 import asyncio
 import logging
 import secrets
+import tempfile
 import time
 from collections.abc import Callable
+from contextlib import ExitStack, closing
 from dataclasses import dataclass, field
+from typing import IO
 
 import msgspec
 
@@ -23,6 +26,7 @@ from . import board_messages as b
 from . import pupil_messages as p
 from .check_messages import CheckResult, OpenRun, RunShown
 from .class_comments import ClassComments
+from .class_export import write_export
 from .class_store import ClassStore, Conflict, NicknameTaken, Pupil, Saved, StoreFull, Version
 from .class_tasks import ClassTasks
 from .database import StoreError
@@ -422,6 +426,35 @@ class Classroom:
         state = member.state
         return await self.projection.shown(member.pupil, member.changed, bool(state.pages), state.running)
 
+    def changed(self, pupil: int) -> float | None:
+        """When a program of a pupil was stored last, in s since 1970."""
+        member = self._members.get(pupil)
+        return None if member is None else member.changed
+
+    async def program_changed(self, shown: b.ProgramShown) -> b.ProgramChanged | None:
+        """
+        The newest version of a program if it is another than the one shown.
+
+        Raises:
+            StoreError: the database cannot be read.
+        """
+        if shown.program is None:
+            return None
+        latest = await self._store.call(ClassStore.latest, shown.pupil, shown.program)
+        if latest is None or (latest.name, latest.text) == (shown.name, shown.text):
+            return None
+        return b.ProgramChanged(shown.pupil, latest.program, latest.name, latest.text)
+
+    async def backup(self) -> IO[bytes]:
+        """
+        Everything that the class stores, as the ZIP file of ``./rosy class export``, from its start.
+
+        Raises:
+            StoreError: the database cannot be read.
+            OSError: it is full.
+        """
+        return await asyncio.to_thread(_backup, await self._store.call(ClassStore.beside, time.time()))
+
     async def _newest_program(self, pupil: int) -> Version | None:
         return next(iter(await self._store.call(ClassStore.programs, pupil)), None)
 
@@ -438,3 +471,13 @@ class Classroom:
 
 def _participant(page: PupilPage) -> Participant:
     return Participant(page, page.put)
+
+
+def _backup(store: ClassStore) -> IO[bytes]:
+    # A store of its own, so that pupils' pages save meanwhile. The file has no name and is gone when it is closed.
+    with closing(store), ExitStack() as stack:
+        file = stack.enter_context(tempfile.TemporaryFile())
+        write_export(store, file)
+        file.seek(0)
+        stack.pop_all()
+        return file

@@ -61,6 +61,14 @@ class Database(Protocol):
     def migrate(self, statements: Sequence[str], number: int) -> None:
         """Apply the migration of that number, as one transaction."""
 
+    def beside(self) -> Database:
+        """
+        A connection of its own to the same class, to read it meanwhile.
+
+        Raises:
+            StoreError: there is none to be had.
+        """
+
     def close(self) -> None:
         """Close it."""
 
@@ -69,6 +77,7 @@ class SqliteDatabase:
     """A file in WAL mode; it is created when it does not exist."""
 
     def __init__(self, path: Path) -> None:
+        self._path = path
         with _as_store_error():
             # Autocommit: transactions are explicit. One thread at a time uses it (`store_thread.py`).
             self._connection = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
@@ -105,6 +114,10 @@ class SqliteDatabase:
             for statement in statements:
                 self.execute(statement)
             self.execute(f"PRAGMA user_version = {number}")
+
+    def beside(self) -> SqliteDatabase:
+        """``Database.beside``."""
+        return SqliteDatabase(self._path)
 
     def close(self) -> None:
         """Close the file; the journal is merged into it."""

@@ -117,6 +117,10 @@ class PostgresqlDatabase:
                 self.execute(statement)
             self.execute("INSERT INTO migration VALUES (?)", (number,))
 
+    def beside(self) -> PostgresqlDatabase:
+        """``Database.beside``."""
+        return PostgresqlDatabase(self._url, self._name, patience=None)
+
     def close(self) -> None:
         """Close the connection, and so free the class."""
         self._connection.close()

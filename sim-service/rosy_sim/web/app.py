@@ -16,14 +16,16 @@ from urllib.parse import urlsplit
 
 import msgspec
 from starlette.applications import Starlette
+from starlette.background import BackgroundTask
 from starlette.middleware import Middleware
 from starlette.requests import Request
-from starlette.responses import JSONResponse, PlainTextResponse, RedirectResponse, Response
+from starlette.responses import JSONResponse, PlainTextResponse, RedirectResponse, Response, StreamingResponse
 from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from ..classroom.class_store import ClassStore
 from ..classroom.classroom import Classroom
+from ..classroom.database import StoreError
 from ..classroom.hand_in_checks import HandInChecks
 from ..config import Config
 from ..errors import BadInput, RosyError
@@ -217,14 +219,37 @@ class Service:
 
     # HTTP
 
-    async def hand_ins(self, request: Request) -> Response:
-        """What was handed in for a task, as a ZIP file, for a board that gives the teacher's key."""
-        classroom = self.classroom
-        if classroom is None:
+    def _class_of_teacher(self, request: Request) -> Classroom | Response:
+        """The class for a board that gives the teacher's key; a refusal for others."""
+        if self.classroom is None:
             return _failure(tr("There is no class."), 404)
         address = request.client.host if request.client is not None else ""
-        if not classroom.admits_teacher(request.headers.get("x-rosy-key", ""), address):
+        if not self.classroom.admits_teacher(request.headers.get("x-rosy-key", ""), address):
             return _failure(tr("This is not the teacher's key."), 403)
+        return self.classroom
+
+    async def backup(self, request: Request) -> Response:
+        """Everything that the class stores, as a ZIP file."""
+        classroom = self._class_of_teacher(request)
+        if isinstance(classroom, Response):
+            return classroom
+        try:
+            file = await classroom.backup()
+        except (StoreError, OSError) as error:
+            return _failure(tr("The class cannot be read or stored: {why}", why=error), 500)
+        chunks = iter(lambda: file.read(65536), b"")
+        return StreamingResponse(
+            chunks,
+            media_type="application/zip",
+            headers={"Cache-Control": "no-store"},
+            background=BackgroundTask(file.close),
+        )
+
+    async def hand_ins(self, request: Request) -> Response:
+        """What was handed in for a task, as a ZIP file, for a board that gives the teacher's key."""
+        classroom = self._class_of_teacher(request)
+        if isinstance(classroom, Response):
+            return classroom
         found = await classroom.hand_ins_zip(request.path_params["task"])
         if found is None:
             return _failure(tr("There is no such task."), 404)
@@ -428,6 +453,7 @@ def build_app(
         routes.append(Route("/board", _board))
         routes.append(Route("/projector", _projector))
         routes.append(Route("/api/hand-ins/{task:int}", service.hand_ins))
+        routes.append(Route("/api/class-backup", service.backup))
     if config.api_docs.is_dir():
         routes.append(Mount("/api-docs", StaticPages(directory=config.api_docs, html=True)))
     if config.page.is_dir():

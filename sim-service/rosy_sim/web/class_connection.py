@@ -11,6 +11,7 @@ from collections.abc import Awaitable, Callable
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from ..classroom.board_messages import ProgramShown
 from ..classroom.message_fields import BadRequest, Refused, encode
 from ..token_bucket import TokenBucket
 
@@ -35,6 +36,8 @@ class ClassConnection:
         self.overflowed = asyncio.Event()
         # The task whose results a board shows.
         self.results_of: int | None = None
+        # The program that a board opened last, as it was told.
+        self.followed: ProgramShown | None = None
         # The pupil whose comments a board shows.
         self.comments_of: int | None = None
 

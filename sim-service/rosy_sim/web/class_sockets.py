@@ -142,7 +142,8 @@ class ClassSockets:
         match request:
             case b.OpenProgram():
                 connection.comments_of = request.pupil
-                connection.put(await self._classroom.program_shown(request))
+                connection.followed = await self._classroom.program_shown(request)
+                connection.put(connection.followed)
             case b.SetAttention():
                 self._classroom.set_attention(request.message)
             case b.LowerHand():
@@ -192,6 +193,7 @@ class ClassSockets:
         shown: b.PupilsShown | None = None
         tasks: b.BoardTasks | None = None
         comments: b.CommentsShown | None = None
+        looked: tuple[b.ProgramShown | None, float | None] = (None, None)
         projecting = Projecting(None, False, False)
         checking = Checking()
         results: dict[tuple[int, int], bytes] = {}
@@ -210,6 +212,11 @@ class ClassSockets:
                     if commented != comments:
                         comments = commented
                         connection.put(commented)
+                if (followed := connection.followed) is not None:
+                    current = followed, self._classroom.changed(followed.pupil)
+                    if current != looked:
+                        looked = current
+                        await self._tell_change(connection, followed)
                 if (choice := self._classroom.projection.choice) != projecting:
                     projecting = choice
                     connection.put(choice)
@@ -225,6 +232,18 @@ class ClassSockets:
                 if moved := self._new_places(places):
                     connection.put(b.PlacesShown(moved))
             await asyncio.sleep(_PLACES_PERIOD)
+
+    async def _tell_change(self, connection: ClassConnection, followed: b.ProgramShown) -> None:
+        try:
+            changed = await self._classroom.program_changed(followed)
+        except StoreError as error:
+            _log.error("%s", in_terminal(tr("The class cannot be read or stored: {why}", why=error)))
+            connection.put(Refused("disk"))
+            return
+        # The board may have opened another one meanwhile.
+        if changed is not None and connection.followed is followed:
+            connection.followed = b.ProgramShown(followed.pupil, changed.name, changed.text, changed.program)
+            connection.put(changed)
 
     def _new_results(self, task: int | None, known: dict[tuple[int, int], bytes]) -> list[ResultShown]:
         """The results of a task that are not those in ``known``, where they are entered."""

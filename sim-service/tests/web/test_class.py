@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+import io
 import json
+import zipfile
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import AsyncExitStack, asynccontextmanager
 from typing import Any
 
+import httpx
 import pytest
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import InvalidStatus
@@ -380,3 +383,46 @@ def test_without_class_mode_there_is_no_class(config: Config) -> None:
                 await connect(f"ws://{address}/api/board", **UNHURRIED).__aenter__()
 
     asyncio.run(run())
+
+
+def test_the_board_follows_the_program_that_it_has_opened(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        ada, entered = await opened.pupil("Ada")
+        first = await save(ada, "one")
+        board = await opened.board()
+        await board.send("open", pupil=entered["pupil"])
+        assert (await board.op("program"))["text"] == "one"
+        other = await save(ada, "another program", program="q")
+        await save(ada, "three", base=first["version"], mark="m-three")
+        changed = await board.op("program-changed")
+        assert changed == {
+            "op": "program-changed",
+            "pupil": entered["pupil"],
+            "program": "p",
+            "name": "walk",
+            "text": "three",
+        }
+        # Now the other program.
+        await board.send("open", pupil=entered["pupil"], program="q")
+        assert (await board.op("program"))["text"] == "another program"
+        await save(ada, "another one", program="q", base=other["version"], mark="m-q")
+        assert (await board.op("program-changed"))["text"] == "another one"
+
+    in_class(config, lesson)
+
+
+def test_the_backup_has_everything_and_needs_the_key(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        ada, _ = await opened.pupil("Ada")
+        await save(ada, "one")
+        async with httpx.AsyncClient(base_url=f"http://{opened.address}", timeout=PATIENCE) as http:
+            for headers in ({}, {"X-Rosy-Key": opened.code}):
+                assert (await http.get("/api/class-backup", headers=headers)).status_code == 403
+            answer = await http.get("/api/class-backup", headers={"X-Rosy-Key": opened.key})
+        with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
+            assert archive.read("001 Ada/walk.rosy").decode() == "one"
+            content = json.loads(archive.read("class.json"))
+        assert [pupil["nickname"] for pupil in content["pupils"]] == ["Ada"]
+        assert opened.key not in str(content)
+
+    in_class(config, lesson)

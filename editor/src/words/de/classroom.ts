@@ -176,7 +176,13 @@ export const classroom: Words["classroom"] = {
       removeOf: text => `Zurücknehmen: „${text}“`,
       count: (done, of) => `${done} von ${of} Kommentaren erledigt`,
     },
+    backUp: "Klasse sichern (ZIP)",
+    backUpHint: "Alle Programme mit allen Versionen, Aufgaben und Abgaben, als eine Datei.",
     sharing: {
+      follows:
+        "Eine Kopie zum Ansehen und Ausführen. Sie folgt dem, was das Kind speichert; Änderungen hier erreichen das Kind nicht.",
+      changed:
+        "Sie haben diese Kopie geändert, deshalb folgt sie dem Kind nicht mehr. Öffnen Sie sie neu, um die neueste Version zu sehen.",
       ask: "Fragen, ob wir zusammen bearbeiten",
       withdraw: "Frage zurücknehmen",
       asked: nickname => `${nickname} wurde gefragt, ob Sie das Programm zusammen bearbeiten dürfen.`,

@@ -171,7 +171,13 @@ export const classroom = {
       removeOf: (text: string) => `Take back “${text}”`,
       count: (done: number, of: number) => `${done} of ${of} comments done`,
     },
+    backUp: "Back up the class (ZIP)",
+    backUpHint: "All programs with all versions, tasks and what was handed in, as one file.",
     sharing: {
+      follows:
+        "A copy to look at and to run. It follows what the pupil saves; changes here do not reach the pupil.",
+      changed:
+        "You have changed this copy, so it no longer follows the pupil. Open it again to see the newest version.",
       ask: "Ask to edit together",
       withdraw: "Take back the question",
       asked: (nickname: string) => `${nickname} was asked whether you may edit the program together.`,

@@ -175,7 +175,13 @@ export const classroom: Words["classroom"] = {
       removeOf: text => `Retirar «${text}»`,
       count: (done, of) => `${done} de ${of} comentarios hechos`,
     },
+    backUp: "Hacer copia de seguridad de la clase (ZIP)",
+    backUpHint: "Todos los programas con todas sus versiones, las tareas y lo entregado, en un archivo.",
     sharing: {
+      follows:
+        "Una copia para mirar y ejecutar. Sigue lo que el alumno guarda; los cambios de aquí no llegan al alumno.",
+      changed:
+        "Has cambiado esta copia, así que ya no sigue al alumno. Ábrela de nuevo para ver la versión más reciente.",
       ask: "Pedir editar juntos",
       withdraw: "Retirar la pregunta",
       asked: nickname => `Se ha preguntado a ${nickname} si podéis editar el programa juntos.`,

@@ -180,7 +180,14 @@ export const classroom: Words["classroom"] = {
       removeOf: text => `Retirer « ${text} »`,
       count: (done, of) => `${done} commentaires faits sur ${of}`,
     },
+    backUp: "Sauvegarder la classe (ZIP)",
+    backUpHint:
+      "Tous les programmes avec toutes leurs versions, les tâches et ce qui a été rendu, dans un fichier.",
     sharing: {
+      follows:
+        "Une copie à regarder et à exécuter. Elle suit ce que l'élève enregistre ; les changements faits ici n'atteignent pas l'élève.",
+      changed:
+        "Vous avez changé cette copie, elle ne suit donc plus l'élève. Rouvrez-la pour voir la version la plus récente.",
       ask: "Demander à modifier ensemble",
       withdraw: "Retirer la question",
       asked: nickname => `On a demandé à ${nickname} si vous pouvez modifier le programme ensemble.`,

@@ -174,7 +174,13 @@ export const classroom: Words["classroom"] = {
       removeOf: text => `Retirar “${text}”`,
       count: (done, of) => `${done} de ${of} comentários feitos`,
     },
+    backUp: "Fazer cópia de segurança da turma (ZIP)",
+    backUpHint: "Todos os programas com todas as versões, tarefas e entregas, em um arquivo.",
     sharing: {
+      follows:
+        "Uma cópia para ver e executar. Ela acompanha o que o aluno salva; as mudanças aqui não chegam ao aluno.",
+      changed:
+        "Você mudou esta cópia, por isso ela não acompanha mais o aluno. Abra-a de novo para ver a versão mais recente.",
       ask: "Pedir para editar juntos",
       withdraw: "Retirar o pedido",
       asked: nickname => `Perguntamos a ${nickname} se vocês podem editar o programa juntos.`,
