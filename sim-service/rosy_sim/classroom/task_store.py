@@ -101,7 +101,7 @@ class TaskStore:
 
     def set_check(self, task: int, check: bytes) -> None:
         """Set the newest check of all hand-ins."""
-        with self._transaction():
+        with self._database.transaction():
             self._database.execute("UPDATE task SET check_settings = ? WHERE id = ?", (check, task))
 
     def hand_in(self, task: int, pupil: int, name: str, text: str, now: float, fingerprint: str = "") -> None:
