@@ -164,10 +164,11 @@ class Service:
             await socket.close(_POLICY_VIOLATION)
             return
         await socket.accept()
+        turns = PageTurns(self._loop_scheduler, socket.client.host if socket.client is not None else "")
         client = session.join()
         try:
             await _first_completed(
-                _receive_ros(socket, session, client), _send_ros(socket, client), session.closed.wait()
+                _receive_ros(socket, session, client, turns), _send_ros(socket, client), session.closed.wait()
             )
         finally:
             session.leave(client)
@@ -347,7 +348,7 @@ async def _receive(socket: WebSocket, session: PageSession, turns: PageTurns) ->
             await asyncio.sleep(wait)
 
 
-async def _receive_ros(socket: WebSocket, session: PageSession, client: RosClient) -> None:
+async def _receive_ros(socket: WebSocket, session: PageSession, client: RosClient, turns: PageTurns) -> None:
     now = asyncio.get_running_loop().time
     limit = TokenBucket(_ROS_RATE, _ROS_RATE, now())
     while True:
@@ -355,7 +356,8 @@ async def _receive_ros(socket: WebSocket, session: PageSession, client: RosClien
         if message["type"] == "websocket.disconnect":
             return
         text = message.get("text") or message.get("bytes") or ""
-        session.receive_ros(client, text)
+        async with turns.turn(len(text)):
+            session.receive_ros(client, text)
         if wait := limit.overdraw(message_cost(len(text)), now()):
             await asyncio.sleep(wait)
 
