@@ -16,7 +16,9 @@ import type {ExactCount} from "./exact_texts.ts"
 import {exactTexts} from "./exact_texts.ts"
 import type {Renames} from "./export_list.ts"
 import {renamedExports, renamesBetween} from "./export_list.ts"
+import {meaningOf} from "./model_parts.ts"
 import type {Module, Piece, Reader} from "./module_reader.ts"
+import {sameFixities} from "./module_reader.ts"
 import {writeBack} from "./text_patches.ts"
 import {advance, firstFree} from "./text_synchronization.ts"
 import {hashTree, transferIdentity} from "./tree_matching.ts"
@@ -150,11 +152,22 @@ function settle(
     return advance(reader, from, text, {}, () => false)
   }
   let n = 0
+  let nextId = view.nextId
   const own = definedIn(module)
+  const regroups = !sameFixities(view.module, module)
   const declarations = order.map((s, k): Shown => {
     const {piece, i} = pieces[k] as {piece: Piece; i: number}
     const name = piece.names[0] ?? "_"
     if (s.dimmed) return {...s, name, piece: i}
+    if (regroups && !touched.has(s.block.id) && saysOther(view.module.pieces[s.piece], piece)) {
+      // Another fixity: the text of this definition is as before, and its operators group in another way.
+      const built = buildBlocks(piece, () => `t${nextId++}`, own)
+      if (built !== undefined) {
+        const {block, ids} = transferIdentity(s.block, built.block)
+        const spans = built.spans.map(x => ({...x, block: ids.get(x.block) ?? x.block}))
+        return {name, piece: i, block, dimmed: false, spans}
+      }
+    }
     if (s.spans.length > 0 && !touched.has(s.block.id)) return {...s, name, piece: i}
     const built = buildBlocks(piece, () => `n${n++}`, own)
     const ids = built === undefined ? new Map<string, string>() : transferIdentity(s.block, built.block).ids
@@ -164,7 +177,15 @@ function settle(
     })
     return {name, piece: i, block: s.block, dimmed: false, spans}
   })
-  return {...view, text, module, declarations}
+  return {...view, text, module, declarations, nextId}
+}
+
+function saysOther(before: Piece | undefined, now: Piece): boolean {
+  return (
+    before?.declaration !== undefined &&
+    now.declaration !== undefined &&
+    meaningOf(before.declaration) !== meaningOf(now.declaration)
+  )
 }
 
 function sameText(before: Piece | undefined, now: Piece): boolean {

@@ -13,9 +13,12 @@ import type {MovedTexts} from "./moved_texts.ts"
 import {isItem, written} from "./moved_texts.ts"
 import {nameEdits} from "./name_edits.ts"
 import type {Source} from "./source_fragments.ts"
-import {bracketsAround, columnAt, rangeOf, withBrackets, withComments} from "./source_fragments.ts"
+import {bracketsAround, columnAt, indentAt, rangeOf, withBrackets, withComments} from "./source_fragments.ts"
 import type {Edit} from "./text_edits.ts"
 import {applied, withShiftedLayout} from "./text_edits.ts"
+
+/// Which items of two versions of a list belong together: equal ones, also where they have moved, or those in the same place.
+export type Pairing = "moved" | "in place"
 
 /// The new text; undefined when the whole definition has to be printed. Nodes deeper than `depth` are not compared.
 export function editedText(
@@ -23,8 +26,9 @@ export function editedText(
   now: {root: Node; source: Source},
   moved: MovedTexts,
   depth: number,
+  pairing: Pairing = "moved",
 ): {text: string; deepest: number} | undefined {
-  const printing = new ExactPrinting(before.source, now.source, moved, depth)
+  const printing = new ExactPrinting(before.source, now.source, moved, depth, pairing)
   const edits = printing.compare(before.root, now.root, 0)
   if (edits === undefined) return undefined
   const shifted = withShiftedLayout(before, edits)
@@ -36,13 +40,15 @@ class ExactPrinting {
   private readonly now: Source
   private readonly moved: MovedTexts
   private readonly depth: number
+  private readonly pairing: Pairing
   deepest = 0
 
-  constructor(before: Source, now: Source, moved: MovedTexts, depth: number) {
+  constructor(before: Source, now: Source, moved: MovedTexts, depth: number, pairing: Pairing) {
     this.before = before
     this.now = now
     this.moved = moved
     this.depth = depth
+    this.pairing = pairing
   }
 
   /// The edits inside of a node; undefined when the node has to be replaced.
@@ -83,20 +89,36 @@ class ExactPrinting {
     if (isItem(old) !== isItem(fresh)) return undefined
     if (isItem(old)) {
       const range = withComments(this.before, from, a.start)
-      return [{...range, text: written(this.now, this.moved, fresh, b, columnAt(this.before, range.start))}]
+      return [{...range, text: this.text(fresh, b, columnAt(this.before, range.start), range)}]
     }
     const around = bracketsAround(this.before, from, a)
     const needed = bracketsAround(this.now, to, b) !== undefined
     // Brackets that the old part needed go with it; others stay.
-    const {places, lists} = partsOf(old)
     const all =
-      around !== undefined && !needed && (places.length > 0 || lists.length > 0)
-        ? withBrackets(this.before, from, a)
-        : from
+      around !== undefined && !needed && mayNeedBrackets(old) ? withBrackets(this.before, from, a) : from
+    const dollar =
+      old.kind === "do" && saidByBlocks(fresh).kind !== "do" ? this.dollarBefore(all, a) : undefined
+    if (dollar !== undefined) {
+      // The steps after `$` are an argument of the call; another argument stands there in brackets.
+      const own = this.text(fresh, b, columnAt(this.before, dollar) + 1, all)
+      return [{start: dollar, end: all.end, text: `(${own})`}]
+    }
     const open = needed && around === undefined ? "(" : ""
-    const text = written(this.now, this.moved, fresh, b, columnAt(this.before, all.start) + open.length)
+    const text = this.text(fresh, b, columnAt(this.before, all.start) + open.length, all)
     const below = open === "" ? this.onOwnLines(fresh, to, text, all, a, b) : undefined
     return [below ?? spaced(this.before, {...all, text: open === "" ? text : `(${text})`})]
+  }
+
+  /// Where the `$` before a part stands.
+  private dollarBefore(part: Range, a: Range): number | undefined {
+    const lead = /(?<![!#$%&*+./<=>?@\\^|~:-])\$\s*$/.exec(this.before.text.slice(a.start, part.start))
+    return lead === null ? undefined : a.start + lead.index
+  }
+
+  /// A new node as text for a place of the old definition.
+  private text(fresh: Node, b: Range, column: number, place: Range, startsLine = false): string {
+    const indent = startsLine ? column : indentAt(this.before, place.start)
+    return written(this.now, this.moved, fresh, b, column, {...place, source: this.before, indent})
   }
 
   /// A new part of several lines that the pretty-printer begins on a line of its own: it does so here, too.
@@ -119,7 +141,7 @@ class ExactPrinting {
     return {
       start,
       end: place.end,
-      text: `\n${" ".repeat(column)}${written(this.now, this.moved, fresh, b, column)}`,
+      text: `\n${" ".repeat(column)}${this.text(fresh, b, column, place, true)}`,
     }
   }
 
@@ -135,6 +157,14 @@ class ExactPrinting {
     const pairs = [...equalItems(was, is), [old.length, fresh.length] as [number, number]]
     if (old.length === 0 || fresh.length === 0) return old.length === fresh.length ? [] : undefined
     const edits: Edit[] = []
+    if (this.pairing === "in place" && old.length === fresh.length) {
+      for (const [i, node] of old.entries()) {
+        const edit = was[i] === is[i] ? [] : this.change(node, fresh[i] as Node, a, b, level)
+        if (edit === undefined) return undefined
+        edits.push(...edit)
+      }
+      return edits
+    }
     let [from, to] = [0, 0]
     for (const [i, k] of pairs) {
       const [gone, come] = [old.slice(from, i), fresh.slice(to, k)]
@@ -194,10 +224,16 @@ class ExactPrinting {
         : newline === -1
           ? columnAt(this.before, start) + between.length
           : between.length - newline - 1
-    const text = written(this.now, this.moved, fresh, b, at + (needed ? 1 : 0))
+    const text = this.text(fresh, b, at + (needed ? 1 : 0), beside, separator === "line")
     const own = needed ? `(${text})` : text
     return {start, end: start, text: last === -1 ? own + between : between + own}
   }
+}
+
+/// Whether a part stands in brackets where it is an argument; a single word does not, unless it is a negative number.
+function mayNeedBrackets(node: Node): boolean {
+  const {places, lists} = partsOf(node)
+  return places.length > 0 || lists.length > 0 || ("text" in node && String(node.text).startsWith("-"))
 }
 
 /// The edit with a blank where words would run together.

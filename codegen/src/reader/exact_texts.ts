@@ -9,6 +9,7 @@ import {editedText} from "./exact_printing.ts"
 import {meaningOf} from "./model_parts.ts"
 import type {Module, Piece, Reader} from "./module_reader.ts"
 import {movedTexts} from "./moved_texts.ts"
+import type {Source} from "./source_fragments.ts"
 import {sourceOf} from "./source_fragments.ts"
 import {writeBack} from "./text_patches.ts"
 
@@ -34,17 +35,24 @@ export function exactTexts(
   if (kept.size === 0) return found
   const printed = reader.read(writeBack(module, {pieces: kept, added: []}))
   if (printed.pieces.length !== module.pieces.length) return found
-  const sources = [...edits.keys()].flatMap(i => {
-    const piece = module.pieces[i]
-    return piece?.declaration === undefined || piece.declaration.kind === "raw-declaration"
-      ? []
-      : [{root: piece.declaration, source: sourceOf(piece)}]
-  })
-  const moved = movedTexts(sources)
+  const sources = new Map(
+    [...edits.keys()].flatMap((i): [number, Source][] => {
+      const piece = module.pieces[i]
+      return piece?.declaration === undefined || piece.declaration.kind === "raw-declaration"
+        ? []
+        : [[i, sourceOf(piece)]]
+    }),
+  )
+  const moved = movedTexts(
+    [...sources].flatMap(([i, source]) => {
+      const root = module.pieces[i]?.declaration
+      return root === undefined ? [] : [{root, source}]
+    }),
+  )
   for (const i of kept.keys()) {
     const [piece, target] = [module.pieces[i], printed.pieces[i]]
     if (piece === undefined || target === undefined) continue
-    const result = exactText(reader, module, kept, i, piece, target, moved)
+    const result = exactText(reader, module, kept, i, sources.get(i) ?? sourceOf(piece), target, moved)
     if (result === undefined) count.printed++
     else {
       if (result.tries === 1) count.exact++
@@ -60,19 +68,19 @@ function exactText(
   module: Module,
   edits: ReadonlyMap<number, Declaration | undefined>,
   i: number,
-  piece: Piece,
+  source: Source,
   target: Piece,
   moved: ReturnType<typeof movedTexts>,
 ): {text: string; tries: number} | undefined {
-  const edited = edits.get(i)
-  if (edited === undefined || piece.declaration === undefined || target.declaration === undefined)
+  const [piece, edited] = [module.pieces[i], edits.get(i)]
+  if (edited === undefined || piece?.declaration === undefined || target.declaration === undefined)
     return undefined
   if (piece.declaration.kind !== target.declaration.kind) return undefined
   if (piece.broken && piece.declaration.kind === "raw-declaration") return undefined
   // A comment that changes and stood inside of the definition has no place of its own.
   const remark = piece.declaration.comment ?? ""
   if (remark !== (edited.comment ?? "") && remark !== piece.remarkText) return undefined
-  const before = {root: piece.declaration, source: sourceOf(piece)}
+  const before = {root: piece.declaration, source}
   const now = {root: target.declaration, source: sourceOf(target)}
   if (
     meaningOf(before.root) === meaningOf(now.root) &&
@@ -85,9 +93,14 @@ function exactText(
   let depth = Number.MAX_SAFE_INTEGER
   let last: string | undefined
   for (let tries = 1; tries <= 8 && depth >= 0; tries++) {
-    const made = editedText(before, now, moved, depth)
-    if (made === undefined) return undefined
-    if (made.text !== last) {
+    let deepest = -1
+    // Items that changed places bring their comments along; where that is not possible, each place keeps the comments around it.
+    for (const pairing of ["moved", "in place"] as const) {
+      const made = editedText(before, now, moved, depth, pairing)
+      if (made === undefined) continue
+      deepest = Math.max(deepest, made.deepest)
+      if (made.text === last) continue
+      last = made.text
       const again = reader.read(
         writeBack(module, {
           pieces: new Map([[i, edited]]),
@@ -103,9 +116,9 @@ function exactText(
         commentWords(read.slice) === words
       )
         return {text: made.text, tries}
-      last = made.text
     }
-    depth = Math.min(made.deepest, depth) - 1
+    if (deepest < 0) return undefined
+    depth = Math.min(deepest, depth) - 1
   }
   return undefined
 }

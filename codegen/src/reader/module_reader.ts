@@ -55,6 +55,12 @@ export interface Module {
   readonly fixities: ReadonlyMap<string, Fixity>
 }
 
+/// Whether two modules group operators alike. Where not, a definition may say something else though its text is the same.
+export function sameFixities(one: Module, other: Module): boolean {
+  const said = ({fixities}: Module) => [...fixities].map(([op, f]) => `${op} ${f.precedence} ${f.associates}`)
+  return said(one).sort().join("\n") === said(other).sort().join("\n")
+}
+
 interface Converted {
   readonly declaration: Declaration
   readonly broken: boolean

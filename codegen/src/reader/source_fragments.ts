@@ -32,6 +32,13 @@ export function endColumn(text: string, column: number): number {
   return columnAt({text, column}, text.length)
 }
 
+/// The indentation of the line of a place.
+export function indentAt(source: {text: string; column: number}, at: number): number {
+  const line = source.text.lastIndexOf("\n", at - 1) + 1
+  const blanks = /^[ \t]*/.exec(source.text.slice(line))?.[0].length ?? 0
+  return line === 0 ? source.column + blanks : blanks
+}
+
 /// Whether only blanks stand before a place on its line.
 export function startsLine(source: Source, at: number): boolean {
   const line = source.text.lastIndexOf("\n", at - 1)

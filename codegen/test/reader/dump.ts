@@ -1,4 +1,5 @@
-/// GHC's dump of a renamed module (`-ddump-rn-ast`) as a tree that can be compared: without places, brackets and other looks.
+/// GHC's dump of a parsed or renamed module (`-ddump-parsed-ast`, `-ddump-rn-ast`) as a tree that can be compared: without places, brackets and
+/// other looks; and where two such trees differ.
 
 export type Dump = string | readonly Dump[]
 
@@ -69,4 +70,43 @@ function fieldByField(field: readonly Dump[]): Dump[] {
     .flatMap((name): Dump[] =>
       name === "," ? [","] : [field.map((x, i): Dump => (i === at ? ["[", name] : x))],
     )
+}
+
+/// A parsed module whose chains of operators, which the parser nests to the left until fixities are known, are flat lists.
+export function withChains(d: Dump): Dump {
+  if (!isList(d)) return d
+  return head(d) === "OpApp" ? ["(", "Chain", ...operandsOf(d).map(withChains)] : d.map(withChains)
+}
+
+function operandsOf(d: readonly Dump[]): readonly Dump[] {
+  // The node, its extension field, the left side, the operator and the right side.
+  const [, , , left, operator, right] = d
+  if (left === undefined || operator === undefined || right === undefined) return d
+  const inner = isList(left) ? left.find(x => head(x) === "OpApp") : undefined
+  return [...(isList(inner) ? operandsOf(inner) : [left]), operator, right]
+}
+
+/// The smallest parts in which two trees differ.
+export function differenceOf(a: Dump, b: Dump): readonly [readonly Dump[], readonly Dump[]] {
+  if (!isList(a) || !isList(b)) return a === b ? [[], []] : [[a], [b]]
+  const [one, other] = [a.map(x => JSON.stringify(x)), b.map(x => JSON.stringify(x))]
+  if (a.length === b.length) {
+    const parts = a.flatMap((x, i) => (one[i] === other[i] ? [] : [differenceOf(x, b[i] ?? [])]))
+    return [parts.flatMap(p => p[0]), parts.flatMap(p => p[1])]
+  }
+  const shorter = Math.min(a.length, b.length)
+  let start = 0
+  while (start < shorter && one[start] === other[start]) start++
+  let end = 0
+  while (end < shorter - start && one[a.length - 1 - end] === other[b.length - 1 - end]) end++
+  return [a.slice(start, a.length - end), b.slice(start, b.length - end)]
+}
+
+/// The names in parts of a parsed module, as they are written.
+export function namesIn(parts: readonly Dump[]): readonly string[] {
+  return parts.flatMap(part => {
+    if (isList(part)) return namesIn(part)
+    const name = /^\{OccName: ([\s\S]*)\}$/.exec(part)?.[1]
+    return name === undefined ? [] : [name]
+  })
 }

@@ -4,50 +4,13 @@ import {beforeAll, expect, test} from "vitest"
 import type {Reader, View} from "../../src/reader/index.ts"
 import {openView, syncBlocks, workspaceOf} from "../../src/reader/index.ts"
 import type {SavedBlock} from "../../src/serialized_blocks.ts"
-import {cases, rerun, seed} from "../extent.ts"
-import {Dice} from "../generate/random.ts"
-import {breathe} from "../process.ts"
 import {everyBlock} from "./agreement.ts"
-import {editKinds, outcomeOf, randomEdit} from "./exact_edits.ts"
-import {corpus, testReader} from "./open.ts"
-
-// `EDITS=20000 npx vitest run test/reader/exact.test.ts` makes more edits and reports what they changed.
-const edits = Number(process.env.EDITS ?? cases(5000))
+import {testReader} from "./open.ts"
 
 let reader: Reader
 beforeAll(async () => {
   reader = await testReader()
 })
-
-test("random edits change their own characters, and the text says what the workspace says", async () => {
-  const dice = new Dice(seed)
-  const views = corpus.map(p => openView(reader, p.text))
-  const counts = new Map<string, {edits: number; larger: number; printed: number; characters: number}>()
-  for (let done = 0, tried = 0; done < edits && tried < 20 * edits; tried++) {
-    const kind = editKinds[tried % editKinds.length] ?? "number"
-    const view = dice.pick(views)
-    const edit = randomEdit(view, dice, kind)
-    if (edit === undefined) continue
-    if (done++ % 50 === 0) await breathe()
-    const outcome = outcomeOf(reader, view, edit)
-    const message = `${kind}, ${rerun}\n${outcome.before}\n=====>\n${outcome.after}`
-    expect(outcome.agrees, message).toBe(true)
-    expect(outcome.comments, message).toBe(true)
-    expect(outcome.own, message).toBe(true)
-    const count = counts.get(kind) ?? {edits: 0, larger: 0, printed: 0, characters: 0}
-    counts.set(kind, {
-      edits: count.edits + 1,
-      larger: count.larger + outcome.larger,
-      printed: count.printed + outcome.printed,
-      characters: count.characters + outcome.changed,
-    })
-  }
-  const all = [...counts.values()].reduce((sum, c) => sum + c.edits, 0)
-  const printed = [...counts.values()].reduce((sum, c) => sum + c.printed, 0)
-  if (process.env.EDITS !== undefined) console.table(Object.fromEntries(counts))
-  expect(all).toBe(edits)
-  expect(printed).toBeLessThanOrEqual(all / 20)
-}, 1_200_000)
 
 /// The view after a change of the blocks of one definition.
 function changed(text: string, change: (blocks: readonly SavedBlock[]) => void): string {
@@ -140,4 +103,48 @@ test("a step with a block argument keeps its form when a number in it or beside 
   const text = `steps :: Task ()\nsteps = do\n  when True do\n    say "a"\n    wait 1\n  wait 2\n\nmain = simulate steps\n`
   expect(changed(text, blocks => setNumber(blocks, "1", "7"))).toBe(text.replace("wait 1", "wait 7"))
   expect(changed(text, blocks => setNumber(blocks, "2", "7"))).toBe(text.replace("wait 2", "wait 7"))
+})
+
+/// Puts the block that `isWanted` finds first on the left of `* 7`.
+function wrap(blocks: readonly SavedBlock[], isWanted: (block: SavedBlock) => boolean): void {
+  for (const holder of blocks)
+    for (const [input, {block}] of Object.entries(holder.inputs ?? {}))
+      if (block !== undefined && isWanted(block)) {
+        const seven: SavedBlock = {type: "number", id: "x2", extraState: {value: "7"}}
+        const inputs = {L: {block}, R: {block: seven}}
+        ;(holder.inputs ?? {})[input] = {block: {type: "infix", id: "x1", extraState: {op: "*"}, inputs}}
+        return
+      }
+}
+
+test("a string that is wrapped keeps its spelling", () => {
+  expect(
+    changed('f = g "\\SOH" "\\1"\n', blocks => wrap(blocks, b => b.extraState?.value === "\u0001")),
+  ).toBe('f = g ("\\SOH" * 7) "\\1"\n')
+})
+
+test("arguments that change places leave the comments between them where they are", () => {
+  const swapped = changed("go = v 1 {- between -} 2\n", blocks => {
+    const numbers = blocks.filter(b => b.type === "number")
+    for (const b of numbers) b.extraState = {value: b.extraState?.value === "1" ? "2" : "1"}
+  })
+  expect(swapped).toBe("go = v 2 {- between -} 1\n")
+})
+
+test("a negative number that becomes a positive one loses its brackets", () => {
+  expect(changed("v = f (-1) (-2)\n", blocks => setNumber(blocks, "-1", "3"))).toBe("v = f 3 (-2)\n")
+})
+
+test("steps behind $ keep their layout and comments when they are wrapped", () => {
+  const text = "main = simulate $ do -- here\n   d  <- measure\n   say d\n"
+  expect(changed(text, blocks => wrap(blocks, b => b.type === "do"))).toBe(
+    "main = simulate ((do -- here\n   d  <- measure\n   say d)\n                   * 7)\n",
+  )
+})
+
+test("lines that hang on the beginning of their line stay below it when their part is wrapped", () => {
+  const text = "f x = g $ \\y -> case y of -- both\n  1 -> x\n  _ -> y\n"
+  expect(changed(text, blocks => wrap(blocks, b => b.type === "case"))).toBe(
+    "f x = g $ \\y ->\n            (case y of -- both\n              1 -> x\n              _ -> y)\n              * 7\n",
+  )
 })

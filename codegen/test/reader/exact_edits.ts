@@ -2,7 +2,6 @@
 
 import {readTree} from "../../src/blocks/block_reader.ts"
 import {blockView, spanOf} from "../../src/index.ts"
-import {commentWords} from "../../src/reader/exact_texts.ts"
 import type {Reader, View} from "../../src/reader/index.ts"
 import {spansOf, syncBlocks, workspaceOf} from "../../src/reader/index.ts"
 import {meaningOf} from "../../src/reader/model_parts.ts"
@@ -10,6 +9,8 @@ import {writeBack} from "../../src/reader/text_patches.ts"
 import type {SavedBlock, SavedWorkspace} from "../../src/serialized_blocks.ts"
 import type {Dice} from "../generate/random.ts"
 import {everyBlock} from "./agreement.ts"
+import type {Place} from "./edit_locality.ts"
+import {changedElsewhere, lostTexts, withComments} from "./edit_locality.ts"
 
 export const editKinds = ["number", "wrap", "swap", "delete-step", "copy-step", "replace"] as const
 export type EditKind = (typeof editKinds)[number]
@@ -21,6 +22,8 @@ export interface Edited {
   readonly workspace: SavedWorkspace
   /// The blocks whose text may change.
   readonly touched: readonly string[]
+  /// Those of them whose own text stays, at another place or with something around it.
+  readonly kept: readonly string[]
 }
 
 /// The sockets of a definition that hold an expression, with the block around each.
@@ -41,11 +44,16 @@ export function randomEdit(view: View, dice: Dice, kind: EditKind): Edited | und
   const top = workspace.blocks.blocks[definition]
   if (top === undefined || top.type === "raw_definition" || view.declarations[definition]?.dimmed)
     return undefined
-  const done = (...touched: (string | undefined)[]): Edited => ({
+  const present = (ids: readonly (string | undefined)[]) => ids.flatMap(id => (id === undefined ? [] : [id]))
+  const done = (
+    touched: readonly (string | undefined)[],
+    kept: readonly (string | undefined)[] = [],
+  ): Edited => ({
     kind,
     definition,
     workspace,
-    touched: touched.flatMap(t => (t === undefined ? [] : [t])),
+    touched: present(touched),
+    kept: present(kept),
   })
   const sockets = socketsIn(top)
   switch (kind) {
@@ -54,13 +62,13 @@ export function randomEdit(view: View, dice: Dice, kind: EditKind): Edited | und
       if (numbers.length === 0) return undefined
       const number = dice.pick(numbers)
       number.extraState = {value: String(7000 + dice.below(900))}
-      return done(number.id)
+      return done([number.id])
     }
     case "replace": {
       if (sockets.length === 0) return undefined
       const {holder, input, inner} = dice.pick(sockets)
       ;(holder.inputs ?? {})[input] = {block: {type: "number", id: "x1", extraState: {value: "7"}}}
-      return done(inner.id, holder.id)
+      return done([inner.id])
     }
     case "wrap": {
       if (sockets.length === 0) return undefined
@@ -72,7 +80,7 @@ export function randomEdit(view: View, dice: Dice, kind: EditKind): Edited | und
         inputs: {L: {block: inner}, R: {block: {type: "number", id: "x2", extraState: {value: "7"}}}},
       }
       ;(holder.inputs ?? {})[input] = {block: sum}
-      return done(inner.id, holder.id)
+      return done([inner.id], [inner.id])
     }
     case "swap": {
       const pairs = everyBlock(top).filter(b => sockets.filter(s => s.holder === b).length >= 2)
@@ -82,7 +90,7 @@ export function randomEdit(view: View, dice: Dice, kind: EditKind): Edited | und
       if (a === undefined || b === undefined) return undefined
       ;(holder.inputs ?? {})[a.input] = {block: b.inner}
       ;(holder.inputs ?? {})[b.input] = {block: a.inner}
-      return done(holder.id)
+      return done([a.inner.id, b.inner.id], [a.inner.id, b.inner.id])
     }
     case "delete-step":
     case "copy-step": {
@@ -95,12 +103,12 @@ export function randomEdit(view: View, dice: Dice, kind: EditKind): Edited | und
         // The last step gives the result and stays.
         if (next.next?.block === undefined) return undefined
         step.next = {block: next.next.block}
-        return done(step.id, next.id, next.next.block.id)
+        return done([next.id])
       }
       const {next: _, ...alone} = structuredClone(step)
       for (const [i, b] of everyBlock(alone).entries()) b.id = `x${i}`
       step.next = {block: {...alone, next: {block: next}}}
-      return done(step.id, next.id)
+      return done([step.id], [step.id])
     }
   }
 }
@@ -109,6 +117,8 @@ export function randomEdit(view: View, dice: Dice, kind: EditKind): Edited | und
 export interface Outcome {
   readonly before: string
   readonly after: string
+  /// The edited nodes in the text before.
+  readonly places: readonly Place[]
   /// Characters that were removed or inserted between the common start and the common end.
   readonly changed: number
   /// Definitions for which a node around the changed one was written, and those that were printed as a whole.
@@ -116,9 +126,10 @@ export interface Outcome {
   readonly printed: number
   /// The whole program is read as the workspace says it.
   readonly agrees: boolean
-  readonly comments: boolean
-  /// For an edit of a number: only its own characters changed, and lines below moved with what they are aligned to.
-  readonly own: boolean
+  /// What changed elsewhere than in the edited nodes and the separators beside them.
+  readonly elsewhere: string | undefined
+  /// Texts of kept nodes that are gone.
+  readonly lost: readonly string[]
 }
 
 const counted = {exact: 0, larger: 0, printed: 0}
@@ -127,14 +138,6 @@ export function outcomeOf(reader: Reader, view: View, edit: Edited): Outcome {
   const {larger, printed} = {...counted}
   const after = syncBlocks(reader, view, edit.workspace, {count: counted})
   const before = view.text
-  let start = 0
-  while (start < before.length && before[start] === after.text[start]) start++
-  let end = 0
-  while (
-    end < Math.min(before.length, after.text.length) - start &&
-    before[before.length - 1 - end] === after.text[after.text.length - 1 - end]
-  )
-    end++
   const [own] = readTree(edit.workspace.blocks.blocks[edit.definition] as SavedBlock).declarations
   const shown = view.declarations[edit.definition]
   const piece = after.module.pieces[shown?.piece ?? -1]
@@ -149,37 +152,33 @@ export function outcomeOf(reader: Reader, view: View, edit: Edited): Outcome {
             added: [],
           }),
         ).pieces[shown?.piece ?? -1]?.declaration
-  const [touched] = edit.touched
-  const span = touched === undefined ? undefined : spanOf(spansOf(view), touched)
+  const spans = spansOf(view)
+  const placesOf = (ids: readonly string[]) => ids.flatMap(id => spanOf(spans, id) ?? [])
+  const places = placesOf(edit.touched).map(p => (edit.kind === "delete-step" ? withComments(before, p) : p))
   return {
     before,
     after: after.text,
+    places,
     larger: counted.larger - larger,
     printed: counted.printed - printed,
-    changed: before.length - end - start + (after.text.length - end - start),
+    changed: changedCharacters(before, after.text),
     agrees:
       wanted !== undefined &&
       piece?.declaration !== undefined &&
       meaningOf(wanted) === meaningOf(piece.declaration),
-    comments:
-      edit.kind === "delete-step" || edit.kind === "replace" || edit.kind === "copy-step"
-        ? true
-        : commentWords(before) === commentWords(after.text),
-    own:
-      edit.kind !== "number" ||
-      (span !== undefined && start >= span.start && onlyMoved(before.slice(span.end), after.text)),
+    elsewhere:
+      places.length < edit.touched.length
+        ? "a block has no place in the text"
+        : changedElsewhere(before, after.text, places),
+    lost: lostTexts(before, after.text, placesOf(edit.kept)),
   }
 }
 
-/// Whether `after` ends with the lines of `rest`, where the lines below the first may have moved as far as the end of the first.
-function onlyMoved(rest: string, after: string): boolean {
-  const was = rest.split("\n")
-  const is = after.split("\n").slice(-was.length)
-  const [first = "", ...below] = was
-  if (is.length !== was.length || !is[0]?.endsWith(first)) return false
-  const moves = below.flatMap((line, i) => {
-    const now = is[i + 1] ?? ""
-    return line === now ? [] : [line.trimStart() === now.trimStart() ? now.length - line.length : Number.NaN]
-  })
-  return new Set(moves).size <= 1 && !moves.some(Number.isNaN)
+function changedCharacters(before: string, after: string): number {
+  const shorter = Math.min(before.length, after.length)
+  let start = 0
+  while (start < shorter && before[start] === after[start]) start++
+  let end = 0
+  while (end < shorter - start && before[before.length - 1 - end] === after[after.length - 1 - end]) end++
+  return before.length + after.length - 2 * (start + end)
 }

@@ -274,6 +274,25 @@ describe("typing text", () => {
 })
 
 describe("editing blocks", () => {
+  test("an edited fixity regroups the operators of definitions whose text stays", () => {
+    const text = "infixl 6 |+|\ninfixl 7 *|\n\nhome = 1 |+| 2 *| 3\n"
+    const view = openView(reader, text)
+    const fixity = view.declarations[0]?.block
+    const edited = syncBlocks(
+      reader,
+      view,
+      changed(workspaceOf(view), fixity?.id, b => {
+        b.extraState = {...b.extraState, operators: "<+>"}
+      }),
+    )
+    expect(edited.text).toBe(text.replace("|+|", "<+>"))
+    const sums = blocksOf(edited, "home").filter(b => b.type === "infix")
+    expect(sums.map(b => b.extraState?.op)).toEqual(["*|", "|+|"])
+    expect(ids(blocksOf(openView(reader, edited.text, layoutOf(edited)), "home"))).toEqual(
+      ids(blocksOf(edited, "home")),
+    )
+  })
+
   test("a new definition goes before main, with its type", () => {
     const view = openView(reader, square)
     const workspace = workspaceOf(view)

@@ -19,6 +19,7 @@ import {
   layoutOf,
   openView,
   type Reader,
+  sameFixities,
   spansOf,
   syncBlocks,
   syncText,
@@ -189,8 +190,10 @@ export function withBlocks(
   if (view.refused !== undefined)
     return {kind: "refused", document: {...document, workspace: {...document.workspace}}, names: view.refused}
   const now = workspaceOf(view)
-  // Text in a raw block may have become several definitions, and an edit of dimmed blocks shows those of the text: then the blocks are made anew.
-  const isShown = sameDefinitions(now, workspace) && !hasMerged(before, view)
+  // Text in a raw block may have become several definitions, an edit of dimmed blocks shows those of the text, and another fixity regroups
+  // operators elsewhere: then the blocks are made anew.
+  const isShown =
+    sameDefinitions(now, workspace) && !hasMerged(before, view) && sameFixities(before.module, view.module)
   return {
     kind: "made",
     document: isShown ? analysed(documentOf(view, workspace), inference) : analysedView(view),
