@@ -102,6 +102,8 @@ class PageView:
         # What the page was last told of each channel; empty when the next frame has to tell all.
         self._channels: dict[str, Shown] = {}
         self._channels_run = -1
+        # The same before it was rounded, of the simulated robot.
+        self._values: dict[str, tuple[float | int | str, ...]] = {}
         self._memory: list[MemoryValue] | None = None
         # For the next frame: firings with their provenance, if the page asks for them.
         self._firings: list[page.FiringShown] = []
@@ -113,7 +115,7 @@ class PageView:
         """Show another room."""
         self._room = room
         self._boxes = []
-        self._channels = {}
+        self._forget_channels()
         self._send_room()
 
     def reset(self, room: Room) -> None:
@@ -123,7 +125,7 @@ class PageView:
         self._goals = []
         self._fired = []
         self._sensed = []
-        self._channels = {}
+        self._forget_channels()
         self._memory = None
         self._firings = []
         self.step = 0
@@ -140,6 +142,11 @@ class PageView:
     def hide_simulator(self) -> None:
         """Show no frames of the simulated robot."""
         self._shows_simulator = False
+
+    def _forget_channels(self) -> None:
+        """The next frame tells all."""
+        self._channels = {}
+        self._values = {}
 
     # States of runs
 
@@ -238,14 +245,10 @@ class PageView:
             return
         world = self._room.world
         pose = PoseShown(round(world.x, _DIGITS), round(world.y, _DIGITS), round(world.theta, _DIGITS))
-        channels: dict[str, Shown] = {
-            name: [round(v, _DIGITS) if isinstance(v, float) else v for v in values]
-            for name, values in world.channels().items()
-        }
         self._put_frame(
             self.step / STEPS_PER_SECOND,
             pose,
-            channels,
+            self._changed_channels(world),
             boxes=self._moved_boxes(),
             ghost=_rounded(world.ghost()),
             **self._observations(),
@@ -278,7 +281,27 @@ class PageView:
         if not self._may_show_frame():
             return
         self.step = int(line.time * STEPS_PER_SECOND)
+        self._begin_run()
+        # The next frame of the simulated robot is compared with this one.
+        self._values = {}
         self._put_frame(line.time, line.pose, line.channels, **self._observations())
+
+    def _begin_run(self) -> None:
+        """The first frame of a run tells all."""
+        if self._channels_run != self.run:
+            self._channels_run = self.run
+            self._forget_channels()
+
+    def _changed_channels(self, world: World) -> dict[str, Shown]:
+        """What the channels say, as far as it may differ from what the page was last told."""
+        self._begin_run()
+        changed: dict[str, Shown] = {}
+        before = self._values
+        for name, values in world.channels().items():
+            if before.get(name) != values:
+                before[name] = values
+                changed[name] = [round(v, _DIGITS) if isinstance(v, float) else v for v in values]
+        return changed
 
     def _observations(self) -> dict[str, Any]:
         """Memory and firings that wait for a frame."""
@@ -288,8 +311,6 @@ class PageView:
 
     def _put_frame(self, time: float, pose: PoseShown, channels: dict[str, Shown], **more: Any) -> None:
         """Send a frame with the channels that differ from the last frame."""
-        if self._channels_run != self.run:
-            self._channels_run, self._channels = self.run, {}
         news = {name: values for name, values in channels.items() if self._channels.get(name) != values}
         self._channels.update(news)
         fired, self._fired = self._fired, []

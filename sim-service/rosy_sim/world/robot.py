@@ -7,7 +7,7 @@ The world takes one as an argument and knows no robot by name; ``robots/<name>``
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
@@ -103,7 +103,7 @@ class Robot:
     # The events of a change, in the order in which the robot's driver reports them.
     changes: Callable[[SensorBits, SensorBits], list[Reading]]
     # The state of each of those sensors, by channel.
-    states: Callable[[SensorBits], dict[str, tuple[int, ...]]]
+    states: Callable[[SensorBits], Mapping[str, tuple[int, ...]]]
     # The commands that last, by channel, as they are at the start; of a command with places the state of each.
     outputs: dict[str, tuple[float | int | str, ...]]
     # The command that switches the motors: wheels stand while its value is 0. None when they are always on.

@@ -9,6 +9,9 @@ from rosy_sim.web.app import Service
 from rosy_sim.web.outbox import Outbox
 from rosy_sim.web.page_view import PageView, Room
 from rosy_sim.wire import page
+from rosy_sim.wire.robot_process import FrameLine
+from rosy_sim.wire.telemetry import PoseShown, Shown
+from rosy_sim.world.events import Command
 
 from ..conftest import hall
 from .test_app import Page, story
@@ -53,6 +56,37 @@ def watched(visible: page.Visible | None, seconds: int = 10) -> tuple[PageView, 
 def test_a_page_gets_as_many_frames_as_its_user_can_see(visible: page.Visible | None, most: int) -> None:
     _, sent = watched(visible)
     assert most - 3 <= len(sent.frames) <= most
+
+
+def test_frames_tell_all_channels_at_the_start_of_a_run_and_then_what_differs() -> None:
+    clock, sent, world = Clock(), Sent(), hall()
+    view = PageView(sent, Room({}, world), 60.0, clock.time)
+
+    def told() -> dict[str, Shown]:
+        view.show_frame(force=True)
+        return sent.frames[-1].channels
+
+    first = told()
+    assert first["Led1"] == [0]
+    assert told() == {}
+    world.command(Command("Led1", (2,)))
+    assert told() == {"Led1": [2]}
+    # A number that is drawn the same is not told again.
+    world.v += 1e-9
+    assert told() == {}
+    view.run = 1
+    assert told() == {**first, "Led1": [2]}
+
+
+def test_after_a_real_robot_was_shown_the_simulated_one_tells_what_differs_from_it() -> None:
+    clock, sent = Clock(), Sent()
+    view = PageView(sent, Room({}, hall()), 60.0, clock.time)
+    view.show_frame()
+    clock.now += 1
+    view.show_telemetry(FrameLine(0.1, PoseShown(0.0, 0.0, 0.0), {"Led1": [2]}, [], [], False))
+    clock.now += 1
+    view.show_frame()
+    assert [frame.channels for frame in sent.frames[1:]] == [{"Led1": [2]}, {"Led1": [0]}]
 
 
 def test_a_page_that_is_seen_again_gets_a_frame_with_what_fired_last() -> None:

@@ -7,7 +7,8 @@ button n is bit n (kobuki_msgs, msg/SensorState.msg).
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from functools import cache
 
 from ...world.arena import Arena
 from ...world.events import Reading
@@ -66,8 +67,9 @@ def _over_hole(
     return bits
 
 
-def states(bits: SensorBits) -> dict[str, tuple[int, ...]]:
-    """The state of each sensor whose changes are events, left before right."""
+@cache
+def states(bits: SensorBits) -> Mapping[str, tuple[int, ...]]:
+    """The state of each sensor whose changes are events, left before right. There are 2048 at most."""
     return {
         "Bumper": tuple(int(bool(bits.bumpers & bit)) for bit in _SIDE_BITS),
         "Cliff": tuple(int(bool(bits.cliffs & bit)) for bit in _SIDE_BITS),
