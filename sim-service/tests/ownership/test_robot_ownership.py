@@ -23,7 +23,7 @@ from rosy_sim.ownership.robot_registry import RobotRegistry
 
 from ..conftest import PATIENCE
 from ..processes import descriptors
-from ..web.test_app import opened, serving
+from ..web.test_app import Page, opened, serving
 from .robot_rig import LIMIT, Rig, Robot, kobuki, looking
 
 pytestmark = pytest.mark.skipif(discover().robot_executable is None, reason="rosy-robot is not built")
@@ -33,9 +33,11 @@ HERE = Path(__file__).resolve().parents[2]
 Story = Callable[[Rig], Awaitable[None]]
 
 
-def story(tell: Story, config: Config, folder: Path) -> None:
+def story(tell: Story, config: Config, folder: Path, options: str | None = None) -> None:
     async def play() -> None:
         async with kobuki(folder) as robot:
+            if options is not None:
+                robot.address = f"{robot.address.partition('?')[0]}{options}"
             robots = replace(config, robots={"Kitchen": robot.address}, robot_executable=discover().robot_executable)
             async with serving(robots) as (address, service), opened(address) as page:
                 await tell(Rig(address, service, page, robot))
@@ -258,6 +260,30 @@ def test_a_pulled_cable_is_told_and_found_again(config: Config, tmp_path: Path) 
         await rig.page.op("robot", link="connected")
 
     story(tell, config, tmp_path)
+
+
+def test_a_robot_that_was_lost_stands_until_the_page_lets_it_drive(config: Config, tmp_path: Path) -> None:
+    async def let_drive(page: Page) -> None:
+        while True:
+            await page.send("free")
+            await asyncio.sleep(0.1)
+
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        # A busy machine may lose the robot for a moment, too.
+        freeing = asyncio.create_task(let_drive(rig.page))
+        await rig.drives()
+        freeing.cancel()
+        rig.robot.ask("unplug")
+        await rig.page.op("robot", link="lost")
+        rig.robot.ask("plug")
+        await rig.page.op("robot", link="connected", stopped=True)
+        freeing = asyncio.create_task(let_drive(rig.page))
+        await rig.page.op("robot", stopped=False)
+        await rig.robot.moves(0.2)
+        freeing.cancel()
+
+    story(tell, config, tmp_path, "?patience=600")
 
 
 def test_the_page_is_told_when_the_part_that_drives_dies(config: Config, tmp_path: Path) -> None:

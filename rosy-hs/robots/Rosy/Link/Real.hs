@@ -109,6 +109,7 @@ realLink clock patience r connection = do
             lost <- readIORef lostSince
             complain (if isNothing lost then IsThere else IsBack)
             writeIORef lostSince Nothing
+          Complained what -> complain (IsComplaining what)
           Received _ -> pure ()
         (messages, actions) <- guarding (onEvent h)
         messages <$ mapM_ (sendCommand connection) actions

@@ -99,8 +99,14 @@ keepConnected host port path known own levels hearing outgoing connected = go fi
       -- A caller that waits has been told that the server has no odometry.
       missing <- newIORef False
       messageCount <- newTVarIO (0 :: Int)
+      complained <- newIORef Nothing
       let read' = forever $ do
             frame <- WS.receiveData c
+            -- A command that is refused is refused ten times a second: the same words are told once.
+            forM_ (complaintOf frame) $ \what -> do
+              before <- readIORef complained
+              writeIORef complained (Just what)
+              when (before /= Just what) (atomically (enqueue hearing (Complained what)))
             taken <- map topicName . filter ((== Taken) . topicUse) <$> readTVarIO own
             let messages = decodeFrame known taken frame
             changed <- atomically $ do

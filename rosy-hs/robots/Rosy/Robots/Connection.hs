@@ -69,6 +69,8 @@ data RobotEvent
     Disconnected String
   | -- | It can never be driven over this connection, for this reason.
     Refused String
+  | -- | Its server says that something is wrong, in these words.
+    Complained String
   deriving (Eq, Show)
 
 -- | Events that were not taken yet, newest first.
@@ -116,6 +118,7 @@ data Notice
   | IsLost String
   | IsBack
   | IsRefused String
+  | IsComplaining String
   deriving (Eq, Show)
 
 -- | A sentence about the robot of this name.
@@ -126,6 +129,7 @@ explainNotice name n = case n of
   IsThere -> name ++ " is there"
   IsLost why -> name ++ " is lost" ++ because why
   IsBack -> name ++ " is back"
+  IsComplaining what -> name ++ ": its server says: " ++ what
   IsRefused why -> name ++ " cannot be driven" ++ because why
   where
     because why = if null why then "" else ": " ++ why

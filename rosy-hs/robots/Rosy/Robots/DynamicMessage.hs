@@ -65,7 +65,7 @@ hasDefinition :: String -> Bool
 hasDefinition = isJust . definition
 
 definitions :: Messages
-definitions = messages [m | (package', name, text) <- standardMessages ++ concatMap robotMessages robots ++ ownMessages, Right m <- [readMsg (MsgName package' name) text]]
+definitions = withoutCycles . messages $ [m | (package', name, text) <- standardMessages ++ concatMap robotMessages robots ++ ownMessages, Right m <- [readMsg (MsgName package' name) text]]
 
 -- | The message definitions of the person at this computer: @package/Name.msg@ or @package/msg/Name.msg@ in each folder of @ROSY_MSG_PATH@, which
 -- is separated by colons. Read once; a folder or file that cannot be read is left out, and its messages are then not described.

@@ -95,6 +95,7 @@ onEvent h g = case h of
   Connected -> (([], []), g {connected = True})
   Disconnected _ -> lost
   Refused _ -> lost
+  Complained _ -> (([], []), g)
   Received (OdometryMessage o) -> (([OdometryMessage (from start o)], []), g {origin = Just start})
     where
       start = fromMaybe o (origin g)

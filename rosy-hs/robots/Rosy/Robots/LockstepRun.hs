@@ -220,6 +220,7 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
             l <- readIORef lost
             onNotice observer (if null l then IsThere else IsBack)
             writeIORef lost Nothing
+          Complained what -> onNotice observer (IsComplaining what)
           Received _ -> pure ()
         (ms, actions) <- guarding (onEvent h)
         mapM_ (sendCommand connection) actions

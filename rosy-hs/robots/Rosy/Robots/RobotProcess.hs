@@ -184,6 +184,12 @@ recordHeartbeat h t = writeTVar (aliveAt h) t >> writeTVar (silentChecks h) 0
 elapsed :: RobotProcess -> IO Double
 elapsed h = (-) <$> getMonotonicTime <*> readTVarIO (began h)
 
+-- | Tells the service about the connection; what the robot's server says goes where the program's texts go.
+sendNotice :: RobotProcess -> Notice -> IO ()
+sendNotice h n = case n of
+  IsComplaining _ -> elapsed h >>= \t -> sendLine h (saidLine t (explainNotice "The robot" n))
+  _ -> sendLine h (linkLine n)
+
 -- | Handles an event of the robot while no program runs.
 passEvent :: RobotProcess -> Connection -> RobotEvent -> IO ()
 passEvent h connection heard' = do
@@ -192,6 +198,7 @@ passEvent h connection heard' = do
     Connected -> sendLine h (linkLine IsThere)
     Disconnected why -> sendLine h (linkLine ((if was then IsLost else IsAwaited) why))
     Refused why -> sendLine h (linkLine (IsRefused why))
+    Complained what -> sendNotice h (IsComplaining what)
     Received _ -> pure ()
   actions <- atomically $ do
     (ms, actions) <- stateTVar (guarded h) (onEvent heard')
@@ -272,7 +279,7 @@ observer h =
           t <- elapsed h
           sendLine h (commandsLine t fired sent commands ((,) backing <$> told)),
       observes = readTVarIO (observed h),
-      onNotice = sendLine h . linkLine
+      onNotice = sendNotice h
     }
 
 -- | Sends fifty frames a second, the rate at which the robot senses.

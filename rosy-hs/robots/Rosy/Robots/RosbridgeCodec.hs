@@ -13,6 +13,7 @@ module Rosy.Robots.RosbridgeCodec
     topicFrames,
     encodeCommand,
     decodeFrame,
+    complaintOf,
   )
 where
 
@@ -59,6 +60,18 @@ encodeCommand known a held = first (fmap frame) (commandMessage known a held)
     frame (r, message) = encodingToLazyByteString . pairs $ case routeDelivery r of
       Called -> pair "op" (text "call_service") <> pair "service" (text (routeTopic r)) <> pair "type" (text (routeType r)) <> pair "args" message
       _ -> pair "op" (text "publish") <> pair "topic" (text (routeTopic r)) <> pair "msg" message
+
+-- | What a server says that is wrong, in its own words: a @status@ of an error or a warning (rosbridge v2.0 Protocol Specification, 3.2.2), or a call that
+-- failed (3.3.9).
+complaintOf :: L.ByteString -> Maybe String
+complaintOf frame = do
+  Object o <- Aeson.decode frame
+  parseMaybe (.: "op") o >>= \case
+    "status" | parseMaybe (.: "level") o `elem` map Just ["error", "warning" :: Text] -> T.unpack <$> parseMaybe (.: "msg") o
+    ("service_response" :: Text) | parseMaybe (.: "result") o == Just False -> do
+      service <- parseMaybe (.: "service") o
+      pure ("the service " ++ T.unpack service ++ " failed" ++ maybe "" (\why -> ": " ++ T.unpack why) (parseMaybe (.: "values") o))
+    _ -> Nothing
 
 -- | The messages in a frame: the robot's, and one on a topic of the program's own. None for what is no message of the robot's: other operations, other topics,
 -- odometry with a place that is no number (@null@).

@@ -125,6 +125,8 @@ linkLine n = case n of
   IsLost why -> link "lost" why
   IsBack -> link "connected" ""
   IsRefused why -> link "lost" why
+  -- Says nothing about the link but that it is there.
+  IsComplaining _ -> link "connected" ""
   where
     link :: Text -> String -> L.ByteString
     link state why = line ["op" .= ("link" :: Text), "link" .= state, "why" .= why]

@@ -187,6 +187,7 @@ singsAtOnce r = do
 lostServer :: IO Times -> Rig -> IO ()
 lostServer times r = driving r "off" "steady" $ \p -> do
   forM_ ["raw not json", "raw {\"op\":\"status\",\"level\":\"error\",\"msg\":\"x\"}", "raw {\"op\":\"publish\",\"topic\":\"/mobile_base/events/bumper\",\"msg\":{\"bumper\":9,\"state\":null}}", "raw [1]"] (say (robot r))
+  _ <- hearsWhere p "what the server says" ("its server says: x" `isInfixOf`)
   say (robot r) "refuse"
   standsAfter times r "a lost connection" (say (robot r) "drop")
   _ <- hearsWhere p "that it is lost" ("is lost" `isInfixOf`)

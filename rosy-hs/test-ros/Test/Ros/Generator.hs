@@ -35,12 +35,21 @@ tests =
       testCase "a nested message that was not given is named" $
         (readEither "Other o\n" >>= \m -> either (Right . Just) (const (Right Nothing)) (md5 (messages [m]) m))
           @?= Right (Just (MissingMessage led (MsgName "p" "Other"))),
+      testGroup
+        "a message that nests itself is refused, with the way around"
+        [ testCase (show names) $ (cyclic >>= \known' -> maybe (Left "no such message") Right (Map.lookup (MsgName "p" start) known') >>= \m -> pure (md5 known' m, fullDefinition known' m)) @?= Right (Left cycle', Left cycle')
+          | (start, names) <- [("Self", ["Self", "Self"]), ("A", ["A", "B", "A"]), ("Outer", ["A", "B", "A"])],
+            let cycle' = CyclicMessage (map (MsgName "p") names)
+        ],
+      testCase "a message that nests another one twice is no cycle, and the others stay" $
+        fmap (map (base . msgName) . Map.elems . withoutCycles) cyclic @?= Right ["Leaf", "Twice"],
       testProperty "any text is read or refused, and what is read can be printed" $ \text ->
         case readMsg led text of
           Left e -> property (not (null (explainMsgError e)))
           Right m -> property (not (null (haskellModule "" "" m)))
     ]
   where
+    cyclic = messages <$> traverse (\(name, text) -> either (Left . explainMsgError) Right (readMsg (MsgName "p" name) text)) [("Self", "int8 x\nSelf[] more\n"), ("A", "B b\n"), ("B", "A[2] a\n"), ("Outer", "Leaf l\nA a\n"), ("Leaf", "int8 x\n"), ("Twice", "Leaf a\nLeaf b\n")]
     led = MsgName "p" "Led"
     readEither t = either (Left . explainMsgError) Right (readMsg led t)
 

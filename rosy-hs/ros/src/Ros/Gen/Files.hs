@@ -49,7 +49,7 @@ modules known packages = case filter (`notElem` map package (Map.keys known)) pa
     d <- fullDefinition known m
     pure (msgName m, haskellModule s d m)
   where
-    explain = either (\e -> Left (fullName (nestedIn e) ++ " nests " ++ fullName (missing e) ++ ", which was not found; add its folder with -I")) Right
+    explain = either (Left . explainNestingError) Right
 
 loadMessages :: [FilePath] -> IO (Either String Messages)
 loadMessages roots = do
