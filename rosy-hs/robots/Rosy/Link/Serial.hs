@@ -177,7 +177,8 @@ exchangePackets fd setpoints hearing sensing guardian = do
         watch
       packet' parts = do
         let feedback = readFeedback parts
-        forM_ (firmwareVersion feedback) (writeIORef firmware . Just)
+        -- The first supported version stands: a corrupted packet whose checksum holds must not refuse a base that is driven.
+        forM_ (firmwareVersion feedback) $ \v -> modifyIORef' firmware (\before -> if maybe False isSupported before then before else Just v)
         when (or [True | Udid {} <- feedback]) (writeIORef identified True)
         supported <- maybe False isSupported <$> readIORef firmware
         n <- atomically (stateTVar packetCount (\n -> (n, n + 1)))
