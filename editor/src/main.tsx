@@ -31,7 +31,6 @@ import "./styles/sight.css"
 import "./styles/why.css"
 import {render} from "preact"
 import {chosenLanguage} from "./browser/preferences.ts"
-import {sessionAddress} from "./browser/service_connection.ts"
 import {openController} from "./controller/app_controller.ts"
 import {App} from "./page/app.tsx"
 import {ControllerContext} from "./page/app_context.ts"
@@ -43,7 +42,7 @@ if (host === null) throw new Error("expected #page in index.html, found nothing"
 const start = () => {
   // The sign of what is coming (index.html) has done its work.
   host.replaceChildren()
-  const desk = openController(sessionAddress(window.location))
+  const desk = openController()
   render(
     <ControllerContext.Provider value={desk}>
       <App />

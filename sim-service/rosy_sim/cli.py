@@ -23,7 +23,8 @@ import msgspec
 from .atomic_file import AtomicFile
 from .classroom.class_places import class_place
 from .classroom.command import add_class_options, run_class_command
-from .cluster.node import add_node_options, start_node, use_token
+from .cluster.command import add_cluster_options, run_cluster_command
+from .cluster.node import use_token
 from .config import Config, discover
 from .errors import BadInput, OutputFailed, RosyError
 from .explain.causal_chain import explain
@@ -119,7 +120,7 @@ def _command(arguments: Sequence[str] | None) -> int:
         host = options.host or ("127.0.0.1" if options.class_name is None else "0.0.0.0")
         return serve(config, host, options.port, not options.no_browser, options.unprotected)
     if options.command == "node":
-        return start_node(config, options, _print)
+        return run_cluster_command(config, options, _print)
     if options.command == "class":
         return run_class_command(class_place(config.classes, config.class_database), options, _print)
     if options.command == "lsp":
@@ -154,7 +155,7 @@ def _parser() -> argparse.ArgumentParser:
     serve.add_argument("--robot", action="append", default=[], metavar="NAME=ADDRESS")
     serve.add_argument("--robots", type=Path, metavar="FILE")
     serve.add_argument("--unprotected", action="store_true")
-    add_node_options(commands.add_parser("node", prog="rosy start", add_help=False, allow_abbrev=False))
+    add_cluster_options(commands.add_parser("node", prog="rosy start", add_help=False, allow_abbrev=False))
     check = commands.add_parser("check", prog="rosy check", add_help=False, allow_abbrev=False)
     check.add_argument("file", type=Path)
     check.add_argument("--json", action="store_true")

@@ -92,6 +92,10 @@ class Config:
     class_database: str | None = None
     # The class that is served; None without class mode.
     class_name: str | None = None
+    # HOST or HOST:PORT of other services whose pages may connect to this one: those of a cluster.
+    origins: frozenset[str] = frozenset()
+    # What pupils open, where it is not the address of this service.
+    class_address: str | None = None
     limits: Limits = field(default_factory=Limits)
 
     @property

@@ -1,6 +1,7 @@
 /// Client of one background job of the service on a socket of its own: a test in many rooms (protocol §4.1), rehearsals of a lesson (§9.1).
 
 import type {Decoded} from "../state/decode.ts"
+import {socketAddress} from "./service_address.ts"
 
 export interface JobListener<Answer> {
   received(answer: Answer): void
@@ -14,47 +15,42 @@ export interface JobProtocol<Answer> {
   isLast(answer: Answer): boolean
 }
 
-/// Sends the request and passes on what the service answers; the function that it returns cancels the job.
+/// Sends the request to a path below `api/` and passes on what the service answers; the function that it returns cancels the job.
 export function startJob<Answer>(
-  address: string,
+  path: string,
   request: object,
   protocol: JobProtocol<Answer>,
   listener: JobListener<Answer>,
 ): () => void {
-  const socket = new WebSocket(address)
+  let socket: WebSocket | null = null
   let over = false
-  socket.onopen = () => socket.send(JSON.stringify(request))
-  socket.onmessage = event => {
+  const connect = async () => {
+    const address = await socketAddress(`api/${path}`, window.location)
     if (over) return
-    const read = protocol.read(String(event.data))
-    if (read.kind === "mismatch") {
-      console.warn(`Rosy's service sent something this page does not know: ${read.message}`)
-      over = true
-      socket.close()
-      return listener.lost()
+    if (address === null) return listener.lost()
+    const own = new WebSocket(address)
+    socket = own
+    own.onopen = () => own.send(JSON.stringify(request))
+    own.onmessage = event => {
+      if (over) return
+      const read = protocol.read(String(event.data))
+      if (read.kind === "mismatch") {
+        console.warn(`Rosy's service sent something this page does not know: ${read.message}`)
+        over = true
+        own.close()
+        return listener.lost()
+      }
+      over = protocol.isLast(read.value)
+      listener.received(read.value)
     }
-    over = protocol.isLast(read.value)
-    listener.received(read.value)
+    own.onclose = () => {
+      if (!over) listener.lost()
+      over = true
+    }
   }
-  socket.onclose = () => {
-    if (!over) listener.lost()
-    over = true
-  }
+  void connect()
   return () => {
     over = true
-    socket.close()
+    socket?.close()
   }
-}
-
-/// The address of a page's jobs of a kind, as seen from `location`.
-export function jobAddress(
-  location: Location,
-  job: "room-tests" | "lesson-rehearsals",
-  session: string,
-): string {
-  const url = new URL(`api/${job}/${encodeURIComponent(session)}`, location.href)
-  url.protocol = url.protocol === "https:" ? "wss:" : "ws:"
-  url.search = ""
-  url.hash = ""
-  return url.href
 }

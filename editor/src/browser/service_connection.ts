@@ -20,14 +20,25 @@ export interface ConnectionListener {
 /// Waits between attempts to come back, in milliseconds; the last one repeats.
 const waits = [250, 500, 1000, 2000, 4000]
 
-export function openConnection(address: string, listener: ConnectionListener): ServiceConnection {
+/// `address` gives the address of the socket, before each attempt; `null` for none at the moment.
+export function openConnection(
+  address: () => Promise<string | null>,
+  listener: ConnectionListener,
+): ServiceConnection {
   let socket: WebSocket | null = null
   let attempt = 0
   let timer: ReturnType<typeof setTimeout> | undefined
   let closed = false
 
-  const connect = () => {
-    const own = new WebSocket(address)
+  const again = () => {
+    timer = setTimeout(connect, waits[Math.min(attempt, waits.length - 1)])
+    attempt += 1
+  }
+  const connect = async () => {
+    const found = await address()
+    if (closed) return
+    if (found === null) return again()
+    const own = new WebSocket(found)
     socket = own
     own.onmessage = event => {
       const read: Decoded<ServiceMessage> = readServiceMessage(String(event.data))
@@ -38,11 +49,10 @@ export function openConnection(address: string, listener: ConnectionListener): S
     own.onclose = () => {
       if (closed || socket !== own) return
       listener.lost()
-      timer = setTimeout(connect, waits[Math.min(attempt, waits.length - 1)])
-      attempt += 1
+      again()
     }
   }
-  connect()
+  void connect()
 
   return {
     send(message) {
@@ -54,13 +64,4 @@ export function openConnection(address: string, listener: ConnectionListener): S
       socket?.close()
     },
   }
-}
-
-/// The service's address as seen from a page at `location`.
-export function sessionAddress(location: Location): string {
-  const url = new URL("api/session", location.href)
-  url.protocol = url.protocol === "https:" ? "wss:" : "ws:"
-  url.search = ""
-  url.hash = ""
-  return url.href
 }

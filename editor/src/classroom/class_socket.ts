@@ -1,5 +1,6 @@
 /// WebSocket of class mode: connects, reconnects after a loss, and passes decoded messages on.
 
+import {socketAddress} from "../browser/service_address.ts"
 import type {Decoded} from "../state/decode.ts"
 
 export interface ClassSocket<Request> {
@@ -23,12 +24,14 @@ export function openClassSocket<Request, Answer>(
 ): ClassSocket<Request> {
   let socket: WebSocket | null = null
   let attempt = 0
-  const address = new URL(path, window.location.href)
-  address.protocol = address.protocol === "https:" ? "wss:" : "ws:"
-  address.search = ""
-  address.hash = ""
-  const connect = () => {
-    const own = new WebSocket(address.href)
+  const again = () => {
+    setTimeout(connect, waits[Math.min(attempt, waits.length - 1)])
+    attempt += 1
+  }
+  const connect = async () => {
+    const address = await socketAddress(path, window.location)
+    if (address === null) return again()
+    const own = new WebSocket(address)
     socket = own
     own.onopen = () => {
       attempt = 0
@@ -41,11 +44,10 @@ export function openClassSocket<Request, Answer>(
     }
     own.onclose = () => {
       listener.lost()
-      setTimeout(connect, waits[Math.min(attempt, waits.length - 1)])
-      attempt += 1
+      again()
     }
   }
-  connect()
+  void connect()
   return {
     send(message) {
       if (socket?.readyState !== WebSocket.OPEN) return false

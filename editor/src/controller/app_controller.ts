@@ -42,8 +42,7 @@ import {mountBlocks, mountRoom, mountSource, mountWorldEditor} from "./view_moun
 import {keySections, openViewUpdates} from "./views.ts"
 import {watchKeys, watchPrinting, watchWindow} from "./window_events.ts"
 
-/// `address` is that of the service's page socket.
-export function openController(address: string): AppController {
+export function openController(): AppController {
   const parts = noParts()
   // Before the first program is opened, which clears the fragment of the address.
   const classCode = takeClassCode(window)
@@ -115,7 +114,7 @@ export function openController(address: string): AppController {
       reveal: controller.showFinding,
     }),
   )
-  connectService(address, store, parts, completions, classMode.announced)
+  connectService(store, parts, completions, classMode.announced)
   const canStore = isEmbedded() || storage.isPersistent
   loadResources(store, parts, loader, requests, canStore, first => {
     if (first !== "chosen") {

@@ -1,7 +1,7 @@
 /// Rehearsals of the draft that is being written: one at a time, asked of the service.
 
 import {type Signal, signal} from "@preact/signals"
-import {jobAddress, startJob} from "../browser/job_socket.ts"
+import {startJob} from "../browser/job_socket.ts"
 import type {LessonDraft} from "../lesson_editor/draft.ts"
 import {
   heard,
@@ -37,7 +37,7 @@ export function openLessonRehearsals(store: Store): LessonRehearsals {
       const isLast = (answer: RehearsalAnswer) =>
         answer.op === "failed" || (answer.op === "attempt" && answer.number + 1 === begun.attempts.length)
       cancel = startJob(
-        jobAddress(window.location, "lesson-rehearsals", session),
+        `lesson-rehearsals/${encodeURIComponent(session)}`,
         JSON.parse(begun.request),
         {read: readAnswer, isLast},
         {

@@ -3,6 +3,7 @@
 import {pageVisibility, seedInAddress, watchPageVisibility} from "../browser/browser_window.ts"
 import {download, fileName, pickFile} from "../browser/local_files.ts"
 import {openAccessCode, ownName, setOwnName} from "../browser/preferences.ts"
+import {socketAddress} from "../browser/service_address.ts"
 import {openConnection} from "../browser/service_connection.ts"
 import {judgedSeed} from "../lessons/lesson_state.ts"
 import type {Speaker} from "../room/sound_synthesis.ts"
@@ -42,13 +43,12 @@ export function effectHandler(
 }
 
 export function connectService(
-  address: string,
   store: Store,
   parts: PageParts,
   completions: Completions,
   openClass: () => void,
 ): void {
-  parts.service = openConnection(address, {
+  parts.service = openConnection(() => socketAddress("api/session", window.location), {
     received(message) {
       if (message.op === "hello" && message.inClass === true) openClass()
       if (message.op === "completed") completions.heard(message)

@@ -1,7 +1,7 @@
 /// Tests in many rooms for the page: the choices and the test of the dialog, and what its buttons do.
 
 import {type Signal, signal} from "@preact/signals"
-import {jobAddress, startJob} from "../browser/job_socket.ts"
+import {startJob} from "../browser/job_socket.ts"
 import type {Store} from "../state/store.ts"
 import {
   type Choices,
@@ -44,7 +44,7 @@ export function openRoomTests(store: Store, flush: () => void): RoomTests {
       const request = requestOf(choices.value, store.now.document.program.text, store.now.room.world)
       test.value = {kind: "waiting", place: 0, rooms: choices.value.rooms}
       cancelTest = startJob(
-        jobAddress(window.location, "room-tests", session),
+        `room-tests/${encodeURIComponent(session)}`,
         request,
         {read: readAnswer, isLast},
         {

@@ -1,1 +1,1 @@
-"""Nodes of a Ray cluster, and tests in many rooms on them. Ray has its own lock file; only ``trials`` imports it."""
+"""Nodes of a Ray cluster: tests in many rooms and live classes on them. Ray has a lock file of its own."""

@@ -11,6 +11,8 @@ The head makes it; a person copies it to the other machines.
 from __future__ import annotations
 
 import argparse
+import contextlib
+import json
 import os
 import secrets
 import signal
@@ -26,8 +28,9 @@ from ..errors import BadInput, RosyError, WorkerMissing
 from ..sentence import tr
 from ..web.lan_addresses import lan_addresses
 from ..wording import in_terminal
+from ..worker.launcher import missing_sandbox
 
-__all__ = ["DEFAULT_PORT", "add_node_options", "start_node", "use_token"]
+__all__ = ["DEFAULT_PORT", "PAGES", "start_node", "use_token"]
 
 _POLL = 0.2
 """Between two looks whether Ray has started, s."""
@@ -36,12 +39,22 @@ DEFAULT_PORT = 6379
 """Ray's own default for the head of a cluster."""
 
 
-def add_node_options(parser: argparse.ArgumentParser) -> None:
-    """The arguments of the command."""
-    parser.add_argument("--cluster", dest="address", nargs="?", metavar="ADDRESS")
-    parser.add_argument("--host")
-    parser.add_argument("--port", type=int, default=DEFAULT_PORT)
-    parser.add_argument("--processes", type=int, metavar="N")
+PAGES, PAGES_PER_PROCESSOR = "pages", 60
+"""Resource of a node: pages that it serves in time. 150 pages take nine tenths of a core for the service, and as much
+for their programs (sim-service/README.md, "Where the time goes")."""
+
+_SETTINGS = {
+    # A node that is dead is found in about 5 s; one that stands still has 10 s for each answer (Ray's own timeout).
+    "RAY_health_check_period_ms": "1000",
+    "RAY_health_check_failure_threshold": "5",
+    # On a busy machine the head may need longer than Ray's 30 s, and so may the first process of a task, than its 60 s.
+    "RAY_gcs_server_port_wait_time_s": "600",
+    "RAY_worker_register_timeout_seconds": "600",
+}
+"""Environment of Ray's processes; ray_config_def.h of Ray has the names."""
+
+_TOO_SLOW, _ATTEMPTS = b"timed out during startup", 10
+"""What Ray says when a node took more than 30 s to start, for which it has no setting, and how often it is tried."""
 
 
 def token_file() -> Path:
@@ -81,7 +94,8 @@ def start_node(config: Config, options: argparse.Namespace, output: Callable[[st
     """
     if not config.worker:
         raise WorkerMissing
-    if not 1 <= options.port <= 65535:
+    port = DEFAULT_PORT if options.port is None else options.port
+    if not 1 <= port <= 65535:
         raise BadInput(tr("--port must be between 1 and 65535."))
     processes = options.processes if options.processes is not None else len(os.sched_getaffinity(0))
     if not 1 <= processes <= 256:
@@ -89,20 +103,34 @@ def start_node(config: Config, options: argparse.Namespace, output: Callable[[st
     command = [str(Path(sys.executable).with_name("ray")), "start", "--block", "--disable-usage-stats"]
     command += ["--num-cpus", str(processes)]
     host = options.host or next(iter(lan_addresses()), "127.0.0.1")
-    address = options.address or f"{host}:{options.port}"
+    address = options.address or f"{host}:{port}"
     if options.address is None:
         _make_token()
-        command += ["--head", "--port", str(options.port), "--include-dashboard", "false"]
+        command += ["--head", "--port", str(port), "--include-dashboard", "false"]
     else:
         command += ["--address", address]
     if options.host is not None or options.address is None:
         command += ["--node-ip-address", host]
+    if config.class_database is not None:
+        fault = missing_sandbox(config)
+        if fault is not None and not host.startswith("127."):
+            raise BadInput(
+                tr("Programs cannot be locked in on this machine ({fault}), so it cannot serve classes.", fault=fault)
+            )
+        # Only such a node can serve classes.
+        command += ["--resources", json.dumps({PAGES: PAGES_PER_PROCESSOR * processes})]
     use_token()
     log = config.root / ".rosy" / "log" / f"cluster-node-{os.getpid()}.log"
     log.parent.mkdir(parents=True, exist_ok=True)
-    with log.open("wb") as said:
-        ray = subprocess.Popen(command, stdout=said, stderr=subprocess.STDOUT, start_new_session=True)
+    environment = {**os.environ, **_SETTINGS, "ROSY_NODE_HOST": host}
     interrupted = threading.Event()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: interrupted.set())
+    ray = _start(command, environment, log, interrupted)
+    if ray is None:
+        if interrupted.is_set():
+            return 0
+        raise ClusterFailed(tr("The node could not start; what Ray says is in {file}.", file=str(log)))
 
     def interrupt(*_: object) -> None:
         interrupted.set()
@@ -110,8 +138,8 @@ def start_node(config: Config, options: argparse.Namespace, output: Callable[[st
 
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, interrupt)
-    if not _wait_until_ready(ray, log) and not interrupted.is_set():
-        raise ClusterFailed(tr("The node could not start; what Ray says is in {file}.", file=str(log)))
+    if interrupted.is_set():
+        ray.terminate()
     if options.address is None:
         output(in_terminal(tr("The cluster runs at {address}. Other machines join it with:", address=address)))
         output(f"  ./rosy start --cluster {address}")
@@ -131,9 +159,29 @@ class ClusterFailed(RosyError):
     """A node could not start, or ended by itself."""
 
 
-def _wait_until_ready(ray: subprocess.Popen[bytes], log: Path) -> bool:
+def _start(
+    command: list[str], environment: dict[str, str], log: Path, interrupted: threading.Event
+) -> subprocess.Popen[bytes] | None:
+    """Ray's processes; ``None`` when they did not start."""
+    for _ in range(_ATTEMPTS):
+        with log.open("wb") as said:
+            ray = subprocess.Popen(
+                command, stdout=said, stderr=subprocess.STDOUT, start_new_session=True, env=environment
+            )
+        if _wait_until_ready(ray, log, interrupted):
+            return ray
+        # Also what it may have left.
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(ray.pid, signal.SIGKILL)
+        ray.wait()
+        if interrupted.is_set() or _TOO_SLOW not in log.read_bytes():
+            return None
+    return None
+
+
+def _wait_until_ready(ray: subprocess.Popen[bytes], log: Path, interrupted: threading.Event) -> bool:
     """Whether Ray has started; it says so in a line of its log."""
-    while ray.poll() is None:
+    while ray.poll() is None and not interrupted.is_set():
         if b"Ray runtime started" in log.read_bytes():
             return True
         time.sleep(_POLL)

@@ -11,8 +11,6 @@ same.
 from __future__ import annotations
 
 import io
-import logging
-import socket
 import sys
 import threading
 from collections.abc import Callable, Sequence
@@ -30,6 +28,7 @@ from ..errors import RosyError
 from ..rooms.trial_pool import PoolClosed, ProgramLost, TrialPool, Trials
 from ..rooms.trial_process import Answer, Setup, Task, Trial
 from ..sentence import Sentence, tr
+from .connection import ClusterError, connect
 
 __all__ = ["ClusterPool"]
 
@@ -38,9 +37,6 @@ _BATCHES_PER_PROCESS = 4
 
 _LARGEST_BATCH = 16
 """Trials of a batch: a few seconds, which is what a lost node costs."""
-
-_CONNECT = 30.0
-"""For the head node to accept a connection, s."""
 
 _POLL = 0.2
 """How often a wait for outcomes looks whether the pool was closed, s."""
@@ -77,26 +73,11 @@ class ClusterPool:
         ``address`` is HOST:PORT of the cluster's head node.
 
         Raises:
-            RosyError: no node of the cluster runs on this machine, or its version differs.
+            ClusterError: it is not there, no node of it runs on this machine, or its version differs.
         """
         self._closed = threading.Event()
         self._streams = ExitStack()
-        try:
-            # Ray would try for minutes.
-            with socket.create_connection(_host_and_port(address), _CONNECT):
-                pass
-            ray.init(address=address, log_to_driver=False, logging_level=logging.CRITICAL, configure_logging=False)
-        except (RayError, OSError, RuntimeError, ValueError) as error:
-            said = f"{error.strerror}." if isinstance(error, OSError) and error.strerror else str(error)
-            why = said.strip().split("\n")[0]
-            raise RosyError(
-                tr(
-                    "The cluster at {address} cannot be used from this machine: {why} Start a node of it here: "
-                    "./rosy start --cluster {address}",
-                    address=address,
-                    why=why,
-                )
-            ) from error
+        connect(address)
         self._try_batch = ray.remote(num_cpus=1, max_retries=-1, scheduling_strategy="SPREAD")(_try_batch)
 
     @property
@@ -142,18 +123,11 @@ class ClusterPool:
                     for answer in answers[places[reference]]:
                         on_answer(answer)
         except (RayError, TaskCancelledError) as error:
-            raise RosyError(tr("The cluster cannot be reached any more: {why}", why=type(error).__name__)) from error
+            raise ClusterError(tr("The cluster cannot be reached any more: {why}", why=type(error).__name__)) from error
         finally:
             for reference in waiting:
                 ray.cancel(reference)
         return [answer for batch in answers for answer in batch]
-
-
-def _host_and_port(address: str) -> tuple[str, int]:
-    host, _, port = address.rpartition(":")
-    if not host or not port.isdecimal():
-        raise ValueError("HOST:PORT.")
-    return host, int(port)
 
 
 @dataclass(frozen=True, slots=True)

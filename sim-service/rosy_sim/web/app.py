@@ -9,7 +9,7 @@ import asyncio
 import contextlib
 import secrets
 import time
-from collections.abc import AsyncIterator, Callable, Coroutine, Iterable
+from collections.abc import AsyncIterator, Callable, Coroutine, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
@@ -126,7 +126,7 @@ class Service:
 
     async def serve_page(self, socket: WebSocket) -> None:
         """Serve one page until it disconnects."""
-        if not _same_origin(socket):
+        if not self._is_our_page(socket):
             await socket.close(_POLICY_VIOLATION)
             return
         address = socket.client.host if socket.client is not None else ""
@@ -176,7 +176,7 @@ class Service:
     async def serve_room_test(self, socket: WebSocket) -> None:
         """Serve a test in many rooms for the page of a session."""
         session = self.sessions.get(socket.path_params["session"])
-        if session is None or not _same_origin(socket):
+        if session is None or not self._is_our_page(socket):
             await socket.close(_POLICY_VIOLATION)
             return
         await socket.accept()
@@ -199,24 +199,32 @@ class Service:
 
     async def serve_pupil(self, socket: WebSocket) -> None:
         """Serve a pupil's page in class mode."""
-        if self._class_sockets is None or not _same_origin(socket):
+        if self._class_sockets is None or not self._is_our_page(socket):
             await socket.close(_POLICY_VIOLATION)
             return
         await self._class_sockets.serve_pupil(socket)
 
     async def serve_board(self, socket: WebSocket) -> None:
         """Serve the teacher's board in class mode."""
-        if self._class_sockets is None or not _same_origin(socket):
+        if self._class_sockets is None or not self._is_our_page(socket):
             await socket.close(_POLICY_VIOLATION)
             return
         await self._class_sockets.serve_board(socket)
 
     async def serve_projector(self, socket: WebSocket) -> None:
         """Serve a projector in class mode."""
-        if self._projectors is None or not _same_origin(socket):
+        if self._projectors is None or not self._is_our_page(socket):
             await socket.close(_POLICY_VIOLATION)
             return
         await self._projectors.serve(socket)
+
+    def _is_our_page(self, socket: WebSocket) -> bool:
+        """Whether a browser reports our own origin, or one of our cluster. Other clients report none."""
+        origin = socket.headers.get("origin")
+        if origin is None:
+            return True
+        page = urlsplit(origin).netloc
+        return page == socket.headers.get("host") or page in self.config.origins
 
     # HTTP
 
@@ -266,6 +274,20 @@ class Service:
                 "lateness": self.lateness.summary(),
             }
         )
+
+    async def metrics(self, _request: Request) -> Response:
+        """The same in the text format of Prometheus."""
+        lateness = self.lateness.summary()
+        values = {
+            "rosy_pages": len(self.sessions),
+            "rosy_runs": self.run_queue.running,
+            "rosy_runs_limit": self.run_queue.limit,
+            "rosy_runs_queued": self.run_queue.queued,
+            "rosy_worker_ready": int(self.worker.state == "ready"),
+            **{f"rosy_step_lateness_{name}": value for name, value in lateness.items()},
+        }
+        lines = [f"# TYPE {name} gauge\n{name} {value}\n" for name, value in values.items() if value is not None]
+        return PlainTextResponse("".join(lines), media_type="text/plain; version=0.0.4")
 
     async def list_examples(self, _request: Request) -> Response:
         """Name, title, lesson and level of each."""
@@ -385,12 +407,6 @@ async def _send(socket: WebSocket, session: PageSession) -> None:
         return
 
 
-def _same_origin(socket: WebSocket) -> bool:
-    """Whether a browser reports our own origin. Clients that are not browsers report none."""
-    origin = socket.headers.get("origin")
-    return origin is None or urlsplit(origin).netloc == socket.headers.get("host")
-
-
 def _failure(said: Sentence, status: int) -> Response:
     """An answer that a request over HTTP cannot be served: in English, and as a sentence for other languages."""
     failure = {"message": str(said), "sentence": msgspec.to_builtins(to_wire(said))}
@@ -421,6 +437,7 @@ def build_app(
     class_store: ClassStore | None = None,
     addresses: Callable[[], list[str]] = list,
     names: Iterable[str] | None = None,
+    more: Sequence[BaseRoute] = (),
 ) -> Starlette:
     """
     The application; its worker starts with its lifespan.
@@ -430,6 +447,7 @@ def build_app(
         class_store: the open class of class mode.
         addresses: where pupils reach the service.
         names: host names to serve beside IP addresses; ``None`` for every name.
+        more: further routes.
     """
     classroom = Classroom(class_store, addresses, time.monotonic) if class_store is not None else None
     service = Service(config, classroom)
@@ -442,6 +460,7 @@ def build_app(
         WebSocketRoute("/api/board", service.serve_board),
         WebSocketRoute("/api/projector", service.serve_projector),
         Route("/api/health", service.health),
+        Route("/api/metrics", service.metrics),
         Route("/api/examples", service.list_examples),
         Route("/api/examples/{name}", service.one_example),
         Route("/api/examples/{name}/path", service.example_path),
@@ -449,6 +468,7 @@ def build_app(
         Route("/api/lessons/{name}", service.one_lesson),
         Route("/api/worlds", service.list_worlds),
         Route("/api/worlds/{name}", service.one_world),
+        *more,
     ]
     routes.append(Route("/embed", _embed))
     if classroom is not None:

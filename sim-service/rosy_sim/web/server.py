@@ -16,12 +16,14 @@ import signal
 import socket
 import sys
 import webbrowser
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import uvicorn
 import uvloop
 from starlette.applications import Starlette
+from starlette.routing import BaseRoute
 
 from ..classroom.class_places import class_place
 from ..classroom.class_store import Admission
@@ -46,8 +48,23 @@ _NICE = -5
 """Priority of the service, and of the worker it starts; 0 is the default. setpriority(2)."""
 
 
-def serve(config: Config, host: str, port: int, open_browser: bool, unprotected: bool) -> int:
-    """Serve until SIGINT or SIGTERM; returns the exit status."""
+def serve(
+    config: Config,
+    host: str,
+    port: int | range,
+    open_browser: bool,
+    unprotected: bool,
+    announce: Callable[[int, Admission | None], None] | None = None,
+    more: Sequence[BaseRoute] = (),
+) -> int:
+    """
+    Serve until SIGINT or SIGTERM; returns the exit status.
+
+    Args:
+        port: where it listens; of a range, on the first that is free.
+        announce: called with the port when the service is ready, in place of a greeting on the terminal.
+        more: further routes.
+    """
     if not config.worker or shutil.which(config.worker[0]) is None:
         raise WorkerMissing
     fault = missing_sandbox(config)
@@ -59,7 +76,7 @@ def serve(config: Config, host: str, port: int, open_browser: bool, unprotected:
                 fault=fault,
             )
         )
-    listener = _bind(host, port)
+    listener = _bind(host, port) if isinstance(port, int) else _bind_first(host, port)
     if fault is not None:
         print(f"rosy: {in_terminal(sandbox_warning(fault))}", file=sys.stderr)
     bound = listener.getsockname()[1]
@@ -68,6 +85,8 @@ def serve(config: Config, host: str, port: int, open_browser: bool, unprotected:
     address = f"http://{shown}:{bound}/"
 
     def addresses() -> list[str]:
+        if config.class_address is not None:
+            return [config.class_address]
         return [f"http://{own}:{bound}/" for own in lan_addresses()] if is_any else [address]
 
     _raise_priority()
@@ -75,12 +94,22 @@ def serve(config: Config, host: str, port: int, open_browser: bool, unprotected:
         stack.callback(listener.close)
         classes = class_place(config.classes, config.class_database)
         store = stack.enter_context(classes.open(config.class_name)) if config.class_name else None
-        app = build_app(config, store, addresses, own_names(host))
+        app = build_app(config, store, addresses, own_names(host), more)
         code = app.state.service.robots.code if config.robots else None
-        greeting = _Greeting(address, addresses() if is_any else None, code, store.admission() if store else None)
+        admission = store.admission() if store else None
+        greet = _Greeting(address, addresses() if is_any else None, code, admission).print
+        if announce is not None:
+            greet = partial(_announced, announce, bound, admission, address)
         with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
-            runner.run(_serve(_Server(_settings(app, config), greeting, open_browser), listener))
+            runner.run(_serve(_Server(_settings(app, config), greet, open_browser), listener))
     return 0
+
+
+def _announced(
+    announce: Callable[[int, Admission | None], None], port: int, admission: Admission | None, address: str
+) -> str:
+    announce(port, admission)
+    return address
 
 
 def _settings(app: Starlette, config: Config) -> uvicorn.Config:
@@ -163,11 +192,11 @@ def _say(sentence: Sentence) -> None:
 
 
 class _Server(uvicorn.Server):
-    """Prints its greeting when it is ready."""
+    """Says when it is ready."""
 
-    def __init__(self, config: uvicorn.Config, greeting: _Greeting, open_browser: bool) -> None:
+    def __init__(self, config: uvicorn.Config, greet: Callable[[], str], open_browser: bool) -> None:
         super().__init__(config)
-        self._greeting = greeting
+        self._greet = greet
         self._open_browser = open_browser
 
     @contextlib.contextmanager
@@ -191,7 +220,7 @@ class _Server(uvicorn.Server):
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         """As uvicorn does, then the address."""
         await super().startup(sockets)
-        address = self._greeting.print()
+        address = self._greet()
         if self._open_browser:
             await asyncio.to_thread(webbrowser.open, address)
 
@@ -212,6 +241,14 @@ def _is_loopback(host: str) -> bool:
         return ipaddress.ip_address(host).is_loopback
     except ValueError:
         return host == "localhost"
+
+
+def _bind_first(host: str, ports: range) -> socket.socket:
+    """A listening socket on the first port that is free; raises as ``_bind`` does for the last one."""
+    for port in ports[:-1]:
+        with contextlib.suppress(BadInput):
+            return _bind(host, port)
+    return _bind(host, ports[-1])
 
 
 def _bind(host: str, port: int) -> socket.socket:

@@ -1,0 +1,46 @@
+/// Addresses of sockets: at the page's own service, or at the node where its class is now.
+
+import {expect, test} from "vitest"
+import {socketAddress} from "../../src/browser/service_address.ts"
+
+const at = (href: string) => ({href})
+const answering = (ok: boolean, value: unknown) => {
+  const asked: string[] = []
+  const ask = async (address: string) => {
+    asked.push(address)
+    return {ok, json: async () => value}
+  }
+  return {asked, ask}
+}
+
+test("a page without a class of a cluster asks nothing", async () => {
+  const {asked, ask} = answering(false, null)
+  expect(await socketAddress("api/class", at("http://10.0.0.1:8080/?lang=de#class=bcd"), ask)).toBe(
+    "ws://10.0.0.1:8080/api/class",
+  )
+  expect(await socketAddress("api/session", at("https://rosy.example/"), ask)).toBe(
+    "wss://rosy.example/api/session",
+  )
+  expect(asked).toEqual([])
+})
+
+test("a page of a cluster connects to the node of its class", async () => {
+  const {asked, ask} = answering(true, {address: "10.0.0.5:8101"})
+  const page = at("http://10.0.0.1:8080/?class=7b#class=bcd")
+  expect(await socketAddress("api/class", page, ask)).toBe("ws://10.0.0.5:8101/api/class")
+  expect(asked).toEqual(["http://10.0.0.1:8080/api/place?class=7b"])
+})
+
+test("behind TLS it is the proxy that leads to the node", async () => {
+  const {ask} = answering(true, {address: "10.0.0.5:8101"})
+  expect(await socketAddress("api/session", at("https://rosy.example/?class=7b"), ask)).toBe(
+    "wss://rosy.example/node/10.0.0.5:8101/api/session",
+  )
+})
+
+test("there is no address while no node has the class, or nothing answers", async () => {
+  const page = at("http://10.0.0.1:8080/?class=7b")
+  expect(await socketAddress("api/class", page, answering(false, {}).ask)).toBeNull()
+  expect(await socketAddress("api/class", page, answering(true, {address: 1}).ask)).toBeNull()
+  expect(await socketAddress("api/class", page, () => Promise.reject(new TypeError("no network")))).toBeNull()
+})

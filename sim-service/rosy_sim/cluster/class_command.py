@@ -1,0 +1,106 @@
+"""
+Live classes of a cluster from the command line: ``./rosy start --cluster ADDRESS --pages`` serves the page and tells
+pages where their class is; ``--class NAME`` has a class served by a node, and ``--end`` ends it.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from typing import Any
+
+import ray
+from ray.exceptions import RayError
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
+from starlette.routing import Route
+
+from ..classroom.class_folder import check_name
+from ..config import Config
+from ..errors import BadInput
+from ..sentence import tr
+from ..web.lan_addresses import lan_addresses
+from ..web.server import serve
+from ..wording import in_terminal
+from .class_service import Ready
+from .classes import directory
+
+__all__ = ["DEFAULT_PORT", "begin_class", "end_class", "serve_pages"]
+
+DEFAULT_PORT = 8080
+"""Where pages are served, as by ``./rosy start``."""
+
+
+def serve_pages(config: Config, options: argparse.Namespace) -> int:
+    """
+    Serve the page, and where each class is, until an interrupt; returns the exit status.
+
+    Raises:
+        ClusterError: the cluster cannot be used from this machine.
+        BadInput: the address cannot be used.
+    """
+    classes = directory(options.address)
+
+    async def place(request: Request) -> Response:
+        """Where a class is, as HOST:PORT; 503 while it starts, and if no node serves it."""
+        try:
+            found: Ready | None = await classes.find.remote(request.query_params.get("class", ""))
+        except RayError:
+            found = None
+        if found is None:
+            return JSONResponse({}, status_code=503, headers={"Cache-Control": "no-store"})
+        return JSONResponse({"address": found.address}, headers={"Cache-Control": "no-store"})
+
+    host = options.host or "0.0.0.0"
+    return serve(config, host, _port(options), False, options.unprotected, more=[Route("/api/place", place)])
+
+
+def begin_class(options: argparse.Namespace, output: Callable[[str], None]) -> int:
+    """
+    Have a class served by a node, and print what lets people in; returns the exit status.
+
+    Raises:
+        ClusterError: the cluster cannot be used from this machine.
+        BadInput: the name cannot be used.
+    """
+    check_name(options.class_name)
+    own = f"http://{next(iter(lan_addresses()), '127.0.0.1')}:{_port(options)}"
+    origin = (options.origin or own).rstrip("/")
+    classes = directory(options.address)
+    ray.get(classes.place.remote(options.class_name, origin))
+    output(in_terminal(tr("A node with room for the class is chosen; if it cannot start there, Ray's log says why.")))
+    found = _wait_for(classes, options.class_name)
+    pupils = f"{origin}/?class={options.class_name}#class={found.code}"
+    board = f"{origin}/board.html?class={options.class_name}#key={found.teacher_key}"
+    output(in_terminal(tr("Pupils open     {addresses}", addresses=pupils)))
+    output(in_terminal(tr("Class code      {code}", code=found.code)))
+    output(in_terminal(tr("Teacher's board {address}", address=board)))
+    output(in_terminal(tr("Keep the board's address to yourself: its key shows all programs.")))
+    output(in_terminal(tr("The class is on {address} now.", address=found.address)))
+    return 0
+
+
+def end_class(options: argparse.Namespace, output: Callable[[str], None]) -> int:
+    """
+    End a class, which stays in the database; returns the exit status.
+
+    Raises:
+        ClusterError: the cluster cannot be used from this machine.
+        BadInput: no node serves it.
+    """
+    if not ray.get(directory(options.address).end.remote(options.class_name)):
+        raise BadInput(tr("No node serves a class called {name}.", name=options.class_name))
+    output(in_terminal(tr("The class {name} has ended; its programs are kept.", name=options.class_name)))
+    return 0
+
+
+def _wait_for(classes: Any, name: str) -> Ready:
+    """Where a class is, when a node has room for it and it has started; an interrupt ends the wait."""
+    while True:
+        found: Ready | None = ray.get(classes.find.remote(name))
+        if found is not None:
+            return found
+
+
+def _port(options: argparse.Namespace) -> int:
+    return DEFAULT_PORT if options.port is None else int(options.port)

@@ -1,0 +1,193 @@
+"""
+Live classes on real Ray nodes: pages find their class, and when its node is killed it comes up on another one from the
+database, with the last letter typed, while the class of another node goes on.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import subprocess
+import time
+from collections.abc import AsyncIterator, Iterator
+from contextlib import ExitStack, asynccontextmanager, suppress
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import InvalidStatus
+
+from ..conftest import PATIENCE, UNHURRIED
+from ..extent import WHOLE
+from ..ports import kept_port
+from ..postgresql_server import needs_postgresql, postgresql_server
+from ..processes import command_of
+from ..test_cli import environment
+from ..web.test_app import Page
+from .ray_nodes import CLUSTER_PYTHON, Node, needs_ray
+
+__all__ = ["environment"]
+
+
+class Pages:
+    """The service of a cluster's pages, which also knows where classes are."""
+
+    def __init__(self, environment: dict[str, str], head: Node) -> None:
+        self._environment, self._head, self.origin = environment, head, f"127.0.0.1:{kept_port()}"
+        port = self.origin.partition(":")[2]
+        command = [str(CLUSTER_PYTHON), "-m", "rosy_sim", "node", "--cluster", head.address, "--pages"]
+        self._process = subprocess.Popen(
+            [*command, "--host", "127.0.0.1", "--port", port], env=environment, stdout=subprocess.PIPE, text=True
+        )
+        assert self._process.stdout is not None
+        assert self._process.stdout.readline(), "the pages ended"
+
+    def begin(self, name: str) -> dict[str, str]:
+        """Have a class served; gives code and key."""
+        said = self.command("--class", name, "--origin", f"http://{self.origin}")
+        return {"code": said.partition("#class=")[2].split()[0], "key": said.partition("#key=")[2].split()[0]}
+
+    def command(self, *arguments: str) -> str:
+        command = [str(CLUSTER_PYTHON), "-m", "rosy_sim", "node", "--cluster", self._head.address, *arguments]
+        done = subprocess.run(command, env=self._environment, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    def close(self) -> None:
+        self._process.terminate()
+        self._process.wait(PATIENCE)
+        assert self._process.stdout is not None
+        self._process.stdout.close()
+
+    async def find(self, name: str) -> str:
+        """Where a class is, asked as a page asks: again until there is an answer."""
+        async with httpx.AsyncClient(timeout=PATIENCE) as client:
+            while True:
+                answer = await client.get(f"http://{self.origin}/api/place", params={"class": name})
+                if answer.status_code == 200:
+                    return str(answer.json()["address"])
+
+    @asynccontextmanager
+    async def opened(self, name: str, path: str) -> AsyncIterator[ClientConnection]:
+        """A socket of a page, at the node of its class; while that is lost, the page asks and tries again."""
+        while True:
+            url = f"ws://{await self.find(name)}/api/{path}"
+            try:
+                socket = await connect(url, origin=f"http://{self.origin}", **UNHURRIED)  # type: ignore[arg-type]
+                break
+            except (OSError, EOFError, InvalidStatus):
+                continue
+        try:
+            yield socket
+        finally:
+            socket.transport.abort()
+
+
+class Pupil:
+    """A pupil's sockets: the page, and the class."""
+
+    def __init__(self, page: ClientConnection, pupil: ClientConnection) -> None:
+        self.page, self._pupil = Page(page), pupil
+
+    async def ask(self, op: str, *answers: str, **fields: Any) -> dict[str, Any]:
+        await self._pupil.send(json.dumps({"op": op, **fields}))
+        async with asyncio.timeout(PATIENCE):
+            while True:
+                message: dict[str, Any] = json.loads(await self._pupil.recv())
+                if message["op"] in answers:
+                    return message
+
+    async def drive(self, run: int) -> None:
+        """Run a program until the robot has moved."""
+        await self.page.send("run", run=run, source="drive:0.02", seed=1, speed=1)
+        await self.driving(run)
+
+    async def driving(self, run: int) -> None:
+        first = await self.page.op("frame", run=run)
+        await self.page.until(
+            lambda m: m["op"] == "frame" and m["run"] == run and m["pose"]["x"] > first["pose"]["x"] + 0.005
+        )
+
+
+@asynccontextmanager
+async def pupil(pages: Pages, name: str) -> AsyncIterator[Pupil]:
+    async with pages.opened(name, "session") as page, pages.opened(name, "class") as own:
+        yield Pupil(page, own)
+
+
+@pytest.fixture
+def cluster(environment: dict[str, str], tmp_path: Path) -> Iterator[tuple[Pages, list[Node]]]:
+    """A head, which serves no classes, and two nodes, each with room for two."""
+    token = {**environment, "ROSY_CLUSTER_TOKEN": str(tmp_path / "token")}
+    with ExitStack() as stack:
+        url = stack.enter_context(postgresql_server())
+        head = stack.enter_context(Node(token))
+        serving = {**token, "ROSY_CLASS_DATABASE": url}
+        nodes = [stack.enter_context(Node(serving, head, 2)) for _ in range(2)]
+        pages = Pages(token, head)
+        stack.callback(pages.close)
+        yield pages, nodes
+
+
+async def watch(pupil: Pupil, seen: list[dict[str, Any]]) -> None:
+    """Read what a page is told, until the task is cancelled."""
+    while True:
+        seen.append(json.loads(await pupil.page.socket.recv()))
+
+
+def serves(node: Node, name: str) -> bool:
+    """Whether the service of a class is a process of a node."""
+    return any(command_of(pid)[1:4] == ["-m", "rosy_sim.cluster.class_service", name] for pid in node.processes())
+
+
+@needs_ray
+@needs_postgresql
+@pytest.mark.skipif(not WHOLE, reason="cluster: live classes are played in nightly")
+@pytest.mark.long
+def test_a_class_outlives_its_node_and_another_goes_on(cluster: tuple[Pages, list[Node]]) -> None:
+    pages, nodes = cluster
+    codes = {name: pages.begin(name)["code"] for name in ("7a", "7b")}
+    # A class that is served is found, not begun again.
+    assert pages.begin("7a")["code"] == codes["7a"]
+    lost = next(node for node in nodes if serves(node, "7a"))
+    kept = next(node for node in nodes if serves(node, "7b"))
+    assert kept is not lost
+
+    async def lesson() -> None:
+        async with pupil(pages, "7b") as other:
+            await other.ask("join", "entered", code=codes["7b"], nickname="Bob", language="en")
+            await other.drive(1)
+            seen: list[dict[str, Any]] = []
+            watching = asyncio.create_task(watch(other, seen))
+            async with pupil(pages, "7a") as before:
+                entered = await before.ask("join", "entered", code=codes["7a"], nickname="Ada", language="en")
+                await before.drive(1)
+                request = {"program": "p", "name": "walk", "reason": "change", "mark": "m", "base": 0}
+                await before.ask("save", "saved", text="the last letter", unacknowledged=[], **request)
+                killed = time.monotonic()
+                lost.kill()
+            async with pupil(pages, "7a") as after:
+                again = await after.ask("enter", "entered", token=entered["token"])
+                assert [one["name"] for one in again["programs"]] == ["walk"]
+                assert (await after.ask("read", "program", program="p"))["text"] == "the last letter"
+                await after.drive(2)
+                took = time.monotonic() - killed
+            assert serves(kept, "7a")
+            # The run of the other class has not ended.
+            watching.cancel()
+            with suppress(asyncio.CancelledError):
+                await watching
+            assert not [one for one in seen if one["op"] == "state"]
+            last = max(one["time"] for one in seen if one["op"] == "frame")
+            await other.page.until(lambda m: m["op"] == "frame" and m["time"] > last)
+            async with httpx.AsyncClient(timeout=PATIENCE) as client:
+                health = (await client.get(f"http://{await pages.find('7b')}/api/health")).json()
+            late = health["lateness"]
+            # Shown by `pytest -s`.
+            print(f"after kill -9 of its node the class drives again after {took:.1f} s")
+            print(f"steps of the other class began late by {late['p50']:.4f} s (median), {late['p99']:.4f} s (99 %)")
+
+    asyncio.run(lesson())
+    assert "has ended" in pages.command("--class", "7b", "--end")
