@@ -107,6 +107,7 @@ export function namesIn(parts: readonly Dump[]): readonly string[] {
   return parts.flatMap(part => {
     if (isList(part)) return namesIn(part)
     const name = /^\{OccName: ([\s\S]*)\}$/.exec(part)?.[1]
-    return name === undefined ? [] : [name]
+    // A name with an underscore may have been taken for a local one, which has a number.
+    return name === undefined || name.includes("#") ? [] : [name]
   })
 }
