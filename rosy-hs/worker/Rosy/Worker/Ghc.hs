@@ -48,6 +48,7 @@ import GHC.TopHandler (runMainIO)
 import GHC.Types.Name (Name, getName, getOccString, nameModule_maybe)
 import GHC.Types.SrcLoc
 import GHCi.RemoteTypes (localRef, withForeignRef)
+import Rosy.Worker.Branch (Branch)
 import Rosy.Worker.CompilerMessage (Category (Hole, MissingMethods, Types), CompilerMessage (..), ProgramOutline (..), emptyOutline)
 import Rosy.Worker.Ghc.BranchInstrumentation
 import Rosy.Worker.Ghc.Compat.Driver
@@ -71,7 +72,6 @@ import Rosy.Worker.Ghc.TreeRewrite hiding (added)
 import Rosy.Worker.Graph (Connection, Part)
 import Rosy.Worker.Problem (Declaration (..), Function, Position (..), Problem (kind, place, severity), Severity (..), Typed, isError, problemAt, problemNowhere)
 import qualified Rosy.Worker.Problem as Placed (Span (end, start))
-import Rosy.Worker.Report (Branch)
 import Rosy.Worker.Sentence
 import Rosy.Worker.StaticAdvice (Facts)
 import Rosy.Worker.TabStops (TabStops, tabStopsOf)

@@ -41,8 +41,9 @@ import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Text.Encoding (encodeUtf8)
+import Rosy.Worker.Branch (Branch)
 import Rosy.Worker.Problem (Completion (..), Position (Position), Problem, Span (..), Typed (..))
-import Rosy.Worker.Report (Branch, Report (..))
+import Rosy.Worker.Report (Report (..))
 
 -- | Chosen by the service; any JSON value.
 type Id = Value

@@ -1,10 +1,9 @@
 -- |
 -- Module      : Rosy.Worker.Report
--- Description : Result of a check, and the branches of a program that is run.
+-- Description : Result of a check.
 module Rosy.Worker.Report
   ( Report (..),
     emptyReport,
-    Branch,
   )
 where
 
@@ -26,6 +25,3 @@ data Report = Report
 
 emptyReport :: [Problem] -> Report
 emptyReport ps = Report ps [] [] [] [] []
-
--- | @Rosy.BranchCoverage.Branch@: start and end as line and column, names of the definitions around, kind, number, and what it is told by.
-type Branch = ((Int, Int), (Int, Int), [String], String, Int, String)

@@ -30,12 +30,12 @@ import GHC.Types.Id (Id, idType)
 import GHC.Types.Id.Make (seqId)
 import GHC.Types.Name
 import GHC.Types.SrcLoc
+import Rosy.Worker.Branch (Branch)
 import Rosy.Worker.Ghc.Compat.Driver
 import Rosy.Worker.Ghc.Compat.Syntax
 import Rosy.Worker.Ghc.Compat.Types
 import Rosy.Worker.Ghc.SpanTypes (typeOfExpression)
 import Rosy.Worker.Problem (Position (..), Span (..))
-import Rosy.Worker.Report (Branch)
 
 -- | The program with its branches, in the order of their numbers from 0. Only what the function gives a span was written by the learner.
 instrumentBranches :: HscEnv -> (SrcSpan -> Maybe Span) -> Text -> TcGblEnv -> IO (TcGblEnv, [Branch])

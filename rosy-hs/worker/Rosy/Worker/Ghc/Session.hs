@@ -33,9 +33,9 @@ import GHC.Types.Avail (availNames)
 import GHC.Types.Name (nameModule_maybe, nameOccName)
 import GHC.Types.Name.Occurrence (emptyOccSet, isTcOcc, mkOccSet, occNameString)
 import Rosy.Worker.Allowlist (allowedModules)
+import Rosy.Worker.Branch (Branch)
 import Rosy.Worker.Ghc.Compat.Driver
 import Rosy.Worker.Ghc.TreeRewrite (ImplicitNames (..))
-import Rosy.Worker.Report (Branch)
 import Unsafe.Coerce (unsafeCoerce)
 
 -- | Package databases of the Rosy library besides the global one, its unit id, and GHC's library directory.
