@@ -188,7 +188,7 @@ class Service:
     async def serve_lesson_rehearsals(self, socket: WebSocket) -> None:
         """Serve the rehearsals of a lesson for the page of a session."""
         session = self.sessions.get(socket.path_params["session"])
-        if session is None or not _same_origin(socket):
+        if session is None or not self._is_our_page(socket):
             await socket.close(_POLICY_VIOLATION)
             return
         await socket.accept()
