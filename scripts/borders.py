@@ -16,6 +16,7 @@ import python_imports
 from citations import citation_breaches
 from extension_table import extension_breaches
 from protection_table import protection_breaches
+from robot_sentences import translation_breaches
 from sentences import sentence_breaches
 from tracked_files import tracked_files
 
@@ -104,7 +105,7 @@ def robot_breaches(path: Path, text: str) -> Iterator[str]:
 def main() -> int:
     files = tracked_files(ROOT)
     found: list[str] = [*folder_breaches(files), *citation_breaches(ROOT, files)]
-    found += [*extension_breaches(ROOT), *protection_breaches(ROOT), *sentence_breaches(ROOT)]
+    found += [*extension_breaches(ROOT), *protection_breaches(ROOT), *sentence_breaches(ROOT), *translation_breaches(ROOT)]
     found += [f"sim-service/rosy_sim: {what}" for what in python_imports.breaches(ROOT / "sim-service" / "rosy_sim")]
     looked = len(FOLDERS_WITH_README)
     for path in files:

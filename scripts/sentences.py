@@ -1,7 +1,8 @@
 """
 Translations of sentences, as a check: every template of the source text stands in every language's table, and takes its arguments.
 
-In: calls of ``tr`` and ``trWith`` in ``rosy-hs/worker`` and ``rosy-hs/src`` (``Rosy.Sentence``), calls of ``tr`` in ``sim-service/rosy_sim``
+In: calls of ``tr`` and ``trWith`` in ``rosy-hs/worker``, ``rosy-hs/src``, ``rosy-hs/robots``, ``rosy-hs/app`` (``Rosy.Sentence``),
+calls of ``tr`` in ``sim-service/rosy_sim``
 (``rosy_sim.sentence``) and in what packs Rosy, sentences of ``./rosy`` itself (``shell_sentences.py``), titles of rooms and examples, the tables
 ``protocol/sentences/*.json`` and the help pages. Out: one sentence per breach. ``python3 scripts/sentences.py`` prints the templates as a table without
 translations, to begin a language with; with the name of a table, those that it lacks.
@@ -19,8 +20,8 @@ from pathlib import Path
 from shell_sentences import shell_bypasses, shell_templates
 
 ROOT = Path(__file__).resolve().parent.parent
-_HASKELL = ("rosy-hs/worker", "rosy-hs/src")
-_TABLES = Path("protocol/sentences")
+_HASKELL = ("rosy-hs/worker", "rosy-hs/src", "rosy-hs/robots", "rosy-hs/app")
+TABLES = Path("protocol/sentences")
 # Defines both functions and quotes them in its comments.
 _DEFINITION = Path("rosy-hs/src/Rosy/Sentence.hs")
 _SERVICE = Path("sim-service/rosy_sim")
@@ -157,6 +158,12 @@ def _matching(root: Path, patterns: tuple[str, ...]) -> list[Path]:
     return [path for pattern in patterns for path in sorted(root.glob(pattern))]
 
 
+def haskell_ids(root: Path, folders: tuple[str, ...]) -> set[str]:
+    """The templates of some folders of Haskell source text."""
+    paths = [path for folder in folders for path in sorted((root / folder).rglob("*.hs")) if path != root / _DEFINITION]
+    return {template for path in paths for _, template, _ in templates(path.read_text()) if template is not None}
+
+
 def sentence_ids(root: Path = ROOT) -> set[str]:
     """All templates of the worker and the service, and the content's sentences."""
     return content_ids(root) | {t for _, found in _sources(root) for _, t, _ in found if t is not None}
@@ -174,7 +181,7 @@ def sentence_breaches(root: Path = ROOT) -> Iterator[str]:
     for path, line, text in _all_bypasses(root):
         yield f"{path.relative_to(root).as_posix()}:{line}: “{text}” is in no table of sentences; make it with tr, in a script with sentence"
     ids = sentence_ids(root)
-    for path in sorted((root / _TABLES).glob("*.json")):
+    for path in sorted((root / TABLES).glob("*.json")):
         name, text = path.relative_to(root).as_posix(), path.read_text()
         yield from _table_breaches(name, json.loads(text), ids)
         yield from _help_breaches(root, path.stem)

@@ -1,3 +1,5 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- |
 -- Description : rosy-robot: a real robot for programs that wait for the simulator.
 --
@@ -36,6 +38,8 @@ import Rosy.Robots.LockstepRun
 import Rosy.Robots.RobotProcess
 import Rosy.Robots.RobotRun (onSignals, runAfter, terminationSignals, withConnection)
 import Rosy.Robots.Target
+import Rosy.Robots.Wording (inTerminal, tellPerson)
+import Rosy.Sentence
 import System.Environment (getArgs)
 import System.Exit
 import System.IO hiding (withFile)
@@ -48,11 +52,13 @@ main :: IO ()
 main = do
   -- Writes whole lines, so that concurrent output does not mix.
   mapM_ (`hSetBuffering` LineBuffering) [stdout, stderr]
+  -- Sentences have letters that the encoding of the locale may lack.
+  mapM_ (`hSetEncoding` utf8) [stdout, stderr]
   getArgs >>= \case
     "hold" : address : fd : given -> holdFor address fd (limitsFrom given)
     ["check", address] -> void (targetAt address)
     address : fd : given -> driveOnce address fd (numbers (take 1 given)) (limitsFrom (drop 1 given))
-    _ -> refuse "rosy-robot takes an address, such as ws://HOST:9090, and the descriptor of a socket."
+    _ -> refuse (tr "rosy-robot takes an address, such as ws://HOST:9090, and the descriptor of a socket.")
 
 targetAt :: String -> IO Target
 targetAt address = do
@@ -62,7 +68,7 @@ targetAt address = do
 socketAt :: String -> IO Socket
 socketAt text = case reads text of
   [(fd, "")] -> socketFrom fd
-  _ -> refuse "the second argument is the number of a descriptor."
+  _ -> refuse (tr "the second argument is the number of a descriptor.")
 
 socketFrom :: CInt -> IO Socket
 socketFrom fd = setFdOption (Fd fd) NonBlockingRead True >> mkSocket fd
@@ -112,20 +118,20 @@ holdFor address fd limits = do
         C.hGetLine stdin >>= mapM_ (request requests) . readRequest
         reading requests
 
-refuse :: String -> IO a
-refuse why = hPutStrLn stderr ("rosy: " ++ why) >> exitWith (ExitFailure 1)
+refuse :: Sentence -> IO a
+refuse why = inTerminal why >>= T.hPutStrLn stderr . ("rosy: " <>) >> exitWith (ExitFailure 1)
 
 report :: ProcessLimits -> Double -> LockstepResult -> IO ()
 report limits wall served = do
   (word, status) <- case runEnd served of
     Finished -> pure ("done", ExitSuccess)
     Stopped -> pure ("time", ExitSuccess)
-    Failed message hint _ -> ("error", ExitFailure 2) <$ mapM_ (T.hPutStrLn stderr) (message : [hint | not (T.null hint)])
-    Stuck -> ("stuck", ExitFailure 2) <$ hPutStrLn stderr ("The program was still busy after " ++ shownSeconds (stepLimit limits) ++ " seconds, so the robot was stopped.")
-    Died -> ("error", ExitFailure 2) <$ hPutStrLn stderr "The program has died, so the robot was stopped."
+    Failed message hint _ -> ("error", ExitFailure 2) <$ mapM_ tellPerson (message : [hint | not (T.null (english hint))])
+    Stuck -> ("stuck", ExitFailure 2) <$ tellPerson (trWith "The program was still busy after {seconds} seconds, so the robot was stopped." ["seconds" =: T.pack (shownSeconds (stepLimit limits))])
+    Died -> ("error", ExitFailure 2) <$ tellPerson (tr "The program has died, so the robot was stopped.")
     -- The observer has said why.
     RobotRefused _ -> pure ("error", ExitFailure 2)
-    RobotLost why -> ("error", ExitFailure 2) <$ hPutStrLn stderr ("The robot is gone: " ++ why ++ ".")
+    RobotLost why -> ("error", ExitFailure 2) <$ tellPerson (trWith "The robot is gone: {why}." ["why" =@ why])
   putStrLn $
     ("{\"time\":" ++ show (fromIntegral (stepsRun served) / 50 :: Double) ++ ",\"pose\":" ++ maybe "null" pose (lastPose served))
       ++ (",\"ended\":\"" ++ word ++ "\",\"steps\":" ++ show (stepsRun served) ++ ",\"wall\":" ++ show wall ++ "}")

@@ -3,8 +3,10 @@
 module Main (main) where
 
 import Control.Monad (forM_)
+import qualified Data.Text as T
 import Rosy.Robots.RobotRun (runOnRobot)
 import Rosy.Robots.Target (explainTargetError, readTarget)
+import Rosy.Sentence (english)
 import System.Environment (getArgs)
 import System.Exit (die, exitWith)
 import qualified Test.Robots.BuiltProgram
@@ -18,13 +20,14 @@ import Test.Robots.Rigs (withReady)
 import qualified Test.Robots.Same
 import qualified Test.Robots.Target
 import qualified Test.Robots.Telemetry
+import qualified Test.Robots.Wording
 import Test.Tasty
 
 main :: IO ()
 main =
   getArgs >>= \case
     -- The tests start this program again as a learner's program.
-    ["--drive", url, name] -> either (die . explainTargetError) (\t -> runOnRobot t (byName name) >>= exitWith) (readTarget url)
+    ["--drive", url, name] -> either (die . T.unpack . english . explainTargetError) (\t -> runOnRobot t (byName name) >>= exitWith) (readTarget url)
     -- Hours on a bad cable, one for each of these numbers.
     ["--hours", from, to] -> forM_ [read from .. read to] $ \seed -> putStrLn (show seed ++ ": " ++ show (anHour seed) ++ " wrong")
     _ -> suite
@@ -37,5 +40,6 @@ suite =
       Test.Robots.Target.tests,
       Test.Robots.BuiltProgram.tests,
       Test.Robots.Telemetry.tests,
+      Test.Robots.Wording.tests,
       withReady (\ready -> testGroup "robots that are not" [Test.Robots.Links.tests ready, Test.Robots.Same.tests ready, Test.Robots.Motion.tests ready])
     ]

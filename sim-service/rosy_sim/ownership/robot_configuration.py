@@ -72,6 +72,6 @@ def check_address(robot_executable: Path | None, address: str) -> Path:
         raise BadInput(tr("The part of Rosy that speaks to robots is not built yet; ./rosy run --robot builds it."))
     looked = subprocess.run([str(robot_executable), "check", address], capture_output=True, text=True, check=False)
     if looked.returncode != 0:
-        # rosy-robot speaks English.
+        # rosy-robot says it in the language of this machine's terminals.
         raise BadInput(verbatim(looked.stderr.strip().removeprefix("rosy: ").rstrip(".") + "."))
     return robot_executable

@@ -30,6 +30,7 @@ import Control.Exception (throwIO)
 import Control.Monad (forM_, when)
 import Data.IORef
 import Data.Maybe (isNothing)
+import qualified Data.Text as T
 import GHC.Clock (getMonotonicTime)
 import Rosy.Channel (Message)
 import Rosy.Link
@@ -37,7 +38,8 @@ import Rosy.Problem (Fault (..))
 import Rosy.Robot
 import Rosy.Robots.Connection
 import Rosy.Robots.Guard
-import System.IO (hPutStrLn, stderr)
+import Rosy.Robots.Wording (tellPerson)
+import Rosy.Sentence (english)
 import System.Random (randomIO)
 
 -- | Control of a run from outside: the stop flag, the guard, and whether the robot was refused.
@@ -104,7 +106,7 @@ realLink clock patience r connection = do
             t <- now clock
             writeIORef lostSince (Just (t, why))
           Disconnected why -> complain (IsAwaited why)
-          Refused why -> complain (IsRefused why) >> atomically (writeTVar (refused r) True) >> throwIO (LinkLost why)
+          Refused why -> complain (IsRefused why) >> atomically (writeTVar (refused r) True) >> throwIO (LinkLost (T.unpack (english why)))
           Connected -> do
             lost <- readIORef lostSince
             complain (if isNothing lost then IsThere else IsBack)
@@ -144,7 +146,7 @@ realLink clock patience r connection = do
             t <- now clock
             ms <- (++) <$> atomicModifyIORef' early ([],) <*> (concat <$> mapM passes hs)
             lost <- readIORef lostSince
-            forM_ lost $ \(since, why) -> when (t - since > patience) (throwIO (LinkLost why))
+            forM_ lost $ \(since, why) -> when (t - since > patience) (throwIO (LinkLost (T.unpack (english why))))
             if null ms && not tick
               then following
               else do
@@ -155,8 +157,8 @@ realLink clock patience r connection = do
   pure
     Link
       { open = \topics -> do
-          registerTopics connection topics >>= mapM_ (hPutStrLn stderr)
-          complain (IsAwaited "")
+          registerTopics connection topics >>= mapM_ tellPerson
+          complain (IsAwaited unknownReason)
           untilHere
           now clock >>= writeIORef beganAt
           Opening <$> randomIO <*> today clock,
@@ -174,4 +176,4 @@ realLink clock patience r connection = do
         atRest = pure ()
       }
   where
-    complain = hPutStrLn stderr . explainNotice (connectionName connection)
+    complain = tellPerson . explainNotice (connectionName connection)

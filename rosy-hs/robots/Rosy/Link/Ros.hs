@@ -1,3 +1,4 @@
+{-# LANGUAGE OverloadedStrings #-}
 {-# LANGUAGE PatternSynonyms #-}
 
 -- |
@@ -38,9 +39,10 @@ import Rosy.Robot
 import Rosy.Robots.Connection
 import Rosy.Robots.DynamicMessage
 import Rosy.Robots.Target (odometryTopic)
+import Rosy.Sentence
 import Rosy.Topic (pattern OpenAction, pattern OpenMessage)
 
-withRos :: Settings -> String -> [Route] -> (Connection -> IO a) -> IO a
+withRos :: Settings -> Sentence -> [Route] -> (Connection -> IO a) -> IO a
 withRos settings name known use = withNodeIn settings "rosy" $ do
   hearing <- liftIO newEventQueue
   count <- liftIO (newTVarIO (0 :: Int))
@@ -68,7 +70,7 @@ withRos settings name known use = withNodeIn settings "rosy" $ do
   -- The first sound of a program would be lost on a base whose odometry comes a moment before it has connected to ours.
   forM_ (filter (any isOdometry) (sensorTopics known)) $ \carried -> nodeIO (\run -> run (receive carried (arrives (run (awaitListeners listenerTimeout))) (ownToo carried)))
   let ownTopic t
-        | not (hasDefinition (topicType t)) = pure ["There is no description of the message " ++ topicType t ++ ", which " ++ topicName t ++ " has. Put its .msg file in a folder of ROSY_MSG_PATH."]
+        | not (hasDefinition (topicType t)) = pure [trWith "There is no description of the message {message}, which {topic} has. Put its .msg file in a folder of ROSY_MSG_PATH." ["message" =: T.pack (topicType t), "topic" =: T.pack (topicName t)]]
         | topicUse t == Taken = do
           isNew <- liftIO . atomically $ do
             before <- readTVar taken
@@ -97,7 +99,7 @@ withRos settings name known use = withNodeIn settings "rosy" $ do
         came <- timeoutInSlices silenceTimeout (atomically (readTVar count >>= check . (/= before)))
         when (isNothing came) . atomically $ do
           writeTVar present False
-          enqueue hearing (Disconnected "nothing was heard of it for a second")
+          enqueue hearing (Disconnected (tr "nothing was heard of it for a second"))
         watch
   core <- askCore
   let -- Until the robot is there: what it waits for.
@@ -106,18 +108,18 @@ withRos settings name known use = withNodeIn settings "rosy" $ do
         there <- readTVarIO present
         answer <- if there then pure Nothing else Just <$> Master.hasParam (master core) "/run_id"
         let why = case answer of
-              Nothing -> ""
-              Just (Left _) -> "no ROS master answers; does roscore run there?"
-              Just (Right _) -> "the ROS master answers and no node publishes odometry as " ++ odometryTopic known ++ "; does the base's own program run?"
-        when (why /= told && not (null why)) (atomically (enqueue hearing (Disconnected why)))
+              Nothing -> unknownReason
+              Just (Left _) -> tr "no ROS master answers; does roscore run there?"
+              Just (Right _) -> trWith "the ROS master answers and no node publishes odometry as {topic}; does the base's own program run?" ["topic" =: T.pack (odometryTopic known)]
+        when (why /= told && why /= unknownReason) (atomically (enqueue hearing (Disconnected why)))
         reportMissing why
   nodeIO $ \run ->
-    withAsync watch $ \_ -> withAsync (reportMissing "") $ \_ ->
+    withAsync watch $ \_ -> withAsync (reportMissing unknownReason) $ \_ ->
       withAsync (run awaitEnd >>= atomically . enqueue hearing . Disconnected . because) (const (use connection))
   where
     because why = case why of
-      AskedTo reason -> reason
-      _ -> "this node ended"
+      AskedTo reason -> verbatim (T.pack reason)
+      _ -> tr "this node ended"
 
 -- | Time without a message after which the robot counts as lost, microseconds: fifty odometry messages are missing.
 silenceTimeout :: Int

@@ -22,6 +22,7 @@ import qualified Data.ByteString.Lazy as L
 import Data.IORef
 import Data.Maybe (isNothing)
 import Data.Text (Text)
+import qualified Data.Text as T
 import Network.Socket (close)
 import qualified Network.WebSockets as WS
 import Ros.Net.Rpc (connectTo)
@@ -33,6 +34,7 @@ import Rosy.Robots.Connection
 import Rosy.Robots.ConnectionError (explainConnectionError)
 import Rosy.Robots.RosbridgeCodec
 import Rosy.Robots.Target
+import Rosy.Sentence
 
 withRosbridge :: String -> Int -> String -> [Route] -> (Connection -> IO a) -> IO a
 withRosbridge host port path known use = do
@@ -44,7 +46,7 @@ withRosbridge host port path known use = do
   levels <- newTVarIO noLevels
   let connection =
         Connection
-          { connectionName = "the robot at ws://" ++ host ++ ":" ++ show port ++ path,
+          { connectionName = trWith "the robot at {address}" ["address" =: T.pack ("ws://" ++ host ++ ":" ++ show port ++ path)],
             connectionRoutes = known,
             registerTopics = \topics -> do
               atomically $ do
@@ -76,10 +78,10 @@ silenceTimeout :: Int
 silenceTimeout = 1000000
 
 keepConnected :: String -> Int -> String -> [Route] -> TVar [Topic] -> TVar Levels -> EventQueue -> TQueue (Maybe L.ByteString) -> TVar Bool -> IO ()
-keepConnected host port path known own levels hearing outgoing connected = go firstPause ""
+keepConnected host port path known own levels hearing outgoing connected = go firstPause unknownReason
   where
     go pause said = do
-      why <- (runConnection >> pure "the connection ended") `catches` [Handler (\e -> pure (explainConnectionError (e :: IOException))), Handler (\e -> pure (ended (e :: WS.ConnectionException))), Handler (\(_ :: WS.HandshakeException) -> pure "what listens there is no rosbridge server")]
+      why <- (runConnection >> pure (tr "the connection ended")) `catches` [Handler (\e -> pure (explainConnectionError (e :: IOException))), Handler (\e -> pure (ended (e :: WS.ConnectionException))), Handler (\(_ :: WS.HandshakeException) -> pure (tr "what listens there is no rosbridge server"))]
       wasConnected <- atomically (swapTVar connected False <* flushTQueue outgoing)
       if wasConnected || why /= said then atomically (enqueue hearing (Disconnected why)) else pure ()
       threadDelay pause
@@ -132,16 +134,16 @@ keepConnected host port path known own levels hearing outgoing connected = go fi
             if isNothing came && wasPresent
               then do
                 writeIORef present False
-                atomically (enqueue hearing (Disconnected "nothing was heard of it for a second"))
+                atomically (enqueue hearing (Disconnected (tr "nothing was heard of it for a second")))
               else when (isNothing came && not lately) (atomically (enqueue hearing (Disconnected noOdometry)))
             writeIORef missing (isNothing came)
             watch
       void (race read' watch)
-    noOdometry = "the server answers and has no odometry called " ++ odometryTopic known ++ "; does the base's own program run?"
+    noOdometry = trWith "the server answers and has no odometry called {topic}; does the base's own program run?" ["topic" =: T.pack (odometryTopic known)]
     ended e = case e of
-      WS.CloseRequest _ _ -> "the server closed the connection"
-      WS.ConnectionClosed -> "the connection was closed"
-      _ -> "the server does not speak WebSocket"
+      WS.CloseRequest _ _ -> tr "the server closed the connection"
+      WS.ConnectionClosed -> tr "the connection was closed"
+      _ -> tr "the server does not speak WebSocket"
 
 -- | Pauses between attempts, microseconds.
 firstPause, lastPause :: Int

@@ -1,4 +1,5 @@
 {-# LANGUAGE CPP #-}
+{-# LANGUAGE OverloadedStrings #-}
 
 -- |
 -- Module      : Rosy.Link.Serial
@@ -44,6 +45,7 @@ import Rosy.Robots.Connection
 import Rosy.Robots.ConnectionError (explainConnectionError)
 import Rosy.Robots.Guardian
 import Rosy.Robots.SerialCodec (readParts)
+import Rosy.Sentence
 import Rosy.Wire (pipeRoutes)
 import System.Posix.IO (OpenFileFlags (..), OpenMode (..), closeFd, defaultFileFlags, fdReadBuf, fdWriteBuf, openFd)
 import System.Posix.Terminal
@@ -70,9 +72,9 @@ withSerial device use = do
   setpoints <- Setpoints <$> newTVarIO (0, 0, 0) <*> newTVarIO powerOn <*> newTVarIO MotorsOn <*> newTQueueIO <*> newTVarIO False <*> newTVarIO True
   let connection =
         Connection
-          { connectionName = "the robot at " ++ device,
+          { connectionName = trWith "the robot at {address}" ["address" =: T.pack device],
             connectionRoutes = pipeRoutes,
-            registerTopics = \topics -> pure ["A robot on a serial cable has no topic " ++ topicName t ++ "." | t <- topics, topicUse t == Taken || T.pack (topicName t) `notElem` map routeTopic (commandRoutes pipeRoutes)],
+            registerTopics = \topics -> pure [trWith "A robot on a serial cable has no topic {topic}." ["topic" =: T.pack (topicName t)] | t <- topics, topicUse t == Taken || T.pack (topicName t) `notElem` map routeTopic (commandRoutes pipeRoutes)],
             sendCommand = \a -> do
               t <- getMonotonicTime
               atomically (updateSetpoints setpoints t a),
@@ -97,13 +99,13 @@ flushTimeout = 500000
 -- | Why packets are exchanged no longer.
 data ExchangeEnd
   = -- | The device may be opened again.
-    Interrupted String
+    Interrupted Sentence
   | -- | The base is never driven.
-    Unsupported String
+    Unsupported Sentence
 
 -- | Opens the device whenever it is there, until its base is refused.
 keepOpen :: FilePath -> Setpoints -> EventQueue -> IO ()
-keepOpen device setpoints hearing = newIORef unsensed >>= \sensing -> go sensing ""
+keepOpen device setpoints hearing = newIORef unsensed >>= \sensing -> go sensing unknownReason
   where
     go sensing said = do
       modifyIORef' sensing resumed
@@ -134,7 +136,7 @@ openRaw :: FilePath -> IO Fd
 openRaw device = do
   fd <- openDevice device defaultFileFlags {noctty = True, nonBlock = True}
   isTerminal <- queryTerminal fd
-  unless isTerminal (closeFd fd >> ioError (userError "it is no serial line"))
+  unless isTerminal (closeFd fd >> ioError (userError (portable (tr "it is no serial line"))))
   now <- getTerminalAttributes fd
   let raw = foldl withoutMode now [InterruptOnBreak, MapCRtoLF, IgnoreCR, MapLFtoCR, StripHighBit, StartStopOutput, StartStopInput, CheckParity, ProcessOutput, EnableEcho, EchoErase, EchoKill, EchoLF, ProcessInput, KeyboardInterrupts, ExtendedFunctions, EnableParity, TwoStopBits, HangupOnClose]
       full = (raw `withMode` ReadEnable `withMode` LocalMode `withBits` 8 `withInputSpeed` B115200 `withOutputSpeed` B115200) `withMinInput` 1 `withTime` 0
@@ -154,7 +156,7 @@ exchangePackets fd setpoints hearing sensing guardian = do
   let go = do
         b <- readSome fd
         if B.null b
-          then pure (Interrupted "the cable was pulled")
+          then pure (Interrupted (tr "the cable was pulled"))
           else do
             Frame.Feeding found _ rest <- (`Frame.feed` b) <$> readIORef frames
             writeIORef frames rest
@@ -162,9 +164,9 @@ exchangePackets fd setpoints hearing sensing guardian = do
             version <- readIORef firmware
             isGuarded <- readIORef guarded
             case version of
-              Just v | not (isSupported v) -> pure (Unsupported ("its firmware " ++ showVersion v ++ " speaks another protocol"))
+              Just v | not (isSupported v) -> pure (Unsupported (trWith "its firmware {version} speaks another protocol" ["version" =: T.pack (showVersion v)]))
               -- Nothing may drive without a guardian: the stop goes out before the line is closed.
-              _ | not isGuarded -> Interrupted "its guardian process has ended" <$ writeAll fd (baseControl 0 0)
+              _ | not isGuarded -> Interrupted (tr "its guardian process has ended") <$ writeAll fd (baseControl 0 0)
               _ -> go
       -- Counts valid packets: noise is no sign of life.
       watch = do
@@ -173,7 +175,7 @@ exchangePackets fd setpoints hearing sensing guardian = do
         when (isNothing came) . atomically $ do
           now <- readTVar packetCount
           was <- readTVar (alive setpoints)
-          when (was && now == before) (writeTVar (alive setpoints) False >> enqueue hearing (Disconnected "it has fallen silent"))
+          when (was && now == before) (writeTVar (alive setpoints) False >> enqueue hearing (Disconnected (tr "it has fallen silent")))
         watch
       packet' parts = do
         let feedback = readFeedback parts
@@ -183,7 +185,7 @@ exchangePackets fd setpoints hearing sensing guardian = do
         supported <- maybe False isSupported <$> readIORef firmware
         n <- atomically (stateTVar packetCount (\n -> (n, n + 1)))
         -- Once, for a base that is asked and does not answer.
-        when (n == unansweredQuestions && not supported) (atomically (enqueue hearing (Disconnected "it does not say which firmware it has, and is not driven before")))
+        when (n == unansweredQuestions && not supported) (atomically (enqueue hearing (Disconnected (tr "it does not say which firmware it has, and is not driven before"))))
         when supported . forM_ (coreOf feedback) $ \_ -> do
           (messages, after) <- sense parts <$> readIORef sensing
           writeIORef sensing after

@@ -1,3 +1,5 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- |
 -- Module      : Rosy.Robots.ArmPrompt
 -- Description : Question on the terminal whether a robot that was lost may drive again.
@@ -14,23 +16,22 @@ import Control.Concurrent.STM
 import Control.Exception (IOException, try)
 import Control.Monad (forever, void)
 import Rosy.Robots.Guard
-import System.IO (hPutStrLn, stderr)
+import Rosy.Robots.Wording (tellPerson)
+import Rosy.Sentence
 import System.Posix.IO (stdInput)
 import System.Posix.Signals (Handler (..), installHandler, sigTTIN)
 
 -- | Asks for the robot of this name, in a thread of its own, until the process ends.
-startArmPrompt :: String -> TVar Guard -> IO ()
+startArmPrompt :: Sentence -> TVar Guard -> IO ()
 startArmPrompt name guarded = do
   -- A job in the background that reads from the terminal would be suspended.
   _ <- installHandler sigTTIN Ignore Nothing
   void . forkIO . forever $ do
     atomically (readTVar guarded >>= \g -> check (isConnected g && not (isArmed g)))
-    complain " was lost and stands. Press Enter here to let it drive again."
+    tellPerson (trWith "{robot} was lost and stands. Press Enter here to let it drive again." ["robot" =@ name])
     -- Waits without blocking the process; getLine alone could not be interrupted.
     try (threadWaitRead stdInput >> getLine) >>= \case
       Right _ -> atomically (modifyTVar' guarded (\g -> if isConnected g then arm g else g))
       Left (_ :: IOException) -> do
-        complain " stands, because nothing can be typed here. Start the program again, or write rearm=off into the robot's address."
+        tellPerson (trWith "{robot} stands, because nothing can be typed here. Start the program again, or write rearm=off into the robot's address." ["robot" =@ name])
         atomically (readTVar guarded >>= check . isArmed)
-  where
-    complain = hPutStrLn stderr . (name ++)

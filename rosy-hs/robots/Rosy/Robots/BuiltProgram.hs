@@ -1,3 +1,5 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- |
 -- Module      : Rosy.Robots.BuiltProgram
 -- Description : The command line of a program that @./rosy build@ made.
@@ -16,18 +18,21 @@ module Rosy.Robots.BuiltProgram
 where
 
 import Control.Exception (IOException, try)
-import Control.Monad (unless)
+import Control.Monad (unless, (>=>))
 import qualified Data.ByteString as B
-import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
+import qualified Data.Text as T
+import qualified Data.Text.IO as T
 import Foreign.C.Types (CInt)
 import Foreign.Ptr (nullPtr)
 import Rosy.Launch (onPipe)
 import Rosy.Robots.RobotRun (runOnRobotFor)
 import Rosy.Robots.Target
+import Rosy.Robots.Wording (inTerminal, tellPerson)
+import Rosy.Sentence
 import System.Directory (doesFileExist)
 import System.Environment (getArgs, getExecutablePath, getProgName, lookupEnv)
-import System.Exit (die, exitWith)
+import System.Exit (ExitCode (..), exitWith)
 import System.IO (hSetEncoding, stderr, stdout, utf8)
 import System.Posix.Process (executeFile)
 import Text.Read (readMaybe)
@@ -46,9 +51,9 @@ data Invocation
 
 -- | What a program of this name was asked for, or what is wrong with it. The simulator's options are named here; what they may be
 -- given is for the simulator to say.
-readCommandLine :: String -> [String] -> Either String Invocation
+readCommandLine :: String -> [String] -> Either Sentence Invocation
 readCommandLine self given = case given of
-  [] -> Left (whichRobot self ++ " Where Rosy is, " ++ self ++ " --world room tries it in the simulator.")
+  [] -> Left (trWith "{which} Where Rosy is, {name} --world room tries it in the simulator." ["which" =@ whichRobot self, "name" =: T.pack self])
   ["--link", number] | Just descriptor <- readMaybe number -> Right (OnLink descriptor)
   _ | any (`elem` ["--help", "-h"]) given -> Right Help
   _ -> options given >>= wanted
@@ -56,20 +61,20 @@ readCommandLine self given = case given of
     options [] = Right []
     options (word : rest) = case break (== '=') word of
       (name, '=' : value) | name `elem` known -> ((name, value) :) <$> options rest
-      _ | word `notElem` known -> Left (self ++ " does not take " ++ word ++ ". " ++ self ++ " --help says what there is.")
+      _ | word `notElem` known -> Left (trWith "{name} does not take {option}. {name} --help says what there is." ["name" =: T.pack self, "option" =: T.pack word])
       _ -> case rest of
         value : rest' -> ((word, value) :) <$> options rest'
-        [] -> Left ("Say what " ++ word ++ " is. " ++ self ++ " --help says what there is.")
+        [] -> Left (trWith "Say what {option} is. {name} --help says what there is." ["option" =: T.pack word, "name" =: T.pack self])
     known = "--robot" : "--seconds" : simulators
     -- What is typed last counts, as for ./rosy run.
     wanted typed = case lookup "--robot" (reverse typed) of
       Nothing -> Right InSimulator
       Just address -> case [name | (name, _) <- typed, name `elem` simulators] of
-        name : _ -> Left (name ++ " is for the simulator; a real robot cannot have it.")
+        name : _ -> Left (trWith "{option} is for the simulator; a real robot cannot have it." ["option" =: T.pack name])
         [] -> OnRobot address <$> traverse seconds (lookup "--seconds" (reverse typed))
     seconds text = case readMaybe (if take 1 text == "." then '0' : text else text) of
       Just s | s >= 0, s <= longest -> Right s
-      _ -> Left ("--seconds must be between 0 and " ++ show (round longest :: Int) ++ ".")
+      _ -> Left (trWith "{option} must be between 0 and {most}." ["option" =: "--seconds", "most" =: T.pack (show (round longest :: Int))])
 
 -- | What only a simulated robot has.
 simulators :: [String]
@@ -79,24 +84,21 @@ simulators = ["--world", "--seed", "--speed", "--trace", "--input"]
 longest :: Double
 longest = 7 * 24 * 3600
 
-whichRobot :: String -> String
-whichRobot self = "Say which robot to drive: " ++ self ++ " --robot ws://HOST:9090, ros://HOST:11311 or serial:/dev/kobuki."
+whichRobot :: String -> Sentence
+whichRobot self = trWith "Say which robot to drive: {name} --robot ws://HOST:9090, ros://HOST:11311 or serial:/dev/kobuki." ["name" =: T.pack self]
 
--- | What the program says of itself.
-usage :: String -> String
+-- | What the program says of itself, line by line.
+usage :: String -> [Sentence]
 usage self =
-  intercalate
-    "\n"
-    [ self ++ ": a program for a robot, made by ./rosy build.",
-      "",
-      "  --robot ADDRESS     the robot to drive: ws://HOST:9090, ros://HOST:11311 or serial:/dev/kobuki",
-      "  --seconds S         how long, in seconds of the robot",
-      "",
-      "Without --robot it runs in the simulator, where Rosy is, and takes what ./rosy run takes:",
-      "",
-      "  --world NAME|FILE  --seconds S  --seed N  --speed X|max  --trace FILE  --input FILE",
-      ""
-    ]
+  [ trWith "{name}: a program for a robot, made by ./rosy build." ["name" =: T.pack self],
+    verbatim "",
+    tr "  --robot ADDRESS     the robot to drive: ws://HOST:9090, ros://HOST:11311 or serial:/dev/kobuki",
+    tr "  --seconds S         how long, in seconds of the robot",
+    verbatim "",
+    tr "Without --robot it runs in the simulator, where Rosy is, and takes what ./rosy run takes:",
+    verbatim "",
+    verbatim "  --world NAME|FILE  --seconds S  --seed N  --speed X|max  --trace FILE  --input FILE"
+  ]
 
 -- ---------------------------------------------------------------------------------------------
 -- Run
@@ -108,8 +110,8 @@ runBuiltProgram home program = do
   self <- getProgName
   given <- getArgs
   case readCommandLine self given of
-    Left why -> die why
-    Right Help -> putStr (usage self)
+    Left why -> refuse why
+    Right Help -> mapM_ (inTerminal >=> T.putStrLn) (usage self)
     Right (OnLink descriptor) -> onPipe descriptor nullPtr [] [] program
     Right (OnRobot address seconds) -> onRobot seconds address program
     Right InSimulator -> inSimulator home self given
@@ -119,9 +121,9 @@ onRobot :: Maybe Double -> String -> IO () -> IO ()
 onRobot seconds address program = do
   profile <- try (traverse B.readFile (profileFile address))
   case profile of
-    Left e -> die ("The robot's profile cannot be read: " ++ show (e :: IOException))
+    Left e -> refuse (trWith "The robot's profile cannot be read: {why}" ["why" =: T.pack (show (e :: IOException))])
     Right text -> case withFile text address of
-      Left e -> die (explainTargetError e)
+      Left e -> refuse (explainTargetError e)
       Right robot -> runOnRobotFor seconds robot program >>= exitWith
 
 -- | Becomes @./rosy run@ of this file. @ROSY_ROOT@ says where Rosy is when it has moved.
@@ -130,6 +132,10 @@ inSimulator home self given = do
   moved <- lookupEnv "ROSY_ROOT"
   let rosy = fromMaybe home moved ++ "/rosy"
   found <- doesFileExist rosy
-  unless found (die ("The simulator is a part of Rosy, which is not on this computer. " ++ whichRobot self))
+  unless found (refuse (trWith "The simulator is a part of Rosy, which is not on this computer. {which}" ["which" =@ whichRobot self]))
   file <- getExecutablePath
   executeFile rosy False ("run" : file : given) Nothing
+
+-- | Ends with a sentence on standard error.
+refuse :: Sentence -> IO a
+refuse why = tellPerson why >> exitWith (ExitFailure 1)

@@ -1,3 +1,4 @@
+{-# LANGUAGE OverloadedStrings #-}
 {-# LANGUAGE PatternSynonyms #-}
 
 -- |
@@ -21,6 +22,7 @@ module Rosy.Robots.Connection
 
     -- * For people
     Notice (..),
+    unknownReason,
     explainNotice,
   )
 where
@@ -34,6 +36,7 @@ import Data.Time.Clock.POSIX (getPOSIXTime)
 import Rosy.Channel (Action, Channel (..), Kind (..), Message (..))
 import Rosy.Codec (Route, commandTopics, readAction)
 import Rosy.Core (Topic)
+import Rosy.Sentence
 import Rosy.Topic (pattern OpenAction)
 
 -- | The universal time of day, seconds since midnight.
@@ -42,11 +45,11 @@ secondsOfDay = (`mod'` 86400) . realToFrac <$> getPOSIXTime
 
 data Connection = Connection
   { -- | For people: @the robot at ws://pi:9090@.
-    connectionName :: String,
+    connectionName :: Sentence,
     -- | The channels that it has.
     connectionRoutes :: [Route],
     -- | Subscribes and advertises a program's own topics. Answers a sentence for each that is not possible.
-    registerTopics :: [Topic] -> IO [String],
+    registerTopics :: [Topic] -> IO [Sentence],
     -- | Queues a command. Does not block and does not fail; a command that cannot be sent is dropped.
     sendCommand :: Action -> IO (),
     -- | All events since the last call; blocks until there is one.
@@ -66,11 +69,11 @@ data RobotEvent
   | -- | The odometry of the robot arrives.
     Connected
   | -- | It does not, for this reason.
-    Disconnected String
+    Disconnected Sentence
   | -- | It can never be driven over this connection, for this reason.
-    Refused String
+    Refused Sentence
   | -- | Its server says that something is wrong, in these words.
-    Complained String
+    Complained Sentence
   deriving (Eq, Show)
 
 -- | Events that were not taken yet, newest first.
@@ -111,25 +114,30 @@ availableEvents (EventQueue var) = do
   unless (null hs) (writeTVar var [])
   pure (reverse hs)
 
--- | State of the connection for a person; the text is the reason, if one is known.
+-- | State of the connection for a person, with the reason: 'unknownReason' if there is none.
 data Notice
-  = IsAwaited String
+  = IsAwaited Sentence
   | IsThere
-  | IsLost String
+  | IsLost Sentence
   | IsBack
-  | IsRefused String
-  | IsComplaining String
+  | IsRefused Sentence
+  | IsComplaining Sentence
   deriving (Eq, Show)
 
+-- | No reason is known.
+unknownReason :: Sentence
+unknownReason = verbatim ""
+
 -- | A sentence about the robot of this name.
-explainNotice :: String -> Notice -> String
+explainNotice :: Sentence -> Notice -> Sentence
 explainNotice name n = case n of
-  IsAwaited "" -> "waiting for " ++ name ++ " (Ctrl-C gives up)"
-  IsAwaited why -> "waiting for " ++ name ++ because why
-  IsThere -> name ++ " is there"
-  IsLost why -> name ++ " is lost" ++ because why
-  IsBack -> name ++ " is back"
-  IsComplaining what -> name ++ ": its server says: " ++ what
-  IsRefused why -> name ++ " cannot be driven" ++ because why
-  where
-    because why = if null why then "" else ": " ++ why
+  IsAwaited why
+    | why == unknownReason -> trWith "waiting for {robot} (Ctrl-C gives up)" ["robot" =@ name]
+    | otherwise -> trWith "waiting for {robot}: {why}" ["robot" =@ name, "why" =@ why]
+  IsThere -> trWith "{robot} is there" ["robot" =@ name]
+  IsLost why
+    | why == unknownReason -> trWith "{robot} is lost" ["robot" =@ name]
+    | otherwise -> trWith "{robot} is lost: {why}" ["robot" =@ name, "why" =@ why]
+  IsBack -> trWith "{robot} is back" ["robot" =@ name]
+  IsRefused why -> trWith "{robot} cannot be driven: {why}" ["robot" =@ name, "why" =@ why]
+  IsComplaining what -> trWith "{robot}: its server says: {what}" ["robot" =@ name, "what" =@ what]

@@ -31,7 +31,6 @@ import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as C
 import Data.IORef
 import Data.Maybe (isJust, isNothing)
-import Data.Text (Text)
 import qualified Data.Text as T
 import GHC.Clock (getMonotonicTime)
 import Network.Socket (Socket, withFdSocket)
@@ -45,8 +44,9 @@ import Rosy.Robot
 import Rosy.Robots.Connection
 import Rosy.Robots.Guard
 import Rosy.Robots.PipeCodec
+import Rosy.Robots.Wording (tellPerson)
+import Rosy.Sentence
 import Rosy.Wire (pipeRoutes)
-import System.IO (hPutStrLn, stderr)
 import System.Posix.Types (Fd (..))
 import System.Random (randomRIO)
 
@@ -68,7 +68,7 @@ data Observer = Observer
 data SettledStep = SettledStep StepReport [Action]
 
 -- | For a terminal: texts of the program go to standard output, the state of the connection to standard error.
-onTerminal :: String -> Observer
+onTerminal :: Sentence -> Observer
 onTerminal name =
   Observer
     { onMessages = const (pure ()),
@@ -77,7 +77,7 @@ onTerminal name =
         _ -> pure (),
       onSettled = const (pure ()),
       observes = pure False,
-      onNotice = hPutStrLn stderr . explainNotice name
+      onNotice = tellPerson . explainNotice name
     }
 
 data LockstepResult = LockstepResult
@@ -92,15 +92,15 @@ data RunEnd
   = Finished
   | Stopped
   | -- | message and hint; the problem as the program reported it
-    Failed Text Text (Maybe Value)
+    Failed Sentence Sentence (Maybe Value)
   | -- | it did not answer
     Stuck
   | -- | the program ended without a message
     Died
   | -- | the robot is gone, for this reason
-    RobotLost String
+    RobotLost Sentence
   | -- | the robot can never be driven, for this reason
-    RobotRefused String
+    RobotRefused Sentence
   deriving (Eq, Show)
 
 -- | Sources of randomness and time of a run.
@@ -188,17 +188,17 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
               missing <- readIORef own >>= registerTopics connection
               pure
                 ( case missing of
-                    why : _ -> Just (Failed (T.pack why) "Another way to the robot may have it." Nothing)
+                    why : _ -> Just (Failed why (tr "Another way to the robot may have it.") Nothing)
                     [] -> Nothing
                 )
             Just (Settled report) -> Nothing <$ settles report
             Just (HasEnded how p report) -> do
               when (isJust (reportObserved report)) (settles report)
               pure . Just $ case how of
-                "error" -> maybe (Failed "The program failed." "" Nothing) (\(m, hint, v) -> Failed m hint (Just v)) p
+                "error" -> maybe (Failed (tr "The program failed.") (verbatim "") Nothing) (\(m, hint, v) -> Failed m hint (Just v)) p
                 "stopped" -> Stopped
                 _ -> Finished
-            Nothing -> pure (Just (Failed "The program said something that a robot does not understand." "" Nothing))
+            Nothing -> pure (Just (Failed (tr "The program said something that a robot does not understand.") (verbatim "") Nothing))
       settles report = do
         done <- readIORef commands <* writeIORef commands []
         unless (null (reportFired report) && isNothing (reportObserved report)) (onSettled observer (SettledStep report (reverse done)))
@@ -267,7 +267,7 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
         LockstepResult e n <$> readIORef pose
   -- A robot that is held already is here.
   there <- isConnected <$> readTVarIO guarded
-  early <- if there then pure [] else onNotice observer (IsAwaited "") >> untilHere []
+  early <- if there then pure [] else onNotice observer (IsAwaited unknownReason) >> untilHere []
   seed <- newSeed pace
   timeOfDay pace >>= say . startLine seed
   opened <- listen

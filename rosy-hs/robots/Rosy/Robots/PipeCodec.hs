@@ -28,11 +28,13 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString as ByteString
 import Data.ByteString.Builder (Builder, doubleDec, intDec)
 import Data.Either (fromRight)
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Rosy.Channel (Action, Message (..))
 import Rosy.Codec
 import Rosy.Core (Topic (..), TopicUse (..))
+import Rosy.Sentence (Sentence, verbatim)
 import Rosy.Topic (pattern OpenAction, pattern OpenMessage)
 import Rosy.Wire (pipeRoutes)
 
@@ -74,7 +76,7 @@ data ProgramLine
   | -- | It has done all that this step makes it do.
     Settled StepReport
   | -- | It has ended in this step: @done@, @stopped@ or @error@, with what a person should know, what to do, and all of the problem.
-    HasEnded Text (Maybe (Text, Text, Value)) StepReport
+    HasEnded Text (Maybe (Sentence, Sentence, Value)) StepReport
   | -- | It names one of its topics.
     DeclaresTopic Topic
   deriving (Eq, Show)
@@ -112,11 +114,16 @@ programLine observes o = do
     "subscribe" -> DeclaresTopic <$> named Taken
     "ended" -> do
       problem <- o .:? "problem"
-      HasEnded <$> o .: "how" <*> traverse (\p -> (,,) <$> p .: "message" <*> p .:? "hint" .!= "" <*> pure (Object p)) problem <*> report
+      HasEnded <$> o .: "how" <*> traverse (\p -> (,,) <$> said "message" p <*> said "hint" p <*> pure (Object p)) problem <*> report
     _ -> fail "unknown op"
   where
     -- What the simulated robot does not have may be another robot's, or the program's own.
     wanted topic msg = fromRight (OpenAction (Text.unpack topic) msg) (readAction pipeRoutes topic msg)
+    -- A sentence of a problem, or its English text when it has no other (protocol/README.md, section 1).
+    said name p = do
+      text' <- p .:? name .!= ""
+      sentences <- p .:? "sentences" .!= mempty
+      fromMaybe (verbatim text') <$> sentences .:? name
     report = StepReport <$> o .:? "fired" .!= [] <*> o .:? "sent" .!= [] <*> pure observed
     observed
       | observes && KeyMap.member "firings" o = Just (Object (KeyMap.filterWithKey (\key _ -> key `elem` ["firings", "sensed", "memory"]) o))

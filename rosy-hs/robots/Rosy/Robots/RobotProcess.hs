@@ -32,6 +32,7 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as L
 import Data.Maybe (isJust, isNothing)
 import Data.Text (Text)
+import qualified Data.Text as T
 import GHC.Clock (getMonotonicTime)
 import Network.Socket (Socket, close)
 import Rosy.Robot
@@ -41,6 +42,7 @@ import Rosy.Robots.LockstepRun
 import Rosy.Robots.PipeCodec (StepReport (..))
 import Rosy.Robots.Target (Profile (..), Target (..), targetGuard)
 import Rosy.Robots.Telemetry
+import Rosy.Sentence
 
 data Request
   = -- | a program waits at the next socket
@@ -143,7 +145,7 @@ runRobotProcess limits target connection (Requests asked) nextProgram write = do
       <*> newTVarIO Nothing
       <*> newTBQueueIO maxQueuedLines
   sendSettings h target
-  sendLine h (linkLine (IsAwaited ""))
+  sendLine h (linkLine (IsAwaited unknownReason))
   let requests = do
         r <- atomically (readTQueue asked)
         case r of
@@ -187,7 +189,7 @@ elapsed h = (-) <$> getMonotonicTime <*> readTVarIO (began h)
 -- | Tells the service about the connection; what the robot's server says goes where the program's texts go.
 sendNotice :: RobotProcess -> Notice -> IO ()
 sendNotice h n = case n of
-  IsComplaining _ -> elapsed h >>= \t -> sendLine h (saidLine t (explainNotice "The robot" n))
+  IsComplaining _ -> elapsed h >>= \t -> sendLine h (saidLine t (T.unpack (english (explainNotice (tr "The robot") n))))
   _ -> sendLine h (linkLine n)
 
 -- | Handles an event of the robot while no program runs.

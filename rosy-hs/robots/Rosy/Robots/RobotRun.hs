@@ -1,3 +1,5 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- |
 -- Module      : Rosy.Robots.RobotRun
 -- Description : One run of a program's main on a real robot.
@@ -22,7 +24,6 @@ import Control.Exception
 import Control.Monad (unless, void)
 import Data.IORef
 import qualified Data.Text as T
-import qualified Data.Text.IO as T
 import Ros.Names (readArguments)
 import Ros.Node (Settings (..))
 import Ros.SlicedTimeout (timeoutInSlices)
@@ -37,7 +38,8 @@ import Rosy.Robots.ArmPrompt (startArmPrompt)
 import Rosy.Robots.Connection
 import Rosy.Robots.DriverLock (withDriverLock)
 import Rosy.Robots.Target
-import Rosy.Sentence (english)
+import Rosy.Robots.Wording (tellPerson)
+import Rosy.Sentence
 import System.Environment (getEnvironment)
 import System.Exit
 import System.IO (BufferMode (..), hSetBuffering, stderr, stdout)
@@ -53,7 +55,7 @@ withConnection target use = case targetTransport target of
     environment' <- getEnvironment
     let at = "http://" ++ host ++ ":" ++ show port
         settings = Settings (readArguments []) (("ROS_MASTER_URI", at) : filter ((/= "ROS_MASTER_URI") . fst) environment') "rosy"
-    withRos settings ("the robot at ros://" ++ host ++ ":" ++ show port) (targetRoutes target) use
+    withRos settings (trWith "the robot at {address}" ["address" =: T.pack ("ros://" ++ host ++ ":" ++ show port)]) (targetRoutes target) use
 
 -- | Runs a program's @main@ on a robot.
 runOnRobot :: Target -> IO () -> IO ExitCode
@@ -90,8 +92,8 @@ runOnRobotFor seconds target program = withDriverLock (targetAddress target) $ d
       _ -> pure ExitSuccess
   where
     told p = do
-      T.hPutStrLn stderr (english (problemMessage p))
-      unless (T.null (english (problemHint p))) (T.hPutStrLn stderr (english (problemHint p)))
+      tellPerson (problemMessage p)
+      unless (T.null (english (problemHint p))) (tellPerson (problemHint p))
 
 -- | A second, in microseconds: what a program that was asked to stop may still take (protocol/README.md, stop).
 stopTimeout :: Int

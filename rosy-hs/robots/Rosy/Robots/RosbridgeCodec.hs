@@ -34,6 +34,7 @@ import Rosy.Channel (Action, Message)
 import Rosy.Codec
 import Rosy.Core (Topic (..), TopicUse (..))
 import Rosy.Profile (Delivery (..))
+import Rosy.Sentence
 import Rosy.Topic (absolute, pattern OpenAction, pattern OpenMessage)
 
 -- | The frames that are sent first. Lights are latched: what is published right after @advertise@ is lost
@@ -61,16 +62,18 @@ encodeCommand known a held = first (fmap frame) (commandMessage known a held)
       Called -> pair "op" (text "call_service") <> pair "service" (text (routeTopic r)) <> pair "type" (text (routeType r)) <> pair "args" message
       _ -> pair "op" (text "publish") <> pair "topic" (text (routeTopic r)) <> pair "msg" message
 
--- | What a server says that is wrong, in its own words: a @status@ of an error or a warning (rosbridge v2.0 Protocol Specification, 3.2.2), or a call that
+-- | What a server says that is wrong, in its own words, which have no translation: a @status@ of an error or a warning (rosbridge v2.0 Protocol Specification, 3.2.2), or a call that
 -- failed (3.3.9).
-complaintOf :: L.ByteString -> Maybe String
+complaintOf :: L.ByteString -> Maybe Sentence
 complaintOf frame = do
   Object o <- Aeson.decode frame
   parseMaybe (.: "op") o >>= \case
-    "status" | parseMaybe (.: "level") o `elem` map Just ["error", "warning" :: Text] -> T.unpack <$> parseMaybe (.: "msg") o
+    "status" | parseMaybe (.: "level") o `elem` map Just ["error", "warning" :: Text] -> verbatim <$> parseMaybe (.: "msg") o
     ("service_response" :: Text) | parseMaybe (.: "result") o == Just False -> do
       service <- parseMaybe (.: "service") o
-      pure ("the service " ++ T.unpack service ++ " failed" ++ maybe "" (\why -> ": " ++ T.unpack why) (parseMaybe (.: "values") o))
+      pure $ case parseMaybe (.: "values") o of
+        Just why -> trWith "the service {service} failed: {why}" ["service" =: service, "why" =: why]
+        Nothing -> trWith "the service {service} failed" ["service" =: service]
     _ -> Nothing
 
 -- | The messages in a frame: the robot's, and one on a topic of the program's own. None for what is no message of the robot's: other operations, other topics,

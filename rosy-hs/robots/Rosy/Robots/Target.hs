@@ -1,3 +1,5 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- |
 -- Module      : Rosy.Robots.Target
 -- Description : Which robot, how it is reached, and what its topics are called.
@@ -37,6 +39,7 @@ import Rosy.Profile
 import Rosy.Robot (odometryChannel)
 import Rosy.Robot.Known (robots)
 import Rosy.Robots.Guard (Guard, Limits (..), newGuard, withoutRearming)
+import Rosy.Sentence
 import Text.Read (readMaybe)
 
 data Target = Target
@@ -99,7 +102,7 @@ data TargetError
   | -- | No robot has this name.
     UnknownRobot String
   | -- | The robot of this name is not reached in this way.
-    NoSuchWay String String
+    NoSuchWay String Sentence
   | StrangeOption String
   | -- | An option's value: name, value.
     StrangeValue String String
@@ -107,14 +110,14 @@ data TargetError
     StrangeProfile FilePath
   deriving (Eq, Show)
 
-explainTargetError :: TargetError -> String
+explainTargetError :: TargetError -> Sentence
 explainTargetError e = case e of
-  StrangeTarget t -> "\"" ++ t ++ "\" is no robot. A robot is ws://HOST:9090, ros://HOST:11311 or serial:/dev/kobuki."
-  UnknownRobot n -> "There is no robot called \"" ++ n ++ "\". There are " ++ unwords (map robotName robots) ++ "."
-  NoSuchWay name way -> "A " ++ name ++ " cannot be reached over " ++ way ++ ". It is behind a rosbridge server: ws://HOST:9090?robot=" ++ name ++ "."
-  StrangeOption o -> "A robot has no option \"" ++ o ++ "\". There are " ++ unwords known ++ "."
-  StrangeValue o v -> "\"" ++ v ++ "\" does not fit the option " ++ o ++ "."
-  StrangeProfile f -> "The profile " ++ f ++ " cannot be read. It is a JSON object of options, such as {\"prefix\": \"/robot1\"}."
+  StrangeTarget t -> trWith "\"{address}\" is no robot. A robot is ws://HOST:9090, ros://HOST:11311 or serial:/dev/kobuki." ["address" =: T.pack t]
+  UnknownRobot n -> trWith "There is no robot called \"{name}\". There are {robots}." ["name" =: T.pack n, "robots" =: T.pack (unwords (map robotName robots))]
+  NoSuchWay name way -> trWith "A {name} cannot be reached over {way}. It is behind a rosbridge server: ws://HOST:9090?robot={name}." ["name" =: T.pack name, "way" =@ way]
+  StrangeOption o -> trWith "A robot has no option \"{option}\". There are {options}." ["option" =: T.pack o, "options" =: T.unwords known]
+  StrangeValue o v -> trWith "\"{value}\" does not fit the option {option}." ["value" =: T.pack v, "option" =: T.pack o]
+  StrangeProfile f -> trWith "The profile {file} cannot be read. It is a JSON object of options, such as {example}." ["file" =: T.pack f, "example" =: "{\"prefix\": \"/robot1\"}"]
   where
     known = ["robot", "ros", "prefix", "odometry", "velocity", "messages", "stamped", "max_speed", "max_turn", "safety", "rearm", "patience", "profile"]
 
@@ -146,8 +149,8 @@ withFile profile t = do
       where
         name = maybe (maybe "ros1" fst (listToMaybe (robotProfiles chosen))) (("ros" ++) . takeWhile (/= '.')) version
     missingWay way chosen = case way of
-      Ros1 _ _ | "ros1" `notElem` map fst (robotProfiles chosen) -> Just "ROS 1"
-      Serial _ | null (robotSerial chosen) -> Just "a serial cable"
+      Ros1 _ _ | "ros1" `notElem` map fst (robotProfiles chosen) -> Just (verbatim "ROS 1")
+      Serial _ | null (robotSerial chosen) -> Just (tr "a serial cable")
       _ -> Nothing
 
 fromJson :: FilePath -> B.ByteString -> Either TargetError [(String, String)]
@@ -204,7 +207,7 @@ readWay t
   | Just device@('/' : _) <- stripPrefix "serial:" t = Just (Serial device)
   | otherwise = Nothing
   where
-    hostPort fallback rest = case break (`elem` ":/") rest of
+    hostPort fallback rest = case break (`elem` (":/" :: String)) rest of
       ("", _) -> Nothing
       (h, ':' : more) -> case span isDigit more of
         (d@(_ : _), path) | length d < 6, read d < (65536 :: Int), null path || "/" `isPrefixOf` path -> Just (h, read d, path)

@@ -38,6 +38,7 @@ import Rosy.Channel
 import Rosy.Profile
 import Rosy.Robot
 import Rosy.Robots.Connection (Notice (..))
+import Rosy.Sentence (english)
 import Rosy.Topic (pattern OpenAction)
 
 -- | The known state of a robot.
@@ -120,15 +121,15 @@ holdingLine safety v w = line ["op" .= ("holding" :: Text), "safety" .= safety, 
 
 linkLine :: Notice -> L.ByteString
 linkLine n = case n of
-  IsAwaited why -> link "connecting" why
+  IsAwaited why -> link "connecting" (english why)
   IsThere -> link "connected" ""
-  IsLost why -> link "lost" why
+  IsLost why -> link "lost" (english why)
   IsBack -> link "connected" ""
-  IsRefused why -> link "lost" why
+  IsRefused why -> link "lost" (english why)
   -- Says nothing about the link but that it is there.
   IsComplaining _ -> link "connected" ""
   where
-    link :: Text -> String -> L.ByteString
+    link :: Text -> Text -> L.ByteString
     link state why = line ["op" .= ("link" :: Text), "link" .= state, "why" .= why]
 
 saidLine :: Double -> String -> L.ByteString

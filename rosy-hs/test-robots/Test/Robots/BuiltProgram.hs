@@ -2,9 +2,12 @@
 -- Description : The command line of a program that @./rosy build@ made.
 module Test.Robots.BuiltProgram (tests) where
 
+import Data.Bifunctor (first)
 import Data.Either (isRight)
 import Data.List (isPrefixOf, nub, sort)
+import qualified Data.Text as T
 import Rosy.Robots.BuiltProgram
+import Rosy.Sentence (english)
 import Test.Tasty
 import Test.Tasty.HUnit
 
@@ -36,9 +39,10 @@ tests =
       testCase "a time that is none, or longer than a week, is refused" $
         mapM_ (\s -> typed ("--robot ws://pi --seconds " ++ s) @?= Left "--seconds must be between 0 and 604800.") ["soon", "-1", "604801", "NaN", "Infinity"],
       testCase "its help names all that it takes" $ do
-        let named = nub [w | w <- words (usage "walk"), "--" `isPrefixOf` w]
+        let named = nub [w | w <- words (concatMap ((++ "\n") . said) (usage "walk")), "--" `isPrefixOf` w]
         sort named @?= ["--input", "--robot", "--seconds", "--seed", "--speed", "--trace", "--world"]
         mapM_ (\o -> assertBool o (isRight (readCommandLine "walk" [o, "1"]))) named
     ]
   where
-    typed = readCommandLine "walk" . words
+    typed = first said . readCommandLine "walk" . words
+    said = T.unpack . english

@@ -16,6 +16,7 @@ import Rosy.Channel (Action)
 import Rosy.Robot
 import Rosy.Robots.Connection
 import Rosy.Robots.Guard
+import Rosy.Sentence (verbatim)
 import Test.Tasty
 import Test.Tasty.HUnit
 import Test.Tasty.QuickCheck
@@ -32,24 +33,24 @@ tests =
         told False [Wants (VelocityCommand (Velocity 0.2 0)), Ticks, Ticks, Wants (VelocityCommand (Velocity 0 0)), Ticks]
           @?= [[VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0 0)], []],
       testCase "tells a robot that is lost to stand, and forgets its velocity" $
-        told False [Wants (VelocityCommand (Velocity 0.2 0)), Says (Disconnected "away"), Ticks, Wants (VelocityCommand (Velocity 0.3 0)), Says Connected, Ticks]
+        told False [Wants (VelocityCommand (Velocity 0.2 0)), Says (Disconnected (verbatim "away")), Ticks, Wants (VelocityCommand (Velocity 0.3 0)), Says Connected, Ticks]
           @?= [[VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0 0)], [], [], [], []],
       testCase "keeps a robot that was lost standing until it is armed, whatever the program and the safety rules want" $
-        told True [Says (Disconnected "away"), Says Connected, drive, Ticks, bump CenterBumper Pressed, Ticks, bump CenterBumper Released, Armed, Ticks, drive]
+        told True [Says (Disconnected (verbatim "away")), Says Connected, drive, Ticks, bump CenterBumper Pressed, Ticks, bump CenterBumper Released, Armed, Ticks, drive]
           @?= [[VelocityCommand (Velocity 0 0)], [], [], [], [], [], [], [], [], [VelocityCommand (Velocity 0.2 0)]],
       testCase "lets a robot that was lost drive on by itself where its address says so" $
-        fst (onCommand 0 (VelocityCommand (Velocity 0.2 0)) (foldl (\g h -> snd (onEvent h g)) (withoutRearming (newGuard limits' False)) [Connected, Disconnected "away", Connected]))
+        fst (onCommand 0 (VelocityCommand (Velocity 0.2 0)) (foldl (\g h -> snd (onEvent h g)) (withoutRearming (newGuard limits' False)) [Connected, Disconnected (verbatim "away"), Connected]))
           @?= [VelocityCommand (Velocity 0.2 0)],
       testCase "lets a new run drive a robot that was lost before" $
-        told False [Says (Disconnected "away"), Says Connected, Renewed, drive] @?= [[VelocityCommand (Velocity 0 0)], [], [], [VelocityCommand (Velocity 0.2 0)]],
+        told False [Says (Disconnected (verbatim "away")), Says Connected, Renewed, drive] @?= [[VelocityCommand (Velocity 0 0)], [], [], [VelocityCommand (Velocity 0.2 0)]],
       testCase "tells a robot that is refused to stand" $
-        told False [drive, Says (Refused "old"), Ticks] @?= [[VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0 0)], []],
+        told False [drive, Says (Refused (verbatim "old")), Ticks] @?= [[VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0 0)], []],
       testProperty "a safety manoeuvre is never followed by zero while the program drives" $ \touches ->
         let touch (n, on) = [bump (toEnum (n `mod` 3)) (if on then Pressed else Released), drive, Ticks]
             happenings = drive : concatMap touch (touches :: [(Int, Bool)]) ++ [Ticks, Ticks, Ticks]
          in VelocityCommand (Velocity 0 0) `notElem` concat (told True happenings),
       testCase "tells the program that the robot is lost, once" $
-        fst (onEvent (Disconnected "x") (snd (onEvent (Disconnected "x") (snd (onEvent Connected (newGuard limits' False)))))) @?= ([], []),
+        fst (onEvent (Disconnected (verbatim "x")) (snd (onEvent (Disconnected (verbatim "x")) (snd (onEvent Connected (newGuard limits' False)))))) @?= ([], []),
       testCase "lets nothing move after a halt" $
         told False [Wants (VelocityCommand (Velocity 0.2 0)), Halts, Ticks, Wants (VelocityCommand (Velocity 0.2 0)), Wants (Led1Command (Led1 Red))]
           @?= [[VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0 0)], [], [], [Led1Command (Led1 Red)]],

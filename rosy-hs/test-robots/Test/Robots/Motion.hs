@@ -26,6 +26,7 @@ import Rosy.Robot
 import Rosy.Robots.Connection
 import Rosy.Robots.Guard
 import Rosy.Robots.LockstepRun (Observer (onNotice), Pace (..), onTerminal, runLockstep)
+import Rosy.Sentence (verbatim)
 import Test.Robots.Kobuki (corePacket, senseCore)
 import qualified Test.Robots.Motion.EventOnly
 import qualified Test.Robots.Motion.Periodic
@@ -242,9 +243,9 @@ overPipe row = do
   heard' <- newEventQueue
   stop <- newTVarIO False
   guarded <- newTVarIO (newGuard (Limits 0.7 pi) False)
-  (base, news) <- noting (Connection "a robot" [] (const (pure [])) (const (pure ())) (awaitEvents heard'))
+  (base, news) <- noting (Connection (verbatim "a robot") [] (const (pure [])) (const (pure ())) (awaitEvents heard'))
   path <- newIORef []
-  let observer = (onTerminal "a robot") {onNotice = const (pure ())}
+  let observer = (onTerminal (verbatim "a robot")) {onNotice = const (pure ())}
       pace =
         Pace
           { newSeed = pure 1,

@@ -34,6 +34,7 @@ import qualified Data.ByteString.Lazy.Char8 as LC
 import Data.IORef
 import Data.List (group, intercalate, stripPrefix)
 import Data.Maybe (isJust, mapMaybe)
+import qualified Data.Text as T
 import Foreign.Ptr (nullPtr)
 import Network.Socket (Family (..), Socket, SocketType (..), close, defaultProtocol, socketPair, withFdSocket)
 import Network.Socket.ByteString (recv)
@@ -49,6 +50,7 @@ import Rosy.Robots.LockstepRun (Observer (onNotice, onProgramCommand), Pace (..)
 import Rosy.Robots.PipeCodec
 import Rosy.Robots.RobotRun (withConnection)
 import Rosy.Robots.Target
+import Rosy.Sentence (english, verbatim)
 import System.Posix.IO (FdOption (..), setFdOption)
 import System.Posix.Types (Fd (..))
 import qualified Test.Robots.Paper.Accelerate
@@ -209,8 +211,8 @@ inPlace (name, main') = do
   hearing' <- newEventQueue
   stop <- newTVarIO False
   guarded <- newTVarIO (newGuard (Limits 0.7 pi) False)
-  let base = Connection "a robot" [] (const (pure [])) (\a -> atomically (modifyTVar' told (a :))) (awaitEvents hearing')
-      observer = (onTerminal "a robot") {onProgramCommand = \a -> atomically (modifyTVar' wishes (a :)), onNotice = const (pure ())}
+  let base = Connection (verbatim "a robot") [] (const (pure [])) (\a -> atomically (modifyTVar' told (a :))) (awaitEvents hearing')
+      observer = (onTerminal (verbatim "a robot")) {onProgramCommand = \a -> atomically (modifyTVar' wishes (a :)), onNotice = const (pure ())}
       pace =
         Pace
           { newSeed = pure 1,
@@ -237,7 +239,7 @@ inPlace (name, main') = do
 
 -- | The robot's address, with nothing between the program and the wheels but the limits.
 reached :: Rig -> (Connection -> IO a) -> IO a
-reached r use = either (assertFailure . explainTargetError) pure (readTarget (url r ++ "?safety=off" ++ options r)) >>= (`withConnection` use)
+reached r use = either (assertFailure . T.unpack . english . explainTargetError) pure (readTarget (url r ++ "?safety=off" ++ options r)) >>= (`withConnection` use)
 
 -- | A robot that speaks JSON: the programs for which it has the parts, its line for a message, and the commands in what it was told.
 data JsonRobot = JsonRobot

@@ -15,6 +15,7 @@ import Rosy.Robots.DynamicMessage
 import Rosy.Robots.Guard (Limits (..))
 import Rosy.Robots.RosbridgeCodec (decodeFrame, encodeCommand)
 import Rosy.Robots.Target
+import Rosy.Sentence (tr, verbatim)
 import Test.Tasty
 import Test.Tasty.HUnit
 
@@ -60,8 +61,8 @@ tests =
           @?= Right (Just ("/odom", "nav_msgs/msg/Odometry"), Just ("/cmd_vel", "geometry_msgs/msg/Twist"), Just ("/hazard_detection", "irobot_create_msgs/msg/HazardDetectionVector"))
         fmap (\t -> (targetLimits t, named t bumperChannel, named t soundChannel)) (readTarget "ws://h?robot=turtlebot3&prefix=/a") @?= Right (Limits 0.22 1.82, Nothing, Just ("/a/sound", "turtlebot3_msgs/srv/Sound"))
         fmap (`named` velocityChannel) (readTarget "ws://h?robot=turtlebot3&stamped=on") @?= Right (Just ("/cmd_vel", "geometry_msgs/msg/TwistStamped"))
-        readTarget "ros://h?robot=create3" @?= Left (NoSuchWay "create3" "ROS 1")
-        readTarget "serial:/dev/kobuki?robot=turtlebot3" @?= Left (NoSuchWay "turtlebot3" "a serial cable")
+        readTarget "ros://h?robot=create3" @?= Left (NoSuchWay "create3" (verbatim "ROS 1"))
+        readTarget "serial:/dev/kobuki?robot=turtlebot3" @?= Left (NoSuchWay "turtlebot3" (tr "a serial cable"))
         readTarget "ws://h?robot=create3&ros=1" @?= Left (StrangeValue "ros" "1")
         readTarget "ws://h?stamped=on" @?= Left (StrangeValue "stamped" "on"),
       testCase "a Create 3's hazards are events when they come and when they are absent" $ do

@@ -15,9 +15,10 @@ import Data.Maybe (isJust, mapMaybe)
 import qualified Data.Text as T
 import Rosy.Robot
 import Rosy.Robot.Known (simulated)
-import Rosy.Robots.Connection (Notice (..))
+import Rosy.Robots.Connection (Notice (..), unknownReason)
 import Rosy.Robots.RobotProcess (readRequest)
 import Rosy.Robots.Telemetry
+import Rosy.Sentence (verbatim)
 import System.Directory (listDirectory)
 import Test.Tasty
 import Test.Tasty.HUnit
@@ -56,7 +57,7 @@ tests =
       _ -> []
     fieldOf k l = case Aeson.decode l of Just (Object o) -> KeyMap.lookup k o; _ -> Nothing
     said =
-      mapMaybe Aeson.decode ([holdingLine True 0.7 3.14, saidLine 0 "hi", soundLine 0 OnSound, commandsLine 0 ["move"] [] [VelocityCommand (Velocity 0.2 0)] Nothing, commandsLine 0 ["move"] [] [] (Just (False, Aeson.object [])), endedLine 0 "done" Nothing, endedLine 0 "error" (Just (Aeson.object [])), stoppedLine True, fst (frameLine 0 False moved)] ++ map linkLine [IsAwaited "", IsThere, IsLost "x"])
+      mapMaybe Aeson.decode ([holdingLine True 0.7 3.14, saidLine 0 "hi", soundLine 0 OnSound, commandsLine 0 ["move"] [] [VelocityCommand (Velocity 0.2 0)] Nothing, commandsLine 0 ["move"] [] [] (Just (False, Aeson.object [])), endedLine 0 "done" Nothing, endedLine 0 "error" (Just (Aeson.object [])), stoppedLine True, fst (frameLine 0 False moved)] ++ map linkLine [IsAwaited unknownReason, IsThere, IsLost (verbatim "x")])
     moved = applyCommand (Led1Command (Led1 Red)) (applyMessage (OdometryMessage (Odometry (Position 1 2) (Orientation 3) (Velocity 4 5))) blank)
 
 -- | A line's word and the names of its fields.
