@@ -33,6 +33,8 @@ test("a lesson is followed in blocks: guess, run, look, change, make, and its en
   await one.goesOn()
   await one.panel().getByRole("button", {name: "Begin this step again"}).click()
   await expect(one.haskell()).toContainText("Velocity 0.2 0")
+  // The run before has ended; its button may be drawn a moment after the text.
+  await expect(one.runButton()).toHaveText("Run")
   await one.tries()
   await expect(one.check("In the ring at 5 s")).toContainText("metres away from it at 5.0 s.")
   await one.changesNumber("0.2", "0.4")
