@@ -4,7 +4,7 @@ import type {Firing} from "../state/firings.ts"
 import type {Explanation} from "./explanation.ts"
 
 export interface CausalPath {
-  /// Names of functions.
+  /// Functions that ran, and all that the sentences name.
   readonly functions: ReadonlySet<string>
   /// Types of events and states that were taken, of memories, and of commands.
   readonly taken: ReadonlySet<string>
@@ -24,10 +24,10 @@ export const noPath: CausalPath = {
 
 export function causalPath(answer: Explanation): CausalPath {
   const {path} = answer
-  const about = new Set(answer.sentences.flatMap(({said}) => (said.function === "" ? [] : [said.function])))
+  const about = answer.sentences.flatMap(({said}) => [said.function, said.other, ...said.functions])
   const last = path.at(-1)
   return {
-    functions: new Set([...path.map(f => f.function), ...about]),
+    functions: new Set([...path.map(f => f.function), ...about.filter(name => name !== "")]),
     taken: new Set(path.flatMap(taken)),
     stores: new Set(
       path.flatMap(({took}) =>
