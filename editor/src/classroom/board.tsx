@@ -18,8 +18,9 @@ import {type QrCode, qrCodeOf} from "../browser/qr_code.ts"
 import {teachersPage} from "../help/help_links.ts"
 import {words} from "../words/index.ts"
 import {languageFor, loadLanguage} from "../words/language_choice.ts"
-import {CheckForm, ResultTable} from "./board_check.tsx"
+import {CheckForm} from "./board_check.tsx"
 import {type BoardConnection, openBoardConnection} from "./board_connection.ts"
+import {ResultTable} from "./board_results.tsx"
 import {SendTool} from "./board_send.tsx"
 import {board, change} from "./board_state.ts"
 import {HandIns, TaskTool} from "./board_tasks.tsx"
@@ -91,9 +92,11 @@ function BoardPage({send, unlock, download, backUp, programs, openRun, openProje
                 send={send}
               />
               <ResultTable
+                task={shownTask.id}
                 pupils={pupils}
                 results={results.get(shownTask.id) ?? new Map()}
-                open={pupil => openRun(shownTask.id, pupil)}
+                send={send}
+                open={(pupil, room) => openRun(shownTask.id, pupil, room)}
               />
             </>
           )}

@@ -1,22 +1,18 @@
-/// Panel of the teacher's board that checks all hand-ins of a task: properties and rooms, progress, and a table of results, worst first.
+/// Panel of the teacher's board that checks all hand-ins of a task: properties and rooms, and progress. `board_results.tsx` has the results.
 
 import type {VNode} from "preact"
 import {useState} from "preact/hooks"
 import type {StoredProgram} from "../browser/stored_values.ts"
 import {PropertyFields} from "../rooms/property_fields.tsx"
-import {happened, Picture} from "../rooms/tested_room.tsx"
 import {words} from "../words/index.ts"
-import type {BoardRequest, PupilOnBoard} from "./board_messages.ts"
+import type {BoardRequest} from "./board_messages.ts"
 import {
   type CheckChoices,
   type Checking,
-  type CheckResult,
   checkedRoomCounts,
   checkRequest,
   firstCheck,
-  type Results,
   roomFamilies,
-  worstFirst,
 } from "./hand_in_checks.ts"
 
 /// Programs whose rooms can be chosen.
@@ -156,64 +152,4 @@ function Start({checking, send, isPossible}: CheckProps & {readonly isPossible: 
       {w.start}
     </button>
   )
-}
-
-interface ResultProps {
-  readonly pupils: readonly PupilOnBoard[]
-  readonly results: Results
-  /// Opens a pupil's program in its worst room.
-  readonly open: (pupil: number) => void
-}
-
-export function ResultTable({pupils, results, open}: ResultProps): VNode | null {
-  const w = words.classroom.board.check
-  const rows = worstFirst(pupils, results)
-  if (rows.length === 0) return null
-  return (
-    <div class="board-scroll">
-      <table class="room-test-table" data-testid="check-results">
-        <caption>{w.results}</caption>
-        <thead>
-          <tr>
-            <th scope="col">{words.classroom.board.task.pupil}</th>
-            <th scope="col">{w.passed}</th>
-            <th scope="col">{words.roomTests.picture}</th>
-            <th scope="col">{w.worst}</th>
-            <td />
-          </tr>
-        </thead>
-        <tbody>
-          {rows.map(([{id, nickname}, result]) => (
-            <tr key={id} data-testid={`result ${nickname}`}>
-              <th scope="row">
-                <bdi>{nickname}</bdi>
-              </th>
-              <td>{result.fault === null ? w.of(result.passed, result.rooms) : "–"}</td>
-              <td>{result.worst !== null && <Picture tested={result.worst} />}</td>
-              <td>{whatHappened(result)}</td>
-              <td>
-                {result.worst !== null && (
-                  <button
-                    type="button"
-                    class="plain"
-                    aria-label={w.openOf(nickname)}
-                    onClick={() => open(id)}
-                  >
-                    {w.open}
-                  </button>
-                )}
-              </td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </div>
-  )
-}
-
-/// What went wrong, in sentences.
-function whatHappened({fault, problems, worst}: CheckResult): string {
-  const w = words.classroom.board.check
-  if (fault !== null) return [w.faults[fault], ...problems].join(" ")
-  return worst === null || worst.passed ? w.nothing : happened(worst)
 }

@@ -5,7 +5,7 @@ import {downloadBlob} from "../browser/local_files.ts"
 import {fragmentOf} from "../browser/share_link.ts"
 import {words} from "../words/index.ts"
 import {type BoardMessage, type BoardRequest, type BoardTask, readBoardMessage} from "./board_messages.ts"
-import {board, change, places, rooms, sharingListeners, withResult} from "./board_state.ts"
+import {board, change, places, rooms, sharingListeners, withResult, withRoomsOfTask} from "./board_state.ts"
 import {openClassSocket} from "./class_socket.ts"
 import {projectInRoom, type RunInRoom} from "./hand_in_checks.ts"
 import {teacherKey} from "./membership.ts"
@@ -16,10 +16,10 @@ export interface BoardConnection {
   readonly unlock: (key: string) => void
   /// Whether there was something to download.
   readonly download: (task: BoardTask) => Promise<boolean>
-  /// Opens a pupil's program for a task in its worst room.
   /// Downloads everything that the class stores; whether that was possible.
   readonly backUp: () => Promise<boolean>
-  readonly openRun: (task: number, pupil: number) => void
+  /// Opens a pupil's program for a task in one of the rooms of its check, by the number of the room.
+  readonly openRun: (task: number, pupil: number, room: number) => void
   /// Opens the page for the projector in a window of its own.
   readonly openProjector: () => void
 }
@@ -71,6 +71,7 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
       else if (message.op === "sent") change({said: sentence(message)})
       else if (message.op === "checking") change({checking: message})
       else if (message.op === "result") change({results: withResult(board.value.results, message)})
+      else if (message.op === "rooms") change({results: withRoomsOfTask(board.value.results, message)})
       else if (message.op === "run") void tabs.fill(message)
       else if (message.op === "program-changed") {
         const {shown} = board.value
@@ -98,9 +99,9 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
   const download = (task: BoardTask) => downloadHandIns(task, key ?? "")
   const backUp = () =>
     downloadZip("api/class-backup", `rosy-class-${new Date().toISOString().slice(0, 10)}.zip`, key ?? "")
-  const openRun = (task: number, pupil: number) => {
-    tabs.open(pupil)
-    send({op: "open-run", task, pupil})
+  const openRun = (task: number, pupil: number, room: number) => {
+    tabs.open(pupil, room)
+    send({op: "open-run", task, pupil, room})
   }
   // Always the same window: a second press brings it to the front.
   const openProjector = () => void window.open(`./projector.html#key=${key ?? ""}`, "rosy-projector")
@@ -115,17 +116,20 @@ function hearSharing(message: SharingMessage | SharingBounds): void {
   for (const heard of sharingListeners) heard(message)
 }
 
-/// Tabs for pupils' programs in their worst rooms. A browser lets a page open one only while a click is served, so it is empty until the program arrives.
+/// Tabs for pupils' programs in rooms of a check. A browser lets a page open one only while a click is served, so it is empty until the program arrives.
 function openRunTabs() {
-  const waiting = new Map<number, Window | null>()
+  const waiting = new Map<string, Window | null>()
+  const keyOf = (pupil: number, room: number) => `${pupil} ${room}`
   return {
-    open(pupil: number) {
-      waiting.get(pupil)?.close()
-      waiting.set(pupil, window.open("", "_blank"))
+    open(pupil: number, room: number) {
+      const key = keyOf(pupil, room)
+      waiting.get(key)?.close()
+      waiting.set(key, window.open("", "_blank"))
     },
-    async fill({pupil, name, text, world, seed}: RunInRoom) {
-      const tab = waiting.get(pupil)
-      waiting.delete(pupil)
+    async fill({pupil, room, name, text, world, seed}: RunInRoom) {
+      const key = keyOf(pupil, room)
+      const tab = waiting.get(key)
+      waiting.delete(key)
       if (text === null) return tab?.close()
       const nickname = board.value.pupils.find(one => one.id === pupil)?.nickname ?? ""
       const project = projectInRoom(text, words.classroom.board.programOf(nickname, name), world)

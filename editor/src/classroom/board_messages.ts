@@ -32,7 +32,9 @@ import {
   checking,
   checkResult,
   type NewCheckRequest,
+  type RoomsOfResult,
   type RunInRoom,
+  roomsOfResult,
   runInRoom,
 } from "./hand_in_checks.ts"
 import {
@@ -133,6 +135,7 @@ export type BoardMessage =
       readonly pupil: number
       readonly result: CheckResult | null
     }
+  | ({readonly op: "rooms"} & RoomsOfResult)
   | ({readonly op: "run"} & RunInRoom)
 
 export type BoardRequest =
@@ -167,7 +170,8 @@ export type BoardRequest =
   | NewCheckRequest
   | {readonly op: "cancel-check"}
   | {readonly op: "show-results"; readonly task: number}
-  | {readonly op: "open-run"; readonly task: number; readonly pupil: number}
+  | {readonly op: "show-rooms"; readonly task: number; readonly pupil: number}
+  | {readonly op: "open-run"; readonly task: number; readonly pupil: number; readonly room: number}
 
 const lesson = object<LessonProgress>(get => ({
   name: get("name", string),
@@ -232,6 +236,7 @@ const boardMessage: Decoder<BoardMessage> = (value, path) => {
         "tasks",
         "checking",
         "result",
+        "rooms",
         "run",
         "share-waiting",
         "program-changed",
@@ -242,6 +247,7 @@ const boardMessage: Decoder<BoardMessage> = (value, path) => {
   if (op === "checking") return {op, ...checking(value, path)}
   if (op === "updates" || op === "cursor" || op === "shared" || op === "sharing-over")
     return sharingMessage(value, path)
+  if (op === "rooms") return {op, ...roomsOfResult(value, path)}
   if (op === "run") return {op, ...runInRoom(value, path)}
   return object<BoardMessage>(get => {
     switch (op) {

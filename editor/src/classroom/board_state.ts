@@ -4,7 +4,7 @@ import {type Signal, signal} from "@preact/signals"
 import type {World} from "../worlds/world.ts"
 import type {BoardMessage, BoardTask, Place, ProjectorSight, PupilOnBoard} from "./board_messages.ts"
 import type {OwnComment} from "./class_messages.ts"
-import type {Checking, Results} from "./hand_in_checks.ts"
+import {type Checking, type Results, type RoomsOfResult, withRooms} from "./hand_in_checks.ts"
 import type {SharingBounds, SharingMessage} from "./shared_messages.ts"
 
 export interface ShownProgram {
@@ -82,6 +82,13 @@ export const sharingListeners = new Set<(message: SharingMessage | SharingBounds
 export const change = (to: Partial<Board>) => {
   board.value = {...board.value, ...to}
 }
+
+/// The results of all tasks with the rooms of a message.
+export const withRoomsOfTask = (
+  results: ReadonlyMap<number, Results>,
+  message: RoomsOfResult,
+): ReadonlyMap<number, Results> =>
+  new Map([...results, [message.task, withRooms(results.get(message.task) ?? new Map(), message)]])
 
 /// The results after a message; `null` takes one away.
 export function withResult(

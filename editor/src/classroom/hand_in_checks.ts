@@ -1,4 +1,4 @@
-/// Checks of all hand-ins of a task: the teacher's choices, the request made of them, the results, and the project of a pupil's program in its worst room (protocol §11).
+/// Checks of all hand-ins of a task: the teacher's choices, the request made of them, the results, the rooms that were tried, and the project of a pupil's program in one of them (protocol §11).
 
 import {
   firstChoices,
@@ -83,20 +83,26 @@ export const faults = ["compile", "room", "time", "lost"] as const
 type Fault = (typeof faults)[number]
 
 export interface CheckResult {
+  /// Seconds since 1970.
+  readonly checked: number
   readonly rooms: number
   readonly passed: number
   /// Why there are no outcomes; `problems` are those of a program that does not compile.
   readonly fault: Fault | null
   readonly problems: readonly string[]
   readonly worst: TestedRoom | null
+  /// The rooms that the service has sent so far, worst first; empty before they were asked for.
+  readonly tried: readonly TestedRoom[]
 }
 
 export const checkResult = object<CheckResult>(get => ({
+  checked: get("checked", number),
   rooms: get("rooms", number),
   passed: get("passed", number),
   fault: get("fault", optional(oneOf(...faults), null)),
   problems: get("problems", list(problem)),
   worst: get("worst", optional(testedRoom, null)),
+  tried: [],
 }))
 
 export const checking = object<Checking>(get => ({
@@ -109,6 +115,28 @@ export const checking = object<Checking>(get => ({
 
 /// The results of a task by pupil.
 export type Results = ReadonlyMap<number, CheckResult>
+
+/// Rooms of a hand-in, which follow `after` others of earlier messages.
+export interface RoomsOfResult {
+  readonly task: number
+  readonly pupil: number
+  readonly after: number
+  readonly rooms: readonly TestedRoom[]
+}
+
+export const roomsOfResult = object<RoomsOfResult>(get => ({
+  task: get("task", number),
+  pupil: get("pupil", number),
+  after: get("after", number),
+  rooms: get("rooms", list(testedRoom)),
+}))
+
+/// The results of a task with the rooms of a message.
+export function withRooms(results: Results, {pupil, after, rooms}: RoomsOfResult): Results {
+  const result = results.get(pupil)
+  if (result === undefined) return results
+  return new Map([...results, [pupil, {...result, tried: [...result.tried.slice(0, after), ...rooms]}]])
+}
 
 /// The number of hand-ins that the checks have left out, as those that came while one went on; 0 before the first check.
 export function uncheckedCount(
@@ -151,9 +179,10 @@ function projectOf(text: string): Project {
   return isProject ? {...value} : {rosy: 1, haskell: text}
 }
 
-/// A message's pupil with the program, the room as JSON, and the seed.
+/// A message's pupil with the program, the number of the room and the room as JSON, and the seed.
 export interface RunInRoom {
   readonly pupil: number
+  readonly room: number
   readonly name: string
   readonly text: string | null
   readonly world: unknown
@@ -162,6 +191,7 @@ export interface RunInRoom {
 
 export const runInRoom = object<RunInRoom>(get => ({
   pupil: get("pupil", number),
+  room: get("room", number),
   name: get("name", string),
   text: get("text", optional(string, null)),
   world: get("world", value => value),

@@ -8,6 +8,7 @@ import {
   firstCheck,
   projectInRoom,
   uncheckedCount,
+  withRooms,
   worstFirst,
 } from "../../src/classroom/hand_in_checks.ts"
 import type {TestedRoom} from "../../src/rooms/room_test.ts"
@@ -77,14 +78,32 @@ test("the messages about a check are read", () => {
     value: {result: {fault: "compile", problems: ["There is no x."], worst: null}},
   })
   expect(read({op: "result", task: 1, pupil: 3, result: {...result, fault: "odd"}}).kind).toBe("mismatch")
-  const run = {op: "run", pupil: 3, name: "walk", text: "{}", world, seed: 7}
+  const rooms = {op: "rooms", task: 1, pupil: 3, after: 20, rooms: [worst]}
+  expect(read(rooms)).toMatchObject({kind: "ok", value: {pupil: 3, after: 20, rooms: [{room: 3, seed: 7}]}})
+  expect(read({...rooms, rooms: [{room: 3}]}).kind).toBe("mismatch")
+  const run = {op: "run", pupil: 3, room: 3, name: "walk", text: "{}", world, seed: 7}
   expect(read(run)).toEqual({kind: "ok", value: run})
 })
 
 const outcome = (passed: number, time: number, fault: CheckResult["fault"] = null): CheckResult => {
   const tested = {...worst, time, passed: passed === 5} as unknown as TestedRoom
-  return {rooms: 5, passed, fault, problems: [], worst: fault === null ? tested : null}
+  return {checked: 1, rooms: 5, passed, fault, problems: [], worst: fault === null ? tested : null, tried: []}
 }
+
+test("the rooms of a result come in several messages, also twice", () => {
+  const room = (number: number) => ({...worst, room: number}) as unknown as TestedRoom
+  const part = (after: number, ...numbers: number[]) => ({
+    task: 1,
+    pupil: 2,
+    after,
+    rooms: numbers.map(room),
+  })
+  const messages = [part(0, 4, 1), part(2, 3), part(0, 4, 1), part(2, 3)]
+  const results = messages.reduce(withRooms, new Map([[2, outcome(3, 9)]]))
+  expect(results.get(2)?.tried.map(tried => tried.room)).toEqual([4, 1, 3])
+  // The pupil has handed in again meanwhile.
+  expect(withRooms(new Map(), part(0, 4))).toEqual(new Map())
+})
 
 test("the results are worst first, and pupils without one are left out", () => {
   const pupils = [1, 2, 3, 4, 5, 6].map(id => ({id}))

@@ -10,7 +10,18 @@ from typing import Annotated, Any, Literal
 
 import msgspec
 
-from .check_messages import CancelCheck, CheckAll, Checking, CheckNew, OpenRun, ResultShown, RunShown, ShowResults
+from .check_messages import (
+    CancelCheck,
+    CheckAll,
+    Checking,
+    CheckNew,
+    OpenRun,
+    ResultShown,
+    RoomsShown,
+    RunShown,
+    ShowResults,
+    ShowRooms,
+)
 from .message_fields import (
     BadRequest,
     Identifier,
@@ -165,6 +176,7 @@ BoardRequest = (
     | CheckNew
     | CancelCheck
     | ShowResults
+    | ShowRooms
     | OpenRun
     | AskToShare
     | Push
@@ -310,6 +322,7 @@ BoardAnswer = (
     | Projecting
     | Checking
     | ResultShown
+    | RoomsShown
     | RunShown
     | Waiting
     | ShareBegun

@@ -13,6 +13,7 @@ from ..wire.problem import Problem
 from ..wire.room_tests import MAX_ROOMS, MAX_SECONDS, TestedRoom
 
 __all__ = [
+    "ROOMS_OF_A_MESSAGE",
     "CancelCheck",
     "CheckAll",
     "CheckNew",
@@ -21,8 +22,10 @@ __all__ = [
     "Fault",
     "OpenRun",
     "ResultShown",
+    "RoomsShown",
     "RunShown",
     "ShowResults",
+    "ShowRooms",
 ]
 
 Fault = Literal["compile", "room", "time", "lost"]
@@ -30,6 +33,8 @@ Fault = Literal["compile", "room", "time", "lost"]
 Why a program has no outcome in the rooms: it does not compile; the room of the hand-in cannot be used; the test took
 too long; the trial process was lost.
 """
+
+ROOMS_OF_A_MESSAGE = 20
 
 
 # Requests of the board
@@ -67,11 +72,19 @@ class ShowResults(msgspec.Struct, tag="show-results", tag_field="op"):
     task: int
 
 
-class OpenRun(msgspec.Struct, tag="open-run", tag_field="op"):
-    """A hand-in with its worst room; the answer is ``RunShown``."""
+class ShowRooms(msgspec.Struct, tag="show-rooms", tag_field="op"):
+    """All rooms in which a hand-in was tried; the answers are ``RoomsShown``."""
 
     task: int
     pupil: int
+
+
+class OpenRun(msgspec.Struct, tag="open-run", tag_field="op"):
+    """A hand-in with one of the rooms in which it was tried, by its number; the answer is ``RunShown``."""
+
+    task: int
+    pupil: int
+    room: int
 
 
 # Answers to the board
@@ -117,10 +130,23 @@ class ResultShown(msgspec.Struct, tag="result", tag_field="op"):
     result: msgspec.Raw
 
 
+class RoomsShown(msgspec.Struct, tag="rooms", tag_field="op"):
+    """
+    Rooms of a hand-in, worst first. ``after`` counts those of the messages before; a message has at most
+    ``ROOMS_OF_A_MESSAGE``, so that none keeps the service busy.
+    """
+
+    task: int
+    pupil: int
+    after: int
+    rooms: list[TestedRoom]
+
+
 class RunShown(msgspec.Struct, tag="run", tag_field="op"):
-    """A hand-in, its worst room, and the seed of its run there; ``text`` is ``None`` if it has no outcome."""
+    """A hand-in, a room, and the seed of its run there; ``text`` is ``None`` if it has no outcome in such a room."""
 
     pupil: int
+    room: int
     name: str
     text: str | None
     world: Any = None

@@ -6,19 +6,21 @@ The store has all that must last; here is the same without the texts, so that sh
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import msgspec
 
+from ..wire.room_tests import TestedRoom
 from . import board_messages as b
 from . import pupil_messages as p
 from .check_messages import CheckAll, CheckResult
 from .class_store import ClassStore
 from .message_fields import Refused
 from .program_fingerprint import fingerprint, source_of
+from .rooms_tried import pack_rooms, rooms_of
 from .store_thread import StoreThread
-from .task_store import HandIn, HandInKept, Task
+from .task_store import HandIn, HandInGraded, HandInKept, Task
 
 __all__ = ["ClassTasks"]
 
@@ -160,18 +162,28 @@ class ClassTasks:
         found = self._tasks.get(task)
         return msgspec.json.decode(found.check, type=CheckAll) if found is not None and found.check else None
 
-    async def grade(self, task: int, pupil: int, at: float, result: CheckResult) -> None:
+    async def grade(self, task: int, pupil: int, at: float, result: CheckResult, rooms: Sequence[TestedRoom]) -> None:
         """
-        Store the result of the hand-in of that time, unless the pupil has handed in again since.
+        Store the result of the hand-in of that time with all its rooms, unless the pupil has handed in again since.
 
         Raises:
             StoreError: the disk is full or broken; nothing was changed.
         """
         encoded = msgspec.json.encode(result)
-        stored = await self._thread.call(lambda store: store.tasks.grade(task, pupil, at, encoded))
+        stored = await self._thread.call(lambda store: store.tasks.grade(task, pupil, at, encoded, pack_rooms(rooms)))
         found = self._hand_ins.get((task, pupil))
         if stored and found is not None and found.at == at:
             self._hand_ins[task, pupil] = replace(found, result=encoded)
+
+    async def graded(self, task: int, pupil: int) -> tuple[HandInGraded, list[TestedRoom]] | None:
+        """A hand-in and the rooms in which it was tried, worst first; ``None`` if it was not checked."""
+
+        def read(store: ClassStore) -> tuple[HandInGraded, list[TestedRoom]] | None:
+            # In the thread of the store: many rooms take a while to read.
+            found = store.tasks.graded(task, pupil)
+            return None if found is None else (found, rooms_of(found))
+
+        return await self._thread.call(read)
 
     def results(self, task: int) -> dict[int, bytes]:
         """The results of a task's hand-ins by pupil, as JSON; empty for one that was not checked."""

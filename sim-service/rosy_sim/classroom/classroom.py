@@ -17,14 +17,12 @@ from contextlib import ExitStack, closing
 from dataclasses import dataclass, field
 from typing import IO
 
-import msgspec
-
 from ..attempts import Attempts, Rate
 from ..sentence import tr
 from ..wording import in_terminal
 from . import board_messages as b
 from . import pupil_messages as p
-from .check_messages import CheckResult, OpenRun, RunShown
+from .check_messages import ROOMS_OF_A_MESSAGE, OpenRun, RoomsShown, RunShown, ShowRooms
 from .class_comments import ClassComments
 from .class_export import write_export
 from .class_store import ClassStore, Conflict, NicknameTaken, Pupil, Saved, StoreFull, Version
@@ -336,14 +334,23 @@ class Classroom:
                 return b.ProgramShown(request.pupil, kept.name, kept.text)
         return b.ProgramShown(request.pupil, "", None)
 
+    async def rooms_shown(self, request: ShowRooms) -> list[RoomsShown]:
+        """All rooms in which a hand-in was tried, in several messages."""
+        _, rooms = await self.tasks.graded(request.task, request.pupil) or (None, [])
+        return [
+            RoomsShown(request.task, request.pupil, after, rooms[after : after + ROOMS_OF_A_MESSAGE])
+            for after in range(0, len(rooms), ROOMS_OF_A_MESSAGE)
+        ]
+
     async def run_shown(self, request: OpenRun) -> RunShown:
-        """A hand-in with the room in which it did worst."""
-        for kept in await self.tasks.kept(request.task):
-            if kept.pupil == request.pupil and kept.result:
-                worst = msgspec.json.decode(kept.result, type=CheckResult).worst
-                if worst is not None:
-                    return RunShown(kept.pupil, kept.name, kept.text, worst.world, worst.seed)
-        return RunShown(request.pupil, "", None)
+        """A hand-in with one of the rooms in which it was tried."""
+        found = await self.tasks.graded(request.task, request.pupil)
+        if found is not None:
+            hand_in, rooms = found
+            for tried in rooms:
+                if tried.room == request.room:
+                    return RunShown(request.pupil, tried.room, hand_in.name, hand_in.text, tried.world, tried.seed)
+        return RunShown(request.pupil, request.room, "", None)
 
     def pupils_shown(self) -> b.PupilsShown:
         """All pupils as the board shows them now."""

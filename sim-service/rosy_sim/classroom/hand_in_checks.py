@@ -23,6 +23,7 @@ from ..rooms.room_test import Report, RoomTest, check_goals, worst_first
 from ..rooms.tested_room import tested_room
 from ..run.run_queue import RunQueue
 from ..sentence import tr
+from ..wire.room_tests import TestedRoom
 from ..wording import in_terminal
 from ..world.properties import BadProperty, read_properties
 from ..worlds.gallery import DEFAULT_WORLD, named_world
@@ -116,30 +117,31 @@ class HandInChecks:
         for one in waiting:
             await self._queue.acquire(lambda _: None)
             try:
-                result = await self._result(request, one.text)
+                result, rooms = await self._result(request, one.text)
             finally:
                 self._queue.release()
-            await self._tasks.grade(request.task, one.pupil, one.at, result)
+            await self._tasks.grade(request.task, one.pupil, one.at, result, rooms)
             self.progress = msgspec.structs.replace(self.progress, done=self.progress.done + 1)
 
-    async def _result(self, request: CheckAll, project: str) -> CheckResult:
+    async def _result(self, request: CheckAll, project: str) -> tuple[CheckResult, list[TestedRoom]]:
         try:
             test = await asyncio.to_thread(_room_test, request, project)
         except BadInput:
-            return self._faulty(request, "room")
+            return self._faulty(request, "room"), []
         try:
             async with asyncio.timeout(BUDGET):
                 report = await try_in_background(
                     self._config, source_of(project), test, lambda _: self._count_room(), None
                 )
         except TimeoutError:
-            return self._faulty(request, "time")
+            return self._faulty(request, "time"), []
         except RosyError as error:
             _log.warning("%s", in_terminal(tr("A hand-in could not be checked: {why}", why=error)))
-            return self._faulty(request, "lost")
+            return self._faulty(request, "lost"), []
         if report.refused:
-            return msgspec.structs.replace(self._faulty(request, "compile"), problems=report.refused)
-        return msgspec.structs.replace(self._faulty(request, None), passed=report.passed, worst=_worst(report))
+            return msgspec.structs.replace(self._faulty(request, "compile"), problems=report.refused), []
+        rooms = _rooms(report)
+        return msgspec.structs.replace(self._faulty(request, None), passed=report.passed, worst=rooms[0]), rooms
 
     def _count_room(self) -> None:
         self.progress = msgspec.structs.replace(self.progress, rooms=self.progress.rooms + 1)
@@ -156,10 +158,10 @@ class HandInChecks:
         )
 
 
-def _worst(report: Report) -> Any:
+def _rooms(report: Report) -> list[TestedRoom]:
+    """All rooms, worst first."""
     worlds = {outcome.room: world for outcome, world in zip(report.outcomes, report.worlds, strict=True)}
-    worst = worst_first(report.outcomes)[0]
-    return tested_room(worst, worlds[worst.room])
+    return [tested_room(outcome, worlds[outcome.room]) for outcome in worst_first(report.outcomes)]
 
 
 def _room_test(request: CheckAll, project: str) -> RoomTest:

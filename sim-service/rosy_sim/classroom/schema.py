@@ -89,6 +89,10 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
         # The newest check of all hand-ins as JSON (`check_messages.CheckAll`); empty if there was none.
         "ALTER TABLE task ADD COLUMN check_settings BLOB NOT NULL DEFAULT x''",
     ),
+    (
+        # All rooms of the result (`rooms_tried.py`); empty if there are none, or the check is older than this column.
+        "ALTER TABLE hand_in ADD COLUMN rooms_tried BLOB NOT NULL DEFAULT x''",
+    ),
 )
 
 

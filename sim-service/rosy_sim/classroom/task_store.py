@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from .database import Database
 
-__all__ = ["MAX_TASKS", "HandIn", "HandInKept", "Task", "TaskStore"]
+__all__ = ["MAX_TASKS", "HandIn", "HandInGraded", "HandInKept", "Task", "TaskStore"]
 
 MAX_TASKS = 200
 """Tasks of a class: five a week in a school year of 40 weeks."""
@@ -64,6 +64,16 @@ class HandInKept:
     result: bytes = b""
 
 
+@dataclass(frozen=True, slots=True)
+class HandInGraded:
+    """A hand-in that was checked; ``result`` as in ``HandIn``, ``rooms_tried`` as ``pack_rooms`` makes it."""
+
+    name: str
+    text: str
+    result: bytes
+    rooms_tried: bytes
+
+
 class TaskStore:
     """
     Tasks in an open database.
@@ -111,7 +121,7 @@ class TaskStore:
                 "INSERT INTO hand_in (task, pupil, at, name, text, fingerprint) VALUES (?, ?, ?, ?, ?, ?) "
                 "ON CONFLICT (task, pupil) DO UPDATE SET "
                 "at = excluded.at, name = excluded.name, text = excluded.text, fingerprint = excluded.fingerprint, "
-                "result = excluded.result",
+                "result = excluded.result, rooms_tried = excluded.rooms_tried",
                 (task, pupil, now, name, text, fingerprint),
             )
 
@@ -120,13 +130,21 @@ class TaskStore:
         with self._database.transaction():
             self._database.execute("UPDATE hand_in SET comment = ? WHERE task = ? AND pupil = ?", (text, task, pupil))
 
-    def grade(self, task: int, pupil: int, at: float, result: bytes) -> bool:
-        """Set the result of the hand-in of that time; returns whether it is still the newest."""
+    def grade(self, task: int, pupil: int, at: float, result: bytes, rooms_tried: bytes = b"") -> bool:
+        """Set the result of the hand-in of that time, and its rooms; returns whether it is still the newest."""
         with self._database.transaction():
             changed = self._database.execute(
-                "UPDATE hand_in SET result = ? WHERE task = ? AND pupil = ? AND at = ?", (result, task, pupil, at)
+                "UPDATE hand_in SET result = ?, rooms_tried = ? WHERE task = ? AND pupil = ? AND at = ?",
+                (result, rooms_tried, task, pupil, at),
             )
             return changed.rowcount == 1
+
+    def graded(self, task: int, pupil: int) -> HandInGraded | None:
+        """A hand-in with the rooms of its check; ``None`` if there is none or it was not checked."""
+        row = self._database.execute(
+            "SELECT name, text, result, rooms_tried FROM hand_in WHERE task = ? AND pupil = ?", (task, pupil)
+        ).fetchone()
+        return HandInGraded(*row) if row is not None and row[2] else None
 
     def hand_ins(self) -> list[HandIn]:
         """All hand-ins without their texts, oldest first."""

@@ -15,7 +15,16 @@ from starlette.websockets import WebSocket
 
 from ..classroom import board_messages as b
 from ..classroom import pupil_messages as p
-from ..classroom.check_messages import CancelCheck, CheckAll, Checking, CheckNew, OpenRun, ResultShown, ShowResults
+from ..classroom.check_messages import (
+    CancelCheck,
+    CheckAll,
+    Checking,
+    CheckNew,
+    OpenRun,
+    ResultShown,
+    ShowResults,
+    ShowRooms,
+)
 from ..classroom.classroom import Classroom, PupilPage
 from ..classroom.database import StoreError
 from ..classroom.hand_in_checks import HandInChecks
@@ -173,6 +182,9 @@ class ClassSockets:
                 await self._checks.cancel()
             case ShowResults():
                 connection.results_of = request.task
+            case ShowRooms():
+                for rooms in await self._classroom.rooms_shown(request):
+                    connection.put(rooms)
             case OpenRun():
                 connection.put(await self._classroom.run_shown(request))
             case AskToShare():

@@ -6,7 +6,7 @@ import pytest
 
 from rosy_sim.classroom import schema, task_store
 from rosy_sim.classroom.class_store import ClassStore, Pupil
-from rosy_sim.classroom.task_store import HandIn, HandInKept, Task
+from rosy_sim.classroom.task_store import HandIn, HandInGraded, HandInKept, Task
 
 from .conftest import ADMISSION, Opens
 
@@ -62,6 +62,20 @@ def test_the_newest_hand_in_of_each_pupil_counts_and_keeps_the_comment(store: Cl
         HandInKept(ada, 4.0, "a 2", "second", "Look at the corner."),
         HandInKept(ben, 2.0, "b", "of Ben", ""),
     ]
+
+
+def test_the_rooms_of_a_check_go_with_the_next_hand_in(store: ClassStore) -> None:
+    ada = joined(store, "Ada")
+    task = opened(store, "Maze", 1.0).id
+    store.tasks.hand_in(task, ada, "a", "first", 2.0)
+    assert store.tasks.graded(task, ada) is None
+    assert not store.tasks.grade(task, ada, 1.5, b"{}", b"rooms of an older hand-in")
+    assert store.tasks.grade(task, ada, 2.0, b"{}", b"rooms")
+    assert store.tasks.graded(task, ada) == HandInGraded("a", "first", b"{}", b"rooms")
+    store.tasks.hand_in(task, ada, "a", "second", 3.0)
+    assert store.tasks.graded(task, ada) is None
+    store.tasks.grade(task, ada, 3.0, b"{}")
+    assert store.tasks.graded(task, ada) == HandInGraded("a", "second", b"{}", b"")
 
 
 def test_there_is_a_limit_of_tasks(store: ClassStore, monkeypatch: pytest.MonkeyPatch) -> None:

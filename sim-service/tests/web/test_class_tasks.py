@@ -255,16 +255,21 @@ def test_the_board_checks_all_hand_ins_in_rooms_and_opens_the_worst_one(config: 
             assert worst["room"] in (1, 2)
             assert len(worst["path"]) >= 2
 
-            await board.send("open-run", task=1, pupil=first)
-            shown = await board.op("run")
-            assert (shown["text"], shown["world"], shown["seed"]) == (
-                project("drive:0.5"),
-                worst["world"],
-                worst["seed"],
-            )
-            for pupil in (third, 99):
-                await board.send("open-run", task=1, pupil=pupil)
+            await board.send("show-rooms", task=1, pupil=first)
+            tried = await board.op("rooms")
+            assert (tried["pupil"], tried["after"], tried["rooms"][0]) == (first, 0, worst)
+            assert sorted(one["room"] for one in tried["rooms"]) == [1, 2]
+            for one in tried["rooms"]:
+                await board.send("open-run", task=1, pupil=first, room=one["room"])
+                shown = await board.op("run")
+                assert (shown["room"], shown["text"]) == (one["room"], project("drive:0.5"))
+                assert (shown["world"], shown["seed"]) == (one["world"], one["seed"])
+            # Not compiled, never there, and a room that was not tried; the first two have no rooms either.
+            for pupil, room in ((third, 1), (99, 1), (first, 3)):
+                await board.send("show-rooms", task=1, pupil=pupil)
+                await board.send("open-run", task=1, pupil=pupil, room=room)
                 assert (await board.op("run"))["text"] is None
+            assert {one["pupil"] for one in board.seen if one["op"] == "rooms"} == {first}
 
             async with httpx.AsyncClient(base_url=f"http://{opened.address}", timeout=PATIENCE) as http:
                 answer = await http.get("/api/hand-ins/1", headers={"X-Rosy-Key": opened.key})
@@ -389,8 +394,8 @@ def test_a_pupil_reaches_no_result(config: Config) -> None:
         await board.send("show-results", task=1)
         await board.send("check-all", **CHECK)
         await results(board, 3)
-        for op in ("check-all", "cancel-check", "show-results", "open-run"):
-            await ada.send(op, **{**CHECK, "pupil": second})
-            assert (await ada.op("refused", "result", "run"))["reason"] == "request"
+        for op in ("check-all", "cancel-check", "show-results", "show-rooms", "open-run"):
+            await ada.send(op, **{**CHECK, "pupil": second, "room": 1})
+            assert (await ada.op("refused", "result", "rooms", "run"))["reason"] == "request"
 
     in_class(config, lesson)

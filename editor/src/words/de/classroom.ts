@@ -223,6 +223,11 @@ export const classroom: Words["classroom"] = {
       nothing: "Alles hat gehalten.",
       open: "Schlechtesten Raum öffnen",
       openOf: nickname => `Schlechtesten Raum von ${nickname} öffnen`,
+      all: "Alle Räume",
+      allOf: nickname => `Alle Räume von ${nickname}`,
+      room: room => `Raum ${room}`,
+      openRoom: "Öffnen",
+      openRoomOf: (room, nickname) => `Raum ${room} von ${nickname} öffnen`,
       faults: {
         compile: "Das Programm lässt sich nicht übersetzen:",
         room: "Der abgegebene Raum taugt nicht für diese Prüfung.",

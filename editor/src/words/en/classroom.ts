@@ -220,6 +220,11 @@ export const classroom = {
       nothing: "Everything held.",
       open: "Open the worst room",
       openOf: (nickname: string) => `Open the worst room of ${nickname}`,
+      all: "All rooms",
+      allOf: (nickname: string) => `All rooms of ${nickname}`,
+      room: (room: number) => `Room ${room}`,
+      openRoom: "Open",
+      openRoomOf: (room: number, nickname: string) => `Open room ${room} of ${nickname}`,
       faults: {
         compile: "The program does not compile:",
         room: "The room that was handed in cannot be used for this check.",

@@ -222,6 +222,11 @@ export const classroom: Words["classroom"] = {
       nothing: "Todo se cumplió.",
       open: "Abrir la peor sala",
       openOf: nickname => `Abrir la peor sala de ${nickname}`,
+      all: "Todas las salas",
+      allOf: nickname => `Todas las salas de ${nickname}`,
+      room: room => `Sala ${room}`,
+      openRoom: "Abrir",
+      openRoomOf: (room, nickname) => `Abrir la sala ${room} de ${nickname}`,
       faults: {
         compile: "El programa no compila:",
         room: "La sala entregada no sirve para esta prueba.",

@@ -229,6 +229,11 @@ export const classroom: Words["classroom"] = {
       nothing: "Tout est respecté.",
       open: "Ouvrir la pire salle",
       openOf: nickname => `Ouvrir la pire salle de ${nickname}`,
+      all: "Toutes les salles",
+      allOf: nickname => `Toutes les salles de ${nickname}`,
+      room: room => `Salle ${room}`,
+      openRoom: "Ouvrir",
+      openRoomOf: (room, nickname) => `Ouvrir la salle ${room} de ${nickname}`,
       faults: {
         compile: "Le programme ne se compile pas :",
         room: "La salle rendue ne convient pas à ce test.",

@@ -221,6 +221,11 @@ export const classroom: Words["classroom"] = {
       nothing: "Tudo deu certo.",
       open: "Abrir a pior sala",
       openOf: nickname => `Abrir a pior sala de ${nickname}`,
+      all: "Todas as salas",
+      allOf: nickname => `Todas as salas de ${nickname}`,
+      room: room => `Sala ${room}`,
+      openRoom: "Abrir",
+      openRoomOf: (room, nickname) => `Abrir a sala ${room} de ${nickname}`,
       faults: {
         compile: "O programa não compila:",
         room: "A sala entregue não serve para este teste.",
