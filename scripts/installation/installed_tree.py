@@ -115,6 +115,8 @@ def _copy_haskell(root: Path, target: Path) -> None:
         shutil.copytree(root / "dist-newstyle" / inside, target / "dist-newstyle" / inside, ignore=shutil.ignore_patterns("*.o", "*.dyn_o", "autogen", "*-tmp"))
         text = re.sub(r"^haddock-(interfaces|html):\s*\S+\n", "", text, flags=re.MULTILINE)
         text = re.sub(r"^data-dir:.*\n", "", text, flags=re.MULTILINE)
+        # Headers of our C code are needed by nothing that is compiled against the library.
+        text = re.sub(r"^include-dirs:.*\n(?: .*\n)*", "", text, flags=re.MULTILINE)
         (copied / description.name).write_text(text.replace(f"{built_at}/dist-newstyle", "${pkgroot}/.."))
         for file in sorted((target / place).rglob("*")):
             if is_elf(file):
