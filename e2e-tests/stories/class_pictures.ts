@@ -7,15 +7,17 @@ import {mkdtempSync, rmSync} from "node:fs"
 import {tmpdir} from "node:os"
 import {join} from "node:path"
 import {type Browser, type BrowserContext, expect, type Page} from "@playwright/test"
+import {Learner} from "./learner.ts"
+import {savedIn} from "./running_class.ts"
 import {startService} from "./service.ts"
 
 const example = {code: "7bk3x9", address: "http://192.168.4.1:8080", words: "river lamp garden"}
 
-/// Takes the pictures one after the other; `shoot` compares a page with the file of this name.
-export async function classPictures(
-  browser: Browser,
-  shoot: (page: Page, name: string) => Promise<void>,
-): Promise<void> {
+/// Compares a page with the file of this name.
+type Shoot = (page: Page, name: string) => Promise<void>
+
+/// Takes the pictures one after the other.
+export async function classPictures(browser: Browser, shoot: Shoot): Promise<void> {
   const classes = mkdtempSync(join(tmpdir(), "rosy-classes-"))
   const service = startService(["--class", "7b", "--host", "127.0.0.1"], {
     ...process.env,
@@ -63,6 +65,8 @@ export async function classPictures(
     await expect(teacher.getByText("Raised hand")).toBeVisible()
     await teacher.evaluate(() => window.scrollTo(0, document.body.scrollHeight))
     await shoot(teacher, "class-teach")
+    await worksTogether(teacher, new Learner(ada), shoot)
+    await showsOnProjector(teacher, shoot)
 
     await teacher.getByRole("textbox", {name: "Title of a task"}).fill("Drive a square")
     await teacher.getByRole("button", {name: "Open the task"}).click()
@@ -71,11 +75,71 @@ export async function classPictures(
     await expect(teacher.getByTestId("hand-in Ben")).toContainText("not yet")
     await teacher.evaluate(() => window.scrollTo(0, 0))
     await shoot(teacher, "class-hand-in")
+    await checksHandIns(teacher)
+    await shoot(teacher, "class-check")
   } finally {
     for (const context of contexts) await context.close()
     await service.ends()
     rmSync(classes, {recursive: true, force: true})
   }
+}
+
+/// The teacher comments on a number of Ada's program, and then both edit it.
+async function worksTogether(teacher: Page, ada: Learner, shoot: Shoot): Promise<void> {
+  await ada.changesNumber("0.5", "0.25")
+  await savedIn(ada)
+  await teacher.getByRole("button", {name: "Look at the program of Ada"}).click()
+  const copy = teacher.frameLocator("iframe")
+  await copy.getByTestId("haskell").getByText("0.25", {exact: true}).click()
+  const comments = teacher.getByTestId("board-comments")
+  await expect(comments.getByRole("status")).toContainText("0.25")
+  await comments.getByRole("textbox", {name: "Comment"}).fill("Try it faster.")
+  await comments.getByRole("button", {name: "Send the comment"}).click()
+  await expect(comments).toContainText("not done yet")
+  await expect(copy.getByTestId("comment-in-text")).toBeVisible()
+  await shoot(teacher, "class-comment")
+
+  await teacher.getByRole("button", {name: "Ask to edit together"}).click()
+  await ada.page.getByTestId("class-sharing").getByRole("button", {name: "Allow"}).click()
+  await expect(teacher.getByTestId("board-sharing")).toContainText("editing this program together")
+  await ada.entersHaskell()
+  await ada.page.keyboard.press("Control+End")
+  await ada.page.keyboard.type("\n-- faster now")
+  await expect(copy.getByTestId("haskell")).toContainText("-- faster now")
+  await expect(copy.getByTestId("other-cursor")).toBeVisible()
+  await shoot(teacher, "class-together")
+  await ada.page.getByRole("button", {name: "Stop editing together"}).click()
+  await expect(teacher.getByTestId("board-sharing")).toContainText("has ended")
+  // The dialog covers the tools of the board.
+  await teacher.getByRole("button", {name: "Close"}).click()
+  await expect(teacher.getByRole("dialog")).toHaveCount(0)
+}
+
+async function showsOnProjector(teacher: Page, shoot: Shoot): Promise<void> {
+  const opening = teacher.waitForEvent("popup")
+  await teacher.getByRole("button", {name: "Open the projector page"}).click()
+  const projector = await opening
+  await teacher.getByRole("button", {name: "Show on the projector: Ada"}).click()
+  await expect(projector.getByRole("img", {name: "Room of A pupil"})).toBeVisible()
+  await shoot(projector, "class-projector")
+  await projector.close()
+  await teacher.getByRole("button", {name: "Show nobody"}).click()
+}
+
+/// In generated rooms; the row of the one pupil who handed in is unfolded.
+async function checksHandIns(teacher: Page): Promise<void> {
+  await teacher.getByText("Check all in rooms").click()
+  await teacher.getByRole("combobox", {name: "Rooms"}).selectOption("obstacles")
+  await teacher.getByRole("combobox", {name: "How many"}).selectOption("5")
+  await teacher.getByRole("button", {name: "Check all"}).click()
+  await expect(teacher.getByTestId("result Ada")).toContainText("of 5")
+  await expect(teacher.getByRole("button", {name: "Check all"})).toBeVisible()
+  await teacher.getByRole("button", {name: "All rooms of Ada"}).click()
+  const rooms = teacher.getByRole("list", {name: "All rooms of Ada"})
+  await expect(rooms.getByRole("listitem")).toHaveCount(5)
+  await expect(rooms.getByRole("button", {name: "Open room 3 of Ada"})).toBeVisible()
+  await teacher.getByTestId("check-results").evaluate(table => table.scrollIntoView({block: "center"}))
+  await teacher.mouse.move(0, 0)
 }
 
 async function joins(page: Page, code: string, nickname: string): Promise<void> {
