@@ -72,8 +72,7 @@ class PageSession:
         self._limits = services.limits
         self._loop = asyncio.get_running_loop()
         self.outbox = Outbox(self._limits.page_queue)
-        default = named_world(DEFAULT_WORLD)
-        self._room = Room(default, usable_world(default, DEFAULT_WORLD))
+        self._room = _default_room()
         self._explanations = RunExplanations(self.outbox.put)
         self._view = PageView(
             self.outbox, self._room, self._limits.frame_rate, self._loop.time, self._explanations.on_branches
@@ -422,6 +421,15 @@ class PageSession:
         for run in self._unexplained:
             run.cancel_explanation()
         await self.ownership.close()
+        # A large room is freed now, and not when the garbage collector finds the session.
+        self._unexplained = []
+        self._idle.pause()
+        self._reset_world(_default_room())
+
+
+def _default_room() -> Room:
+    json = named_world(DEFAULT_WORLD)
+    return Room(json, usable_world(json, DEFAULT_WORLD))
 
 
 def _control(run: PageRun, request: page.Stop | page.SetSpeed | page.Pause | page.Resume | page.Forward) -> None:

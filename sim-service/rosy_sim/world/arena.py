@@ -163,12 +163,11 @@ def read_arena(value: object) -> Arena:
     if sum(map(len, lists)) > MAX_SHAPES:
         # Before they are read, which takes long.
         raise ArenaError("walls", tr("a world can hold at most {most} things.", most=MAX_SHAPES))
+    if sum(isinstance(v, dict) and v.get("movable") is True for v, _ in (*lists[1], *lists[2])) > MAX_MOVABLE:
+        raise ArenaError("boxes", tr("a world can hold at most {most} things that can be pushed.", most=MAX_MOVABLE))
     walls = tuple(_wall(v, p) for v, p in lists[0])
     boxes = tuple(_box(v, p) for v, p in lists[1])
     rounds = tuple(_round(v, p) for v, p in lists[2])
-    things: tuple[Box | Round, ...] = (*boxes, *rounds)
-    if sum(thing.movable for thing in things) > MAX_MOVABLE:
-        raise ArenaError("boxes", tr("a world can hold at most {most} things that can be pushed.", most=MAX_MOVABLE))
     goals = read_goals(fields)
     realism = read_realism(fields["realism"]) if "realism" in fields else None
     if "start" not in fields:

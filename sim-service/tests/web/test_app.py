@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import json
 import socket
+import weakref
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from dataclasses import replace
@@ -24,6 +26,7 @@ from rosy_sim.wire.firing import Cause
 from rosy_sim.wire.page import FiringShown, Frame
 from rosy_sim.wire.robot_link import MemoryValue
 from rosy_sim.wire.telemetry import PoseShown, Shown
+from rosy_sim.world.world import World
 
 from ..conftest import PATIENCE, UNHURRIED
 
@@ -485,7 +488,7 @@ def test_a_room_of_too_many_movable_things_is_refused_before_it_is_built(
 
 
 def test_a_room_that_takes_long_to_build_is_built_while_others_are_served(config: Config) -> None:
-    side = 200
+    side = 120
     rows = ["".join("#" if (x + y) % 2 and (x > 9 or y > 9) else "." for x in range(side)) for y in range(side)]
     start = {"x": 2.5, "y": side / 2 - 2.5, "theta": 0}
 
@@ -505,6 +508,33 @@ def test_a_room_that_takes_long_to_build_is_built_while_others_are_served(config
             answers.append("other")
             await built
             assert answers == ["other", "room"]
+
+    asyncio.run(tell())
+
+
+def test_the_rooms_of_a_page_are_freed_when_it_has_left_without_the_garbage_collector(config: Config) -> None:
+    async def tell() -> None:
+        async with serving(config) as (address, service):
+            gc.collect()
+            gc.disable()
+            try:
+                rooms: list[weakref.ref[World]] = []
+                async with opened(address) as page:
+                    await page.op("hello")
+                    (session,) = service.sessions.values()
+                    for name in ("a", "b"):
+                        world = {"name": name, "size": [9, 9], "start": {"x": 1, "y": 1, "theta": 0}}
+                        await page.send("world", world=world)
+                        await page.op("world")
+                        rooms.append(weakref.ref(session.world))
+                    await page.send("reset")
+                    await page.until(lambda m: m["op"] == "frame")
+                    del session
+                async with asyncio.timeout(PATIENCE):
+                    while service.sessions or any(room() is not None for room in rooms):
+                        await asyncio.sleep(0.01)
+            finally:
+                gc.enable()
 
     asyncio.run(tell())
 
