@@ -158,16 +158,16 @@ npm_install() {
   rm -rf "$cache"
   return "$status"
 }
-do_npm() { npm_install --omit=dev --include-workspace-root --workspace codegen --workspace editor; }
+do_npm() { npm_install --omit=dev --include-workspace-root --workspace @rosy/codegen --workspace @rosy/editor; }
 do_npm-tools() { npm_install; }
 
 cabal_build() { (cd "$ROSY_ROOT" && cabal build --offline -j2 --disable-tests "$@"); }
 do_haskell() { cabal_build lib:rosy exe:rosy-worker; }
 do_robot() { cabal_build exe:rosy-robot; }
 do_builder() { cabal_build exe:rosy-build; }
-do_codegen() { (cd "$ROSY_ROOT" && npm run -s build -w codegen); }
+do_codegen() { (cd "$ROSY_ROOT" && npm run -s build -w @rosy/codegen); }
 do_api-docs() { "$ROSY_PYTHON" "$ROSY_ROOT/scripts/api_docs.py" "$ROSY_STATE/api-docs" && compress "$ROSY_STATE/api-docs"; }
-do_page() { (cd "$ROSY_ROOT" && npm run -s build -w editor) && compress "$ROSY_ROOT/editor/dist"; }
+do_page() { (cd "$ROSY_ROOT" && npm run -s build -w @rosy/editor) && compress "$ROSY_ROOT/editor/dist"; }
 
 # compress FOLDER: a gzip beside every file that gains by it; the service sends that one.
 compress() { find "$1" -type f -regex '.*\.\(html\|js\|css\|json\|svg\|wasm\)' -size +1k -exec gzip -9 -k -f {} +; }

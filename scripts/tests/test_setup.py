@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import shutil
 import socket
 import subprocess
@@ -11,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from .sandbox import COMPLETE, Machine, machine
+from .sandbox import COMPLETE, ROOT, Machine, machine
 
 
 @pytest.fixture
@@ -32,7 +34,7 @@ def test_a_start_does_each_step_once_and_the_next_one_none(complete: Machine) ->
     first = complete.rosy("start")
     assert (first.returncode, first.stdout) == (0, "served -m rosy_sim serve\n"), first.stderr
     assert "nothing to download" in first.stderr or "MB to download" in first.stderr
-    steps = {"-m venv", "npm install", "cabal build", "-w codegen", "-w editor"}
+    steps = {"-m venv", "npm install", "cabal build", "-w @rosy/codegen", "-w @rosy/editor"}
     counts = {step: complete.called(step) for step in steps}
     assert all(counts.values())
     second = complete.rosy("start", "--port", "0")
@@ -59,8 +61,16 @@ def test_the_browsers_of_other_engines_are_installed_with_the_test_tools_where_a
 def test_a_language_server_builds_no_page_and_leaves_standard_output_to_the_editor(complete: Machine) -> None:
     done = complete.rosy("lsp", "--stdio")
     assert (done.returncode, done.stdout) == (0, "served -m rosy_sim lsp --stdio\n"), done.stderr
-    assert complete.called("-w codegen") == complete.called("cabal build") == 1
-    assert complete.called("-w editor") == complete.called("requirements-test.lock") == 0
+    assert complete.called("-w @rosy/codegen") == complete.called("cabal build") == 1
+    assert complete.called("-w @rosy/editor") == complete.called("requirements-test.lock") == 0
+
+
+def test_workspaces_are_named_by_their_package_because_a_folder_also_selects_the_workspaces_in_it() -> None:
+    selected = re.findall(r"(?:-w|--workspace) ([@a-z][^ );]*)", (ROOT / "scripts/lib/setup.sh").read_text())
+    folders = json.loads((ROOT / "package.json").read_text())["workspaces"]
+    names = {json.loads((ROOT / folder / "package.json").read_text())["name"] for folder in folders}
+    assert selected
+    assert set(selected) <= names
 
 
 def test_python_packages_are_installed_by_hash(complete: Machine) -> None:
