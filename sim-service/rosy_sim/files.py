@@ -37,6 +37,9 @@ def read_text(path: Path, kind: Sentence) -> str:
         raise BadInput(tr("{path} is a folder, not a {kind}.", path=path, kind=kind)) from error
     except UnicodeDecodeError as error:
         raise BadInput(tr("{path} is not a {kind}: it is not text in UTF-8.", path=path, kind=kind)) from error
+    except ValueError as error:
+        # No name of a file has a null byte in it.
+        raise BadInput(tr("There is no file {path}.", path=path)) from error
     except OSError as error:
         raise BadInput(tr("{path} cannot be read: {why}.", path=path, why=error.strerror or "")) from error
 

@@ -23,7 +23,6 @@ from .check_messages import (
     ShowRooms,
 )
 from .message_fields import (
-    BadRequest,
     Identifier,
     Label,
     LessonProgress,
@@ -32,6 +31,7 @@ from .message_fields import (
     Refused,
     Shared,
     Typed,
+    decoded,
 )
 from .projector_messages import Project, Projecting
 from .pupil_messages import OwnComment
@@ -342,7 +342,4 @@ def read_board_request(text: str | bytes) -> BoardRequest:
     Raises:
         BadRequest: it is none.
     """
-    try:
-        return _decoder.decode(text)
-    except (msgspec.MsgspecError, UnicodeDecodeError) as error:
-        raise BadRequest(str(error)) from error
+    return decoded(_decoder, text)

@@ -4,7 +4,7 @@ Fields and messages that pupils' pages and the teacher's board share. ``protocol
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeVar
 
 import msgspec
 
@@ -21,6 +21,7 @@ __all__ = [
     "Refused",
     "Shared",
     "Typed",
+    "decoded",
     "encode",
 ]
 
@@ -97,6 +98,22 @@ class Refused(msgspec.Struct, tag="refused", tag_field="op"):
 
 
 _encoder = msgspec.json.Encoder()
+
+
+_Message = TypeVar("_Message")
+
+
+def decoded(decoder: msgspec.json.Decoder[_Message], text: str | bytes) -> _Message:
+    """
+    A message as a value.
+
+    Raises:
+        BadRequest: it is none.
+    """
+    try:
+        return decoder.decode(text)
+    except (msgspec.MsgspecError, UnicodeError, RecursionError) as error:
+        raise BadRequest(str(error)) from error
 
 
 def encode(answer: msgspec.Struct) -> str:

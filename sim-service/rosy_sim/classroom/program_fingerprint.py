@@ -42,7 +42,7 @@ def source_of(project: str) -> str:
     """The Haskell text of a project file; a text that is none stands for itself."""
     try:
         return msgspec.json.decode(project, type=_Project).haskell
-    except (msgspec.MsgspecError, UnicodeError):
+    except (msgspec.MsgspecError, UnicodeError, RecursionError):
         return project
 
 

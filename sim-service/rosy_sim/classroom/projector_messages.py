@@ -8,7 +8,7 @@ from typing import Any
 
 import msgspec
 
-from .message_fields import BadRequest, Typed
+from .message_fields import Typed, decoded
 
 __all__ = ["Project", "Projected", "Projecting", "RoomProjected", "UnlockProjector", "read_projector_request"]
 
@@ -68,7 +68,4 @@ def read_projector_request(text: str | bytes) -> UnlockProjector:
     Raises:
         BadRequest: it is none.
     """
-    try:
-        return _decoder.decode(text)
-    except (msgspec.MsgspecError, UnicodeDecodeError) as error:
-        raise BadRequest(str(error)) from error
+    return decoded(_decoder, text)

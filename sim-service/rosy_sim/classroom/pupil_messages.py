@@ -12,7 +12,6 @@ import msgspec
 
 from .class_store import Reason
 from .message_fields import (
-    BadRequest,
     Identifier,
     Label,
     LessonProgress,
@@ -21,6 +20,7 @@ from .message_fields import (
     Refused,
     Shared,
     Typed,
+    decoded,
 )
 from .shared_messages import Asked, Cursor, Decline, EndSharing, Over, Push, Share, Updates
 from .shared_messages import Shared as ShareBegun
@@ -314,7 +314,4 @@ def read_pupil_request(text: str | bytes) -> PupilRequest:
     Raises:
         BadRequest: it is none.
     """
-    try:
-        return _decoder.decode(text)
-    except (msgspec.MsgspecError, UnicodeDecodeError) as error:
-        raise BadRequest(str(error)) from error
+    return decoded(_decoder, text)

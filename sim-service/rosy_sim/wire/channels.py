@@ -170,7 +170,7 @@ class Channel:
         kind = place.leaf.kind
         if place.yaw:
             found = found if isinstance(found, dict) else {}
-            return 2 * math.atan2(float(found.get("z", 0.0)), float(found.get("w", 1.0)))
+            return 2 * math.atan2(_as_float(found.get("z", 0.0)), _as_float(found.get("w", 1.0)))
         if found is _MISSING:
             return "" if kind == "String" else 0.0 if kind == "Double" else 0
         if kind == "String":
@@ -185,7 +185,8 @@ class Channel:
             raise BadMessage(tr("{where} is not a number", where=where))
         if kind == "Double":
             # Dividing by ten, unlike multiplying by 0.1, gives the number that people write.
-            number = float(found) / (1 / place.scale) if place.scale < 1 else float(found) * place.scale
+            number = _as_float(found)
+            number = number / (1 / place.scale) if place.scale < 1 else number * place.scale
             if not math.isfinite(number):
                 raise BadMessage(tr("{where} is not a finite number", where=where))
             return number
@@ -195,6 +196,14 @@ class Channel:
         if place.leaf.codes and found not in place.leaf.codes:
             raise BadMessage(tr("{where} is out of range", where=where))
         return found
+
+
+def _as_float(value: Any) -> float:
+    """A number; infinite if no float can hold it, 0 if it is none."""
+    try:
+        return float(value) if isinstance(value, int | float) else 0.0
+    except OverflowError:
+        return math.inf
 
 
 def _put(msg: Json, path: tuple[str, ...], value: Any) -> None:

@@ -409,4 +409,5 @@ def _fragment_size(message: dict[str, Any]) -> int | None:
 def _number(value: Any) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
         return 0.0
-    return max(0.0, min(1e9, float(value)))
+    # Compared first: a whole number may be larger than any float.
+    return float(max(0.0, min(1e9, value)))

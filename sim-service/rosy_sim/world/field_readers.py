@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 from ..sentence import Sentence, SentenceError, tr
@@ -60,7 +59,8 @@ def number(value: object, path: str) -> float:
     """A number of sensible size."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise ArenaError(path, tr("this number is missing.") if value is None else tr("expected a number."))
-    if not (math.isfinite(value) and abs(value) < 1e6):
+    # A whole number may be larger than any float; only comparing it is safe.
+    if not -1e6 < value < 1e6:
         raise ArenaError(path, tr("the number is too large."))
     return float(value)
 
