@@ -1,6 +1,6 @@
 """
 Attacks of one client on the service: heavy rooms, compile bombs, guessed codes, taken places, paused runs, half-open
-requests. Each goes on until its process is killed.
+requests, floods of frames and of requests. Each goes on until its process is killed.
 """
 
 from __future__ import annotations
@@ -11,7 +11,9 @@ from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
 from typing import Any
 
+from websockets.asyncio.client import connect
 from websockets.exceptions import ConnectionClosed
+from websockets.frames import Frame, Opcode
 
 from .page_client import PageClient, opened
 
@@ -161,6 +163,31 @@ async def _half_open(port: int, begun: Begun) -> None:
         writer.close()
 
 
+async def _send_frames(port: int, begun: Begun) -> None:
+    """Send empty frames that are no messages, thousands in a packet."""
+    async with connect(f"ws://127.0.0.1:{port}/api/session", local_addr=(ATTACKER, 0), ping_interval=None) as socket:
+        frames = Frame(Opcode.PING, b"").serialize(mask=True) * 40_000
+        begun()
+        while True:
+            socket.transport.write(frames)
+            # Waits until the transport has room.
+            await socket.pong(b"")
+
+
+async def _ask(port: int, begun: Begun) -> None:
+    """Ask for a page again and again, on a connection that stays."""
+    reader, writer = await asyncio.open_connection("127.0.0.1", port, local_addr=(ATTACKER, 0))
+    try:
+        begun()
+        while True:
+            writer.write(b"GET /api/examples HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+            head = await reader.readuntil(b"\r\n\r\n")
+            length = next(line for line in head.lower().split(b"\r\n") if line.startswith(b"content-length:"))
+            await reader.readexactly(int(length.split(b":")[1]))
+    finally:
+        writer.close()
+
+
 ATTACKS = [
     Attack("a room of 2,000 movable things on each other", 1, _in_room(_pile(2000, movable=True))),
     Attack("fifty of them", 50, _in_room(_pile(2000, movable=True))),
@@ -172,4 +199,6 @@ ATTACKS = [
     Attack("400 pages from one address", 400, _page(_stay)),
     Attack("20 paused runs, of 20 at once", 20, _page(_pause)),
     Attack("300 half-open requests", 300, _half_open),
+    Attack("empty frames, 20 pages", 20, _send_frames),
+    Attack("requests over HTTP, 50 connections", 50, _ask),
 ]

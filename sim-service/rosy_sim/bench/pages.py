@@ -27,6 +27,7 @@ import uvloop
 
 from ..config import Config
 from ..web.app import Service, build_app
+from ..web.paced_frames import paced_frames
 from ..world.time_step import STEP
 
 __all__ = ["IN_TIME", "report"]
@@ -65,7 +66,7 @@ async def _measure(config: Config, count: int, seconds: float, profiler: cProfil
         app,
         port=0,
         log_level="error",
-        ws="websockets-sansio",
+        ws=paced_frames(),
         ws_per_message_deflate=False,
         # The pages here are bare sockets; they would be let go for not answering.
         ws_ping_interval=None,

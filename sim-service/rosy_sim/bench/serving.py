@@ -14,6 +14,7 @@ from ..classroom.class_store import ClassStore
 from ..config import Config
 from ..web.app import Service, build_app
 from ..web.garbage_collection import keep_what_is_loaded
+from ..web.paced_frames import paced_frames
 from ..web.request_deadline import RequestDeadline
 
 __all__ = ["serving"]
@@ -31,7 +32,7 @@ async def serving(config: Config, store: ClassStore | None = None) -> AsyncItera
             port=0,
             log_level="critical",
             http=RequestDeadline,
-            ws="websockets-sansio",
+            ws=paced_frames(),
             ws_max_size=config.limits.page_message,
             ws_per_message_deflate=False,
             timeout_graceful_shutdown=1,

@@ -54,6 +54,7 @@ from .loop_scheduler import LoopScheduler, PageTurns
 from .page_session import PageSession
 from .projector_sockets import ProjectorSockets
 from .reading_pace import ReadingPace, message_cost
+from .request_turns import RequestTurns
 from .room_tests import RoomTests
 from .ros_bridge import RosClient
 from .static_pages import StaticPages
@@ -74,7 +75,7 @@ class Service:
         self.config = config
         self.sessions: dict[str, PageSession] = {}
         self._slots = AddressSlots(config.limits.sessions, config.limits.address_sessions)
-        self._loop_scheduler = LoopScheduler()
+        self.loop_scheduler = LoopScheduler()
         # None without class mode.
         self.classroom = classroom
         self.lateness = Lateness()
@@ -89,8 +90,10 @@ class Service:
         self._projectors: ProjectorSockets | None = None
         if classroom is not None:
             self._checks = HandInChecks(classroom.tasks, config, self.room_tests.queue)
-            self._class_sockets = ClassSockets(classroom, self._checks, self.sessions, _first_completed)
-            self._projectors = ProjectorSockets(classroom, self.sessions, _first_completed)
+            self._class_sockets = ClassSockets(
+                classroom, self._checks, self.sessions, _first_completed, self.loop_scheduler
+            )
+            self._projectors = ProjectorSockets(classroom, self.sessions, _first_completed, self.loop_scheduler)
         self.previews = PreviewPool(config)
         self._run_services = RunServices(
             self.worker, self.run_queue, config.limits, self.lateness, QuestionScheduler(time.monotonic)
@@ -130,7 +133,7 @@ class Service:
             await socket.close(_POLICY_VIOLATION)
             return
         address = socket.client.host if socket.client is not None else ""
-        turns = PageTurns(self._loop_scheduler, address)
+        turns = PageTurns(self.loop_scheduler, address)
         await socket.accept()
         async with turns.turn():
             session = self._open(address, turns) if self._slots.take(address) else None
@@ -164,7 +167,7 @@ class Service:
             await socket.close(_POLICY_VIOLATION)
             return
         await socket.accept()
-        turns = PageTurns(self._loop_scheduler, socket.client.host if socket.client is not None else "")
+        turns = PageTurns(self.loop_scheduler, socket.client.host if socket.client is not None else "")
         client = session.join()
         try:
             await _first_completed(
@@ -482,6 +485,7 @@ def build_app(
         routes.append(Mount("/", StaticPages(directory=config.page, html=True)))
     else:
         routes.append(Route("/", _no_page))
-    app = Starlette(routes=routes, lifespan=service.lifespan, middleware=[Middleware(BrowserSafety, names=names)])
+    middleware = [Middleware(BrowserSafety, names=names), Middleware(RequestTurns, scheduler=service.loop_scheduler)]
+    app = Starlette(routes=routes, lifespan=service.lifespan, middleware=middleware)
     app.state.service = service
     return app

@@ -6,7 +6,8 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import Awaitable, Callable
+from collections.abc import Callable, Coroutine
+from typing import Any
 
 import msgspec
 from starlette.websockets import WebSocket, WebSocketDisconnect
@@ -14,6 +15,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from ..classroom.board_messages import ProgramShown
 from ..classroom.message_fields import BadRequest, Refused, encode
 from ..token_bucket import TokenBucket
+from .loop_scheduler import LoopScheduler, PageTurns
 
 __all__ = ["ClassConnection"]
 
@@ -28,10 +30,14 @@ _QUEUE = 500
 
 
 class ClassConnection:
-    """The two directions of a socket: requests one after the other, answers from a bounded queue."""
+    """
+    The two directions of a socket: requests one after the other, in the turns of the client's address; answers from a
+    bounded queue.
+    """
 
-    def __init__(self, socket: WebSocket) -> None:
+    def __init__(self, socket: WebSocket, scheduler: LoopScheduler) -> None:
         self._socket = socket
+        self._turns = PageTurns(scheduler, self.address)
         self._queue: asyncio.Queue[str] = asyncio.Queue(_QUEUE)
         self.overflowed = asyncio.Event()
         # The task whose results a board shows.
@@ -56,7 +62,7 @@ class ClassConnection:
         except asyncio.QueueFull:
             self.overflowed.set()
 
-    async def receive(self, serve: Callable[[str | bytes], Awaitable[None]]) -> None:
+    async def receive(self, serve: Callable[[str | bytes], Coroutine[Any, Any, None]]) -> None:
         """Serve requests until the page disconnects; one that exceeds its rate is read more slowly."""
         now = asyncio.get_running_loop().time
         limit = TokenBucket(_RATE, _BURST, now())
@@ -66,7 +72,7 @@ class ClassConnection:
                 return
             text = message.get("text") or message.get("bytes") or ""
             try:
-                await serve(text)
+                await self._turns.serve(serve(text), len(text))
             except BadRequest:
                 self.put(Refused("request"))
             if wait := limit.overdraw(1 + len(text) / _CHARACTERS_PER_MESSAGE, now()):

@@ -36,6 +36,7 @@ from ..sentence import tr
 from ..wording import in_terminal
 from .address_slots import AddressSlots
 from .class_connection import ClassConnection
+from .loop_scheduler import LoopScheduler
 from .page_session import PageSession
 
 __all__ = ["ClassSockets"]
@@ -67,6 +68,7 @@ class ClassSockets:
         checks: the checks of hand-ins.
         sessions: the page sessions by their random names.
         first_completed: waits until one of several works is done and cancels the others.
+        scheduler: of the event loop.
     """
 
     def __init__(
@@ -75,7 +77,9 @@ class ClassSockets:
         checks: HandInChecks,
         sessions: Mapping[str, PageSession],
         first_completed: Callable[..., Awaitable[None]],
+        scheduler: LoopScheduler,
     ) -> None:
+        self._scheduler = scheduler
         self._classroom = classroom
         self._checks = checks
         self._sessions = sessions
@@ -86,7 +90,7 @@ class ClassSockets:
     async def serve_pupil(self, socket: WebSocket) -> None:
         """Serve a pupil's page until it disconnects."""
         await socket.accept()
-        connection = ClassConnection(socket)
+        connection = ClassConnection(socket, self._scheduler)
         if not self._pages.take(connection.address):
             await socket.close(_TRY_AGAIN)
             return
@@ -104,7 +108,7 @@ class ClassSockets:
     async def serve_board(self, socket: WebSocket) -> None:
         """Serve a board until it disconnects; it is told nothing before it has given the key."""
         await socket.accept()
-        connection = ClassConnection(socket)
+        connection = ClassConnection(socket, self._scheduler)
         if not self._boards.take(connection.address):
             await socket.close(_TRY_AGAIN)
             return

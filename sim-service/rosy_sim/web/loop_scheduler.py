@@ -10,15 +10,18 @@ it has.
 from __future__ import annotations
 
 import asyncio
+import inspect
 import math
 import time
 from collections import deque
-from collections.abc import AsyncIterator, Callable, Iterator
+from collections.abc import AsyncIterator, Callable, Coroutine, Generator, Iterator
 from contextlib import asynccontextmanager
+from functools import partial
+from typing import Any, Generic, TypeVar
 
 from ..token_bucket import TokenBucket
 
-__all__ = ["LoopScheduler", "PageTurns"]
+__all__ = ["REQUEST", "LoopScheduler", "PageTurns"]
 
 _RATE, _BURST = 0.25, 0.5
 """Share of the loop for one address, and s of computing at once: thirty pupils behind one address open their rooms."""
@@ -28,6 +31,9 @@ _ITERATION = 0.002
 
 _MESSAGE, _CHARACTER = 1e-4, 8e-9
 """Computing time that is not measured: a message and a character of it, read from the socket and answered, s."""
+
+REQUEST = 5e-4
+"""Computing time of a request over HTTP, which is not measured, s. A page is some 40 of them."""
 
 _SLOWEST = 4.0
 """Most s that count for a second of processor time. A machine that stands still for a while is no page's fault."""
@@ -91,6 +97,12 @@ class LoopScheduler:
             asyncio.get_running_loop().call_soon(self._begin_iteration)
         self._dispatch()
 
+    def charge(self, name: str, spent: float) -> None:
+        """An address has computed for so many s outside its turns: the next one comes later."""
+        now = self._now()
+        address = self._address(name)
+        address.ready = max(address.ready, now + address.share.overdraw(spent, now))
+
     def _address(self, name: str) -> _Address:
         found = self._addresses.get(name)
         if found is None:
@@ -133,6 +145,41 @@ class LoopScheduler:
         return asyncio.get_running_loop().time()
 
 
+_T = TypeVar("_T")
+
+
+class _Remainder(Generic[_T]):
+    """What is left of a coroutine that waits for something; its computing time is charged piece by piece."""
+
+    def __init__(
+        self,
+        work: Coroutine[Any, Any, _T],
+        awaited: Any,
+        computed: Callable[[], float],
+        charge: Callable[[float], None],
+    ) -> None:
+        self._work = work
+        self._awaited = awaited
+        self._computed = computed
+        self._charge = charge
+
+    def __await__(self) -> Generator[Any, Any, _T]:
+        awaited = self._awaited
+        while True:
+            go_on: Callable[[], Any]
+            try:
+                go_on = partial(self._work.send, (yield awaited))
+            except BaseException as error:  # noqa: BLE001 (also a cancellation belongs to the coroutine)
+                go_on = partial(self._work.throw, error)
+            begun = self._computed()
+            try:
+                awaited = go_on()
+            except StopIteration as done:
+                return done.value  # type: ignore[no-any-return]
+            finally:
+                self._charge(self._computed() - begun)
+
+
 class PageTurns:
     """The turns of one page, which waits for one at a time."""
 
@@ -160,6 +207,30 @@ class PageTurns:
             spent = min(clock() - then, _SLOWEST * (computed() - begun)) + _MESSAGE + _CHARACTER * characters
             self.spent += spent
             self._scheduler.end(self._address, spent)
+
+    async def serve(self, work: Coroutine[Any, Any, _T], characters: int = 0) -> _T:
+        """
+        Serve a message whose service may wait: in a turn until it waits first; what follows is charged.
+
+        Args:
+            work: not begun yet.
+            characters: of the message.
+        """
+        try:
+            async with self.turn(characters):
+                try:
+                    awaited = work.send(None)
+                except StopIteration as done:
+                    return done.value  # type: ignore[no-any-return]
+        finally:
+            # Cancelled before its turn; otherwise it has begun.
+            if inspect.getcoroutinestate(work) == inspect.CORO_CREATED:
+                work.close()
+        return await _Remainder(work, awaited, self._scheduler.computed, self._charge)
+
+    def _charge(self, spent: float) -> None:
+        self.spent += spent
+        self._scheduler.charge(self._address, spent)
 
     async def complete(self, pieces: Iterator[object]) -> None:
         """Do the pieces of a computation, as many in a turn as there is time for."""

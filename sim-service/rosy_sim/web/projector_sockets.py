@@ -21,6 +21,7 @@ from ..sentence import tr
 from ..wording import in_terminal
 from .address_slots import AddressSlots
 from .class_connection import ClassConnection
+from .loop_scheduler import LoopScheduler
 from .page_session import PageSession
 
 __all__ = ["ProjectorSockets"]
@@ -45,6 +46,7 @@ class ProjectorSockets:
         classroom: the class.
         sessions: the page sessions by their random names.
         first_completed: waits until one of several works is done and cancels the others.
+        scheduler: of the event loop.
     """
 
     def __init__(
@@ -52,7 +54,9 @@ class ProjectorSockets:
         classroom: Classroom,
         sessions: Mapping[str, PageSession],
         first_completed: Callable[..., Awaitable[None]],
+        scheduler: LoopScheduler,
     ) -> None:
+        self._scheduler = scheduler
         self._classroom = classroom
         self._sessions = sessions
         self._first_completed = first_completed
@@ -61,7 +65,7 @@ class ProjectorSockets:
     async def serve(self, socket: WebSocket) -> None:
         """Serve a projector until it disconnects."""
         await socket.accept()
-        connection = ClassConnection(socket)
+        connection = ClassConnection(socket, self._scheduler)
         if not self._slots.take(connection.address):
             await socket.close(_TRY_AGAIN)
             return

@@ -1,6 +1,7 @@
 """
 HTTP protocol whose requests must arrive in time: a client that opens connections and sends nothing, or sends a request
-slowly, byte by byte, holds them for some seconds only. WebSockets are not concerned once they are open.
+slowly, byte by byte, holds them for some seconds only. One that sends many requests without waiting for answers, which
+no browser does, is not served. WebSockets are not concerned once they are open.
 """
 
 from __future__ import annotations
@@ -13,6 +14,13 @@ from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 from .sliced_timer import SlicedTimer
 
 __all__ = ["RequestDeadline"]
+
+
+_PIECE = 4096
+"""Bytes that are read at once: at most 230 requests, which take some ms."""
+
+_PIPELINED = 16
+"""Requests of a connection that may wait for the answers to others."""
 
 
 class RequestDeadline(HttpToolsProtocol):
@@ -30,7 +38,14 @@ class RequestDeadline(HttpToolsProtocol):
 
     def data_received(self, data: bytes) -> None:
         """Wait on while the request is incomplete, from when it began."""
-        super().data_received(data)
+        for start in range(0, len(data), _PIECE):
+            super().data_received(data[start : start + _PIECE])
+            if len(self.pipeline) > _PIPELINED:
+                self.transport.abort()
+                return
+            if self.transport.is_closing() or self.transport.get_protocol() is not self:
+                # It has ended, or is a WebSocket, whose client waits for an answer before it sends more.
+                break
         self._set_timer()
 
     def connection_lost(self, exc: Exception | None) -> None:

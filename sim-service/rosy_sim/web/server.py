@@ -36,10 +36,11 @@ from .app import build_app
 from .browser_safety import own_names
 from .garbage_collection import keep_what_is_loaded
 from .lan_addresses import is_unspecified, lan_addresses
+from .paced_frames import paced_frames
 from .qr_code import qr_code_lines
 from .request_deadline import RequestDeadline
 
-__all__ = ["serve"]
+__all__ = ["raise_priority", "serve"]
 
 _INTERRUPTED = 130
 """Exit status of what Ctrl-C ended, as shells count it: 128 and SIGINT."""
@@ -89,7 +90,7 @@ def serve(
             return [config.class_address]
         return [f"http://{own}:{bound}/" for own in lan_addresses()] if is_any else [address]
 
-    _raise_priority()
+    raise_priority()
     with contextlib.ExitStack() as stack:
         stack.callback(listener.close)
         classes = class_place(config.classes, config.class_database)
@@ -118,7 +119,7 @@ def _settings(app: Starlette, config: Config) -> uvicorn.Config:
         log_level="warning",
         access_log=False,
         http=RequestDeadline,
-        ws="websockets-sansio",
+        ws=paced_frames(),
         ws_max_size=config.limits.page_message,
         ws_per_message_deflate=False,
         timeout_graceful_shutdown=2,
@@ -230,7 +231,7 @@ async def _serve(server: _Server, listener: socket.socket) -> None:
     await server.serve(sockets=[listener])
 
 
-def _raise_priority() -> None:
+def raise_priority() -> None:
     """Raise the priority, so that steps begin on time beside browsers and compilers. Needs administrator rights."""
     with contextlib.suppress(PermissionError):
         os.setpriority(os.PRIO_PROCESS, 0, _NICE)

@@ -22,6 +22,7 @@ from rosy_sim.classroom.class_store import ClassStore
 from rosy_sim.config import Config, Limits
 from rosy_sim.web.app import Service, build_app
 from rosy_sim.web.outbox import Outbox
+from rosy_sim.web.paced_frames import paced_frames
 from rosy_sim.wire.firing import Cause
 from rosy_sim.wire.page import FiringShown, Frame
 from rosy_sim.wire.robot_link import MemoryValue
@@ -98,9 +99,7 @@ class _Server(uvicorn.Server):
 async def serving(config: Config, class_store: ClassStore | None = None) -> AsyncIterator[tuple[str, Service]]:
     """A server on a free port of this machine."""
     app = build_app(config, class_store)
-    server = _Server(
-        uvicorn.Config(app, port=0, log_level="error", ws="websockets-sansio", timeout_graceful_shutdown=1)
-    )
+    server = _Server(uvicorn.Config(app, port=0, log_level="error", ws=paced_frames(), timeout_graceful_shutdown=1))
     task = asyncio.create_task(server.serve())
     async with asyncio.timeout(PATIENCE):
         await server.listening.wait()

@@ -426,3 +426,26 @@ def test_the_backup_has_everything_and_needs_the_key(config: Config) -> None:
         assert opened.key not in str(content)
 
     in_class(config, lesson)
+
+
+def test_requests_of_pupils_boards_and_projectors_wait_for_the_turn_of_their_address(config: Config) -> None:
+    async def run() -> None:
+        with open_class(config.classes, "7b") as store:
+            admission = store.admission()
+            async with serving(config, store) as (address, service), AsyncExitStack() as stack:
+                opened = Class(address, admission.code, admission.teacher_key, stack)
+                pupil, board, projector = [await opened.open(path) for path in ("class", "board", "projector")]
+                # A message of a page that takes long.
+                await service.loop_scheduler.begin("192.0.2.1")
+                await pupil.send("join", code=opened.code, nickname="Ada", language="en")
+                await board.send("unlock", key=opened.key)
+                await projector.send("unlock", key=opened.key)
+                answers = [
+                    asyncio.create_task(c.op("entered", "board", "projected")) for c in (pupil, board, projector)
+                ]
+                done, _ = await asyncio.wait(answers, timeout=0.1)
+                assert not done
+                service.loop_scheduler.end("192.0.2.1", 0.0)
+                assert [(await answer)["op"] for answer in answers] == ["entered", "board", "projected"]
+
+    asyncio.run(run())

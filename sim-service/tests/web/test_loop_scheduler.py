@@ -8,6 +8,8 @@ import selectors
 from collections.abc import Callable, Coroutine, Iterator
 from typing import Any
 
+import pytest
+
 from rosy_sim.web.loop_scheduler import LoopScheduler, PageTurns
 
 
@@ -194,5 +196,69 @@ def test_a_busy_machine_makes_turns_dearer_and_one_that_stands_still_does_not() 
 
         assert 0.02 < await spent(0.01, 0.01) < 0.021
         assert 0.04 < await spent(0.01, 60.0) < 0.041
+
+    play(story)
+
+
+def test_a_message_whose_service_waits_has_a_turn_until_then_and_is_charged_for_the_rest() -> None:
+    async def story(service: Service) -> None:
+        turns = PageTurns(service.scheduler, "attacker")
+
+        async def store() -> str:
+            service.clock.compute(0.01)
+            await asyncio.sleep(1)
+            service.clock.compute(2)
+            return "stored"
+
+        attacked = asyncio.create_task(turns.serve(store()))
+        await asyncio.sleep(0.5)
+        # Others are served while it waits.
+        await service.serve("o", "other", 1, 0.001)
+        assert not attacked.done()
+        assert await attacked == "stored"
+        assert turns.spent > 2
+        # A quarter of the time: the next turn comes some 6 s later.
+        before = service.clock.time
+        await service.serve("x", "attacker", 1, 0.001)
+        assert service.clock.time - before > 5
+
+    play(story)
+
+
+def test_a_message_that_fails_or_is_cancelled_ends_as_it_would_without_turns() -> None:
+    async def story(service: Service) -> None:
+        turns = PageTurns(service.scheduler, "page")
+        ended: list[str] = []
+
+        async def fail() -> None:
+            raise ValueError("at once")
+
+        async def fail_later() -> None:
+            await asyncio.sleep(1)
+            raise ValueError("later")
+
+        async def wait() -> None:
+            try:
+                await asyncio.sleep(100)
+            finally:
+                ended.append("cancelled")
+
+        for work, words in ((fail(), "at once"), (fail_later(), "later")):
+            with pytest.raises(ValueError, match=words):
+                await turns.serve(work)
+        waiting = asyncio.create_task(turns.serve(wait()))
+        await asyncio.sleep(1)
+        waiting.cancel()
+        # One whose turn has not come.
+        await service.scheduler.begin("busy")
+        early = asyncio.create_task(turns.serve(wait()))
+        await asyncio.sleep(1)
+        early.cancel()
+        await asyncio.wait([waiting, early])
+        assert waiting.cancelled()
+        assert early.cancelled()
+        assert ended == ["cancelled"]
+        service.scheduler.end("busy", 0.0)
+        await service.serve("o", "page", 1, 0.001)
 
     play(story)

@@ -113,3 +113,19 @@ def test_answered_requests_and_open_sockets_are_not_concerned() -> None:
         writer.close()
 
     story(play)
+
+
+def test_a_client_that_sends_requests_without_waiting_for_answers_is_not_served() -> None:
+    async def play(port: int) -> None:
+        reader, writer = await asked(port, (REQUEST + b"\r\n") * 10_000)
+        with contextlib.suppress(ConnectionError):
+            answers = await reader.read()
+            assert answers.count(b"HTTP/1.1 200") < 500
+        writer.close()
+        # Some are.
+        reader, writer = await asked(port, (REQUEST + b"\r\n") * 8)
+        for _ in range(8):
+            assert (await reader.readuntil(b"here")).count(b"HTTP/1.1 200") == 1
+        writer.close()
+
+    story(play)
