@@ -271,4 +271,21 @@ test.describe("a reader of German", () => {
     await page.getByRole("link", {name: "Lesson 2", exact: false}).first().click()
     await expect(page.getByText("gibt es nur auf Englisch")).toBeVisible()
   })
+
+  test("can hold an animation of the guide, which stands from the start for readers with reduced motion", async ({
+    page,
+  }) => {
+    const shown = () =>
+      page.locator("picture.animation img").evaluate(image => (image as HTMLImageElement).currentSrc)
+    await page.goto("/guide/de/tutorial-drive.html")
+    await expect.poll(shown).toMatch(/circle-drive-(?!still)[^/]*svg$/)
+    await page.getByRole("button", {name: "Animation anhalten"}).click()
+    await expect.poll(shown).toMatch(/circle-drive-still/)
+    await page.getByRole("button", {name: "Animation abspielen"}).click()
+    await expect.poll(shown).not.toMatch(/circle-drive-still/)
+    await page.emulateMedia({reducedMotion: "reduce"})
+    await page.reload()
+    await expect(page.getByRole("button", {name: "Animation abspielen"})).toBeVisible()
+    await expect.poll(shown).toMatch(/circle-drive-still/)
+  })
 })

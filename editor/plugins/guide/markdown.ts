@@ -18,6 +18,8 @@ export interface Picture {
   readonly address: string
   readonly width: number
   readonly height: number
+  /// Address of the picture that stands in place of an animation.
+  readonly still: string | null
 }
 
 /// Where a link or a picture leads. A link to a file that the guide does not contain keeps its words only.
@@ -89,8 +91,10 @@ export function convertMarkdown(text: string, resolver: Resolver, table = guideW
         if (found === null) faults.push(`shows ${href}, which does not exist`)
         if (alt === "") faults.push(`shows ${href} without words for those who do not see it`)
         if (found === null) return ""
-        const {address, width, height} = found
-        return `<img src="${escapeHtml(address)}" alt="${escapeHtml(alt)}" width="${width}" height="${height}" loading="lazy">`
+        const {address, still, width, height} = found
+        const img = `<img src="${escapeHtml(address)}" alt="${escapeHtml(alt)}" width="${width}" height="${height}" loading="lazy">`
+        if (still === null) return img
+        return `<picture class="animation"><source media="print, (prefers-reduced-motion: reduce)" srcset="${escapeHtml(still)}">${img}</picture>`
       },
       table(token) {
         const row = (cells: readonly Tokens.TableCell[], tag: string) =>

@@ -10,7 +10,7 @@ import type {SearchEntry} from "../../src/guide/search.ts"
 import {type Chapter, isTranslated, readContents, translatedFile, translations} from "./contents.ts"
 import {type ConvertedPage, convertMarkdown, type Resolver} from "./markdown.ts"
 import {type Edition, layOut, pageAddress, type SharedFiles} from "./page_layout.ts"
-import {pngSize} from "./png_size.ts"
+import {pictureSize} from "./picture_size.ts"
 
 export interface Site {
   readonly chapters: readonly Chapter[]
@@ -84,11 +84,12 @@ export async function readSite(root: string): Promise<Site> {
       },
       picture(target) {
         const path = orEnglish(normalize(join(dirname(file), target)), one => existsSync(join(root, one)))
-        if (!existsSync(join(root, path))) return null
-        pictures.add(path)
-        // Pictures are taken with two pixels per CSS pixel.
-        const {width, height} = pngSize(readFileSync(join(root, path)))
-        return {address: pictureMark(path), width: Math.round(width / 2), height: Math.round(height / 2)}
+        const still = path.endsWith(".svg") ? path.replace(/\.svg$/, "-still.svg") : null
+        const files = [path, ...(still === null ? [] : [still])]
+        if (!files.every(file => existsSync(join(root, file)))) return null
+        for (const file of files) pictures.add(file)
+        const size = pictureSize(path, readFileSync(join(root, path)))
+        return {address: pictureMark(path), still: still === null ? null : pictureMark(still), ...size}
       },
       openAddress: (program, room) => `${up}../${addresses.get(projectOf(program, room)) ?? ""}`,
     }
@@ -152,8 +153,9 @@ export async function readSite(root: string): Promise<Site> {
           const {name, language} = source
           const {title, html} = pages.get(source.file) as ConvertedPage
           const shown = html.replace(
-            /src="picture:([^"]+)"/g,
-            (_, path: string) => `src="${upFrom(language)}${pictureAddress(path)}"`,
+            /(src|srcset)="picture:([^"]+)/g,
+            (_, attribute: string, path: string) =>
+              `${attribute}="${upFrom(language)}${pictureAddress(path)}`,
           )
           return [
             language === "en" ? name : `${language}/${name}`,

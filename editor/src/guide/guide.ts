@@ -1,4 +1,4 @@
-/// Script of the guide's pages: the colours that were chosen on Rosy's page, the search, and the way to the reader's language. The pages can be read without it.
+/// Script of the guide's pages: the colours that were chosen on Rosy's page, the search, the buttons of animations, and the way to the reader's language. The pages can be read without it.
 
 import "@fontsource/inter/400.css"
 import "@fontsource/inter/600.css"
@@ -8,6 +8,7 @@ import "../styles/guide.css"
 import {openBrowserStorage} from "../browser/browser_storage.ts"
 import {chosenLanguage} from "../browser/preferences.ts"
 import {openProgramStore} from "../browser/program_store.ts"
+import {addAnimationButtons} from "./animation_buttons.ts"
 import {guideWords} from "./guide_words.ts"
 import {openSearch} from "./search_box.ts"
 
@@ -73,5 +74,6 @@ function foldContents(): void {
 
 applyColourScheme()
 foldContents()
+addAnimationButtons()
 openSearch()
 void showReadersLanguage()

@@ -28,7 +28,11 @@ export interface Palette {
 
 export function readPalette(element: Element): Palette {
   const style = getComputedStyle(element)
-  const token = (name: string) => style.getPropertyValue(name).trim()
+  return paletteOf(name => style.getPropertyValue(name).trim())
+}
+
+/// `token` gives the value of a CSS token by its name.
+export function paletteOf(token: (name: string) => string): Palette {
   return {
     floor: token("--floor"),
     grid: token("--floor-line"),

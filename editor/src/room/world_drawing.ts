@@ -183,7 +183,7 @@ function drawTiles(ctx: CanvasRenderingContext2D, world: World, palette: Palette
   const {tile, tiles} = world
   const rows = tiles.map(row => [...row])
   const isWall = (r: number, c: number) => (rows[r]?.[c] ?? "#") === "#"
-  const edges = new Path2D()
+  const edges: (readonly [number, number, number, number])[] = []
   rows.forEach((row, r) => {
     // The first row is the top.
     const top = world.size[1] - r * tile
@@ -195,9 +195,7 @@ function drawTiles(ctx: CanvasRenderingContext2D, world: World, palette: Palette
       ctx.fillRect(left - 0.005, top - tile - 0.005, tile + 0.01, tile + 0.01)
       if (cell !== "#") return
       const edge = (open: boolean, x1: number, y1: number, x2: number, y2: number) => {
-        if (!open) return
-        edges.moveTo(x1, y1)
-        edges.lineTo(x2, y2)
+        if (open) edges.push([x1, y1, x2, y2])
       }
       edge(!isWall(r - 1, c), left, top, left + tile, top)
       edge(!isWall(r + 1, c), left, top - tile, left + tile, top - tile)
@@ -209,7 +207,12 @@ function drawTiles(ctx: CanvasRenderingContext2D, world: World, palette: Palette
   ctx.lineCap = "round"
   ctx.lineWidth = Math.max(wallThickness, 3 / scale)
   ctx.strokeStyle = palette.wall
-  ctx.stroke(edges)
+  ctx.beginPath()
+  for (const [x1, y1, x2, y2] of edges) {
+    ctx.moveTo(x1, y1)
+    ctx.lineTo(x2, y2)
+  }
+  ctx.stroke()
 }
 
 /// In CSS pixels; the page may show it smaller.

@@ -122,7 +122,7 @@ const withoutFolder = (text: string) => text.replace(/^(?:\.\.\/)+/, "")
 
 const resolver: Resolver = {
   link: target => (target.startsWith("there") ? {kind: "page", address: "there.html"} : null),
-  picture: () => null,
+  picture: path => (path === "run.svg" ? {address: path, still: "end.svg", width: 4, height: 3} : null),
   openAddress: (program, room) => `../#${room}:${program.trim()}`,
 }
 
@@ -152,4 +152,10 @@ test("a program is coloured, escaped and linked with its room; a fragment has no
   expect(convertMarkdown("# A\n```haskell fragment\nx = 1\n```\n", resolver).html).not.toContain(
     "Open in Rosy",
   )
+})
+
+test("an animation has a picture that stands, for reduced motion and for paper", () => {
+  const {html} = convertMarkdown("# A\n![Runs](run.svg)\n", resolver)
+  expect(html).toContain('<source media="print, (prefers-reduced-motion: reduce)" srcset="end.svg">')
+  expect(html).toContain('<img src="run.svg" alt="Runs" width="4" height="3"')
 })

@@ -13,6 +13,8 @@ export const guide: GuideWords = {
   openRosy: "Rosy öffnen",
   openProgram: "In Rosy öffnen",
   here: "Link zu diesem Abschnitt",
+  pause: "Animation anhalten",
+  play: "Animation abspielen",
   away: "Die Suche ist nicht da: Die Verbindung zu Rosy ist weg.",
   nothingAbout: query => `Nichts zu „${query}“. Versuche ein anderes Wort oder nur seinen Anfang.`,
   places: count => (count === 1 ? "1 Stelle" : `${count} Stellen`),

@@ -11,6 +11,9 @@ export const guide = {
   openRosy: "Open Rosy",
   openProgram: "Open in Rosy",
   here: "Link to this part",
+  /// Buttons below an animation.
+  pause: "Pause the animation",
+  play: "Play the animation",
   away: "The search is not there: the connection to Rosy is gone.",
   nothingAbout: (query: string) => `Nothing about “${query}”. Try another word, or only its beginning.`,
   places: (count: number) => (count === 1 ? "1 place" : `${count} places`),

@@ -13,6 +13,8 @@ export const guide: GuideWords = {
   openRosy: "Abrir Rosy",
   openProgram: "Abrir en Rosy",
   here: "Enlace a esta parte",
+  pause: "Pausar la animación",
+  play: "Reproducir la animación",
   away: "La búsqueda no está: se perdió la conexión con Rosy.",
   nothingAbout: query => `Nada sobre «${query}». Prueba con otra palabra, o solo con su comienzo.`,
   places: count => (count === 1 ? "1 lugar" : `${count} lugares`),

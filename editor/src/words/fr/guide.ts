@@ -13,6 +13,8 @@ export const guide: GuideWords = {
   openRosy: "Ouvrir Rosy",
   openProgram: "Ouvrir dans Rosy",
   here: "Lien vers cette partie",
+  pause: "Mettre l'animation en pause",
+  play: "Lire l'animation",
   away: "La recherche n'est pas là : la connexion avec Rosy est perdue.",
   nothingAbout: query => `Rien sur « ${query} ». Essaie un autre mot, ou seulement son début.`,
   places: count => (count === 1 ? "1 endroit" : `${count} endroits`),

@@ -13,6 +13,8 @@ export const guide: GuideWords = {
   openRosy: "Abrir o Rosy",
   openProgram: "Abrir no Rosy",
   here: "Link para esta parte",
+  pause: "Pausar a animação",
+  play: "Reproduzir a animação",
   away: "A busca não está disponível: a conexão com o Rosy caiu.",
   nothingAbout: query => `Nada sobre “${query}”. Tente outra palavra, ou só o começo dela.`,
   places: count => (count === 1 ? "1 lugar" : `${count} lugares`),
