@@ -268,7 +268,7 @@ test.describe("a reader of German", () => {
     await expect(page.getByRole("heading", {name: "Warum läuft eine Funktion nicht?"})).toBeInViewport()
     await page.getByRole("link", {name: "This page in English"}).click()
     await expect(page.getByRole("heading", {name: "Why does a function not run?"})).toBeVisible()
-    await page.getByRole("link", {name: "Lesson 2", exact: false}).first().click()
+    await page.getByRole("link", {name: "Rosy language reference", exact: false}).first().click()
     await expect(page.getByText("gibt es nur auf Englisch")).toBeVisible()
   })
 

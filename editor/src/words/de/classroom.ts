@@ -159,8 +159,8 @@ export const classroom: Words["classroom"] = {
       tasks: "Diese Klasse hat 200 Aufgaben, mehr kann eine Klasse nicht haben.",
       comments: "Zu diesen Programmen gibt es 200 Kommentare, mehr gehen nicht. Nimm einige zurück.",
       disk: "Rosy kann es nicht speichern: Die Platte ist voll oder defekt.",
-      busy: "Dieses Kind wird schon auf einem anderen Board gefragt oder bearbeitet dort zusammen.",
-      away: "Dieses Kind ist nicht verbunden. Fragen Sie später noch einmal.",
+      busy: "Dieses Kind wird schon auf einer anderen Tafel gefragt oder bearbeitet dort zusammen.",
+      away: "Dieses Kind ist nicht verbunden. Frag später noch einmal.",
     },
     comments: {
       title: "Kommentare",
@@ -182,12 +182,12 @@ export const classroom: Words["classroom"] = {
       follows:
         "Eine Kopie zum Ansehen und Ausführen. Sie folgt dem, was das Kind speichert; Änderungen hier erreichen das Kind nicht.",
       changed:
-        "Sie haben diese Kopie geändert, deshalb folgt sie dem Kind nicht mehr. Öffnen Sie sie neu, um die neueste Version zu sehen.",
+        "Du hast diese Kopie geändert, deshalb folgt sie dem Kind nicht mehr. Öffne sie neu, um die neueste Version zu sehen.",
       ask: "Fragen, ob wir zusammen bearbeiten",
       withdraw: "Frage zurücknehmen",
-      asked: nickname => `${nickname} wurde gefragt, ob Sie das Programm zusammen bearbeiten dürfen.`,
+      asked: nickname => `${nickname} wurde gefragt, ob ihr das Programm zusammen bearbeitet.`,
       on: nickname =>
-        `Sie und ${nickname} bearbeiten dieses Programm zusammen. Rückgängig nimmt nur Ihre eigenen Änderungen zurück.`,
+        `Du und ${nickname} bearbeitet dieses Programm zusammen. Rückgängig nimmt nur deine eigenen Änderungen zurück.`,
       declined: nickname => `${nickname} möchte jetzt nicht zusammen bearbeiten. Dies ist eine Kopie.`,
       ended: () => "Das gemeinsame Bearbeiten ist zu Ende. Änderungen hier erreichen das Kind nicht mehr.",
       line: (nickname, line) => `${nickname} ist in Zeile ${line}.`,

@@ -158,7 +158,7 @@ export const classroom: Words["classroom"] = {
       tasks: "Esta clase tiene 200 tareas, el máximo posible.",
       comments: "Hay 200 comentarios para este alumno, el máximo. Retira algunos.",
       disk: "Rosy no puede guardarlo: el disco está lleno o dañado.",
-      busy: "A este alumno ya se le ha preguntado o ya edita en conjunto, en otro tablero.",
+      busy: "A este alumno ya se le ha preguntado o ya edita en conjunto, en otro panel.",
       away: "Este alumno no está conectado. Pregunta más tarde.",
     },
     comments: {
