@@ -94,6 +94,14 @@ BENCHES = {
         "pictures a second of a full room with a long trail and three curves, and bytes a second to the page",
         [node("e2e-tests/bench/room.ts")],
     ),
+    "why": Benchmark(
+        "pictures and bytes a second of a diagram with 60 nodes while 20 functions fire at 50 Hz, a click on “Why?” to the path;"
+        " and what recording adds to a step",
+        [
+            node("e2e-tests/bench/why.ts"),
+            Command(simulator("recording", "--pages", "8"), small=simulator("recording", "--pages", "1", "--seconds", "1")),
+        ],
+    ),
     "simulator": Benchmark(
         "the world alone, with a program in lockstep, and many pages at once",
         [Command(simulator("simulator"), small=simulator("simulator", "--pages", "2", "--seconds", "1"))],

@@ -13,12 +13,12 @@ where
 
 import Control.Monad (replicateM)
 import Data.List (sort, transpose)
-import GHC.Clock (getMonotonicTime)
 import GHC.Stats (allocated_bytes, getRTSStats)
 import Numeric (showFFloat)
+import System.CPUTime (getCPUTime)
 import System.Mem (performMajorGC)
 
--- | What runs cost: seconds of each, and bytes that one allocates.
+-- | What runs cost: seconds of processor time of each, and bytes that one allocates.
 data Cost = Cost {seconds :: [Double], bytes :: Double}
 
 -- | The costs of several things, each done so many times in turn, so that a busy moment of the machine meets all of them.
@@ -30,11 +30,11 @@ inTurn n acts = do
     once act = do
       performMajorGC
       allocated <- allocated_bytes <$> getRTSStats
-      before <- getMonotonicTime
+      before <- getCPUTime
       _ <- act
-      after <- getMonotonicTime
+      after <- getCPUTime
       allocated' <- allocated_bytes <$> getRTSStats
-      pure (after - before, fromIntegral (allocated' - allocated))
+      pure (fromIntegral (after - before) / 1e12, fromIntegral (allocated' - allocated))
 
 -- | How many times as long the first takes as the second, in the middle of the rounds.
 ratio :: Cost -> Cost -> Double

@@ -192,8 +192,14 @@ showMemory = mapM (\(what, value) -> (,) what <$> showValue value) . take memory
 -- | Cut to a length that fits a message; a value that fails itself is told as @_@.
 showValue :: String -> IO String
 showValue value = do
-  result <- try (let text = take inputLength value in evaluate (foldr seq text text))
+  result <- try (evaluate (if isWithin inputLength value then value else take inputLength value))
   pure (either (const "_" :: SomeException -> String) id result)
+  where
+    -- Evaluates so many characters and nothing behind them.
+    isWithin :: Int -> String -> Bool
+    isWithin n characters = case characters of
+      [] -> True
+      c : rest -> c `seq` n > 1 && isWithin (n - 1) rest
 
 -- | The most inputs and outputs of one firing that are shown. A choice of ours: a function takes at most 9 of each in one tuple.
 inputsShown, outputsShown :: Int

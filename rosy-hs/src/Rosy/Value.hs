@@ -52,6 +52,7 @@ import Data.Word (Word16, Word32, Word64, Word8)
 import GHC.Generics
 import Numeric.Natural (Natural)
 import Rosy.Problem (Fault (NoDefault))
+import Rosy.Value.DecimalDigits
 
 -- | A value that Rosy can show, finish and begin with. Every declared type has an (empty) instance.
 class Typeable a => Value a where
@@ -190,7 +191,10 @@ deriving via Number Natural instance Value Natural
 
 instance Default Natural
 
-deriving via Number Double instance Value Double
+instance Value Double where
+  display = showsDouble
+  settle = atom
+  initial _ = Just 0
 
 instance Default Double
 

@@ -33,6 +33,7 @@ import Data.Aeson.Types (Parser, parseEither)
 import Data.ByteString (ByteString)
 import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Builder.Prim as Prim
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (fromRight)
 import qualified Data.IntMap.Strict as IntMap
@@ -85,7 +86,7 @@ frequentLine bytes = foldr (\(form, said) others -> case numbersIn form bytes >>
 
 -- | Forms of lines, and what their numbers say.
 frequentForms :: [(NumberTemplate, [Double] -> Maybe Line)]
-frequentForms = [clock | route <- sensorRoutes pipeRoutes, channelKind (routeChannel route) == ClockChannel, Just clock <- [clockForm route]] ++ [stepForm late | late <- [False, True]]
+frequentForms = [clock | route <- sensorRoutes pipeRoutes, channelKind (routeChannel route) == ClockChannel, Just clock <- [clockForm route]] ++ [stepForm looks watches late | (looks, watches, late) <- [(False, False, False), (False, True, False), (False, False, True), (True, False, False), (True, True, False)]]
 
 -- | The form of the messages of a channel, if their numbers are in the order of its places.
 clockForm :: Route -> Maybe (NumberTemplate, [Double] -> Maybe Line)
@@ -99,11 +100,12 @@ clockForm route = case (numbersIn form example >>= said, Aeson.decodeStrict' exa
     -- As many numbers as the channel has values, all different.
     values = fromMaybe [] (find (isJust . channelShow (routeChannel route)) [map Number (take n [0.125, 0.25 ..]) | n <- [1 .. 20]])
 
-stepForm :: Bool -> (NumberTemplate, [Double] -> Maybe Line)
-stepForm late = (numberTemplate ("{\"op\":\"step\",\"step\":0,\"time\":0.0" <> (if late then ",\"late\":true" else "") <> "}"), said)
+stepForm :: Bool -> Bool -> Bool -> (NumberTemplate, [Double] -> Maybe Line)
+stepForm looks watches late = (numberTemplate ("{\"op\":\"step\",\"step\":0,\"time\":0.0" <> member "memory" looks <> member "firings" watches <> member "late" late <> "}"), said)
   where
+    member name on = if on then ",\"" <> name <> "\":true" else ""
     said found = case found of
-      [step, time] | let n = truncate step, fromIntegral n == step -> Just (StepLine n time False False late)
+      [step, time] | let n = truncate step, fromIntegral n == step -> Just (StepLine n time looks watches late)
       _ -> Nothing
 
 line :: [String] -> Object -> Parser Line
@@ -195,43 +197,52 @@ done telling a =
 -- | A firing with its provenance.
 record :: Record -> Builder
 record r =
-  object $
-    [ ("n", Builder.intDec (recordNumber r)),
-      ("function", text (recordFunction r)),
-      ("task", Builder.intDec (recordTask r)),
-      ("cause", reason (recordReason r)),
-      ("took", list input (recordInputs r)),
-      ("gave", list output (recordOutputs r))
-    ]
-      ++ [("branches", list branch (recordBranches r)) | not (null (recordBranches r))]
+  "{\"n\":" <> Builder.intDec (recordNumber r) <> ",\"function\":" <> text (recordFunction r) <> ",\"task\":" <> Builder.intDec (recordTask r)
+    <> ",\"cause\":{\"by\":"
+    <> reason (recordReason r)
+    <> "},\"took\":"
+    <> list input (recordInputs r)
+    <> ",\"gave\":"
+    <> list output (recordOutputs r)
+    <> (if null (recordBranches r) then mempty else ",\"branches\":" <> list branch (recordBranches r))
+    <> "}"
   where
     branch (from', to, definitions, kind, number, shown) =
-      object [("in", list text definitions), ("kind", text kind), ("number", Builder.intDec number), ("text", text shown), ("start", position from'), ("end", position to)]
-    reason why = object $ case why of
-      OfMessage instant shown -> [("by", "\"message\""), ("instant", Builder.intDec instant), ("value", text shown)]
-      OfTick instant -> [("by", "\"tick\""), ("instant", Builder.intDec instant)]
-      OfEvent event by -> [("by", "\"event\""), ("event", Builder.intDec event)] ++ from by
-      OfStart -> [("by", "\"start\"")]
-      OfWait instant -> [("by", "\"instant\""), ("instant", Builder.intDec instant)]
-      OfFiring by -> ("by", "\"task\"") : from by
-      OfEnd -> [("by", "\"end\"")]
-    from = foldMap (\n -> [("firing", Builder.intDec n)])
-    input (Input origin shown) = object (place origin ++ [("value", text shown)])
+      "{\"in\":" <> list text definitions <> ",\"kind\":" <> text kind <> ",\"number\":" <> Builder.intDec number
+        <> (",\"text\":" <> text shown <> ",\"start\":" <> position from' <> ",\"end\":" <> position to <> "}")
+    reason why = case why of
+      OfMessage at shown -> "\"message\"" <> instant at <> value shown
+      OfTick at -> "\"tick\"" <> instant at
+      OfEvent n by -> "\"event\"" <> event n <> from by
+      OfStart -> "\"start\""
+      OfWait at -> "\"instant\"" <> instant at
+      OfFiring by -> "\"task\"" <> from by
+      OfEnd -> "\"end\""
+    input (Input origin shown) = "{\"from\":" <> place origin <> value shown <> "}"
     place origin = case origin of
-      AnEvent -> [("from", "\"event\"")]
-      AState channel at -> [("from", "\"state\""), ("channel", text channel)] ++ foldMap (\n -> [("instant", Builder.intDec n)]) at
-      AMemory what by -> [("from", "\"memory\""), ("type", text ("Memory " ++ what))] ++ from by
-      AParam what by -> [("from", "\"param\""), ("type", text ("Param " ++ what))] ++ from by
-      ATime -> [("from", "\"time\"")]
-      AGenerator n -> [("from", "\"generator\""), ("read", Builder.intDec n)]
-    output (Output sink shown) = object $ case sink of
-      ACommand what -> [("to", "\"command\""), ("type", text what), ("value", text shown)]
-      AnEmission what event -> [("to", "\"event\""), ("type", text what), ("event", Builder.intDec event), ("value", text shown)]
-      IntoMemory what -> [("to", "\"memory\""), ("type", text ("Memory " ++ what)), ("value", text shown)]
-      IntoParam what -> [("to", "\"param\""), ("type", text ("Param " ++ what)), ("value", text shown)]
-      ADone -> [("to", "\"done\""), ("value", text shown)]
-      AFeedback -> [("to", "\"feedback\""), ("value", text shown)]
-      ACall -> [("to", "\"call\"")]
+      AnEvent -> "\"event\""
+      AState channel at -> "\"state\",\"channel\":" <> text channel <> foldMap instant at
+      AMemory what by -> "\"memory\"" <> typed ("Memory " ++ what) <> from by
+      AParam what by -> "\"param\"" <> typed ("Param " ++ what) <> from by
+      ATime -> "\"time\""
+      AGenerator n -> "\"generator\",\"read\":" <> Builder.intDec n
+    output (Output sink shown) =
+      "{\"to\":"
+        <> ( case sink of
+               ACommand what -> "\"command\"" <> typed what <> value shown
+               AnEmission what n -> "\"event\"" <> typed what <> event n <> value shown
+               IntoMemory what -> "\"memory\"" <> typed ("Memory " ++ what) <> value shown
+               IntoParam what -> "\"param\"" <> typed ("Param " ++ what) <> value shown
+               ADone -> "\"done\"" <> value shown
+               AFeedback -> "\"feedback\"" <> value shown
+               ACall -> "\"call\""
+           )
+        <> "}"
+    instant n = ",\"instant\":" <> Builder.intDec n
+    event n = ",\"event\":" <> Builder.intDec n
+    value shown = ",\"value\":" <> text shown
+    typed what = ",\"type\":" <> text what
+    from = foldMap (\n -> ",\"firing\":" <> Builder.intDec n)
 
 object :: [(Builder, Builder)] -> Builder
 object fields = "{" <> mconcat (intersperse "," ["\"" <> key <> "\":" <> value | (key, value) <- fields]) <> "}"
@@ -279,9 +290,21 @@ position (l, c) = object [("line", Builder.intDec l), ("column", Builder.intDec 
 
 -- | A text in JSON. Half a pair of surrogates, which Haskell lets stand in a text, cannot be written in UTF-8.
 text :: String -> Builder
-text = Encoding.fromEncoding . Encoding.string . map whole
+text shown = "\"" <> Prim.primMapListBounded character shown <> "\""
+
+-- | A character of a text in JSON (RFC 8259, section 7), as aeson writes it.
+character :: Prim.BoundedPrim Char
+character =
+  Prim.condB (\c -> c >= ' ' && c <= '~' && c /= '"' && c /= '\\') (Prim.liftFixedToBounded Prim.char7) $
+    Prim.condB (> '~') (Prim.condB (\c -> c >= '\xD800' && c <= '\xDFFF') (const '\xFFFD' Prim.>$< Prim.charUtf8) Prim.charUtf8) $
+      Prim.condB (\c -> c == '"' || c == '\\') (escaped id) $
+        Prim.condB (== '\n') (escaped (const 'n')) $
+          Prim.condB (== '\r') (escaped (const 'r')) $
+            Prim.condB (== '\t') (escaped (const 't')) $
+              Prim.liftFixedToBounded (hexadecimal Prim.>$< Prim.char7 Prim.>*< Prim.char7 Prim.>*< Prim.word16HexFixed)
   where
-    whole c = if c >= '\xD800' && c <= '\xDFFF' then '\xFFFD' else c
+    escaped letter = Prim.liftFixedToBounded ((\c -> ('\\', letter c)) Prim.>$< Prim.char7 Prim.>*< Prim.char7)
+    hexadecimal c = ('\\', ('u', fromIntegral (fromEnum c)))
 
 list :: (a -> Builder) -> [a] -> Builder
 list _ [] = "[]"

@@ -1,6 +1,6 @@
 """
 ``python -m rosy_sim.bench simulator [--pages N ...] [--seconds S] [--profile]``, ``recovery [--rounds N]``,
-``class [--pupils N] [--seconds S]``, and ``attacks [--seconds S] [--only WORDS]``.
+``class [--pupils N] [--seconds S]``, ``recording [--seconds S]``, and ``attacks [--seconds S] [--only WORDS]``.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import sys
 
 from ..config import discover
 from ..errors import RosyError
-from . import class_board, lockstep, pages, previews, recovery, under_attack, world
+from . import class_board, lockstep, pages, previews, recording, recovery, under_attack, world
 
 __all__ = ["main"]
 
@@ -19,7 +19,7 @@ __all__ = ["main"]
 def main() -> int:
     """Print the tables."""
     parser = argparse.ArgumentParser(prog="python -m rosy_sim.bench")
-    parser.add_argument("name", choices=["simulator", "recovery", "class", "attacks"])
+    parser.add_argument("name", choices=["simulator", "recovery", "class", "attacks", "recording"])
     parser.add_argument("--pages", type=int, nargs="*", default=[50, 100, 150, 200])
     parser.add_argument("--seconds", type=float, default=10.0)
     parser.add_argument("--runs", type=int, help="programs at once; the other pages wait (default: all drive)")
@@ -32,6 +32,9 @@ def main() -> int:
         config = discover()
         if options.name == "recovery":
             asyncio.run(recovery.measure(config, options.rounds))
+            return 0
+        if options.name == "recording":
+            recording.report(config, options.pages[0], options.seconds)
             return 0
         if options.name == "attacks":
             under_attack.report(config, options.seconds, options.only)

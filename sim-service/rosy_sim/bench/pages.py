@@ -18,8 +18,11 @@ import selectors
 import socket
 import statistics
 import time
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any
 
 import psutil
 import uvicorn
@@ -30,7 +33,7 @@ from ..web.app import Service, build_app
 from ..web.paced_frames import paced_frames
 from ..world.time_step import STEP
 
-__all__ = ["IN_TIME", "report"]
+__all__ = ["IN_TIME", "Cost", "Drivers", "drive", "report"]
 
 IN_TIME = STEP
 """A step that begins later than the next one was due is late, s."""
@@ -45,6 +48,37 @@ main = simulate accelerate
 """
 
 
+@dataclass(frozen=True, slots=True)
+class Drivers:
+    """Pages that run the same program at real time, for so many seconds; ``requests`` are sent before."""
+
+    count: int
+    seconds: float
+    program: str = _PROGRAM
+    requests: tuple[Mapping[str, Any], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Cost:
+    """What pages cost. Times are in s; ``service`` and ``programs`` are processor time."""
+
+    lateness: Mapping[str, float]
+    took: float
+    service: float
+    programs: float
+    # Received by all pages.
+    frames: int
+    received: int
+    # Bytes of each program.
+    memory: list[int]
+    queued: int
+
+    @property
+    def steps(self) -> float:
+        """Steps of all pages."""
+        return self.lateness["steps"]
+
+
 def report(config: Config, count: int, runs: int, seconds: float, profile: bool) -> float:
     """
     Print a row: so many pages, of which so many may drive at once. With ``profile`` also where the service's time
@@ -52,14 +86,32 @@ def report(config: Config, count: int, runs: int, seconds: float, profile: bool)
     """
     limits = replace(config.limits, runs=runs, sessions=max(count, config.limits.sessions))
     profiler = cProfile.Profile(time.process_time) if profile else None
-    with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
-        late = runner.run(_measure(config.with_limits(limits), count, seconds, profiler))
+    cost = drive(config.with_limits(limits), Drivers(count, seconds), profiler)
     if profiler is not None:
         pstats.Stats(profiler).sort_stats("tottime").print_stats(_SHOWN)
-    return late
+    late, took, steps = cost.lateness, cost.took, cost.steps
+    print(
+        f"  {count:>3} pages: {steps / took / min(count, runs):5.1f} steps/s each; "
+        f"a step begins late by {late['p50'] * 1e3:.1f} ms (median), "
+        f"{late['p99'] * 1e3:.1f} (p99), {late['worst'] * 1e3:.1f} (worst); "
+        f"{cost.frames / took / count:.0f} frames/s and {cost.received / took / count / 1e3:.1f} kB/s to each; "
+        f"service {cost.service / took * 100:.0f} % of a core, programs {cost.programs / took * 100:.0f} %: "
+        f"{cost.service / steps * 1e6:.0f} and {cost.programs / steps * 1e6:.0f} µs a step; "
+        f"{statistics.median(cost.memory) / 1e6:.1f} MB of memory to each program "
+        f"(proportional; {len(cost.memory)} alive); "
+        f"{cost.queued} waited for a place, none was refused",
+        flush=True,
+    )
+    return late["p99"]
 
 
-async def _measure(config: Config, count: int, seconds: float, profiler: cProfile.Profile | None) -> float:
+def drive(config: Config, drivers: Drivers, profiler: cProfile.Profile | None = None) -> Cost:
+    """Let pages run a program on a service of their own, and measure."""
+    with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
+        return runner.run(_measure(config, drivers, profiler))
+
+
+async def _measure(config: Config, drivers: Drivers, profiler: cProfile.Profile | None) -> Cost:
     app = build_app(config)
     service: Service = app.state.service
     settings = uvicorn.Config(
@@ -79,7 +131,7 @@ async def _measure(config: Config, count: int, seconds: float, profiler: cProfil
     port = server.servers[0].sockets[0].getsockname()[1]
     ours, theirs = multiprocessing.Pipe()
     pages = multiprocessing.get_context("spawn").Process(
-        target=_simulate_pages, args=(port, count, min(count, config.limits.runs), theirs), daemon=True
+        target=_simulate_pages, args=(port, drivers, min(drivers.count, config.limits.runs), theirs), daemon=True
     )
     pages.start()
     await asyncio.to_thread(ours.recv)
@@ -91,33 +143,28 @@ async def _measure(config: Config, count: int, seconds: float, profiler: cProfil
     if profiler is not None:
         profiler.enable()
     ours.send("count")
-    await asyncio.sleep(seconds)
+    await asyncio.sleep(drivers.seconds)
     if profiler is not None:
         profiler.disable()
     # Shared parts are divided among those who share them.
     memory = [process.memory_full_info().pss for process in programs]
     ours.send("stop")
     frames, received = await asyncio.to_thread(ours.recv)
-    took = time.perf_counter() - began
-    cost, spent = _processor_time([service_process]) - before, _processor_time(programs) - theirs_before
-    late = service.lateness.summary()
-    driving = min(count, config.limits.runs)
-    rate = late["steps"] / took / driving
-    print(
-        f"  {count:>3} pages: {rate:5.1f} steps/s each; a step begins late by {late['p50'] * 1e3:.1f} ms (median), "
-        f"{late['p99'] * 1e3:.1f} (p99), {late['worst'] * 1e3:.1f} (worst); "
-        f"{frames / took / count:.0f} frames/s and {received / took / count / 1e3:.1f} kB/s to each; "
-        f"service {cost / took * 100:.0f} % of a core, programs {spent / took * 100:.0f} %: "
-        f"{cost / late['steps'] * 1e6:.0f} and {spent / late['steps'] * 1e6:.0f} µs a step; "
-        f"{statistics.median(memory) / 1e6:.1f} MB of memory to each program (proportional; {len(memory)} alive); "
-        f"{service.run_queue.queued} waited for a place, none was refused",
-        flush=True,
+    cost = Cost(
+        lateness=service.lateness.summary(),
+        took=time.perf_counter() - began,
+        service=_processor_time([service_process]) - before,
+        programs=_processor_time(programs) - theirs_before,
+        frames=frames,
+        received=received,
+        memory=memory,
+        queued=service.run_queue.queued,
     )
     pages.join(5)
     pages.kill()
     server.should_exit = True
     await serving
-    return late["p99"]
+    return cost
 
 
 def _programs(worker: int | None) -> list[psutil.Process]:
@@ -131,16 +178,22 @@ def _programs(worker: int | None) -> list[psutil.Process]:
 
 
 def _processor_time(processes: list[psutil.Process]) -> float:
-    """Processor time that processes have used, s."""
-    return float(sum(times.user + times.system for times in (process.cpu_times() for process in processes)))
+    """
+    Processor time that processes have used, s. The scheduler counts nanoseconds of each thread, in the first number of
+    ``schedstat``; ``psutil`` counts hundredths of a second, in which a program makes fifty steps.
+    """
+    threads = [file for process in processes for file in Path(f"/proc/{process.pid}/task").glob("*/schedstat")]
+    return sum(int(file.read_text().split()[0]) for file in threads) / 1e9
 
 
-def _simulate_pages(port: int, count: int, active_drivers: int, talk: Connection) -> None:
+def _simulate_pages(port: int, drivers: Drivers, active_drivers: int, talk: Connection) -> None:
     """Open the pages, wait until as many of them drive as may, then count what they are sent."""
+    count = drivers.count
     pages = [_open(port) for _ in range(count)]
-    request = json.dumps({"op": "run", "run": 1, "source": _PROGRAM, "seed": 1, "speed": 1}).encode()
+    run = {"op": "run", "run": 1, "source": drivers.program, "seed": 1, "speed": 1}
     for page in pages:
-        page.sendall(_masked(request))
+        for request in (*drivers.requests, run):
+            page.sendall(_masked(json.dumps(request).encode()))
     waiting = set(pages)
     seen = dict.fromkeys(pages, b"")
     with selectors.DefaultSelector() as selector:
@@ -177,5 +230,6 @@ def _open(port: int) -> socket.socket:
 
 
 def _masked(data: bytes) -> bytes:
-    """A text frame with a zero mask. RFC 6455, section 5.2; a request here is between 126 and 65535 bytes."""
-    return b"\x81\xfe" + len(data).to_bytes(2, "big") + b"\0\0\0\0" + data
+    """A text frame with a zero mask. RFC 6455, section 5.2; a request here is shorter than 65536 bytes."""
+    size = bytes([0x80 | len(data)]) if len(data) < 126 else b"\xfe" + len(data).to_bytes(2, "big")
+    return b"\x81" + size + b"\0\0\0\0" + data

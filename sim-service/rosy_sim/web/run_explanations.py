@@ -224,7 +224,13 @@ def commands_of_step(firings: list[Firing], commands: list[Command]) -> list[Sho
 
     All come from firings but velocities of 0 for tasks that were stopped (rule R10), and lines that ``main`` prints.
     """
-    given = deque(ShownCommand(one.type, one.value) for firing in firings for one in firing.gave if one.to == "command")
+    from_firings = [
+        ShownCommand(one.type, one.value) for firing in firings for one in firing.gave if one.to == "command"
+    ]
+    velocities = sum(one.channel == VELOCITY_CHANNEL for one in from_firings)
+    if velocities == sum(command.channel == VELOCITY_CHANNEL for command in commands):
+        return from_firings
+    given = deque(from_firings)
     told: list[ShownCommand] = []
     for command in commands:
         if command.channel != VELOCITY_CHANNEL:

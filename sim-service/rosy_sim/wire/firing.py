@@ -2,6 +2,7 @@
 Firing of a function with its provenance (language rule R12), as ``settled`` carries it (``protocol/README.md`` §2).
 
 Numbers count from the start of the observation: firings, instants (each message and each tick is one), user events.
+No value here refers back to one that has it, so the garbage collector need not look at them: a page keeps thousands.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import msgspec
 __all__ = ["Branch", "Cause", "Firing", "Given", "Place", "Taken"]
 
 
-class Cause(msgspec.Struct, omit_defaults=True, frozen=True):
+class Cause(msgspec.Struct, omit_defaults=True, frozen=True, gc=False):
     """Why the function fired then."""
 
     by: Literal["message", "tick", "event", "start", "instant", "task", "end"]
@@ -27,7 +28,7 @@ class Cause(msgspec.Struct, omit_defaults=True, frozen=True):
     firing: int | None = None
 
 
-class Taken(msgspec.Struct, omit_defaults=True, frozen=True, rename={"origin": "from"}):
+class Taken(msgspec.Struct, omit_defaults=True, frozen=True, gc=False, rename={"origin": "from"}):
     """A value that the function took."""
 
     origin: Literal["event", "state", "memory", "param", "time", "generator"]
@@ -42,7 +43,7 @@ class Taken(msgspec.Struct, omit_defaults=True, frozen=True, rename={"origin": "
     read: int | None = None
 
 
-class Given(msgspec.Struct, omit_defaults=True, frozen=True):
+class Given(msgspec.Struct, omit_defaults=True, frozen=True, gc=False):
     """A value that the function gave."""
 
     to: Literal["command", "event", "memory", "param", "done", "feedback", "call"]
@@ -53,14 +54,14 @@ class Given(msgspec.Struct, omit_defaults=True, frozen=True):
     event: int | None = None
 
 
-class Place(msgspec.Struct, frozen=True):
+class Place(msgspec.Struct, frozen=True, gc=False):
     """A place in the text of the program, from 1."""
 
     line: int
     column: int
 
 
-class Branch(msgspec.Struct, frozen=True, rename={"definitions": "in"}):
+class Branch(msgspec.Struct, frozen=True, gc=False, rename={"definitions": "in"}):
     """A branch that the function took: one of the equations, guards or alternatives between which it chooses."""
 
     # Names of the definitions around it, outermost first.
@@ -74,7 +75,7 @@ class Branch(msgspec.Struct, frozen=True, rename={"definitions": "in"}):
     end: Place
 
 
-class Firing(msgspec.Struct, omit_defaults=True, frozen=True):
+class Firing(msgspec.Struct, omit_defaults=True, frozen=True, gc=False):
     """One firing. ``task`` is the scope of its task; 0 is the first one of the program."""
 
     n: int

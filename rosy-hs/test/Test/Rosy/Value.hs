@@ -12,6 +12,7 @@ import Control.Exception (ErrorCall, evaluate, try)
 import Data.Either (isLeft)
 import qualified Data.Map as Map
 import Data.Maybe (fromMaybe, isJust)
+import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 import Rosy.Model (Built (..), Declarations, defaultOf)
 import Rosy.Problem (Fault (NoDefault))
 import Rosy.Program
@@ -37,6 +38,23 @@ infixl 6 `Of`
 instance Value a => Value (Thing a)
 
 instance Value a => Default (Thing a)
+
+-- | Of all sizes, many where a number is written without an exponent, at powers of two and of ten, and with few digits.
+fractions :: Gen Double
+fractions = do
+  x <-
+    oneof
+      [ castWord64ToDouble <$> arbitrary,
+        (10 **) <$> choose (-3, 9),
+        (\n k -> fromIntegral (n :: Int) / 10 ^ (k :: Int)) <$> choose (0, 100000000) <*> choose (0, 12),
+        near ((2 **) . fromIntegral <$> choose (-8, 30 :: Int)),
+        near ((10 **) . fromIntegral <$> choose (-3, 9 :: Int)),
+        arbitrary
+      ]
+  elements [x, negate x]
+  where
+    -- A few representable numbers away.
+    near xs = (\x n -> castWord64ToDouble (castDoubleToWord64 x + fromIntegral (n :: Int))) <$> xs <*> choose (-3, 3)
 
 -- | What cannot be shown.
 data Opaque = Opaque (Int -> Int) (IO ()) Int
@@ -174,6 +192,7 @@ tests =
           testProperty "the Prelude's types as their Show does" $
             \(x :: (Int, Double, [Maybe Char], String, Either () (Bool, Ordering))) -> shown x === show x,
           testProperty "negative numbers in brackets where Haskell needs them" $ \(n :: Int) -> shown (Just n) === show (Just n),
+          testProperty "fractions with the same digits" . withMaxSuccess 2000 $ forAll fractions $ \x -> shown (Just x) === show (Just x),
           testCase "maps as maps" $ shown (Map.fromList [(1 :: Int, "a")]) @?= show (Map.fromList [(1 :: Int, "a")]),
           testCase "what cannot be shown as _" $ shown (Opaque id (pure ()) 3) @?= "Opaque _ _ 3",
           testCase "a type without Generic as _" $ shown [Some 'x'] @?= "[_]",

@@ -14,6 +14,7 @@ import Data.Aeson (Value (..), object, (.:), (.=))
 import qualified Data.Aeson as Aeson
 import Data.Aeson.Types (parseMaybe)
 import qualified Data.ByteString as ByteString
+import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (isInfixOf, nub, sort)
@@ -26,7 +27,7 @@ import Network.Socket.ByteString (recv, sendAll)
 import Rosy
 import Rosy.Core (functionName, nameBytes)
 import Rosy.Launch (onLink)
-import Rosy.Link (atRest, atWork)
+import Rosy.Link (Answer (..), atRest, atWork, noAnswer)
 import Rosy.Link.Pipe (pipeLink)
 import Rosy.Problem (Fault)
 import Rosy.Program (Names (..), simulateNamed, taskNamed)
@@ -38,7 +39,7 @@ import System.Environment (lookupEnv)
 import System.FilePath (dropExtension, takeExtension, (</>))
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
-import Test.Tasty.QuickCheck (testProperty)
+import Test.Tasty.QuickCheck (testProperty, (===))
 
 tests :: TestTree
 tests =
@@ -91,14 +92,18 @@ tests =
       testProperty "the lines of each step say what they say with other spaces, which are read as JSON" $ \step time x y z w v a ->
         and
           [ readLine plain == readLine ("{ " <> ByteString.drop 1 plain)
-            | late <- ["", ",\"late\":true"],
+            | asks <- ["", ",\"memory\":true", ",\"firings\":true", ",\"memory\":true,\"firings\":true", ",\"late\":true"],
               plain <-
-                [ "{\"op\":\"step\",\"step\":" <> number (abs step :: Int) <> ",\"time\":" <> number (time :: Double) <> late <> "}",
+                [ "{\"op\":\"step\",\"step\":" <> number (abs step :: Int) <> ",\"time\":" <> number (time :: Double) <> asks <> "}",
                   "{\"op\":\"publish\",\"topic\":\"/odom\",\"msg\":{\"pose\":{\"pose\":{\"position\":{\"x\":" <> number (x :: Double) <> ",\"y\":" <> number (y :: Double)
                     <> ("},\"orientation\":{\"z\":" <> number (z :: Double) <> ",\"w\":" <> number (w :: Double))
                     <> ("}}},\"twist\":{\"twist\":{\"linear\":{\"x\":" <> number (v :: Double) <> "},\"angular\":{\"z\":" <> number (a :: Double) <> "}}}}}")
                 ]
           ],
+      testProperty "a text of any characters is written as aeson writes it, half a pair of surrogates as U+FFFD" $ \shown ->
+        let half c = if c >= '\xD800' && c <= '\xDFFF' then '\xFFFD' else c
+            answered = writeAnswer (Telling False False) noAnswer {answerSensed = [shown, ['\0' .. '\x100'], "\xD800\xDFFF\xE000"]}
+         in Builder.toLazyByteString answered === "{\"op\":\"settled\",\"step\":0,\"fired\":[],\"sensed\":" <> Aeson.encode (map (map half) [shown, ['\0' .. '\x100'], "\xD800\xDFFF\xE000"]) <> "}\n",
       testCase "a template reads the numbers of lines of its form, and of no others" $ do
         let form = numberTemplate "{\"x\\\"1\":1,\"y\":[2.5,-3]}"
             reads' = numbersIn form
