@@ -1,8 +1,8 @@
-/// Settings of the stories: the real service on a free port, the system's Chromium, two stories at a time.
+/// Settings of the stories: the real service on a free port, the system's Chromium (its headless shell where that is installed), two stories at a time.
 
 import {fileURLToPath} from "node:url"
 import {defineConfig} from "@playwright/test"
-import {chromiumFlags} from "../editor/test/chromium.ts"
+import {chromiumFlags, chromiumPath} from "../editor/test/chromium.ts"
 
 // Set once by the first process that reads this file; Playwright's workers inherit it.
 process.env["ROSY_E2E_PORT"] ??= String(20_000 + Math.floor(Math.random() * 10_000))
@@ -34,7 +34,7 @@ export default defineConfig({
     screenshot: "only-on-failure",
     launchOptions: {
       timeout: 240_000,
-      executablePath: process.env["ROSY_CHROMIUM"] ?? "/usr/bin/chromium",
+      executablePath: chromiumPath,
       args: chromiumFlags,
     },
   },

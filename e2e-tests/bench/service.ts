@@ -8,7 +8,7 @@ import {loadavg} from "node:os"
 import {createInterface} from "node:readline"
 import {fileURLToPath} from "node:url"
 import {type Browser, type BrowserContextOptions, chromium, type Page} from "@playwright/test"
-import {chromiumFlags} from "../../editor/test/chromium.ts"
+import {chromiumFlags, wholeChromium} from "../../editor/test/chromium.ts"
 
 export const root = fileURLToPath(new URL("../..", import.meta.url))
 
@@ -26,7 +26,7 @@ export async function withPage(measure: (browser: Browser, address: string) => P
     const address = await announced(service)
     const browser = await chromium.launch({
       timeout: 0,
-      executablePath: process.env["ROSY_CHROMIUM"] ?? "/usr/bin/chromium",
+      executablePath: wholeChromium,
       args: chromiumFlags,
     })
     try {

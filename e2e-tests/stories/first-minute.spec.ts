@@ -1,8 +1,14 @@
-/// A newcomer's first minute: open, run, bump, hear, stop, reset, change a number, run again.
+/// A newcomer's first minute: open, run, bump, hear, stop, reset, change a number, run again. In the whole browser, as people
+/// have it, where the other stories may be in its headless shell (`editor/test/chromium.ts`).
 
 import {expect} from "@playwright/test"
+import {wholeChromium} from "../../editor/test/chromium.ts"
 import {Learner} from "./learner.ts"
 import {test} from "./story.ts"
+
+test.use({
+  launchOptions: async ({launchOptions}, use) => use({...launchOptions, executablePath: wholeChromium}),
+})
 
 test("the page opens with accelerateAndPlay ready to run", async ({page}) => {
   const learner = new Learner(page)

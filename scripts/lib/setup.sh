@@ -45,8 +45,9 @@ APT_RUNTIME="ghc cabal-install gcc libc6-dev libgmp-dev pkg-config
 APT_TOOLS="chromium hlint ormolu shellcheck
   libghc-quickcheck2-dev libghc-tasty-dev libghc-tasty-hunit-dev libghc-tasty-quickcheck-dev libghc-reactive-banana-dev"
 
-# For the suite `browsers`, which leaves out what is missing: installed with the test tools, if apt knows them.
-APT_BROWSERS="firefox-esr webkit2gtk-driver xvfb"
+# For the suite `browsers`, which leaves out what is missing, and the smaller Chromium, without which the tests start the whole
+# one: installed with the test tools, if apt knows them.
+APT_BROWSERS="chromium-headless-shell firefox-esr webkit2gtk-driver xvfb"
 
 # The oldest Node that Vite and Vitest run on. Blockly's package asks for 22, because of its own tests' DOM; a browser and a
 # build do not use that part.

@@ -41,7 +41,7 @@ class ValueWidget extends WidgetType {
   override updateDOM(element: HTMLElement): boolean {
     const {text, whole, isOld, room} = this.value
     element.className = isOld ? "hs-value old" : "hs-value"
-    element.style.minWidth = `min(${room}ch, 100%)`
+    element.style.minWidth = `min(${room}ch, 100% - 1.5ch)`
     element.title = whole
     if (element.textContent !== text) element.textContent = text
     return true

@@ -4,7 +4,7 @@ import {fileURLToPath} from "node:url"
 import {chromium} from "playwright-core"
 import {createServer} from "vite"
 import type {TestProject} from "vitest/node"
-import {chromiumFlags} from "../chromium.ts"
+import {chromiumFlags, chromiumPath} from "../chromium.ts"
 
 /// Addresses of the page and of the browser's debugging socket.
 export interface StageAddress {
@@ -42,7 +42,7 @@ export async function startStage(): Promise<StartedStage> {
   // Nothing here has a limit of its own: the test's is for what hangs.
   const browser = await chromium.launchServer({
     timeout: 0,
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    executablePath: process.env.CHROMIUM ?? chromiumPath,
     args: chromiumFlags,
   })
   return {
