@@ -86,8 +86,6 @@ export function openPupilSharing(
     heard(message) {
       if (message.op === "updates" || message.op === "cursor") session?.heard(message)
       else if (message.op === "sharing-over") close()
-      // A request that the service cannot read would wait for its answer for ever.
-      else if (message.op === "refused" && message.reason === "request") endIfOn()
     },
     lost: close,
   }

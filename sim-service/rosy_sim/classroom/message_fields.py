@@ -4,6 +4,7 @@ Fields and messages that pupils' pages and the teacher's board share. ``protocol
 
 from __future__ import annotations
 
+import contextlib
 from typing import Annotated, Literal, TypeVar
 
 import msgspec
@@ -66,8 +67,18 @@ Refusal = (
 """Why a request was refused; the page has the sentences."""
 
 
+class _Kind(msgspec.Struct):
+    op: str
+
+
 class BadRequest(Exception):
-    """A message that is none of the protocol's."""
+    """A message that is none of the protocol's. ``op`` is its kind, where that can be read."""
+
+    def __init__(self, text: str | bytes, why: Exception) -> None:
+        super().__init__(str(why))
+        self.op: str | None = None
+        with contextlib.suppress(msgspec.MsgspecError, UnicodeError, RecursionError):
+            self.op = msgspec.json.decode(text, type=_Kind).op
 
 
 class LessonProgress(msgspec.Struct):
@@ -113,7 +124,7 @@ def decoded(decoder: msgspec.json.Decoder[_Message], text: str | bytes) -> _Mess
     try:
         return decoder.decode(text)
     except (msgspec.MsgspecError, UnicodeError, RecursionError) as error:
-        raise BadRequest(str(error)) from error
+        raise BadRequest(text, error) from error
 
 
 def encode(answer: msgspec.Struct) -> str:

@@ -132,6 +132,12 @@ class SharedEditing:
         if session is not None and session.page is not None and session.page.connection == connection:
             self._end(session)
 
+    def page_unreadable(self, pupil: int, connection: Hashable) -> None:
+        """A pupil's page sent an answer or changes that cannot be read: it would wait for the service for ever."""
+        session = self._sessions.get(pupil)
+        if session is not None and (session.page is None or session.page.connection == connection):
+            self._end(session)
+
     # Both
 
     def _of_board(self, connection: Hashable) -> _Session | None:

@@ -13,6 +13,7 @@ import msgspec
 from .message_fields import Identifier, ProjectText
 
 __all__ = [
+    "SHARING_OPS",
     "AskToShare",
     "Asked",
     "Changes",
@@ -30,6 +31,9 @@ __all__ = [
     "length_after",
     "utf16_length",
 ]
+
+SHARING_OPS = ("share", "push", "cursor")
+"""Requests without whose answer, or effect on the other side, the texts of the two sides may differ."""
 
 Side = Literal["teacher", "pupil"]
 

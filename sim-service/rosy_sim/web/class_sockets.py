@@ -28,10 +28,10 @@ from ..classroom.check_messages import (
 from ..classroom.classroom import Classroom, PupilPage
 from ..classroom.database import StoreError
 from ..classroom.hand_in_checks import HandInChecks
-from ..classroom.message_fields import Refused
+from ..classroom.message_fields import BadRequest, Refused
 from ..classroom.projector_messages import Project, Projecting
 from ..classroom.shared_editing import Participant
-from ..classroom.shared_messages import AskToShare, Cursor, EndSharing, Push
+from ..classroom.shared_messages import SHARING_OPS, AskToShare, Cursor, EndSharing, Push
 from ..sentence import tr
 from ..wording import in_terminal
 from .address_slots import AddressSlots
@@ -97,7 +97,13 @@ class ClassSockets:
         page = PupilPage(connection.address, connection.put)
 
         async def serve(text: str | bytes) -> None:
-            await self._classroom.serve(page, p.read_pupil_request(text))
+            try:
+                request = p.read_pupil_request(text)
+            except BadRequest as error:
+                if page.pupil is not None and error.op in SHARING_OPS:
+                    self._classroom.sharing.page_unreadable(page.pupil.id, page)
+                raise
+            await self._classroom.serve(page, request)
 
         try:
             await self._first_completed(connection.receive(serve), connection.send(), connection.overflowed.wait())
@@ -115,7 +121,12 @@ class ClassSockets:
         unlocked = asyncio.Event()
 
         async def serve(text: str | bytes) -> None:
-            request = b.read_board_request(text)
+            try:
+                request = b.read_board_request(text)
+            except BadRequest as error:
+                if error.op in SHARING_OPS:
+                    self._classroom.sharing.board_left(connection)
+                raise
             if unlocked.is_set():
                 await self._try_to_serve(connection, request)
             elif not isinstance(request, b.Unlock):

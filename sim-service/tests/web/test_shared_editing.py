@@ -196,3 +196,74 @@ def test_changes_that_are_none_of_the_text_reach_nobody(config: Config, changes:
         assert "updates" not in [message["op"] for message in board.seen]
 
     in_class(config, lesson)
+
+
+def test_a_refused_request_that_is_none_of_editing_together_leaves_it_on(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        ada, entered = await opened.pupil("Ada")
+        board = await begin(opened, ada, entered["pupil"])
+        assert await refused(ada, "comment-done", comment=99, done=True) == "request"
+        assert await refused(ada, "save", program=7) == "request"
+        assert await refused(ada, "nonsense") == "request"
+        assert await refused(board, "open-program", pupil="x") == "request"
+        await ada.socket.send("{")
+        assert (await ada.op("refused"))["reason"] == "request"
+        await ada.send("push", version=0, changes=[[7, [0, "!"]]])
+        for side in (ada, board):
+            assert (await side.op("updates"))["version"] == 0
+            assert "sharing-over" not in [message["op"] for message in side.seen]
+
+    in_class(config, lesson)
+
+
+UNREADABLE: list[tuple[str, dict[str, Any]]] = [
+    ("push", {"version": 0, "changes": []}),
+    ("push", {"version": 0, "changes": [[10**9]]}),
+    ("push", {"version": 0, "changes": [[7], "x"]}),
+    ("push", {"version": 0, "changes": [[1] * 20_001]}),
+    ("push", {"version": 0, "changes": [[7]] * 2001}),
+    ("push", {"version": 0, "changes": "<svg onload=alert(1)>"}),
+    ("cursor", {"version": 0, "anchor": -1, "head": 10**9}),
+    ("cursor", {"version": 0, "anchor": "x", "head": None}),
+]
+
+
+@pytest.mark.parametrize("side", ["pupil", "board"])
+def test_hostile_requests_end_it_for_both_and_reach_nobody(config: Config, side: str) -> None:
+    async def lesson(opened: Class) -> None:
+        ada, entered = await opened.pupil("Ada")
+        board = await begin(opened, ada, entered["pupil"])
+        sender, other = (ada, board) if side == "pupil" else (board, ada)
+        for op, fields in UNREADABLE:
+            seen = len(other.seen)
+            await sender.send(op, **fields)
+            assert (await other.op("sharing-over"))["why"] == "ended"
+            assert (await sender.op("refused"))["reason"] == "request"
+            assert not {"updates", "cursor"} & {message["op"] for message in other.seen[seen:]}
+            await board.send("ask-to-share", pupil=entered["pupil"], program="p")
+            number = (await ada.op("asked-to-share"))["number"]
+            await ada.send("share", number=number, project="{}", text=TEXT)
+            assert (await board.op("shared"))["text"] == TEXT
+            await ada.op("shared")
+
+    in_class(config, lesson)
+
+
+def test_an_answer_that_cannot_be_read_is_none_and_the_question_is_withdrawn(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        ada, entered = await opened.pupil("Ada")
+        board, number = await ask(opened, ada, entered["pupil"])
+        await ada.send("share", number=number, project="x" * 400_001, text=TEXT)
+        assert (await board.op("sharing-over"))["why"] == "ended"
+        assert (await ada.op("sharing-over"))["why"] == "ended"
+        await ada.op("refused")
+        # A pupil who was not asked changes nothing with it.
+        ben, _ = await opened.pupil("Ben")
+        await board.send("ask-to-share", pupil=entered["pupil"], program="p")
+        number = (await ada.op("asked-to-share"))["number"]
+        await ben.send("share", number=number, project="x" * 400_001, text=TEXT)
+        await ben.op("refused")
+        await ada.send("share", number=number, project="{}", text=TEXT)
+        await board.op("shared")
+
+    in_class(config, lesson)
