@@ -126,8 +126,15 @@ function unqualified(name: string): string {
   return name.replace(/^.*\./, "")
 }
 
+/// Brackets in brackets of a type that is read. Deeper types are unknown: nobody writes them, and their readers would need too much stack.
+const mostNested = 500
+
+/// Arguments of a function whose type is read, for the same reason.
+const mostArguments = 5000
+
 class Parser {
   private at = 0
+  private depth = 0
   private readonly tokens: readonly string[]
   constructor(tokens: readonly string[]) {
     this.tokens = tokens
@@ -138,12 +145,13 @@ class Parser {
   }
 
   type(): Type | undefined {
-    const from = this.application()
-    if (from === undefined) return undefined
-    if (this.tokens[this.at] !== "->") return from
-    this.at++
-    const to = this.type()
-    return to === undefined ? undefined : fun(from, to)
+    const parts: Type[] = []
+    do {
+      const part = this.application()
+      if (part === undefined || parts.length === mostArguments) return undefined
+      parts.push(part)
+    } while (this.take("->"))
+    return parts.reduceRight((to, from) => fun(from, to))
   }
 
   private application(): Type | undefined {
@@ -162,6 +170,14 @@ class Parser {
   }
 
   atomic(): Type | undefined {
+    if (this.depth === mostNested) return undefined
+    this.depth++
+    const type = this.bracketed()
+    this.depth--
+    return type
+  }
+
+  private bracketed(): Type | undefined {
     const token = this.tokens[this.at]
     if (token === undefined) return undefined
     this.at++

@@ -1,0 +1,148 @@
+/// Fuzz test of every border of the page: what comes from the service, from files, links and the browser's storage is a value or a fault, and nothing is thrown.
+
+import {readdirSync, readFileSync} from "node:fs"
+import {createRequire} from "node:module"
+import {openReader} from "@rosy/codegen/reader"
+import {describe, expect, test} from "vitest"
+import {readBlockPicture} from "../../src/browser/block_picture.ts"
+import {fragmentOf, programIn} from "../../src/browser/share_link.ts"
+import {readBoardMessage} from "../../src/classroom/board_messages.ts"
+import {readClassMessage} from "../../src/classroom/class_messages.ts"
+import {projectInRoom, roomOf} from "../../src/classroom/hand_in_checks.ts"
+import {readProjectorMessage} from "../../src/classroom/projector_messages.ts"
+import {isForeign, isWorldFile, readHaskell, readProject} from "../../src/controller/document_conversion.ts"
+import {parseHistory, serializeHistory} from "../../src/controller/undo_storage.ts"
+import {readDraft} from "../../src/lesson_editor/draft_file.ts"
+import {readDrafts} from "../../src/lesson_editor/draft_storage.ts"
+import {readAnswer as readRehearsalAnswer} from "../../src/lesson_editor/rehearsal.ts"
+import {isLessonFile, readLessonFile} from "../../src/lessons/lesson_file.ts"
+import {readProgress} from "../../src/lessons/progress.ts"
+import {readAnswer as readRoomTestAnswer} from "../../src/rooms/room_test.ts"
+import {emptyHistory, recordChange} from "../../src/state/history.ts"
+import {readServiceMessage} from "../../src/state/message_decoder.ts"
+import {readWorld} from "../../src/worlds/world_decoder.ts"
+import {Dice, fuzzed} from "./mutation.ts"
+
+const whole = Number(process.env.ROSY_TEST_SHARE ?? 0.1) >= 1
+const seed = Number(process.env.ROSY_TEST_SEED ?? 1)
+/// Cases of each border.
+const cases = whole ? 20_000 : 500
+
+const root = new URL("../../../", import.meta.url)
+const {resolve} = createRequire(new URL("../../package.json", import.meta.url))
+const reader = await openReader({
+  runtime: readFileSync(resolve("web-tree-sitter/web-tree-sitter.wasm")),
+  grammar: readFileSync(resolve("tree-sitter-haskell/tree-sitter-haskell.wasm")),
+})
+
+const read = (path: string) => readFileSync(new URL(path, root), "utf8")
+const files = (folder: string, name: (entry: string) => string) =>
+  readdirSync(new URL(folder, root)).flatMap(entry => {
+    try {
+      return [JSON.parse(read(`${folder}${name(entry)}`)) as unknown]
+    } catch {
+      return []
+    }
+  })
+/// Messages of golden files that the service sends.
+const sent = (folder: string) =>
+  readdirSync(new URL(`protocol/goldens/${folder}`, root)).flatMap(name =>
+    read(`protocol/goldens/${folder}/${name}`)
+      .split("\n")
+      .filter(line => line !== "")
+      .map(line => JSON.parse(line) as {from: string; line: unknown})
+      .filter(({from}) => from === "service")
+      .map(({line}) => line),
+  )
+
+const classMessages = sent("class")
+const worlds = files("sim-service/rosy_sim/worlds/", name => name)
+const lessons = files("examples/lessons/", name => `${name}/lesson.json`)
+const projects = files("examples/", name => `${name}/program.rosy`)
+
+interface Border {
+  readonly name: string
+  readonly seeds: readonly unknown[]
+  readonly read: (text: string) => unknown
+}
+
+const borders: readonly Border[] = [
+  {name: "service", seeds: sent("page"), read: readServiceMessage},
+  {name: "class", seeds: classMessages, read: readClassMessage},
+  {name: "board", seeds: classMessages, read: readBoardMessage},
+  {name: "projector", seeds: classMessages, read: readProjectorMessage},
+  {name: "test in many rooms", seeds: sent("room-test"), read: readRoomTestAnswer},
+  {name: "rehearsal of a lesson", seeds: sent("rehearsals"), read: readRehearsalAnswer},
+  {
+    name: "room",
+    seeds: worlds,
+    read: text => {
+      if (isWorldFile("a.json", text)) readWorld(JSON.parse(text))
+    },
+  },
+  {
+    name: "lesson",
+    seeds: lessons,
+    read: text => [
+      isLessonFile(text),
+      readLessonFile(text, "de"),
+      readDraft(text, "fr"),
+      readProgress(text),
+      readDrafts(text),
+    ],
+  },
+  {
+    name: "project",
+    seeds: projects,
+    read: text => [
+      isForeign("a", text),
+      readProject(reader, text),
+      roomOf(text),
+      projectInRoom(text, "a", {size: [1, 2]}),
+    ],
+  },
+  {name: "picture of blocks", seeds: [[[1, 2, 3, 4, "#fff"]], ...projects], read: readBlockPicture},
+]
+
+describe("nothing is thrown, whatever comes", () => {
+  test.each(borders)("$name", ({name, seeds, read: readIt}) => {
+    expect(seeds.length).toBeGreaterThan(0)
+    const dice = new Dice(seed * 7919 + name.length)
+    for (let number = 0; number < cases; number++) {
+      const text = fuzzed(seeds, dice)
+      try {
+        readIt(text)
+      } catch (fault) {
+        throw new Error(`case ${number} of seed ${seed}: ${text.slice(0, 600)}`, {cause: fault})
+      }
+    }
+  })
+
+  test("link", async () => {
+    const dice = new Dice(seed)
+    const links = await Promise.all(projects.map(project => fragmentOf(JSON.stringify(project))))
+    for (let number = 0; number < cases; number++) {
+      const link = dice.of(links)
+      const at = dice.below(link.length)
+      const end = at + dice.of([0, 1, 40])
+      const damaged = link.slice(0, at) + dice.of(["", "A", "%", "=", "é", "#", "AAAA"]) + link.slice(end)
+      expect(["none", "damaged", "program"], damaged).toContain((await programIn(damaged)).kind)
+    }
+  })
+
+  test("kept steps of undo", () => {
+    const {document} = readHaskell(reader, "a", "main = simulate (Velocity 0.1 0)\n")
+    const after = readHaskell(reader, "a", "main = simulate (Velocity 0.2 0)\n").document
+    const kept = serializeHistory(recordChange(emptyHistory, document, "haskell", 0), after) ?? "{}"
+    const dice = new Dice(seed)
+    for (let number = 0; number < cases; number++)
+      parseHistory(reader, fuzzed([JSON.parse(kept)], dice), after)
+  })
+})
+
+test("the page understands every message of a class that the service's types allow", () => {
+  for (const message of sent("class")) {
+    const text = JSON.stringify(message)
+    expect([readClassMessage(text).kind, readBoardMessage(text).kind], text).toContain("ok")
+  }
+})
