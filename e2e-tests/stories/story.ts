@@ -83,7 +83,7 @@ export function prepareContexts(browser: Browser): () => void {
   }
 }
 
-export const test = base.extend({
+export const test = base.extend<{readonly leftContexts: void}>({
   // The context of a story is one that this opens.
   browser: [
     async ({browser}, use) => {
@@ -92,5 +92,14 @@ export const test = base.extend({
       end()
     },
     {scope: "worker"},
+  ],
+  // Contexts that a story has opened by itself stay open with the browser: their pages would go on drawing, and looking for a
+  // service that has ended, beside the stories that follow.
+  leftContexts: [
+    async ({browser}, use) => {
+      await use()
+      await Promise.all(browser.contexts().map(context => context.close()))
+    },
+    {auto: true},
   ],
 })
