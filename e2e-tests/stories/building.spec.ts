@@ -75,12 +75,13 @@ const hands = [
   {with: "by keyboard alone", of: (page: Page): Hands => new Keys(page)},
 ] as const
 
-// One of the shorter programs each day: `editor/test/blocks/building.web.test.ts` builds with both hands daily, without the page
-// around the blocks. The random walker takes three minutes by keyboard and is built nightly.
+// One of the shorter programs on one day in four: it takes 60 to 90 s of processor time. On every day `every-lesson.spec.ts` builds
+// a lesson's solutions from blocks in this page, `words.spec.ts` a program by mouse, and `editor/test/blocks/building.web.test.ts`
+// whole programs with both hands without the page around the blocks. The random walker takes three minutes by keyboard and is built nightly.
 const stories = programs
   .filter(({example}) => isFull || example !== "randomWalk")
   .flatMap(program => hands.map(by => ({...program, by})))
-for (const {title, example, recipe, behaves, by} of rotated(stories, stories.length)) {
+for (const {title, example, recipe, behaves, by} of rotated(stories, stories.length * 4)) {
   test(`${title} ${by.with}`, async ({page}) => {
     await behaves(page, await builds(page, example, recipe, by.of(page)))
   })
