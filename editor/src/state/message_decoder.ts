@@ -3,7 +3,7 @@
 import {lessonChecks} from "../lessons/lesson.ts"
 import {preview} from "../preview/preview.ts"
 import {explanation} from "../why/explanation.ts"
-import {worded, wordedText} from "../words/worker_sentences.ts"
+import {worded} from "../words/worker_sentences.ts"
 import type {World} from "../worlds/world.ts"
 import {readWorld} from "../worlds/world_decoder.ts"
 import type {Channels} from "./channels.ts"
@@ -144,7 +144,7 @@ const robotName = object<RobotName>(get => ({
 const robot = object(get => ({
   name: get("name", string),
   link: get("link", oneOf("connecting", "connected", "lost", "gone")),
-  why: wordedText(get("why", string)),
+  why: worded(get("sentence", optional(sentence, null)), get("why", string)),
   stopped: get("stopped", boolean),
   maxSpeed: get("max_speed", number),
   maxTurn: get("max_turn", number),

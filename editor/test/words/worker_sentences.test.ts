@@ -204,3 +204,20 @@ it("a refusal of the service is read in the language of the page", async () => {
   const read = readServiceMessage(JSON.stringify(refusal))
   expect(read).toMatchObject({value: {message: "Dieser Ort ist außerhalb des Raums.", hint: ""}})
 })
+
+it("the reason why a robot cannot be driven is read in the language of the page, with its arguments", async () => {
+  chooseSentences(await sentenceFormsOf("de"))
+  const lost = {
+    op: "robot",
+    name: "Kitchen",
+    link: "lost",
+    why: "its firmware 0.9 speaks another protocol",
+    sentence: {id: "its firmware {version} speaks another protocol", arguments: {version: "0.9"}},
+    stopped: true,
+    max_speed: 0.7,
+    max_turn: 3.1,
+  }
+  const read = readServiceMessage(JSON.stringify(lost))
+  const why = "seine Firmware 0.9 spricht ein anderes Protokoll"
+  expect(read).toMatchObject({kind: "ok", value: {robot: {why}}})
+})

@@ -15,8 +15,9 @@ from ..errors import BadInput
 from ..explain.why_not import RobotLimits
 from ..run.page_run import RunView
 from ..run.velocity_guard import SafetySettings
-from ..sentence import tr
+from ..sentence import Sentence, tr
 from ..wire import page
+from ..wire.problem import to_wire
 from ..wire.robot_process import DriveSettingsLine, FrameLine, Line, LinkLine, SaidLine, SoundLine, StoppedLine
 from .robot_process import RobotProcess
 from .robot_registry import RobotRegistry
@@ -127,7 +128,7 @@ class RobotOwnership:
     def release(self) -> None:
         """Stop the robot; other pages may own it as soon as it has stopped."""
         process, self.process = self.process, None
-        state = self._clear_state("")
+        state = self._clear_state()
         if process is not None and state is not None:
             task = asyncio.get_running_loop().create_task(self._end_process(process, state.name))
             self._releases.add(task)
@@ -143,11 +144,12 @@ class RobotOwnership:
         await process.close()
         self._registry.release(name, self._session)
 
-    def _clear_state(self, why: str) -> page.RobotState | None:
+    def _clear_state(self, why: Sentence | None = None) -> page.RobotState | None:
         """Tell the page that it owns no robot any more; returns the last state of the one it had."""
         state, self._state = self._state, None
         if state is not None:
-            self._send(msgspec.structs.replace(state, link="gone", why=why, stopped=False))
+            said, sentence = ("", None) if why is None else (str(why), to_wire(why))
+            self._send(msgspec.structs.replace(state, link="gone", why=said, sentence=sentence, stopped=False))
             self._safety.report(False, 0.0)
             self._view.show_simulator()
         return state
@@ -163,8 +165,8 @@ class RobotOwnership:
             case DriveSettingsLine(safety, max_speed, max_turn):
                 self._safety.set(SafetySettings(safety, max_speed, max_turn))
                 self._update(max_speed=max_speed, max_turn=max_turn)
-            case LinkLine(link, why):
-                self._update(link=link, why=why)
+            case LinkLine(link, why, sentence):
+                self._update(link=link, why=why, sentence=sentence)
             case StoppedLine(stopped):
                 self._update(stopped=stopped)
             case FrameLine():
@@ -185,6 +187,6 @@ class RobotOwnership:
     def on_gone(self) -> None:
         """rosy-robot has ended by itself."""
         self.process = None
-        state = self._clear_state(str(tr("The part of Rosy that speaks to the robot has ended.")))
+        state = self._clear_state(tr("The part of Rosy that speaks to the robot has ended."))
         if state is not None:
             self._registry.release(state.name, self._session)

@@ -13,9 +13,9 @@ from typing import Any, Literal
 import msgspec
 
 from .. import sentence
-from .explanation import Sentence
+from .explanation import Sentence as ExplanationSentence
 from .firing import Branch, Firing, Place
-from .problem import Problem, Sentences, sentences
+from .problem import Problem, Sentence, Sentences, sentences
 from .robot_link import MemoryValue
 from .telemetry import PlayedSound, Speech, Telemetry
 from .user_input import UserInput
@@ -369,7 +369,7 @@ def firing_shown(firing: Firing, time: float) -> FiringShown:
 class SentenceShown(msgspec.Struct, omit_defaults=True):
     """A sentence of an explanation, the time that it is about, s, and the firing, if it is about one."""
 
-    said: Sentence
+    said: ExplanationSentence
     time: float
     firing: int | None = None
 
@@ -496,8 +496,11 @@ class Robots(msgspec.Struct, tag="robots", tag_field="op"):
     robots: list[RobotName]
 
 
-class RobotState(msgspec.Struct, tag="robot", tag_field="op"):
-    """The robot that this page owns. ``link`` is ``gone`` when the ownership has ended."""
+class RobotState(msgspec.Struct, tag="robot", tag_field="op", omit_defaults=True):
+    """
+    The robot that this page owns. ``link`` is ``gone`` when the ownership has ended; ``sentence`` is what ``why`` says,
+    for other languages.
+    """
 
     name: str
     link: Literal["connecting", "connected", "lost", "gone"]
@@ -507,6 +510,7 @@ class RobotState(msgspec.Struct, tag="robot", tag_field="op"):
     # m/s, rad/s.
     max_speed: float
     max_turn: float
+    sentence: Sentence | None = None
 
 
 class Safety(msgspec.Struct, tag="safety", tag_field="op", omit_defaults=True):

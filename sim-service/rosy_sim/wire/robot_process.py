@@ -9,7 +9,7 @@ from typing import Any, Literal
 import msgspec
 
 from .firing import Firing
-from .problem import Problem
+from .problem import Problem, Sentence
 from .robot_link import MemoryValue
 from .telemetry import PlayedSound, Shown, Speech, Telemetry
 
@@ -40,11 +40,13 @@ class DriveSettingsLine(msgspec.Struct, tag="holding", tag_field="op"):
     max_turn: float
 
 
-class LinkLine(msgspec.Struct, tag="link", tag_field="op"):
+class LinkLine(msgspec.Struct, tag="link", tag_field="op", omit_defaults=True):
     """The state of the connection to the robot."""
 
     link: Literal["connecting", "connected", "lost"]
     why: str
+    # The same for other languages.
+    sentence: Sentence | None = None
 
 
 class FrameLine(Telemetry, tag="frame", tag_field="op"):

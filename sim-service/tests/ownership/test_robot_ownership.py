@@ -256,6 +256,7 @@ def test_a_pulled_cable_is_told_and_found_again(config: Config, tmp_path: Path) 
         rig.robot.ask("unplug")
         lost = await rig.page.op("robot", link="lost")
         assert lost["why"]
+        assert lost["sentence"]["id"] == lost["why"]
         rig.robot.ask("plug")
         await rig.page.op("robot", link="connected")
 

@@ -37,8 +37,8 @@ import Data.Text (Text)
 import Rosy.Channel
 import Rosy.Profile
 import Rosy.Robot
-import Rosy.Robots.Connection (Notice (..))
-import Rosy.Sentence (english)
+import Rosy.Robots.Connection (Notice (..), unknownReason)
+import Rosy.Sentence (Sentence, english, sentenceId)
 import Rosy.Topic (pattern OpenAction)
 
 -- | The known state of a robot.
@@ -121,16 +121,16 @@ holdingLine safety v w = line ["op" .= ("holding" :: Text), "safety" .= safety, 
 
 linkLine :: Notice -> L.ByteString
 linkLine n = case n of
-  IsAwaited why -> link "connecting" (english why)
-  IsThere -> link "connected" ""
-  IsLost why -> link "lost" (english why)
-  IsBack -> link "connected" ""
-  IsRefused why -> link "lost" (english why)
+  IsAwaited why -> link "connecting" why
+  IsThere -> link "connected" unknownReason
+  IsLost why -> link "lost" why
+  IsBack -> link "connected" unknownReason
+  IsRefused why -> link "lost" why
   -- Says nothing about the link but that it is there.
-  IsComplaining _ -> link "connected" ""
+  IsComplaining _ -> link "connected" unknownReason
   where
-    link :: Text -> Text -> L.ByteString
-    link state why = line ["op" .= ("link" :: Text), "link" .= state, "why" .= why]
+    link :: Text -> Sentence -> L.ByteString
+    link state why = line (["op" .= ("link" :: Text), "link" .= state, "why" .= english why] ++ ["sentence" .= s | Just s <- [sentenceId why]])
 
 saidLine :: Double -> String -> L.ByteString
 saidLine time text = line ["op" .= ("said" :: Text), "time" .= time, "text" .= take 10000 text]

@@ -18,7 +18,7 @@ import Rosy.Robot.Known (simulated)
 import Rosy.Robots.Connection (Notice (..), unknownReason)
 import Rosy.Robots.RobotProcess (readRequest)
 import Rosy.Robots.Telemetry
-import Rosy.Sentence (verbatim)
+import Rosy.Sentence (tr, trWith, (=:))
 import System.Directory (listDirectory)
 import Test.Tasty
 import Test.Tasty.HUnit
@@ -34,6 +34,9 @@ tests =
       testCase "says nothing but what stands in the golden conversations" $ do
         golden <- spoken "holder"
         sort (nub (map shape golden)) @?= sort (nub (map shape said)),
+      testCase "says why a robot is lost as a sentence with its arguments" $
+        fieldOf "sentence" (linkLine (IsRefused (trWith "its firmware {version} speaks another protocol" ["version" =: "0.9"])))
+          @?= Just (Aeson.object ["id" Aeson..= ("its firmware {version} speaks another protocol" :: T.Text), "arguments" Aeson..= Aeson.object ["version" Aeson..= ("0.9" :: T.Text)]]),
       testCase "shows the state of each sensor, the left one first" $
         map robotState [BumperMessage (Bumper LeftBumper Pressed), CliffMessage (Cliff RightCliff Hole), WheelMessage (Wheel LeftWheel Air), ButtonMessage (Button Button2 Pressed)]
           @?= [([1, 0, 0], [0, 0, 0], [0, 0], [0, 0, 0]), ([0, 0, 0], [0, 0, 1], [0, 0], [0, 0, 0]), ([0, 0, 0], [0, 0, 0], [1, 0], [0, 0, 0]), ([0, 0, 0], [0, 0, 0], [0, 0], [0, 0, 1])],
@@ -57,7 +60,7 @@ tests =
       _ -> []
     fieldOf k l = case Aeson.decode l of Just (Object o) -> KeyMap.lookup k o; _ -> Nothing
     said =
-      mapMaybe Aeson.decode ([holdingLine True 0.7 3.14, saidLine 0 "hi", soundLine 0 OnSound, commandsLine 0 ["move"] [] [VelocityCommand (Velocity 0.2 0)] Nothing, commandsLine 0 ["move"] [] [] (Just (False, Aeson.object [])), endedLine 0 "done" Nothing, endedLine 0 "error" (Just (Aeson.object [])), stoppedLine True, fst (frameLine 0 False moved)] ++ map linkLine [IsAwaited unknownReason, IsThere, IsLost (verbatim "x")])
+      mapMaybe Aeson.decode ([holdingLine True 0.7 3.14, saidLine 0 "hi", soundLine 0 OnSound, commandsLine 0 ["move"] [] [VelocityCommand (Velocity 0.2 0)] Nothing, commandsLine 0 ["move"] [] [] (Just (False, Aeson.object [])), endedLine 0 "done" Nothing, endedLine 0 "error" (Just (Aeson.object [])), stoppedLine True, fst (frameLine 0 False moved)] ++ map linkLine [IsAwaited unknownReason, IsThere, IsLost (tr "the cable was pulled")])
     moved = applyCommand (Led1Command (Led1 Red)) (applyMessage (OdometryMessage (Odometry (Position 1 2) (Orientation 3) (Velocity 4 5))) blank)
 
 -- | A line's word and the names of its fields.
