@@ -364,6 +364,52 @@ def test_the_board_shows_the_room_of_a_pupils_page(config: Config) -> None:
     in_class(config, lesson)
 
 
+_START = {"x": 1, "y": 1, "theta": 0}
+_SVG = "<svg onload=harm()><script>harm()</script></svg>"
+_DATA = "data:image/svg+xml,<svg onload='harm()'/>"
+
+NO_ROOMS: list[dict[str, Any]] = [
+    {"size": [3, 3], "start": _START, "background": _DATA},
+    {"size": [3, 3], "start": _START, "picture": _SVG},
+    {"size": [3, 3], "start": _START, "thumbnail": {"href": "https://harm.example/a.png"}},
+    {"name": {"svg": _SVG}, "size": [3, 3], "start": _START},
+    {"title": [_SVG], "size": [3, 3], "start": _START},
+    {"size": [1e9, 1e9], "start": _START},
+    {"size": [3, 3], "start": {"x": _SVG, "y": _DATA, "theta": None}},
+    {"tiles": [_SVG, _SVG], "start": _START},
+    {"tile": 1e-9, "tiles": ["..", ".."], "start": _START},
+    {"tiles": ["." * 2000] * 300, "start": _START},
+    {"size": [3, 3], "start": _START, "walls": [_DATA]},
+    {"size": [3, 3], "start": _START, "boxes": [{"x": 1, "y": 1, "w": 1, "h": _SVG}]},
+    {"size": [3, 3], "start": _START, "boxes": [{"x": 2, "y": 2, "w": 0.1, "h": 0.1}] * 2001},
+    {"size": [3, 3], "start": _START, "goals": [{"kind": "reach", "x": 2, "y": 2, "r": _DATA}]},
+    {"size": [3, 3], "start": _START, "goals": [{"kind": _SVG, "x": 2, "y": 2, "r": 1}]},
+    {"size": [3, 3], "start": _START, "dock": _SVG},
+    {"size": [3, 3], "start": _START, "realism": {"slip": _SVG}},
+]
+
+
+def test_a_room_that_would_be_another_picture_never_reaches_the_board(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        page = await opened.open("session")
+        hello = await page.op("hello")
+        ada, _ = await opened.pupil("Ada")
+        await ada.send("here", session=hello["session"])
+        board = await opened.board()
+        await board.op("room")
+        await page.op("world")
+        for world in NO_ROOMS:
+            await page.send("world", world=world)
+            await page.op("refusal")
+        # Markup where a name may stand is text, as in a nickname.
+        room = {"name": _SVG, "title": _DATA, "size": [2, 2], "start": _START}
+        await page.send("world", world=room)
+        assert (await board.op("room"))["world"] == room
+        assert [message["op"] for message in board.seen].count("room") == 2
+
+    in_class(config, lesson)
+
+
 def test_a_page_of_another_site_is_kept_out(config: Config) -> None:
     async def lesson(opened: Class) -> None:
         for path in ("class", "board"):
