@@ -127,7 +127,9 @@ function closed(page: Page): Promise<void> {
   return page.evaluate(
     () =>
       new Promise<void>(done => {
-        const button = document.querySelector<HTMLElement>('[data-testid="why"] [aria-label="Close the answer"]')
+        const button = document.querySelector<HTMLElement>(
+          '[data-testid="why"] [aria-label="Close the answer"]',
+        )
         if (button === null) throw new Error("expected the button that closes the answer, found none")
         button.click()
         const look = () => {

@@ -61,5 +61,8 @@ test("blocks and text show what functions took and gave, now and when the learne
   await showsValues(page, false)
   await expect(page.locator(".hs-value, .rosyValue")).toHaveCount(0)
   await expect(page.locator(".hs-taken, .rosyTaken")).toHaveCount(0)
+  // And they are there at once when they are wanted again, also of a function that does not fire meanwhile.
+  await showsValues(page, true)
+  await expect(bump).toHaveText(/→ Memory True/)
   await learner.stops()
 })

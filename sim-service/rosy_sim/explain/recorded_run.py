@@ -117,6 +117,11 @@ class RecordedRun:
         """All firings in order, with their times."""
         return [(step.time, firing) for step in self._steps for firing in step.firings]
 
+    def latest_firings(self) -> list[tuple[float, Firing]]:
+        """The latest firing of each function, with its time, in order."""
+        latest = {firing.function: (time, firing) for time, firing in self.firings()}
+        return sorted(latest.values(), key=lambda found: found[1].n)
+
     def events(self) -> list[tuple[float, str]]:
         """All events that the program sensed or sent itself, with their times."""
         return [(step.time, text) for step in self._steps for text in step.events]

@@ -176,10 +176,7 @@ class PageSession:
             case page.Input():
                 self._hands.between_steps(lambda: self._serve_input(request))
             case page.Observe():
-                self._observes = request.on
-                self._view.shows_firings = request.on and request.frames
-                if isinstance(self._run, SimulatedRun | RobotRun):
-                    self._run.observe(request.on)
+                self._observe(request)
             case page.Visibility():
                 self._view.set_visibility(request.state)
             case page.Why() | page.WhyNot():
@@ -330,6 +327,21 @@ class PageSession:
     def _on_checked(self, source: str, checked: page.Checked) -> None:
         self._lesson.on_checked(source, checked, self.world.arena)
         self._explanations.on_checked(source, checked)
+
+    def _observe(self, request: page.Observe) -> None:
+        self._observes = request.on
+        showed, shows = self._view.shows_firings, request.on and request.frames
+        self._view.shows_firings = shows
+        if isinstance(self._run, SimulatedRun | RobotRun):
+            self._run.observe(request.on)
+        simulated = self._simulated_run()
+        if shows and not showed and not (simulated is not None and simulated.is_replaying):
+            # A page that begins to show values in a run that stands still or is over has those of now, too.
+            latest = self._explanations.latest_firings(self._view.run)
+            for time, firing in latest:
+                self._view.add_firings(time, [firing])
+            if latest:
+                self._view.show_frame(force=True)
 
     def _on_step(self, lockstep: Lockstep) -> None:
         self._lesson.on_step(lockstep)

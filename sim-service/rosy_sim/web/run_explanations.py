@@ -164,6 +164,11 @@ class RunExplanations:
             is_placed=is_placed,
         )
 
+    def latest_firings(self, run: int) -> list[tuple[float, Firing]]:
+        """The latest firing of each function, with its time, in order; none of a run that is not the latest one."""
+        record = self._latest.record
+        return record.latest_firings() if record is not None and run == self._latest.run else []
+
     def answer(self, request: page.Why | page.WhyNot) -> None:
         """Answer a question of the page."""
         about = self._about(request.run)

@@ -660,6 +660,25 @@ def test_a_page_that_observes_its_run_gets_the_firings_with_their_times(config: 
     story(play, config)
 
 
+def test_a_page_that_begins_to_show_values_gets_the_latest_firing_of_each_function(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("observe", on=True)
+        await page.send("run", run=1, source="tell")
+        await page.send("pause")
+        await page.op("state", run=1, state="running")
+        for step in range(1, 4):
+            await page.send("forward")
+            assert "firings" not in await page.op("frame", run=1, step=step)
+        await page.send("observe", on=True, frames=True)
+        frame = await page.op("frame", run=1, step=3)
+        assert [(firing["function"], firing["n"], firing["time"]) for firing in frame["firings"]] == [("f", 2, 0.04)]
+        await page.send("forward")
+        frame = await page.op("frame", run=1, step=4)
+        assert [firing["n"] for firing in frame["firings"]] == [3]
+
+    story(play, config)
+
+
 def test_a_page_asks_why_and_why_not(config: Config) -> None:
     async def play(page: Page, _: Service) -> None:
         await page.send("why", id=1)
