@@ -9,7 +9,10 @@ from dataclasses import dataclass, field
 __all__ = ["MOST_OBSERVED", "ObservedRuns"]
 
 MOST_OBSERVED = 32
-"""Runs that are observed at the same time, one per page of a class: at 50 steps per second a third of a core."""
+"""
+Runs that are observed at the same time, one per page of a class: at 50 steps per second recording takes a tenth of a
+core.
+"""
 
 
 @dataclass(frozen=True, slots=True)
