@@ -131,10 +131,11 @@ def _raises_sentence(node: ast.Raise | ast.Assert) -> bool:
 
 
 def content_ids(root: Path = ROOT) -> set[str]:
-    """Titles of the gallery's rooms and of their goals, and what the examples teach: each is its own id."""
+    """Titles of the gallery's rooms, of their goals and of those in lessons, and what the examples teach: each is its own id."""
     found: set[str] = set()
-    for path in sorted((root / _ROOMS).glob("*.json")):
-        room = json.loads(path.read_text())
+    rooms = [json.loads(path.read_text()) for path in sorted((root / _ROOMS).glob("*.json"))]
+    lessons = [json.loads(path.read_text()) for path in sorted((root / _EXAMPLES).glob("lessons/*/lesson.json"))]
+    for room in [*rooms, *(lesson["room"] for lesson in lessons)]:
         found |= {said for said in (room.get("title"), *(goal.get("title") for goal in room.get("goals", []))) if said}
     for path in sorted((root / _EXAMPLES).glob("*/README.md")):
         if (path.parent / "program.rosy").is_file():

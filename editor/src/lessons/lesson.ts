@@ -189,7 +189,8 @@ export function lessonDecoder(language: string): Decoder<Lesson> {
       title: said.title,
       idea: said.idea,
       learned: said.learned,
-      room: get("room", room),
+      // A room without a title is called like its lesson.
+      room: {title: said.title, ...get("room", room)},
       toolbox: get("toolbox", optional(list(string), null)),
       start: get("start", string),
       steps: get("steps", list(step)),

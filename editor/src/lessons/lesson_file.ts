@@ -47,7 +47,7 @@ export function readLessonFile(text: string, language: string): ReadLesson {
     examine(lesson)
     const name = `own ${lesson.name}`
     // As the service names rooms of its lessons: by this name a reload finds the learner's version of the program.
-    const room = {title: lesson.title, ...lesson.room, name: `lesson ${name}`}
+    const room = {...lesson.room, name: `lesson ${name}`}
     return {kind: "lesson", lesson: {...lesson, name, room, number: null, next: null, file: text}}
   } catch (fault) {
     if (fault instanceof Mismatch) return {kind: "damaged", at: fault.path}

@@ -71,6 +71,16 @@ const judged = (run: number | null, passed: boolean): LessonEvent => {
 const done = (state: LessonsState) => state.progress["small"] ?? []
 
 describe("a lesson", () => {
+  test("has a room that is called like it, in the same language, unless the room has a title", () => {
+    const german = {...file.texts.en, title: "Klein"}
+    const titleOf = (room: object) => {
+      const read = decode(lessonDecoder("de"), {...file, room, texts: {...file.texts, de: german}})
+      return read.kind === "ok" ? read.value.room["title"] : read
+    }
+    expect(titleOf(file.room)).toBe("Klein")
+    expect(titleOf({...file.room, title: "A hall"})).toBe("A hall")
+  })
+
   test("is read in English where the language is missing", () => {
     expect(lesson().title).toBe("Small")
     expect(lesson().steps[2]?.checks).toEqual([{id: "far", text: "It drives far", hints: ["Why?", "There"]}])

@@ -71,7 +71,7 @@ def lesson_json(folder: Path, name: str) -> dict[str, Any] | None:
         "name": name,
         "course": lesson.file.course,
         "number": lesson.file.number,
-        "room": {"title": lesson.texts["en"].title, **lesson.world, "name": f"lesson {name}"},
+        "room": {**lesson.world, "name": f"lesson {name}"},
         "toolbox": sorted({word for earlier in found[: place + 1] for word in earlier.file.blocks}),
         "start": lesson.start,
         "steps": steps,
