@@ -67,6 +67,11 @@ export async function classPictures(browser: Browser, shoot: Shoot): Promise<voi
     await shoot(teacher, "class-teach")
     await worksTogether(teacher, new Learner(ada), shoot)
     await showsOnProjector(teacher, shoot)
+    await teacher.getByRole("button", {name: "Eyes up"}).click()
+    await expect(ada.getByTestId("eyes-up")).toBeVisible()
+    await shoot(ada, "class-eyes-up")
+    await teacher.getByRole("button", {name: "Let them go on"}).click()
+    await expect(ada.getByTestId("eyes-up")).toHaveCount(0)
 
     await teacher.getByRole("textbox", {name: "Title of a task"}).fill("Drive a square")
     await teacher.getByRole("button", {name: "Open the task"}).click()
@@ -77,6 +82,8 @@ export async function classPictures(browser: Browser, shoot: Shoot): Promise<voi
     await shoot(teacher, "class-hand-in")
     await checksHandIns(teacher)
     await shoot(teacher, "class-check")
+    await teacher.getByTestId("backup-tool").evaluate(tool => tool.scrollIntoView({block: "center"}))
+    await shoot(teacher, "class-end")
   } finally {
     for (const context of contexts) await context.close()
     await service.ends()

@@ -72,7 +72,9 @@ export function ShownProgramDialog({shown, send}: Props): VNode {
     <dialog class="board-program" ref={dialog} aria-label={title} onClose={() => change({shown: null})}>
       <header>
         <h2>{title}</h2>
-        <BoardSharing shown={shown} follows={guest.follows} send={send} />
+        <div class="board-program-sharing">
+          <BoardSharing shown={shown} follows={guest.follows} send={send} />
+        </div>
         <button type="button" class="plain" onClick={() => change({shown: null})}>
           {w.close}
         </button>
