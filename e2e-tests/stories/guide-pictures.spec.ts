@@ -6,6 +6,7 @@
 import {readFileSync, writeFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
 import {type Browser, expect, type Page} from "@playwright/test"
+import {wholeChromium} from "../../editor/test/chromium.ts"
 import {classPictures} from "./class_pictures.ts"
 import {rotated} from "./extent.ts"
 import {withPalette} from "./palette_png.ts"
@@ -46,8 +47,12 @@ const pictures: readonly Picture[] = [
 const folder = fileURLToPath(new URL("../../docs/pictures/", import.meta.url))
 const madeWith = `${folder}made-with.json`
 
-/// 1,500 pixels for the 750 that a page of the guide has.
-test.use({viewport: {width: 1200, height: 720}, deviceScaleFactor: 1.25})
+/// 1,500 pixels for the 750 that a page of the guide has. In the whole browser: its headless shell draws letters a little differently.
+test.use({
+  viewport: {width: 1200, height: 720},
+  deviceScaleFactor: 1.25,
+  launchOptions: async ({launchOptions}, use) => use({...launchOptions, executablePath: wholeChromium}),
+})
 
 const isUpdate = (info: {readonly config: {readonly updateSnapshots: string}}) =>
   info.config.updateSnapshots === "all"
