@@ -34,9 +34,13 @@ export async function programIn(fragment: string): Promise<LinkedProgram> {
   return bytes === null ? {kind: "damaged"} : {kind, text: new TextDecoder().decode(bytes)}
 }
 
-/// The same JSON without the spaces that make a file readable.
+/// The same JSON without the spaces that make a file readable. A text that is none stays as it is: the page that opens the link says what is wrong with it.
 function compact(json: string): string {
-  return JSON.stringify(JSON.parse(json))
+  try {
+    return JSON.stringify(JSON.parse(json))
+  } catch {
+    return json
+  }
 }
 
 function through(

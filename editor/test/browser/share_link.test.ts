@@ -22,6 +22,11 @@ describe("a link with a program", () => {
     for (const {text} of projects) expect(await linked(text)).toEqual(parseProject(text))
   })
 
+  it("brings a text that is no project to the page that says so", async () => {
+    for (const text of ["<svg onload=harm()>", "[".repeat(100_000), "{", "7"])
+      expect(await linked(text)).toMatchObject({ok: false})
+  })
+
   it("has room for 1,000 lines", async () => {
     const lines = Array.from(
       {length: 500},

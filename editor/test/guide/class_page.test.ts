@@ -4,7 +4,8 @@ import {readFileSync} from "node:fs"
 import {expect, test} from "vitest"
 import {en} from "../../src/words/en/index.ts"
 
-const guide = readFileSync(new URL("../../../docs/class.md", import.meta.url), "utf8")
+const docs = new URL("../../../docs/", import.meta.url)
+const guide = readFileSync(new URL("class.md", docs), "utf8")
 
 /// What the guide puts into a sentence that has a part.
 const part = "10:42"
