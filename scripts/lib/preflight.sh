@@ -6,7 +6,7 @@
 # download. Nothing is changed on the machine.
 
 # GHC versions for which the worker is built and tested.
-GHC_SUPPORTED="9.0 9.4 9.6"
+GHC_SUPPORTED="9.0 9.4 9.6 9.10"
 
 missing=()
 lacks() { missing+=("$1"$'\n'"      $2"); } # lacks SENTENCE COMMAND

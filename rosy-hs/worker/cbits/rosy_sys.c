@@ -298,6 +298,25 @@ void rosy_limit_heap(uint64_t bytes) {
   RtsFlags.GcFlags.maxHeapSize = (mblocks_allocated * MBLOCK_SIZE + bytes) / BLOCK_SIZE;
 }
 
+/*
+ * Makes the next major collection give all free memory back to the system at once. The run-time system would keep several times of what
+ * is in use, also what that collection has just copied.
+ */
+static double usual_factor;
+void rosy_compact_begin(void) {
+  usual_factor = RtsFlags.GcFlags.oldGenFactor;
+  RtsFlags.GcFlags.oldGenFactor = -1;
+  RtsFlags.MiscFlags.disableDelayedOsMemoryReturn = true;
+}
+
+/* After that collection: the next one of the oldest generation comes when it has grown as usual, not at once. */
+void rosy_compact_end(void) {
+  W_ grown = (W_)(oldest_gen->n_blocks * usual_factor);
+  RtsFlags.GcFlags.oldGenFactor = usual_factor;
+  if (oldest_gen->max_blocks < grown) oldest_gen->max_blocks = grown;
+  rosy_area_clear();
+}
+
 /* How much a program may allocate between two collections; the next collection makes it so. */
 void rosy_area(uint64_t bytes) { RtsFlags.GcFlags.minAllocAreaSize = bytes / BLOCK_SIZE; }
 

@@ -33,6 +33,8 @@ int rosy_filter_running(void);
 int rosy_limit_data(uint64_t bytes);
 int rosy_limit_process(uint64_t data_bytes, int alone);
 void rosy_limit_heap(uint64_t bytes);
+void rosy_compact_begin(void);
+void rosy_compact_end(void);
 uint64_t rosy_data_size(void);
 uint64_t rosy_anonymous_memory(int pid);
 uint64_t rosy_machine_memory(void);

@@ -7,6 +7,7 @@
 module Rosy.Worker.CompilerMessage
   ( CompilerMessage (..),
     Category (..),
+    Finding (..),
     ProgramOutline (..),
     emptyOutline,
     enclosing,
@@ -41,9 +42,27 @@ data Category
     Other
   deriving (Eq, Show)
 
+-- | What GHC states as data, from GHC 9.6 on. Older versions state it in prose only, which "Rosy.Worker.Explanation" then reads. Types are
+-- rendered as in a message.
+data Finding
+  = -- | The expected and the actual type.
+    TypesDiffer Text Text
+  | -- | A constraint that no instance satisfies, and the name or literal that it arises from, if it arises from one.
+    InstanceMissing Text (Maybe Text)
+  | -- | A type variable of which too little is known, the constraint on it, and the name or literal that the constraint arises from.
+    VariableAmbiguous Text Text (Maybe Text)
+  | -- | A qualified name whose module is not imported: the module.
+    ModuleNotImported Text
+  | -- | A type that is not in scope, while a data constructor of that name is.
+    ConstructorAsType
+  deriving (Eq, Show)
+
 -- | One message. The three lists are the parts of GHC's document: the error, its context (innermost first), and hints.
 data CompilerMessage = CompilerMessage
   { category :: Category,
+    -- | The number of GHC's code for the message, from GHC 9.6 on; some messages have none.
+    messageCode :: Maybe Int,
+    finding :: Maybe Finding,
     messageSeverity :: Severity,
     messageSpan :: Maybe Span,
     important :: [Text],

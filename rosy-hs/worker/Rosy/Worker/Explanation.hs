@@ -5,7 +5,7 @@
 -- Description : Explanations of compiler messages in sentences for learners.
 --
 -- Analyses each message (category, parts, types) and states the problem in two short sentences: what is wrong, then why or what to do.
--- Where GHC reports an error only in prose, the prose is matched; all such matching is in this module and its folder. A message
+-- What GHC states as data ('finding', 'messageCode') comes first; prose is matched where it states none, in this module and its folder. A message
 -- that is not recognised keeps its position and GHC's wording.
 module Rosy.Worker.Explanation
   ( explainAll,
@@ -52,7 +52,7 @@ withoutHiddenEnds ps
 
 -- | GHC's wording without generated names.
 original :: CompilerMessage -> Text
-original raw = Text.strip (withoutGeneratedNames (Text.intercalate "\n" (filter (not . Text.null . Text.strip) (map dull (important raw) ++ context raw ++ supplementary raw))))
+original raw = maybe "" (\n -> "[GHC-" <> Text.justifyRight 5 '0' (Text.pack (show n)) <> "] ") (messageCode raw) <> Text.strip (withoutGeneratedNames (Text.intercalate "\n" (filter (not . Text.null . Text.strip) (map dull (important raw) ++ context raw ++ supplementary raw))))
   where
     -- Lists of known instances do not help learners.
     dull t = Text.unlines (takeWhile (not . isNoise) (Text.lines t))
@@ -98,7 +98,7 @@ withoutConsequences ps = nubBy (\x y -> place x == place y && kind x == kind y) 
 -- | Explains one message.
 explain :: ProgramOutline -> CompilerMessage -> Problem
 explain outline raw = case category raw of
-  Syntax -> explainSyntax (text outline) said (messageSpan raw)
+  Syntax -> explainSyntax (text outline) (messageCode raw) said (messageSpan raw)
   Tabs -> problem "tab" (tr "There is a tab in the program.") (tr "Use spaces: a tab is not equally wide everywhere.")
   Hole -> hole
   Scope -> notInScope
@@ -115,11 +115,19 @@ explain outline raw = case category raw of
     names = quotedParts said
     firstName = fromMaybe "this" (listToMaybe names)
     saying t = t `Text.isInfixOf` said
+    -- By GHC's code where the message has one; by its prose where it has none, as in GHC 9.0.
+    states number t = maybe (saying t) (== number) (messageCode raw)
     unknown = problem "other" (tr "The compiler does not accept this.") (tr "Its own words are one click away.")
 
     hole = problem "hole" (tr "Something is missing here.") (whatFits raw)
 
+    notImported = case finding raw of
+      Just (ModuleNotImported q) -> Just q
+      _ -> Nothing
+    moduleNotImported q = problem "not-in-scope" (trWith "‘{module}’ is not imported." ["module" =: q]) (importHint q)
+
     notInScope
+      | Just q <- notImported = moduleNotImported q
       | Just advice <- unitHint unknownName, endsInNumber before = problem "unit" (tr "A number stands without its unit.") advice
       | behindDot = problem "operator" (tr "A value has no parts behind a dot.") (tr "Take it apart with a pattern, for example: (Position x y).")
       | Text.isPrefixOf "(" unknownName = problem "operator" (trWith "There is no sign ‘{sign}’." ["sign" =: sign]) (fromMaybe (nearMiss everything sign) (foreignNameHint sign))
@@ -129,6 +137,7 @@ explain outline raw = case category raw of
     sign = Text.dropAround (`elem` ("()" :: String)) unknownName
     before = maybe "" (\s -> Text.take (column (start s) - 1) (lineOf s)) (messageSpan raw)
     lineOf s = fromMaybe "" (listToMaybe (drop (line (start s) - 1) (Text.lines (text outline))))
+    lastWord = maybe "" (Text.dropWhile (== '(')) . listToMaybe . reverse . Text.words
     -- As in p.x: the dot touches both.
     behindDot = case Text.unsnoc before of
       Just (rest, '.') | Just (_, c) <- Text.unsnoc rest -> isAlphaNum c || c == ')'
@@ -136,15 +145,17 @@ explain outline raw = case category raw of
 
     -- Messages without types.
     shape
+      | Just q <- notImported = Just (moduleNotImported q)
       | Just rest <- after "Not in scope: " said = Just (undefinedThing rest)
       | saying "not in scope:" = Just notInScope
-      | saying "Multiple declarations of" || saying "Conflicting definitions for" = Just (problem "duplicate" (trWith "‘{name}’ is defined twice." ["name" =: firstName]) (otherPlace (tr "Rename one of them, or put equations of the same function next to each other.")))
-      | saying "Duplicate type signatures" = Just (problem "duplicate" (trWith "‘{name}’ has two types." ["name" =: firstName]) (tr "Remove one of them."))
-      | saying "lacks an accompanying binding" = Just (problem "missing-definition" (trWith "‘{name}’ has a type but no definition." ["name" =: firstName]) (lacking everything))
-      | saying "different numbers of arguments" = Just (problem "argument-count" (trWith "The equations of ‘{name}’ take different numbers of values." ["name" =: firstName]) (if any looseParts (maybe [] (\r -> take (line (end r) - line (start r) + 1) (drop (line (start r) - 1) (Text.lines (text outline)))) (messageSpan raw)) then tr "A pattern with parts needs brackets, for example: (Bumper _ Pressed)." else tr "Give each of them the same number of patterns: _ stands for anything."))
-      | saying "Ambiguous occurrence" = Just (problem "ambiguous-name" (trWith "‘{name}’ is the name of two things." ["name" =: firstName]) (whichOne firstName everything))
-      | saying "The last statement in a 'do' block" = Just (problem "incomplete" (tr "A do block cannot end like this.") (tr "Its last line says what to do: add one."))
+      | states 29916 "Multiple declarations of" || states 10498 "Conflicting definitions for" = Just (problem "duplicate" (trWith "‘{name}’ is defined twice." ["name" =: firstName]) (otherPlace (tr "Rename one of them, or put equations of the same function next to each other.")))
+      | states 31744 "Duplicate type signatures" = Just (problem "duplicate" (trWith "‘{name}’ has two types." ["name" =: firstName]) (tr "Remove one of them."))
+      | states 44432 "lacks an accompanying binding" = Just (problem "missing-definition" (trWith "‘{name}’ has a type but no definition." ["name" =: firstName]) (lacking everything))
+      | states 91938 "different numbers of arguments" = Just (problem "argument-count" (trWith "The equations of ‘{name}’ take different numbers of values." ["name" =: firstName]) (if any looseParts (maybe [] (\r -> take (line (end r) - line (start r) + 1) (drop (line (start r) - 1) (Text.lines (text outline)))) (messageSpan raw)) then tr "A pattern with parts needs brackets, for example: (Bumper _ Pressed)." else tr "Give each of them the same number of patterns: _ stands for anything."))
+      | states 87543 "Ambiguous occurrence" = Just (problem "ambiguous-name" (trWith "‘{name}’ is the name of two things." ["name" =: firstName]) (whichOne firstName everything))
+      | states 55814 "The last statement in a 'do' block" = Just (problem "incomplete" (tr "A do block cannot end like this.") (tr "Its last line says what to do: add one."))
       | saying "Empty 'do' block" = Just (problem "incomplete" (tr "Nothing follows this ‘do’.") (tr "Write what to do on the next line, indented."))
+      | firstName `elem` ["Left", "Right"], Just side <- lookup (lastWord before) [("Bumper", "BumperSide"), ("Cliff", "CliffSide"), ("Wheel", "WheelSide")], saying "but has been given none" = Just (problem "type-mismatch" (trWith "This is {a given}, but {a needed} is needed here." ["given" =: "Either a b", "needed" =: side]) (mismatchHint side "Either a b"))
       | saying "should have" && saying "arguments, but has been given" || saying "should have" && saying "argument, but has been given" = Just (patternArguments firstName)
       | saying "does not have the required strict field" = Just (problem "missing-field" (trWith "This ‘{name}’ is not complete." ["name" =: firstName]) (trWith "Write it as ‘{name}’ and its values in order." ["name" =: firstName]))
       | saying "does not have field" = Just (problem "unknown-field" (maybe (trWith "‘{name}’ has no field called that." ["name" =: firstName]) (\f -> trWith "‘{name}’ has no field called ‘{field}’." ["name" =: firstName, "field" =: f]) (listToMaybe (drop 1 names))) (trWith "Write it as ‘{name}’ and its values in order." ["name" =: firstName]))
@@ -157,24 +168,24 @@ explain outline raw = case category raw of
       | saying "Expected a type, but" || saying "Expected a constraint" = Just (problem "type-argument" (trWith "‘{name}’ cannot stand in this place of a type." ["name" =: firstName]) (if maybe False (Text.isInfixOf "=>" . lineOf) (messageSpan raw) then tr "Between what a function takes and what it gives stands ->." else tr "Check the type for a missing arrow or bracket."))
       | saying "Parse error in pattern" || saying "Pattern syntax in expression" = Just (problem "pattern" (tr "This cannot stand on the left of an equals sign.") (tr "Write names, constructors and _ there, each with brackets around it if it has parts."))
       | saying "Illegal" || saying "Perhaps you intended to use" || saying "Perhaps you meant to use" = Just (problem "extension" (tr "This needs a language extension that is not switched on.") (tr "There is nearly always a simpler way to say it."))
-      | saying "method of class" = Just (problem "unknown-method" (maybe (trWith "This class has nothing called ‘{name}’." ["name" =: firstName]) (\c -> trWith "‘{class}’ has nothing called ‘{name}’." ["class" =: c, "name" =: firstName]) (listToMaybe (drop 1 names))) (tr "Write one of the names that stand in the class."))
-      | saying "newtype must have exactly one" = Just (problem "newtype" (tr "A newtype holds exactly one value.") (tr "For more than one, write data."))
+      | states 54721 "method of class" = Just (problem "unknown-method" (maybe (trWith "This class has nothing called ‘{name}’." ["name" =: firstName]) (\c -> trWith "‘{class}’ has nothing called ‘{name}’." ["class" =: c, "name" =: firstName]) (listToMaybe (drop 1 names))) (tr "Write one of the names that stand in the class."))
+      | states 23517 "newtype must have exactly one" = Just (problem "newtype" (tr "A newtype holds exactly one value.") (tr "For more than one, write data."))
       | saying "No explicit implementation" = Just (problem "missing-method" (tr "This instance is not complete.") (tr "Define its functions as well."))
-      | saying "Duplicate instance declarations",
+      | states 59692 "Duplicate instance declarations",
         (c, t) : _ <- [(c, t) | c <- ["Sensor", "Command"], Just t <- [between ("instance " <> c <> " ") " -- Defined in ‘Rosy." said]] =
         Just (problem "duplicate" (if c == "Sensor" then trWith "The robot has a sensor ‘{type}’ already." ["type" =: t] else trWith "The robot has a command ‘{type}’ already." ["type" =: t]) (trWith "Remove this declaration. For a topic of your own declare a type: newtype My{type} = My{type} {type}." ["type" =: t]))
-      | saying "Duplicate instance declarations" = Just (problem "duplicate" (tr "Rosy has done this for you already.") (tr "Remove this declaration."))
+      | states 59692 "Duplicate instance declarations" = Just (problem "duplicate" (tr "Rosy has done this for you already.") (tr "Remove this declaration."))
       | saying "does not export" = Just (problem "not-in-scope" (maybe (trWith "The module ‘{module}’ has no such name." ["module" =: firstName]) (\n -> trWith "The module ‘{module}’ has no ‘{name}’." ["module" =: firstName, "name" =: n]) (listToMaybe (drop 1 names))) (tr "Check its spelling."))
       | saying "Could not find module" || saying "Could not load module" = Just (problem "import" (trWith "The module ‘{module}’ is not available here." ["module" =: firstName]) (tr "Remove this import."))
       | otherwise = Nothing
 
     undefinedThing rest
       | Just advice <- unitHint firstName, endsInNumber before = problem "unit" (tr "A number stands without its unit.") advice
-      | "A data constructor of that name" `Text.isInfixOf` said = problem "not-a-type" (trWith "‘{name}’ is a value, not a type." ["name" =: firstName]) (fromMaybe (tr "In a type, write the type that it belongs to.") (typeOfValue firstName))
+      | finding raw == Just ConstructorAsType || "A data constructor of that name" `Text.isInfixOf` said = problem "not-a-type" (trWith "‘{name}’ is a value, not a type." ["name" =: firstName]) (fromMaybe (tr "In a type, write the type that it belongs to.") (typeOfValue firstName))
       | "type variable" `Text.isPrefixOf` rest = problem "not-in-scope" (trWith "There is no type called ‘{name}’." ["name" =: firstName]) (tr "Types begin with capital letters, for example: Turn Double.")
       | "No module named" `Text.isInfixOf` everything,
         qualifier <- fromMaybe "" (listToMaybe (drop 1 names)) =
-        problem "not-in-scope" (trWith "‘{module}’ is not imported." ["module" =: qualifier]) (importHint qualifier)
+        moduleNotImported qualifier
       | "type constructor or class" `Text.isPrefixOf` rest = problem "not-in-scope" (trWith "There is no type called ‘{name}’." ["name" =: firstName]) (fromMaybe (if amongValues then tr "If it is one more value of this type, write | in front of it." else nearMiss everything firstName) (foreignNameHint firstName))
       | otherwise = problem "not-in-scope" (trWith "There is nothing called ‘{name}’." ["name" =: firstName]) (fromMaybe (nearMiss everything firstName) (originalOptionsHint before <|> foreignNameHint firstName))
 

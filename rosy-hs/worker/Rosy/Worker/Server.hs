@@ -43,7 +43,6 @@ import Rosy.Worker.Sentence
 import Rosy.Worker.SharedMemory (activeFunctionName)
 import Rosy.Worker.SystemCalls
 import Rosy.Worker.TimeBudget
-import System.Mem (performMajorGC)
 import System.Posix.IO (closeFd)
 import System.Posix.Process (forkProcess, getProcessID)
 import System.Posix.Signals (sigKILL, signalProcess)
@@ -105,7 +104,7 @@ data State = State
 serve :: Config -> Session -> IO ()
 serve config session = do
   ended <- watchChildren
-  performMajorGC
+  compactHeap
   let begun = State emptyLineBuffer Seq.empty (Seq.singleton (answerLine (Ready compilerVersion))) Map.empty emptyPool Seq.empty Seq.empty 0 emptyCache False
   loop config session ended begun
 

@@ -43,6 +43,7 @@ module Rosy.Worker.SystemCalls
     limitData,
     limitProcess,
     limitHeap,
+    compactHeap,
     limitCpu,
     dataSegmentSize,
     anonymousMemory,
@@ -68,7 +69,7 @@ import Foreign.Marshal.Array (allocaArray, peekArray, withArrayLen)
 import Foreign.Ptr (Ptr, castPtr, nullPtr)
 import Foreign.Storable (peek)
 import Rosy.Worker.SharedMemory (pageSize)
-import System.Mem (performMinorGC)
+import System.Mem (performMajorGC, performMinorGC)
 import System.Posix.IO (fdReadBuf)
 import System.Posix.Types (CSsize (..), Fd (..))
 
@@ -117,6 +118,10 @@ foreign import ccall unsafe rosy_limit_process :: Word64 -> CInt -> IO CInt
 foreign import ccall unsafe rosy_limit_cpu :: Word64 -> IO CInt
 
 foreign import ccall unsafe rosy_limit_heap :: Word64 -> IO ()
+
+foreign import ccall unsafe rosy_compact_begin :: IO ()
+
+foreign import ccall unsafe rosy_compact_end :: IO ()
 
 foreign import ccall unsafe rosy_data_size :: IO Word64
 
@@ -300,6 +305,10 @@ limitCpu seconds = void $ orThrow "setrlimit" (rosy_limit_cpu seconds)
 
 limitHeap :: Word64 -> IO ()
 limitHeap = rosy_limit_heap
+
+-- | A major collection after which the heap takes as little memory as it can. Children that are forked later share what is left.
+compactHeap :: IO ()
+compactHeap = rosy_compact_begin >> performMajorGC >> rosy_compact_end
 
 dataSegmentSize :: IO Word64
 dataSegmentSize = rosy_data_size

@@ -107,6 +107,13 @@ mismatchCause outline raw problem needed given = listToMaybe (concat [dotted, mi
           any (`Text.isInfixOf` (" " <> before <> behind)) ["++"],
           "++" `Text.isPrefixOf` Text.stripStart behind && not ("\"" `Text.isInfixOf` behind)
       ]
+        ++ [ problem "operator" (trWith "‘++’ puts texts and lists together, but this is {a given}." ["given" =: needed]) (tr "To add numbers, write +.")
+             | isNumber needed,
+               "[" `Text.isPrefixOf` given,
+               Just s <- [source],
+               " ++ " `Text.isInfixOf` s,
+               not ("\"" `Text.isInfixOf` s)
+           ]
 
     ofMain =
       [ (problem "main-type" (tr "The type of ‘main’ is IO ().") (tr "Write main :: IO (), or leave that line out.")) {place = lookup "main" (signatures outline)}

@@ -22,9 +22,9 @@ import Rosy.Worker.Explanation.Tokenizer
 import Rosy.Worker.Problem
 import Rosy.Worker.Sentence
 
--- | Explains a syntax error. Takes the program, GHC's message and its span.
-explainSyntax :: Text -> Text -> Maybe Span -> Problem
-explainSyntax source said spot = fromMaybe fallback (listToMaybe (concat findings))
+-- | Explains a syntax error. Takes the program, GHC's code (from GHC 9.6 on), its message and its span.
+explainSyntax :: Text -> Maybe Int -> Text -> Maybe Span -> Problem
+explainSyntax source code said spot = fromMaybe fallback (listToMaybe (concat findings))
   where
     found = tokenize source
     at = maybe (Position 1 1) start spot
@@ -46,7 +46,7 @@ explainSyntax source said spot = fromMaybe fallback (listToMaybe (concat finding
       [ [unclosedText s | "string/character literal" `Text.isInfixOf` said, s <- maybe [] pure (lastQuote source at)],
         [problemAt (widen at) "syntax" (tr "This comment is never closed.") (tr "End it with -} or start it with -- instead.") | "unterminated" `Text.isInfixOf` said],
         [ problemAt (widen at) "character" (trWith "The character ‘{character}’ has no meaning here." ["character" =: c]) (curly c)
-          | "lexical error" `Text.isInfixOf` said,
+          | maybe ("lexical error" `Text.isInfixOf` said) (`elem` [21231, 31623]) code,
             Just c <- [Text.take 1 <$> textFrom source at],
             not (Text.null c)
         ],

@@ -27,16 +27,38 @@ import Rosy.Worker.Sentence
 
 explainTypes :: ProgramOutline -> CompilerMessage -> Maybe Problem
 explainTypes outline raw =
-  (ambiguous said >>= \(v, c, user) -> Just (explainAmbiguous outline problem v c user))
+  (stated ambiguousIn ambiguous >>= \(v, c, user) -> Just (explainAmbiguous outline problem v c user))
     <|> (if "Overlapping instances for Runnable" `Text.isPrefixOf` said then Just (unclear outline problem) else Nothing)
-    <|> (noInstance said >>= \(c, t, user) -> Just (explainInstance outline raw problem c t user))
-    <|> (mismatch said >>= \(needed, given) -> Just (explainMismatch outline raw problem needed given))
+    <|> (stated instanceIn noInstance >>= \(c, t, user) -> Just (explainInstance outline raw problem c t user))
+    <|> (stated mismatchIn mismatch >>= \(needed, given) -> Just (explainMismatch outline raw problem needed given))
     <|> (if "rigid type variable" `Text.isInfixOf` said then Just (problem "too-general" (tr "The type promises more than the definition keeps.") (tr "Write the type that it really has.")) else Nothing)
   where
     said = withoutGeneratedNames (oneLine (Text.unwords (important raw)))
     problem k m h = Problem (messageSeverity raw) k (messageSpan raw) Nothing m h "" []
+    -- What GHC states as data, or else what its prose says.
+    stated fromData fromProse = maybe (fromProse said) (fromData said) (finding raw)
 
 type Say = Text -> Sentence -> Sentence -> Problem
+
+-- * What GHC states as data
+
+mismatchIn :: Text -> Finding -> Maybe (Type, Type)
+mismatchIn _ found = case found of
+  TypesDiffer needed given -> Just (simplifyType needed, simplifyType given)
+  _ -> Nothing
+
+instanceIn :: Text -> Finding -> Maybe (Text, Type, Text)
+instanceIn said found = case found of
+  InstanceMissing constraint user -> Just (classOf constraint, simplifyType (stripBrackets (Text.strip (Text.drop 1 (snd (Text.breakOn " " (oneLine constraint)))))), maybe (userIn said) withoutGeneratedNames user)
+  _ -> Nothing
+
+ambiguousIn :: Text -> Finding -> Maybe (Text, Text, Text)
+ambiguousIn said found = case found of
+  VariableAmbiguous v constraint user -> Just (v, classOf constraint, maybe (userIn said) withoutGeneratedNames user)
+  _ -> Nothing
+
+classOf :: Text -> Text
+classOf = Text.takeWhile (/= ' ') . oneLine
 
 -- * Analysis of messages
 
@@ -64,8 +86,11 @@ noInstance said = do
   rest <- after "No instance for (" said
   let inside = bracketed rest
       (c, t) = Text.breakOn " " inside
-      user = maybe "" (\x -> fromMaybe (Text.takeWhile (/= ' ') x) (listToMaybe (quotedParts x))) (after "arising from" said)
-  Just (c, simplifyType (stripBrackets (Text.strip t)), user)
+  Just (c, simplifyType (stripBrackets (Text.strip t)), userIn said)
+
+-- | The expression that a constraint arises from.
+userIn :: Text -> Text
+userIn said = maybe "" (\x -> fromMaybe (Text.takeWhile (/= ' ') x) (listToMaybe (quotedParts x))) (after "arising from" said)
 
 bracketed :: Text -> Text
 bracketed = go (0 :: Int) ""
@@ -234,7 +259,9 @@ largeTuple :: ProgramOutline -> CompilerMessage -> Say -> Int -> Problem
 largeTuple outline raw problem size = problem "large-tuple" (trWith "A tuple here has at most {count most} parts, and this one has {count size}." ["most" =# largestTuple, "size" =# size]) hint'
   where
     written = maybe "" (textAt (text outline)) (messageSpan raw)
-    hint' = case tupleParts (Text.dropWhile (/= '(') written) of
+    -- From GHC 9.4 on the function alone is underlined, and the tuple stands behind it.
+    behind = maybe "" (\s -> Text.drop (column (end s) - 1) (lineOf (text outline) (line (end s)))) (messageSpan raw)
+    hint' = case tupleParts (Text.dropWhile (/= '(') (if Text.any (== '(') written then written else Text.stripEnd behind)) of
       names | length names == size, (firstOnes, rest) <- splitAt (largestTuple - 1) names -> trWith "Put the last ones into a tuple of their own: ({code})." ["code" =: Text.intercalate ", " (take 1 firstOnes ++ ["…", "(" <> Text.intercalate ", " rest <> ")"])]
       _ -> tr "Put some of them into a tuple of their own: (a, b, (c, d))."
 
@@ -284,6 +311,7 @@ explainMismatch outline raw problem needed given
   | given == "[" <> needed <> "]" = problem "type-mismatch" (trWith "This is a list, but one ‘{needed}’ is needed." ["needed" =: needed]) (tr "Take one element of it.")
   | isFunction given, not (isFunction needed), lastOf given == needed = problem "missing-argument" (trWith "Something is missing here: this still needs {a input}." ["input" =: firstOf given]) (tr "Add the missing value.")
   | "Either" : l : r : _ <- typeAtoms needed, Just side <- lookup given [(l, "Left"), (r, "Right")] = problem "missing-side" (trWith "This is {a given}, but {a needed} is needed here." ["given" =: given, "needed" =: needed]) (maybe (tr "Say which of the two it is.") (\code -> trWith "Say which of the two it is: {code}." ["code" =: code]) (example side))
+  | given == "String", needed == "Say", Just rest <- Text.stripPrefix "Say " =<< source, " ++ " `Text.isInfixOf` rest = problem "operator" (tr "Only the first text belongs to this ‘Say’.") (trWith "Put brackets around all of the text: Say ({code})." ["code" =: rest])
   | given == "Say", needed == "String" || "[" `Text.isPrefixOf` needed = problem "operator" (tr "Only the first text belongs to this ‘Say’.") (trWith "Put brackets around all of the text: Say ({code})." ["code" =: maybe "…" (Text.strip . snd . Text.breakOnEnd "Say ") (lineAt <$> messageSpan raw)])
   | isFunction given, isFunction needed, maybe False (\s -> "[" `Text.isInfixOf` Text.take (column (start s) - 1) (lineAt s)) (messageSpan raw) = problem "type-mismatch" (tr "The parts of a list have one type, and these differ.") (tr "Put functions of different types into round brackets: (f, g).")
   | Just c <- wrapperOf given needed = problem "type-mismatch" (trWith "This is {a given}, but {a needed} is needed here." ["given" =: given, "needed" =: needed]) (maybe (trWith "Write {name} in front of it." ["name" =: c]) (\code -> trWith "Write {name} in front of it: {code}." ["name" =: c, "code" =: code]) (example c))
@@ -303,7 +331,7 @@ explainMismatch outline raw problem needed given
     -- The word that what is wrong begins with.
     firstOf' = (>>= listToMaybe . Text.words)
     equationsTooLong = do
-      rest <- after "The equation(s) for ‘" whole
+      rest <- after "The equation(s) for ‘" whole <|> after "The equation for ‘" whole <|> after "The equations for ‘" whole
       if any (`Text.isInfixOf` rest) ["has none", "has only"] then Just (Text.takeWhile (/= '’') rest) else Nothing
     lineAt s = fromMaybe "" (listToMaybe (drop (line (start s) - 1) (Text.lines (text outline))))
     behindNot = maybe False (\s -> "not" `elem` take 1 (reverse (Text.words (Text.take (column (start s) - 1) (lineAt s))))) (messageSpan raw)

@@ -20,7 +20,8 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import GHC.Driver.Session (DynFlags)
 import GHC.Types.SrcLoc
-import Rosy.Worker.CompilerMessage (Category (..), CompilerMessage (..))
+import Rosy.Worker.CompilerMessage (Category (..), CompilerMessage (CompilerMessage))
+import qualified Rosy.Worker.CompilerMessage as Message
 import Rosy.Worker.Ghc.Compat.Driver (CompilerDiagnostic)
 import Rosy.Worker.Ghc.Compat.Messages
 import Rosy.Worker.Problem (Severity (..), Span)
@@ -42,12 +43,14 @@ fromParser = convert (maybe (Syntax, Error) (\f -> if f == Opt_WarnTabs then (Ta
 convert :: (Maybe WarningFlag -> (Category, Severity)) -> DynFlags -> TabStops -> CompilerDiagnostic -> CompilerMessage
 convert classified flags columns diagnostic =
   CompilerMessage
-    { category = what,
-      messageSeverity = severe,
-      messageSpan = spanAt columns (messageAt parts),
-      important = texts errorPart,
-      context = texts contextPart,
-      supplementary = texts hintPart
+    { Message.category = what,
+      Message.messageCode = codeNumber parts,
+      Message.finding = statedFinding parts,
+      Message.messageSeverity = severe,
+      Message.messageSpan = spanAt columns (messageAt parts),
+      Message.important = texts errorPart,
+      Message.context = texts contextPart,
+      Message.supplementary = texts hintPart
     }
   where
     parts = messageParts flags diagnostic
@@ -70,7 +73,7 @@ typeErrorCategory flag = case flag of
 
 -- | Sentences of GHC 9.4 and newer in the wording of GHC 9.0, which "Rosy.Worker.Explanation" reads. Identity on messages of GHC 9.0.
 classicWording :: Text -> Text
-classicWording = instances . Text.unlines . map line . Text.lines . Text.replace "Perhaps use " "Perhaps you meant "
+classicWording = instances . Text.unlines . map line . Text.lines . Text.replace "Perhaps use " "Perhaps you meant " . Text.replace " visible argument" " value argument"
   where
     line l
       | (before, rest) <- Text.breakOn "Patterns of type \8216" l, not (Text.null rest), (_, after) <- Text.breakOn "not matched:" rest, not (Text.null after) = before <> "Patterns " <> after
