@@ -109,10 +109,14 @@ servers() {
 python_index() {
   if [ -n "${PIP_INDEX_URL:-}" ]; then
     echo "$PIP_INDEX_URL"
-  else
-    "$(find_python)" -m pip config get global.index-url 2>/dev/null ||
-      "$(find_python)" -c 'from pip._internal.models.index import PyPI; print(PyPI.url)' 2>/dev/null
+    return
   fi
+  local python wheels
+  python=$(find_python)
+  # Debian's Python has no pip of its own, only the wheel that a new environment gets.
+  wheels=$("$python" -c 'import ensurepip, glob, os; print(":".join(glob.glob("/usr/share/python-wheels/pip-*.whl") + glob.glob(os.path.dirname(ensurepip.__file__) + "/_bundled/pip-*.whl")))' 2>/dev/null) || wheels=
+  PYTHONPATH="$wheels" "$python" -m pip config get global.index-url 2>/dev/null ||
+    PYTHONPATH="$wheels" "$python" -c 'from pip._internal.models.index import PyPI; print(PyPI.url)' 2>/dev/null
 }
 
 # A server that cannot be found or reached. Any answer of it will do.
