@@ -2,8 +2,9 @@
 WebSocket protocol that reads frames in small pieces, at a pace for each client address.
 
 A client may send 40,000 empty frames in one packet of 256 kB, and uvicorn's protocol reads and answers all of them at a
-stretch: 0.2 s and more, in which no other page is served, again and again. Here a piece of 4 kB is read at a time, and
-the connections of an address together have a share of the event loop for reading frames. What messages mean and cost is
+stretch: 0.2 s and more, in which no other page is served, again and again. Here a piece of 4 kB is read at a time, all
+connections together read for some milliseconds in an iteration of the event loop, and those of an address have a share
+of it. What messages mean and cost is
 not known here (``loop_scheduler.py``, ``reading_pace.py``).
 """
 
@@ -29,10 +30,13 @@ _RATE, _BURST = 0.1, 0.05
 """Share of the loop for the frames of one address, and s at once. A message of a page takes some 10 µs."""
 
 _ITERATION = 0.002
-"""Computing time of one connection in one iteration of the loop, s."""
+"""Computing time of all connections in one iteration of the loop, s, after which the others wait for the next one."""
 
 _FRAGMENTS = 10_000
 """Frames of one message. Browsers send one; empty ones would fill the memory without end."""
+
+_SHORTEST = 0.001
+"""Wait for the share of an address, s."""
 
 _UNREADABLE, _TOO_BIG = 0.1, 1009
 """S until the next look at a client that does not read its answers; close code, RFC 6455, section 7.4.1."""
@@ -51,6 +55,22 @@ class FrameBudgets:
         self._buckets: dict[str, TokenBucket] = {}
         # When the bucket of an address is full again, on the loop's clock.
         self._full: dict[str, float] = {}
+        # Computing time in this iteration of the loop, s.
+        self._spent = 0.0
+
+    @property
+    def is_iteration_over(self) -> bool:
+        """Whether all frames wait for the next iteration of the loop."""
+        return self._spent >= _ITERATION
+
+    def add(self, spent: float, loop: asyncio.AbstractEventLoop) -> None:
+        """Count computing time in this iteration of the loop, s."""
+        if spent > 0 and self._spent == 0:
+            loop.call_soon(self._begin_iteration)
+        self._spent += spent
+
+    def _begin_iteration(self) -> None:
+        self._spent = 0.0
 
     def charge(self, address: str, spent: float, now: float) -> float:
         """Take computing time of an address; returns the s after which it may go on."""
@@ -122,15 +142,15 @@ class PacedFrames(WebSocketsSansIOProtocol):
         """Read pieces while there is time, and set the timer for the rest."""
         self._timer = None
         wait = self._charge(0.0)
-        begun = self._budgets.computed()
         # A message that the application has not taken yet ends the reading, as in uvicorn.
         while self._is_behind and not self.read_paused and not self.transport.is_closing():
             if not self.writable.is_set():
                 wait = max(wait, _UNREADABLE)
-            elif wait == 0:
+            elif wait == 0 and not self._budgets.is_iteration_over:
                 wait = self._read_piece()
-            if wait or self._budgets.computed() - begun > _ITERATION:
-                self._timer = self.loop.call_later(wait, self._read_on)
+            if wait or self._budgets.is_iteration_over:
+                # A shorter wait than the clock can tell would come back at once.
+                self._timer = self.loop.call_later(max(wait, _SHORTEST) if wait else 0, self._read_on)
                 break
         if self._is_behind:
             self._pause()
@@ -143,7 +163,9 @@ class PacedFrames(WebSocketsSansIOProtocol):
         self._position += len(piece)
         before = self._budgets.computed()
         super().data_received(piece)
-        return self._charge(self._budgets.computed() - before)
+        spent = self._budgets.computed() - before
+        self._budgets.add(spent, self.loop)
+        return self._charge(spent)
 
     def _charge(self, spent: float) -> float:
         return self._budgets.charge(self.client[0] if self.client is not None else "", spent, self.loop.time())
