@@ -1,16 +1,23 @@
 /// How long the page waits for codegen: a drag's check, an edit to updated Haskell, inference, by size of program.
 
+import {existsSync, readdirSync, readFileSync} from "node:fs"
+import {fileURLToPath} from "node:url"
 import type {Place, SavedBlock, SavedWorkspace} from "../src/index.ts"
-import {blockView, checker, infer, session, toHaskell} from "../src/index.ts"
+import {blockView, checker, infer, openProject, parseProject, session, toHaskell} from "../src/index.ts"
 import {everyBlock} from "../src/workspace/workspace_inference.ts"
-import {exampleNames, exampleWorkspace} from "../test/example_programs.ts"
+
+const examples = fileURLToPath(new URL("../../examples/", import.meta.url))
 
 /// Copies of example definitions, each with names of its own, until there are as many blocks as wanted.
 function programOf(size: number): SavedWorkspace {
+  const sources = readdirSync(examples).filter(n => existsSync(`${examples}${n}/program.rosy`))
   const tops: SavedBlock[] = []
   let count = 0
   for (let copy = 0; count < size; copy++) {
-    const workspace = exampleWorkspace(exampleNames[copy % exampleNames.length] ?? "move")
+    const name = sources[copy % sources.length] ?? "move"
+    const outcome = parseProject(readFileSync(`${examples}${name}/program.rosy`, "utf8"))
+    if (!outcome.ok) throw new Error(`expected ${name} to be a project, found: ${outcome.message}`)
+    const {workspace} = openProject(outcome.project)
     const own = new Set(
       workspace.blocks.blocks.flatMap(b => {
         const constructors = (b.extraState?.constructors ?? []) as readonly {name: string}[]

@@ -1,7 +1,8 @@
 /// Refusals and their reasons, names and their scope.
 
+import {readFileSync} from "node:fs"
 import {describe, expect, test} from "vitest"
-import type {SavedBlock} from "../src/index.ts"
+import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {
   blockTypes,
   blockView,
@@ -9,15 +10,24 @@ import {
   infer,
   namesInScope,
   newWorkspace,
+  openProject,
+  parseProject,
   rename,
   setIn,
   toHaskell,
   toolbox,
 } from "../src/index.ts"
 import {everyBlockIn} from "../src/workspace/workspace_inference.ts"
-import {exampleWorkspace} from "./example_programs.ts"
 
-const workspace = exampleWorkspace("accelerateAndPlay")
+function example(name: string): SavedWorkspace {
+  const outcome = parseProject(
+    readFileSync(new URL(`../../examples/${name}/program.rosy`, import.meta.url), "utf8"),
+  )
+  if (!outcome.ok) throw new Error(outcome.message)
+  return openProject(outcome.project).workspace
+}
+
+const workspace = example("accelerateAndPlay")
 const [accelerate, play] = workspace.blocks.blocks as [SavedBlock, SavedBlock]
 const velocity = accelerate.inputs?.E0_0?.block as SavedBlock
 const speed = accelerate.inputs?.P0_0?.block?.inputs?.A0?.block as SavedBlock
@@ -92,7 +102,7 @@ describe("names", () => {
 })
 
 describe("the program's own types", () => {
-  const walk = exampleWorkspace("randomWalk")
+  const walk = example("randomWalk")
   const mode = walk.blocks.blocks.find(b => b.extraState?.name === "Mode") as SavedBlock
   const wheel = walk.blocks.blocks.find(b => b.extraState?.name === "wheel") as SavedBlock
   const memory = wheel.inputs?.E0_0?.block?.inputs?.I2?.block as SavedBlock

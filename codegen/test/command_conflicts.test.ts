@@ -7,14 +7,16 @@ import {
   conflictResolutions,
   conflictShown,
   infer,
-  newWorkspace,
+  newProject,
+  openProject,
+  parseProject,
 } from "../src/index.ts"
 import {openView, type Reader, workspaceOf} from "../src/reader/index.ts"
 import {commandConflicts} from "../src/workspace/command_conflicts.ts"
 import {inferWorkspace} from "../src/workspace/workspace_inference.ts"
-import {exampleNames, exampleProject, examplesFolder, exampleWorkspace} from "./example_programs.ts"
 import {corpus, testReader} from "./reader/open.ts"
 
+const examples = new URL("../../examples/", import.meta.url)
 let reader: Reader
 beforeAll(async () => {
   reader = await testReader()
@@ -247,7 +249,9 @@ test("constants in simulate conflict as well, and both blocks are told", () => {
 
 test("an empty program and one that is not finished have no conflict", () => {
   expect(conflictsOf("main :: IO ()\nmain = simulate _\n")).toEqual([])
-  expect(infer(newWorkspace()).problems.filter(p => p.kind === "conflict")).toEqual([])
+  expect(
+    infer(openProject(newProject("empty")).workspace).problems.filter(p => p.kind === "conflict"),
+  ).toEqual([])
 })
 
 /// The program after a way out, as the page rewrites it.
@@ -360,7 +364,9 @@ describe("what a run has shown", () => {
   })
 
   test("is no conflict in the example whose winner reads what the loser's events have written", () => {
-    const workspace = exampleWorkspace("safetyControl")
+    const project = parseProject(readFileSync(new URL("safetyControl/program.rosy", examples), "utf8"))
+    if (!project.ok) throw new Error("expected the example to open")
+    const workspace = workspaceOf(openView(reader, project.project.haskell))
     // sim-service/tests/system/test_examples.py finds this pair in runs.
     for (const [winner, loser] of [
       ["cruise", "safetyControl"],
@@ -376,11 +382,16 @@ describe("what a run has shown", () => {
 })
 
 describe("no false alarm", () => {
-  test.each(exampleNames)("example %s", name => expect(conflictsOf(exampleProject(name).haskell)).toEqual([]))
+  const names = readdirSync(examples).filter(name => existsSync(new URL(`${name}/program.rosy`, examples)))
+  test.each(names)("example %s", name => {
+    const outcome = parseProject(readFileSync(new URL(`${name}/program.rosy`, examples), "utf8"))
+    expect(outcome.ok).toBe(true)
+    if (outcome.ok) expect(conflictsOf(outcome.project.haskell)).toEqual([])
+  })
 })
 
 describe("no false alarm in lessons", () => {
-  const lessons = new URL("lessons/", examplesFolder)
+  const lessons = new URL("lessons/", examples)
   const programs = readdirSync(lessons).flatMap(lesson => {
     if (!existsSync(new URL(`${lesson}/lesson.json`, lessons))) return []
     const solutions = readdirSync(new URL(`${lesson}/solutions/`, lessons), {recursive: true})

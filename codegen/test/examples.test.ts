@@ -1,23 +1,30 @@
 /// The examples' Haskell is what an experienced Haskeller would write: no warning of `-Wall`, no hint of hlint.
 
 import {spawnSync} from "node:child_process"
+import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
 import {expect, test} from "vitest"
 import {packageDatabase} from "../scripts/ghc.ts"
+import {openProject, parseProject} from "../src/index.ts"
 import {inferWorkspace} from "../src/workspace/workspace_inference.ts"
-import {exampleNames, exampleProject, examplesFolder, exampleWorkspace} from "./example_programs.ts"
 import {compileAll} from "./ghc.ts"
 import {run} from "./process.ts"
 
+const examples = fileURLToPath(new URL("../../examples/", import.meta.url))
+const names = readdirSync(examples).filter(n => existsSync(`${examples}${n}/program.rosy`))
 const database = packageDatabase()
 const hlint = spawnSync("hlint", ["--version"]).status === 0
 
 test.skipIf(database === undefined)("no example has a warning", async () => {
-  const candidates = exampleNames.map(name => ({
-    name: `E${name}`,
-    text: exampleProject(name).haskell,
-    program: inferWorkspace(exampleWorkspace(name)).read.program,
-  }))
+  const candidates = names.map(name => {
+    const outcome = parseProject(readFileSync(`${examples}${name}/program.rosy`, "utf8"))
+    if (!outcome.ok) throw new Error(outcome.message)
+    return {
+      name: `E${name}`,
+      text: outcome.project.haskell,
+      program: inferWorkspace(openProject(outcome.project).workspace).read.program,
+    }
+  })
   // The instances that Rosy adds are not the learner's: what they are warned of does not count.
   const options = [
     "-Wall",
@@ -33,7 +40,7 @@ test.skipIf(database === undefined)("no example has a warning", async () => {
 test.skipIf(!hlint)("no example has a hint", async () => {
   const {stdout} = await run(
     "hlint",
-    exampleNames.map(n => fileURLToPath(new URL(`${n}/Main.hs`, examplesFolder))),
+    names.map(n => `${examples}${n}/Main.hs`),
   )
   expect(stdout.trim()).toBe("No hints")
 })

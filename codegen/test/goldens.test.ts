@@ -8,9 +8,8 @@ import {fileURLToPath} from "node:url"
 import {describe, expect, test} from "vitest"
 import {blockTypes} from "../src/blocks/block_registry.ts"
 import type {SavedWorkspace} from "../src/index.ts"
-import {infer, toHaskell} from "../src/index.ts"
+import {closeProject, infer, openProject, parseProject, saveProject, toHaskell} from "../src/index.ts"
 import {everyBlock} from "../src/workspace/workspace_inference.ts"
-import {exampleNames, exampleProject, exampleWorkspace} from "./example_programs.ts"
 
 const programs = fileURLToPath(new URL("programs/", import.meta.url))
 const examples = fileURLToPath(new URL("../../examples/", import.meta.url))
@@ -26,6 +25,12 @@ function golden(path: string, text: string): void {
 
 const loadProgram = (name: string): SavedWorkspace =>
   JSON.parse(readFileSync(`${programs}${name}/workspace.json`, "utf8"))
+const loadExample = (name: string) => {
+  const outcome = parseProject(readFileSync(`${examples}${name}/program.rosy`, "utf8"))
+  if (!outcome.ok)
+    throw new Error(`expected ${name} to be a project, found: ${outcome.message} ${outcome.hint}`)
+  return outcome.project
+}
 
 describe.each(folders(programs))("program %s", name => {
   const workspace = loadProgram(name)
@@ -39,19 +44,27 @@ describe.each(folders(programs))("program %s", name => {
   })
 })
 
-describe.each(exampleNames)("example %s", name => {
-  const project = exampleProject(name)
-  const workspace = exampleWorkspace(name)
-  test("is read into blocks that print exactly its text and its Main.hs", () => {
+// A folder without a program is a page of its own.
+const projects = folders(examples).filter(name => existsSync(`${examples}${name}/program.rosy`))
+
+describe.each(projects)("example %s", name => {
+  const project = loadExample(name)
+  test("has blocks that say exactly what its text says", () =>
+    expect(openProject(project).changed).toEqual([]))
+  test("prints exactly its Main.hs", () => {
+    const {workspace} = openProject(project)
     golden(`${examples}${name}/Main.hs`, toHaskell(workspace).text)
     expect(project.haskell).toBe(toHaskell(workspace).text)
   })
   test("has no problem and no raw block", () => {
+    const {workspace} = openProject(project)
     expect(infer(workspace).problems).toEqual([])
     expect([...everyBlock(workspace)].map(b => b.type).filter(t => t.startsWith("raw_"))).toEqual([])
   })
-  test("stores no blocks: they follow from its text", () =>
-    expect(project.layout).toEqual({declarations: [], loose: []}))
+  test("stays the same when it is saved", () => {
+    const again = closeProject(project, openProject(project).workspace)
+    expect(saveProject(again)).toBe(readFileSync(`${examples}${name}/program.rosy`, "utf8"))
+  })
   test("says in three sentences what it teaches", () => {
     // What stands below them is for those who want to know more.
     const [title, sentences = ""] = readFileSync(`${examples}${name}/README.md`, "utf8").split("\n\n")

@@ -9,11 +9,9 @@ import "@fontsource/inter/600.css"
 import "@fontsource/inter/700.css"
 import "@fontsource/jetbrains-mono/500.css"
 import * as codegen from "@rosy/codegen"
-import {openView, workspaceOf} from "@rosy/codegen/reader"
 import * as Blockly from "blockly/core"
 import {type BlocksView, openBlocks} from "../src/blocks/index.ts"
 import {openClipboard} from "../src/blocks/interaction/clipboard.ts"
-import {fetchReader} from "../src/browser/remote_resources.ts"
 import {sample, small} from "../test/blocks/small_language.ts"
 
 declare global {
@@ -23,8 +21,6 @@ declare global {
     codegen: typeof codegen
     /// How often the view told of a change.
     changes: number
-    /// The blocks that Haskell is read into.
-    blocksOf(haskell: string): Promise<codegen.SavedWorkspace>
     /// Puts the page back to its beginning.
     reset(): void
   }
@@ -36,19 +32,10 @@ const examples: Record<string, string> = import.meta.glob("../../examples/*/prog
   eager: true,
 })
 
-let reader: ReturnType<typeof fetchReader> | undefined
-
-window.blocksOf = async haskell => {
-  reader ??= fetchReader()
-  const fetched = await reader
-  if (fetched === null) throw new Error("the parser of Haskell could not be fetched")
-  return workspaceOf(openView(fetched, haskell))
-}
-
-async function wanted(): Promise<codegen.SavedWorkspace> {
+function wanted(): codegen.SavedWorkspace {
   const name = asked.get("example") ?? "accelerateAndPlay"
   const outcome = codegen.parseProject(examples[`../../examples/${name}/program.rosy`] ?? "")
-  return outcome.ok ? window.blocksOf(outcome.project.haskell) : codegen.newWorkspace()
+  return outcome.ok ? codegen.openProject(outcome.project).workspace : codegen.newWorkspace()
 }
 
 const asked = new URLSearchParams(location.search)
@@ -67,7 +54,7 @@ const view = openBlocks(document.getElementById("blocks")!, {
   clipboard: openClipboard(window.localStorage),
 })
 const nothing: codegen.SavedWorkspace = {blocks: {languageVersion: 0, blocks: []}}
-const first = asked.has("empty") ? nothing : asked.has("small") ? sample : await wanted()
+const first = asked.has("empty") ? nothing : asked.has("small") ? sample : wanted()
 view.load(first)
 window.blocks = view
 window.Blockly = Blockly

@@ -95,10 +95,10 @@ test("every example comes out of the blocks as it went in, with nothing left out
   expect(names.length).toBeGreaterThanOrEqual(4)
   for (const name of names) {
     const read = (file: string) => readFileSync(new URL(`${name}/${file}`, folder), "utf8")
-    const shown = await page.evaluate(async text => {
+    const shown = await page.evaluate(text => {
       const outcome = window.codegen.parseProject(text)
       if (!outcome.ok) return outcome.message
-      const {left} = window.blocks.load(await window.blocksOf(outcome.project.haskell))
+      const {left} = window.blocks.load(window.codegen.openProject(outcome.project).workspace)
       const kinds = window.Blockly.getMainWorkspace()
         .getAllBlocks(false)
         .map(block => block.type)

@@ -1,19 +1,16 @@
 import {readFileSync} from "node:fs"
-import {createRequire} from "node:module"
 import * as codegen from "@rosy/codegen"
-import {openReader, openView, workspaceOf} from "@rosy/codegen/reader"
 import {expect, test} from "vitest"
 import {suggest} from "../../src/blocks/interaction/insertion_points.ts"
 
-const {resolve} = createRequire(new URL("../../package.json", import.meta.url))
-const reader = await openReader({
-  runtime: readFileSync(resolve("web-tree-sitter/web-tree-sitter.wasm")),
-  grammar: readFileSync(resolve("tree-sitter-haskell/tree-sitter-haskell.wasm")),
-})
-
 test("who adds to what runs is offered first what does not run yet", () => {
-  const text = readFileSync(new URL("../../../examples/accelerateAndPlay/Main.hs", import.meta.url), "utf8")
-  const workspace = workspaceOf(openView(reader, text))
+  const text = readFileSync(
+    new URL("../../../examples/accelerateAndPlay/program.rosy", import.meta.url),
+    "utf8",
+  )
+  const read = codegen.parseProject(text)
+  if (!read.ok) throw new Error(read.message)
+  const {workspace} = codegen.openProject(read.project)
   const offered = (empty: string) => {
     const blocks = workspace.blocks.blocks.map(block =>
       block.type === "main" ? {...block, inputs: {...block.inputs, [empty]: {}}} : block,
