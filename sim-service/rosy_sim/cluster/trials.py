@@ -102,8 +102,9 @@ class ClusterPool:
         self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
     ) -> None:
         self.close()
-        # Ray ends the processes of what is not done.
-        ray.shutdown()
+        # Ray ends the processes of what is not done, and writes news that it has held back, from this thread.
+        with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
+            ray.shutdown()
         self._streams.close()
 
     def run(self, task: ray.ObjectRef, trials: Sequence[Trial], on_answer: Callable[[Answer], None]) -> list[Answer]:

@@ -12,6 +12,7 @@ from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -264,25 +265,38 @@ def test_a_pulled_cable_is_told_and_found_again(config: Config, tmp_path: Path) 
 
 
 def test_a_robot_that_was_lost_stands_until_the_page_lets_it_drive(config: Config, tmp_path: Path) -> None:
+    def states(page: Page) -> list[dict[str, Any]]:
+        return [message for message in page.seen if message["op"] == "robot"]
+
     async def let_drive(page: Page) -> None:
+        """Let it drive whenever it was stopped: a busy machine may lose the robot for a moment, too."""
+        stopped = states(page)[-1]["stopped"]
         while True:
-            await page.send("free")
-            await asyncio.sleep(0.1)
+            if stopped:
+                await page.send("free")
+            stopped = (await page.op("robot", link="connected"))["stopped"]
+
+    async def moves(rig: Rig) -> None:
+        letting = asyncio.create_task(let_drive(rig.page))
+        await rig.robot.moves(0.2)
+        letting.cancel()
+        with contextlib.suppress(asyncio.CancelledError):
+            await letting
 
     async def tell(rig: Rig) -> None:
         await rig.takes()
-        # A busy machine may lose the robot for a moment, too.
-        freeing = asyncio.create_task(let_drive(rig.page))
-        await rig.drives()
-        freeing.cancel()
+        rig.looks()
+        await rig.page.send("run", run=1, source="drive:0.2", speed=1)
+        await rig.page.op("state", run=1, state="running")
+        await moves(rig)
         rig.robot.ask("unplug")
         await rig.page.op("robot", link="lost")
         rig.robot.ask("plug")
         await rig.page.op("robot", link="connected", stopped=True)
-        freeing = asyncio.create_task(let_drive(rig.page))
-        await rig.page.op("robot", stopped=False)
-        await rig.robot.moves(0.2)
-        freeing.cancel()
+        told = len(states(rig.page))
+        await moves(rig)
+        if all(state["stopped"] for state in states(rig.page)[told:]):
+            await rig.page.op("robot", stopped=False)
 
     story(tell, config, tmp_path, "?patience=600")
 
