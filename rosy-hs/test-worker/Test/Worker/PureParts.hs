@@ -57,7 +57,7 @@ tests =
         let s = spanFromGhc (tabStopsOf "\t\tx\ty") (1, a') (1, b') in start s < end s,
       testProperty "any text that cannot be read gets one sentence" $ \source (Positive l) (Positive c) ->
         let at = Position l c
-            p = explainSyntax (Text.pack source) "parse error" (Just (Span at at {column = c + 1}))
+            p = explainSyntax (Text.pack source) Nothing "parse error" (Just (Span at at {column = c + 1}))
          in not (Text.null (english (message p))) && Text.any (== '.') (english (message p)),
       testCase "a sentence is its template with the arguments as English has them" $ do
         let given = ["x" =: "Int", "f" =: "Bumper -> Sound", "n" =# 3, "many" =# 13, "names" =* ["a", "b", "c"]]
