@@ -69,6 +69,19 @@ describe("a project file", () => {
     expect(outcome.ok && outcome.project.layout.declarations).toEqual([])
   })
 
+  test.each([
+    {type: "main", next: "x"},
+    {type: "main", next: {block: null}},
+    {type: "main", next: {block: {type: 1}}},
+    {type: "main", inputs: {R0: {shadow: 3}}},
+    {type: "main", icons: 1},
+    {type: "main", icons: {comment: {text: 5}}},
+  ])("with the damaged block %j opens without its blocks", blocks => {
+    const outcome = parseProject(changed({layout: {declarations: [{name: "main", hash: "", blocks}]}}))
+    expect(outcome.ok && outcome.notice?.hint).toMatch(/^at layout\.declarations\.0\.blocks\./)
+    expect(outcome.ok && outcome.project.layout.declarations).toEqual([])
+  })
+
   test("never breaks the reader, whatever is in it", () => {
     fc.assert(
       fc.property(

@@ -2,10 +2,16 @@
 /// `test-results`.
 
 import {expect, type Page} from "@playwright/test"
+import {wholeChromium} from "../../editor/test/chromium.ts"
 import {rotated} from "./extent.ts"
 import {Learner} from "./learner.ts"
 import {covered, cutBlocks, excessWidth, faults, wrappedLines} from "./page_faults.ts"
 import {test} from "./story.ts"
+
+/// The headless shell draws letters a little wider than the browser that people have.
+test.use({
+  launchOptions: async ({launchOptions}, use) => use({...launchOptions, executablePath: wholeChromium}),
+})
 
 const sizes = [
   {width: 1440, height: 900},

@@ -130,6 +130,8 @@ function expectBlock(value: unknown, path: string, problems: string[], depth = 0
   for (const key of ["x", "y"])
     if (value[key] !== undefined && typeof value[key] !== "number")
       problems.push(`at ${path}.${key}: expected a number, found ${show(value[key])}`)
+  if (value.icons !== undefined && !isComment(value.icons))
+    problems.push(`at ${path}.icons: expected a comment, found ${show(value.icons)}`)
   if (value.extraState !== undefined && !isObject(value.extraState))
     problems.push(`at ${path}.extraState: expected an object, found ${show(value.extraState)}`)
   // Deeper trees are made anew from the text.
@@ -141,21 +143,34 @@ function expectBlock(value: unknown, path: string, problems: string[], depth = 0
       for (const [name, input] of Object.entries(value.inputs ?? {})) {
         if (!isObject(input))
           problems.push(`at ${path}.inputs.${name}: expected an object, found ${show(input)}`)
-        else if (input.block !== undefined)
-          expectBlock(input.block, `${path}.inputs.${name}.block`, problems, depth + 1)
+        else
+          for (const key of ["block", "shadow"])
+            if (input[key] !== undefined)
+              expectBlock(input[key], `${path}.inputs.${name}.${key}`, problems, depth + 1)
       }
-    for (
-      let below = value, at = path, i = 0;
-      isObject(below.next) && isObject(below.next.block) && i < 1000;
-      i++
-    ) {
+    let below = value
+    let at = path
+    for (let i = 0; below.next !== undefined && i < 1000; i++) {
       at += ".next.block"
-      const {next, ...alone} = below.next.block
+      const following = isObject(below.next) ? below.next.block : below.next
+      if (following === undefined) break
+      if (!isObject(following)) {
+        problems.push(`at ${at}: expected a block, found ${show(following)}`)
+        break
+      }
+      const {next: _, ...alone} = following
       if (expectBlock(alone, at, problems, depth + 1) === undefined) break
-      below = below.next.block
+      below = following
     }
   }
   return problems.length === before ? (value as unknown as SavedBlock) : undefined
+}
+
+/// Whether the icons of a block are none, or a comment with its text.
+function isComment(icons: unknown): boolean {
+  if (!isObject(icons)) return false
+  const {comment} = icons
+  return comment === undefined || (isObject(comment) && typeof comment.text === "string")
 }
 
 export function saveProject(project: Project): string {
