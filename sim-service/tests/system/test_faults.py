@@ -275,7 +275,7 @@ def test_a_program_that_dies_of_its_memory_leaves_the_name_of_the_function_and_t
     assert run.outcome.ended == "error"
     assert (problem.kind, problem.function, problem.message, problem.hint) == NO_MEMORY
     # It died at the bump. A step that it died in without a word is not in the trace.
-    bumps = [line["t"] for line in run.lines if line["events"]]
+    bumps = [line["t"] for line in run.lines if any(event.startswith("Bumper") for event in line["events"])]
     assert problem.time == pytest.approx(bumps[0] if bumps else len(run.lines) * 0.02)
 
 
