@@ -9,6 +9,7 @@ import {board, change, places, rooms, sharingListeners, withResult, withRoomsOfT
 import {openClassSocket} from "./class_socket.ts"
 import {projectInRoom, type RunInRoom} from "./hand_in_checks.ts"
 import {teacherKey} from "./membership.ts"
+import {choiceHeard} from "./projector_choice.ts"
 import type {SharingBounds, SharingMessage} from "./shared_messages.ts"
 
 export interface BoardConnection {
@@ -65,8 +66,9 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
         ])
       else if (message.op === "tasks") change({tasks: message.tasks, taskRefused: null})
       else if (message.op === "projecting") {
-        const {pupil, named, program} = message
-        change({projecting: pupil, ...(pupil === null ? {} : {projectorSight: {named, program}})})
+        const {choice, request} = choiceHeard(board.value, message)
+        change(choice)
+        if (request !== null) socket.send(request)
       } else if (message.op === "comments") change({comments: message.comments})
       else if (message.op === "sent") change({said: sentence(message)})
       else if (message.op === "checking") change({checking: message})

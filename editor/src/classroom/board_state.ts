@@ -2,9 +2,10 @@
 
 import {type Signal, signal} from "@preact/signals"
 import type {World} from "../worlds/world.ts"
-import type {BoardMessage, BoardTask, Place, ProjectorSight, PupilOnBoard} from "./board_messages.ts"
+import type {BoardMessage, BoardTask, Place, PupilOnBoard} from "./board_messages.ts"
 import type {OwnComment} from "./class_messages.ts"
 import {type Checking, type Results, type RoomsOfResult, withRooms} from "./hand_in_checks.ts"
+import type {ProjectorChoice} from "./projector_choice.ts"
 import type {SharingBounds, SharingMessage} from "./shared_messages.ts"
 
 export interface ShownProgram {
@@ -18,7 +19,7 @@ export interface ShownProgram {
   readonly newer: string | null
 }
 
-export interface Board {
+export interface Board extends ProjectorChoice {
   readonly link: "connecting" | "open" | "lost"
   readonly class: {readonly code: string; readonly addresses: readonly string[]} | null
   readonly refused: string | null
@@ -36,9 +37,6 @@ export interface Board {
   readonly sharingLine: number | null
   /// Why the pupil was not asked.
   readonly sharingRefused: string | null
-  /// The pupil whose room the projector shows, and how it shows pupils.
-  readonly projecting: number | null
-  readonly projectorSight: ProjectorSight
   readonly tasks: readonly BoardTask[]
   /// Why the last task was not opened, or the last change not stored.
   readonly taskRefused: string | null
@@ -66,6 +64,7 @@ export const board: Signal<Board> = signal({
   sharingRefused: null,
   projecting: null,
   projectorSight: {named: false, program: false},
+  sightAsked: null,
   tasks: [],
   taskRefused: null,
   checking: {number: 0, task: null, done: 0, of: 0, rooms: 0},

@@ -4,6 +4,7 @@ import type {VNode} from "preact"
 import {words} from "../words/index.ts"
 import type {BoardRequest} from "./board_messages.ts"
 import {board, change} from "./board_state.ts"
+import {lookAt} from "./projector_choice.ts"
 
 interface Props {
   readonly send: (request: BoardRequest) => void
@@ -14,11 +15,10 @@ export function ProjectorTool({send, open}: Props): VNode {
   const w = words.classroom.board.projector
   const {projecting, projectorSight: sight, pupils} = board.value
   const nickname = pupils.find(({id}) => id === projecting)?.nickname ?? null
-  /// How pupils are shown from now on, also the one who is shown already.
   const look = (to: Partial<typeof sight>) => {
-    const next = {...sight, ...to}
-    change({projectorSight: next})
-    if (projecting !== null) send({op: "project", pupil: projecting, ...next})
+    const {choice, request} = lookAt(board.value, to)
+    change(choice)
+    if (request !== null) send(request)
   }
   return (
     <div class="board-tool" data-testid="projector-tool">
