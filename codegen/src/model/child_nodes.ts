@@ -116,8 +116,11 @@ function rightParts(right: RightSide): readonly Node[] {
   return [...body, ...where]
 }
 
-/// A node and everything in it, parents first.
+/// A node and everything in it, parents first. Iterative: a chain of operators may be many thousand nodes deep.
 export function* everyNode(node: Node): Generator<Node> {
-  yield node
-  for (const child of childrenOf(node)) yield* everyNode(child)
+  const ahead: Node[] = [node]
+  for (let next = ahead.pop(); next !== undefined; next = ahead.pop()) {
+    yield next
+    for (const child of childrenOf(next).toReversed()) ahead.push(child)
+  }
 }

@@ -3,11 +3,13 @@
 /// Levels stand for generalisation: an unknown made inside a binding and not reachable from outside is that binding's own.
 
 import {namesDefinedBy} from "../model/bound_names.ts"
+import {everyNode} from "../model/child_nodes.ts"
 import type {
   Clause,
   Declaration,
   Expr,
   FunctionDeclaration,
+  Node,
   Pattern,
   PatternBinding,
   RightSide,
@@ -17,7 +19,7 @@ import {deferConstraints, reduceConstraints} from "./class_constraints.ts"
 import {unknown} from "./environment.ts"
 import {generalise} from "./generalisation.ts"
 import type {InferenceState} from "./inference_state.ts"
-import {freshMeta, mono} from "./inference_state.ts"
+import {freshMeta, inferWithinBounds, mono} from "./inference_state.ts"
 import {checkDistinct, inferPattern} from "./pattern_inference.ts"
 import type {Scope} from "./scope.ts"
 import type {WrittenSignature} from "./standalone_signatures.ts"
@@ -25,9 +27,12 @@ import {checkBindings, readTextDeclaration} from "./standalone_signatures.ts"
 import {stronglyConnectedComponents} from "./strongly_connected_components.ts"
 import type {Scheme, Type} from "./type.ts"
 import {asFunction, bool, fun, metasIn, rigidsIn, substitute} from "./type.ts"
-import {isHigherRankSignature, readSignature, unifyAt} from "./type_lookup.ts"
+import {isBeyondInference, readSignature, unifyAt} from "./type_lookup.ts"
 import type {Wanted} from "./type_problems.ts"
 import type {Rigid} from "./unification.ts"
+
+/// Maximum number of parameters, arguments or items of a tuple that are inferred: each may be a level of a type, and functions over types are recursive.
+const mostParts = 500
 
 /// Definitions that may refer to each other; answers the scope with their names.
 export function inferGroup(
@@ -92,6 +97,7 @@ export function rigidVariables(s: InferenceState, names: Iterable<string>): Map<
   return rigid
 }
 
+/// Definitions that refer to each other. What is beyond inference has an unknown type, which fits everywhere.
 function inferComponent(
   s: InferenceState,
   members: readonly Declaration[],
@@ -101,16 +107,57 @@ function inferComponent(
 ): void {
   const [only] = members
   const signature = only === undefined ? undefined : signatures.get(only)
+  const infer = () => {
+    if (members.length === 1 && only?.kind === "function" && signature !== undefined)
+      checkAgainstSignature(s, only, signature, scope)
+    else inferJointly(s, members, scope, top)
+  }
   const {problems, wanted} = {problems: s.problems.length, wanted: s.wanted}
-  if (members.length === 1 && only?.kind === "function" && signature !== undefined)
-    checkAgainstSignature(s, only, signature, scope)
-  else inferJointly(s, members, scope, top)
-  if (!members.some(d => d.kind === "function" && isHigherRankSignature(s, d.signature?.text ?? ""))) return
+  if (!top) infer()
+  else if (members.some(isTooLargeToInfer) || !inferWithinBounds(s, infer)) {
+    leaveToGhc(s, members, scope, signatures)
+    return
+  }
+  if (!members.some(d => d.kind === "function" && isBeyondInference(s, d.signature?.text ?? ""))) return
   s.problems.length = problems
   s.wanted = wanted
+  leaveToGhc(s, members, scope)
+}
+
+/// Whether types in a definition would be larger than those that inference reads.
+function isTooLargeToInfer(d: Declaration): boolean {
+  for (const node of everyNode(d)) if (partsOfType(node) > mostParts) return true
+  return false
+}
+
+/// Number of levels or arguments that a node gives to one type.
+function partsOfType(node: Node): number {
+  switch (node.kind) {
+    case "clause":
+      return node.patterns.length
+    case "lambda":
+      return node.parameters.length
+    case "apply":
+    case "constructor-pattern":
+      return node.args.length
+    case "tuple":
+    case "tuple-pattern":
+      return node.items.length
+    default:
+      return 0
+  }
+}
+
+function leaveToGhc(
+  s: InferenceState,
+  members: readonly Declaration[],
+  scope: Scope,
+  signatures: ReadonlyMap<Declaration, Scheme> = new Map(),
+): void {
   for (const d of members) {
-    s.schemes.set(d, unknown)
-    if (d.kind === "function") scope.set(d.name, unknown)
+    const scheme = signatures.get(d) ?? unknown
+    s.schemes.set(d, scheme)
+    for (const name of namesDefinedBy(d)) scope.set(name, scheme)
   }
 }
 

@@ -4,7 +4,7 @@ import type {DataDeclaration, SynonymDeclaration} from "../model/syntax_tree.ts"
 import type {Environment, Instance, Lookup, MutableEnvironment, MutableLookup} from "./environment.ts"
 import {addData, addInstance, expand, OverlayMap} from "./environment.ts"
 import type {Type} from "./type.ts"
-import {app, con} from "./type.ts"
+import {app, con, TypeTooLarge} from "./type.ts"
 import {isHigherRank, parseType, withQualifiersApart} from "./type_parser.ts"
 import {reduce} from "./unification.ts"
 
@@ -133,6 +133,16 @@ function rankedIn(
   return ranked
 }
 
+/// Whether a type of a field may belong to a class; of one that is too large, only GHC knows.
+function mayBelong(name: string, field: Type, env: Environment): boolean {
+  try {
+    return reduce({name, type: expand(field, env)}, env).kind === "stuck"
+  } catch (e) {
+    if (e instanceof TypeTooLarge) return true
+    throw e
+  }
+}
+
 /// A type cannot be compared when something it is made of cannot. Taking one away may take others with it.
 function dropUnderivable(
   env: MutableEnvironment,
@@ -146,7 +156,7 @@ function dropUnderivable(
         if (d.deriving.includes(name) || env.written?.has(`${name} ${d.name}`) === true) continue
         if (env.instances.get(name)?.get(d.name) === "none") continue
         const fields = d.constructors.flatMap(c => env.constructors.get(c.name)?.fields ?? [])
-        const all = fields.every(f => reduce({name, type: expand(f, env)}, env).kind === "stuck")
+        const all = fields.every(f => mayBelong(name, f, env))
         if (all) continue
         env.instances.get(name)?.set(d.name, "none")
         again = true

@@ -3,7 +3,7 @@
 /// An environment is read from declarations as Haskell writes them, one a line, and grows by a program's own types.
 
 import type {Constraint, Scheme, Type} from "./type.ts"
-import {app, con, funs, spine, substitute, variablesIn} from "./type.ts"
+import {app, con, funs, mostLevels, mostNodes, spine, substitute, TypeTooLarge, variablesIn} from "./type.ts"
 import {parseScheme, parseSignature, parseType} from "./type_parser.ts"
 
 export interface ConstructorInfo {
@@ -33,6 +33,9 @@ export interface Instance {
 
 /// For a name of which only GHC knows the type: it fits everywhere.
 export const unknown: Scheme = {variables: [], constraints: [], type: con("?"), unknown: true}
+
+/// Maximum number of fields of a constructor that is inferred: each is a level of its type, and functions over types are recursive.
+const mostFields = 500
 
 /// What is asked of a table; a program's own names are a thin layer over the library's.
 export interface Lookup<V> {
@@ -275,7 +278,7 @@ export function addData(
     ]
     env.constructors.set(c.name, {
       name: c.name,
-      scheme: {variables, constraints: [], type: funs(fields, result)},
+      scheme: fields.length > mostFields ? unknown : {variables, constraints: [], type: funs(fields, result)},
       fields,
       fieldNames: c.fields.map(f => f.name),
       of: name,
@@ -296,18 +299,25 @@ export function addInstance(env: MutableEnvironment, name: string, instance: Ins
 }
 
 /// A type with all synonyms written out. A synonym inside of its own definition stays as it is.
-export function expand(type: Type, env: Environment, within: readonly string[] = []): Type {
+export function expand(
+  type: Type,
+  env: Environment,
+  within: readonly string[] = [],
+  size: {nodes: number; level: number} = {nodes: 0, level: 0},
+): Type {
+  if (++size.nodes > mostNodes || size.level > mostLevels) throw new TypeTooLarge()
+  size.level++
   const {head, args} = spine(type)
-  const expanded = args.map(a => expand(a, env, within))
+  const expanded = args.map(a => expand(a, env, within, size))
   if (head.kind === "con" && !within.includes(head.name)) {
     const entry = env.types.get(head.name)
     if (entry?.synonym !== undefined && expanded.length >= entry.parameters.length) {
       const by = new Map(entry.parameters.map((p, i) => [p, expanded[i] ?? con("()")] as const))
-      return app(
-        expand(substitute(entry.synonym, by), env, [...within, head.name]),
-        ...expanded.slice(entry.parameters.length),
-      )
+      const meaning = expand(substitute(entry.synonym, by), env, [...within, head.name], size)
+      size.level--
+      return app(meaning, ...expanded.slice(entry.parameters.length))
     }
   }
+  size.level--
   return expanded.length === 0 ? head : app(head, ...expanded)
 }

@@ -26,7 +26,7 @@ import {expand} from "./environment.ts"
 import {checkExpression, inferStatements} from "./expression_inference.ts"
 import type {CachedGroup, InferenceCache} from "./inference_cache.ts"
 import type {InferenceState} from "./inference_state.ts"
-import {freshMeta} from "./inference_state.ts"
+import {freshMeta, inferWithinBounds} from "./inference_state.ts"
 import {checkDuplicateInstances, inferInstance} from "./instance_inference.ts"
 import {isKnownClass} from "./kinds.ts"
 import {inferPattern} from "./pattern_inference.ts"
@@ -59,6 +59,7 @@ export function createInference(
     scoped: new Map(),
     placeholders: new Set(),
     unsignable: new Set(),
+    largeTypes: new Set(),
     groups: [],
     watch,
     watched: undefined,
@@ -82,11 +83,12 @@ export function inferProgram(
   known: Scope = new Scope(),
 ): Scope {
   const scope = inferGroup(s, declarations, known, true)
-  checkDuplicateInstances(s, declarations)
+  inferWithinBounds(s, () => checkDuplicateInstances(s, declarations))
   for (const d of declarations) if (d.kind === "instance") checkClass(s, d)
   for (const d of declarations)
-    if (d.kind === "instance") s.inferTopGroup([d], scope, () => inferInstance(s, d, scope))
-  solveRemaining(s)
+    if (d.kind === "instance")
+      s.inferTopGroup([d], scope, () => inferWithinBounds(s, () => inferInstance(s, d, scope)))
+  inferWithinBounds(s, () => solveRemaining(s))
   return scope
 }
 

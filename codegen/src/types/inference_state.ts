@@ -8,6 +8,7 @@ import type {Environment} from "./environment.ts"
 import type {InferredGroup} from "./inference_cache.ts"
 import type {Scope} from "./scope.ts"
 import type {Meta, Scheme, Type} from "./type.ts"
+import {TypeTooLarge} from "./type.ts"
 import type {TypeProblem, Wanted} from "./type_problems.ts"
 
 export interface InferenceState {
@@ -39,6 +40,8 @@ export interface InferenceState {
   readonly placeholders: Set<Scheme>
   /// Definitions whose inferred type must not be printed as a signature.
   readonly unsignable: Set<Declaration>
+  /// Texts of types that are too large when their synonyms are written out.
+  readonly largeTypes: Set<string>
   /// Results for each group of top-level definitions; a cached group is the identical object.
   readonly groups: InferredGroup[]
 
@@ -72,3 +75,19 @@ export function unknownType(s: InferenceState): Type {
 }
 
 export const mono = (type: Type): Scheme => ({variables: [], constraints: [], type})
+
+/// Runs the inference of one definition. If a type becomes too large, its problems and constraints are dropped, and the answer is false.
+export function inferWithinBounds(s: InferenceState, infer: () => void): boolean {
+  const {level, lenient, opaque, scoped, wanted} = s
+  const before = {problems: s.problems.length, wanted: wanted.length}
+  try {
+    infer()
+    return true
+  } catch (e) {
+    if (!(e instanceof TypeTooLarge)) throw e
+    s.problems.length = before.problems
+    wanted.length = before.wanted
+    Object.assign(s, {level, lenient, opaque, scoped, wanted})
+    return false
+  }
+}

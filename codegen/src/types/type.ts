@@ -46,6 +46,14 @@ export const unit = con("()")
 export const bool = con("Bool")
 export const string = listOf(con("Char"))
 
+/// Maximum numbers of parts and of levels in a type of inference. A few lines can have a type of 2⁶⁴ parts (`g = f . f`, `h = g . g`, …, `f x = (x, x)`;
+/// `type A = (B, B)`, `type B = (C, C)`, …), and functions over types are recursive.
+export const mostNodes = 10_000
+export const mostLevels = 1000
+
+/// Thrown where a type becomes larger than inference can hold; `inferWithinBounds` leaves the definition to GHC.
+export class TypeTooLarge extends Error {}
+
 /// Follows what inference has found out, at the top only.
 export function prune(type: Type): Type {
   let t = type

@@ -4,12 +4,18 @@ import {unqualified} from "../haskell/lexemes.ts"
 import type {Expr, Node} from "../model/syntax_tree.ts"
 import {expand} from "./environment.ts"
 import type {InferenceState} from "./inference_state.ts"
-import {freshMeta, unknownType} from "./inference_state.ts"
+import {freshMeta, inferWithinBounds, unknownType} from "./inference_state.ts"
 import {isKnownClass, misappliedType, typeNamesIn} from "./kinds.ts"
 import {Scope} from "./scope.ts"
 import type {Scheme, Type} from "./type.ts"
 import {asFunction, con, funs, listOf, substitute, tupleOf} from "./type.ts"
-import {isBeyondHaskell2010, isHigherRank, parseScheme, withQualifiersApart} from "./type_parser.ts"
+import {
+  isBeyondHaskell2010,
+  isHigherRank,
+  isTooLarge,
+  parseScheme,
+  withQualifiersApart,
+} from "./type_parser.ts"
 import type {TypeProblem} from "./type_problems.ts"
 import {unify} from "./unification.ts"
 
@@ -19,15 +25,21 @@ const unqualifiedNames = /(?<![\p{L}\p{N}_'.])\p{Lu}[\p{L}\p{N}_']*(?![\p{L}\p{N
 /// The last parts of names with a qualifier.
 const qualifiedNames = /\p{Lu}[\p{L}\p{N}_'.]*\.(\p{Lu}[\p{L}\p{N}_']*)/gu
 
-/// A type with variables of its own inside, which is GHC's to judge.
-export function isHigherRankSignature(s: InferenceState, text: string): boolean {
-  return isHigherRank(text, s.env.ranked)
+/// A type with variables of its own inside, or one that is too large: GHC's to judge.
+export function isBeyondInference(s: InferenceState, text: string): boolean {
+  return isHigherRank(text, s.env.ranked) || isTooLarge(text) || s.largeTypes.has(text)
 }
 
 // --- Types as they are written -----------------------------------------------------------------------------------
 
 export function readSignature(s: InferenceState, text: string, node: Node): Scheme | undefined {
-  if (isHigherRankSignature(s, text)) return undefined
+  if (isBeyondInference(s, text)) return undefined
+  let scheme: Scheme | undefined
+  if (!inferWithinBounds(s, () => (scheme = readScheme(s, text, node)))) s.largeTypes.add(text)
+  return scheme
+}
+
+function readScheme(s: InferenceState, text: string, node: Node): Scheme | undefined {
   const scheme = parseScheme(withQualifiersApart(text, s.env.ownTypes))
   if (scheme === undefined) {
     if (text.trim() !== "" && !isBeyondHaskell2010(text)) s.problems.push({kind: "bad-signature", node, text})

@@ -46,8 +46,13 @@ export function parseScheme(text: string): Scheme | undefined {
   return {variables: [...variables], ...signature}
 }
 
+function tokensOf(text: string): readonly string[] {
+  return text.match(/[\p{L}_][\p{L}\p{N}_'.]*|->|→|=>|⇒|\(,+\)|[()[\],]|\S/gu) ?? []
+}
+
 function tokenize(text: string): string[] | undefined {
-  const tokens = text.match(/[\p{L}_][\p{L}\p{N}_'.]*|->|→|=>|⇒|\(,+\)|[()[\],]|\S/gu) ?? []
+  const tokens = tokensOf(text)
+  if (tokens.length > mostTokens) return undefined
   const clean = tokens.map(t => (t === "→" ? "->" : t === "⇒" ? "=>" : t))
   const known = clean.every(t => /^(?:[\p{L}_][\p{L}\p{N}_'.]*|->|=>|\(,+\)|[()[\],])$/u.test(t))
   return known && !clean.includes("forall") ? clean : undefined
@@ -126,15 +131,15 @@ function unqualified(name: string): string {
   return name.replace(/^.*\./, "")
 }
 
-/// Brackets in brackets of a type that is read. Deeper types are unknown: nobody writes them, and their readers would need too much stack.
-const mostNested = 500
+/// Maximum number of tokens in a type. Functions over types are recursive and would need too much stack for larger ones, which inference leaves to GHC.
+const mostTokens = 1000
 
-/// Arguments of a function whose type is read, for the same reason.
-const mostArguments = 5000
+export function isTooLarge(text: string): boolean {
+  return text.length > mostTokens && tokensOf(text).length > mostTokens
+}
 
 class Parser {
   private at = 0
-  private depth = 0
   private readonly tokens: readonly string[]
   constructor(tokens: readonly string[]) {
     this.tokens = tokens
@@ -148,7 +153,7 @@ class Parser {
     const parts: Type[] = []
     do {
       const part = this.application()
-      if (part === undefined || parts.length === mostArguments) return undefined
+      if (part === undefined) return undefined
       parts.push(part)
     } while (this.take("->"))
     return parts.reduceRight((to, from) => fun(from, to))
@@ -170,14 +175,6 @@ class Parser {
   }
 
   atomic(): Type | undefined {
-    if (this.depth === mostNested) return undefined
-    this.depth++
-    const type = this.bracketed()
-    this.depth--
-    return type
-  }
-
-  private bracketed(): Type | undefined {
     const token = this.tokens[this.at]
     if (token === undefined) return undefined
     this.at++

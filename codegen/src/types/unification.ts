@@ -3,7 +3,7 @@
 import type {Environment} from "./environment.ts"
 import {expand} from "./environment.ts"
 import type {Constraint, Meta, Type} from "./type.ts"
-import {app, con, prune, spine, substitute} from "./type.ts"
+import {app, con, mostLevels, mostNodes, prune, spine, substitute, TypeTooLarge} from "./type.ts"
 
 export interface Rigid {
   readonly kind: "var"
@@ -27,19 +27,20 @@ export function unify(a: Type, b: Type): {left: Type; right: Type} | undefined {
   return {left: l, right: r}
 }
 
-/// Occurs check and level adjustment in one walk. A rigid variable cannot get into a type from outside its signature.
+/// Occurs check, level adjustment and measure in one walk. A rigid variable cannot get into a type from outside its signature.
 function bind(meta: Meta, type: Type): boolean {
-  if (!mayHold(meta, type)) return false
+  if (!mayHold(meta, type, {nodes: 0}, 0)) return false
   lower(meta.level, type)
   meta.is = type
   return true
 }
 
-function mayHold(meta: Meta, type: Type): boolean {
+function mayHold(meta: Meta, type: Type, seen: {nodes: number}, levels: number): boolean {
   const t = prune(type)
   if (t === meta) return false
+  if (++seen.nodes > mostNodes || levels > mostLevels) throw new TypeTooLarge()
   if (t.kind === "var") return ((t as Partial<Rigid>).level ?? 0) <= meta.level
-  return t.kind !== "app" || (mayHold(meta, t.fn) && mayHold(meta, t.arg))
+  return t.kind !== "app" || (mayHold(meta, t.fn, seen, levels + 1) && mayHold(meta, t.arg, seen, levels + 1))
 }
 
 function lower(level: number, type: Type): void {

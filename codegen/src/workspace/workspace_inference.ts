@@ -30,6 +30,7 @@ import {
 } from "../types/inference.ts"
 import type {InferenceCache, InferredGroup} from "../types/inference_cache.ts"
 import type {InferenceState} from "../types/inference_state.ts"
+import {inferWithinBounds} from "../types/inference_state.ts"
 import type {Scope} from "../types/scope.ts"
 import {library} from "../types/standard_library.ts"
 import type {Meta, Type} from "../types/type.ts"
@@ -62,14 +63,17 @@ export function inferModel(read: ReadWorkspace, watch?: Origin, cache?: Inferenc
       ? withDeclaredTypes(inText(read.header ?? "", raw, types), types)
       : {...known.env, needs: new Set<string>()}
   const inference = createInference(env, {...(cache === undefined ? {} : {cache}), typesKey, watch})
-  if (known === undefined) for (const d of types) checkDeclaredTypes(inference, d)
+  if (known === undefined)
+    for (const d of types) inferWithinBounds(inference, () => checkDeclaredTypes(inference, d))
   else inference.problems.push(...known.problems)
   cache?.ownTypes.set(typesKey, {env, problems: [...inference.problems]})
   const globals = inferProgram(inference, declarations)
   for (const l of read.loose)
-    if (l.kind === "expression") inferLooseExpression(inference, l.expr, globals)
-    else if (l.kind === "pattern") inferLoosePattern(inference, l.pattern)
-    else inferLooseStatements(inference, l.steps, globals)
+    inferWithinBounds(inference, () => {
+      if (l.kind === "expression") inferLooseExpression(inference, l.expr, globals)
+      else if (l.kind === "pattern") inferLoosePattern(inference, l.pattern)
+      else inferLooseStatements(inference, l.steps, globals)
+    })
   return {read, inference, globals}
 }
 

@@ -3,12 +3,12 @@
 import {
   firstChoices,
   type PropertyChoices,
-  problem,
   runSeconds,
   type TestedRoom,
   testedRoom,
   wordsOf,
 } from "../rooms/room_test.ts"
+import {batchProblem} from "../state/batch_answer.ts"
 import {list, number, object, oneOf, optional, parseJson, string} from "../state/decode.ts"
 
 /// Rooms that need no room to begin with, and the room of each hand-in.
@@ -100,7 +100,7 @@ export const checkResult = object<CheckResult>(get => ({
   rooms: get("rooms", number),
   passed: get("passed", number),
   fault: get("fault", optional(oneOf(...faults), null)),
-  problems: get("problems", list(problem)),
+  problems: get("problems", list(batchProblem)),
   worst: get("worst", optional(testedRoom, null)),
   tried: [],
 }))

@@ -1,22 +1,8 @@
 /// Rehearsal of a draft: its solution and its typical wrong attempts, run and judged by the service (protocol §9.1), and what is to be said about them. Pure.
 
 import {type LessonVerdict, lessonVerdict, type Seen} from "../lessons/lesson.ts"
-import {problem} from "../rooms/room_test.ts"
-import {
-  boolean,
-  type Decoded,
-  type Decoder,
-  decode,
-  list,
-  number,
-  object,
-  oneOf,
-  optional,
-  parseJson,
-  string,
-} from "../state/decode.ts"
-import {sentence} from "../state/sentence.ts"
-import {worded} from "../words/worker_sentences.ts"
+import {batchAnswer, batchProblem, type CommonAnswer} from "../state/batch_answer.ts"
+import {boolean, list, number, object, oneOf} from "../state/decode.ts"
 import {type DraftStep, isQuestion, type LessonDraft} from "./draft.ts"
 import {watchedStep} from "./draft_file.ts"
 
@@ -33,10 +19,9 @@ export interface Judged {
   readonly problems: readonly string[]
 }
 
-export type RehearsalAnswer =
-  | {readonly op: "queued"; readonly place: number}
-  | (Judged & {readonly op: "attempt"; readonly number: number})
-  | {readonly op: "failed"; readonly message: string}
+type OwnAnswer = Judged & {readonly op: "attempt"; readonly number: number}
+
+export type RehearsalAnswer = CommonAnswer | OwnAnswer
 
 export interface Rehearsal {
   /// The request as text: another one is needed when it changes.
@@ -166,8 +151,8 @@ function findingsAbout(
   return isMissed ? [] : [{kind: "wrong-passes", step, check, place}]
 }
 
-const answers = {
-  queued: object(get => ({op: "queued", place: get("place", number)}) as const),
+/// A message of the service.
+export const readAnswer = batchAnswer<OwnAnswer>({
   attempt: object(
     get =>
       ({
@@ -176,22 +161,7 @@ const answers = {
         ended: get("ended", oneOf("time", "done", "error", "stuck", "refused")),
         passed: get("passed", boolean),
         checks: get("checks", list(lessonVerdict)),
-        problems: get("problems", list(problem)),
+        problems: get("problems", list(batchProblem)),
       }) as const,
   ),
-  failed: object(
-    get =>
-      ({
-        op: "failed",
-        message: worded(get("sentence", optional(sentence, null)), get("message", string)),
-      }) as const,
-  ),
-}
-
-const answer: Decoder<RehearsalAnswer> = (value, path) => {
-  const op = object(get => get("op", oneOf("queued", "attempt", "failed")))(value, path)
-  return answers[op](value, path)
-}
-
-/// A message of the service.
-export const readAnswer = (text: string): Decoded<RehearsalAnswer> => decode(answer, parseJson(text))
+})

@@ -1,21 +1,17 @@
 /// A test in many rooms: the learner's choices, the request made of them, the service's messages (protocol §4.1), and the state of a test.
 
+import {batchAnswer, batchProblem, type CommonAnswer} from "../state/batch_answer.ts"
 import {
   boolean,
-  type Decoded,
   type Decoder,
-  decode,
   list,
   Mismatch,
   number,
   object,
   oneOf,
   optional,
-  parseJson,
   string,
 } from "../state/decode.ts"
-import {problemSentences, sentence, untranslated} from "../state/sentence.ts"
-import {worded} from "../words/worker_sentences.ts"
 import type {World} from "../worlds/world.ts"
 import {readWorld} from "../worlds/world_decoder.ts"
 import {writeWorld} from "../worlds/world_encoder.ts"
@@ -101,8 +97,7 @@ export interface Smallest {
   readonly tested: TestedRoom
 }
 
-export type Answer =
-  | {readonly op: "queued"; readonly place: number}
+type OwnAnswer =
   | {readonly op: "progress"; readonly done: number; readonly passed: number; readonly shrunk: number}
   | {
       readonly op: "report"
@@ -111,7 +106,8 @@ export type Answer =
       readonly smallest: Smallest | null
       readonly problems: readonly string[]
     }
-  | {readonly op: "failed"; readonly message: string}
+
+export type Answer = CommonAnswer | OwnAnswer
 
 export type RoomTest =
   | {readonly kind: "none"}
@@ -196,16 +192,11 @@ const world: Decoder<World> = (value, path) => {
   throw new Mismatch(`${path}.${read.fault.path}`, `a room: ${read.fault.why}`)
 }
 
-/// What is wrong, in the language of the page.
-export const problem = object(get =>
-  worded(get("sentences", optional(problemSentences, untranslated)).message, get("message", string)),
-)
-
 export const testedRoom: Decoder<TestedRoom> = object(get => ({
   room: get("room", number),
   seed: get("seed", number),
   passed: get("passed", boolean),
-  problems: get("problems", list(problem)),
+  problems: get("problems", list(batchProblem)),
   findings: get("findings", list(finding)),
   time: get("time", number),
   world: get("world", world),
@@ -219,8 +210,8 @@ const smallest: Decoder<Smallest> = object(get => ({
   tested: get("tested", testedRoom),
 }))
 
-const answers = {
-  queued: object(get => ({op: "queued", place: get("place", number)}) as const),
+/// A message of the service.
+export const readAnswer = batchAnswer<OwnAnswer>({
   progress: object(
     get =>
       ({
@@ -237,22 +228,7 @@ const answers = {
         passed: get("passed", number),
         rooms: get("rooms", list(testedRoom)),
         smallest: get("smallest", optional(smallest, null)),
-        problems: get("problems", list(problem)),
+        problems: get("problems", list(batchProblem)),
       }) as const,
   ),
-  failed: object(
-    get =>
-      ({
-        op: "failed",
-        message: worded(get("sentence", optional(sentence, null)), get("message", string)),
-      }) as const,
-  ),
-}
-
-const answer: Decoder<Answer> = (value, path) => {
-  const op = object(get => get("op", oneOf("queued", "progress", "report", "failed")))(value, path)
-  return answers[op](value, path)
-}
-
-/// A message of the service.
-export const readAnswer = (text: string): Decoded<Answer> => decode(answer, parseJson(text))
+})

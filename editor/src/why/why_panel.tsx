@@ -1,6 +1,6 @@
 /// Panel of the answer to a question about the run: its sentences, of which every cause is a question that goes one step further back.
 
-import type {VNode} from "preact"
+import type {ComponentChildren, VNode} from "preact"
 import {useLayoutEffect, useRef} from "preact/hooks"
 import {useController, usePageState} from "../page/app_context.ts"
 import {IconButton} from "../page/controls.tsx"
@@ -78,24 +78,30 @@ export function WhyPanel(): VNode | null {
   )
 }
 
+/// Link to another question, from which a button leads back.
+function QuestionLink({question, children}: {question: Question; children: ComponentChildren}): VNode {
+  const {store} = useController()
+  return (
+    <button
+      type="button"
+      class="link not-sent"
+      onClick={() => store.dispatch({kind: "why", event: {kind: "followed", question}})}
+    >
+      {children}
+    </button>
+  )
+}
+
 /// The commands that the function may give, then the others, each as a question of its own.
 function NotSent({question}: {question: Question & {kind: "not"}}): VNode {
-  const {store} = useController()
   const parts = usePageState(s => s.network?.parts ?? null)
   const commands = commandsToAsk(parts ?? [], question.function)
   return (
     <p>
       {commands.map(command => (
-        <button
-          type="button"
-          class="link not-sent"
-          key={command}
-          onClick={() =>
-            store.dispatch({kind: "why", event: {kind: "followed", question: {...question, command}}})
-          }
-        >
+        <QuestionLink key={command} question={{...question, command}}>
           {words.why.noCommand(command)}
-        </button>
+        </QuestionLink>
       ))}
     </p>
   )
@@ -103,38 +109,26 @@ function NotSent({question}: {question: Question & {kind: "not"}}): VNode {
 
 /// Why no command of a type was sent, when the answer is that there was none.
 function NoneSent({question, answer}: {question: Question; answer: Explanation | null}): VNode | null {
-  const {store} = useController()
   const now = usePageState(s => s.room.lookedAt ?? s.room.frame?.time ?? null)
   const other = noCommandQuestion(question, answer, now)
   if (other === null) return null
   return (
     <p>
-      <button
-        type="button"
-        class="link not-sent"
-        onClick={() => store.dispatch({kind: "why", event: {kind: "followed", question: other}})}
-      >
-        {words.why.noCommand(other.command)}
-      </button>
+      <QuestionLink question={other}>{words.why.noCommand(other.command)}</QuestionLink>
     </p>
   )
 }
 
 /// From the motion of the robot to its place at that time, and back.
 function AboutRobot({question}: {question: Question}): VNode | null {
-  const {store} = useController()
   const now = usePageState(s => s.room.lookedAt ?? s.why.open?.answer?.time ?? null)
   const other = otherQuestion(question, now)
   if (other === null) return null
   return (
     <p>
-      <button
-        type="button"
-        class="link not-sent"
-        onClick={() => store.dispatch({kind: "why", event: {kind: "followed", question: other}})}
-      >
+      <QuestionLink question={other}>
         {other.kind === "position" ? words.why.place : words.why.asked.motion}
-      </button>
+      </QuestionLink>
     </p>
   )
 }

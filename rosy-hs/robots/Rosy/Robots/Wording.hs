@@ -44,8 +44,8 @@ import System.IO (stderr)
 inTerminal :: Sentence -> IO Text
 inTerminal sentence = (`worded` sentence) <$> machineLanguage
 
--- | The same on standard error, where sentences for a person go. As UTF-8, whatever the handle's encoding: a letter that it lacks would be an
--- exception while a robot drives.
+-- | Prints the sentence to standard error. As UTF-8, whatever the handle's encoding: a letter that it lacks would be an exception while a robot
+-- drives.
 tellPerson :: Sentence -> IO ()
 tellPerson sentence = inTerminal sentence >>= C.hPutStr stderr . encodeUtf8 . (<> "\n")
 
