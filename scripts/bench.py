@@ -110,6 +110,15 @@ BENCHES = {
         "a class of thirty pupils whose programs drive, without the teacher's board and with it",
         [Command(simulator("class"), small=simulator("class", "--pupils", "2", "--seconds", "1"))],
     ),
+    "cluster": Benchmark(
+        "2,000 runs on three nodes of a cluster, also when one is killed, beside one machine; a class on a node beside a laptop",
+        [
+            Command(
+                simulator("cluster", "--rounds", "12"),
+                small=simulator(*["cluster", "--programs", "2", "--rooms", "4", "--pupils", "2", "--seconds", "1", "--rounds", "1"]),
+            )
+        ],
+    ),
     "attacks": Benchmark(
         "what others notice of one client's attacks, beside the same without: checks, steps, a new page and its program",
         [Command(simulator("attacks"), small=simulator("attacks", "--seconds", "1"))],

@@ -2,6 +2,7 @@
 
 import type {BrowserStorage} from "../browser/browser_storage.ts"
 import {downloadBlob} from "../browser/local_files.ts"
+import {pageOfClass, serviceAddress} from "../browser/service_address.ts"
 import {fragmentOf} from "../browser/share_link.ts"
 import {words} from "../words/index.ts"
 import {type BoardMessage, type BoardRequest, type BoardTask, readBoardMessage} from "./board_messages.ts"
@@ -106,7 +107,11 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
     send({op: "open-run", task, pupil, room})
   }
   // Always the same window: a second press brings it to the front.
-  const openProjector = () => void window.open(`./projector.html#key=${key ?? ""}`, "rosy-projector")
+  const openProjector = () => {
+    const projector = pageOfClass("./projector.html", window.location)
+    projector.hash = `key=${key ?? ""}`
+    window.open(projector, "rosy-projector")
+  }
   return {send, unlock, download, backUp, openRun, openProjector}
 }
 
@@ -147,7 +152,9 @@ const downloadHandIns = (task: BoardTask, key: string): Promise<boolean> =>
 
 async function downloadZip(path: string, name: string, key: string): Promise<boolean> {
   try {
-    const answer = await fetch(path, {headers: {"X-Rosy-Key": key}})
+    const address = await serviceAddress(path, window.location)
+    if (address === null) return false
+    const answer = await fetch(address, {headers: {"X-Rosy-Key": key}})
     if (!answer.ok) return false
     downloadBlob(name, await answer.blob())
     return true

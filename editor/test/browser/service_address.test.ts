@@ -1,7 +1,7 @@
-/// Addresses of sockets: at the page's own service, or at the node where its class is now.
+/// Addresses of sockets and files: at the page's own service, or at the node where its class is now; and of other pages.
 
 import {expect, test} from "vitest"
-import {socketAddress} from "../../src/browser/service_address.ts"
+import {pageOfClass, serviceAddress, socketAddress} from "../../src/browser/service_address.ts"
 
 const at = (href: string) => ({href})
 const answering = (ok: boolean, value: unknown) => {
@@ -43,4 +43,24 @@ test("there is no address while no node has the class, or nothing answers", asyn
   expect(await socketAddress("api/class", page, answering(false, {}).ask)).toBeNull()
   expect(await socketAddress("api/class", page, answering(true, {address: 1}).ask)).toBeNull()
   expect(await socketAddress("api/class", page, () => Promise.reject(new TypeError("no network")))).toBeNull()
+})
+
+test("files of a class come from its node, through the proxy behind TLS", async () => {
+  const {ask} = answering(true, {address: "10.0.0.5:8101"})
+  const file = (page: string) => serviceAddress("api/hand-ins/3", at(page), ask)
+  expect(await file("http://10.0.0.1:8080/board.html#key=x")).toBe("http://10.0.0.1:8080/api/hand-ins/3")
+  expect(await file("http://10.0.0.1:8080/board.html?class=7b#key=x")).toBe(
+    "http://10.0.0.5:8101/api/hand-ins/3",
+  )
+  expect(await file("https://rosy.example/board.html?class=7b")).toBe(
+    "https://rosy.example/node/10.0.0.5:8101/api/hand-ins/3",
+  )
+})
+
+test("another page of a class names it, too", () => {
+  const projector = (page: string) => pageOfClass("./projector.html", at(page)).href
+  expect(projector("http://10.0.0.1:8080/board.html?class=7b&lang=de#key=x")).toBe(
+    "http://10.0.0.1:8080/projector.html?class=7b",
+  )
+  expect(projector("http://10.0.0.1:8080/board#key=x")).toBe("http://10.0.0.1:8080/projector.html")
 })

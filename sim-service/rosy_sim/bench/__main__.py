@@ -1,6 +1,7 @@
 """
 ``python -m rosy_sim.bench simulator [--pages N ...] [--seconds S] [--profile]``, ``recovery [--rounds N]``,
-``class [--pupils N] [--seconds S]``, ``recording [--seconds S]``, and ``attacks [--seconds S] [--only WORDS]``.
+``class [--pupils N] [--seconds S]``, ``recording [--seconds S]``, ``attacks [--seconds S] [--only WORDS]``, and
+``cluster [--programs N] [--rooms N] [--pupils N] [--seconds S] [--rounds N]``.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import sys
 
 from ..config import discover
 from ..errors import RosyError
-from . import class_board, lockstep, pages, previews, recording, recovery, under_attack, world
+from . import class_board, cluster, lockstep, pages, previews, recording, recovery, under_attack, world
 
 __all__ = ["main"]
 
@@ -19,14 +20,16 @@ __all__ = ["main"]
 def main() -> int:
     """Print the tables."""
     parser = argparse.ArgumentParser(prog="python -m rosy_sim.bench")
-    parser.add_argument("name", choices=["simulator", "recovery", "class", "attacks", "recording"])
+    parser.add_argument("name", choices=["simulator", "recovery", "class", "attacks", "recording", "cluster"])
     parser.add_argument("--pages", type=int, nargs="*", default=[50, 100, 150, 200])
     parser.add_argument("--seconds", type=float, default=10.0)
     parser.add_argument("--runs", type=int, help="programs at once; the other pages wait (default: all drive)")
     parser.add_argument("--only", default="", help="attacks whose titles have this in them")
     parser.add_argument("--profile", action="store_true", help="say where the service's time goes")
     parser.add_argument("--pupils", type=int, default=30, help="of the class")
-    parser.add_argument("--rounds", type=int, default=3, help="deaths of each kind")
+    parser.add_argument("--rounds", type=int, default=3, help="deaths of each kind, or windows of time")
+    parser.add_argument("--programs", type=int, default=40, help="that a cluster tests")
+    parser.add_argument("--rooms", type=int, default=50, help="in which each of them is tested")
     options = parser.parse_args()
     try:
         config = discover()
@@ -39,6 +42,8 @@ def main() -> int:
         if options.name == "attacks":
             under_attack.report(config, options.seconds, options.only)
             return 0
+        if options.name == "cluster":
+            return cluster.report(options)
         if options.name == "class":
             late = class_board.report(config, options.pupils, options.seconds)
             print(f"  in time (99 % of the steps less than {pages.IN_TIME * 1e3:.0f} ms late): {late < pages.IN_TIME}")

@@ -21,7 +21,6 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from multiprocessing.connection import Connection
-from pathlib import Path
 from typing import Any
 
 import psutil
@@ -32,6 +31,7 @@ from ..config import Config
 from ..web.app import Service, build_app
 from ..web.paced_frames import paced_frames
 from ..world.time_step import STEP
+from .processor_time import exact_time
 
 __all__ = ["IN_TIME", "Cost", "Drivers", "drive", "report"]
 
@@ -138,7 +138,7 @@ async def _measure(config: Config, drivers: Drivers, profiler: cProfile.Profile 
     service.lateness.clear()
     programs = _programs(service.worker.pid)
     service_process = psutil.Process()
-    before, theirs_before = _processor_time([service_process]), _processor_time(programs)
+    before, theirs_before = exact_time([service_process]), exact_time(programs)
     began = time.perf_counter()
     if profiler is not None:
         profiler.enable()
@@ -153,8 +153,8 @@ async def _measure(config: Config, drivers: Drivers, profiler: cProfile.Profile 
     cost = Cost(
         lateness=service.lateness.summary(),
         took=time.perf_counter() - began,
-        service=_processor_time([service_process]) - before,
-        programs=_processor_time(programs) - theirs_before,
+        service=exact_time([service_process]) - before,
+        programs=exact_time(programs) - theirs_before,
         frames=frames,
         received=received,
         memory=memory,
@@ -175,15 +175,6 @@ def _programs(worker: int | None) -> list[psutil.Process]:
         found = level
         level = [child for process in level for child in process.children()]
     return [process for process in found if process.name() != "rosy-check"]
-
-
-def _processor_time(processes: list[psutil.Process]) -> float:
-    """
-    Processor time that processes have used, s. The scheduler counts nanoseconds of each thread, in the first number of
-    ``schedstat``; ``psutil`` counts hundredths of a second, in which a program makes fifty steps.
-    """
-    threads = [file for process in processes for file in Path(f"/proc/{process.pid}/task").glob("*/schedstat")]
-    return sum(int(file.read_text().split()[0]) for file in threads) / 1e9
 
 
 def _simulate_pages(port: int, drivers: Drivers, active_drivers: int, talk: Connection) -> None:

@@ -12,6 +12,7 @@ import os
 import subprocess
 import sys
 import threading
+from contextlib import suppress
 from typing import Any
 
 import msgspec
@@ -33,6 +34,9 @@ _MEMORY_OF_CLASS = 1024**3
 
 _ASK = 5.0
 """How long the directory waits for a class that is about to start, s; a page asks again."""
+
+_END = 15.0
+"""How long a class may take to end, s: longer than its service waits for open connections."""
 
 _FOREVER: dict[str, Any] = {"namespace": NAMESPACE, "lifetime": "detached", "max_restarts": -1, "max_task_retries": 0}
 
@@ -56,15 +60,23 @@ class _ClassHost:
             # The database cannot be used now, or no port is free: Ray starts the actor again.
             os._exit(1)
         self._ready = msgspec.json.decode(line, type=Ready)
+        self._is_ending = False
         threading.Thread(target=self._end_with_process, daemon=True).start()
 
     def _end_with_process(self) -> None:
         self._process.wait()
-        os._exit(1)
+        if not self._is_ending:
+            os._exit(1)
 
     def ready(self) -> Ready:
         """Where the class is."""
         return self._ready
+
+    def end(self) -> None:
+        """End the service, which then has the class locked no more."""
+        self._is_ending = True
+        self._process.terminate()
+        self._process.wait()
 
 
 class ClassDirectory:
@@ -95,9 +107,13 @@ class ClassDirectory:
     def end(self, name: str) -> bool:
         """End a class, which stays in the database; whether a node served it."""
         try:
-            ray.kill(ray.get_actor(_host(name), namespace=NAMESPACE))
+            host = ray.get_actor(_host(name), namespace=NAMESPACE)
         except ValueError:
             return False
+        # A class that waits for a node has no service.
+        with suppress(RayError, TimeoutError):
+            ray.get(host.end.remote(), timeout=_END)
+        ray.kill(host)
         return True
 
 

@@ -29,6 +29,7 @@ from ..sentence import tr
 from ..web.lan_addresses import lan_addresses
 from ..wording import in_terminal
 from ..worker.launcher import missing_sandbox
+from .version import version_resource
 
 __all__ = ["DEFAULT_PORT", "PAGES", "start_node", "use_token"]
 
@@ -100,7 +101,8 @@ def start_node(config: Config, options: argparse.Namespace, output: Callable[[st
     processes = options.processes if options.processes is not None else len(os.sched_getaffinity(0))
     if not 1 <= processes <= 256:
         raise BadInput(tr("--processes must be between 1 and 256."))
-    command = [str(Path(sys.executable).with_name("ray")), "start", "--block", "--disable-usage-stats"]
+    # Not by Ray's script, which names an interpreter by the path where it was installed.
+    command = [sys.executable, "-m", "ray.scripts.scripts", "start", "--block", "--disable-usage-stats"]
     command += ["--num-cpus", str(processes)]
     host = options.host or next(iter(lan_addresses()), "127.0.0.1")
     address = options.address or f"{host}:{port}"
@@ -111,6 +113,7 @@ def start_node(config: Config, options: argparse.Namespace, output: Callable[[st
         command += ["--address", address]
     if options.host is not None or options.address is None:
         command += ["--node-ip-address", host]
+    resources = {version_resource(config.root): 1}
     if config.class_database is not None:
         fault = missing_sandbox(config)
         if fault is not None and not host.startswith("127."):
@@ -118,7 +121,8 @@ def start_node(config: Config, options: argparse.Namespace, output: Callable[[st
                 tr("Programs cannot be locked in on this machine ({fault}), so it cannot serve classes.", fault=fault)
             )
         # Only such a node can serve classes.
-        command += ["--resources", json.dumps({PAGES: PAGES_PER_PROCESSOR * processes})]
+        resources[PAGES] = PAGES_PER_PROCESSOR * processes
+    command += ["--resources", json.dumps(resources)]
     use_token()
     log = config.root / ".rosy" / "log" / f"cluster-node-{os.getpid()}.log"
     log.parent.mkdir(parents=True, exist_ok=True)

@@ -29,6 +29,7 @@ from ..rooms.trial_pool import PoolClosed, ProgramLost, TrialPool, Trials
 from ..rooms.trial_process import Answer, Setup, Task, Trial
 from ..sentence import Sentence, tr
 from .connection import ClusterError, connect
+from .version import version_resource
 
 __all__ = ["ClusterPool"]
 
@@ -37,6 +38,9 @@ _BATCHES_PER_PROCESS = 4
 
 _LARGEST_BATCH = 16
 """Trials of a batch: a few seconds, which is what a lost node costs."""
+
+_SHARE = 0.001
+"""What a task takes of the version of a node, which has 1: enough for all of its processors."""
 
 _POLL = 0.2
 """How often a wait for outcomes looks whether the pool was closed, s."""
@@ -73,17 +77,33 @@ class ClusterPool:
         ``address`` is HOST:PORT of the cluster's head node.
 
         Raises:
-            ClusterError: it is not there, no node of it runs on this machine, or its version differs.
+            ClusterError: it is not there, no node of it runs on this machine, or none has the version of this one.
         """
         self._closed = threading.Event()
         self._streams = ExitStack()
         connect(address)
-        self._try_batch = ray.remote(num_cpus=1, max_retries=-1, scheduling_strategy="SPREAD")(_try_batch)
+        self._version = version_resource(discover().root)
+        if not self._nodes():
+            ray.shutdown()
+            raise ClusterError(
+                tr(
+                    "No node of the cluster at {address} has the Rosy of this machine. Install the same version on "
+                    "all, and start their nodes again.",
+                    address=address,
+                )
+            )
+        options = {"num_cpus": 1, "max_retries": -1, "resources": {self._version: _SHARE}}
+        self._try_batch = ray.remote(scheduling_strategy="SPREAD", **options)(_try_batch)
 
     @property
     def processes(self) -> int:
-        """The processors of all nodes that are there now."""
-        return max(1, int(ray.cluster_resources().get("CPU", 1)))
+        """The processors of all nodes that are there now and have our version."""
+        return max(1, int(sum(resources.get("CPU", 0) for resources in self._nodes())))
+
+    def _nodes(self) -> list[dict[str, float]]:
+        """What the nodes of our version have."""
+        there = [node["Resources"] for node in ray.nodes() if node["Alive"]]
+        return [resources for resources in there if self._version in resources]
 
     def program(self, task: Task) -> Trials:
         """The trials of one program; the program is sent to each node once."""

@@ -18,6 +18,7 @@ import msgspec
 from starlette.applications import Starlette
 from starlette.background import BackgroundTask
 from starlette.middleware import Middleware
+from starlette.middleware.cors import CORSMiddleware
 from starlette.requests import Request
 from starlette.responses import JSONResponse, PlainTextResponse, RedirectResponse, Response, StreamingResponse
 from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
@@ -435,6 +436,13 @@ async def _projector(_request: Request) -> Response:
     return RedirectResponse("./projector.html")
 
 
+def _for_pages_of(origins: Iterable[str]) -> list[Middleware]:
+    """Lets the boards of other services ask for files, with the teacher's key. Fetch Standard, "CORS protocol"."""
+    allowed = [f"{scheme}://{origin}" for origin in origins for scheme in ("http", "https")]
+    headers = ["X-Rosy-Key"]
+    return [Middleware(CORSMiddleware, allow_origins=allowed, allow_headers=headers)] if allowed else []
+
+
 def build_app(
     config: Config,
     class_store: ClassStore | None = None,
@@ -485,7 +493,11 @@ def build_app(
         routes.append(Mount("/", StaticPages(directory=config.page, html=True)))
     else:
         routes.append(Route("/", _no_page))
-    middleware = [Middleware(BrowserSafety, names=names), Middleware(RequestTurns, scheduler=service.loop_scheduler)]
+    middleware = [
+        Middleware(BrowserSafety, names=names),
+        *_for_pages_of(config.origins),
+        Middleware(RequestTurns, scheduler=service.loop_scheduler),
+    ]
     app = Starlette(routes=routes, lifespan=service.lifespan, middleware=middleware)
     app.state.service = service
     return app

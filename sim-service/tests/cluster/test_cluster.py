@@ -1,6 +1,6 @@
 """
 ``./rosy run … --rooms N --cluster ADDRESS`` on real Ray nodes: the same report as on one machine, also when a node is
-lost; programs that end workers; an interrupt; and what is refused.
+lost, nightly for 2,000 runs; programs that end workers; an interrupt; and what is refused.
 """
 
 from __future__ import annotations
@@ -15,7 +15,9 @@ from typing import Any
 
 import pytest
 
+from rosy_sim.bench.cluster_rooms import Grading, programs
 from rosy_sim.cluster.node import use_token
+from rosy_sim.config import discover
 from rosy_sim.errors import BadInput
 
 from ..conftest import PATIENCE
@@ -52,8 +54,8 @@ def told(running: subprocess.Popen[str]) -> tuple[int, str]:
     return running.returncode, said
 
 
-def programs(folder: Path, scripts: dict[str, str]) -> None:
-    for name, script in scripts.items():
+def scripts(folder: Path, texts: dict[str, str]) -> None:
+    for name, script in texts.items():
         (folder / "class" / name).mkdir(parents=True)
         (folder / "class" / name / "p.hs").write_text(script)
 
@@ -61,7 +63,7 @@ def programs(folder: Path, scripts: dict[str, str]) -> None:
 @needs_ray
 @pytest.mark.long
 def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> None:
-    programs(tmp_path, {"ann": "done@1", "bob": "drive:0.5", "cem": "refuse", "dora": "drive:0.2 bump"})
+    scripts(tmp_path, {"ann": "done@1", "bob": "drive:0.5", "cem": "refuse", "dora": "drive:0.2 bump"})
     rooms = 120 if WHOLE else 12
     test = ("class", "--rooms", rooms, "--seconds", 15, "--hold", "never-pushes", "1", "s", "--json")
     alone = rosy(token, "run", *test)
@@ -75,7 +77,7 @@ def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> N
             assert told(running) == (3, alone.stdout)
 
         # A program that ends its worker is tried again, and then named; the others have their results.
-        programs(tmp_path / "odd", {"ann": "done@1", "eve": "die"})
+        scripts(tmp_path / "odd", {"ann": "done@1", "eve": "die"})
         status, said = told(on_cluster(token, head, tmp_path / "odd" / "class", "--rooms", 2, "--json"))
         reports: list[dict[str, Any]] = json.loads(said)["programs"]
         assert status == 3
@@ -101,8 +103,30 @@ def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> N
         assert "cannot be used from this machine" in wrong.splitlines()[-1]
 
 
+@needs_ray
+@pytest.mark.real
+@pytest.mark.long
+@pytest.mark.skipif(not WHOLE, reason="cluster: 2,000 runs are graded in nightly")
+@pytest.mark.skipif(not discover().worker, reason="the worker is not built")
+def test_two_thousand_runs_are_graded_while_a_node_is_killed_and_another_joins(tmp_path: Path) -> None:
+    secret = {**os.environ, "LC_ALL": "C.UTF-8", "ROSY_CLUSTER_TOKEN": str(tmp_path / "token")}
+    grading = Grading(tmp_path / "homework", rooms=50, seconds=1.0, environment=secret)
+    programs(grading.folder, 40)
+    alone = grading.alone(2)
+    with Node(secret) as head, Node(secret, head) as second, Node(secret, head) as lost:
+        cluster = grading.with_loss([head, second, lost], alone.spent / 10)
+    assert cluster.loss == "one joined"
+    assert (cluster.status, cluster.answer) == (alone.status, alone.answer)
+    assert sum(len(report["rooms"]) for report in json.loads(cluster.answer)["programs"]) == 2000
+    # Shown by `pytest -s`.
+    for where, graded in (("one machine", alone), ("the cluster", cluster)):
+        cost = graded.spent / 2000 * 1e3
+        print(f"{where}: {2000 / graded.took:.1f} runs a second, {cost:.0f} ms of processor time each")
+    print(f"load average {os.getloadavg()[0]:.1f}")
+
+
 def test_a_program_that_ends_its_worker_twice_is_named(environment: dict[str, str], tmp_path: Path) -> None:
-    programs(tmp_path, {"ann": "done@1", "eve": "die", "fay": "done@1"})
+    scripts(tmp_path, {"ann": "done@1", "eve": "die", "fay": "done@1"})
     done = rosy(environment, "run", "class", "--rooms", 2, "--hold", "never-falls")
     assert done.returncode == 2
     first, second, third = done.stdout.splitlines()

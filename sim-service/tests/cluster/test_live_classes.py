@@ -23,7 +23,6 @@ from ..conftest import PATIENCE, UNHURRIED
 from ..extent import WHOLE
 from ..ports import kept_port
 from ..postgresql_server import needs_postgresql, postgresql_server
-from ..processes import command_of
 from ..test_cli import environment
 from ..web.test_app import Page
 from .ray_nodes import CLUSTER_PYTHON, Node, needs_ray
@@ -137,11 +136,6 @@ async def watch(pupil: Pupil, seen: list[dict[str, Any]]) -> None:
         seen.append(json.loads(await pupil.page.socket.recv()))
 
 
-def serves(node: Node, name: str) -> bool:
-    """Whether the service of a class is a process of a node."""
-    return any(command_of(pid)[1:4] == ["-m", "rosy_sim.cluster.class_service", name] for pid in node.processes())
-
-
 @needs_ray
 @needs_postgresql
 @pytest.mark.skipif(not WHOLE, reason="cluster: live classes are played in nightly")
@@ -151,8 +145,8 @@ def test_a_class_outlives_its_node_and_another_goes_on(cluster: tuple[Pages, lis
     codes = {name: pages.begin(name)["code"] for name in ("7a", "7b")}
     # A class that is served is found, not begun again.
     assert pages.begin("7a")["code"] == codes["7a"]
-    lost = next(node for node in nodes if serves(node, "7a"))
-    kept = next(node for node in nodes if serves(node, "7b"))
+    lost = next(node for node in nodes if node.class_services("7a"))
+    kept = next(node for node in nodes if node.class_services("7b"))
     assert kept is not lost
 
     async def lesson() -> None:
@@ -174,7 +168,7 @@ def test_a_class_outlives_its_node_and_another_goes_on(cluster: tuple[Pages, lis
                 assert (await after.ask("read", "program", program="p"))["text"] == "the last letter"
                 await after.drive(2)
                 took = time.monotonic() - killed
-            assert serves(kept, "7a")
+            assert kept.class_services("7a")
             # The run of the other class has not ended.
             watching.cancel()
             with suppress(asyncio.CancelledError):

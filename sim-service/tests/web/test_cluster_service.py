@@ -1,4 +1,4 @@
-"""What a service of a cluster does beside that of a laptop: metrics, and pages from another service's origin."""
+"""What a service of a cluster does beside that of a laptop: metrics, and pages and boards from another origin."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from rosy_sim.config import Config
 
 from ..conftest import PATIENCE, UNHURRIED
 from .test_app import opened, serving
+from .test_class import teaching
 
 
 def test_metrics_are_in_the_format_of_prometheus(config: Config) -> None:
@@ -42,3 +43,24 @@ def test_pages_of_the_cluster_are_let_in_and_no_others(config: Config) -> None:
                 await connect(url, origin=Origin("https://elsewhere.example"), **UNHURRIED)
 
     asyncio.run(knock())
+
+
+def test_a_board_of_the_cluster_gets_the_files_of_its_class_and_no_other_page_does(config: Config) -> None:
+    async def ask() -> None:
+        ours, others = "http://10.0.0.1:8080", "http://10.0.0.2:8080"
+        async with (
+            teaching(replace(config, origins=frozenset({"10.0.0.1:8080"}))) as opened,
+            httpx.AsyncClient(base_url=f"http://{opened.address}", timeout=PATIENCE) as http,
+        ):
+            asks = {"Access-Control-Request-Method": "GET", "Access-Control-Request-Headers": "x-rosy-key"}
+            for path in ("/api/hand-ins/1", "/api/class-backup"):
+                assert (await http.options(path, headers={**asks, "Origin": others})).status_code == 400
+                allowed = await http.options(path, headers={**asks, "Origin": ours})
+                assert (allowed.status_code, allowed.headers["access-control-allow-origin"]) == (200, ours)
+                for key, status in ((opened.key, 200 if path.endswith("backup") else 404), ("wrong", 403)):
+                    answer = await http.get(path, headers={"Origin": ours, "X-Rosy-Key": key})
+                    assert (answer.status_code, answer.headers["access-control-allow-origin"]) == (status, ours)
+                answer = await http.get(path, headers={"Origin": others, "X-Rosy-Key": opened.key})
+                assert "access-control-allow-origin" not in answer.headers
+
+    asyncio.run(ask())
