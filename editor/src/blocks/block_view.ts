@@ -32,6 +32,7 @@ import {zoomButtons} from "./interaction/zoom_buttons.ts"
 import type {Language} from "./language.ts"
 import {blocklyTheme, openView, register} from "./registration.ts"
 import {viewActions, workspaceHistory} from "./view_actions.ts"
+import {openDeferredCreation} from "./workspace/deferred_creation.ts"
 import {canLoad, loadBlocks, saveBlocks} from "./workspace/serialization.ts"
 
 /// Opens the block view in `host`, which gives it its size. One at a time.
@@ -59,6 +60,16 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   const freeFocus = restoreFocus(workspace)
   const stopChoosing = selectSocketByClick(workspace, withKeys => offerBlocks(workspace, withKeys))
   const changes = new ChangeTracking(workspace, language, marks)
+  const refreshMarks = () => {
+    marks.forget()
+    values.refresh()
+    comments.refresh()
+    away.update()
+  }
+  const deferred = openDeferredCreation(workspace, host, made => {
+    changes.completed(made)
+    refreshMarks()
+  })
   const dragHost = {asker: changes.checker, chosen: () => selectedBlock(workspace), refusal}
 
   const setLevel = (wanted: Level) => {
@@ -95,10 +106,8 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       const loaded = loadBlocks(workspace, saved)
       workspace.clearUndo()
       changes.loaded()
-      marks.forget()
-      values.refresh()
-      comments.refresh()
-      away.update()
+      refreshMarks()
+      deferred.begin()
       const again = focused === undefined ? null : workspace.getBlockById(focused)
       if (again !== null) {
         // Only what is drawn can have the focus.
@@ -131,7 +140,8 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       workspace.updateToolbox(toolboxInfo(language, level))
     },
     ...workspaceHistory(workspace),
-    ...cameraOf(workspace),
+    ...cameraOf(workspace, deferred),
+    makeAll: deferred.makeAll,
     focusSearch: () => focusSearch(workspace),
     dispose() {
       stopFitting()
@@ -140,6 +150,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       closeBin()
       marks.dispose()
       away.dispose()
+      deferred.dispose()
       stopScrollBars()
       freeFocus()
       stopChoosing()

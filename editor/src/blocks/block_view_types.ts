@@ -58,6 +58,8 @@ export interface BlocksView {
   /// could not show.
   load(saved: SavedWorkspace): {readonly left: readonly SavedBlock[]}
   save(): SavedWorkspace
+  /// Makes the blocks outside of the visible area that were to be made later.
+  makeAll(): void
   /// What inference says about the blocks as they are.
   inference(): Inference
   /// Told after each edit by the learner, and not while something is being moved. Answers how to stop.

@@ -4,15 +4,17 @@ import type {BlockId} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import type {BlocksView} from "./block_view_types.ts"
 import {isVisible, moveStraysBack} from "./dragging/placement.ts"
+import type {DeferredCreation} from "./workspace/deferred_creation.ts"
 
 export type Camera = Pick<
   BlocksView,
   "select" | "reveal" | "place" | "goTo" | "goToStart" | "zoomToFit" | "bringStraysHome" | "focus" | "resize"
 >
 
-export function cameraOf(workspace: Blockly.WorkspaceSvg): Camera {
+export function cameraOf(workspace: Blockly.WorkspaceSvg, deferred: DeferredCreation): Camera {
   return {
     select(id) {
+      if (id !== undefined) deferred.makeHolderOf(id)
       const block = id === undefined ? null : workspace.getBlockById(id)
       // What is not drawn cannot have the focus.
       block?.getRootBlock().getSvgRoot().classList.remove("rosyAway")
@@ -24,6 +26,7 @@ export function cameraOf(workspace: Blockly.WorkspaceSvg): Camera {
       workspace.centerOnBlock(block.id)
     },
     reveal(id) {
+      deferred.makeHolderOf(id)
       const block = workspace.getBlockById(id)
       if (block !== null && !isVisible(workspace, block)) workspace.centerOnBlock(id)
     },
@@ -31,6 +34,7 @@ export function cameraOf(workspace: Blockly.WorkspaceSvg): Camera {
     goTo({x, y, scale}) {
       workspace.setScale(scale)
       workspace.scroll(x, y)
+      deferred.makeNear()
     },
     goToStart() {
       Blockly.renderManagement.triggerQueuedRenders(workspace)
@@ -40,11 +44,21 @@ export function cameraOf(workspace: Blockly.WorkspaceSvg): Camera {
       const fromStart = startMargin - content.left * scale
       const fromEnd = view.width - startMargin - (content.left + content.width) * scale
       workspace.scroll(workspace.RTL ? fromEnd : fromStart, startMargin - content.top * scale)
+      deferred.makeNear()
     },
-    zoomToFit: () => workspace.zoomToFit(),
-    bringStraysHome: () => moveStraysBack(workspace),
+    zoomToFit() {
+      deferred.makeAll()
+      workspace.zoomToFit()
+    },
+    bringStraysHome() {
+      deferred.makeAll()
+      moveStraysBack(workspace)
+    },
     focus: () => Blockly.getFocusManager().focusTree(workspace),
-    resize: () => Blockly.svgResize(workspace),
+    resize() {
+      Blockly.svgResize(workspace)
+      deferred.makeNear()
+    },
   }
 }
 

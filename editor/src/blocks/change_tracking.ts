@@ -77,6 +77,18 @@ export class ChangeTracking {
     this.boxes = boxesOf(this.workspace)
   }
 
+  /// Blocks that were deferred stand on the workspace now: the program is the same.
+  completed(made: ReadonlySet<BlockId | undefined>): void {
+    const now = new Map(saveBlocks(this.workspace).blocks.blocks.map(block => [block.id, block]))
+    const blocks = this.told.blocks.blocks.flatMap(block =>
+      made.has(block.id) ? (now.get(block.id) ?? []) : block,
+    )
+    this.told = {...this.told, blocks: {...this.told.blocks, blocks}}
+    showInference(this.workspace, this.types)
+    Blockly.renderManagement.triggerQueuedRenders(this.workspace)
+    this.boxes = boxesOf(this.workspace)
+  }
+
   announceLater = (): void => {
     if (this.due) return
     this.due = true

@@ -30,13 +30,13 @@ export function takeBlockPicture(host: HTMLElement | null): string | null {
   const found: Outline[] = []
   const walk = (parent: Element, x: number, y: number) => {
     for (const group of parent.children) {
+      if (found.length >= mostOutlines) return
       if (!(group instanceof SVGGElement) || !group.classList.contains("blocklyDraggable")) continue
       const at = translation(group)
       const path = group.querySelector<SVGPathElement>(":scope > .blocklyPath")
       const colour = path?.getAttribute("fill") ?? ""
       const d = path?.getAttribute("d") ?? ""
-      if (d !== "" && found.length < mostOutlines)
-        found.push({x: Math.round(x + at.x), y: Math.round(y + at.y), path: d, colour})
+      if (d !== "") found.push({x: Math.round(x + at.x), y: Math.round(y + at.y), path: d, colour})
       walk(group, x + at.x, y + at.y)
     }
   }

@@ -37,6 +37,7 @@ export function watchPrinting(
     () => {
       editor.flush()
       editor.showBlocks()
+      parts.blocks?.makeAll()
       colours.applyLight()
     },
     colours.apply,

@@ -322,4 +322,47 @@ describe("what comes from elsewhere", () => {
     })
     expect(same).toBe(true)
   })
+
+  test("a large program is whole from the start, drawn where it is seen, and soon everywhere", async () => {
+    const page = await stage.open("small")
+    const answer = await page.evaluate(() => {
+      const workspace = window.Blockly.getMainWorkspace()
+      const [one] = window.blocks.save().blocks.blocks.filter(block => block.id === "accelerate")
+      const copy = (value: unknown, i: number) =>
+        JSON.parse(JSON.stringify(value), (key, v) => (key === "id" ? `${v}${i}` : v)) as NonNullable<
+          typeof one
+        >
+      const blocks = Array.from({length: 80}, (_, i) => ({...copy(one, i), x: 40, y: 40 + 700 * i}))
+      window.blocks.load({blocks: {languageVersion: 0, blocks}})
+      const drawn = (i: number) => workspace.getBlockById(`accelerate${i}`) !== null
+      const atOnce = {first: drawn(0), far: drawn(70), saved: window.blocks.save().blocks.blocks.length}
+      window.blocks.reveal("accelerate70")
+      return {...atOnce, revealed: drawn(70), other: drawn(30)}
+    })
+    expect(answer).toEqual({first: true, far: false, saved: 80, revealed: true, other: false})
+    await page.waitForFunction(() => window.Blockly.getMainWorkspace().getTopBlocks(false).length === 80)
+    expect(await page.evaluate(() => window.blocks.save().blocks.blocks.length)).toBe(80)
+    expect(await page.evaluate(() => window.changes)).toBe(0)
+  })
+
+  test("a large program that is touched is drawn completely", async () => {
+    const page = await stage.open("small")
+    const counts = await page.evaluate(() => {
+      const workspace = window.Blockly.getMainWorkspace()
+      const blocks = Array.from({length: 80}, (_, i) => ({
+        type: "number",
+        id: `n${i}`,
+        x: 40,
+        y: 40 + 300 * i,
+        extraState: {value: `${i}`},
+      }))
+      window.blocks.load({blocks: {languageVersion: 0, blocks}})
+      const before = workspace.getTopBlocks(false).length
+      document
+        .querySelector("#blocks svg")
+        ?.dispatchEvent(new KeyboardEvent("keydown", {key: "Shift", bubbles: true}))
+      return {isPart: before < 80, after: workspace.getTopBlocks(false).length}
+    })
+    expect(counts).toEqual({isPart: true, after: 80})
+  })
 })

@@ -7,6 +7,7 @@ import type {BlockId, SavedBlock, SavedWorkspace} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {extraOf, isShown} from "../construction/block_definitions.ts"
 import {checkerName} from "../dragging/connection_checker.ts"
+import {deferrable, deferredBlocks, setDeferredBlocks} from "./deferred_blocks.ts"
 import {changesOf, sameBlock} from "./workspace_merge.ts"
 
 /// The text above the definitions, which is not in Blockly's workspace.
@@ -15,7 +16,8 @@ const headers = new WeakMap<Blockly.Workspace, string>()
 /// The blocks as Blockly and codegen know them, with ids and positions. A top-level block that has not changed is the same value as the last time.
 export function saveBlocks(workspace: Blockly.Workspace): SavedWorkspace {
   const header = headers.get(workspace)
-  const blocks = workspace.getTopBlocks(false).flatMap(block => savedTop(block) ?? [])
+  const made = workspace.getTopBlocks(false).flatMap(block => savedTop(block) ?? [])
+  const blocks = [...made, ...deferredBlocks(workspace).values()]
   return {...(header === undefined ? {} : {header}), blocks: {languageVersion: 0, blocks}}
 }
 
@@ -36,15 +38,13 @@ export function canLoad(block: SavedBlock): boolean {
 
 /// Makes `workspace` hold `wanted`. A top-level block that is there already, the same in every respect, stays, with
 /// its selection and its open editors; so does one in which only names, numbers and the like are others, which are then shown; the rest are
-/// replaced. No events are fired.
+/// replaced. What is far outside of the visible area of a large program is made later (`deferred_blocks.ts`). No events are fired.
 export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace): Loaded {
   if (wanted.header === undefined) headers.delete(workspace)
   else headers.set(workspace, wanted.header)
   const left: SavedBlock[] = []
   const there = new Map(workspace.getTopBlocks(false).map(block => [block.id, block]))
-  const enabled = Blockly.Events.isEnabled()
-  if (enabled) Blockly.Events.disable()
-  try {
+  withoutEvents(() => {
     const fresh: SavedBlock[] = []
     const coming = new Set<BlockId>()
     for (const block of wanted.blocks.blocks) {
@@ -56,18 +56,60 @@ export function loadBlocks(workspace: Blockly.Workspace, wanted: SavedWorkspace)
       }
     }
     for (const block of there.values()) if (!coming.has(block.id)) block.dispose(false)
-    const homeless: Blockly.Block[] = []
-    const whole = new Set(workspace.getTopBlocks(false))
-    for (const block of fresh) {
-      const made = append(workspace, block, whole)
-      if (made === undefined) left.push(block)
-      else if (block.x === undefined && block.y === undefined) homeless.push(made)
-    }
-    placeBelow(workspace, homeless)
+    const later = laterOf(workspace, fresh, wanted.blocks.blocks)
+    setDeferredBlocks(workspace, [...later])
+    left.push(
+      ...appendAll(
+        workspace,
+        fresh.filter(block => !later.has(block)),
+      ),
+    )
+  })
+  return {left}
+}
+
+function laterOf(
+  workspace: Blockly.Workspace,
+  fresh: readonly SavedBlock[],
+  all: readonly SavedBlock[],
+): ReadonlySet<SavedBlock> {
+  // From right to left, saved places count from the other side.
+  if (!(workspace instanceof Blockly.WorkspaceSvg) || workspace.RTL) return new Set()
+  return deferrable(fresh, all, workspace.getMetricsManager().getViewMetrics(true))
+}
+
+/// Makes some of the blocks that were deferred. No events are fired.
+export function makeDeferred(workspace: Blockly.Workspace, blocks: readonly SavedBlock[]): Loaded {
+  const chosen = new Set(blocks)
+  setDeferredBlocks(
+    workspace,
+    [...deferredBlocks(workspace).values()].filter(block => !chosen.has(block)),
+  )
+  return {left: withoutEvents(() => appendAll(workspace, blocks))}
+}
+
+/// Makes blocks; those that Blockly cannot make are returned.
+function appendAll(workspace: Blockly.Workspace, blocks: readonly SavedBlock[]): readonly SavedBlock[] {
+  const left: SavedBlock[] = []
+  const homeless: Blockly.Block[] = []
+  const whole = new Set(workspace.getTopBlocks(false))
+  for (const block of blocks) {
+    const made = append(workspace, block, whole)
+    if (made === undefined) left.push(block)
+    else if (block.x === undefined && block.y === undefined) homeless.push(made)
+  }
+  placeBelow(workspace, homeless)
+  return left
+}
+
+function withoutEvents<T>(act: () => T): T {
+  const enabled = Blockly.Events.isEnabled()
+  if (enabled) Blockly.Events.disable()
+  try {
+    return act()
   } finally {
     if (enabled) Blockly.Events.enable()
   }
-  return {left}
 }
 
 /// Whether a block on the workspace says what `wanted` says, perhaps after others of its fields show something else.
