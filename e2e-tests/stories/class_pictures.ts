@@ -47,6 +47,10 @@ export async function classPictures(browser: Browser, shoot: Shoot): Promise<voi
     await teacher.goto(board)
     await expect(teacher.getByText(example.address)).toBeVisible()
     await shoot(teacher, "class-start")
+    const projector = await opensProjector(teacher)
+    await expect(projector.getByText(example.address)).toBeVisible()
+    await shoot(projector, "class-invite")
+    await projector.close()
 
     const ada = await device()
     await ada.goto(`${address}/?example=forwardBackward`)
@@ -62,11 +66,12 @@ export async function classPictures(browser: Browser, shoot: Shoot): Promise<voi
     await ben.getByRole("button", {name: "Raise hand"}).click()
     await expect(teacher.getByText("Ben", {exact: true}).first()).toBeVisible()
     await expect(teacher.locator("canvas")).toHaveCount(2)
-    await expect(teacher.getByText("Raised hand")).toBeVisible()
+    await expect(teacher.getByTestId("pupil Ben").getByText("Raised hand")).toBeVisible()
     await teacher.evaluate(() => window.scrollTo(0, document.body.scrollHeight))
     await shoot(teacher, "class-teach")
     await worksTogether(teacher, new Learner(ada), shoot)
     await showsOnProjector(teacher, shoot)
+    await sendsLesson(teacher, ben, shoot)
     await teacher.getByRole("button", {name: "Eyes up"}).click()
     await expect(ada.getByTestId("eyes-up")).toBeVisible()
     await shoot(ada, "class-eyes-up")
@@ -122,15 +127,33 @@ async function worksTogether(teacher: Page, ada: Learner, shoot: Shoot): Promise
   await expect(teacher.getByRole("dialog")).toHaveCount(0)
 }
 
-async function showsOnProjector(teacher: Page, shoot: Shoot): Promise<void> {
+async function opensProjector(teacher: Page): Promise<Page> {
   const opening = teacher.waitForEvent("popup")
   await teacher.getByRole("button", {name: "Open the projector page"}).click()
-  const projector = await opening
+  return opening
+}
+
+async function showsOnProjector(teacher: Page, shoot: Shoot): Promise<void> {
+  const projector = await opensProjector(teacher)
   await teacher.getByRole("button", {name: "Show on the projector: Ada"}).click()
   await expect(projector.getByRole("img", {name: "Room of A pupil"})).toBeVisible()
   await shoot(projector, "class-projector")
   await projector.close()
   await teacher.getByRole("button", {name: "Show nobody"}).click()
+}
+
+/// To one of two pupils.
+async function sendsLesson(teacher: Page, ben: Page, shoot: Shoot): Promise<void> {
+  await teacher.getByRole("checkbox", {name: "Select Ben"}).check()
+  const sending = teacher.getByTestId("send")
+  await sending.getByRole("combobox", {name: "Send"}).selectOption("A lesson")
+  await sending.getByRole("combobox", {name: "Which one"}).selectOption("Bump!")
+  await sending.getByRole("button", {name: "Send to one pupil"}).click()
+  await expect(sending).toContainText("Sent to 1 page.")
+  await expect(ben.getByText("Your teacher sent the lesson “Bump!”.")).toBeVisible()
+  await teacher.evaluate(() => window.scrollTo(0, 0))
+  await shoot(teacher, "class-send")
+  await sending.getByRole("button", {name: "Select none"}).click()
 }
 
 /// In generated rooms; the row of the one pupil who handed in is unfolded.

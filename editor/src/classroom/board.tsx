@@ -12,9 +12,9 @@ import "../styles/board.css"
 import {render, type VNode} from "preact"
 import {useState} from "preact/hooks"
 import {openBrowserStorage} from "../browser/browser_storage.ts"
+import {applyColourScheme} from "../browser/colour_scheme.ts"
 import {chosenLanguage} from "../browser/preferences.ts"
 import {openProgramStore, type ProgramStore} from "../browser/program_store.ts"
-import {type QrCode, qrCodeOf} from "../browser/qr_code.ts"
 import {teachersPage} from "../help/help_links.ts"
 import {words} from "../words/index.ts"
 import {languageFor, loadLanguage} from "../words/language_choice.ts"
@@ -22,12 +22,13 @@ import {CheckForm} from "./board_check.tsx"
 import {type BoardConnection, openBoardConnection} from "./board_connection.ts"
 import {ResultTable} from "./board_results.tsx"
 import {SendTool} from "./board_send.tsx"
-import {board, change} from "./board_state.ts"
+import {board, change, rooms} from "./board_state.ts"
 import {HandIns, TaskTool} from "./board_tasks.tsx"
 import {uncheckedCount} from "./hand_in_checks.ts"
+import {Invitation} from "./invitation.tsx"
 import {KeyForm} from "./key_form.tsx"
 import {ProjectorTool} from "./projector_tool.tsx"
-import {Pupils} from "./pupil_cards.tsx"
+import {Pupils, PupilsInNeed} from "./pupil_cards.tsx"
 import {ShownProgramDialog} from "./shown_program.tsx"
 
 function open(): void {
@@ -36,6 +37,10 @@ function open(): void {
   const host = document.getElementById("board")
   if (host === null) throw new Error("expected #board in board.html, found nothing")
   document.title = words.classroom.board.title
+  applyColourScheme(() => {
+    // As other rooms: each miniature is drawn again.
+    rooms.value = new Map([...rooms.value].map(([pupil, world]) => [pupil, {...world}]))
+  })
   render(<BoardPage {...openBoardConnection(storage)} programs={programs} />, host)
 }
 
@@ -64,7 +69,12 @@ function BoardPage({send, unlock, download, backUp, programs, openRun, openProje
         <h1>{w.title}</h1>
         <a href="./">{w.rosy}</a>
         <a href={teachersPage}>{words.guide.teachers}</a>
-        {link === "lost" && <p role="status">{w.lost}</p>}
+        {link === "lost" && (
+          <p class="refused" role="status">
+            {w.lost}
+          </p>
+        )}
+        <PupilsInNeed pupils={pupils} />
       </header>
       <main class="board">
         <section class="board-tools">
@@ -108,43 +118,6 @@ function BoardPage({send, unlock, download, backUp, programs, openRun, openProje
   )
 }
 
-/// Modules of light around a code (ISO/IEC 18004, section 6.3.8).
-const quietZone = 4
-
-function Invitation({code, addresses}: {code: string; addresses: readonly string[]}): VNode {
-  const w = words.classroom.board
-  const [address] = addresses
-  const drawing = address === undefined ? null : qrCodeOf(`${address}#class=${code}`)
-  return (
-    <div class="board-invitation">
-      {drawing !== null && <Code drawing={drawing} />}
-      <dl>
-        <dt>{w.pupilsOpen}</dt>
-        <dd>{addresses.length === 0 ? w.noNetwork : addresses.map(one => <div key={one}>{one}</div>)}</dd>
-        <dt>{words.classroom.code}</dt>
-        <dd class="board-code" data-testid="class-code">
-          {code}
-        </dd>
-      </dl>
-    </div>
-  )
-}
-
-function Code({drawing}: {drawing: QrCode}): VNode {
-  const side = drawing.size + 2 * quietZone
-  return (
-    <svg
-      class="board-qr"
-      role="img"
-      aria-label={words.classroom.board.qr}
-      viewBox={`${-quietZone} ${-quietZone} ${side} ${side}`}
-    >
-      <rect x={-quietZone} y={-quietZone} width={side} height={side} fill="#fff" />
-      <path d={drawing.path} fill="#000" shape-rendering="crispEdges" />
-    </svg>
-  )
-}
-
 function BackupTool({backUp}: Pick<BoardProps, "backUp">): VNode {
   const w = words.classroom.board
   const [hasFailed, setFailed] = useState(false)
@@ -168,8 +141,7 @@ function EyesUp({send}: Pick<BoardProps, "send">): VNode {
   const {attention} = board.value
   const [message, setMessage] = useState<string>(words.classroom.eyesUp)
   const set = (to: string | null) => {
-    send({op: "attention", message: to})
-    change({attention: to})
+    if (send({op: "attention", message: to})) change({attention: to})
   }
   return (
     <form

@@ -14,7 +14,8 @@ import {choiceHeard} from "./projector_choice.ts"
 import type {SharingBounds, SharingMessage} from "./shared_messages.ts"
 
 export interface BoardConnection {
-  readonly send: (request: BoardRequest) => void
+  /// Whether there was a connection.
+  readonly send: (request: BoardRequest) => boolean
   readonly unlock: (key: string) => void
   /// Whether there was something to download.
   readonly download: (task: BoardTask) => Promise<boolean>
@@ -93,7 +94,9 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
   })
   const send = (request: BoardRequest) => {
     if (request.op === "check-all" || request.op === "check-new") change({checkRefused: null})
-    if (!socket.send(request)) change({link: "lost"})
+    const isSent = socket.send(request)
+    if (!isSent) change({link: "lost"})
+    return isSent
   }
   const unlock = (typed: string) => {
     key = typed.trim()

@@ -45,7 +45,10 @@ import {
   sharingOps,
 } from "./shared_messages.ts"
 
-export type Need = "hand" | "error" | "idle"
+/// Why a pupil may need help, the most urgent first.
+export const needs = ["hand", "error", "idle"] as const
+
+export type Need = (typeof needs)[number]
 
 export interface PupilOnBoard {
   readonly id: number
@@ -187,7 +190,7 @@ const pupil = object<PupilOnBoard>(get => ({
   program: get("program", optional(string, null)),
   changed: get("changed", optional(number, null)),
   lesson: get("lesson", optional(lesson, null)),
-  needs: get("needs", list(oneOf("hand", "error", "idle"))),
+  needs: get("needs", list(oneOf(...needs))),
   comments: get("comments", number),
   done: get("done", number),
 }))

@@ -3,8 +3,9 @@
 import type {VNode} from "preact"
 import {useEffect, useState} from "preact/hooks"
 import type {ProgramStore} from "../browser/program_store.ts"
-import {fetchLessons} from "../browser/remote_resources.ts"
+import {type FetchResult, fetchExample, fetchExamples, fetchLessons} from "../browser/remote_resources.ts"
 import type {LessonEntry} from "../lessons/lesson.ts"
+import type {Example} from "../state/page_state.ts"
 import {words} from "../words/index.ts"
 import type {BoardRequest} from "./board_messages.ts"
 import {board, change} from "./board_state.ts"
@@ -21,15 +22,25 @@ interface Item {
   readonly id: string
   readonly label: string
   readonly name: string
-  readonly text: () => string | null
+  readonly text: () => Promise<string | null>
+  /// What is said when it is not there any more.
+  readonly gone: string
+}
+
+/// Items under a title; the lessons have none.
+interface Group {
+  readonly title: string | null
+  readonly items: readonly Item[]
 }
 
 export function SendTool({send, programs}: Props): VNode {
   const w = words.classroom.board
   const [what, setWhat] = useState<Shared>("program")
   const [chosen, setChosen] = useState(programs.current()?.id ?? "")
-  const lessons = useLessons(what === "lesson")
-  const items = itemsOf(what, programs, lessons)
+  const lessons = useFetched(what === "lesson", () => fetchLessons(document.documentElement.lang))
+  const examples = useFetched(what !== "lesson", fetchExamples)
+  const groups = what === "lesson" ? lessonsIn(lessons) : programsIn(what, programs, examples)
+  const items = groups.flatMap(group => group.items)
   const item = items.find(one => one.id === chosen) ?? items[0]
   const {said, selected, pupils} = board.value
   const to = pupils.filter(pupil => selected.has(pupil.id))
@@ -37,10 +48,11 @@ export function SendTool({send, programs}: Props): VNode {
     <form
       class="board-tool"
       data-testid="send"
-      onSubmit={event => {
+      onSubmit={async event => {
         event.preventDefault()
-        const text = item?.text() ?? null
-        if (item === undefined || text === null) return change({said: w.sendGone})
+        if (item === undefined) return
+        const text = await item.text()
+        if (text === null) return change({said: item.gone})
         send({op: "send", what, name: item.name, text, pupils: to.length === 0 ? null : to.map(({id}) => id)})
       }}
     >
@@ -66,17 +78,17 @@ export function SendTool({send, programs}: Props): VNode {
             ? lessons.kind === "failed"
               ? words.lessons.failed
               : words.lessons.loading
-            : w.sendNone}
+            : examples.kind === "failed"
+              ? words.galleryFailed
+              : words.galleryLoading}
         </p>
       ) : (
         <>
           <label class="field">
             <span>{w.sendWhich}</span>
             <select value={item?.id} onChange={event => setChosen(event.currentTarget.value)}>
-              {items.map(({id, label}) => (
-                <option key={id} value={id}>
-                  {label}
-                </option>
+              {groups.map(group => (
+                <ItemGroup key={group.title} {...group} />
               ))}
             </select>
           </label>
@@ -100,41 +112,69 @@ export function SendTool({send, programs}: Props): VNode {
   )
 }
 
-function itemsOf(what: Shared, programs: Props["programs"], lessons: Lessons): readonly Item[] {
-  const w = words.classroom.board
-  if (what === "lesson")
-    return (lessons.kind === "there" ? lessons.lessons : []).map(({name, title}) => ({
-      id: `lesson ${name}`,
-      label: title,
-      name: title,
-      text: () => name,
-    }))
-  return programs.programs().map(({id, name}) => {
-    const label = name || words.unnamed
-    const text = () => programs.read(id)
-    if (what === "program") return {id, label, name, text}
-    const room = () => {
-      const project = text()
-      return project === null ? null : JSON.stringify(roomOf(project))
-    }
-    return {id, label: w.roomOf(label), name: label, text: room}
-  })
+function ItemGroup({title, items}: Group): VNode | null {
+  if (items.length === 0) return null
+  const options = items.map(({id, label}) => (
+    <option key={id} value={id}>
+      {label}
+    </option>
+  ))
+  return title === null ? <>{options}</> : <optgroup label={title}>{options}</optgroup>
 }
 
-/// The lessons of the service as they are fetched.
-type Lessons =
-  | {readonly kind: "loading" | "failed"}
-  | {readonly kind: "there"; readonly lessons: readonly LessonEntry[]}
+function lessonsIn(lessons: Fetched<readonly LessonEntry[]>): readonly Group[] {
+  const entries = lessons.kind === "there" ? lessons.value : []
+  const items = entries.map(({name, title}) => ({
+    id: `lesson ${name}`,
+    label: title,
+    name: title,
+    text: async () => name,
+    gone: words.lessons.failed,
+  }))
+  return [{title: null, items}]
+}
 
-/// Fetches the lessons when they are needed, again after a failure.
-function useLessons(needed: boolean): Lessons {
-  const [lessons, setLessons] = useState<Lessons>({kind: "loading"})
+/// The teacher's own programs and the examples, or their rooms.
+function programsIn(
+  what: "program" | "room",
+  programs: Props["programs"],
+  examples: Fetched<readonly Example[]>,
+): readonly Group[] {
+  const w = words.classroom.board
+  const item = (id: string, name: string, gone: string, text: Item["text"]): Item => {
+    const label = name || words.unnamed
+    if (what === "program") return {id, label, name, text, gone}
+    const room = async () => {
+      const project = await text()
+      return project === null ? null : JSON.stringify(roomOf(project))
+    }
+    return {id, label: w.roomOf(label), name: label, text: room, gone}
+  }
+  const own = programs
+    .programs()
+    .map(({id, name}) => item(id, name, w.sendGone, async () => programs.read(id)))
+  const there = (examples.kind === "there" ? examples.value : []).map(({name}) =>
+    item(`example ${name}`, name, words.galleryFailed, async () => {
+      const answer = await fetchExample(name)
+      return answer.kind === "there" ? answer.value : null
+    }),
+  )
+  return [
+    {title: words.myPrograms.title, items: own},
+    {title: words.examples, items: there},
+  ]
+}
+
+/// Something of the service as it is fetched.
+type Fetched<T> = {readonly kind: "loading"} | FetchResult<T>
+
+/// Fetches when it is needed, again after a failure.
+function useFetched<T>(needed: boolean, fetched: () => Promise<FetchResult<T>>): Fetched<T> {
+  const [found, setFound] = useState<Fetched<T>>({kind: "loading"})
   useEffect(() => {
-    if (!needed || lessons.kind === "there") return
-    setLessons({kind: "loading"})
-    void fetchLessons(document.documentElement.lang).then(answer =>
-      setLessons(answer.kind === "there" ? {kind: "there", lessons: answer.value} : {kind: "failed"}),
-    )
+    if (!needed || found.kind === "there") return
+    setFound({kind: "loading"})
+    void fetched().then(setFound)
   }, [needed])
-  return lessons
+  return found
 }

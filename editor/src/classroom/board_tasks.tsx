@@ -10,10 +10,10 @@ import {dayAndTime} from "./day_and_time.ts"
 interface TaskProps {
   readonly tasks: readonly BoardTask[]
   readonly pupils: readonly PupilOnBoard[]
-  readonly send: (request: BoardRequest) => void
+  readonly send: (request: BoardRequest) => boolean
 }
 
-/// The open task, or the form that opens one. `refused` says why none was opened.
+/// The open task, or the form that opens one. `refused` says why none was opened, or why the last change was not stored.
 export function TaskTool({
   tasks,
   pupils,
@@ -28,6 +28,11 @@ export function TaskTool({
       <h2>{open.title}</h2>
       <p class="quiet">{open.deadline === null ? w.noDeadline : w.until(dayAndTime(open.deadline))}</p>
       <p role="status">{w.count(open.handedIn.length, pupils.length)}</p>
+      {refused !== null && (
+        <p class="refused" role="alert">
+          {refused}
+        </p>
+      )}
       <button type="button" class="plain" onClick={() => send({op: "close-task", task: open.id})}>
         {w.end}
       </button>
@@ -167,7 +172,7 @@ interface RowProps {
   readonly task: number
   readonly pupil: PupilOnBoard
   readonly found: HandedIn | null
-  readonly send: (request: BoardRequest) => void
+  readonly send: (request: BoardRequest) => boolean
 }
 
 function HandInRow({task, pupil, found, alike, send}: RowProps & {readonly alike: readonly string[]}): VNode {
@@ -211,8 +216,7 @@ function CommentField({task, pupil, found, send}: RowProps & {readonly found: Ha
       class="board-comment"
       onSubmit={event => {
         event.preventDefault()
-        send({op: "comment", task, pupil: pupil.id, text})
-        setTyped(null)
+        if (send({op: "comment", task, pupil: pupil.id, text})) setTyped(null)
       }}
     >
       <input

@@ -24,7 +24,7 @@ export interface ClassDesk extends SharingCommands {
   showCard(card: ClassState["card"]): void
   raiseHand(up: boolean): void
   openHandout(): void
-  closeHandout(): void
+  foldHandout(folded: boolean): void
   handIn(task: number): void
   closeComment(task: OwnTask): void
   leave(): void
@@ -42,7 +42,8 @@ interface Props {
 
 export function ClassBar({desk}: Props): VNode {
   const w = words.classroom
-  const {member, link, saved, hand, handout, blockComments, sharing} = desk.state.value
+  const {member, link, saved, hand, handout, isHandoutFolded, blockComments, sharing} = desk.state.value
+  const isSaved = link === "open" && saved !== "failed"
   return (
     <section class="class-bar" aria-label={w.bar} data-testid="class-bar">
       {member === null ? (
@@ -55,13 +56,19 @@ export function ClassBar({desk}: Props): VNode {
         )
       ) : (
         <>
-          <b class="class-nickname">
-            <bdi>{member.nickname}</bdi>
-          </b>
-          <span class="quiet" role="status" data-testid="class-saved">
-            {link === "open" ? w.saved[saved] : w.saved.offline}
-          </span>
-          <span class="space" />
+          <div class={isSaved ? "class-who" : "class-who is-long"}>
+            <b class="class-nickname">
+              <bdi>{member.nickname}</bdi>
+            </b>
+            <span class="quiet" role="status" data-testid="class-saved">
+              {link === "open" ? w.saved[saved] : w.saved.offline}
+            </span>
+          </div>
+          {handout !== null && isHandoutFolded && (
+            <button type="button" class="plain" onClick={() => desk.foldHandout(false)}>
+              {w.fromTeacher}
+            </button>
+          )}
           <button type="button" class="plain" aria-pressed={hand} onClick={() => desk.raiseHand(!hand)}>
             {hand ? w.lowerHand : w.raiseHand}
           </button>
@@ -91,13 +98,13 @@ export function ClassBar({desk}: Props): VNode {
           endSharing={desk.endSharing}
         />
       )}
-      {member !== null && handout !== null && (
+      {member !== null && handout !== null && !isHandoutFolded && (
         <p class="class-handout" role="status">
           <span>{w.handouts[handout.what](handout.name)}</span>
           <button type="button" class="plain" onClick={desk.openHandout}>
             {w.openHandout}
           </button>
-          <button type="button" class="plain" onClick={desk.closeHandout}>
+          <button type="button" class="plain" onClick={() => desk.foldHandout(true)}>
             {w.later}
           </button>
         </p>

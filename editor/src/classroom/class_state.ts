@@ -16,6 +16,8 @@ export interface ClassState {
   readonly attention: string | null
   /// A program, a room or a lesson from the teacher that was not opened yet.
   readonly handout: Handout | null
+  /// The pupil opens it later; a button shows it again.
+  readonly isHandoutFolded: boolean
   /// The open task, and those for which the pupil handed in, oldest first.
   readonly tasks: readonly OwnTask[]
   /// The last press of "Hand in": it waits for its answer, or why the program was not handed in.
@@ -51,6 +53,7 @@ export const firstClassState: ClassState = {
   hand: false,
   attention: null,
   handout: null,
+  isHandoutFolded: false,
   tasks: [],
   handIn: null,
   readComments: [],
@@ -66,6 +69,7 @@ export type ClassEvent =
   | {readonly kind: "saved"; readonly saved: ClassState["saved"]}
   | {readonly kind: "hand"; readonly up: boolean}
   | {readonly kind: "handout-closed"}
+  | {readonly kind: "handout-folded"; readonly folded: boolean}
   | {readonly kind: "hand-in"; readonly task: number; readonly state: HandInState}
   | {readonly kind: "task-ended"; readonly task: number}
   | {readonly kind: "comments-read"; readonly comments: readonly string[]}
@@ -88,6 +92,8 @@ export function reduceClass(
         link: event.link,
         asked: false,
         handIn: lostHandIn(state, event.link),
+        // Who has no connection works on; the message comes again with the connection.
+        attention: event.link === "lost" ? null : state.attention,
         sharing: event.link === "lost" ? endedSharing(state.sharing) : state.sharing,
       }
     case "card":
@@ -99,7 +105,9 @@ export function reduceClass(
     case "hand":
       return {...state, hand: event.up}
     case "handout-closed":
-      return {...state, handout: null}
+      return {...state, handout: null, isHandoutFolded: false}
+    case "handout-folded":
+      return {...state, isHandoutFolded: event.folded}
     case "hand-in":
       return {...state, handIn: {task: event.task, state: event.state}}
     case "task-ended":
@@ -173,7 +181,13 @@ function heard(state: ClassState, message: ClassMessage, receivedHandouts: reado
     case "attention":
       return {...state, attention: message.message}
     case "handout":
-      return receivedHandouts.includes(message.id) ? state : {...state, handout: message}
+      if (receivedHandouts.includes(message.id)) return state
+      // After a reconnection it comes again.
+      return {
+        ...state,
+        handout: message,
+        isHandoutFolded: state.isHandoutFolded && state.handout?.id === message.id,
+      }
     case "lowered":
       return {...state, hand: false}
     case "tasks":

@@ -167,12 +167,7 @@ export function openClassroom(page: PageOfClass): void {
       openHandout(store, loader, handout)
       dispatch({kind: "handout-closed"})
     },
-    closeHandout() {
-      const {handout} = state.value
-      if (handout !== null)
-        storage.shared.setItem(handoutKey, `${receivedHandouts().slice(-20).join(" ")} ${handout.id}`)
-      dispatch({kind: "handout-closed"})
-    },
+    foldHandout: folded => dispatch({kind: "handout-folded", folded}),
     handIn(task) {
       sync.save("change")
       const message = {op: "hand-in", task, name: store.now.name, text: loader.projectText()} as const

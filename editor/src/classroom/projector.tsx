@@ -1,4 +1,4 @@
-/// Page for the projector: the room of the pupil whom the teacher has chosen on the board, large, with the nickname and the program if the teacher wants them.
+/// Page for the projector: the room of the pupil whom the teacher has chosen on the board, large, with the nickname and the program if the teacher wants them; without a choice the address and the code with which pupils join.
 
 import "@fontsource/inter/400.css"
 import "@fontsource/inter/600.css"
@@ -13,6 +13,7 @@ import {type Signal, signal} from "@preact/signals"
 import {render, type VNode} from "preact"
 import {useEffect, useRef} from "preact/hooks"
 import {openBrowserStorage} from "../browser/browser_storage.ts"
+import {applyColourScheme} from "../browser/colour_scheme.ts"
 import {chosenLanguage} from "../browser/preferences.ts"
 import {openRoom} from "../room/room_view.ts"
 import type {Frame} from "../state/messages.ts"
@@ -20,9 +21,11 @@ import {addFrame, clearRoom, emptyRoom, type RoomState} from "../state/room_stat
 import {words} from "../words/index.ts"
 import {languageFor, loadLanguage} from "../words/language_choice.ts"
 import {openClassSocket} from "./class_socket.ts"
+import {Invitation} from "./invitation.tsx"
 import {KeyForm} from "./key_form.tsx"
 import {teacherKey} from "./membership.ts"
 import {
+  type Invited,
   type Projected,
   type ProjectorMessage,
   type ProjectorRequest,
@@ -34,13 +37,18 @@ interface Screen {
   readonly refused: string | null
   /// `null` before the key fits.
   readonly projected: Projected | null
+  /// Shown while no pupil is.
+  readonly invitation: Invited | null
 }
 
 function open(): void {
   const host = document.getElementById("projector")
   if (host === null) throw new Error("expected #projector in projector.html, found nothing")
   document.title = words.classroom.projector.title
-  const screen = signal<Screen>({isLost: false, refused: null, projected: null})
+  applyColourScheme(() => {
+    colours.value += 1
+  })
+  const screen = signal<Screen>({isLost: false, refused: null, projected: null, invitation: null})
   const room = signal<RoomState>(emptyRoom)
   render(<ProjectorPage screen={screen} room={room} unlock={connect(screen, room)} />, host)
 }
@@ -66,7 +74,8 @@ function connect(screen: Signal<Screen>, room: Signal<RoomState>): (key: string)
         tab.setItem(teacherKey, key ?? "")
         if (message.number !== screen.value.projected?.number) room.value = emptyRoom
         change({projected: message, refused: null})
-      } else if (message.op === "room") room.value = {...emptyRoom, world: message.world, idle: true}
+      } else if (message.op === "invitation") change({invitation: message})
+      else if (message.op === "room") room.value = {...emptyRoom, world: message.world, idle: true}
       else if (message.op === "frame") room.value = withFrame(room.value, message.frame)
       else if (message.reason === "key" || message.reason === "attempts") {
         tab.removeItem(teacherKey)
@@ -95,11 +104,17 @@ interface Props {
 
 function ProjectorPage({screen, room, unlock}: Props): VNode {
   const w = words.classroom.projector
-  const {isLost, refused, projected} = screen.value
+  const {isLost, refused, projected, invitation} = screen.value
   if (projected === null) return <KeyForm title={w.title} isLost={isLost} refused={refused} unlock={unlock} />
   const {shows, nickname, online, running, haskell} = projected
-  if (!shows) return <p class="projector-empty">{w.nothing}</p>
   const states = words.classroom.board
+  if (!shows)
+    return (
+      <main class="projector-empty" data-testid="projector">
+        {invitation !== null && <Invitation {...invitation} />}
+        <p role="status">{isLost ? states.lost : ""}</p>
+      </main>
+    )
   return (
     <main class={haskell === null ? "projector" : "projector with-program"} data-testid="projector">
       <header>
@@ -118,6 +133,9 @@ function ProjectorPage({screen, room, unlock}: Props): VNode {
     </main>
   )
 }
+
+/// Another number after each change of the colour scheme.
+const colours = signal(0)
 
 const sight = {trail: "plain", follows: false, hands: false, held: null, overlay: null} as const
 
@@ -143,8 +161,10 @@ function Room({room, label}: {room: Signal<RoomState>; label: string}): VNode {
       asked: nothing,
     })
     const stop = room.subscribe(redraw)
+    const stopRecolouring = colours.subscribe(view.recolour)
     return () => {
       stop()
+      stopRecolouring()
       if (asked !== null) cancelAnimationFrame(asked)
       view.dispose()
     }

@@ -4,6 +4,7 @@ import {
   boolean,
   type Decoded,
   decode,
+  list,
   number,
   object,
   oneOf,
@@ -29,6 +30,12 @@ export interface Projected {
   readonly haskell: string | null
 }
 
+/// How pupils join.
+export interface Invited {
+  readonly code: string
+  readonly addresses: readonly string[]
+}
+
 export interface ProjectorRequest {
   readonly op: "unlock"
   readonly key: string
@@ -36,13 +43,15 @@ export interface ProjectorRequest {
 
 export type ProjectorMessage =
   | ({readonly op: "projected"} & Projected)
+  | ({readonly op: "invitation"} & Invited)
   | {readonly op: "room"; readonly world: World}
   | {readonly op: "frame"; readonly frame: Frame}
   | {readonly op: "refused"; readonly reason: Refusal}
 
 const message = object<ProjectorMessage>(get => {
-  const op = get("op", oneOf("projected", "room", "refused"))
+  const op = get("op", oneOf("projected", "invitation", "room", "refused"))
   if (op === "refused") return {op, reason: get("reason", oneOf(...refusals))}
+  if (op === "invitation") return {op, code: get("code", string), addresses: get("addresses", list(string))}
   if (op === "room") return {op, world: get("world", world)}
   return {
     op,

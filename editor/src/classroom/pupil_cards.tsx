@@ -4,7 +4,7 @@ import type {VNode} from "preact"
 import {useEffect, useRef} from "preact/hooks"
 import {drawThumbnail} from "../room/world_drawing.ts"
 import {words} from "../words/index.ts"
-import type {BoardRequest, PupilOnBoard} from "./board_messages.ts"
+import {type BoardRequest, needs, type PupilOnBoard} from "./board_messages.ts"
 import {board, change, places, rooms} from "./board_state.ts"
 import {dayAndTime} from "./day_and_time.ts"
 
@@ -24,13 +24,54 @@ export function Pupils({send}: Props): VNode {
   )
 }
 
+/// So many pupils with the same reason are named; of the others there is a number.
+const mostNamed = 8
+
+/// Who needs help, by reason, at the top of the board; a name leads to the pupil's card.
+export function PupilsInNeed({pupils}: {readonly pupils: readonly PupilOnBoard[]}): VNode {
+  const w = words.classroom.board
+  const groups = needs
+    .map(need => ({need, found: pupils.filter(pupil => pupil.needs.includes(need))}))
+    .filter(({found}) => found.length > 0)
+  return (
+    <div class="board-help" role="status" data-testid="pupils-in-need">
+      {groups.map(({need, found}) => (
+        <p key={need}>
+          <b>{w.needs[need]}:</b>
+          {found.slice(0, mostNamed).map(({id, nickname}) => (
+            <a key={id} href={`#${cardOf(id)}`} onClick={event => showCard(event, id)}>
+              <bdi>{nickname}</bdi>
+            </a>
+          ))}
+          {found.length > mostNamed && <span>+{found.length - mostNamed}</span>}
+        </p>
+      ))}
+    </div>
+  )
+}
+
+const cardOf = (pupil: number) => `pupil-${pupil}`
+
+/// The address stays as it is: behind its hash it may have the key.
+function showCard(event: Event, pupil: number): void {
+  event.preventDefault()
+  const card = document.getElementById(cardOf(pupil))
+  card?.scrollIntoView({block: "center"})
+  card?.focus({preventScroll: true})
+}
+
 function PupilCard({pupil, send}: {pupil: PupilOnBoard} & Props): VNode {
   const w = words.classroom.board
-  const {id, nickname, online, running, program, changed, lesson, needs} = pupil
+  const {id, nickname, online, running, program, changed, lesson} = pupil
   const {selected, tasks, projecting, projectorSight} = board.value
   const handedIn = tasks.find(task => task.open)?.handedIn.find(one => one.pupil === id)
   return (
-    <li class={needs.length > 0 ? "needs-help" : online ? "" : "away"} data-testid={`pupil ${nickname}`}>
+    <li
+      id={cardOf(id)}
+      tabIndex={-1}
+      class={pupil.needs.length > 0 ? "needs-help" : online ? "" : "away"}
+      data-testid={`pupil ${nickname}`}
+    >
       <header>
         <h2>
           <bdi>{nickname}</bdi>
@@ -47,7 +88,7 @@ function PupilCard({pupil, send}: {pupil: PupilOnBoard} & Props): VNode {
       </header>
       <p class="quiet">{online ? (running ? w.running : w.ready) : w.away}</p>
       <Miniature pupil={id} nickname={nickname} />
-      {needs.map(need => (
+      {pupil.needs.map(need => (
         <p key={need} class="board-need">
           {w.needs[need]}
           {need === "hand" && (

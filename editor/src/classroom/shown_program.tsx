@@ -13,7 +13,7 @@ import type {SharingBounds, SharingMessage} from "./shared_messages.ts"
 
 interface Props {
   readonly shown: ShownProgram
-  readonly send: (request: BoardRequest) => void
+  readonly send: (request: BoardRequest) => boolean
 }
 
 /// What the page in the frame says of the program.
@@ -121,7 +121,8 @@ function heard(guest: Guest, message: NewsOfGuest): Guest {
 interface CommentsProps {
   readonly comments: readonly OwnComment[]
   readonly guest: Guest
-  readonly add: (text: string, chosen: ChosenPlace) => void
+  /// Whether it could be sent.
+  readonly add: (text: string, chosen: ChosenPlace) => boolean
   readonly remove: (comment: number) => void
 }
 
@@ -129,7 +130,7 @@ function Comments({comments, guest, add, remove}: CommentsProps): VNode {
   const w = words.classroom.board.comments
   const [text, setText] = useState("")
   const {chosen, lines} = guest
-  const {commentRefused} = board.value
+  const {commentRefused, link} = board.value
   return (
     <section class="board-comments" aria-label={w.title} data-testid="board-comments">
       <form
@@ -137,8 +138,7 @@ function Comments({comments, guest, add, remove}: CommentsProps): VNode {
           event.preventDefault()
           if (chosen === null || text.trim() === "") return
           change({commentRefused: null})
-          add(text.trim(), chosen)
-          setText("")
+          if (add(text.trim(), chosen)) setText("")
         }}
       >
         <p role="status">{chosen === null ? w.choose : w.about(chosen.line, chosen.quote)}</p>
@@ -154,6 +154,7 @@ function Comments({comments, guest, add, remove}: CommentsProps): VNode {
             {w.send}
           </button>
         </div>
+        {link === "lost" && <p class="refused">{words.classroom.board.lost}</p>}
         {commentRefused !== null && (
           <p class="refused" role="alert">
             {commentRefused}

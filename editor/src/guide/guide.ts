@@ -5,25 +5,11 @@ import "@fontsource/inter/600.css"
 import "@fontsource/jetbrains-mono/400.css"
 import "../styles/tokens.css"
 import "../styles/guide.css"
-import {openBrowserStorage} from "../browser/browser_storage.ts"
+import {applyColourScheme} from "../browser/colour_scheme.ts"
 import {chosenLanguage} from "../browser/preferences.ts"
-import {openProgramStore} from "../browser/program_store.ts"
 import {addAnimationButtons} from "./animation_buttons.ts"
 import {guideWords} from "./guide_words.ts"
 import {openSearch} from "./search_box.ts"
-
-/// The scheme that was chosen on Rosy's page, else that of the system.
-function applyColourScheme(): void {
-  const system = window.matchMedia("(prefers-color-scheme: dark)")
-  const {shared, tab} = openBrowserStorage(window)
-  const chosen = openProgramStore(shared, tab).preferences().theme
-  const apply = () => {
-    const dark = chosen === "dark" || (chosen !== "light" && system.matches)
-    document.documentElement.dataset.theme = dark ? "dark" : "light"
-  }
-  system.addEventListener("change", apply)
-  apply()
-}
 
 /// A page that a tab opens first is shown in the reader's language if it is translated. Readers of an English page that is not
 /// translated are told so in their language. A language in the address (`?lang=en`) is kept.

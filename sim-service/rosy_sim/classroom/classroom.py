@@ -12,7 +12,7 @@ import logging
 import secrets
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, closing
 from dataclasses import dataclass, field
 from typing import IO
@@ -123,6 +123,14 @@ class Classroom:
             self._members[page.pupil.id].state.disconnect(id(page), self.now())
             self.sharing.page_left(page.pupil.id, page)
 
+    def pages_to_show(self) -> Iterator[PupilPage]:
+        """The pages of all pupils; of a pupil with several, the page whose room the board shows comes first."""
+        connected = {id(page): page for page in self.pages}
+        for member in self._members.values():
+            for page in member.state.in_order():
+                if page in connected:
+                    yield connected[page]
+
     async def serve(self, page: PupilPage, request: p.PupilRequest) -> None:
         """Serve a request of a pupil's page."""
         try:
@@ -217,7 +225,7 @@ class Classroom:
             case p.Here():
                 page.session = request.session
             case p.Status():
-                member.state.report(request, self.now())
+                member.state.report(id(page), request, self.now())
             case p.Hand():
                 member.state.hand = request.up
             case p.Save():

@@ -10,7 +10,15 @@ import msgspec
 
 from .message_fields import Typed, decoded
 
-__all__ = ["Project", "Projected", "Projecting", "RoomProjected", "UnlockProjector", "read_projector_request"]
+__all__ = [
+    "Invitation",
+    "Project",
+    "Projected",
+    "Projecting",
+    "RoomProjected",
+    "UnlockProjector",
+    "read_projector_request",
+]
 
 
 class Project(msgspec.Struct, tag="project", tag_field="op"):
@@ -36,6 +44,13 @@ class UnlockProjector(msgspec.Struct, tag="unlock", tag_field="op"):
     """Request of a projector: the teacher's key."""
 
     key: Typed
+
+
+class Invitation(msgspec.Struct, tag="invitation", tag_field="op"):
+    """Answer to a projector: how pupils join, which it shows while no pupil is chosen."""
+
+    code: str
+    addresses: list[str]
 
 
 class Projected(msgspec.Struct, tag="projected", tag_field="op"):

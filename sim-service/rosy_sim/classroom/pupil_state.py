@@ -26,40 +26,54 @@ class PupilState:
 
     # Since when a page of the pupil is connected.
     online_since: float | None = None
-    # Since when the program has had errors.
+    # Since when a program has had errors.
     errors_since: float | None = None
     # The end of the last run, or now while one is going.
     last_run: float | None = None
-    running: bool = False
     hand: bool = False
     lesson: LessonProgress | None = None
-    # Pages that are connected, by an arbitrary key.
-    pages: set[int] = field(default_factory=set)
+    # What the connected pages reported last, by an arbitrary key; the page that reported last comes last.
+    pages: dict[int, Status] = field(default_factory=dict)
+
+    @property
+    def running(self) -> bool:
+        """Whether a program runs on a page of the pupil."""
+        return any(status.running for status in self.pages.values())
 
     def connect(self, page: int, now: float) -> None:
         """A page of the pupil connects."""
         if not self.pages:
             self.online_since = now
-        self.pages.add(page)
+        self.pages[page] = Status(errors=False, running=False)
 
     def disconnect(self, page: int, now: float) -> None:
-        """A page of the pupil has disconnected; with the last one its errors and runs are over."""
-        self.pages.discard(page)
-        if self.pages:
-            return
-        if self.running:
-            self.last_run = now
-        self.online_since = self.errors_since = None
-        self.running = False
+        """A page of the pupil has disconnected; its errors and runs are over."""
+        was_running = self.running
+        self.pages.pop(page, None)
+        self._changed(was_running, now)
+        if not self.pages:
+            self.online_since = None
 
-    def report(self, status: Status, now: float) -> None:
-        """A page reports what it shows."""
-        if status.errors != (self.errors_since is not None):
-            self.errors_since = now if status.errors else None
-        if status.running or self.running:
+    def report(self, page: int, status: Status, now: float) -> None:
+        """A page reports what it shows. Another page of the pupil, on another device, may show something else."""
+        was_running = self.running
+        self.pages.pop(page, None)
+        self.pages[page] = status
+        self._changed(was_running, now)
+        newest_first = reversed(self.pages.values())
+        self.lesson = next((shown.lesson for shown in newest_first if shown.lesson is not None), None)
+
+    def _changed(self, was_running: bool, now: float) -> None:
+        errors = any(status.errors for status in self.pages.values())
+        if errors != (self.errors_since is not None):
+            self.errors_since = now if errors else None
+        if was_running or self.running:
             self.last_run = now
-        self.running = status.running
-        self.lesson = status.lesson
+
+    def in_order(self) -> list[int]:
+        """The pages of the pupil: those with a running program first, and of these the one that reported last."""
+        newest_first = list(reversed(self.pages))
+        return sorted(newest_first, key=lambda page: not self.pages[page].running)
 
     def needs(self, now: float) -> list[Need]:
         """Why the pupil may need help, the most urgent first."""

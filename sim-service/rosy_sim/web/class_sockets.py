@@ -304,10 +304,10 @@ class ClassSockets:
         return new
 
     def _shown_sessions(self) -> list[tuple[int, PageSession]]:
-        """One page session for each pupil: of a pupil with several pages, any."""
+        """One page session for each pupil."""
         found: dict[int, PageSession] = {}
-        for page in self._classroom.pages:
+        for page in self._classroom.pages_to_show():
             session = self._sessions.get(page.session or "")
             if page.pupil is not None and session is not None:
-                found[page.pupil.id] = session
+                found.setdefault(page.pupil.id, session)
         return list(found.items())

@@ -16,7 +16,7 @@ from starlette.websockets import WebSocket
 from ..classroom.classroom import Classroom
 from ..classroom.database import StoreError
 from ..classroom.message_fields import Refused
-from ..classroom.projector_messages import Projected, RoomProjected, read_projector_request
+from ..classroom.projector_messages import Invitation, Projected, RoomProjected, read_projector_request
 from ..sentence import tr
 from ..wording import in_terminal
 from .address_slots import AddressSlots
@@ -95,6 +95,7 @@ class ProjectorSockets:
         shown: Projected | None = None
         room: object = None
         frame: object = None
+        connection.put(Invitation(self._classroom.admission.code, self._classroom.addresses()))
         while True:
             try:
                 newest = await self._classroom.projected()
@@ -120,7 +121,7 @@ class ProjectorSockets:
     def _session(self) -> PageSession | None:
         """A page session of the chosen pupil."""
         pupil = self._classroom.projection.choice.pupil
-        for page in self._classroom.pages:
+        for page in self._classroom.pages_to_show():
             session = self._sessions.get(page.session or "")
             if session is not None and page.pupil is not None and page.pupil.id == pupil:
                 return session

@@ -35,6 +35,7 @@ def test_a_projector_shows_the_pupil_whom_the_teacher_chose(config: Config) -> N
         await in_room(opened, ben)
         board = await opened.board()
         screen = await projector(opened)
+        assert (await screen.op("invitation"))["code"] == opened.code
         assert (await screen.op("projected"))["shows"] is False
 
         await board.send("project", pupil=entered["pupil"], named=True, program=True)

@@ -53,6 +53,7 @@ export const classroom: Words["classroom"] = {
   },
   openHandout: "Öffnen",
   later: "Nicht jetzt",
+  fromTeacher: "Von deiner Lehrkraft",
   task: {
     task: "Aufgabe:",
     label: title => `Aufgabe: ${title}`,
@@ -94,7 +95,6 @@ export const classroom: Words["classroom"] = {
   },
   projector: {
     title: "Beamer",
-    nothing: "Auf der Tafel wählen, wessen Raum hier zu sehen ist.",
     pupil: "Ein Kind",
     program: "Programm",
   },
@@ -128,7 +128,6 @@ export const classroom: Words["classroom"] = {
     selectOf: nickname => `${nickname} auswählen`,
     selectNone: "Niemanden auswählen",
     roomOf: name => `Der Raum von „${name}“`,
-    sendNone: "In diesem Browser ist noch kein Programm von dir. Mach eines auf der Seite von Rosy.",
     sent: pages => (pages === 1 ? "An 1 Seite geschickt." : `An ${pages} Seiten geschickt.`),
     rosy: "Rosy öffnen",
     needs: {
@@ -197,7 +196,7 @@ export const classroom: Words["classroom"] = {
       open: "Seite für den Beamer öffnen",
       named: "Mit dem Spitznamen",
       program: "Mit dem Programm",
-      nothing: "Der Beamer zeigt niemanden. Wähle unten ein Kind.",
+      nothing: "Der Beamer zeigt, wie man in die Klasse kommt. Wähle unten ein Kind.",
       shows: nickname => `Der Beamer zeigt den Raum von ${nickname}.`,
       stop: "Niemanden zeigen",
       show: "Auf dem Beamer zeigen",

@@ -49,6 +49,7 @@ export const classroom = {
   },
   openHandout: "Open it",
   later: "Not now",
+  fromTeacher: "From your teacher",
   task: {
     task: "Task:",
     label: (title: string) => `Task: ${title}`,
@@ -89,7 +90,6 @@ export const classroom = {
   },
   projector: {
     title: "Projector",
-    nothing: "Choose on the board whose room is shown here.",
     pupil: "A pupil",
     program: "Program",
   },
@@ -123,7 +123,6 @@ export const classroom = {
     selectOf: (nickname: string) => `Select ${nickname}`,
     selectNone: "Select none",
     roomOf: (name: string) => `The room of “${name}”`,
-    sendNone: "You have no program in this browser yet. Make one on the Rosy page.",
     sent: (pages: number) => (pages === 1 ? "Sent to 1 page." : `Sent to ${pages} pages.`),
     rosy: "Open Rosy",
     needs: {
@@ -193,7 +192,7 @@ export const classroom = {
       open: "Open the projector page",
       named: "With the nickname",
       program: "With the program",
-      nothing: "The projector shows nobody. Choose a pupil below.",
+      nothing: "The projector shows how pupils join. Choose a pupil below.",
       shows: (nickname: string) => `The projector shows the room of ${nickname}.`,
       stop: "Show nobody",
       show: "Show on the projector",

@@ -53,6 +53,7 @@ export const classroom: Words["classroom"] = {
   },
   openHandout: "Abrirlo",
   later: "Ahora no",
+  fromTeacher: "De tu profe",
   task: {
     task: "Tarea:",
     label: title => `Tarea: ${title}`,
@@ -93,7 +94,6 @@ export const classroom: Words["classroom"] = {
   },
   projector: {
     title: "Proyector",
-    nothing: "Elige en el panel qué sala se ve aquí.",
     pupil: "Alguien de la clase",
     program: "Programa",
   },
@@ -127,7 +127,6 @@ export const classroom: Words["classroom"] = {
     selectOf: nickname => `Seleccionar a ${nickname}`,
     selectNone: "No seleccionar a nadie",
     roomOf: name => `La sala de «${name}»`,
-    sendNone: "Todavía no tienes ningún programa en este navegador. Crea uno en la página de Rosy.",
     sent: pages => count(pages, {one: "Enviado a 1 página.", other: n => `Enviado a ${n} páginas.`}),
     rosy: "Abrir Rosy",
     needs: {
@@ -196,7 +195,7 @@ export const classroom: Words["classroom"] = {
       open: "Abrir la página del proyector",
       named: "Con el apodo",
       program: "Con el programa",
-      nothing: "El proyector no muestra a nadie. Elige a alguien abajo.",
+      nothing: "El proyector muestra cómo entrar en la clase. Elige a alguien abajo.",
       shows: nickname => `El proyector muestra la sala de ${nickname}.`,
       stop: "No mostrar a nadie",
       show: "Mostrar en el proyector",

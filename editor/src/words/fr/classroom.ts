@@ -56,6 +56,7 @@ export const classroom: Words["classroom"] = {
   },
   openHandout: "Ouvrir",
   later: "Pas maintenant",
+  fromTeacher: "De ton prof",
   task: {
     task: "Devoir :",
     label: title => `Devoir : ${title}`,
@@ -97,7 +98,6 @@ export const classroom: Words["classroom"] = {
   },
   projector: {
     title: "Projecteur",
-    nothing: "Choisir sur le tableau du prof la salle à montrer ici.",
     pupil: "Un élève",
     program: "Programme",
   },
@@ -131,8 +131,6 @@ export const classroom: Words["classroom"] = {
     selectOf: nickname => `Sélectionner ${nickname}`,
     selectNone: "Ne sélectionner personne",
     roomOf: name => `La salle de « ${name} »`,
-    sendNone:
-      "Il n'y a encore aucun programme dans ce navigateur. Il faut d'abord en créer un sur la page de Rosy.",
     sent: pages => `Envoyé à ${count(pages, {one: n => `${n} page`, other: n => `${n} pages`})}.`,
     rosy: "Ouvrir Rosy",
     needs: {
@@ -203,7 +201,7 @@ export const classroom: Words["classroom"] = {
       open: "Ouvrir la page du projecteur",
       named: "Avec le surnom",
       program: "Avec le programme",
-      nothing: "Le projecteur ne montre personne. Choisissez un élève ci-dessous.",
+      nothing: "Le projecteur montre comment rejoindre la classe. Choisissez un élève ci-dessous.",
       shows: nickname => `Le projecteur montre la salle de ${nickname}.`,
       stop: "Ne montrer personne",
       show: "Montrer au projecteur",

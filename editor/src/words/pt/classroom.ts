@@ -52,6 +52,7 @@ export const classroom: Words["classroom"] = {
   },
   openHandout: "Abrir",
   later: "Agora não",
+  fromTeacher: "Do seu professor",
   task: {
     task: "Tarefa:",
     label: title => `Tarefa: ${title}`,
@@ -92,7 +93,6 @@ export const classroom: Words["classroom"] = {
   },
   projector: {
     title: "Projetor",
-    nothing: "Escolha no painel qual sala aparece aqui.",
     pupil: "Alguém da turma",
     program: "Programa",
   },
@@ -126,7 +126,6 @@ export const classroom: Words["classroom"] = {
     selectOf: nickname => `Selecionar ${nickname}`,
     selectNone: "Não selecionar ninguém",
     roomOf: name => `A sala de “${name}”`,
-    sendNone: "Você ainda não tem um programa neste navegador. Faça um na página do Rosy.",
     sent: pages => (pages === 1 ? "Enviado a 1 página." : `Enviado a ${pages} páginas.`),
     rosy: "Abrir Rosy",
     needs: {
@@ -195,7 +194,7 @@ export const classroom: Words["classroom"] = {
       open: "Abrir a página do projetor",
       named: "Com o apelido",
       program: "Com o programa",
-      nothing: "O projetor não mostra ninguém. Escolha alguém abaixo.",
+      nothing: "O projetor mostra como entrar na turma. Escolha alguém abaixo.",
       shows: nickname => `O projetor mostra a sala de ${nickname}.`,
       stop: "Não mostrar ninguém",
       show: "Mostrar no projetor",
