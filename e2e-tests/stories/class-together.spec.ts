@@ -112,7 +112,10 @@ test("the projector shows a pupil's room, first without the name, then with it a
   const opening = teacher.waitForEvent("popup")
   await teacher.getByRole("button", {name: "Open the projector page"}).click()
   const screen = await opening
-  await expect(screen.getByText("Choose on the board whose room is shown here.")).toBeVisible()
+  // How pupils join, until a pupil is shown.
+  await expect(screen.getByTestId("class-code")).toHaveText(/^[a-z0-9]{6}$/)
+  await expect(screen.getByRole("img", {name: "QR code of the address with the class code"})).toBeVisible()
+  expect(await faults(screen, "body")).toEqual([])
   expect(screen.url()).not.toContain("key")
   await teacher.getByRole("button", {name: "Show on the projector: Ada"}).click()
   await expect(screen.getByRole("heading", {name: "A pupil"})).toBeVisible()
@@ -139,7 +142,7 @@ test("the projector shows a pupil's room, first without the name, then with it a
   await teacher.screenshot({path: screenshot("board-projector")})
   expect(await faults(teacher, "body")).toEqual([])
   await tool.getByRole("button", {name: "Show nobody"}).click()
-  await expect(screen.getByText("Choose on the board whose room is shown here.")).toBeVisible()
+  await expect(screen.getByTestId("class-code")).toBeVisible()
   await ada.stops()
   for (const page of [ada.page, teacher]) await page.context().close()
 })
