@@ -23,7 +23,7 @@ import {writeBack} from "./text_patches.ts"
 import {advance, firstFree} from "./text_synchronization.ts"
 import {hashTree, transferIdentity} from "./tree_matching.ts"
 import type {Shown, View} from "./view.ts"
-import {definedIn, headerOf} from "./view.ts"
+import {definedIn, headerOf, pieceText} from "./view.ts"
 
 /// The view after blocks were edited: `workspace` is all that is on the page now. Its `refused` names definitions with unfinished text that the edit
 /// would have lost; then nothing else is changed. `count`, when given, counts how the changed definitions were written.
@@ -33,7 +33,7 @@ export function syncBlocks(
   workspace: SavedWorkspace,
   {count}: {readonly count?: ExactCount} = {},
 ): View {
-  const {refused: _, ...view} = before
+  const {refused: _, remade: __, ...view} = before
   const tops = workspace.blocks.blocks
   const loose = tops.filter(b => blockView(b.type)?.meaning.as !== "definition")
   const now = tops
@@ -149,27 +149,41 @@ function settle(
       ...view,
       declarations: order.map(s => ({...s, name: nameOf(s.block) ?? s.name, piece: -1})),
     }
-    return advance(reader, from, text, {}, () => false)
+    return {...advance(reader, from, text, {}, () => false), remade: true}
   }
   let n = 0
   let nextId = view.nextId
   const own = definedIn(module)
+  let remade: true | undefined
   const regroups = !sameFixities(view.module, module)
   const declarations = order.map((s, k): Shown => {
     const {piece, i} = pieces[k] as {piece: Piece; i: number}
     const name = piece.names[0] ?? "_"
     if (s.dimmed) return {...s, name, piece: i}
-    if (regroups && !touched.has(s.block.id) && saysOther(view.module.pieces[s.piece], piece)) {
-      // Another fixity: the text of this definition is as before, and its operators group in another way.
+    const before = view.module.pieces[s.piece]
+    const isTouched = touched.has(s.block.id) || s.piece === -1
+    const remake = (): Shown | undefined => {
       const built = buildBlocks(piece, () => `t${nextId++}`, own)
-      if (built !== undefined) {
-        const {block, ids} = transferIdentity(s.block, built.block)
-        const spans = built.spans.map(x => ({...x, block: ids.get(x.block) ?? x.block}))
-        return {name, piece: i, block, dimmed: false, spans}
-      }
+      if (built === undefined) return undefined
+      remade = true
+      const {block, ids} = transferIdentity(s.block, built.block)
+      const spans = built.spans.map(x => ({...x, block: ids.get(x.block) ?? x.block}))
+      return {name, piece: i, block, dimmed: false, spans}
     }
-    if (s.spans.length > 0 && !touched.has(s.block.id)) return {...s, name, piece: i}
+    // With another fixity the operators of a definition group in another way, and a comment behind a definition that was deleted is now above this one.
+    const isOther =
+      !isTouched &&
+      before !== undefined &&
+      ((regroups && saysOther(before, piece)) || pieceText(before) !== pieceText(piece))
+    const other = isOther ? remake() : undefined
+    if (other !== undefined) return other
+    if (s.spans.length > 0 && !isTouched) return {...s, name, piece: i}
     const built = buildBlocks(piece, () => `n${n++}`, own)
+    // A comment that the edit has left in the text belongs to another block now.
+    if (built !== undefined && commentsOf(built.block) !== commentsOf(s.block)) {
+      const again = remake()
+      if (again !== undefined) return again
+    }
     const ids = built === undefined ? new Map<string, string>() : transferIdentity(s.block, built.block).ids
     const spans = (built?.spans ?? []).flatMap(x => {
       const block = ids.get(x.block)
@@ -177,7 +191,14 @@ function settle(
     })
     return {name, piece: i, block: s.block, dimmed: false, spans}
   })
-  return {...view, text, module, declarations, nextId}
+  return {...view, text, module, declarations, nextId, ...(remade === undefined ? {} : {remade})}
+}
+
+/// The words of all comments on a definition's blocks.
+function commentsOf(block: SavedBlock): string {
+  const below = [...Object.values(block.inputs ?? {}).map(i => i.block), block.next?.block]
+  const inner = below.flatMap(b => (b === undefined ? [] : commentsOf(b)))
+  return [block.icons?.comment?.text ?? "", ...inner].join(" ").replace(/\s+/g, " ").trim()
 }
 
 function saysOther(before: Piece | undefined, now: Piece): boolean {

@@ -93,26 +93,26 @@ class ExactPrinting {
     }
     const around = bracketsAround(this.before, from, a)
     const needed = bracketsAround(this.now, to, b) !== undefined
-    // Brackets that the old part needed go with it; others stay.
-    const all =
-      around !== undefined && !needed && mayNeedBrackets(old) ? withBrackets(this.before, from, a) : from
+    const areSteps = old.kind !== "do" && saidByBlocks(fresh).kind === "do"
+    const isBehindDollar = areSteps && dollarBefore(this.now, to, b) !== undefined
+    // Brackets that the old part needed go with it; others stay, and steps without a `$` need them.
+    const isFreed = around !== undefined && !needed && !isBehindDollar && mayNeedBrackets(old)
+    const all = isFreed ? withBrackets(this.before, from, a) : from
     const dollar =
-      old.kind === "do" && saidByBlocks(fresh).kind !== "do" ? this.dollarBefore(all, a) : undefined
+      old.kind === "do" && saidByBlocks(fresh).kind !== "do" ? dollarBefore(this.before, all, a) : undefined
     if (dollar !== undefined) {
       // The steps after `$` are an argument of the call; another argument stands there in brackets.
       const own = this.text(fresh, b, columnAt(this.before, dollar) + 1, all)
       return [{start: dollar, end: all.end, text: `(${own})`}]
     }
+    if (isBehindDollar && around === undefined && dollarBefore(this.before, all, a) === undefined) {
+      const own = this.text(fresh, b, columnAt(this.before, all.start) + "$ ".length, all)
+      return [{start: all.start, end: all.end, text: `$ ${own}`}]
+    }
     const open = needed && around === undefined ? "(" : ""
     const text = this.text(fresh, b, columnAt(this.before, all.start) + open.length, all)
     const below = open === "" ? this.onOwnLines(fresh, to, text, all, a, b) : undefined
     return [below ?? spaced(this.before, {...all, text: open === "" ? text : `(${text})`})]
-  }
-
-  /// Where the `$` before a part stands.
-  private dollarBefore(part: Range, a: Range): number | undefined {
-    const lead = /(?<![!#$%&*+./<=>?@\\^|~:-])\$\s*$/.exec(this.before.text.slice(a.start, part.start))
-    return lead === null ? undefined : a.start + lead.index
   }
 
   /// A new node as text for a place of the old definition.
@@ -228,6 +228,12 @@ class ExactPrinting {
     const own = needed ? `(${text})` : text
     return {start, end: start, text: last === -1 ? own + between : between + own}
   }
+}
+
+/// Where the `$` before a part of the node `a` stands.
+function dollarBefore(source: Source, part: Range, a: Range): number | undefined {
+  const lead = /(?<![!#$%&*+./<=>?@\\^|~:-])\$\s*$/.exec(source.text.slice(a.start, part.start))
+  return lead === null ? undefined : a.start + lead.index
 }
 
 /// Whether a part stands in brackets where it is an argument; a single word does not, unless it is a negative number.

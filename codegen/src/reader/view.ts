@@ -36,6 +36,8 @@ export interface View {
   readonly contradicted?: readonly string[]
   /// Definitions whose unfinished text the last edit of the blocks would have lost, so that it was not made.
   readonly refused?: readonly string[]
+  /// The last edit of the blocks has changed more blocks than it showed: those of the view are to be drawn.
+  readonly remade?: true
 }
 
 export interface ViewOptions {

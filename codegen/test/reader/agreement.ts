@@ -30,8 +30,10 @@ function said(d: Declaration | undefined, signed: boolean): unknown {
         right?: unknown
       }
       // The steps after `$` may be one step without `do`, which is printed in brackets.
-      if (kind === "infix" && op === "$" && left?.kind === "apply")
-        return {...left, args: [...left.args, right]}
+      if (kind === "infix" && op === "$" && left !== undefined)
+        return left.kind === "apply"
+          ? {...left, args: [...left.args, right]}
+          : {kind: "apply", fn: left, args: [right]}
       if (kind === "raw-pattern") return {kind, text: text?.replace(/^\((.*)\)$/s, "$1")}
       const [only, ...more] = kind === "do" ? (statements ?? []) : []
       return only?.kind === "statement" && more.length === 0 ? only.expr : v

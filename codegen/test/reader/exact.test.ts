@@ -148,3 +148,20 @@ test("lines that hang on the beginning of their line stay below it when their pa
     "f x = g $ \\y ->\n            (case y of -- both\n              1 -> x\n              _ -> y)\n              * 7\n",
   )
 })
+
+test.each([
+  ["a name", "main = simulate wander", "main = simulate $ do\n  a 1\n  b 2\n"],
+  ["a call in brackets", "main = simulate (wander 1)", "main = simulate (do\n"],
+])("steps in the place of %s have a $ or brackets before them, as Haskell wants it", (_, text, after) => {
+  const program = `${text}\n\nwander = do\n  a 1\n  b 2\n`
+  const result = changed(program, blocks => {
+    const call = blocks.find(b => b.type === "main")
+    const steps = blocks.find(b => b.type === "define" && b.extraState?.name === "wander")
+    const moved = steps?.inputs?.E0_0
+    if (call?.inputs === undefined || steps?.inputs === undefined || moved === undefined)
+      throw new Error("expected a call and its steps")
+    delete steps.inputs.E0_0
+    call.inputs.R0 = moved
+  })
+  expect(result.slice(0, after.length)).toBe(after)
+})

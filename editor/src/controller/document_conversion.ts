@@ -190,10 +190,13 @@ export function withBlocks(
   if (view.refused !== undefined)
     return {kind: "refused", document: {...document, workspace: {...document.workspace}}, names: view.refused}
   const now = workspaceOf(view)
-  // Text in a raw block may have become several definitions, an edit of dimmed blocks shows those of the text, and another fixity regroups
-  // operators elsewhere: then the blocks are made anew.
+  // Text in a raw block may have become several definitions, an edit of dimmed blocks shows those of the text, another fixity regroups
+  // operators elsewhere, and a comment may belong to another block: then the blocks are made anew.
   const isShown =
-    sameDefinitions(now, workspace) && !hasMerged(before, view) && sameFixities(before.module, view.module)
+    sameDefinitions(now, workspace) &&
+    !hasMerged(before, view) &&
+    sameFixities(before.module, view.module) &&
+    view.remade === undefined
   return {
     kind: "made",
     document: isShown ? analysed(documentOf(view, workspace), inference) : analysedView(view),
