@@ -21,7 +21,6 @@ const flags = "--make -fno-code -v0 -w -fkeep-going -package-env -".split(" ")
 const runsCode = /TemplateHaskell|QuasiQuotes|\bCPP\b|OPTIONS_GHC|OPTIONS\b|\{-#\s*ANN\b|-fplugin/
 
 const isParseError = /parse error|lexical error|unterminated/i
-const isLoadError = /Unsupported extension|unknown flag|Could not (?:find|load) module/
 
 /// Modules per run of GHC.
 const batchSize = 100
@@ -94,18 +93,19 @@ async function compileBatch(batch: readonly ForeignProgram[]): Promise<Map<strin
   try {
     for (const [i, p] of batch.entries()) writeFileSync(join(folder, `P${i}.hs`), asModule(`P${i}`, p.text))
     let rest = batch.map((_, i) => i)
-    // An error in the header of one module ends the run before any module is checked; it is repeated without that module.
+    // An error ends the run before some other modules are checked, so it is repeated with those about which nothing was said, until GHC says nothing.
     for (;;) {
-      const {stdout, stderr} = await run("ghc", [...flags, ...rest.map(i => `P${i}.hs`)], folder)
+      const {stdout, stderr, status} = await run("ghc", [...flags, ...rest.map(i => `P${i}.hs`)], folder)
       const said = new Map<number, string>()
       for (const part of `${stdout}\n${stderr}`.split(/\n(?=P\d+\.hs:)/)) {
         const number = /^\s*P(\d+)\.hs:/.exec(part)?.[1]
         if (number !== undefined) said.set(Number(number), (said.get(Number(number)) ?? "") + part)
       }
       for (const [i, complaint] of said) complaints.set(batch[i]?.name ?? "", complaint)
-      const isHeaderError = [...said.values()].some(c => isParseError.test(c) || isLoadError.test(c))
       rest = rest.filter(i => !said.has(i))
-      if (!isHeaderError || rest.length === 0) break
+      // A failure that names no module says nothing about any of them.
+      if (said.size === 0 && status !== 0) rest = []
+      if (said.size === 0 || rest.length === 0) break
     }
     for (const i of rest) complaints.set(batch[i]?.name ?? "", "")
   } finally {

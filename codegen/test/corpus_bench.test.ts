@@ -96,3 +96,19 @@ test("GHC is asked about programs whose imports are installed and that run no co
   expect(verdicts.size).toBe(4)
   expect([...(await unreadableByGhc(programs))]).toEqual(["Unfinished.hs"])
 })
+
+test("a program is accepted only when GHC has nothing to say once the wrong ones are gone", async () => {
+  const texts = [
+    "main = print missing\n",
+    "import Data.List (noSuchName)\nmain = print 1\n",
+    'import Data.Char (toUpper)\nmain = putStrLn (map toUpper 1)\nprogram = drawingOf (lettering "a")\n',
+    "{- no module header -}\nprogram = drawingOf(blank)\n",
+    "f = 1 +\n",
+    "{-# LANGUAGE NoSuchExtension #-}\nmain = print 1\n",
+    "main = print 1\n",
+  ]
+  const verdicts = await verdictsOfGhc(texts.map((text, i) => ({name: `${i}.hs`, text})))
+  if (verdicts === undefined) return
+  expect([...verdicts].filter(([, {complaint}]) => complaint === "").map(([name]) => name)).toEqual(["6.hs"])
+  expect(verdicts.size).toBe(texts.length)
+})

@@ -100,7 +100,8 @@ function addImport(env: MutableEnvironment, i: Import): void {
   }
   const library = exportsOf(i.module)
   if (library === undefined) {
-    if (i.only === undefined) env.open ||= !i.qualified
+    // What `T(..)` brings along is not known either.
+    if (i.only?.has("..") !== false) env.open ||= !i.qualified
     for (const name of i.only ?? []) addUnknown(env, name, i)
     return
   }
@@ -113,8 +114,11 @@ function addImport(env: MutableEnvironment, i: Import): void {
   }
   const isAboutOwn = (scheme: Scheme) =>
     env.ownTypes.size > 0 && [...typeNamesIn(scheme.type)].some(t => env.ownTypes.has(t))
+  const fields = new Set(
+    [...library.constructors].flatMap(([name, {of, fieldNames}]) => (taken(name, of) ? fieldNames : [])),
+  )
   for (const [name, scheme] of library.values)
-    if (taken(name)) put(env.values, name, isAboutOwn(scheme) ? unknown : scheme)
+    if (taken(name) || fields.has(name)) put(env.values, name, isAboutOwn(scheme) ? unknown : scheme)
   for (const [name, info] of library.constructors)
     if (taken(name, info.of))
       put(env.constructors, name, isAboutOwn(info.scheme) ? unknownConstructor(name) : info)
@@ -129,7 +133,10 @@ function addImport(env: MutableEnvironment, i: Import): void {
   }
   // Names whose types go beyond what is read here, and classes with their members.
   for (const name of i.only ?? [])
-    if (!library.values.has(name) && !library.types.has(name)) addUnknown(env, name, i)
+    if (!library.values.has(name) && !library.types.has(name)) {
+      addUnknown(env, name, i)
+      if (i.only?.has("..") === true && /^\p{Lu}/u.test(name)) env.open ||= !i.qualified
+    }
 }
 
 function addUnknown(env: MutableEnvironment, name: string, i: Import): void {

@@ -8,6 +8,14 @@ import type {TypeProblem} from "../../src/types/type_problems.ts"
 export const accepted: {readonly [name: string]: string} = {
   "an import without a space before its list": `import Data.Char(toLower)
 main = print (map toLower "AbC")`,
+  "the parts of a type of a module that is not read": `import Data.Time (UTCTime(..), getCurrentTime)
+main = getCurrentTime >>= print . utctDayTime`,
+  "the members of a class by its name": `import Data.Bits (Bits(..))
+main = print (popCount (5 :: Int) + (6 .&. 3))`,
+  "the members of Foldable by its name": `import Data.Foldable (Foldable(..))
+main = print (toList (Just 1), foldl' (+) 0 [1, 2])`,
+  "the parts of a record of a module that is read": `import Data.Monoid (Sum(..), First(..))
+main = print (getSum (foldMap Sum [1, 2]), getFirst (First (Just 'a')))`,
   "a hidden name without a space": `import Data.List hiding(insert)
 insert :: Int -> Int
 insert n = n
