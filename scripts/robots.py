@@ -10,6 +10,7 @@ code says whether the files are up to date. The simulator reads the descriptions
 from __future__ import annotations
 
 import json
+import math
 import re
 import subprocess
 import sys
@@ -24,6 +25,10 @@ TABLES = ROOT / "rosy-hs" / "src" / "Rosy" / "Robot" / "Known.hs"
 
 MAX_SENSORS = 60
 """Sensor channels that fit into `Rosy.Core.Interest` beside its three own bits and that of topics."""
+
+
+NUMBERS = "[Double]"
+"""The type of a list of numbers, which is the last field of its type."""
 
 
 def variable(name: str) -> str:
@@ -104,7 +109,8 @@ def record(entry: Json) -> str:
     names = [f"x{i}" for i in range(len(fields))]
     shows = " . ".join(f"showChar ' ' . display 11 {x}" for x in names)
     steps = " <*> ".join("step readPrec" for _ in fields)
-    binds = "".join(f"({x}, f{i + 1}) <- unpack f{i}; " for i, x in enumerate(names))
+    unpacks = ["unpackNumbers" if f["type"] == NUMBERS else "unpack" for f in fields]
+    binds = "".join(f"({x}, f{i + 1}) <- {unpacks[i]} f{i}; " for i, x in enumerate(names))
     return f"""{doc(entry["doc"])}
 {"newtype" if len(fields) == 1 else "data"} {name} = {name}{body}
   deriving (Eq, Ord, Generic{numeric})
@@ -121,7 +127,7 @@ instance Value {name} where
 instance Default {name}
 
 instance Packed {name} where
-  pack ({name} {" ".join(names)}) = {" ++ ".join(f"pack {x}" for x in names)}
+  pack ({name} {" ".join(names)}) = {" ++ ".join(f"{'packNumbers' if f['type'] == NUMBERS else 'pack'} {x}" for x, f in zip(names, fields, strict=True))}
   unpack f0 = do {{ {binds}Just ({name} {" ".join(names)}, f{len(fields)}) }}
 """
 
@@ -271,6 +277,10 @@ def leaf(kind: str, place: str | Json, codes: Json) -> str:
 def place_code(kind: str, place: str | Json, codes: Json) -> str:
     if isinstance(place, dict) and "yaw" in place:
         return f"Yaw {path(place['yaw'])}"
+    if isinstance(place, dict) and "ahead" in place:
+        return f"NearestAhead {math.radians(place['ahead'])}"
+    if isinstance(place, dict) and "ranges" in place:
+        return "ScanRanges"
     made = leaf(kind, place, codes)
     argument = f"({made})" if " " in made else made
     if isinstance(place, dict) and "paths" in place:
@@ -357,6 +367,7 @@ def robot_code(vocabulary: Vocabulary, robot: Json) -> str:
     packets = ",\n".join(serial(vocabulary, c) for c in robot["channels"] if "serial" in c)
     texts = ",\n".join(f'("{name.split("/")[0]}", "{name.split("/")[1]}", {json.dumps(text)})' for name, text in sorted(messages_of(robot).items()))
     held = ", ".join(f"({variable(c['name'])}Channel, [{', '.join(f'Whole {v}' for v in c['holds'])}])" for c in robot["channels"] if "holds" in c)
+    on_demand = ", ".join(f"{variable(c['name'])}Channel" for c in robot["channels"] if c.get("onDemand"))
     limits = robot["limits"]
     return f"""{variable(robot["name"])} :: Robot
 {variable(robot["name"])} = Robot {{
@@ -364,6 +375,7 @@ def robot_code(vocabulary: Vocabulary, robot: Json) -> str:
   robotProfiles = [{profiles}],
   robotMappings = [{mappings}],
   robotHeld = [{held}],
+  robotOnDemand = [{on_demand}],
   robotLimits = ({limits["speed"]["value"]}, {limits["turn"]["value"]}),
   robotSerial = [{packets}],
   robotMessages = [{texts}]

@@ -53,6 +53,8 @@ module Rosy
     Button (..),
     RobotStatus (..),
     DigitalInput (..),
+    Ahead (..),
+    Scan (..),
 
     -- ** On one side
     BumperLeft (..),

@@ -6,6 +6,7 @@ import qualified Test.Rosy.Codec
 import qualified Test.Rosy.Controller
 import qualified Test.Rosy.Documentation
 import qualified Test.Rosy.Geometry
+import qualified Test.Rosy.LaserScan
 import qualified Test.Rosy.Laws
 import qualified Test.Rosy.Model
 import qualified Test.Rosy.Problem
@@ -25,6 +26,7 @@ main = do
       "rosy"
       [ Test.Rosy.Value.tests,
         Test.Rosy.Geometry.tests,
+        Test.Rosy.LaserScan.tests,
         Test.Rosy.Controller.tests,
         Test.Rosy.Task.tests,
         Test.Rosy.Refused.tests,

@@ -98,6 +98,14 @@ export const robot = {
       "state",
       "state"
     ],
+    "Ahead": [
+      "event",
+      "event"
+    ],
+    "Scan": [
+      "event",
+      "event"
+    ],
     "Led1": [
       "command",
       "command"
@@ -252,6 +260,14 @@ export const robot = {
       "state",
       "state"
     ],
+    "Ahead": [
+      "event",
+      "event"
+    ],
+    "Scan": [
+      "event",
+      "event"
+    ],
     "LedColor": [
       "command",
       "command"
@@ -312,6 +328,16 @@ export const robot = {
       "V",
       "V",
       "V"
+    ],
+    "Ahead": [
+      "m"
+    ],
+    "Scan": [
+      "rad",
+      "rad",
+      "m",
+      "m",
+      "m"
     ]
   },
   "choices": {
@@ -503,6 +529,26 @@ export const robot = {
       ]
     },
     {
+      "type": "Ahead",
+      "kind": "event",
+      "function": "approach",
+      "parts": [
+        "distance"
+      ]
+    },
+    {
+      "type": "Scan",
+      "kind": "event",
+      "function": "lookAround",
+      "parts": [
+        "first",
+        "step",
+        "short",
+        "long",
+        "distances"
+      ]
+    },
+    {
       "type": "ExternalPower",
       "kind": "command",
       "parts": [
@@ -528,7 +574,8 @@ export const robot = {
     "/mobile_base/sensors/core",
     "/mobile_base/sensors/dock_ir",
     "/mobile_base/sensors/imu_data",
-    "/odom"
+    "/odom",
+    "/scan"
   ],
   "channelValues": {
     "event": {
@@ -586,6 +633,16 @@ export const robot = {
         "Bool",
         "Bool",
         "Bool"
+      ],
+      "Ahead": [
+        "Double"
+      ],
+      "Scan": [
+        "Double",
+        "Double",
+        "Double",
+        "Double",
+        "[Double]"
       ]
     },
     "command": {
@@ -682,6 +739,11 @@ export const robot = {
         -0.115
       ]
     ],
+    "scannerBeams": 360,
+    "scannerNearest": 0.12,
+    "scannerFarthest": 3.5,
+    "scannerPeriod": 0.2,
+    "aheadHalfWidth": 10,
     "wheelRadius": 0.035,
     "wheelWidth": 0.021,
     "buttons": [
@@ -793,6 +855,13 @@ export const robot = {
       "place": 0,
       "unit": "rad/s",
       "family": "memory"
+    },
+    {
+      "key": "ahead",
+      "channel": "Ahead",
+      "place": 0,
+      "unit": "m",
+      "family": "event"
     },
     {
       "key": "battery",

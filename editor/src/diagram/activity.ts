@@ -58,7 +58,7 @@ export function observe(before: Activity, frames: readonly Frame[], now: number)
       firings.set(name, [...recent, frame.time])
     }
     for (const event of frame.sensed)
-      values.set(/^\S+/.exec(event)?.[0] ?? event, {value: event, since: frame.time})
+      values.set(/^\S+/.exec(event)?.[0] ?? event, {value: shortened(event, longest), since: frame.time})
     for (const {type, value} of frame.memory ?? [])
       if (learn(type, value, frame.time)) writes.set(type, (writes.get(type) ?? 0) + 1)
     for (const [channel, content] of Object.entries(frame.channels))
@@ -70,6 +70,10 @@ export function observe(before: Activity, frames: readonly Frame[], now: number)
 
 /// Channels with the values of a state or of a command that lasts; those of events are in `sensed`.
 const quantities = new Set(["Velocity", "TurnRate", "Battery", "AnalogInput", "DockInfraRed", "Led1", "Led2"])
+
+/// Characters of an event that are shown: a laser scan has thousands.
+const longest = 80
+
 const leds = ["Black", "Green", "Orange", "Red"]
 
 const shown = (value: number | string) =>

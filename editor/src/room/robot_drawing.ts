@@ -16,6 +16,8 @@ const bumperZones = robot.body.bumperBearings.map(
 )
 /// Cliff sensors, as [place, x, y].
 const cliffSensors = robot.body.cliffPoints.map(([x, y], place) => [place, x, y] as const)
+/// Beams that count as ahead, rad to either side.
+const halfAhead = (robot.body.aheadHalfWidth * Math.PI) / 180
 /// Letters for the LEDs' colours; black has none.
 const ledLetters = ["", "G", "O", "R"]
 
@@ -37,6 +39,54 @@ export function drawRobot(
   leds.forEach(([x, y], i) => {
     drawLed(ctx, x, y, numberAt(frame, i === 0 ? "Led1" : "Led2"), palette, scale)
   })
+}
+
+/// What the laser scanner has measured: the free way ahead, and the points of a scan. Nothing while the program does not listen.
+export function drawBeams(
+  ctx: CanvasRenderingContext2D,
+  frame: Sensed,
+  palette: Palette,
+  scale: number,
+): void {
+  const ahead = frame.channels["Ahead"]?.[0]
+  if (typeof ahead === "number") {
+    ctx.beginPath()
+    ctx.moveTo(0, 0)
+    ctx.arc(0, 0, ahead, -halfAhead, halfAhead)
+    ctx.closePath()
+    ctx.globalAlpha = 0.14
+    ctx.fillStyle = palette.preview
+    ctx.fill()
+    ctx.globalAlpha = 1
+    // What was met; the end of the sensor's range is open.
+    if (ahead < robot.body.scannerFarthest) {
+      ctx.beginPath()
+      ctx.arc(0, 0, ahead, -halfAhead, halfAhead)
+      ctx.lineWidth = 2 / scale
+      ctx.strokeStyle = palette.preview
+      ctx.stroke()
+    }
+  }
+  const points = scanPoints(frame)
+  ctx.fillStyle = palette.preview
+  ctx.globalAlpha = 0.8
+  for (const [x, y] of points) {
+    ctx.beginPath()
+    ctx.arc(x, y, 1.5 / scale, 0, 2 * Math.PI)
+    ctx.fill()
+  }
+  ctx.globalAlpha = 1
+}
+
+/// Where the beams of the last scan met something, in the robot's frame.
+export function scanPoints(frame: Sensed): readonly (readonly [number, number])[] {
+  const [first, step, , farthest, ...distances] = (frame.channels["Scan"] ?? []).map(Number)
+  if (first === undefined || step === undefined || farthest === undefined) return []
+  return distances.flatMap((distance, i) =>
+    distance < farthest
+      ? [[distance * Math.cos(first + i * step), distance * Math.sin(first + i * step)] as const]
+      : [],
+  )
 }
 
 /// Where the robot believes it is: an outline with its heading.

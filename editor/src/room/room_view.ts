@@ -13,7 +13,7 @@ import {type Palette, readPalette} from "./palette.ts"
 import {type MovableObject, movableObjectsOf, type Pose, poseAt, type TimedPose} from "./poses.ts"
 import {drawPreview} from "./preview_drawing.ts"
 import {type QuestionTarget, targetAt} from "./question_targets.ts"
-import {drawBubble, drawGhost, drawRobot} from "./robot_drawing.ts"
+import {drawBeams, drawBubble, drawGhost, drawRobot} from "./robot_drawing.ts"
 import {openPath} from "./trail_drawing.ts"
 import {trailUntil} from "./trail_segments.ts"
 import {cornerOf, drawObjects, drawWorld} from "./world_drawing.ts"
@@ -204,6 +204,8 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
       drawObjects(ctx, world, frame?.boxes ?? [], palette, camera.scale)
       if (frame !== null && frame.ghost !== null)
         drawAt(...frame.ghost, () => drawGhost(ctx, palette, camera.scale))
+      if (frame !== null)
+        drawAt(pose.x, pose.y, pose.theta, () => drawBeams(ctx, frame, palette, camera.scale))
       drawAt(pose.x, pose.y, pose.theta, () => drawRobot(ctx, frame ?? parked, palette, camera.scale))
       if (hands.able) drawHands(ctx, hands, pose, things, palette, camera.scale)
       if (overlay !== null) {

@@ -53,6 +53,7 @@ export function openFloor(name: string): World {
     realism: null,
     dock: null,
     battery: 1,
+    scanner: false,
     open: true,
     size: [floor, floor],
     start: {x: 0, y: 0, theta: 0},

@@ -77,6 +77,8 @@ export interface World {
   readonly dock: Pose | null
   /// Charge of the battery at the start, 0 to 1.
   readonly battery: number
+  /// Whether the robot carries a laser scanner.
+  readonly scanner: boolean
   /// Floor without walls around (0, 0), below a real robot whose room is unknown. Never in a file.
   readonly open?: true
 }

@@ -61,6 +61,7 @@ const known = [
   "realism",
   "dock",
   "battery",
+  "scanner",
 ]
 
 function world(value: unknown): World {
@@ -91,7 +92,8 @@ function world(value: unknown): World {
   const battery = number(or(field(fields, "battery"), 1), "battery")
   if (!(battery >= 0 && battery <= 1))
     throw new Wrong("battery", "the battery must be between 0, empty, and 1, full.")
-  return {name, title, size, start, tile, tiles, walls, boxes, rounds, goals, realism, dock, battery}
+  const scanner = flag(fields, "scanner", "", true)
+  return {name, title, size, start, tile, tiles, walls, boxes, rounds, goals, realism, dock, battery, scanner}
 }
 
 function readTiles(value: unknown): readonly string[] {

@@ -3,7 +3,22 @@
 import {defaultLaps, defaultMass, defaultTile, type World, type WorldFile, type WorldGoal} from "./world.ts"
 
 export function writeWorld(world: World): WorldFile {
-  const {name, title, size, start, tile, tiles, walls, boxes, rounds, goals, realism, dock, battery} = world
+  const {
+    name,
+    title,
+    size,
+    start,
+    tile,
+    tiles,
+    walls,
+    boxes,
+    rounds,
+    goals,
+    realism,
+    dock,
+    battery,
+    scanner,
+  } = world
   return {
     name,
     ...(title === "" ? {} : {title}),
@@ -23,6 +38,7 @@ export function writeWorld(world: World): WorldFile {
     ...(realism === null ? {} : {realism: {...realism}}),
     ...(dock === null ? {} : {dock: {x: dock.x, y: dock.y, theta: dock.theta}}),
     ...(battery === 1 ? {} : {battery}),
+    ...(scanner ? {} : {scanner}),
   }
 }
 

@@ -60,9 +60,10 @@ export function length(fields: Fields, key: string, path: string, most: number =
   return value
 }
 
-export function flag(fields: Fields, key: string, path: string): boolean {
-  const value = or(fields[key], false)
-  if (typeof value !== "boolean") throw new Wrong(`${path}.${key}`, "expected true or false.")
+export function flag(fields: Fields, key: string, path = "", missing = false): boolean {
+  const value = or(fields[key], missing)
+  if (typeof value !== "boolean")
+    throw new Wrong(path === "" ? key : `${path}.${key}`, "expected true or false.")
   return value
 }
 

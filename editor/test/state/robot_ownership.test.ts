@@ -75,6 +75,7 @@ describe("a real robot", () => {
       realism: null,
       dock: null,
       battery: 1,
+      scanner: false,
       tiles: [],
       walls: [],
       boxes: [],

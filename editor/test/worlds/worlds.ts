@@ -17,6 +17,7 @@ export const emptyRoom: World = {
   realism: null,
   dock: null,
   battery: 1,
+  scanner: true,
 }
 
 /// Without the negative zero, which JSON does not know.
@@ -91,4 +92,5 @@ export const anyWorld: fc.Arbitrary<World> = fc.record({
   ),
   dock: fc.option(fc.record({x: between(0, 0.5), y: between(0, 0.5), theta: between(-7, 7)})),
   battery: between(0, 1),
+  scanner: fc.boolean(),
 })

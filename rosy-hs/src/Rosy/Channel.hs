@@ -25,6 +25,8 @@ module Rosy.Channel
     Packed (..),
     typed,
     fromFields,
+    packNumbers,
+    unpackNumbers,
   )
 where
 
@@ -117,6 +119,20 @@ instance c ~ Char => Packed [c] where
   pack t = [Text t]
   unpack (Text t : rest) = Just (t, rest)
   unpack _ = Nothing
+
+-- | A list of numbers, which is the last part of its value.
+packNumbers :: [Double] -> [Field]
+packNumbers = map Number
+
+-- | The list that all these fields are.
+unpackNumbers :: [Field] -> Maybe ([Double], [Field])
+unpackNumbers fields = do
+  numbers <- mapM number fields
+  Just (numbers, [])
+  where
+    number field = case field of
+      Number x -> Just x
+      _ -> Nothing
 
 -- | The value that these fields are, and no more.
 fromFields :: Packed a => [Field] -> Maybe a

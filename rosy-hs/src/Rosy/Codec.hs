@@ -62,6 +62,7 @@ import qualified Data.Text.Encoding as Text
 import qualified Data.Vector as Vector
 import Rosy.Channel (Action (..), Channel (..), Field (Number, Whole), Kind (..), Message (..))
 import qualified Rosy.Channel as Channel
+import Rosy.LaserScan
 import Rosy.Profile
 
 -- | A channel with the names that it has on one robot.
@@ -103,6 +104,8 @@ routes robot variables = map route mappings
       At path leaf -> At (steps path) leaf
       Yaw path -> Yaw (steps path)
       AtAll paths leaf -> AtAll (map steps paths) leaf
+      NearestAhead _ -> p
+      ScanRanges -> p
     steps path = [s | s <- map step path, s /= Key Text.empty]
     step s = case s of
       Key k -> Key (expand variables k)
@@ -214,15 +217,17 @@ decodeLevels levels message = sequence [(\on -> [Whole place, Whole (fromEnum on
 
 -- | The fields of a message, or which of them does not fit.
 decodeFields :: [Place] -> Value -> Either String [Field]
-decodeFields places message = mapM place places
+decodeFields places message = concat <$> mapM place places
   where
     place p = case p of
-      At path leaf -> fitting path leaf
-      AtAll paths leaf -> maybe (Left "there is no place") (`fitting` leaf) (listToMaybe paths)
+      NearestAhead within -> pure . Number <$> nearestAhead within message
+      ScanRanges -> map Number . scanRanges <$> scanIn message
+      At path leaf -> pure <$> fitting path leaf
+      AtAll paths leaf -> pure <$> maybe (Left "there is no place") (`fitting` leaf) (listToMaybe paths)
       Yaw path -> do
         z <- number (path ++ [Key "z"])
         w <- number (path ++ [Key "w"])
-        pure (heading z w)
+        pure [heading z w]
     fitting path leaf = at path message >>= maybe (Left (spelled path ++ " does not fit")) Right . decodeLeaf leaf
     number path = at path message >>= maybe (Left (spelled path ++ " is not a number")) Right . numberIn
 
@@ -298,6 +303,11 @@ encodeFields places constants = encoded (foldl grown (Branch []) (concat (zipWit
   where
     leaves i (At path leaf) = [(path, encodeLeaf leaf . (!! i))]
     leaves i (AtAll paths leaf) = [(path, encodeLeaf leaf . (!! i)) | path <- paths]
+    -- A scan of one beam.
+    leaves i (NearestAhead _) =
+      [([Key name], const (Encoding.double 0)) | name <- ["angle_min", "angle_increment", "range_min"]]
+        ++ [(path, encodeLeaf (ANumber 1) . (!! i)) | path <- [[Key "range_max"], [Key "ranges", Index 0]]]
+    leaves i ScanRanges = [([Key "ranges"], Encoding.list (encodeLeaf (ANumber 1)) . drop i)]
     leaves i (Yaw path) = [(path ++ [Key "z"], half sin . (!! i)), (path ++ [Key "w"], half cos . (!! i))]
     half f field = case field of
       Number a -> Encoding.double (f (a / 2))

@@ -38,6 +38,8 @@ data Robot = Robot
     robotHeld :: [(Channel, [Field])],
     -- | Highest speed, m\/s, and turn, rad\/s.
     robotLimits :: (Double, Double),
+    -- | The sensors that measure only while a program listens.
+    robotOnDemand :: [Channel],
     -- | Packets on a serial line, by channel; none when it has no serial line.
     robotSerial :: [(Channel, Serial)],
     -- | Texts of the ROS message definitions in use: package, name, text.
@@ -90,6 +92,10 @@ data Place
     Yaw [Step]
   | -- | The same in several places.
     AtAll [[Step]] Leaf
+  | -- | In a laser scan, how far the way ahead is free: the nearest of the beams that are at most this angle (rad) from straight ahead.
+    NearestAhead Double
+  | -- | The distances of a laser scan. They are the last fields of their channel.
+    ScanRanges
   deriving (Eq, Show)
 
 -- | A truth in a message.

@@ -850,6 +850,65 @@ instance Packed AnalogInput where
 
 instance Sensor AnalogInput where sensor = sensedState analogInputChannel fromFields
 
+-- | How far the way ahead is free, in metres from the middle of the robot, as far as its distance sensor can see:
+-- 3.5 when nothing is nearer. It is the nearest thing that is at most 10° from straight ahead.
+newtype Ahead = Ahead
+  { -- | Metres.
+    aheadDistance :: Double
+  }
+  deriving (Eq, Ord, Generic)
+
+instance Show Ahead where showsPrec = display
+
+instance Read Ahead where
+  readPrec = parens (prec 10 (do Read.Ident "Ahead" <- lexP; Ahead <$> step readPrec))
+  readListPrec = Read.readListPrecDefault
+
+instance Value Ahead where
+  display d (Ahead x0) = showParen (d > 10) (showString "Ahead" . showChar ' ' . display 11 x0)
+
+instance Default Ahead
+
+instance Packed Ahead where
+  pack (Ahead x0) = pack x0
+  unpack f0 = do (x0, f1) <- unpack f0; Just (Ahead x0, f1)
+
+instance Sensor Ahead where sensor = sensedEvent aheadChannel fromFields
+
+-- | How far it is to the nearest thing in every direction: one turn of a laser scanner. Beam number @n@, from 0,
+-- looks in the direction @first + n * step@; a beam that meets nothing says the longest distance that the
+-- scanner can measure.
+data Scan = Scan
+  { -- | Direction of the first beam, radians; 0 is straight ahead, to the left is positive.
+    scanFirst :: !Double,
+    -- | Angle from one beam to the next, radians.
+    scanStep :: !Double,
+    -- | The shortest distance that the scanner can measure, metres.
+    scanNearest :: !Double,
+    -- | The longest distance that the scanner can measure, metres.
+    scanFarthest :: !Double,
+    -- | The distance of each beam, metres.
+    scanDistances :: ![Double]
+  }
+  deriving (Eq, Ord, Generic)
+
+instance Show Scan where showsPrec = display
+
+instance Read Scan where
+  readPrec = parens (prec 10 (do Read.Ident "Scan" <- lexP; Scan <$> step readPrec <*> step readPrec <*> step readPrec <*> step readPrec <*> step readPrec))
+  readListPrec = Read.readListPrecDefault
+
+instance Value Scan where
+  display d (Scan x0 x1 x2 x3 x4) = showParen (d > 10) (showString "Scan" . showChar ' ' . display 11 x0 . showChar ' ' . display 11 x1 . showChar ' ' . display 11 x2 . showChar ' ' . display 11 x3 . showChar ' ' . display 11 x4)
+
+instance Default Scan
+
+instance Packed Scan where
+  pack (Scan x0 x1 x2 x3 x4) = pack x0 ++ pack x1 ++ pack x2 ++ pack x3 ++ packNumbers x4
+  unpack f0 = do (x0, f1) <- unpack f0; (x1, f2) <- unpack f1; (x2, f3) <- unpack f2; (x3, f4) <- unpack f3; (x4, f5) <- unpackNumbers f4; Just (Scan x0 x1 x2 x3 x4, f5)
+
+instance Sensor Scan where sensor = sensedEvent scanChannel fromFields
+
 -- | One odometry message, in the frame of the start: metres, radians, m\/s, rad\/s. A program takes its parts.
 data Odometry = Odometry
   { -- | Where the robot is.
@@ -1211,9 +1270,31 @@ pattern AnalogInputMessage x <-
   where
     AnalogInputMessage x = Message analogInputChannel (pack x)
 
+-- | The channel of 'Ahead'.
+aheadChannel :: Channel
+aheadChannel = channel (id :: Ahead -> Ahead) 12 "Ahead" EventChannel 0 Nothing
+
+-- | A 'Ahead' on its channel.
+pattern AheadMessage :: Ahead -> Message
+pattern AheadMessage x <-
+  Message c (typed aheadChannel c -> Just x)
+  where
+    AheadMessage x = Message aheadChannel (pack x)
+
+-- | The channel of 'Scan'.
+scanChannel :: Channel
+scanChannel = channel (id :: Scan -> Scan) 13 "Scan" EventChannel 0 Nothing
+
+-- | A 'Scan' on its channel.
+pattern ScanMessage :: Scan -> Message
+pattern ScanMessage x <-
+  Message c (typed scanChannel c -> Just x)
+  where
+    ScanMessage x = Message scanChannel (pack x)
+
 -- | The channel of 'Velocity'.
 velocityChannel :: Channel
-velocityChannel = channel (id :: Velocity -> Velocity) 12 "Velocity" CommandChannel 0 (Just [Number 0.0, Number 0.0])
+velocityChannel = channel (id :: Velocity -> Velocity) 14 "Velocity" CommandChannel 0 (Just [Number 0.0, Number 0.0])
 
 -- | A 'Velocity' on its channel.
 pattern VelocityCommand :: Velocity -> Action
@@ -1226,7 +1307,7 @@ instance Command Velocity where command = sent "speed" velocityChannel
 
 -- | The channel of 'Led1'.
 led1Channel :: Channel
-led1Channel = channel (id :: Led1 -> Led1) 13 "Led1" CommandChannel 0 Nothing
+led1Channel = channel (id :: Led1 -> Led1) 15 "Led1" CommandChannel 0 Nothing
 
 -- | A 'Led1' on its channel.
 pattern Led1Command :: Led1 -> Action
@@ -1239,7 +1320,7 @@ instance Command Led1 where command = sent "number" led1Channel
 
 -- | The channel of 'Led2'.
 led2Channel :: Channel
-led2Channel = channel (id :: Led2 -> Led2) 14 "Led2" CommandChannel 0 Nothing
+led2Channel = channel (id :: Led2 -> Led2) 16 "Led2" CommandChannel 0 Nothing
 
 -- | A 'Led2' on its channel.
 pattern Led2Command :: Led2 -> Action
@@ -1252,7 +1333,7 @@ instance Command Led2 where command = sent "number" led2Channel
 
 -- | The channel of 'ExternalPower'.
 externalPowerChannel :: Channel
-externalPowerChannel = channel (id :: ExternalPower -> ExternalPower) 15 "ExternalPower" CommandChannel 4 Nothing
+externalPowerChannel = channel (id :: ExternalPower -> ExternalPower) 17 "ExternalPower" CommandChannel 4 Nothing
 
 -- | A 'ExternalPower' on its channel.
 pattern ExternalPowerCommand :: ExternalPower -> Action
@@ -1265,7 +1346,7 @@ instance Command ExternalPower where command = sent "number" externalPowerChanne
 
 -- | The channel of 'MotorPower'.
 motorPowerChannel :: Channel
-motorPowerChannel = channel (id :: MotorPower -> MotorPower) 16 "MotorPower" CommandChannel 0 Nothing
+motorPowerChannel = channel (id :: MotorPower -> MotorPower) 18 "MotorPower" CommandChannel 0 Nothing
 
 -- | A 'MotorPower' on its channel.
 pattern MotorPowerCommand :: MotorPower -> Action
@@ -1278,7 +1359,7 @@ instance Command MotorPower where command = sent "number" motorPowerChannel
 
 -- | The channel of 'Sound'.
 soundChannel :: Channel
-soundChannel = channel (id :: Sound -> Sound) 17 "Sound" CommandChannel 0 Nothing
+soundChannel = channel (id :: Sound -> Sound) 19 "Sound" CommandChannel 0 Nothing
 
 -- | A 'Sound' on its channel.
 pattern SoundCommand :: Sound -> Action
@@ -1291,7 +1372,7 @@ instance Command Sound where command = sent "number" soundChannel
 
 -- | The channel of 'Say'.
 sayChannel :: Channel
-sayChannel = channel (id :: Say -> Say) 18 "Say" CommandChannel 0 Nothing
+sayChannel = channel (id :: Say -> Say) 20 "Say" CommandChannel 0 Nothing
 
 -- | A 'Say' on its channel.
 pattern SayCommand :: Say -> Action

@@ -47,7 +47,7 @@ import Rosy.Core (Interest, Topic (..), TopicUse (..), channelInterest, clockInt
 import Rosy.Link
 import Rosy.Loop.Quiescence (Quiescence (..))
 import Rosy.Problem
-import Rosy.Profile (Mapping (..), Robot (..))
+import Rosy.Profile (Leaf (ANumber), Mapping (..), Place (..), Robot (..), Step (Key))
 import Rosy.Provenance
 import Rosy.Robot.Known (simulated)
 import Rosy.Sentence (english, sentenceId)
@@ -125,11 +125,16 @@ line taken o = do
     "stop" -> pure StopLine
     _ -> fail ("unknown op " ++ show op)
 
--- | The channels of the simulated robot, as the pipe has them: without the fields of a message that are always the same.
+-- | The channels of the simulated robot, as the pipe has them: without the fields of a message that are always the same, and with a field for
+-- what robots compute from others.
 pipeRoutes :: [Route]
 pipeRoutes = case robotProfiles simulated of
-  (_, variables) : _ -> routes simulated {robotMappings = [m {mappingConstants = []} | m <- robotMappings simulated]} variables
+  (_, variables) : _ -> routes simulated {robotMappings = [m {mappingConstants = [], mappingPlaces = map ownField (mappingPlaces m)} | m <- robotMappings simulated]} variables
   [] -> []
+  where
+    ownField p = case p of
+      NearestAhead _ -> At [Key "ahead"] (ANumber 1)
+      _ -> p
 
 -- ---------------------------------------------------------------------------------------------
 -- What leaves
@@ -155,10 +160,12 @@ writeAnswer telling a =
     <> "{\"op\":\"settled\",\"step\":"
     <> Builder.intDec (answerStep a)
     <> done telling a
+    <> (if null listening then mempty else ",\"listens\":" <> list (text . channelName) listening)
     <> (if tellsQuiet telling && quiet > 0 then ",\"quiet\":" <> Builder.intDec quiet else mempty)
     <> "}\n"
   where
     quiet = quietSteps (answerStep a) (answerQuiescence a)
+    listening = [c | c <- robotOnDemand simulated, interestedIn (wakingInterest (answerQuiescence a)) (channelInterest c)]
 
 -- | The last batch: commands, zero velocity, and how the program ended. With trace also in words.
 writeEnding :: Telling -> Answer -> Ending -> Builder

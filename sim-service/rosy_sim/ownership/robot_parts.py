@@ -1,5 +1,8 @@
 """
 Parts of real robots: the types that a program uses and a robot at an address does not have, by the robot descriptions.
+
+What a description calls ``onDemand``, a laser scanner, is there when the address says ``scanner=on``: the
+simulated robot carries one, a bought one has none, and some have one added, which a serial cable does not reach.
 """
 
 from __future__ import annotations
@@ -23,7 +26,8 @@ def missing_parts(address: str, uses: list[str]) -> list[str]:
     name = _robot_name(address)
     if name not in known_robots():
         return []
-    has = {channel["name"] for channel in description(name)["channels"]}
+    has_scanner = not address.startswith("serial:") and _option(address, "scanner") == "on"
+    has = {c["name"] for c in description(name)["channels"] if has_scanner or not c.get("onDemand", False)}
     channels = _channels()
     return [used for used in uses if used in channels and channels[used] not in has]
 
@@ -45,18 +49,25 @@ def missing_parts_problem(address: str, uses: list[str]) -> Problem | None:
 
 
 def _robot_name(address: str) -> str:
-    """The robot of an address, from its options or its profile; the simulated one without either."""
+    """The robot of an address; the simulated one when it names none."""
+    return _option(address, "robot") or known_robots()[0]
+
+
+def _option(address: str, name: str) -> str | None:
+    """The value of an option of an address, from the address or its profile."""
     options = parse_qs(address.partition("?")[2])
-    if "robot" in options:
-        return options["robot"][0]
+    if name in options:
+        return options[name][0]
     for file in options.get("profile", []):
         try:
             profile: dict[str, Any] = msgspec.json.decode(Path(file).read_bytes(), type=dict[str, Any])
         except (OSError, msgspec.DecodeError):
             continue
-        if isinstance(named := profile.get("robot"), str):
-            return named
-    return known_robots()[0]
+        value = profile.get(name)
+        if isinstance(value, str | bool):
+            # As rosy-robot reads a profile.
+            return value if isinstance(value, str) else "on" if value else "off"
+    return None
 
 
 @cache

@@ -30,7 +30,7 @@ from ..world.world import World
 from .core_affinity import REVIEW_STEPS, CoreAffinity
 from .hands import HandAction, apply_hand
 from .lockstep import Lockstep, State
-from .problems import broken_link, died, stuck, too_much_output, worker_lost
+from .problems import broken_link, died, missing_parts, stuck, too_much_output, worker_lost
 from .velocity_guard import OFF, SafetySettings
 
 __all__ = [
@@ -144,6 +144,10 @@ def run_program(
         answer = worker.run(source, theirs)
         if isinstance(answer, Refused):
             return RunResult("refused", answer.problems)
+        missing = missing_parts(world, answer.uses)
+        if missing:
+            worker.kill()
+            return RunResult("refused", missing)
         return run_over_link(ours, world, settings, output, worker)
 
 

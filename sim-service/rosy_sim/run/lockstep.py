@@ -23,7 +23,7 @@ import msgspec
 
 from ..wire.channels import Values
 from ..wire.robot_link import Ended, Ready, Settled, SimulatorLink, start_line, step_line, stop_line
-from ..wire.topics import CHANNELS, ODOMETRY, TopicMessage, reading_line, topic_message
+from ..wire.topics import CHANNELS, ODOMETRY, TopicMessage, on_demand, reading_line, topic_message
 from ..world.events import VELOCITY_CHANNEL, Command, Reading, velocity
 from ..world.goals import GoalTracker, Observation
 from ..world.time_step import STEPS_PER_SECOND
@@ -190,15 +190,19 @@ class Lockstep:
             if isinstance(message, Settled):
                 self.settled = message
                 self.state = "settled"
+                self.world.listen("program", message.listens)
                 # Of a topic that the program takes itself it gets every message.
                 if self._quiet is not None and not self._link.subscribed:
                     self._quiet.begin(self.step, message.quiet)
                 self.conflicts = self._commands_in_force.observe(self.step, message.fired, message.sent, self._actions)
             elif isinstance(message, Ready):
+                self.world.listen("topics", on_demand(self._link.subscribed))
                 self.state = "ready"
             elif isinstance(message, Ended):
                 self.ended = message
                 self.state = "ended"
+                self.world.listen("program", ())
+                self.world.listen("topics", ())
             elif isinstance(message, TopicMessage):
                 # As in ROS, a program that takes the topic gets its own messages as well.
                 self._actions.append(message)

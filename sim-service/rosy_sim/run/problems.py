@@ -7,8 +7,18 @@ import msgspec
 from ..sentence import tr
 from ..wire.problem import Problem, problem
 from ..wire.worker import Gone
+from ..world.world import World
 
-__all__ = ["broken_link", "died", "lost_robot", "service_full", "stuck", "too_much_output", "worker_lost"]
+__all__ = [
+    "broken_link",
+    "died",
+    "lost_robot",
+    "missing_parts",
+    "service_full",
+    "stuck",
+    "too_much_output",
+    "worker_lost",
+]
 
 _SIGXCPU, _SIGKILL, _SIGSEGV, _SIGSYS = 24, 9, 11, 31
 
@@ -89,6 +99,20 @@ def lost_robot(time: float) -> Problem:
         tr("It stops by itself; look at its battery and its network."),
         time=time,
     )
+
+
+def missing_parts(world: World, uses: list[str]) -> list[Problem]:
+    """Why a program cannot run in a room whose robot lacks a part; none when it can."""
+    missing = world.missing_parts(uses)
+    if not missing:
+        return []
+    return [
+        problem(
+            "missing-part",
+            tr("The robot in this room has no {parts}.", parts=", ".join(missing)),
+            tr("Give it a distance sensor in the room's settings, or take out the functions that use it."),
+        )
+    ]
 
 
 def address_full(limit: int) -> Problem:

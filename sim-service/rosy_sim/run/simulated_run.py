@@ -21,7 +21,7 @@ from ..world.world import World
 from .hands import apply_hand
 from .lockstep import Lockstep
 from .page_run import PageRun, RunView
-from .problems import broken_link, died, too_much_output
+from .problems import broken_link, died, missing_parts, too_much_output
 from .realtime_runner import Ending, RealTimeRunner
 from .replay import NO_REPLAY, Replay
 from .velocity_guard import SafetySettings
@@ -193,7 +193,13 @@ class SimulatedRun(PageRun):
     # CompilationListener
 
     def on_started(self, link: socket.socket, started: Started) -> None:
-        """The program runs."""
+        """The program runs, if the robot has what it uses."""
+        missing = missing_parts(self._simulation.world, started.uses)
+        if missing:
+            link.close()
+            self._session.kill()
+            self._end("error", missing)
+            return
         self._warnings = started.problems
         self._view.show_started(started.problems, started.branches)
         lockstep = self._lockstep = Lockstep(self._simulation.world, self._simulation.seed, safety=self._safety)

@@ -417,6 +417,7 @@ class PageSession:
 
     def _on_events(self, events: list[Reading]) -> None:
         self._steps += 1
+        self.world.listen("ros", self.bridge.wanted() if self.bridge else ())
         if events or self.bridge:
             time = self._steps / STEPS_PER_SECOND
             self.bridge.publish(events, self.world.odometry(), time, self._loop.time())

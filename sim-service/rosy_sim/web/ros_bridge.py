@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from ..wire.channels import Values
 from ..wire.ros_messages import completed
 from ..wire.rosbridge import Frame, Reply, RosbridgeClient, RosbridgeGraph
-from ..wire.topics import CHANNELS, COMMAND_TOPICS, LATCHED, ODOMETRY, TopicMessage, topic_message
+from ..wire.topics import CHANNELS, COMMAND_TOPICS, LATCHED, ODOMETRY, TopicMessage, on_demand, topic_message
 from ..world.events import Command, Reading
 from ..world.world import Odometry
 
@@ -67,6 +67,10 @@ class RosBridge:
         """Whether no more connections are taken."""
         return len(self._clients) >= MAX_CLIENTS
 
+    def wanted(self) -> list[str]:
+        """The channels measured on demand to which a client listens."""
+        return on_demand({topic for client in self._clients for topic in client.protocol.topics})
+
     def join(self) -> RosClient:
         """A new connection."""
         client = RosClient(self._shared)
@@ -117,6 +121,8 @@ class RosBridge:
         self._latest[ODOMETRY.name] = odometry
         topics: list[str] = []
         for reading in readings:
+            if CHANNELS[reading.channel].derived:
+                continue
             topic = CHANNELS[reading.channel].topic
             self._latest[reading.channel] = reading.values
             if topic not in LATCHED:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import base64
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
@@ -50,6 +50,8 @@ class Place:
     scale: float = 1.0
     yaw: bool = False
     flags: bool = False
+    # All values from here on are the distances of a laser scan.
+    ranges: bool = False
 
 
 @dataclass(slots=True)
@@ -68,6 +70,10 @@ class Channel:
     header: str | None = None
     # Whether a frame for the page shows the last command.
     holds: bool = False
+    # Whether it is measured only while something listens.
+    on_demand: bool = False
+    # Whether robots compute it from a message that another channel of its topic has.
+    derived: bool = False
     # Fields that are arrays of bytes: base 64 in the messages of rosbridge servers.
     byte_arrays: tuple[str, ...] = ()
     # The line with a place for each number; None when its message holds something else.
@@ -89,8 +95,10 @@ class Channel:
     def message(self, values: Values) -> Json:
         """The fields of a message that carry these values, and no others."""
         msg: Json = {}
-        for place, value in zip(self.places, values, strict=True):
-            if place.yaw:
+        for place, value in self._placed(values):
+            if place.ranges:
+                _put(msg, place.path, list(values[len(self.places) - 1 :]))
+            elif place.yaw:
                 half = float(value) / 2
                 _put(msg, (*place.path, "z"), math.sin(half))
                 _put(msg, (*place.path, "w"), math.cos(half))
@@ -102,12 +110,21 @@ class Channel:
                 _put(msg, place.path, value)
         return msg
 
+    def _placed(self, values: Values) -> Iterator[tuple[Place, float | int | str]]:
+        """Each place with its value; the distances of a scan, if they are the last place, with the first of them."""
+        has_ranges = bool(self.places) and self.places[-1].ranges
+        return zip(self.places, (*values, 0.0)[: len(self.places)] if has_ranges else values, strict=True)
+
     def full(self, values: Values, time: float, seq: int) -> Json:
         """The message with its constants and its header, for ROS clients."""
         msg = self.message(values)
         for path, constant in self.constants.items():
             chosen = constant["choice"][int(values[-1])] if isinstance(constant, dict) else constant
             _put(msg, path, chosen)
+        if self.places and self.places[-1].ranges:
+            # As the driver of the scanner: 0 for a beam that meets nothing.
+            farthest = float(msg["range_max"])
+            msg["ranges"] = [0.0 if distance >= farthest else distance for distance in msg["ranges"]]
         for key in self.byte_arrays:
             msg[key] = base64.b64encode(bytes(msg[key])).decode()
         if self.header is not None:
@@ -138,7 +155,9 @@ class Channel:
         return numbers
 
     def _line_template(self) -> bytes | None:
-        if not self.places or any(not p.yaw and (p.leaf.kind != "Double" or p.scale != 1.0) for p in self.places):
+        if not self.places or any(
+            p.ranges or (not p.yaw and (p.leaf.kind != "Double" or p.scale != 1.0)) for p in self.places
+        ):
             return None
         # Values whose numbers all differ, and occur nowhere else in the line.
         values = tuple(1.0 + (i + 1) / 1024 for i in range(len(self.places)))
@@ -163,7 +182,15 @@ class Channel:
         """
         if not isinstance(msg, dict):
             raise BadMessage(tr("a message on {topic} is not an object", topic=self.topic))
-        return tuple(self._value(place, _get(msg, place.path)) for place in self.places)
+        values: list[float | int | str] = []
+        for place in self.places:
+            found = _get(msg, place.path)
+            values += (
+                [self._value(place, one) for one in found]
+                if place.ranges and isinstance(found, list)
+                else [self._value(place, found)]
+            )
+        return tuple(values)
 
     def _value(self, place: Place, found: Any) -> float | int | str:
         where = f"{'.'.join(place.path)} on {self.topic}"
@@ -183,7 +210,7 @@ class Channel:
             return int(found)
         if isinstance(found, bool) or not isinstance(found, int | float):
             raise BadMessage(tr("{where} is not a number", where=where))
-        if kind == "Double":
+        if kind in ("Double", "[Double]"):
             # Dividing by ten, unlike multiplying by 0.1, gives the number that people write.
             number = _as_float(found)
             number = number / (1 / place.scale) if place.scale < 1 else number * place.scale
@@ -264,6 +291,11 @@ def _leaves(types: Mapping[str, Json], name: str, label: str = "") -> list[Leaf]
 def _place(leaf: Leaf, place: str | Json) -> Place:
     if isinstance(place, str):
         return Place(tuple(place.split(".")), leaf)
+    if "ahead" in place:
+        # A field of its own on the robot link.
+        return Place(("ahead",), leaf)
+    if "ranges" in place:
+        return Place(tuple(place["ranges"].split(".")), leaf, ranges=True)
     if "yaw" in place:
         return Place(tuple(place["yaw"].split(".")), leaf, yaw=True)
     return Place(tuple(place["path"].split(".")), leaf, place.get("scale", 1.0), flags="flags" in place)
@@ -282,6 +314,8 @@ def _channel(types: Mapping[str, Json], variables: Mapping[str, str], entry: Jso
         {tuple(path.split(".")): value for path, value in ros.get("also", {}).items()},
         ros.get("header"),
         "holds" in entry,
+        entry.get("onDemand", False),
+        any(isinstance(place, dict) and "ahead" in place for place in ros["fields"]),
         tuple(ros.get("bytes", ())),
     )
 

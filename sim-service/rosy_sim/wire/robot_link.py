@@ -85,7 +85,8 @@ class Settled(msgspec.Struct, tag="settled", tag_field="op"):
     The end of the program's batch. ``sent`` is the number of commands of each function in ``fired``, absent when one
     function sent all of them. ``commands`` and ``events`` only with trace; ``memory`` only when the step asked for it
     and it is not what the program told last; ``firings`` only when the step asked for them. ``quiet`` is the number of
-    the next steps in which nothing can fire as long as no event happens and no message arrives.
+    the next steps in which nothing can fire as long as no event happens and no message arrives, ``listens`` the
+    channels measured on demand that it takes.
     """
 
     step: int
@@ -97,6 +98,7 @@ class Settled(msgspec.Struct, tag="settled", tag_field="op"):
     memory: list[MemoryValue] | None = None
     firings: list[Firing] = []
     quiet: int = 0
+    listens: list[str] = []
 
 
 class Ended(msgspec.Struct, tag="ended", tag_field="op"):

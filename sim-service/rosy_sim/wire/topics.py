@@ -7,7 +7,7 @@ The channels and their messages are those of ``protocol/robots`` (see ``channels
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -26,6 +26,7 @@ __all__ = [
     "BadMessage",
     "TopicMessage",
     "odometry_line",
+    "on_demand",
     "read_command",
     "read_message",
     "reading_line",
@@ -103,9 +104,15 @@ _SHORT = 200
 _read_short_command = lru_cache(maxsize=4096)(_read_command)
 
 
-@lru_cache(maxsize=4096)
 def reading_line(reading: Reading) -> bytes:
     """The ``publish`` line of a reading."""
+    channel = CHANNELS[reading.channel]
+    # Distances hardly ever repeat, and those of a scan are long.
+    return channel.line(reading.values) if channel.on_demand else _remembered_line(reading)
+
+
+@lru_cache(maxsize=4096)
+def _remembered_line(reading: Reading) -> bytes:
     return CHANNELS[reading.channel].line(reading.values)
 
 
@@ -114,11 +121,16 @@ def odometry_line(odometry: Odometry) -> bytes:
     return ODOMETRY.line(odometry)
 
 
+def on_demand(topics: Collection[str]) -> list[str]:
+    """The channels on these topics that are measured only while something listens."""
+    return [c.name for c in CHANNELS.values() if c.on_demand and not c.derived and c.topic in topics]
+
+
 def topic_message(latest: Mapping[str, Values], topic: str, time: float, seq: int) -> dict[str, Any]:
     """The whole message on a topic for ROS clients, from the latest values of all channels that it carries."""
     msg: dict[str, Any] = {}
     for channel in CHANNELS.values():
-        if channel.topic == topic and not channel.is_command and channel.name in latest:
+        if channel.topic == topic and not channel.is_command and not channel.derived and channel.name in latest:
             _merge(msg, channel.full(latest[channel.name], time, seq))
     return msg
 

@@ -105,6 +105,8 @@ class Arena:
     dock: Pose | None = None
     # Charge of the battery at the start, 0 to 1.
     battery: float = 1.0
+    # Whether the robot carries a laser scanner.
+    scanner: bool = True
 
     def tile_at(self, x: float, y: float) -> str:
         """``#``, ``.`` or ``O`` under a point; the world outside is wall."""
@@ -145,6 +147,7 @@ def read_arena(value: object) -> Arena:
         "realism",
         "dock",
         "battery",
+        "scanner",
     }
     for key in fields:
         if key not in known:
@@ -179,7 +182,8 @@ def read_arena(value: object) -> Arena:
     battery = number(fields.get("battery", 1.0), "battery")
     if not 0 <= battery <= 1:
         raise ArenaError("battery", tr("the battery must be between 0, empty, and 1, full."))
-    return Arena(name, width, height, start, tile, tiles, walls, boxes, rounds, goals, realism, dock, battery)
+    scanner = flag(fields, "scanner", missing=True)
+    return Arena(name, width, height, start, tile, tiles, walls, boxes, rounds, goals, realism, dock, battery, scanner)
 
 
 def _tiles(value: object) -> tuple[str, ...]:

@@ -78,11 +78,11 @@ def positive(fields: dict[str, object], key: str, path: str, most: float = MAX_S
     return value
 
 
-def flag(fields: dict[str, object], key: str, path: str) -> bool:
-    """True or false; false when it is not there."""
-    value = fields.get(key, False)
+def flag(fields: dict[str, object], key: str, path: str = "", missing: bool = False) -> bool:
+    """True or false; ``missing`` when it is not there."""
+    value = fields.get(key, missing)
     if not isinstance(value, bool):
-        raise ArenaError(f"{path}.{key}", tr("expected true or false."))
+        raise ArenaError(f"{path}.{key}" if path else key, tr("expected true or false."))
     return value
 
 

@@ -270,6 +270,12 @@ class Obstacles:
                 contacts.append(math.atan2(-gradient.y, -gradient.x))
         return Clearance(free, free_of_boxes, tuple(contacts))
 
+    def distance(self, x: float, y: float, direction: float, farthest: float) -> float:
+        """How far it is from a point to the first surface in a direction (rad, in the room); at most ``farthest`` m."""
+        end = (x + farthest * math.cos(direction), y + farthest * math.sin(direction))
+        hit = self._space.segment_query_first((x, y), end, 0.0, self._all_shapes)
+        return farthest if hit is None else farthest * hit.alpha
+
     def free_position(self, x: float, y: float) -> tuple[float, float] | None:
         """The position nearest to a point where the robot touches but does not enter anything, if one is near."""
         for _ in range(_MAX_CORRECTIONS):

@@ -14,7 +14,7 @@ from typing import NamedTuple, Protocol
 from .arena import Arena
 from .events import Reading
 
-__all__ = ["Body", "Device", "MotorLimits", "Robot", "SensorBits", "Surroundings"]
+__all__ = ["Body", "Device", "MotorLimits", "Robot", "ScannerModel", "SensorBits", "Surroundings"]
 
 
 class SensorBits(NamedTuple):
@@ -49,6 +49,20 @@ class MotorLimits:
     angular_acceleration: float
     # A velocity command older than this stops the robot, s.
     command_timeout: float
+
+
+@dataclass(frozen=True, slots=True)
+class ScannerModel:
+    """Numbers of a laser scanner whose beams are evenly spread, counter-clockwise from straight ahead."""
+
+    beams: int
+    # The shortest and the longest distance that it can measure, m.
+    nearest: float
+    farthest: float
+    # Steps of the simulation in a turn.
+    period: int
+    # Beams at most this far from straight ahead count for `Ahead`, rad.
+    ahead: float
 
 
 PointSensor = Callable[[Arena, float, float, float], int]
@@ -110,3 +124,5 @@ class Robot:
     motor_switch: str | None = None
     # What else is built in: each is made for a room.
     devices: tuple[Callable[[Arena], Device], ...] = ()
+    # Its laser scanner; None when it can have none.
+    scanner: ScannerModel | None = None

@@ -8,12 +8,14 @@ clock, and all its random numbers come from the seed, so the same calls give the
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 
 from ..sentence import SentenceError, tr
 from .arena import Arena, ArenaError, Pose
 from .events import Command, Lift, Move, Press, Reading, Teleport, UserAction
 from .motor_controller import MotorController
 from .obstacles import Obstacles
+from .range_scanner import AHEAD, SCAN, RangeScanner
 from .realism import CommandLatency, GyroOdometry, WheelSlip
 from .robot import Robot, SensorBits
 from .time_step import STEP
@@ -96,6 +98,10 @@ class World:
         # The last command on each channel that lasts.
         self.outputs = dict(robot.outputs)
         self._devices = [device(arena) for device in robot.devices]
+        scanner = robot.scanner if arena.scanner else None
+        self._scanner = RangeScanner(scanner, obstacles) if scanner is not None else None
+        # Steps since the start.
+        self._steps = 0
         # What the devices said last; nothing before the first sense().
         self._told: dict[str, tuple[float | int | str, ...]] = {}
         self._check_start()
@@ -142,9 +148,20 @@ class World:
         self._sensed = now
         first = not self._announced
         self._announced = True
+        if self._scanner is not None and self._scanner.heard:
+            found = found + self._scanner.readings(self._steps, self.x, self.y, self.theta)
         if self._devices:
             found = found + self._device_readings(first)
         return [self.robot.online, *found] if first else found
+
+    def missing_parts(self, uses: Collection[str]) -> list[str]:
+        """Those of a program's types for which the robot of this room carries no sensor, in their order."""
+        return [] if self._scanner is not None else [used for used in uses if used in (AHEAD, SCAN)]
+
+    def listen(self, listener: str, channels: Collection[str]) -> None:
+        """A listener wants these of the channels that are measured on demand from now on, and no others."""
+        if self._scanner is not None:
+            self._scanner.listen(listener, channels)
 
     def _device_readings(self, first: bool) -> list[Reading]:
         events: list[Reading] = []
@@ -167,6 +184,8 @@ class World:
         shown.update(self.outputs)
         for device in self._devices:
             shown.update(device.values(self))
+        if self._scanner is not None:
+            shown.update(self._scanner.latest)
         return shown
 
     def odometry(self) -> Odometry:
@@ -261,6 +280,7 @@ class World:
         for _ in range(max(1, math.ceil(dt / STEP - 1e-9))):
             part = min(dt, STEP)
             dt -= part
+            self._steps += 1
             if self._latency is not None:
                 for command in self._latency.arrive(part):
                     self._obey(command)

@@ -22,6 +22,11 @@ from rosy_sim.ownership.robot_parts import missing_parts
         ),
         ("ws://h?robot=turtlesim", ["Led1", "Pose", "Velocity"], ["Led1"]),
         ("ws://h?robot=hoover", ["Bumper"], []),
+        ("ws://h?robot=turtlebot3", ["Ahead", "Scan"], []),
+        ("ws://h", ["Ahead", "Bumper", "Scan"], ["Ahead", "Scan"]),
+        ("ros://h?scanner=on", ["Ahead", "Bumper", "Scan"], []),
+        ("serial:/dev/kobuki?scanner=on", ["Ahead"], ["Ahead"]),
+        ("ws://h?robot=create3&scanner=on", ["Ahead"], ["Ahead"]),
     ],
 )
 def test_views_belong_to_their_channel(address: str, uses: list[str], missing: list[str]) -> None:
@@ -33,3 +38,10 @@ def test_a_profile_names_the_robot(tmp_path: Path) -> None:
     file.write_text('{"robot": "turtlebot3"}')
     assert missing_parts(f"ws://h?profile={file}", ["Bumper"]) == ["Bumper"]
     assert missing_parts(f"ws://h?profile={file}&robot=kobuki", ["Bumper"]) == []
+
+
+def test_a_profile_says_that_there_is_a_scanner(tmp_path: Path) -> None:
+    file = tmp_path / "profile.json"
+    file.write_text('{"scanner": true}')
+    assert missing_parts(f"ws://h?profile={file}", ["Ahead"]) == []
+    assert missing_parts(f"ws://h?profile={file}&scanner=off", ["Ahead"]) == ["Ahead"]

@@ -112,3 +112,37 @@ def test_other_programs_get_the_channels_of_a_topic_one_by_one() -> None:
     lines = [json.loads(line) for line in begun().sense().splitlines()]
     messages = [line["msg"] for line in lines if line.get("topic") == "/mobile_base/sensors/core"]
     assert [list(msg) for msg in messages] == [["battery"], ["charger"], ["analog_input"]]
+
+
+def scans(lockstep: Lockstep, listens: list[str], count: int) -> list[list[str]]:
+    """The fields of each message on /scan in so many steps of a program that listens to these channels."""
+    found = []
+    for _ in range(count):
+        lines = [json.loads(line) for line in lockstep.sense().splitlines()]
+        found += [list(line["msg"]) for line in lines if line.get("topic") == "/scan"]
+        lockstep.feed(settled(lockstep.step)[:-2] + b', "listens": ' + json.dumps(listens).encode() + b"}\n")
+        lockstep.integrate()
+    return found
+
+
+def test_a_program_gets_the_distances_to_which_it_listens_and_no_others() -> None:
+    lockstep = begun()
+    scan = ["angle_min", "angle_increment", "range_min", "range_max", "ranges"]
+    assert scans(lockstep, [], 20) == []
+    assert scans(lockstep, ["Ahead"], 21) == [["ahead"], ["ahead"]]
+    assert scans(lockstep, ["Ahead", "Scan"], 20) == [["ahead"], scan, ["ahead"], scan]
+    # A name that is none asks for nothing.
+    assert scans(lockstep, ["Everything"], 20) == []
+    lockstep.sense()
+    lockstep.feed(b'{"op":"ended","how":"done","fired":[]}\n')
+    assert lockstep.world.channels()["Ahead"] == ()
+
+
+def test_a_program_that_takes_the_topic_of_the_scanner_gets_whole_scans() -> None:
+    lockstep = Lockstep(hall(), seed=1)
+    lockstep.feed(b'{"op":"subscribe","topic":"/scan","type":"sensor_msgs/LaserScan"}\n{"op":"ready"}\n')
+    lines = [json.loads(line) for line in lockstep.sense().splitlines()]
+    [message] = [line["msg"] for line in lines if line.get("topic") == "/scan"]
+    assert message["header"]["frame_id"] == "base_scan"
+    # The driver says 0 for a beam that meets nothing.
+    assert (len(message["ranges"]), message["ranges"][0], message["range_max"]) == (360, 0.0, 3.5)

@@ -36,6 +36,10 @@ def values_of(channel: Channel) -> st.SearchStrategy[tuple[Any, ...]]:
         }
         return whole.get(kind, st.integers(0, 255))
 
+    if channel.places[-1].ranges:
+        # Two angles, the shortest and the longest distance, and distances between them.
+        head = st.tuples(st.floats(-3, 3), st.floats(-1, 1), st.floats(0.01, 0.1), st.floats(10, 20))
+        return st.builds(lambda a, b: (*a, *b), head, st.lists(st.floats(0.1, 9), max_size=20))
     return st.tuples(*[leaf(p.leaf.kind, p.leaf.codes, p.yaw, p.scale) for p in channel.places])
 
 

@@ -161,6 +161,22 @@ export const robot = {
       ],
       "tooltip": "Die Spannungen der vier analogen Eingänge. Beispiel: AnalogInput a b c d."
     },
+    "Ahead": {
+      "parts": [
+        "Meter"
+      ],
+      "tooltip": "Wie weit der Weg nach vorn frei ist, fünfmal in der Sekunde von der Mitte des Roboters aus gemessen; 3.5, wenn nichts in der Nähe ist. Beispiel: Ahead distance."
+    },
+    "Scan": {
+      "parts": [
+        "erster Winkel, Bogenmaß",
+        "Schritt, Bogenmaß",
+        "kürzester, Meter",
+        "längster, Meter",
+        "Abstände"
+      ],
+      "tooltip": "Die Abstände in allen Richtungen, einer für jeden Strahl eines Laserscanners, gegen den Uhrzeigersinn von vorn aus. Beispiel: Scan first step short long distances."
+    },
     "Led1": {
       "parts": [
         "Farbe"
@@ -235,6 +251,8 @@ export const robot = {
     "DockInfraRed": "ein Signal der Ladestation",
     "DigitalInput": "eine Änderung der digitalen Eingänge",
     "AnalogInput": "die analogen Eingänge",
+    "Ahead": "ein Abstand nach vorn",
+    "Scan": "ein Laserscan",
     "LedColor": "eine Farbe",
     "Led1": "ein Licht",
     "Led2": "ein Licht",
@@ -263,6 +281,8 @@ export const robot = {
     "DockInfraRed": "Infrarot Strahl Ladestation heim",
     "DigitalInput": "Anschluss Stift Schalter",
     "AnalogInput": "Anschluss Stift Spannung",
+    "Ahead": "Abstand Entfernung weit nah Wand vorn Laser Lidar Sensor Meter messen Hindernis",
+    "Scan": "Laser Lidar Scan Abstände ringsum Strahl Richtung Sensor",
     "LedColor": "Licht Lampe",
     "Led1": "Licht Lampe Farbe leuchten blinken",
     "Led2": "Licht Lampe Farbe leuchten blinken",
@@ -278,6 +298,8 @@ export const robot = {
     "DockInfraRed": "wenn es die Ladestation sieht",
     "DigitalInput": "wenn sich ein digitaler Eingang ändert",
     "AnalogInput": "wenn es analoge Eingänge hat",
+    "Ahead": "wenn es den Weg nach vorn misst",
+    "Scan": "wenn es ringsum misst",
     "ExternalPower": "einen Stromanschluss schalten: ExternalPower",
     "MotorPower": "die Motoren schalten: MotorPower"
   },
@@ -376,6 +398,7 @@ export const robot = {
     "button1": "Zweiter Knopf",
     "button2": "Dritter Knopf",
     "turnRate": "Drehrate",
+    "ahead": "Freier Weg nach vorn",
     "battery": "Akku",
     "digitalInput0": "Digitaler Eingang 0",
     "digitalInput1": "Digitaler Eingang 1",

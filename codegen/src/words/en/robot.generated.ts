@@ -161,6 +161,22 @@ export const robot = {
       ],
       "tooltip": "The voltages of the four analogue inputs. Example: AnalogInput a b c d."
     },
+    "Ahead": {
+      "parts": [
+        "metres"
+      ],
+      "tooltip": "How far the way ahead is free, measured five times a second from the middle of the robot; 3.5 when nothing is near. Example: Ahead distance."
+    },
+    "Scan": {
+      "parts": [
+        "first angle, radians",
+        "step, radians",
+        "shortest, metres",
+        "longest, metres",
+        "distances"
+      ],
+      "tooltip": "The distances in all directions, one for each beam of a laser scanner, counter-clockwise from straight ahead. Example: Scan first step short long distances."
+    },
     "Led1": {
       "parts": [
         "colour"
@@ -235,6 +251,8 @@ export const robot = {
     "DockInfraRed": "a signal of the dock",
     "DigitalInput": "a change of the digital inputs",
     "AnalogInput": "the analogue inputs",
+    "Ahead": "a distance ahead",
+    "Scan": "a laser scan",
     "LedColor": "a colour",
     "Led1": "a light",
     "Led2": "a light",
@@ -263,6 +281,8 @@ export const robot = {
     "DockInfraRed": "infrared beam charging station home",
     "DigitalInput": "connector pin switch port",
     "AnalogInput": "connector pin voltage port",
+    "Ahead": "distance far near wall ahead laser lidar sensor metres measure obstacle",
+    "Scan": "laser lidar scan distances all around beam direction sensor",
     "LedColor": "light lamp",
     "Led1": "light lamp colour shine blink",
     "Led2": "light lamp colour shine blink",
@@ -278,6 +298,8 @@ export const robot = {
     "DockInfraRed": "when it sees the dock",
     "DigitalInput": "when a digital input changes",
     "AnalogInput": "when it has analogue inputs",
+    "Ahead": "when it measures the way ahead",
+    "Scan": "when it measures all around",
     "ExternalPower": "switch a power connector: ExternalPower",
     "MotorPower": "switch the motors: MotorPower"
   },
@@ -376,6 +398,7 @@ export const robot = {
     "button1": "Second button",
     "button2": "Third button",
     "turnRate": "Turn rate",
+    "ahead": "Free way ahead",
     "battery": "Battery",
     "digitalInput0": "Digital input 0",
     "digitalInput1": "Digital input 1",

@@ -161,6 +161,22 @@ export const robot = {
       ],
       "tooltip": "Los voltajes de las cuatro entradas analógicas. Ejemplo: AnalogInput a b c d."
     },
+    "Ahead": {
+      "parts": [
+        "metros"
+      ],
+      "tooltip": "Hasta dónde está libre el camino delante, medido cinco veces por segundo desde el centro del robot; 3.5 cuando no hay nada cerca. Ejemplo: Ahead distance."
+    },
+    "Scan": {
+      "parts": [
+        "primer ángulo, radianes",
+        "paso, radianes",
+        "mínima, metros",
+        "máxima, metros",
+        "distancias"
+      ],
+      "tooltip": "Las distancias en todas las direcciones, una por cada haz de un escáner láser, en sentido antihorario desde delante. Ejemplo: Scan first step short long distances."
+    },
     "Led1": {
       "parts": [
         "color"
@@ -235,6 +251,8 @@ export const robot = {
     "DockInfraRed": "una señal de la base de carga",
     "DigitalInput": "un cambio de las entradas digitales",
     "AnalogInput": "un valor de las entradas analógicas",
+    "Ahead": "una distancia hacia delante",
+    "Scan": "un barrido láser",
     "LedColor": "un color",
     "Led1": "una luz",
     "Led2": "una luz",
@@ -263,6 +281,8 @@ export const robot = {
     "DockInfraRed": "infrarrojo rayo base estación carga cargador casa",
     "DigitalInput": "conector pin interruptor puerto digital",
     "AnalogInput": "conector pin voltaje puerto analógica",
+    "Ahead": "distancia lejos cerca pared delante láser lidar sensor metros medir obstáculo",
+    "Scan": "láser lidar barrido distancias alrededor haz dirección sensor",
     "LedColor": "luz lámpara color",
     "Led1": "luz lámpara color brillar encender parpadear",
     "Led2": "luz lámpara color brillar encender parpadear",
@@ -278,6 +298,8 @@ export const robot = {
     "DockInfraRed": "cuando ve la base de carga",
     "DigitalInput": "cuando cambia una entrada digital",
     "AnalogInput": "cuando tiene entradas analógicas",
+    "Ahead": "cuando mide el camino que tiene delante",
+    "Scan": "cuando mide todo a su alrededor",
     "ExternalPower": "encender o apagar un conector de corriente: ExternalPower",
     "MotorPower": "encender o apagar los motores: MotorPower"
   },
@@ -376,6 +398,7 @@ export const robot = {
     "button1": "Segundo botón",
     "button2": "Tercer botón",
     "turnRate": "Velocidad de giro",
+    "ahead": "Camino libre delante",
     "battery": "Batería",
     "digitalInput0": "Entrada digital 0",
     "digitalInput1": "Entrada digital 1",

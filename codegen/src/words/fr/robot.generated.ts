@@ -161,6 +161,22 @@ export const robot = {
       ],
       "tooltip": "Les tensions des quatre entrées analogiques. Exemple : AnalogInput a b c d."
     },
+    "Ahead": {
+      "parts": [
+        "mètres"
+      ],
+      "tooltip": "Jusqu'où la voie est libre devant, mesuré cinq fois par seconde depuis le milieu du robot ; 3.5 quand rien n'est proche. Exemple : Ahead distance."
+    },
+    "Scan": {
+      "parts": [
+        "premier angle, radians",
+        "pas, radians",
+        "minimum, mètres",
+        "maximum, mètres",
+        "distances"
+      ],
+      "tooltip": "Les distances dans toutes les directions, une pour chaque faisceau d'un scanner laser, dans le sens antihoraire depuis l'avant. Exemple : Scan first step short long distances."
+    },
     "Led1": {
       "parts": [
         "couleur"
@@ -235,6 +251,8 @@ export const robot = {
     "DockInfraRed": "un signal de la station de charge",
     "DigitalInput": "un changement des entrées numériques",
     "AnalogInput": "un groupe d'entrées analogiques",
+    "Ahead": "une distance devant",
+    "Scan": "un balayage laser",
     "LedColor": "une couleur",
     "Led1": "une lumière",
     "Led2": "une lumière",
@@ -263,6 +281,8 @@ export const robot = {
     "DockInfraRed": "infrarouge rayon station charge maison",
     "DigitalInput": "connecteur broche interrupteur port",
     "AnalogInput": "connecteur broche tension port",
+    "Ahead": "distance loin près mur devant laser lidar capteur mètres mesurer obstacle",
+    "Scan": "laser lidar balayage distances autour faisceau direction capteur",
     "LedColor": "lumière lampe",
     "Led1": "lumière lampe couleur allumer éteindre briller clignoter",
     "Led2": "lumière lampe couleur allumer éteindre briller clignoter",
@@ -278,6 +298,8 @@ export const robot = {
     "DockInfraRed": "quand il voit la station de charge",
     "DigitalInput": "quand une entrée numérique change",
     "AnalogInput": "quand il a des entrées analogiques",
+    "Ahead": "quand il mesure la voie devant",
+    "Scan": "quand il mesure tout autour",
     "ExternalPower": "allumer ou éteindre une prise : ExternalPower",
     "MotorPower": "allumer ou éteindre les moteurs : MotorPower"
   },
@@ -376,6 +398,7 @@ export const robot = {
     "button1": "Deuxième bouton",
     "button2": "Troisième bouton",
     "turnRate": "Vitesse de rotation",
+    "ahead": "Voie libre devant",
     "battery": "Batterie",
     "digitalInput0": "Entrée numérique 0",
     "digitalInput1": "Entrée numérique 1",

@@ -161,6 +161,22 @@ export const robot = {
       ],
       "tooltip": "As tensões das quatro entradas analógicas. Exemplo: AnalogInput a b c d."
     },
+    "Ahead": {
+      "parts": [
+        "metros"
+      ],
+      "tooltip": "Até onde o caminho à frente está livre, medido cinco vezes por segundo a partir do meio do robô; 3.5 quando não há nada por perto. Exemplo: Ahead distance."
+    },
+    "Scan": {
+      "parts": [
+        "primeiro ângulo, radianos",
+        "passo, radianos",
+        "menor, metros",
+        "maior, metros",
+        "distâncias"
+      ],
+      "tooltip": "As distâncias em todas as direções, uma para cada feixe de um scanner a laser, no sentido anti-horário a partir da frente. Exemplo: Scan first step short long distances."
+    },
     "Led1": {
       "parts": [
         "cor"
@@ -235,6 +251,8 @@ export const robot = {
     "DockInfraRed": "um sinal da base",
     "DigitalInput": "uma mudança das entradas digitais",
     "AnalogInput": "um valor das entradas analógicas",
+    "Ahead": "uma distância à frente",
+    "Scan": "uma varredura a laser",
     "LedColor": "uma cor",
     "Led1": "uma luz",
     "Led2": "uma luz",
@@ -263,6 +281,8 @@ export const robot = {
     "DockInfraRed": "infravermelho raio base de carga estação casa",
     "DigitalInput": "conector pino chave porta",
     "AnalogInput": "conector pino tensão porta",
+    "Ahead": "distância longe perto parede frente laser lidar sensor metros medir obstáculo",
+    "Scan": "laser lidar varredura distâncias em volta feixe direção sensor",
     "LedColor": "luz lâmpada",
     "Led1": "luz lâmpada cor brilhar acender piscar",
     "Led2": "luz lâmpada cor brilhar acender piscar",
@@ -278,6 +298,8 @@ export const robot = {
     "DockInfraRed": "quando ele vê a base",
     "DigitalInput": "quando uma entrada digital muda",
     "AnalogInput": "quando ele tem entradas analógicas",
+    "Ahead": "quando ele mede o caminho à frente",
+    "Scan": "quando ele mede tudo em volta",
     "ExternalPower": "ligar ou desligar um conector de energia: ExternalPower",
     "MotorPower": "ligar ou desligar os motores: MotorPower"
   },
@@ -376,6 +398,7 @@ export const robot = {
     "button1": "Segundo botão",
     "button2": "Terceiro botão",
     "turnRate": "Velocidade de giro",
+    "ahead": "Caminho livre à frente",
     "battery": "Bateria",
     "digitalInput0": "Entrada digital 0",
     "digitalInput1": "Entrada digital 1",

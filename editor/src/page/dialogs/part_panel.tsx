@@ -148,6 +148,11 @@ function RoomFields({
           value={world.dock !== null}
           set={on => change({...world, dock: on ? world.start : null})}
         />
+        <Check
+          label={words.world.scanner}
+          value={world.scanner}
+          set={on => change({...world, scanner: on})}
+        />
       </div>
       <span class="pair">
         <button type="button" class="plain" onClick={() => store.dispatch({kind: "world-file-wanted"})}>

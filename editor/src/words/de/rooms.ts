@@ -92,6 +92,7 @@ export const world: Words["world"] = {
   avoids: {bumps: "Der Roboter soll nirgends anstoßen", holes: "Kein Rad soll hineinfallen"},
   realistic: "Die Räder rutschen, wie auf echtem Boden",
   dock: "Eine Ladestation, wo der Roboter startet",
+  scanner: "Der Roboter hat einen Abstandssensor",
   openFile: "Raum öffnen …",
   saveFile: "Diesen Raum speichern",
   start: "Start des Roboters",

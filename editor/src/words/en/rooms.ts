@@ -90,6 +90,7 @@ export const world = {
   avoids: {bumps: "The robot should bump into nothing", holes: "No wheel should drop"},
   realistic: "Wheels slip, as on a real floor",
   dock: "A dock where the robot starts",
+  scanner: "The robot has a distance sensor",
   openFile: "Open a room…",
   saveFile: "Save this room",
   start: "Start of the robot",

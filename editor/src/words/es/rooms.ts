@@ -92,6 +92,7 @@ export const world: Words["world"] = {
   avoids: {bumps: "El robot no debe chocar con nada", holes: "Ninguna rueda debe caer"},
   realistic: "Las ruedas resbalan, como en un suelo de verdad",
   dock: "Una base de carga donde empieza el robot",
+  scanner: "El robot tiene un sensor de distancia",
   openFile: "Abrir una sala…",
   saveFile: "Guardar esta sala",
   start: "Inicio del robot",

@@ -93,6 +93,7 @@ export const world: Words["world"] = {
   avoids: {bumps: "Le robot ne doit rien heurter", holes: "Aucune roue ne doit tomber"},
   realistic: "Les roues glissent, comme sur un vrai sol",
   dock: "Une station de charge au départ du robot",
+  scanner: "Le robot a un capteur de distance",
   openFile: "Ouvrir une salle…",
   saveFile: "Enregistrer cette salle",
   start: "Départ du robot",

@@ -91,6 +91,7 @@ export const world: Words["world"] = {
   avoids: {bumps: "O robô não deve bater em nada", holes: "Nenhuma roda deve cair"},
   realistic: "As rodas escorregam, como em um chão de verdade",
   dock: "Uma base de carga onde o robô começa",
+  scanner: "O robô tem um sensor de distância",
   openFile: "Abrir uma sala…",
   saveFile: "Salvar esta sala",
   start: "Começo do robô",

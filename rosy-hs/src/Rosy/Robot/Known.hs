@@ -41,6 +41,8 @@ kobuki =
           Mapping dockInfraRedChannel "{prefix}/sensors/dock_ir" "{messages}/DockInfraRed" [At [Key "data", Index 2] (TheFirstOf [1, 2, 4, 8, 16, 32]), At [Key "data", Index 1] (TheFirstOf [1, 2, 4, 8, 16, 32]), At [Key "data", Index 0] (TheFirstOf [1, 2, 4, 8, 16, 32])] [] [] Published,
           Mapping digitalInputChannel "{prefix}/events/digital_input" "{messages}/DigitalInputEvent" [At [Key "values", Index 0] ATruth, At [Key "values", Index 1] ATruth, At [Key "values", Index 2] ATruth, At [Key "values", Index 3] ATruth] [] [] Published,
           Mapping analogInputChannel "{prefix}/sensors/core" "{messages}/SensorState" [At [Key "analog_input", Index 0] (ANumber 0.0008058608058608059), At [Key "analog_input", Index 1] (ANumber 0.0008058608058608059), At [Key "analog_input", Index 2] (ANumber 0.0008058608058608059), At [Key "analog_input", Index 3] (ANumber 0.0008058608058608059)] [] [] Published,
+          Mapping aheadChannel "/scan" "sensor_msgs/LaserScan" [NearestAhead 0.17453292519943295] [] [] Published,
+          Mapping scanChannel "/scan" "sensor_msgs/LaserScan" [At [Key "angle_min"] (ANumber 1), At [Key "angle_increment"] (ANumber 1), At [Key "range_min"] (ANumber 1), At [Key "range_max"] (ANumber 1), ScanRanges] [] [([Key "angle_max"], "6.265732014659643"), ([Key "time_increment"], "0.0"), ([Key "scan_time"], "0.2")] Published,
           Mapping velocityChannel "{velocity}" "geometry_msgs/Twist" [At [Key "linear", Key "x"] (ANumber 1), At [Key "angular", Key "z"] (ANumber 1)] [] [([Key "linear", Key "y"], "0.0"), ([Key "linear", Key "z"], "0.0"), ([Key "angular", Key "x"], "0.0"), ([Key "angular", Key "y"], "0.0")] Published,
           Mapping led1Channel "{prefix}/commands/led1" "{messages}/Led" [At [Key "value"] AWhole] [] [] Latched,
           Mapping led2Channel "{prefix}/commands/led2" "{messages}/Led" [At [Key "value"] AWhole] [] [] Latched,
@@ -50,6 +52,7 @@ kobuki =
           Mapping sayChannel "/rosy/say" "std_msgs/String" [At [Key "data"] AText] [] [] Published
         ],
       robotHeld = [(led1Channel, [Whole 0]), (led2Channel, [Whole 0]), (externalPowerChannel, [Whole 1, Whole 1, Whole 1, Whole 1]), (motorPowerChannel, [Whole 1])],
+      robotOnDemand = [aheadChannel, scanChannel],
       robotLimits = (0.7, 3.141592653589793),
       robotSerial =
         [ (buttonChannel, Edges 1 11 [0, 1, 2]),
@@ -89,6 +92,7 @@ kobuki =
           ("kobuki_msgs", "WheelDropEvent", "uint8 LEFT=0\nuint8 RIGHT=1\nuint8 RAISED=0\nuint8 DROPPED=1\nuint8 wheel\nuint8 state\n"),
           ("nav_msgs", "Odometry", "Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\ngeometry_msgs/TwistWithCovariance twist\n"),
           ("sensor_msgs", "Imu", "Header header\ngeometry_msgs/Quaternion orientation\nfloat64[9] orientation_covariance\ngeometry_msgs/Vector3 angular_velocity\nfloat64[9] angular_velocity_covariance\ngeometry_msgs/Vector3 linear_acceleration\nfloat64[9] linear_acceleration_covariance\n"),
+          ("sensor_msgs", "LaserScan", "Header header\nfloat32 angle_min\nfloat32 angle_max\nfloat32 angle_increment\nfloat32 time_increment\nfloat32 scan_time\nfloat32 range_min\nfloat32 range_max\nfloat32[] ranges\nfloat32[] intensities\n"),
           ("std_msgs", "Header", "uint32 seq\ntime stamp\nstring frame_id\n"),
           ("std_msgs", "String", "string data\n")
         ]
@@ -105,6 +109,7 @@ turtlesim =
           Mapping sayChannel "/rosy/say" "std_msgs/String" [At [Key "data"] AText] [] [] Published
         ],
       robotHeld = [],
+      robotOnDemand = [],
       robotLimits = (2.0, 2.0),
       robotSerial = [],
       robotMessages =
@@ -137,6 +142,7 @@ create3 =
           Mapping sayChannel "/rosy/say" "std_msgs/String" [At [Key "data"] AText] [] [] Published
         ],
       robotHeld = [(led1Channel, [Whole 0]), (led2Channel, [Whole 0]), (motorPowerChannel, [Whole 1])],
+      robotOnDemand = [],
       robotLimits = (0.306, 1.9),
       robotSerial = [],
       robotMessages = []
@@ -152,12 +158,15 @@ turtlebot3 =
           Mapping odometryChannel "{odometry}" "nav_msgs/Odometry" [At [Key "pose", Key "pose", Key "position", Key "x"] (ANumber 1), At [Key "pose", Key "pose", Key "position", Key "y"] (ANumber 1), Yaw [Key "pose", Key "pose", Key "orientation"], At [Key "twist", Key "twist", Key "linear", Key "x"] (ANumber 1), At [Key "twist", Key "twist", Key "angular", Key "z"] (ANumber 1)] [] [] Published,
           Mapping turnRateChannel "{prefix}/imu" "sensor_msgs/Imu" [At [Key "angular_velocity", Key "z"] (ANumber 1)] [] [] Published,
           Mapping batteryChannel "{prefix}/battery_state" "sensor_msgs/BatteryState" [At [Key "voltage"] (ANumber 1)] [] [] Published,
+          Mapping aheadChannel "{prefix}/scan" "sensor_msgs/LaserScan" [NearestAhead 0.17453292519943295] [] [] Published,
+          Mapping scanChannel "{prefix}/scan" "sensor_msgs/LaserScan" [At [Key "angle_min"] (ANumber 1), At [Key "angle_increment"] (ANumber 1), At [Key "range_min"] (ANumber 1), At [Key "range_max"] (ANumber 1), ScanRanges] [] [] Published,
           Mapping velocityChannel "{velocity}" "{velocityType}" [At [Key "{velocityIn}", Key "linear", Key "x"] (ANumber 1), At [Key "{velocityIn}", Key "angular", Key "z"] (ANumber 1)] [] [([Key "{velocityIn}", Key "linear", Key "y"], "0.0"), ([Key "{velocityIn}", Key "linear", Key "z"], "0.0"), ([Key "{velocityIn}", Key "angular", Key "x"], "0.0"), ([Key "{velocityIn}", Key "angular", Key "y"], "0.0")] Published,
           Mapping motorPowerChannel "{prefix}/motor_power" "std_srvs/SetBool" [At [Key "data"] (ACode [(1, "true"), (0, "false")])] [] [] Called,
           Mapping soundChannel "{prefix}/sound" "{messages}/Sound" [At [Key "value"] (ACode [(0, "1"), (1, "0"), (2, "2"), (3, "4"), (4, "3"), (5, "4"), (6, "5")])] [] [] Called,
           Mapping sayChannel "/rosy/say" "std_msgs/String" [At [Key "data"] AText] [] [] Published
         ],
       robotHeld = [(motorPowerChannel, [Whole 1])],
+      robotOnDemand = [],
       robotLimits = (0.22, 1.82),
       robotSerial = [],
       robotMessages = []

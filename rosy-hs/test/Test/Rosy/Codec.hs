@@ -56,9 +56,19 @@ tests =
 
 -- | Fields that a message of the channel can have.
 fieldsOf :: [Place] -> Channel -> Gen [Field]
-fieldsOf places c = mapM place places `suchThat` (isJust . channelShow c)
+fieldsOf places c
+  | hasRanges = do
+    (first, step, nearest) <- (,,) <$> arbitrary <*> arbitrary <*> choose (0, 1)
+    farthest <- choose (1, 10)
+    distances <- listOf (choose (nearest, farthest))
+    pure (map Number (first : step : nearest : farthest : distances))
+  | otherwise = mapM place places `suchThat` (isJust . channelShow c)
   where
+    hasRanges = not (null [() | ScanRanges <- places])
     place p = case p of
+      NearestAhead _ -> Number . abs <$> arbitrary
+      -- Its fields are made above.
+      ScanRanges -> Number <$> arbitrary
       Yaw _ -> Number <$> elements [0, 0.5, -0.25, 3]
       At _ leaf -> fieldOf leaf
       AtAll _ leaf -> fieldOf leaf

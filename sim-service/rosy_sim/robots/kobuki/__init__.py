@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ...world.events import Reading
-from ...world.robot import Body, MotorLimits, Robot
+from ...world.robot import Body, MotorLimits, Robot, ScannerModel
+from ...world.time_step import STEPS_PER_SECOND
 from . import facts
 from .connector import Connector
 from .dock_receivers import DockReceivers
@@ -32,4 +33,11 @@ KOBUKI = Robot(
     outputs={"Led1": (0,), "Led2": (0,), "ExternalPower": (1, 1, 1, 1), "MotorPower": (1,)},
     motor_switch="MotorPower",
     devices=(Gyroscope, Power, DockReceivers, Connector),
+    scanner=ScannerModel(
+        beams=facts.SCANNER_BEAMS,
+        nearest=facts.SCANNER_NEAREST,
+        farthest=facts.SCANNER_FARTHEST,
+        period=round(facts.SCANNER_PERIOD * STEPS_PER_SECOND),
+        ahead=facts.AHEAD_HALF_WIDTH,
+    ),
 )

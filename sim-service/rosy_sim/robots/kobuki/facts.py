@@ -8,6 +8,7 @@ from typing import Any
 from ...robot_description import description
 
 __all__ = [
+    "AHEAD_HALF_WIDTH",
     "BUMPER_BEARINGS",
     "BUMPER_HALF_WIDTH",
     "CLIFF_POINTS",
@@ -20,6 +21,10 @@ __all__ = [
     "MAX_ANGULAR_SPEED",
     "MAX_SPEED",
     "RADIUS",
+    "SCANNER_BEAMS",
+    "SCANNER_FARTHEST",
+    "SCANNER_NEAREST",
+    "SCANNER_PERIOD",
     "WHEELBASE",
     "WHEEL_POINTS",
 ]
@@ -74,3 +79,18 @@ CLIFF_POINTS = _points(_BODY["cliffPoints"])
 
 WHEEL_POINTS = _points(_BODY["wheelPoints"])
 """Where the left and right wheel touch the floor, m."""
+
+SCANNER_BEAMS: int = _BODY["scannerBeams"]
+"""Beams of the laser scanner that the simulated robot carries, evenly spread."""
+
+SCANNER_NEAREST: float = _BODY["scannerNearest"]
+"""Shortest distance that it can measure, m."""
+
+SCANNER_FARTHEST: float = _BODY["scannerFarthest"]
+"""Longest distance that it can measure, m."""
+
+SCANNER_PERIOD: float = _BODY["scannerPeriod"]
+"""Time of a turn, s."""
+
+AHEAD_HALF_WIDTH: float = math.radians(_BODY["aheadHalfWidth"])
+"""Beams at most this far from straight ahead count for ``Ahead``, rad."""
