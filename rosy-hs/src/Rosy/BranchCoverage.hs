@@ -8,7 +8,7 @@
 module Rosy.BranchCoverage
   ( -- * Branches
     Branch,
-    branchSize,
+    TakenBranch (..),
     setBranches,
 
     -- * Recording
@@ -19,6 +19,7 @@ where
 
 import Control.Exception (onException)
 import Control.Monad (when)
+import Data.ByteString (ByteString)
 import Data.IORef
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.IntSet as IntSet
@@ -29,18 +30,23 @@ import System.IO.Unsafe (unsafeDupablePerformIO, unsafePerformIO)
 -- @protocol/README.md@ section 2; its number among the branches of its choice, from 1; and what it is told by: left side, pattern or guard.
 type Branch = ((Int, Int), (Int, Int), [String], String, Int, String)
 
--- | The characters of its names and of what it is told by.
-branchSize :: Branch -> Int
-branchSize (_, _, definitions, _, _, shown) = length shown + sum (map length definitions)
+-- | A branch as a record tells it. It is the same each time that the branch is taken, and put into words once.
+data TakenBranch = TakenBranch
+  { -- | The characters of its names and of what it is told by.
+    takenSize :: Int,
+    takenText :: ByteString
+  }
 
 -- The branches of the program of this process, by number. 'tick' stands inside of the program's functions, so none of these can be arguments.
-branches :: IORef (IntMap.IntMap Branch)
+branches :: IORef (IntMap.IntMap TakenBranch)
 branches = unsafePerformIO (newIORef IntMap.empty)
 {-# NOINLINE branches #-}
 
--- | The branches of the program that this process runs, numbered from 0.
-setBranches :: [Branch] -> IO ()
-setBranches = writeIORef branches . IntMap.fromList . zip [0 ..]
+-- | The branches of the program that this process runs, numbered from 0, and how one is told.
+setBranches :: (Branch -> ByteString) -> [Branch] -> IO ()
+setBranches told = writeIORef branches . IntMap.fromList . zip [0 ..] . map taken
+  where
+    taken branch@(_, _, definitions, _, _, shown) = TakenBranch (length shown + sum (map length definitions)) (told branch)
 
 -- | The branches taken so far, and the same newest first; nothing while no firing is recorded.
 data Recording = Off | On !IntSet.IntSet [Int]
@@ -60,7 +66,7 @@ tick branch = unsafeDupablePerformIO $ do
 
 -- | Run an action; with the condition also record the branches that are taken meanwhile, each once, in the order in which each was taken
 -- first. The text of the program limits how many these are.
-recordingBranches :: Bool -> IO a -> IO (a, [Branch])
+recordingBranches :: Bool -> IO a -> IO (a, [TakenBranch])
 recordingBranches isRecorded action = do
   when isRecorded (writeIORef recording (On IntSet.empty []))
   result <- action `onException` writeIORef recording Off

@@ -43,6 +43,7 @@ import Rosy.Link.Pipe (pipeLink)
 import Rosy.Problem
 import Rosy.Run (runOn)
 import Rosy.Runnable
+import Rosy.Wire (branchText)
 import System.IO (hFlush, hPutStrLn, stderr, stdout)
 import System.IO.Unsafe (unsafePerformIO)
 
@@ -110,7 +111,7 @@ simulateNamed names what = do
 -- also what it prints after @simulate@: the robot is told of the end when @main@ has ended.
 onPipe :: CInt -> Ptr Word32 -> [EmptyPlace] -> [Branch] -> IO () -> IO ()
 onPipe descriptor page places branches mainOf = do
-  setBranches branches
+  setBranches branchText branches
   link <- placing <$> pipeLink descriptor page
   withCapturedOutput (\printed -> launch (AfterMain printed) (printingTo printed link) mainOf `catch` lost)
   where

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- |
 -- Module      : Rosy.Provenance
 -- Description : Provenance of firings (rule R12): cause, reads with their versions, outputs.
@@ -24,10 +26,9 @@ where
 
 import Data.Dynamic (dynTypeRep)
 import qualified Data.IntMap.Strict as IntMap
-import Data.List (mapAccumL)
 import qualified Data.Map.Strict as Map
 import Data.Typeable (TypeRep)
-import Rosy.BranchCoverage (Branch)
+import Rosy.BranchCoverage (TakenBranch)
 import Rosy.Channel (Action (..), Channel (..), Message (..), tellAction, tellMessage)
 import Rosy.Core hiding (Action, Message)
 import Rosy.Loop
@@ -46,7 +47,7 @@ data Record = Record
     recordInputs :: [Input],
     recordOutputs :: [Output],
     -- | The branches that it took, in their order, as far as the program was compiled to tell.
-    recordBranches :: [Branch]
+    recordBranches :: [TakenBranch]
   }
 
 -- | Why it fired. Instants, firings and user events have numbers from 0; a firing before the observation began has none.
@@ -112,23 +113,29 @@ data Watch = Watch
     emitters :: !(IntMap.IntMap Int),
     refreshers :: !(IntMap.IntMap Int),
     latestIn :: !(IntMap.IntMap Int),
-    latestFeedback :: !(Maybe Int)
+    latestFeedback :: !(Maybe Int),
+    -- | How the types that were met are shown, which is the same each time.
+    typeTexts :: !(Map.Map TypeRep String)
   }
 
 -- | The observation begins when so many user events have been sent.
 watchFrom :: Int -> Watch
-watchFrom sent = Watch 0 0 0 sent Map.empty IntMap.empty IntMap.empty IntMap.empty Nothing
+watchFrom sent = Watch 0 0 0 sent Map.empty IntMap.empty IntMap.empty IntMap.empty Nothing Map.empty
 
 -- | What happened in order: an instant began, or a function fired and took these branches.
-data Observed = AnInstant !What | AFiring !Firing [Branch]
+data Observed = AnInstant !What | AFiring !Firing [TakenBranch]
 
 -- | The firings as records, and the watch after them.
 follow :: Watch -> [Observed] -> (Watch, [Record])
-follow watch observed = concat <$> mapAccumL one watch observed
+follow watch = go watch []
   where
-    one w (AnInstant what) = (w {instants = instants w + 1, refreshers = refreshed what w}, [])
-    one w (AFiring firing branches) = (\r -> [r {recordBranches = branches}]) <$> recorded w firing
-    refreshed what w = case what of
+    -- Records newest first.
+    go !w done observed = case observed of
+      [] -> (w, reverse done)
+      AnInstant what : rest -> go w {instants = instants w + 1, refreshers = refreshed w what} done rest
+      AFiring firing branches : rest -> case recorded w firing branches of
+        (w', found) -> go w' (found : done) rest
+    refreshed w what = case what of
       Hear (Message channel _) -> IntMap.insert (channelNumber channel) (instants w) (refreshers w)
       TickNow -> refreshers w
 
@@ -136,8 +143,9 @@ follow watch observed = concat <$> mapAccumL one watch observed
 keptEmitters :: Int
 keptEmitters = 4096
 
-recorded :: Watch -> Firing -> (Watch, Record)
-recorded w firing = (w'' {firings = number + 1, latestIn = IntMap.insert scope number (latestIn w'')}, Record number (nameText (firingName firing)) scope reason inputs outputs [])
+-- | Strict from firing to firing: what is suspended would be evaluated a moment later, at more cost.
+recorded :: Watch -> Firing -> [TakenBranch] -> (Watch, Record)
+recorded w firing branches = (w'' {firings = number + 1, latestIn = IntMap.insert scope number (latestIn w'')}, Record number (nameText (firingName firing)) scope reason inputs outputs branches)
   where
     number = firings w
     scope = firingScope firing
@@ -151,20 +159,20 @@ recorded w firing = (w'' {firings = number + 1, latestIn = IntMap.insert scope n
       ByTask s -> OfFiring (IntMap.lookup s (latestIn w))
       ByFeedback -> OfFiring (latestFeedback w)
       ByEnd -> OfEnd
-    (w', inputs) = mapAccumL input w (firingInputs firing)
+    (w', inputs) = through input w (firingInputs firing)
     input v (InputValue source text) = case source of
       FromEvent -> (v, Input AnEvent text)
       FromState channel -> (v, Input (AState (channelName channel) (IntMap.lookup (channelNumber channel) (refreshers v))) text)
-      FromMemory what -> (v, Input (AMemory (typeText what) (Map.lookup (Just scope, what) (writers v))) text)
-      FromParam what -> (v, Input (AParam (typeText what) (Map.lookup (Nothing, what) (writers v))) text)
+      FromMemory what -> typed v what (\u name -> (u, Input (AMemory name (Map.lookup (Just scope, what) (writers u))) text))
+      FromParam what -> typed v what (\u name -> (u, Input (AParam name (Map.lookup (Nothing, what) (writers u))) text))
       FromTime -> (v, Input ATime text)
       FromGenerator -> (v {generatorsRead = generatorsRead v + 1}, Input (AGenerator (generatorsRead v)) text)
-    (w'', outputs) = mapAccumL output w' (listed (firingEffects firing))
+    (w'', outputs) = through output w' (listed (firingEffects firing))
     output v effect = case effect of
       Act action@(Action channel _) -> (v, Output (ACommand (channelName channel)) (tellAction action))
       Emit value text -> (v {emissions = emissions v + 1, emitters = IntMap.insert (emissions v) number (snd (IntMap.split (emissions v - keptEmitters) (emitters v)))}, Output (AnEmission (show (dynTypeRep value)) (emissions v)) text)
-      Remember what (Kept _ text) -> (v {writers = Map.insert (Just scope, what) number (writers v)}, Output (IntoMemory (typeText what)) text)
-      Share what (Kept _ text) -> (v {writers = Map.insert (Nothing, what) number (writers v)}, Output (IntoParam (typeText what)) text)
+      Remember what (Kept _ text) -> typed v what (\u name -> (u {writers = Map.insert (Just scope, what) number (writers u)}, Output (IntoMemory name) text))
+      Share what (Kept _ text) -> typed v what (\u name -> (u {writers = Map.insert (Nothing, what) number (writers u)}, Output (IntoParam name) text))
       End _ text -> (v, Output ADone text)
       Feed _ text -> (v {latestFeedback = Just number}, Output AFeedback text)
       StartCall _ -> (v, Output ACall "")
@@ -172,4 +180,18 @@ recorded w firing = (w'' {firings = number + 1, latestIn = IntMap.insert scope n
       Nothing' -> []
       Then (End value _) rest | isMark value -> listed rest
       Then effect rest -> effect : listed rest
-    typeText what = showsPrec 11 what ""
+
+-- | The state from left to right through a list.
+through :: (state -> a -> (state, b)) -> state -> [a] -> (state, [b])
+through step = go
+  where
+    go !s [] = (s, [])
+    go !s (x : xs) = case step s x of
+      (s', y) -> case go s' xs of
+        (s'', ys) -> (s'', y : ys)
+
+-- | With a type as it is shown.
+typed :: Watch -> TypeRep -> (Watch -> String -> found) -> found
+typed w what with = case Map.lookup what (typeTexts w) of
+  Just known -> with w known
+  Nothing -> let shown = showsPrec 11 what "" in with w {typeTexts = Map.insert what shown (typeTexts w)} shown

@@ -14,7 +14,7 @@ where
 import Control.Exception
 import Control.Monad (unless)
 import Data.Maybe (fromMaybe)
-import Rosy.BranchCoverage (Branch, branchSize, recordingBranches)
+import Rosy.BranchCoverage (TakenBranch (..), recordingBranches)
 import Rosy.Channel (Channel (..), Kind (..), Message (..), tellMessage)
 import Rosy.Core hiding (Message)
 import Rosy.Link
@@ -90,7 +90,7 @@ batches link told batch = drive "main" (Done [] []) (occasions batch)
       Ended report -> end link (answerOf batch done report) EndedStopped
 
 -- | A function has fired.
-fired :: Batch -> Firing -> Effects -> [Branch] -> Done -> Done
+fired :: Batch -> Firing -> Effects -> [TakenBranch] -> Done -> Done
 fired batch firing effects branches (Done functions observed) = Done ((firingName firing, commandsIn effects) : functions) (if batchWatches batch then AFiring firing branches : observed else observed)
 
 -- | An instant has begun.
@@ -103,13 +103,15 @@ recordsOf batch watch (Done _ observed) = case watch of
   Just before | batchWatches batch -> do
     let (after, found) = follow before (reverse observed)
     shown <- mapM showRecord (take recordLength found)
-    after `seq` pure (Just after, Just (within recordText shown))
+    after `seq` pure (Just after, Just (if sum (map most shown) <= recordText then shown else within recordText shown))
   _ -> pure (Nothing, Nothing)
   where
+    -- At least as many characters as a record has.
+    most r = inputLength * (length (recordInputs r) + length (recordOutputs r)) + sum (map takenSize (recordBranches r))
     -- The first records whose values have so many characters together.
     within left (r : rest) | size <= left = r : within (left - size) rest
       where
-        size = sum ([length text | Input _ text <- recordInputs r] ++ [length text | Output _ text <- recordOutputs r] ++ map branchSize (recordBranches r))
+        size = sum ([length text | Input _ text <- recordInputs r] ++ [length text | Output _ text <- recordOutputs r] ++ map takenSize (recordBranches r))
     within _ _ = []
 
 -- | Between two firings the program's own expressions are at work: they say which task comes next. A loop of tasks that never lets
@@ -152,7 +154,7 @@ cleanUp :: Link -> Maybe Watch -> Batch -> Done -> Ending -> Turn -> IO ()
 cleanUp link watch batch done ending turn = case turn of
   Fires firing after -> do
     atWork link (firingName firing)
-    result <- try (recordingBranches (batchWatches batch) (evaluate (firingEffects firing))) :: IO (Either SomeException (Effects, [Branch]))
+    result <- try (recordingBranches (batchWatches batch) (evaluate (firingEffects firing))) :: IO (Either SomeException (Effects, [TakenBranch]))
     case result of
       Right (effects, branches) -> between link >> again (fired batch firing effects branches done) after
       Left _ -> again done (firingFailed firing)
@@ -181,9 +183,16 @@ showInputs inputs = mapM showValue [text | InputValue _ text <- take inputsShown
 -- | A record with all its values as text, each cut to a length that fits a message.
 showRecord :: Record -> IO Record
 showRecord found = do
-  inputs <- mapM (\(Input origin text) -> Input origin <$> showValue text) (take inputsShown (recordInputs found))
-  outputs <- mapM (\(Output sink text) -> Output sink <$> showValue text) (take outputsShown (recordOutputs found))
-  pure found {recordInputs = inputs, recordOutputs = outputs}
+  isShort <- try (evaluate (isFew && and ([isWithin inputLength text | Input _ text <- recordInputs found] ++ [isWithin inputLength text | Output _ text <- recordOutputs found]))) :: IO (Either SomeException Bool)
+  case isShort of
+    Right True -> pure found
+    _ -> cut
+  where
+    isFew = length (recordInputs found) <= inputsShown && length (recordOutputs found) <= outputsShown
+    cut = do
+      inputs <- mapM (\(Input origin text) -> Input origin <$> showValue text) (take inputsShown (recordInputs found))
+      outputs <- mapM (\(Output sink text) -> Output sink <$> showValue text) (take outputsShown (recordOutputs found))
+      pure found {recordInputs = inputs, recordOutputs = outputs}
 
 -- | What is remembered, as much of it as a page can show.
 showMemory :: [(String, String)] -> IO [(String, String)]
@@ -194,12 +203,12 @@ showValue :: String -> IO String
 showValue value = do
   result <- try (evaluate (if isWithin inputLength value then value else take inputLength value))
   pure (either (const "_" :: SomeException -> String) id result)
-  where
-    -- Evaluates so many characters and nothing behind them.
-    isWithin :: Int -> String -> Bool
-    isWithin n characters = case characters of
-      [] -> True
-      c : rest -> c `seq` n > 1 && isWithin (n - 1) rest
+
+-- | Whether a text is shorter than so many characters; evaluates so many and nothing behind them.
+isWithin :: Int -> String -> Bool
+isWithin n characters = case characters of
+  [] -> True
+  c : rest -> c `seq` n > 1 && isWithin (n - 1) rest
 
 -- | The most inputs and outputs of one firing that are shown. A choice of ours: a function takes at most 9 of each in one tuple.
 inputsShown, outputsShown :: Int

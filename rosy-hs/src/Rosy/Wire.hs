@@ -19,6 +19,7 @@ module Rosy.Wire
     writeOpening,
     writeAnswer,
     writeEnding,
+    branchText,
 
     -- * Steps
     ticksEvery,
@@ -41,6 +42,7 @@ import Data.List (find, intersperse)
 import Data.Maybe (fromMaybe, isJust)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Rosy.BranchCoverage (Branch, TakenBranch (..))
 import Rosy.Channel (Action (..), Channel (..), Field (Number), Kind (..), Message (..), tellAction)
 import Rosy.Codec
 import Rosy.Core (Interest, Topic (..), TopicUse (..), channelInterest, clockInterest, interestedIn, nameText, tickInterest, unite)
@@ -211,12 +213,9 @@ record r =
     <> list input (recordInputs r)
     <> ",\"gave\":"
     <> list output (recordOutputs r)
-    <> (if null (recordBranches r) then mempty else ",\"branches\":" <> list branch (recordBranches r))
+    <> (if null (recordBranches r) then mempty else ",\"branches\":" <> list (Builder.byteString . takenText) (recordBranches r))
     <> "}"
   where
-    branch (from', to, definitions, kind, number, shown) =
-      "{\"in\":" <> list text definitions <> ",\"kind\":" <> text kind <> ",\"number\":" <> Builder.intDec number
-        <> (",\"text\":" <> text shown <> ",\"start\":" <> position from' <> ",\"end\":" <> position to <> "}")
     reason why = case why of
       OfMessage at shown -> "\"message\"" <> instant at <> value shown
       OfTick at -> "\"tick\"" <> instant at
@@ -250,6 +249,13 @@ record r =
     value shown = ",\"value\":" <> text shown
     typed what = ",\"type\":" <> text what
     from = foldMap (\n -> ",\"firing\":" <> Builder.intDec n)
+
+-- | A branch as the record of a firing has it.
+branchText :: Branch -> ByteString
+branchText (from, to, definitions, kind, number, shown) =
+  Lazy.toStrict . Builder.toLazyByteString $
+    "{\"in\":" <> list text definitions <> ",\"kind\":" <> text kind <> ",\"number\":" <> Builder.intDec number
+      <> (",\"text\":" <> text shown <> ",\"start\":" <> position from <> ",\"end\":" <> position to <> "}")
 
 object :: [(Builder, Builder)] -> Builder
 object fields = "{" <> mconcat (intersperse "," ["\"" <> key <> "\":" <> value | (key, value) <- fields]) <> "}"

@@ -6,23 +6,17 @@ Bounded: of a run that fires more often than ``MAX_FIRINGS`` times the latest fi
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections import deque
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from ..wire.firing import Firing
+from .recorded_step import RecordedStep, ShownCommand, StepContent, ToldContent
 
-__all__ = ["MAX_FIRINGS", "RecordedRun", "SentCommand", "ShownCommand"]
+__all__ = ["MAX_FIRINGS", "RecordedRun", "SentCommand"]
 
 MAX_FIRINGS = 200_000
 """Firings that are kept: more than an hour of a program that fires 50 times a second. A choice of ours."""
-
-
-class ShownCommand(NamedTuple):
-    """A command of a step, as Haskell shows it, and its channel; empty for a topic of the program's own."""
-
-    channel: str
-    value: str
 
 
 class SentCommand(NamedTuple):
@@ -39,18 +33,6 @@ class SentCommand(NamedTuple):
     firing: Firing | None
 
 
-@dataclass(frozen=True, slots=True)
-class _Step:
-    time: float
-    firings: list[Firing]
-    events: list[str]
-    commands: list[ShownCommand]
-    # Since when the safety rules drove instead of the program, s; None when the program drove.
-    overridden_since: float | None = None
-    # A hand had put the robot in another place since the step before.
-    is_placed: bool = False
-
-
 class RecordedRun:
     """
     What a program did, step by step.
@@ -63,8 +45,11 @@ class RecordedRun:
     def __init__(self, until: float | None = None, most: int = MAX_FIRINGS) -> None:
         self._until = until
         self._most = most
-        self._steps: deque[_Step] = deque()
-        self._by_number: dict[int, tuple[float, Firing]] = {}
+        self._steps: deque[RecordedStep] = deque()
+        # Those of them in which something fired.
+        self._fired: deque[RecordedStep] = deque()
+        # How many firings are kept.
+        self.count = 0
         # Since when the safety rules drive, as of the last step.
         self._overridden_since: float | None = None
         # When the last step was recorded, s; None before the first.
@@ -83,39 +68,53 @@ class RecordedRun:
         is_placed: bool = False,
     ) -> None:
         """Append a step; ``events`` and the values of ``commands`` as in a trace."""
+        content = StepContent(firings, events, commands)
+        self.add(time, content, is_overridden=is_overridden, is_placed=is_placed)
+
+    def add(
+        self, time: float, content: StepContent | ToldContent, *, is_overridden: bool = False, is_placed: bool = False
+    ) -> None:
+        """Append a step."""
         if self._until is not None and time > self._until + 1e-9:
             return
         self.end = time
         was_overridden = self._overridden_since is not None
         self._overridden_since = (self._overridden_since if was_overridden else time) if is_overridden else None
-        if not (firings or events or commands or is_overridden or was_overridden or is_placed):
+        if content.is_empty and not (is_overridden or was_overridden or is_placed):
             return
-        self._steps.append(_Step(time, firings, events, commands, self._overridden_since, is_placed))
-        for firing in firings:
-            self._by_number[firing.n] = (time, firing)
-        while len(self._by_number) > self._most:
-            dropped = self._steps.popleft()
+        step = RecordedStep(time, content, self._overridden_since, is_placed)
+        self._steps.append(step)
+        if content.count:
+            self._fired.append(step)
+            self.count += content.count
+        while self.count > self._most:
+            dropped = self._steps.popleft().content.count
+            if dropped:
+                self._fired.popleft()
+                self.count -= dropped
             self.known_since = self._steps[0].time if self._steps else time
-            for firing in dropped.firings:
-                self._by_number.pop(firing.n, None)
-
-    @property
-    def count(self) -> int:
-        """How many firings are kept."""
-        return len(self._by_number)
 
     def firing(self, number: int | None) -> Firing | None:
         """The firing with this number, if it is recorded."""
-        found = self._by_number.get(number) if number is not None else None
-        return found[1] if found is not None else None
+        return self._find(number)[1] if number is not None else None
 
     def time_of(self, firing: Firing) -> float:
         """When it fired, s since the start of the program."""
-        return self._by_number[firing.n][0]
+        return self._find(firing.n)[0]
+
+    def _find(self, number: int) -> tuple[float, Firing | None]:
+        """
+        A firing and its time. They are numbered in their order, so that few steps need to be read to find one.
+        """
+        index = bisect_right(self._fired, number, key=lambda step: step.content.first_number) - 1
+        if index < 0:
+            return 0.0, None
+        step = self._fired[index]
+        return step.time, next((firing for firing in step.content.firings if firing.n == number), None)
 
     def firings(self) -> list[tuple[float, Firing]]:
         """All firings in order, with their times."""
-        return [(step.time, firing) for step in self._steps for firing in step.firings]
+        return [(step.time, firing) for step in self._steps for firing in step.content.firings]
 
     def latest_firings(self) -> list[tuple[float, Firing]]:
         """The latest firing of each function, with its time, in order."""
@@ -124,7 +123,7 @@ class RecordedRun:
 
     def events(self) -> list[tuple[float, str]]:
         """All events that the program sensed or sent itself, with their times."""
-        return [(step.time, text) for step in self._steps for text in step.events]
+        return [(step.time, text) for step in self._steps for text in step.content.events]
 
     def latest_command(self, kind: str, until: float) -> SentCommand | None:
         """The last command of a type (``Velocity``) at or before a time, s. Parameters of the type are not compared."""
@@ -141,7 +140,7 @@ class RecordedRun:
         for step in reversed(self._steps):
             if step.time > until + 1e-9:
                 continue
-            for firing in reversed(step.firings):
+            for firing in reversed(step.content.firings):
                 if any(given.to in ("memory", "param") and given.type == kind for given in firing.gave):
                     return firing
         return None
@@ -150,7 +149,7 @@ class RecordedRun:
         """The last firing of a function at or before a time, s."""
         for step in reversed(self._steps):
             if step.time <= until + 1e-9:
-                for firing in reversed(step.firings):
+                for firing in reversed(step.content.firings):
                     if firing.function == function:
                         return firing
         return None
@@ -159,7 +158,7 @@ class RecordedRun:
         """The last event with a constructor (``Bumper``) at or before a time, s, as Haskell shows it."""
         for step in reversed(self._steps):
             if step.time <= until + 1e-9:
-                for text in reversed(step.events):
+                for text in reversed(step.content.events):
                     if text.partition(" ")[0] == constructor:
                         return text
         return None
@@ -170,12 +169,13 @@ class RecordedRun:
         firings of that step that it caused.
         """
         for step in reversed(self._steps):
-            if step.time <= until + 1e-9 and text in step.events:
-                sent = [(f, g.event) for f in step.firings for g in f.gave if g.to == "event" and g.value == text]
+            if step.time <= until + 1e-9 and text in step.content.events:
+                firings = step.content.firings
+                sent = [(f, g.event) for f in firings for g in f.gave if g.to == "event" and g.value == text]
                 if not sent:
-                    return step.time, None, [firing for firing in step.firings if firing.cause.value == text]
+                    return step.time, None, [firing for firing in firings if firing.cause.value == text]
                 sender, number = sent[-1]
-                takers = [f for f in step.firings if f.cause.by == "event" and f.cause.event == number]
+                takers = [f for f in firings if f.cause.by == "event" and f.cause.event == number]
                 return step.time, sender, takers
         return None
 
@@ -192,15 +192,17 @@ class RecordedRun:
         return [sent for step in self._steps for sent in _commands(step)]
 
 
-def _commands(step: _Step) -> list[SentCommand]:
+def _commands(step: RecordedStep) -> list[SentCommand]:
     """
     The commands of a step, matched with the outputs of its firings.
 
     Both are in firing order. A command between them that no firing gave was sent for a task that was stopped.
     """
-    outputs = deque((firing, given) for firing in step.firings for given in firing.gave if given.to == "command")
+    outputs = deque(
+        (firing, given) for firing in step.content.firings for given in firing.gave if given.to == "command"
+    )
     sent: list[SentCommand] = []
-    for channel, value in step.commands:
+    for channel, value in step.content.commands:
         # A long text is cut in the record of a firing and whole in the trace.
         if outputs and value.startswith(outputs[0][1].value):
             firing, given = outputs.popleft()

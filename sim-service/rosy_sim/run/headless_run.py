@@ -19,7 +19,9 @@ from pathlib import Path
 from typing import Literal, Protocol
 
 from ..config import Limits
-from ..explain.recorded_run import RecordedRun, ShownCommand
+from ..explain.recorded_run import RecordedRun
+from ..explain.recorded_step import ShownCommand
+from ..wire.firing import read_firings
 from ..wire.problem import Problem
 from ..wire.robot_link import LimitExceeded, LinkError
 from ..wire.worker import Gone, Refused
@@ -269,7 +271,11 @@ class _Steps:
             channels = chain(lockstep.channels(), repeat(""))
             commands = [ShownCommand(*one) for one in zip(channels, done.commands, strict=False)]
             self._output.record.add_step(
-                lockstep.time, done.firings, done.events, commands, is_overridden=lockstep.is_overridden
+                lockstep.time,
+                read_firings(done.firings),
+                done.events,
+                commands,
+                is_overridden=lockstep.is_overridden,
             )
         if lockstep.state == "settled":
             lockstep.integrate()

@@ -22,7 +22,7 @@ from typing import Literal
 import msgspec
 
 from ..wire.channels import Values
-from ..wire.robot_link import Ended, Ready, Settled, SimulatorLink, start_line, step_line, stop_line
+from ..wire.robot_link import NO_FIRINGS, Ended, Ready, Settled, SimulatorLink, start_line, step_line, stop_line
 from ..wire.topics import CHANNELS, ODOMETRY, TopicMessage, on_demand, reading_line, topic_message
 from ..world.events import VELOCITY_CHANNEL, Command, Reading, velocity
 from ..world.goals import GoalTracker, Observation
@@ -271,5 +271,5 @@ class Lockstep:
             "fired": fired,
         }
         if provenance:
-            line["firings"] = done.firings if done is not None else []
+            line["firings"] = done.firings if done is not None else NO_FIRINGS
         return _encoder.encode(line) + b"\n"

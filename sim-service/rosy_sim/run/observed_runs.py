@@ -20,7 +20,7 @@ class ObservedRuns:
     """
     Limit of the runs that are observed at the same time.
 
-    An observed step takes a seventh to a quarter more computing than another one (``./rosy bench why``), and the record
+    An observed step takes a seventh more computing than another one (``./rosy bench why``), and the record
     of a run up to 20 MB of memory. A run without a place is not recorded.
     """
 

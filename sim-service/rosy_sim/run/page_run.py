@@ -32,6 +32,8 @@ class RunView(Protocol):
 
     # The latest step of the run; set by the run.
     step: int
+    # Whether the page asks for firings with their provenance; set by the page.
+    shows_firings: bool
 
     def show_state(self, state: Literal["compiling", "running"], problems: list[Problem] | None = None) -> None:
         """Show where the run is."""

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..wire import page
+from ..wire.firing import read_firings
 from ..wire.problem import Problem
 from ..wire.topics import TopicMessage
 from ..wire.worker import Started
@@ -252,9 +253,9 @@ class SimulatedRun(PageRun):
         if done is not None:
             self._view.add_fired(done.fired)
             self._view.add_sensed(done.sensed)
-            if done.firings:
+            if self._view.shows_firings:
                 step = lockstep.settled.step if lockstep.settled is not None else lockstep.step
-                self._view.add_firings(step / STEPS_PER_SECOND, done.firings)
+                self._view.add_firings(step / STEPS_PER_SECOND, read_firings(done.firings))
 
     def _show_live(self, lockstep: Lockstep) -> None:
         view = self._view

@@ -4,7 +4,6 @@ Explanations of the runs of a page: records a run while the page observes it, an
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -21,7 +20,8 @@ from ..explain.answers import (
     why_position,
 )
 from ..explain.function_types import function_types
-from ..explain.recorded_run import RecordedRun, ShownCommand
+from ..explain.recorded_run import RecordedRun
+from ..explain.recorded_step import StepContent, ToldContent, commands_of_step
 from ..explain.untaken_branch import branch_at
 from ..explain.why import Link
 from ..explain.why_not import FunctionType, RobotLimits, Window
@@ -36,7 +36,7 @@ from ..world.events import VELOCITY_CHANNEL, Command
 from ..world.time_step import STEPS_PER_SECOND
 from .run_history import RunHistory
 
-__all__ = ["MOST_FIRINGS", "RunExplanations", "commands_of_step"]
+__all__ = ["MOST_FIRINGS", "RunExplanations"]
 
 MOST_FIRINGS = 20_000
 """Firings that are kept of a run: six minutes of a program that fires 50 times a second, 20 MB. A choice of ours."""
@@ -106,9 +106,7 @@ class RunExplanations:
                 self._placements = placements
             self._record(
                 step / STEPS_PER_SECOND,
-                done.firings,
-                done.sensed,
-                lockstep.commands,
+                ToldContent(bytes(done.firings), done.sensed, lockstep.commands),
                 is_overridden=lockstep.is_overridden,
                 is_placed=placements != self._placements,
             )
@@ -132,7 +130,9 @@ class RunExplanations:
             self._latest.record = None
         else:
             firings, sensed = observed.firings, observed.sensed
-            self._record(time, firings, sensed, commands, is_overridden=is_overridden, is_first=is_first)
+            sent = [given.value for firing in firings for given in firing.gave if given.to == "event"]
+            content = StepContent(firings, sensed + sent, commands_of_step(firings, commands))
+            self._record(time, content, is_overridden=is_overridden, is_first=is_first)
 
     def on_robot_unobserved(self) -> None:
         """A run on a real robot begins or goes on without being observed; its steps without commands are not told."""
@@ -142,9 +142,7 @@ class RunExplanations:
     def _record(
         self,
         time: float,
-        firings: list[Firing],
-        sensed: list[str],
-        commands: list[Command],
+        content: StepContent | ToldContent,
         *,
         is_overridden: bool,
         is_placed: bool = False,
@@ -155,14 +153,7 @@ class RunExplanations:
             self._latest.record = RecordedRun(most=MOST_FIRINGS)
             # Numbers of firings begin anew when an observation begins: nothing of before is kept.
             self._latest.record.known_since = 0.0 if is_first else time
-        self._latest.record.add_step(
-            time,
-            firings,
-            sensed + [given.value for firing in firings for given in firing.gave if given.to == "event"],
-            commands_of_step(firings, commands),
-            is_overridden=is_overridden,
-            is_placed=is_placed,
-        )
+        self._latest.record.add(time, content, is_overridden=is_overridden, is_placed=is_placed)
 
     def latest_firings(self, run: int) -> list[tuple[float, Firing]]:
         """The latest firing of each function, with its time, in order; none of a run that is not the latest one."""
@@ -221,34 +212,3 @@ def _why(run: RecordedRun, request: page.Why, about: _Explained) -> Answer:
     if request.event:
         return why_event(run, request.event, time)
     return why_command(run, request.command or VELOCITY_CHANNEL, time, limits)
-
-
-def commands_of_step(firings: list[Firing], commands: list[Command]) -> list[ShownCommand]:
-    """
-    The commands of a step as Haskell shows them, in the form of a trace, without one. Those of a firing have its types.
-
-    All come from firings but velocities of 0 for tasks that were stopped (rule R10), and lines that ``main`` prints.
-    """
-    from_firings = [
-        ShownCommand(one.type, one.value) for firing in firings for one in firing.gave if one.to == "command"
-    ]
-    velocities = sum(one.channel == VELOCITY_CHANNEL for one in from_firings)
-    if velocities == sum(command.channel == VELOCITY_CHANNEL for command in commands):
-        return from_firings
-    given = deque(from_firings)
-    told: list[ShownCommand] = []
-    for command in commands:
-        if command.channel != VELOCITY_CHANNEL:
-            continue
-        while given and given[0].channel != VELOCITY_CHANNEL:
-            told.append(given.popleft())
-        if given and _velocity(given[0].value) == command.values:
-            told.append(given.popleft())
-        elif command.values == (0.0, 0.0):
-            told.append(ShownCommand(VELOCITY_CHANNEL, "Velocity 0.0 0.0"))
-    return told + list(given)
-
-
-def _velocity(value: str) -> tuple[float, ...]:
-    words = value.replace("(", "").replace(")", "").split(" ")[1:]
-    return tuple(float(word) for word in words)

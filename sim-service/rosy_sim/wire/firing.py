@@ -3,6 +3,7 @@ Firing of a function with its provenance (language rule R12), as ``settled`` car
 
 Numbers count from the start of the observation: firings, instants (each message and each tick is one), user events.
 No value here refers back to one that has it, so the garbage collector need not look at them: a page keeps thousands.
+Most firings that are recorded are never asked about; they are kept as they were told, and read when something asks.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from typing import Literal
 
 import msgspec
 
-__all__ = ["Branch", "Cause", "Firing", "Given", "Place", "Taken"]
+__all__ = ["Branch", "Cause", "Firing", "Given", "Place", "Taken", "count_firings", "read_firings"]
 
 
 class Cause(msgspec.Struct, omit_defaults=True, frozen=True, gc=False):
@@ -86,3 +87,26 @@ class Firing(msgspec.Struct, omit_defaults=True, frozen=True, gc=False):
     gave: list[Given] = []
     # In the order in which they were taken; a program that was built for another computer tells none.
     branches: list[Branch] = []
+
+
+_decoder = msgspec.json.Decoder(list[Firing])
+
+_LONG = 2_000
+"""Bytes that count for one firing in a limit: some three times what a firing takes."""
+
+
+def read_firings(told: msgspec.Raw | bytes) -> list[Firing]:
+    """
+    The firings of a step, as ``settled`` carries them.
+
+    A program that tells something else in their place has none: only answers about itself depend on them.
+    """
+    try:
+        return _decoder.decode(told)
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
+        return []
+
+
+def count_firings(told: bytes) -> int:
+    """For how many firings these bytes count in a limit: how many they begin, and more if they are long."""
+    return max(told.count(b'{"n":'), len(told) // _LONG)

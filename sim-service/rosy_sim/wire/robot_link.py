@@ -14,7 +14,6 @@ import msgspec
 
 from ..world.events import Command
 from ..world.time_step import STEPS_PER_SECOND
-from .firing import Firing
 from .line_splitter import LineSplitter, LineTooLong
 from .problem import Problem
 from .topics import COMMAND_TOPICS, BadMessage, TopicMessage, read_command
@@ -24,6 +23,7 @@ __all__ = [
     "MAX_LINE",
     "MAX_RUN",
     "MAX_STEP",
+    "NO_FIRINGS",
     "Ended",
     "LimitExceeded",
     "LinkError",
@@ -80,6 +80,10 @@ class MemoryValue(msgspec.Struct):
     value: str
 
 
+NO_FIRINGS = msgspec.Raw(b"[]")
+"""``firings`` of a step that was not observed. What a program tells is read by ``firing.read_firings``."""
+
+
 class Settled(msgspec.Struct, tag="settled", tag_field="op"):
     """
     The end of the program's batch. ``sent`` is the number of commands of each function in ``fired``, absent when one
@@ -96,7 +100,7 @@ class Settled(msgspec.Struct, tag="settled", tag_field="op"):
     events: list[str] = []
     commands: list[str] = []
     memory: list[MemoryValue] | None = None
-    firings: list[Firing] = []
+    firings: msgspec.Raw = NO_FIRINGS
     quiet: int = 0
     listens: list[str] = []
 
@@ -111,7 +115,7 @@ class Ended(msgspec.Struct, tag="ended", tag_field="op"):
     sensed: list[str] = []
     events: list[str] = []
     commands: list[str] = []
-    firings: list[Firing] = []
+    firings: msgspec.Raw = NO_FIRINGS
 
 
 class Advertise(msgspec.Struct, tag="advertise", tag_field="op"):

@@ -17,7 +17,8 @@ from __future__ import annotations
 import re
 from itertools import groupby
 
-from rosy_sim.explain.recorded_run import RecordedRun, ShownCommand
+from rosy_sim.explain.recorded_run import RecordedRun
+from rosy_sim.explain.recorded_step import ShownCommand
 from rosy_sim.wire.firing import Cause, Firing, Given, Taken
 
 __all__ = ["recorded"]

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from rosy_sim.explain.answers import why_position
-from rosy_sim.explain.recorded_run import RecordedRun, ShownCommand
+from rosy_sim.explain.recorded_run import RecordedRun
+from rosy_sim.explain.recorded_step import ShownCommand
 from rosy_sim.explain.why_not import RobotLimits
 
 from .recorded import recorded

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from rosy_sim.explain.causal_chain import MAX_LINKS, commands_at, explain
-from rosy_sim.explain.recorded_run import RecordedRun, ShownCommand
+from rosy_sim.explain.recorded_run import RecordedRun
+from rosy_sim.explain.recorded_step import ShownCommand
 from rosy_sim.explain.why_not import RobotLimits
 from rosy_sim.wire.firing import Branch, Cause, Firing, Given, Place
 

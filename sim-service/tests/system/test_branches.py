@@ -14,7 +14,7 @@ from rosy_sim.config import discover
 from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.run.headless_run import RunOutput, RunSettings, run_program
 from rosy_sim.run.lockstep import Lockstep
-from rosy_sim.wire.firing import Branch, Firing
+from rosy_sim.wire.firing import Branch, Firing, read_firings
 from rosy_sim.worker.blocking_worker import BlockingWorker
 from rosy_sim.world.world import World
 from rosy_sim.worlds.gallery import named_world, usable_arena
@@ -102,7 +102,7 @@ def firings(worker: BlockingWorker, source: str, is_observed: bool = True) -> li
 
     def observe(lockstep: Lockstep) -> None:
         done = lockstep.settled or lockstep.ended
-        found.extend(done.firings if done is not None else [])
+        found.extend(read_firings(done.firings) if done is not None else [])
 
     place = World(usable_arena(named_world("room"), "world"), KOBUKI, 1)
     output = RunOutput(observe=observe, provenance=is_observed)

@@ -23,7 +23,7 @@ from rosy_sim.run.headless_run import RunOutput, RunSettings, run_over_link
 from rosy_sim.run.lockstep import Lockstep
 from rosy_sim.web.run_explanations import RunExplanations
 from rosy_sim.wire import page
-from rosy_sim.wire.firing import Branch
+from rosy_sim.wire.firing import Branch, read_firings
 from rosy_sim.wire.worker import Started
 from rosy_sim.worker.blocking_worker import BlockingWorker
 from rosy_sim.world.events import Lift, Press, Teleport, UserAction
@@ -147,7 +147,7 @@ class Asked:
         self._explanations.on_step(lockstep)
         done = lockstep.settled or lockstep.ended
         assert done is not None
-        self._firings += [(lockstep.time, firing.function, firing.n) for firing in done.firings]
+        self._firings += [(lockstep.time, firing.function, firing.n) for firing in read_firings(done.firings)]
 
     def answer(self, question: str) -> list[str]:
         """The sentences of the answer."""
