@@ -96,7 +96,7 @@ export function openDiagramMount(store: Store, parts: PageParts): DiagramMount {
     },
     commands: {
       tidy: () => view?.tidy(),
-      list: () => view?.list() ?? [],
+      list: path => view?.list(path) ?? [],
       choose: id => view?.chooseById(id),
       saveSvg() {
         if (view !== null) download(nameOf(store, "svg"), view.svgFile(), "image/svg+xml")

@@ -4,6 +4,7 @@ import type {Frame} from "../state/messages.ts"
 import type {ProgramPart} from "../state/program_graph.ts"
 import type {CausalPath} from "../why/causal_path.ts"
 import {type Activity, isFading, noActivity, observe} from "./activity.ts"
+import {explained} from "./explained.ts"
 import {type Layout, layOut} from "./layout.ts"
 import {openLayoutEngine} from "./layout_engine.ts"
 import {type DiagramNode, firstFolds, fold, type Network} from "./network.ts"
@@ -38,7 +39,8 @@ export interface DiagramView {
   explain(path: CausalPath): void
   /// Places everything anew.
   tidy(): void
-  list(): readonly OutlineLine[]
+  /// With what led to the answer of a question.
+  list(path: CausalPath): readonly OutlineLine[]
   chooseById(id: string): void
   svgFile(): string
   pngFile(): Promise<Blob | null>
@@ -107,7 +109,7 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
       layout = null
       void draw()
     },
-    list: () => outline(whole, options.words.list),
+    list: path => outline(whole, options.words.list, explained(whole, path).marked),
     chooseById(id) {
       const node = whole.nodes.find(one => one.id === id)
       if (node !== undefined) options.chosen(node)

@@ -3,19 +3,22 @@
 import type {Layout} from "./layout.ts"
 import {type DiagramNode, isJoin, type Network} from "./network.ts"
 
-/// The node that an arrow key leads to: along the edges to the left and to the right, else the next one above or below.
+/// The node that an arrow key leads to: along the edges to the left and to the right, else the next one above or below. Of several edges
+/// one to a marked node comes first, so that the keys follow the way to an answer.
 export function neighbour(
   network: Network,
   places: Layout["boxes"],
   node: DiagramNode,
   key: string,
+  marked: ReadonlySet<string> = new Set(),
 ): string | null {
   const isStop = (id: string) => !isJoin(network, id)
   const along = (id: string, forwards: boolean): string | null => {
-    for (const edge of network.edges) {
-      const next = forwards ? (edge.from === id ? edge.to : null) : edge.to === id ? edge.from : null
-      if (next === null) continue
-      const found = isStop(next) ? next : along(next, forwards)
+    const next = network.edges.flatMap(({from, to}) =>
+      forwards ? (from === id ? [to] : []) : to === id ? [from] : [],
+    )
+    for (const one of [...next.filter(other => marked.has(other)), ...next]) {
+      const found = isStop(one) ? one : along(one, forwards)
       if (found !== null) return found
     }
     return null

@@ -14,12 +14,11 @@ export interface DrawnNode {
   readonly value: SVGTextElement | null
 }
 
-/// Draws a node into its group. `line` describes it for a screen reader.
+/// Draws a node into its group.
 export function drawNode(
   group: SVGGElement,
   node: DiagramNode,
   {w, h}: {readonly w: number; readonly h: number},
-  line: string,
   {words, toggled}: ViewOptions,
 ): DrawnNode {
   const isOpen = isContainer(node) && !node.folded
@@ -33,7 +32,6 @@ export function drawNode(
   const title = svgElement("title")
   if (joins) return {node, group, title, value: null}
   group.setAttribute("role", "button")
-  group.setAttribute("aria-label", line)
   group.tabIndex = -1
   group.append(title)
   let value: SVGTextElement | null = null

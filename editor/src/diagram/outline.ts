@@ -23,6 +23,8 @@ export interface OutlineWords {
   readonly followedBy: (next: string) => string
   readonly contested: string
   readonly folded: string
+  /// It led to the answer that is open.
+  readonly inAnswer: string
   /// A kind of node with the name of its topic, which is `null` where the program computes it.
   readonly onTopic: (kind: string, topic: string | null) => string
 }
@@ -32,15 +34,23 @@ export interface OutlineLine {
   /// Containers around it.
   readonly depth: number
   readonly text: string
+  readonly isMarked: boolean
 }
 
-export function outline(network: Network, words: OutlineWords): readonly OutlineLine[] {
+/// `marked`: the nodes that led to the answer of a question.
+export function outline(
+  network: Network,
+  words: OutlineWords,
+  marked: ReadonlySet<string> = new Set(),
+): readonly OutlineLine[] {
   const reader = new Reader(network, words)
   const lines: OutlineLine[] = []
   const walk = (parent: string | null, depth: number) => {
     for (const node of network.nodes) {
       if (node.parent !== parent || isJoin(node)) continue
-      lines.push({id: node.id, depth, text: reader.line(node)})
+      const isMarked = marked.has(node.id)
+      const text = reader.line(node)
+      lines.push({id: node.id, depth, text: isMarked ? `${text}; ${words.inAnswer}` : text, isMarked})
       walk(node.id, depth + 1)
     }
   }

@@ -52,7 +52,6 @@ export function openDrawing(host: HTMLElement, options: ViewOptions): DrawnDiagr
     svg.setAttribute("width", `${w}`)
     svg.setAttribute("height", `${h}`)
     svg.style.minWidth = `${w * leastScale}px`
-    const lines = new Map(outline(network, words.list).map(({id, text}) => [id, text]))
     const before = new Map(nodes)
     nodes.clear()
     for (const node of network.nodes) {
@@ -61,7 +60,7 @@ export function openDrawing(host: HTMLElement, options: ViewOptions): DrawnDiagr
       // A node that stays keeps its element, so that its way to another place can be seen.
       const known = before.get(node.id)
       const group = known?.group ?? svgElement("g")
-      const drawn = drawNode(group, node, box, lines.get(node.id) ?? "", options)
+      const drawn = drawNode(group, node, box, options)
       group.style.transform = `translate(${box.x}px, ${box.y}px)`
       if (known === undefined) (isContainer(node) && !node.folded ? containers : nodeLayer).append(group)
       nodes.set(node.id, drawn)
@@ -84,6 +83,14 @@ export function openDrawing(host: HTMLElement, options: ViewOptions): DrawnDiagr
     if (focused && current !== null) nodes.get(current)?.group.focus()
     appearance = {lit: new Set(), onEdges: new Map(), atNodes: new Map()}
     mark()
+    describe()
+  }
+
+  /// What a screen reader says of each node.
+  const describe = () => {
+    const {marked} = explained(shownNetwork, path)
+    for (const {id, text} of outline(shownNetwork, words.list, marked))
+      nodes.get(id)?.group.setAttribute("aria-label", text)
   }
 
   /// Tab leads to the current node only; arrow keys lead to the others.
@@ -160,7 +167,8 @@ export function openDrawing(host: HTMLElement, options: ViewOptions): DrawnDiagr
     if (drawn === null || event.ctrlKey || event.metaKey || event.altKey) return
     if (event.key === "Enter" || event.key === " ") choose(drawn)
     else {
-      const next = neighbour(shownNetwork, places, drawn.node, event.key)
+      const {marked} = explained(shownNetwork, path)
+      const next = neighbour(shownNetwork, places, drawn.node, event.key, marked)
       if (next === null) return
       nodes.get(next)?.group.focus()
     }
@@ -186,6 +194,7 @@ export function openDrawing(host: HTMLElement, options: ViewOptions): DrawnDiagr
     explain(next) {
       path = next
       mark()
+      describe()
     },
   }
 }

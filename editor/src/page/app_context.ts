@@ -13,6 +13,7 @@ import type {PageState} from "../state/page_state.ts"
 import type {Finding, Fix} from "../state/program.ts"
 import type {KeySection} from "../state/shortcuts.ts"
 import type {Store} from "../state/store.ts"
+import type {CausalPath} from "../why/causal_path.ts"
 
 /// The programs of the program store, and the commands of their dialog.
 export interface MyPrograms {
@@ -37,7 +38,7 @@ export interface AppController {
   readonly diagram: {
     /// Places everything anew.
     tidy(): void
-    list(): readonly OutlineLine[]
+    list(path: CausalPath): readonly OutlineLine[]
     /// Selects the block and the text of a node.
     choose(id: string): void
     saveSvg(): void

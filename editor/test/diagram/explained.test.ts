@@ -2,8 +2,11 @@
 
 import {describe, expect, it} from "vitest"
 import {explained} from "../../src/diagram/explained.ts"
+import {nextInList} from "../../src/diagram/list_navigation.ts"
+import {outline} from "../../src/diagram/outline.ts"
 import {causalPath} from "../../src/why/causal_path.ts"
 import {explanation} from "../../src/why/explanation.ts"
+import {words} from "../../src/words/index.ts"
 import {readGraph} from "./graphs.ts"
 
 describe("the path of an answer in the diagram", () => {
@@ -54,6 +57,25 @@ describe("the path of an answer in the diagram", () => {
     ])
     expect(lines.size).toBe(network.edges.length)
     expect(path.moments).toEqual([3.42, 3.5])
+  })
+
+  it("is told in the list form, and the keys go along it", () => {
+    const network = readGraph("forwardBackward")
+    const marked = new Set(
+      network.nodes.filter(({key}) => key === "Bumper" || key === "bump").map(({id}) => id),
+    )
+    const lines = outline(network, words.diagram.list, marked)
+    const told = lines.filter(({text}) => text.endsWith("; part of the answer"))
+    expect(told).toEqual(lines.filter(({isMarked}) => isMarked))
+    expect(told.map(({id}) => id).sort()).toEqual([...marked].sort())
+    const way = lines.map(({isMarked}) => isMarked)
+    const [first = -1, second = -1] = way.flatMap((isMarked, i) => (isMarked ? [i] : []))
+    expect(nextInList(way, -1, 1)).toBe(first)
+    expect(nextInList(way, first, 1)).toBe(second)
+    expect(nextInList(way, second, 1)).toBeNull()
+    expect(nextInList(way, second, -1)).toBe(first)
+    // Without an answer each line is a stop.
+    expect(nextInList([false, false], 0, 1)).toBe(1)
   })
 
   it("is empty without one", () => {

@@ -1,7 +1,9 @@
 /// The diagram region: drawing or list, and what can be done with it.
 
-import type {CSSProperties, VNode} from "preact"
+import type {CSSProperties, JSX, VNode} from "preact"
 import {useLayoutEffect, useRef, useState} from "preact/hooks"
+import {nextInList} from "../../diagram/list_navigation.ts"
+import {causalPath, noPath} from "../../why/causal_path.ts"
 import {nodeQuestions} from "../../why/node_questions.ts"
 import {QuestionButtons} from "../../why/why_panel.tsx"
 import {words} from "../../words/index.ts"
@@ -89,15 +91,35 @@ function DiagramList(): VNode {
   const desk = useController()
   // A new drawing is a new list.
   usePageState(s => s.diagram.drawings)
+  const answer = usePageState(s => s.why.open?.answer ?? null)
+  const lines = desk.diagram.list(answer === null ? noPath : causalPath(answer))
   return (
-    <ul class="diagram-list">
-      {desk.diagram.list().map(({id, depth, text}) => (
+    <ul class="diagram-list" onKeyDown={event => moveInList(event)}>
+      {lines.map(({id, depth, text, isMarked}) => (
         <li key={id} style={{paddingInlineStart: `${depth * 1.4}rem`}}>
-          <button type="button" class="item" onClick={() => desk.diagram.choose(id)}>
+          <button
+            type="button"
+            class={isMarked ? "item why" : "item"}
+            onClick={() => desk.diagram.choose(id)}
+          >
             {text}
           </button>
         </li>
       ))}
     </ul>
   )
+}
+
+/// Arrow keys lead through the list; while an answer is open, through the lines that led to it.
+function moveInList(event: JSX.TargetedKeyboardEvent<HTMLUListElement>): void {
+  if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return
+  const all = [...event.currentTarget.querySelectorAll<HTMLButtonElement>("button.item")]
+  const next = nextInList(
+    all.map(line => line.classList.contains("why")),
+    all.findIndex(line => line === document.activeElement),
+    event.key === "ArrowDown" ? 1 : -1,
+  )
+  if (next === null) return
+  all[next]?.focus()
+  event.preventDefault()
 }

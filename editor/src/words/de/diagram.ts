@@ -63,6 +63,7 @@ export const diagram: typeof english = {
     followedBy: next => `dann ${next}`,
     contested: "mehrere Funktionen senden ihn ständig",
     folded: "geschlossen",
+    inAnswer: "Teil der Antwort",
     onTopic: (kind, topic) => `${kind} auf ${topic ?? "einem Topic mit berechnetem Namen"}`,
   },
 }

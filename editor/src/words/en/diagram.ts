@@ -61,6 +61,7 @@ export const diagram = {
     followedBy: (next: string) => `then ${next}`,
     contested: "several functions keep sending it",
     folded: "closed",
+    inAnswer: "part of the answer",
     onTopic: (kind: string, topic: string | null) => `${kind} on ${topic ?? "a topic with a computed name"}`,
   },
 }

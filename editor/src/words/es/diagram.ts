@@ -66,6 +66,7 @@ export const diagram: Words["diagram"] = {
     followedBy: next => `después ${next}`,
     contested: "varias funciones lo envían sin parar",
     folded: "cerrado",
+    inAnswer: "parte de la respuesta",
     onTopic: (kind, topic) => `${kind} en ${topic ?? "un tema (topic) con nombre calculado"}`,
   },
 }

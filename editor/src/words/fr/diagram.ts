@@ -63,6 +63,7 @@ export const diagram: typeof english = {
     followedBy: next => `puis ${next}`,
     contested: "plusieurs fonctions l'envoient sans arrêt",
     folded: "fermé",
+    inAnswer: "fait partie de la réponse",
     onTopic: (kind, topic) => `${kind} sur ${topic ?? "un topic au nom calculé"}`,
   },
 }

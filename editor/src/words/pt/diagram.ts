@@ -63,6 +63,7 @@ export const diagram: typeof english = {
     followedBy: next => `depois ${next}`,
     contested: "várias funções o enviam sem parar",
     folded: "fechado",
+    inAnswer: "parte da resposta",
     onTopic: (kind, topic) => `${kind} em ${topic ?? "um tópico com nome calculado"}`,
   },
 }
