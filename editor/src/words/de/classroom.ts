@@ -23,7 +23,8 @@ export const classroom: Words["classroom"] = {
     words:
       "Diese drei Wörter gehören zu keinem Spitznamen dieser Klasse. Prüfe jeden Buchstaben oder frag deine Lehrkraft.",
     attempts: "Das war zu oft falsch. Warte zehn Sekunden und versuche es noch einmal.",
-    taken: "In der Klasse gibt es diesen Spitznamen schon. Wähle einen anderen.",
+    taken:
+      "Diesen Spitznamen gibt es schon. Ist es deiner, drück „Ich war schon da“; sonst wähle einen anderen.",
     full: "Die Klasse ist voll. Frag deine Lehrkraft.",
     "nickname-empty": "Ein Spitzname braucht mindestens einen Buchstaben oder eine Ziffer.",
     "nickname-long": "Ein Spitzname hat höchstens 24 Buchstaben.",

@@ -20,7 +20,7 @@ export const classroom = {
     code: "This is not the code of the class. Look again at what your teacher shows.",
     words: "No pupil of this class has these three words. Check each letter, or ask your teacher.",
     attempts: "That was wrong too many times. Wait ten seconds and try again.",
-    taken: "Another pupil of this class has this nickname. Choose a different one.",
+    taken: "This nickname is taken. If it is yours, press “I joined before”; if not, choose a different one.",
     full: "The class is full. Ask your teacher.",
     "nickname-empty": "A nickname needs at least one letter or digit.",
     "nickname-long": "A nickname has at most 24 letters.",

@@ -24,7 +24,7 @@ export const classroom: Words["classroom"] = {
     code: "Este no es el código de la clase. Mira otra vez lo que muestra tu profe.",
     words: "Ningún alumno de esta clase tiene estas tres palabras. Revisa cada letra o pregunta a tu profe.",
     attempts: "Han sido demasiados intentos fallidos. Espera diez segundos y prueba otra vez.",
-    taken: "Otro alumno de la clase ya tiene este apodo. Elige uno distinto.",
+    taken: "Este apodo ya está en uso. Si es el tuyo, pulsa «Ya entré antes»; si no, elige uno distinto.",
     full: "La clase está llena. Pregunta a tu profe.",
     "nickname-empty": "Un apodo necesita al menos una letra o una cifra.",
     "nickname-long": "Un apodo tiene como máximo 24 letras.",

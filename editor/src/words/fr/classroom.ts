@@ -25,7 +25,8 @@ export const classroom: Words["classroom"] = {
     code: "Ce n'est pas le code de la classe. Regarde encore une fois ce qui est affiché.",
     words: "Aucun élève de cette classe n'a ces trois mots. Vérifie chaque lettre, ou demande à ton prof.",
     attempts: "C'était faux trop de fois. Attends dix secondes et réessaie.",
-    taken: "Ce surnom est déjà pris dans la classe. Choisis-en un autre.",
+    taken:
+      "Ce surnom est déjà pris. Si c'est le tien, appuie sur « J'étais déjà là » ; sinon, choisis-en un autre.",
     full: "La classe est pleine. Demande à ton prof.",
     "nickname-empty": "Un surnom a besoin d'au moins une lettre ou un chiffre.",
     "nickname-long": "Un surnom a au plus 24 lettres.",

@@ -23,7 +23,8 @@ export const classroom: Words["classroom"] = {
     words:
       "Nenhum aluno desta turma tem estas três palavras. Confira cada letra, ou pergunte ao seu professor.",
     attempts: "Você errou vezes demais. Espere dez segundos e tente de novo.",
-    taken: "Outro aluno da turma já tem este apelido. Escolha um diferente.",
+    taken:
+      "Este apelido já está em uso. Se for o seu, aperte “Já entrei antes”; se não, escolha um diferente.",
     full: "A turma está cheia. Fale com o seu professor.",
     "nickname-empty": "Um apelido precisa de pelo menos uma letra ou um algarismo.",
     "nickname-long": "Um apelido tem no máximo 24 letras.",
