@@ -114,7 +114,7 @@ BENCHES = {
         "2,000 runs on three nodes of a cluster, also when one is killed, beside one machine; a class on a node beside a laptop",
         [
             Command(
-                simulator("cluster", "--rounds", "12"),
+                simulator("cluster", "--rounds", "30", "--seconds", "4"),
                 small=simulator(*["cluster", "--programs", "2", "--rooms", "4", "--pupils", "2", "--seconds", "1", "--rounds", "1"]),
             )
         ],

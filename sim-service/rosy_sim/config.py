@@ -88,7 +88,7 @@ class Config:
     robots: dict[str, str] = field(default_factory=dict)
     # The folder of classes, one folder each. ROSY_CLASSES; else in the person's data folder (XDG base directories).
     classes: Path = field(default_factory=lambda: _classes())
-    # URL of the PostgreSQL database of all classes; None for the folder. ROSY_CLASS_DATABASE.
+    # URL of the PostgreSQL database of all classes, or sqlite:/PATH; None for the folder. ROSY_CLASS_DATABASE.
     class_database: str | None = None
     # The class that is served; None without class mode.
     class_name: str | None = None

@@ -74,12 +74,17 @@ def report(environment: Mapping[str, str], pupils: int, seconds: float, windows:
         share = (_of_all(ray) - idle) / (time.monotonic() - began)
         for one in (laptop, cluster):
             one.pupils.send("stop")
-    ratio = statistics.median(there / here for here, there in zip(laptop.totals(), cluster.totals(), strict=True))
+    ratios = sorted(there / here for here, there in zip(laptop.totals(), cluster.totals(), strict=True))
+    ratio, quarter = statistics.median(ratios), len(ratios) // 4
     _print_row("a laptop alone", pupils, laptop)
     _print_row("a node of a cluster", pupils, cluster)
     print(
-        f"  the class costs {ratio * 100 - 100:+.1f} % on the node (median of {windows} windows); at most 5 %: "
-        f"{ratio <= MOST}; Ray itself takes {share * 100:.1f} % of a core of the node, however many classes it has; "
+        f"  the class costs {_percent(ratio)} on the node (median of {windows} windows, half of them between "
+        f"{_percent(ratios[quarter])} and {_percent(ratios[-1 - quarter])}); at most 5 %: {ratio <= MOST}",
+        flush=True,
+    )
+    print(
+        f"  Ray itself takes {share * 100:.1f} % of a core of the node, however many classes it has; "
         f"load average {os.getloadavg()[0]:.1f}",
         flush=True,
     )
@@ -103,6 +108,10 @@ def _of_all(processes: list[psutil.Process]) -> float:
     with suppress(psutil.NoSuchProcess):
         return exact_time(processes)
     return 0.0
+
+
+def _percent(ratio: float) -> str:
+    return f"{ratio * 100 - 100:+.1f} %"
 
 
 def _print_row(title: str, pupils: int, measured: _Class) -> None:

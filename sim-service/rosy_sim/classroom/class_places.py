@@ -1,6 +1,6 @@
 """
-Where classes are kept: in folders of this machine, or on a PostgreSQL server (``ROSY_CLASS_DATABASE``), from which
-they can come up on another machine.
+Where classes are kept: in folders of this machine, or where ``ROSY_CLASS_DATABASE`` says: on a PostgreSQL server, from
+which they can come up on another machine, or in a folder (``sqlite:/PATH``) that the nodes of one machine share.
 """
 
 from __future__ import annotations
@@ -41,8 +41,14 @@ class ClassPlace(Protocol):
         """Delete a class with everything in it."""
 
 
+_SQLITE = "sqlite:"
+"""Before the path of a folder: what nodes of a cluster on one machine share."""
+
+
 def class_place(folder: Path, database: str | None) -> ClassPlace:
     """The folder of classes, or the database with this URL."""
+    if database is not None and database.startswith(_SQLITE):
+        return _Folder(Path(database.removeprefix(_SQLITE)))
     return _Folder(folder) if database is None else _Server(database)
 
 

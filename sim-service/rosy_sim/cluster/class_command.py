@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
+from urllib.parse import urlsplit
 
 import ray
 from ray.exceptions import RayError
@@ -52,6 +54,9 @@ def serve_pages(config: Config, options: argparse.Namespace) -> int:
         return JSONResponse({"address": found.address}, headers={"Cache-Control": "no-store"})
 
     host = options.host or "0.0.0.0"
+    if options.origin is not None:
+        # Behind a proxy pages come from its address.
+        config = replace(config, origins=frozenset({urlsplit(options.origin).netloc}))
     return serve(config, host, _port(options), False, options.unprotected, more=[Route("/api/place", place)])
 
 
@@ -67,8 +72,18 @@ def begin_class(options: argparse.Namespace, output: Callable[[str], None]) -> i
     own = f"http://{next(iter(lan_addresses()), '127.0.0.1')}:{_port(options)}"
     origin = (options.origin or own).rstrip("/")
     classes = directory(options.address)
+    is_new = options.class_name not in ray.get(classes.names.remote())
+    if is_new and not ray.get(classes.has_room.remote()):
+        full = tr(
+            "No node has room for the class now. It begins when a node joins that serves classes (docs/district.md), "
+            "or when another class ends; Ctrl-C ends the wait."
+        )
+        output(in_terminal(full))
+    else:
+        output(
+            in_terminal(tr("A node with room for the class is chosen; if it cannot start there, Ray's log says why."))
+        )
     ray.get(classes.place.remote(options.class_name, origin))
-    output(in_terminal(tr("A node with room for the class is chosen; if it cannot start there, Ray's log says why.")))
     found = _wait_for(classes, options.class_name)
     pupils = f"{origin}/?class={options.class_name}#class={found.code}"
     board = f"{origin}/board.html?class={options.class_name}#key={found.teacher_key}"

@@ -17,6 +17,7 @@ from typing import Any
 
 import msgspec
 import ray
+from ray._private.state import available_resources_per_node
 from ray.exceptions import RayError
 
 from ..sentence import tr
@@ -88,6 +89,11 @@ class ClassDirectory:
         options = {"num_cpus": 0, "resources": resources, "memory": _MEMORY_OF_CLASS, "scheduling_strategy": "SPREAD"}
         host = ray.remote(_ClassHost).options(name=_host(name), get_if_exists=True, **_FOREVER, **options)
         host.remote(name, origin)
+
+    def has_room(self) -> bool:
+        """Whether a node has room for one more class now."""
+        free = available_resources_per_node().values()
+        return any(one.get(PAGES, 0) >= PAGES_OF_CLASS and one.get("memory", 0) >= _MEMORY_OF_CLASS for one in free)
 
     def find(self, name: str) -> Ready | None:
         """Where a class is; ``None`` while it starts, and if no node serves it."""

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
+from urllib.parse import urlsplit
 
 from ..config import Config
 from ..errors import BadInput
@@ -35,6 +36,7 @@ def run_cluster_command(config: Config, options: argparse.Namespace, output: Cal
     Raises:
         RosyError: an option, or the cluster, cannot be used.
     """
+    _check(options)
     if not (options.pages or options.class_name):
         return start_node(config, options, output)
     if options.address is None:
@@ -46,3 +48,23 @@ def run_cluster_command(config: Config, options: argparse.Namespace, output: Cal
     if options.pages:
         return serve_pages(config, options)
     return end_class(options, output) if options.end else begin_class(options, output)
+
+
+def _check(options: argparse.Namespace) -> None:
+    """
+    Refuse options that do not go together.
+
+    Raises:
+        BadInput: one sentence about the first of them.
+    """
+    if options.pages and options.class_name:
+        raise BadInput(tr("--pages and --class are two commands; say one after the other."))
+    if options.end and not options.class_name:
+        raise BadInput(tr("--end is for --class NAME: the class that ends."))
+    if options.origin is None:
+        return
+    if not (options.pages or options.class_name):
+        raise BadInput(tr("--origin is for --class NAME and for --pages."))
+    origin = urlsplit(options.origin)
+    if origin.scheme not in ("http", "https") or not origin.netloc or origin.path.rstrip("/"):
+        raise BadInput(tr("--origin is the address of the pages, such as https://rosy.example, without a path."))

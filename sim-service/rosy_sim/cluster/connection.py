@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 import logging
-import socket
+import os
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 import ray
 from ray.exceptions import RayError
 
-from ..errors import RosyError
 from ..sentence import tr
+from .node import SECRET_REFUSED, ClusterError, other_secret, reach
 
 __all__ = ["NAMESPACE", "ClusterError", "connect"]
 
 NAMESPACE = "rosy"
 """Of the named actors."""
-
-_CONNECT = 30.0
-"""For the head node to accept a connection, s."""
-
-
-class ClusterError(RosyError):
-    """The cluster cannot be used from this machine, or not any more."""
 
 
 def connect(address: str) -> None:
@@ -29,20 +25,25 @@ def connect(address: str) -> None:
     Connect this process to the cluster whose head node is at HOST:PORT.
 
     Raises:
-        ClusterError: it is not there, no node of it runs on this machine, or its version differs.
+        ClusterError: it is not there or has another secret, no node of it runs here, or Ray's version differs.
     """
+    reach(address)
+    said_by_ray = b""
     try:
-        # Ray would try for minutes.
-        with socket.create_connection(_host_and_port(address), _CONNECT):
-            pass
-        ray.init(
-            address=address,
-            namespace=NAMESPACE,
-            log_to_driver=False,
-            logging_level=logging.CRITICAL,
-            configure_logging=False,
-        )
+        with _captured_errors() as captured:
+            try:
+                ray.init(
+                    address=address,
+                    namespace=NAMESPACE,
+                    log_to_driver=False,
+                    logging_level=logging.CRITICAL,
+                    configure_logging=False,
+                )
+            finally:
+                said_by_ray = captured()
     except (RayError, OSError, RuntimeError, ValueError) as error:
+        if SECRET_REFUSED in said_by_ray:
+            raise other_secret(address) from error
         said = f"{error.strerror}." if isinstance(error, OSError) and error.strerror else str(error)
         raise ClusterError(
             tr(
@@ -54,8 +55,19 @@ def connect(address: str) -> None:
         ) from error
 
 
-def _host_and_port(address: str) -> tuple[str, int]:
-    host, _, port = address.rpartition(":")
-    if not host or not port.isdecimal():
-        raise ValueError("HOST:PORT.")
-    return host, int(port)
+@contextmanager
+def _captured_errors() -> Iterator[Callable[[], bytes]]:
+    """Takes what Ray's own code, which is no Python, writes to the standard error; yields what reads it."""
+    kept = os.dup(2)
+    with tempfile.TemporaryFile() as file:
+
+        def captured() -> bytes:
+            file.seek(0)
+            return file.read()
+
+        os.dup2(file.fileno(), 2)
+        try:
+            yield captured
+        finally:
+            os.dup2(kept, 2)
+            os.close(kept)

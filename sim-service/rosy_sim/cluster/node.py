@@ -16,6 +16,7 @@ import json
 import os
 import secrets
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -31,7 +32,16 @@ from ..wording import in_terminal
 from ..worker.launcher import missing_sandbox
 from .version import version_resource
 
-__all__ = ["DEFAULT_PORT", "PAGES", "start_node", "use_token"]
+__all__ = [
+    "DEFAULT_PORT",
+    "PAGES",
+    "SECRET_REFUSED",
+    "ClusterError",
+    "other_secret",
+    "reach",
+    "start_node",
+    "use_token",
+]
 
 _POLL = 0.2
 """Between two looks whether Ray has started, s."""
@@ -53,6 +63,12 @@ _SETTINGS = {
     "RAY_worker_register_timeout_seconds": "600",
 }
 """Environment of Ray's processes; ray_config_def.h of Ray has the names."""
+
+_REACH = 30.0
+"""For the head to accept a connection, s."""
+
+SECRET_REFUSED = b"InvalidAuthToken"
+"""What Ray writes, again and again, when a cluster has another secret."""
 
 _TOO_SLOW, _ATTEMPTS = b"timed out during startup", 10
 """What Ray says when a node took more than 30 s to start, for which it has no setting, and how often it is tried."""
@@ -84,6 +100,47 @@ def use_token() -> None:
     os.environ |= {"RAY_AUTH_MODE": "token", "RAY_AUTH_TOKEN_PATH": str(file), "RAY_USAGE_STATS_ENABLED": "0"}
 
 
+class ClusterError(RosyError):
+    """The cluster cannot be used from this machine, or not any more."""
+
+
+def reach(address: str) -> None:
+    """
+    See that something listens at HOST:PORT; Ray would try for minutes.
+
+    Raises:
+        ClusterError: nothing does.
+    """
+    host, _, port = address.rpartition(":")
+    try:
+        if not host or not port.isdecimal():
+            raise ValueError("HOST:PORT")
+        with socket.create_connection((host, int(port)), _REACH):
+            pass
+    except (OSError, OverflowError, UnicodeError, ValueError) as error:
+        why = (error.strerror if isinstance(error, OSError) else None) or str(error)
+        raise ClusterError(
+            tr(
+                "No cluster answers at {address} ({why}). It is begun on its first machine by ./rosy start --cluster, "
+                "which prints the address.",
+                address=address,
+                why=why,
+            )
+        ) from error
+
+
+def other_secret(address: str) -> ClusterError:
+    """The cluster has another secret than this machine."""
+    return ClusterError(
+        tr(
+            "The cluster at {address} has another secret. Copy {file} from the machine where the cluster was started "
+            "to the same place here.",
+            address=address,
+            file=str(token_file()),
+        )
+    )
+
+
 def start_node(config: Config, options: argparse.Namespace, output: Callable[[str], None]) -> int:
     """
     Be a node until an interrupt; returns the exit status.
@@ -91,6 +148,7 @@ def start_node(config: Config, options: argparse.Namespace, output: Callable[[st
     Raises:
         BadInput: an option cannot be used, or the token is missing.
         WorkerMissing: this machine cannot run programs.
+        ClusterError: no cluster answers at the address, or it has another secret.
         ClusterFailed: Ray could not start, or ended by itself.
     """
     if not config.worker:
@@ -124,6 +182,8 @@ def start_node(config: Config, options: argparse.Namespace, output: Callable[[st
         resources[PAGES] = PAGES_PER_PROCESSOR * processes
     command += ["--resources", json.dumps(resources)]
     use_token()
+    if options.address is not None:
+        reach(address)
     log = config.root / ".rosy" / "log" / f"cluster-node-{os.getpid()}.log"
     log.parent.mkdir(parents=True, exist_ok=True)
     environment = {**os.environ, **_SETTINGS, "ROSY_NODE_HOST": host}
@@ -134,6 +194,8 @@ def start_node(config: Config, options: argparse.Namespace, output: Callable[[st
     if ray is None:
         if interrupted.is_set():
             return 0
+        if SECRET_REFUSED in log.read_bytes():
+            raise other_secret(address)
         raise ClusterFailed(tr("The node could not start; what Ray says is in {file}.", file=str(log)))
 
     def interrupt(*_: object) -> None:
@@ -186,8 +248,11 @@ def _start(
 def _wait_until_ready(ray: subprocess.Popen[bytes], log: Path, interrupted: threading.Event) -> bool:
     """Whether Ray has started; it says so in a line of its log."""
     while ray.poll() is None and not interrupted.is_set():
-        if b"Ray runtime started" in log.read_bytes():
+        said = log.read_bytes()
+        if b"Ray runtime started" in said:
             return True
+        if SECRET_REFUSED in said:
+            return False
         time.sleep(_POLL)
     return False
 

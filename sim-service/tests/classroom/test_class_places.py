@@ -13,10 +13,12 @@ from rosy_sim.errors import BadInput
 from ..postgresql_server import needs_postgresql
 
 
-@pytest.fixture(params=["folder", pytest.param("postgresql", marks=needs_postgresql)])
+@pytest.fixture(params=["folder", "sqlite", pytest.param("postgresql", marks=needs_postgresql)])
 def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> ClassPlace:
     if request.param == "folder":
         return class_place(tmp_path, None)
+    if request.param == "sqlite":
+        return class_place(tmp_path / "elsewhere", f"sqlite:{tmp_path}")
     from rosy_sim.classroom import postgresql_database
 
     monkeypatch.setattr(postgresql_database.PostgresqlDatabase.__init__, "__kwdefaults__", {"patience": 0.0})

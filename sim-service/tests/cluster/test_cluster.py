@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 
 from rosy_sim.bench.cluster_rooms import Grading, programs
+from rosy_sim.bench.local_nodes import cluster_command
 from rosy_sim.cluster.node import use_token
 from rosy_sim.config import discover
 from rosy_sim.errors import BadInput
@@ -100,7 +101,12 @@ def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> N
         stranger = on_cluster(token, head, "slow.hs", "--rooms", 2)
         said, wrong = stranger.communicate(timeout=PATIENCE)
         assert (stranger.returncode, said) == (2, "")
-        assert "cannot be used from this machine" in wrong.splitlines()[-1]
+        assert wrong.splitlines()[-1].startswith(f"rosy: The cluster at {head.address} has another secret. Copy ")
+        assert "InvalidAuthToken" not in wrong
+        command = cluster_command("node", "--cluster", head.address, "--host", "127.0.0.1")
+        joining = subprocess.run(command, env=token, capture_output=True, text=True, check=False)
+        assert (joining.returncode, joining.stdout) == (2, "")
+        assert "has another secret" in joining.stderr
 
 
 @needs_ray
@@ -148,6 +154,11 @@ def test_without_the_secret_nothing_is_tried(monkeypatch: pytest.MonkeyPatch, tm
         ["node", "--cluster", "--port", "0"],
         ["node", "--cluster", "--processes", "0"],
         ["node", "--cluster", "127.0.0.1:6379", "--class"],
+        ["node", "--cluster", "127.0.0.1:6379", "--class", "7b", "--pages"],
+        ["node", "--cluster", "127.0.0.1:6379", "--end"],
+        ["node", "--cluster", "127.0.0.1:6379", "--origin", "http://rosy.example"],
+        ["node", "--cluster", "127.0.0.1:6379", "--class", "7b", "--origin", "rosy.example"],
+        ["node", "--cluster", "127.0.0.1:6379", "--class", "7b", "--origin", "http://rosy.example/rosy"],
     ],
 )
 def test_a_bad_option_gives_one_sentence(command: list[str], here: Here, tmp_path: Path) -> None:
@@ -159,7 +170,8 @@ def test_a_bad_option_gives_one_sentence(command: list[str], here: Here, tmp_pat
 def test_a_cluster_that_is_not_there_is_named(token: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "p.hs").write_text("done@1")
     (tmp_path / "token").write_text("0" * 64)
-    command = [str(CLUSTER_PYTHON), "-m", "rosy_sim", "run", "p.hs", "--rooms", "2", "--cluster", "127.0.0.1:1"]
-    done = subprocess.run(command, env=token, cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert done.returncode == 2
-    assert "The cluster at 127.0.0.1:1 cannot be used from this machine" in done.stderr.splitlines()[-1]
+    for words in (("run", "p.hs", "--rooms", "2"), ("node",), ("node", "--class", "7b")):
+        command = [str(CLUSTER_PYTHON), "-m", "rosy_sim", *words, "--cluster", "127.0.0.1:1"]
+        done = subprocess.run(command, env=token, cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert done.returncode == 2
+        assert "No cluster answers at 127.0.0.1:1 (Connection refused)" in done.stderr.splitlines()[-1]

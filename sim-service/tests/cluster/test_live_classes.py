@@ -1,14 +1,16 @@
 """
 Live classes on real Ray nodes: pages find their class, and when its node is killed it comes up on another one from the
-database, with the last letter typed, while the class of another node goes on.
+store, a folder or PostgreSQL, with the last letter typed, while the class of another node goes on.
 """
 
 from __future__ import annotations
 
 import asyncio
+import io
 import json
 import subprocess
 import time
+import zipfile
 from collections.abc import AsyncIterator, Iterator
 from contextlib import ExitStack, asynccontextmanager, suppress
 from pathlib import Path
@@ -33,8 +35,9 @@ __all__ = ["environment"]
 class Pages:
     """The service of a cluster's pages, which also knows where classes are."""
 
-    def __init__(self, environment: dict[str, str], head: Node) -> None:
+    def __init__(self, environment: dict[str, str], head: Node, store: str) -> None:
         self._environment, self._head, self.origin = environment, head, f"127.0.0.1:{kept_port()}"
+        self._store = store
         port = self.origin.partition(":")[2]
         command = [str(CLUSTER_PYTHON), "-m", "rosy_sim", "node", "--cluster", head.address, "--pages"]
         self._process = subprocess.Popen(
@@ -53,6 +56,20 @@ class Pages:
         done = subprocess.run(command, env=self._environment, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
         return done.stdout
+
+    def classes(self, *arguments: object) -> subprocess.CompletedProcess[str]:
+        """``./rosy class`` on the store of the cluster."""
+        command = [str(CLUSTER_PYTHON), "-m", "rosy_sim", "class", *map(str, arguments)]
+        environment = {**self._environment, "ROSY_CLASS_DATABASE": self._store}
+        return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+
+    async def file(self, name: str, path: str, key: str) -> zipfile.ZipFile:
+        """A ZIP file of the teacher's board, from the node of the class."""
+        headers = {"Origin": f"http://{self.origin}", "X-Rosy-Key": key}
+        async with httpx.AsyncClient(timeout=PATIENCE) as client:
+            answer = await client.get(f"http://{await self.find(name)}/api/{path}", headers=headers)
+        assert answer.headers["access-control-allow-origin"] == headers["Origin"]
+        return zipfile.ZipFile(io.BytesIO(answer.content))
 
     def close(self) -> None:
         self._process.terminate()
@@ -116,18 +133,31 @@ async def pupil(pages: Pages, name: str) -> AsyncIterator[Pupil]:
         yield Pupil(page, own)
 
 
-@pytest.fixture
-def cluster(environment: dict[str, str], tmp_path: Path) -> Iterator[tuple[Pages, list[Node]]]:
-    """A head, which serves no classes, and two nodes, each with room for two."""
+@pytest.fixture(params=["sqlite", pytest.param("postgresql", marks=needs_postgresql)])
+def cluster(
+    request: pytest.FixtureRequest, environment: dict[str, str], tmp_path: Path
+) -> Iterator[tuple[Pages, list[Node]]]:
+    """A head, which serves no classes, and two nodes, each with room for two; the store is that of the parameter."""
     token = {**environment, "ROSY_CLUSTER_TOKEN": str(tmp_path / "token")}
     with ExitStack() as stack:
-        url = stack.enter_context(postgresql_server())
+        is_server = request.param == "postgresql"
+        url = stack.enter_context(postgresql_server()) if is_server else f"sqlite:{tmp_path}/classes"
         head = stack.enter_context(Node(token))
         serving = {**token, "ROSY_CLASS_DATABASE": url}
         nodes = [stack.enter_context(Node(serving, head, 2)) for _ in range(2)]
-        pages = Pages(token, head)
+        pages = Pages(token, head, url)
         stack.callback(pages.close)
         yield pages, nodes
+
+
+async def open_task(pages: Pages, name: str, key: str) -> None:
+    """The teacher opens a task."""
+    async with pages.opened(name, "board") as board:
+        await board.send(json.dumps({"op": "unlock", "key": key}))
+        await board.send(json.dumps({"op": "open-task", "title": "Maze"}))
+        async with asyncio.timeout(PATIENCE):
+            while not json.loads(await board.recv()).get("tasks"):
+                continue
 
 
 async def watch(pupil: Pupil, seen: list[dict[str, Any]]) -> None:
@@ -137,14 +167,14 @@ async def watch(pupil: Pupil, seen: list[dict[str, Any]]) -> None:
 
 
 @needs_ray
-@needs_postgresql
 @pytest.mark.skipif(not WHOLE, reason="cluster: live classes are played in nightly")
 @pytest.mark.long
-def test_a_class_outlives_its_node_and_another_goes_on(cluster: tuple[Pages, list[Node]]) -> None:
+def test_a_class_outlives_its_node_and_another_goes_on(cluster: tuple[Pages, list[Node]], tmp_path: Path) -> None:
     pages, nodes = cluster
-    codes = {name: pages.begin(name)["code"] for name in ("7a", "7b")}
+    admissions = {name: pages.begin(name) for name in ("7a", "7b")}
+    codes, key = {name: one["code"] for name, one in admissions.items()}, admissions["7a"]["key"]
     # A class that is served is found, not begun again.
-    assert pages.begin("7a")["code"] == codes["7a"]
+    assert pages.begin("7a") == admissions["7a"]
     lost = next(node for node in nodes if node.class_services("7a"))
     kept = next(node for node in nodes if node.class_services("7b"))
     assert kept is not lost
@@ -157,6 +187,8 @@ def test_a_class_outlives_its_node_and_another_goes_on(cluster: tuple[Pages, lis
             watching = asyncio.create_task(watch(other, seen))
             async with pupil(pages, "7a") as before:
                 entered = await before.ask("join", "entered", code=codes["7a"], nickname="Ada", language="en")
+                await open_task(pages, "7a", key)
+                await before.ask("hand-in", "tasks", task=1, name="walk", text="handed in")
                 await before.drive(1)
                 request = {"program": "p", "name": "walk", "reason": "change", "mark": "m", "base": 0}
                 await before.ask("save", "saved", text="the last letter", unacknowledged=[], **request)
@@ -169,6 +201,9 @@ def test_a_class_outlives_its_node_and_another_goes_on(cluster: tuple[Pages, lis
                 await after.drive(2)
                 took = time.monotonic() - killed
             assert kept.class_services("7a")
+            # The teacher's files come from the other node.
+            assert (await pages.file("7a", "hand-ins/1", key)).read("001 Ada.rosy") == b"handed in"
+            assert "class.json" in (await pages.file("7a", "class-backup", key)).namelist()
             # The run of the other class has not ended.
             watching.cancel()
             with suppress(asyncio.CancelledError):
@@ -184,4 +219,11 @@ def test_a_class_outlives_its_node_and_another_goes_on(cluster: tuple[Pages, lis
             print(f"steps of the other class began late by {late['p50']:.4f} s (median), {late['p99']:.4f} s (99 %)")
 
     asyncio.run(lesson())
+    # While a node serves a class it can be exported and not deleted; when it has ended it can be deleted.
+    assert pages.classes("list").stdout == "7a\n7b\n"
+    assert pages.classes("export", "7a", "-o", tmp_path / "7a.zip").returncode == 0
+    assert "001 Ada/walk.rosy" in zipfile.ZipFile(tmp_path / "7a.zip").namelist()
+    assert "open in another Rosy" in pages.classes("delete", "7b").stderr
     assert "has ended" in pages.command("--class", "7b", "--end")
+    assert pages.classes("delete", "7b").returncode == 0
+    assert pages.classes("list").stdout == "7a\n"

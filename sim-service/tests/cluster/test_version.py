@@ -17,7 +17,7 @@ def installed(root: Path) -> Path:
 def test_it_is_that_of_the_sources_which_run_programs(tmp_path: Path) -> None:
     first, second = installed(tmp_path / "a"), installed(tmp_path / "b")
     assert version_resource(first) == version_resource(second)
-    (second / "docs.md").write_text("a page")
+    (second / "README.md").write_text("a page")
     (second / "sim-service/rosy_sim/run/a.pyc").write_bytes(b"\0")
     assert version_resource(first) == version_resource(second)
     (second / "sim-service/rosy_sim/run/b.py").write_text("y")
