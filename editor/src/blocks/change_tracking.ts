@@ -72,19 +72,21 @@ export class ChangeTracking {
 
   /// Other blocks were loaded: they are no edit.
   loaded(): void {
-    this.told = this.infer()
+    this.told = saveBlocks(this.workspace)
+    this.infer(this.told)
     Blockly.renderManagement.triggerQueuedRenders(this.workspace)
     this.boxes = boxesOf(this.workspace)
   }
 
   /// Blocks that were deferred stand on the workspace now: the program is the same.
   completed(made: ReadonlySet<BlockId | undefined>): void {
-    const now = new Map(saveBlocks(this.workspace).blocks.blocks.map(block => [block.id, block]))
+    const saved = saveBlocks(this.workspace)
+    const now = new Map(saved.blocks.blocks.map(block => [block.id, block]))
     const blocks = this.told.blocks.blocks.flatMap(block =>
       made.has(block.id) ? (now.get(block.id) ?? []) : block,
     )
     this.told = {...this.told, blocks: {...this.told.blocks, blocks}}
-    showInference(this.workspace, this.types)
+    showInference(this.workspace, this.types, saved)
     Blockly.renderManagement.triggerQueuedRenders(this.workspace)
     this.boxes = boxesOf(this.workspace)
   }
@@ -105,9 +107,11 @@ export class ChangeTracking {
       if (flyout === undefined) return
       const place = selectedPlace(this.workspace)
       const names = place === undefined ? [] : this.session.namesInScope(saveBlocks(this.workspace), place)
+      const saved = saveBlocks(flyout)
       showInference(
         flyout,
-        this.language.infer(saveBlocks(flyout)),
+        this.language.infer(saved),
+        saved,
         new Map(names.map(name => [name.name, name.family])),
       )
     })
@@ -132,27 +136,28 @@ export class ChangeTracking {
     if (this.workspace.isDragging()) return
     giveUniqueNames(this.workspace, this.made)
     this.made.clear()
-    if (sameBlocks(saveBlocks(this.workspace), this.told)) return
-    this.infer()
-    const saved = this.makeRoom()
-    this.told = saved
-    for (const listener of this.changeListeners) listener({workspace: saved, inference: this.types})
+    const saved = saveBlocks(this.workspace)
+    if (sameBlocks(saved, this.told)) return
+    this.infer(saved)
+    this.told = this.makeRoom(saved)
+    for (const listener of this.changeListeners) listener({workspace: this.told, inference: this.types})
   }
 
-  private infer(): SavedWorkspace {
-    const saved = saveBlocks(this.workspace)
+  /// `saved` is what the workspace holds now: to visit thousands of blocks once more would be felt.
+  private infer(saved: SavedWorkspace): void {
     this.types = this.session.infer(saved)
-    showInference(this.workspace, this.types)
+    showInference(this.workspace, this.types, saved)
     this.marks.setInferred(this.types.problems)
-    return saved
   }
 
   /// Moves what a grown block would cover, as part of the edit.
-  private makeRoom(): SavedWorkspace {
+  private makeRoom(saved: SavedWorkspace): SavedWorkspace {
     Blockly.renderManagement.triggerQueuedRenders(this.workspace)
-    for (const [id, down] of spacingMoves(this.boxes, boxesOf(this.workspace))) {
-      this.workspace.getBlockById(id)?.moveBy(0, down, ["cleanup"])
-    }
+    const boxes = boxesOf(this.workspace)
+    const moves = [...spacingMoves(this.boxes, boxes)]
+    this.boxes = boxes
+    if (moves.length === 0) return saved
+    for (const [id, down] of moves) this.workspace.getBlockById(id)?.moveBy(0, down, ["cleanup"])
     this.boxes = boxesOf(this.workspace)
     return saveBlocks(this.workspace)
   }

@@ -2,11 +2,17 @@
 ///
 /// An annotation is a class on the block's group (styled in `style_sheet.ts`); a problem also has an icon with its sentence. Only blocks whose appearance changes are redrawn.
 
-import {type BlockId, type BlockProblem, type Family, type Inference, socketKey} from "@rosy/codegen"
+import {
+  type BlockId,
+  type BlockProblem,
+  type Family,
+  type Inference,
+  type SavedWorkspace,
+  socketKey,
+} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {extraOf, shapeOf} from "../construction/block_definitions.ts"
 import {SignatureField} from "../construction/text_fields.ts"
-import {savedTop} from "../workspace/serialization.ts"
 import {connectionStyleOf, setConnectionStyle, styleName} from "./theme.ts"
 
 /// Milliseconds that a block glows after its function fired; long enough to be seen at 50 firings a second.
@@ -185,13 +191,15 @@ function withoutEvents(act: () => void): void {
 /// What each top-level block and what is told of it was when it was painted.
 const painted = new WeakMap<Blockly.Block, {readonly stamp: object | undefined; readonly saved: unknown}>()
 
-/// Paints `inference` onto the blocks of a workspace. `names` are families of names from elsewhere, for blocks in the
+/// Paints `inference` onto the blocks of a workspace, which is saved as `now`. `names` are families of names from elsewhere, for blocks in the
 /// toolbox, which stand outside the program.
 export function showInference(
   workspace: Blockly.WorkspaceSvg,
   inference: Inference,
+  now: SavedWorkspace,
   names?: ReadonlyMap<string, Family>,
 ): void {
+  const savedTops = new Map(now.blocks.blocks.map(block => [block.id, block]))
   const holes = new Set(
     inference.problems
       .filter(
@@ -201,7 +209,7 @@ export function showInference(
   )
   const fresh = workspace.getTopBlocks(false).filter(top => {
     const stamp = inference.stamps.get(top.id)
-    const saved = savedTop(top)
+    const saved = savedTops.get(top.id)
     const before = painted.get(top)
     painted.set(top, {stamp, saved})
     return names !== undefined || stamp === undefined || before?.stamp !== stamp || before.saved !== saved
