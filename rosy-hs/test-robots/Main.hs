@@ -10,6 +10,7 @@ import Rosy.Sentence (english)
 import System.Environment (getArgs)
 import System.Exit (die, exitWith)
 import qualified Test.Robots.BuiltProgram
+import qualified Test.Robots.Distance
 import qualified Test.Robots.Guard
 import Test.Robots.Kobuki (anHour)
 import qualified Test.Robots.Kobuki
@@ -37,6 +38,7 @@ suite =
   defaultMain . testGroup "robots" $
     [ Test.Robots.Kobuki.tests,
       Test.Robots.Guard.tests,
+      Test.Robots.Distance.tests,
       Test.Robots.Target.tests,
       Test.Robots.BuiltProgram.tests,
       Test.Robots.Telemetry.tests,
