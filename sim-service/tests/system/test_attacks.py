@@ -47,6 +47,9 @@ EVERYWHERE = RECORDS or WHOLE
 PATIENCE = 30.0 if EVERYWHERE else 10.0
 """How long a program may do its worst where no limit of the service ends it, s."""
 
+PAGES = 100
+"""How many programs run at once: an address has a limited number of pages."""
+
 STRICT = Limits(settle=1.0, ready=2.0, stop=0.5, gone=10.0, compile=60.0, worker_ready=120.0, runs=1000)
 
 PATIENT = replace(STRICT, settle=4.0, ready=4.0)
@@ -147,8 +150,10 @@ def driven_or_ended(message: dict[str, Any]) -> bool:
 
 
 async def attack(column: Column, programs: dict[str, str], aimed: Target) -> dict[str, str]:
+    at_once = asyncio.Semaphore(PAGES)
+
     async def one(address: str, source: str) -> str:
-        async with opened(address) as page:
+        async with at_once, opened(address) as page:
             return await become(page, aimed.aim(source))
 
     config = read_robot_configuration(column)
@@ -200,7 +205,7 @@ def test_each_program_meets_every_missing_layer_within_five_days() -> None:
 def harmless(number: int, column: Column) -> dict[str, str]:
     """What became of each of the programs that run in this column; fails if one did harm or left a process."""
     programs = {path.stem: path.read_text("utf-8") for path in sorted(ATTACKS.glob("*.hs"))}
-    assert len(programs) >= 60
+    assert len(programs) >= 250
     left = below(os.getpid())
     if column.sandbox and not uses_sandbox(read_robot_configuration(column)):
         pytest.skip("this machine cannot build the sandbox")

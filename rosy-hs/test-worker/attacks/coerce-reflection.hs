@@ -1,0 +1,4 @@
+{-# LANGUAGE ScopedTypeVariables #-}
+import Type.Reflection.Unsafe
+
+main = simulate (Say (show (typeRepFingerprint undefined)))

@@ -1,0 +1,4 @@
+{-# LANGUAGE StaticPointers #-}
+import GHC.StaticPtr
+
+main = staticPtrKeys >>= \ks -> simulate (Say (show ks))

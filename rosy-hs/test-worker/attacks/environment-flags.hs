@@ -1,0 +1,3 @@
+import GHC.RTS.Flags
+
+main = getRTSFlags >>= \f -> simulate (Say (show f))

@@ -1,0 +1,1 @@
+main = sequence [readFile f | f <- ["CANARY"]] >>= \ts -> simulate (Say (concat ts))

@@ -1,0 +1,3 @@
+import Foreign.Marshal.Unsafe (unsafeLocalState)
+
+main = simulate (Say (unsafeLocalState (readFile "CANARY")))

@@ -1,0 +1,3 @@
+import System.IO
+
+main = openTempFile "/tmp" "TARGET" >>= \(f, _) -> simulate (Say f)

@@ -1,0 +1,3 @@
+main = pure ()
+
+other = simulate (Velocity 0 0)

@@ -1,0 +1,3 @@
+import Foreign
+
+main = peek (nullPtr :: Ptr Int) >>= \n -> simulate (Say (show n))

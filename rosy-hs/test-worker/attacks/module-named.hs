@@ -1,0 +1,3 @@
+module Rosy (main) where
+
+main = simulate (Velocity 0 0)

@@ -1,0 +1,7 @@
+{-# LANGUAGE ForeignFunctionInterface #-}
+import Foreign.C
+import Foreign.Ptr
+
+foreign import ccall "process_vm_readv" readOthers :: CInt -> Ptr () -> CULong -> Ptr () -> CULong -> CULong -> IO CLong
+
+main = readOthers VICTIM nullPtr 0 nullPtr 0 0 >>= \r -> simulate (Say (if r >= 0 then "HARM" else "no"))

@@ -1,0 +1,3 @@
+import GHC.IO (unsafeUnmask)
+
+main = unsafeUnmask (simulate (Velocity 0 0))
