@@ -159,6 +159,7 @@ function Room({room, label}: {room: Signal<RoomState>; label: string}): VNode {
       holds: nothing,
       follows: nothing,
       asked: nothing,
+      read: nothing,
     })
     const stop = room.subscribe(redraw)
     const stopRecolouring = colours.subscribe(view.recolour)

@@ -141,6 +141,7 @@ export function mountRoom(canvas: HTMLCanvasElement, {store, parts}: MountContex
     pushed: (thing, pose) => store.dispatch({kind: "hand", hand: {move: {thing, ...pose}}}),
     holds: thing => store.dispatch({kind: "held", thing}),
     follows: follows => store.dispatch({kind: "follows", follows}),
+    read: () => store.dispatch({kind: "why", event: {kind: "closed"}}),
     asked(about) {
       const {room} = store.now
       const time = room.lookedAt ?? room.frame?.time ?? null

@@ -33,6 +33,8 @@ export interface GestureHost {
   /// What a click at a point of the room asks about, within so many metres; `null` when there is nothing.
   targetAt(at: Spot, reach: number): QuestionTarget | null
   asked(about: QuestionTarget): void
+  /// The answer is read.
+  read(): void
 }
 
 export const roomKeys = {
@@ -218,6 +220,7 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
       why: () => host.asked({kind: "robot"}),
       place: () => host.asked({kind: "place", time: null}),
       ...keyHands(host),
+      ...(host.held() === null ? {robot: () => host.read()} : {}),
     }
     const wanted = Object.entries(roomKeys).find(([, chords]) => chords.some(chord => isChord(event, chord)))
     const act = wanted === undefined ? undefined : acts[wanted[0] as RoomKey]

@@ -57,6 +57,8 @@ export interface RoomListener {
   follows(follows: boolean): void
   /// The learner asks why the robot moves as it does, or why it was at a point of its trail.
   asked(about: QuestionTarget): void
+  /// The learner has read the answer.
+  read(): void
 }
 
 export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): RoomView {
@@ -132,6 +134,7 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
     followed: () => listener.follows(!following),
     targetAt: (at, reach) => targetAt(canAsk ? shown : null, canAsk ? trail : [], at, reach),
     asked: about => listener.asked(about),
+    read: () => listener.read(),
   })
 
   const metres = () => {

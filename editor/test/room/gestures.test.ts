@@ -17,18 +17,22 @@ class FakeCanvas extends EventTarget {
 
 let canvas: FakeCanvas
 let asked: QuestionTarget[]
+let held: number | null
+let closed: number
 let looked: (readonly [x: number, y: number])[]
 
 beforeEach(() => {
   canvas = new FakeCanvas()
   asked = []
+  held = null
+  closed = 0
   looked = []
   const ignore = () => undefined
   const host: GestureHost = {
     camera: () => camera,
     robot: () => ({x: 1, y: 1, theta: 0}),
     things: () => [],
-    held: () => null,
+    held: () => held,
     able: () => false,
     placed: ignore,
     pushed: ignore,
@@ -43,6 +47,9 @@ beforeEach(() => {
       return at.x < 2 ? {kind: "place", time: at.x} : null
     },
     asked: about => asked.push(about),
+    read() {
+      closed += 1
+    },
   }
   watchGestures(canvas as unknown as HTMLCanvasElement, host)
 })
@@ -120,5 +127,13 @@ describe("a key in the room", () => {
   it("asks about the motion of the robot, or about its place", () => {
     expect([key("w"), key("p"), key("q")]).toEqual([true, true, false])
     expect(asked).toEqual([{kind: "robot"}, {kind: "place", time: null}])
+  })
+
+  it("closes the answer, unless the keyboard holds a thing", () => {
+    key("Escape")
+    expect(closed).toBe(1)
+    held = 0
+    key("Escape")
+    expect(closed).toBe(1)
   })
 })
