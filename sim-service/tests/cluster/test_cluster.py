@@ -30,6 +30,9 @@ from .ray_nodes import CLUSTER_PYTHON, Node, needs_ray
 __all__ = ["environment", "here"]
 
 
+SOURCES = str(Path(__file__).resolve().parents[2])
+
+
 @pytest.fixture
 def token(environment: dict[str, str], tmp_path: Path) -> dict[str, str]:
     """The environment of a cluster with a secret of its own."""
@@ -115,7 +118,7 @@ def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> N
 @pytest.mark.skipif(not WHOLE, reason="cluster: 2,000 runs are graded in nightly")
 @pytest.mark.skipif(not discover().worker, reason="the worker is not built")
 def test_two_thousand_runs_are_graded_while_a_node_is_killed_and_another_joins(tmp_path: Path) -> None:
-    secret = {**os.environ, "LC_ALL": "C.UTF-8", "ROSY_CLUSTER_TOKEN": str(tmp_path / "token")}
+    secret = {**os.environ, "LC_ALL": "C.UTF-8", "ROSY_CLUSTER_TOKEN": str(tmp_path / "token"), "PYTHONPATH": SOURCES}
     grading = Grading(tmp_path / "homework", rooms=50, seconds=1.0, environment=secret)
     programs(grading.folder, 40)
     alone = grading.alone(2)
