@@ -1,49 +1,10 @@
 /// The room: change it, take the robot by hand, stop the clock, look back, reach a goal.
 
 import {expect, type Page} from "@playwright/test"
-import {boxAtRest, drawn} from "./at_rest.ts"
+import {boxAtRest} from "./at_rest.ts"
+import {drags, Floor, type Place} from "./floor.ts"
 import {Learner, until} from "./learner.ts"
 import {test} from "./story.ts"
-
-/// Pixels that the page leaves free around a room (`camera.ts`).
-const margin = 18
-
-type Place = readonly [number, number]
-
-/// Drags by mouse from one pixel to others, and waits until the page has drawn what came of it.
-async function drags(page: Page, from: Place, ...path: readonly Place[]): Promise<void> {
-  await page.mouse.move(...from)
-  await page.mouse.down()
-  for (const to of path) await page.mouse.move(...to)
-  await page.mouse.up()
-  await drawn(page)
-}
-
-/// The room's canvas, in metres: what hands do to the robot and to things.
-class Floor {
-  readonly page: Page
-  readonly size: Place
-  constructor(page: Page, size: Place) {
-    this.page = page
-    this.size = size
-  }
-
-  canvas() {
-    return this.page.getByRole("application", {name: /^The room/})
-  }
-
-  async pixel(x: number, y: number): Promise<Place> {
-    const box = await boxAtRest(this.canvas())
-    const [w, h] = this.size
-    const scale = Math.min((box.width - 2 * margin) / w, (box.height - 2 * margin) / h)
-    return [box.x + (box.width - w * scale) / 2 + x * scale, box.y + (box.height + h * scale) / 2 - y * scale]
-  }
-
-  async drags(from: Place, to: Place): Promise<void> {
-    const middle = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2] as const
-    await drags(this.page, await this.pixel(...from), await this.pixel(...middle), await this.pixel(...to))
-  }
-}
 
 /// What reads alike for a second: most frames that were on their way have come, and the robot has rolled out.
 async function standsStill<T>(read: () => Promise<T>): Promise<T> {

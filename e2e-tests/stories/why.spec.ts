@@ -2,10 +2,14 @@
 
 import {AxeBuilder} from "@axe-core/playwright"
 import {expect, type Page} from "@playwright/test"
+import {Floor} from "./floor.ts"
 import {Learner} from "./learner.ts"
 import {test} from "./story.ts"
 
 const answer = (page: Page) => page.getByTestId("why-answer")
+/// A coordinate of the robot, as its readout says it.
+const metres = async (learner: Learner, what: "x" | "y") =>
+  Number.parseFloat((await learner.robot(what).textContent()) ?? "")
 const time = String.raw`\d+\.\d\d s`
 
 test("the robot backs off from a wall: why, and one step back to the bumper", async ({page}) => {
@@ -48,6 +52,33 @@ test("the robot backs off from a wall: why, and one step back to the bumper", as
   await page.keyboard.press("Escape")
   await expect(page.getByTestId("why")).toHaveCount(0)
   await expect(blocks).toHaveCount(0)
+
+  // In the picture of the room: a point of the trail and the robot by mouse, both by key.
+  const heading = page.getByTestId("why").getByRole("heading")
+  const floor = new Floor(page, [5, 4])
+  const [x, y] = await floor.pixel(2.5, 2)
+  await page.mouse.click(x, y)
+  await expect(heading).toHaveText(new RegExp(`^Why was the robot there at ${time}\\?$`))
+  await expect(answer(page)).toContainText(/forwardBackward/)
+  await expect(blocks.first()).toBeVisible()
+  await learner.keeps("why-trail")
+  await page.keyboard.press("Escape")
+  await expect(heading).toHaveCount(0)
+  await floor.canvas().focus()
+  await page.keyboard.press("w")
+  await expect(heading).toHaveText(/^Why does it move like this/)
+  await page.keyboard.press("p")
+  await expect(heading).toHaveText(/^Why was the robot there/)
+  await page.keyboard.press("Escape")
+  await page.mouse.click(...(await floor.pixel(await metres(learner, "x"), await metres(learner, "y"))))
+  await expect(heading).toHaveText(/^Why does it move like this/)
+  // The diagram's list form tells the path, too.
+  await page.getByRole("button", {name: "As a list"}).click()
+  const told = page.locator(".diagram-list").getByRole("button", {name: /; part of the answer$/})
+  await expect(told).toHaveCount(await nodes.count())
+  await told.first().focus()
+  await page.keyboard.press("ArrowDown")
+  await expect(told.nth(1)).toBeFocused()
   await learner.stops()
 })
 
