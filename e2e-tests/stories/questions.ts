@@ -102,6 +102,8 @@ export class ControlledRuns {
   /// Steps at which something is to be done, and what.
   #stops: {readonly step: number; readonly act: () => void}[] = []
   #requested = 0
+  /// Single steps that are requested before are lost; the room is shown before as well.
+  #isRunning = false
   #isDone = false
   #hasEnded = false
   #times: QuestionTimes = {}
@@ -122,8 +124,9 @@ export class ControlledRuns {
     return runs
   }
 
-  /// The next run is this one.
-  repeats(run: QuestionedRun): void {
+  /// The next run is this one. The page gets a frame of each of these moments (s): between two of them the service leaves out frames that the
+  /// page has not read before the next.
+  repeats(run: QuestionedRun, moments: readonly number[]): void {
     const hands = run.hands.map(({at, does}) => ({
       step: Math.round(at * stepsPerSecond),
       act: () => this.#send({op: "input", ...does}),
@@ -132,15 +135,17 @@ export class ControlledRuns {
     this.#number = null
     this.#isDone = false
     this.#hasEnded = false
-    this.#stops = [
-      ...hands,
-      {
-        step: Math.round(run.seconds * stepsPerSecond),
-        act: () => {
-          this.#isDone = true
-        },
+    const last = Math.round(run.seconds * stepsPerSecond)
+    const asked = moments
+      .map(moment => ({step: Math.round(moment * stepsPerSecond), act: () => {}}))
+      .filter(({step}) => step < last)
+    const end = {
+      step: last,
+      act: () => {
+        this.#isDone = true
       },
-    ]
+    }
+    this.#stops = [...[...hands, ...asked].sort((a, b) => a.step - b.step), end]
   }
 
   /// Whether the program ended by itself, before the time of the run.
@@ -148,8 +153,12 @@ export class ControlledRuns {
     return this.#hasEnded
   }
 
+  /// A busy machine makes ten single steps a second, and a run has up to 1,500: each step is waited for.
   async isOver(): Promise<void> {
-    await expect.poll(() => this.#isDone).toBe(true)
+    while (!this.#isDone) {
+      const before = this.#step
+      await expect.poll(() => this.#isDone || this.#step !== before).toBe(true)
+    }
   }
 
   /// The next question is about exactly these times. The page sends those of the frame that it shows.
@@ -179,6 +188,7 @@ export class ControlledRuns {
     this.#number = message.run
     this.#step = 0
     this.#requested = 0
+    this.#isRunning = false
     // The run message goes first.
     queueMicrotask(() => this.#send({op: "pause"}))
     return JSON.stringify({...message, seed: 1})
@@ -190,8 +200,10 @@ export class ControlledRuns {
     if (message.op === "state" && message.state === "ended") {
       this.#hasEnded = true
       this.#isDone = true
-    } else if (message.op === "state" && message.state === "running") this.#goOn()
-    else if (message.op === "frame") {
+    } else if (message.op === "state" && message.state === "running") {
+      this.#isRunning = true
+      this.#goOn()
+    } else if (message.op === "frame" && this.#isRunning) {
       this.#step = message.step
       this.#goOn()
     }
