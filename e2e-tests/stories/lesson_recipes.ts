@@ -156,6 +156,15 @@ const react: Recipes = {
     await hands.chooses(/colour: orange$/, "off", "last")
     await velocity(hands, "0.2")
   },
+  async "stop-before-the-wall/near"(hands) {
+    await hands.takesUp("definition of go")
+    await hands.writes(/number: 1$/, "0.5")
+  },
+  async "stop-before-the-wall/slower"(hands) {
+    await hands.takesUp("definition of go")
+    await hands.throws(/number: 0.3$/)
+    await hands.puts("minus", "distance", "0.5")
+  },
 }
 
 /// The last case becomes one for another button; the rest follows below it.
