@@ -186,7 +186,9 @@ module Rosy
     -- * Words for signatures
     -- $signatures
     Sensor (sensor),
+    Sense,
     Command (command),
+    Plan,
     Controller,
     Runnable,
     Default,
@@ -206,6 +208,7 @@ import Control.Monad
 import Data.Typeable (Typeable)
 import Rosy.Command
 import Rosy.Controller
+import Rosy.Core (Plan, Sense)
 import Rosy.Geometry
 import Rosy.Launch
 import Rosy.Motion
