@@ -5,11 +5,13 @@ In: suites in the order of their importance, each with the number of cores it ke
 order in which they end, handed to `on_end`. A suite starts as soon as the cores it needs are free; a later one that needs
 fewer cores may start first. A suite that needs more cores than there are runs alone. Half a core is for a suite that waits
 for half of its time. Each suite writes to its own log file;
-nothing is printed here. When the caller is interrupted, every process that was started is ended.
+nothing is printed here. A suite that takes longer than its limit is ended and has failed: what it has said until then is in its result. When
+the caller is interrupted, every process that was started is ended.
 """
 
 from __future__ import annotations
 
+import math
 import os
 import queue
 import signal
@@ -43,6 +45,8 @@ class Suite:
     """Suites that must end first, if they take part at all."""
     prints: bool = True
     """Whether the output is worth reading when nothing failed."""
+    limit: float = math.inf
+    """Wall-clock time after which it is ended, s. A test that waits for ever would otherwise hide the results of all others."""
 
 
 @dataclass(frozen=True)
@@ -62,10 +66,20 @@ class _Running:
     process: subprocess.Popen[bytes]
     log: Path
     began: float = field(default_factory=time.monotonic)
+    ending: threading.Thread | None = None
+    """Ends the suite, since it has taken longer than its limit."""
+
+    def enforce_limit(self) -> None:
+        if self.ending is None and time.monotonic() - self.began > self.suite.limit:
+            self.ending = threading.Thread(target=_end, args=(self.process,), daemon=True)
+            self.ending.start()
 
     def result(self, end: _Ended) -> Result:
         output = self.log.read_text(errors="replace")
         count = self.suite.read(output, end.status)
+        if self.ending is not None:
+            output += f"\nEnded because it took longer than {self.suite.limit / 60:g} minutes.\n"
+            count = Count(count.passed, max(count.failed, 1), count.skipped)
         return Result(self.suite, count, time.monotonic() - self.began, end.computing, output)
 
 
@@ -97,6 +111,8 @@ def run_all(
                 waiting.remove(suite)
                 running[suite.name] = _start(suite, folder, logs, environment, ended)
             on_change(list(running))
+            for started in running.values():
+                started.enforce_limit()
             try:
                 name, end = ended.get(timeout=1)
             except queue.Empty:

@@ -6,8 +6,10 @@ Long suites come first, so that short ones fill the remaining cores. `cores` is 
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from tracked_files import haskell_sources
@@ -28,6 +30,10 @@ SHELL_SCRIPTS = [
     "scripts/lock",
     ".ci/run",
 ]
+
+# Limits of a day's run (s), many times what a test and a suite take: they end what waits for ever, and name it. Nightly runs have none.
+TEST_LIMIT = 900
+SUITE_LIMIT = 2700
 
 # The Haskell benchmarks, which no other suite compiles; each is a program of its own.
 TYPES_OF_BENCHMARKS = """for program in Main Bytecode; do
@@ -52,11 +58,13 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
 
     stories = reports / "e2e.json"
     short = reports / "browsers.json"
-    return [
+    # pytest then ends the process with the stacks of all its threads, and pytest-xdist names the test and goes on with the others.
+    hangs = [] if whole else ["-o", f"faulthandler_timeout={TEST_LIMIT}", "-o", "faulthandler_exit_on_timeout=true"]
+    listed = [
         # Stories and Python tests wait for simulated robots and for limits of time during about half of their time, so they have more
         # processes than cores. No other suite runs beside both: stories take more than one core, and a drag needs processor time.
         Suite("e2e", ["npx", "playwright", "test", "-c", "e2e-tests"], json_report(stories), report=stories),
-        Suite("python", [PYTHON, "-m", "pytest", "sim-service", "-n", "4", "--dist", "worksteal"], pytest_summary, cores=0.5),
+        Suite("python", [PYTHON, "-m", "pytest", "sim-service", "-n", "4", "--dist", "worksteal", *hangs], pytest_summary, cores=0.5),
         Suite("haskell", [PYTHON, "scripts/testing/haskell.py"], tasty_summary),
         vitest("editor"),
         vitest("codegen"),
@@ -84,3 +92,4 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
         Suite("bench", [PYTHON, "scripts/bench.py", "--small" if whole else "--rotating"], own_script, after=frozenset({"haskell"})),
         Suite("scripts", [PYTHON, "-m", "pytest", "-q", "scripts/tests"], pytest_summary, prints=False),
     ]
+    return [replace(suite, limit=math.inf if whole else SUITE_LIMIT) for suite in listed]

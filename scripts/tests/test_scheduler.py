@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -81,6 +82,16 @@ def test_output_and_status_reach_the_result(tmp_path: Path) -> None:
     (result,) = watch.results
     assert (result.count.failed, result.output) == (1, "what is wrong\n")
     assert (tmp_path / "test-bad.log").read_text() == "what is wrong\n"
+
+
+def test_a_suite_that_takes_too_long_is_ended_and_its_output_is_kept(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "never")
+    watch = Watch()
+    endless = python("endless", "print('the last words', flush=True); open('never')")
+    watch.run([replace(endless, limit=0.1), python("next", "")], 1, tmp_path)
+    assert {r.suite.name: (r.count.passed, r.count.failed) for r in watch.results} == {"endless": (0, 1), "next": (1, 0)}
+    (ended,) = (r for r in watch.results if r.suite.name == "endless")
+    assert "took longer than" in ended.output
 
 
 def test_processor_time_counts_what_a_suite_starts(tmp_path: Path) -> None:
