@@ -57,10 +57,10 @@ def spent(seen: dict[Identity, Seen], alive: set[Identity]) -> float:
 
 @dataclass
 class ProcessTimes:
-    """The times of the processes below some others, and of these."""
+    """The times of the processes below some others, and of these. One thread may look while others read."""
 
-    seen: dict[Identity, Seen] = field(default_factory=dict)
-    alive: set[Identity] = field(default_factory=set)
+    _found: tuple[dict[Identity, Seen], set[Identity]] = field(default_factory=lambda: ({}, set()))
+    """What was seen of each, and which of them are alive: replaced as a whole."""
 
     def look(self, roots: Iterable[int]) -> None:
         """Look at all that there are now."""
@@ -69,7 +69,7 @@ class ProcessTimes:
         below: dict[int, list[int]] = {}
         for pid, figures in now.items():
             below.setdefault(figures["ppid"], []).append(pid)
-        self.alive = set()
+        seen, alive = dict(self._found[0]), set[Identity]()
         todo: list[tuple[int, Identity | None]] = [(root, None) for root in roots]
         while todo:
             pid, parent = todo.pop()
@@ -77,15 +77,16 @@ class ProcessTimes:
             if figures is None or figures["cpu_times"] is None:
                 continue
             identity, times = (pid, figures["create_time"]), figures["cpu_times"]
-            self.alive.add(identity)
+            alive.add(identity)
             waited = times.children_user + times.children_system
-            self.seen[identity] = Seen(times.user + times.system, waited, parent)
+            seen[identity] = Seen(times.user + times.system, waited, parent)
             todo += [(child, identity) for child in below.get(pid, [])]
+        self._found = seen, alive
 
     @property
     def total(self) -> float:
         """Of all that were seen, s."""
-        return spent(self.seen, self.alive)
+        return spent(*self._found)
 
 
 class TimeMeter:
