@@ -1,5 +1,5 @@
 """
-A worker that compiles nothing: a source is a script of ``fake_program``, played in a forked child.
+A worker that compiles nothing: a source is a script of ``fake_program``, played in a forked child. Forks workers, too.
 
 Words of its own: ``refuse`` (does not compile), ``slow`` (never finishes compiling), ``die`` (the worker itself
 dies), ``hang`` (it runs in circles), ``babble`` (sends what is no answer). Run it as a program with its socket as
@@ -9,6 +9,7 @@ descriptor 3. It has one thread, as the real one: one that waits for another thr
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import json
 import os
 import selectors
@@ -27,9 +28,13 @@ PROBLEM = {
 }  # fmt: skip
 
 
+PR_SET_PDEATHSIG = 1
+"""prctl(2)."""
+
+
 class Worker:
-    def __init__(self) -> None:
-        self.socket = socket.socket(fileno=3)
+    def __init__(self, descriptor: int = 3) -> None:
+        self.socket = socket.socket(fileno=descriptor)
         self.children: dict[int, int] = {}
         # The socket, and a descriptor of each child with its id.
         self.selector = selectors.DefaultSelector()
@@ -91,11 +96,33 @@ class Worker:
                     self.send(op="completed", id=ident, expected="Velocity", names=[name])
             case "run":
                 self.start(ident, request["source"], descriptors.pop(0))
+            case "fork":
+                self.fork(ident, descriptors.pop(0))
             case "ping":
                 self.send(op="pong", id=ident)
             case "kill":
                 with contextlib.suppress(KeyError, ProcessLookupError):
                     os.kill(self.children[ident], signal.SIGKILL)
+
+    def fork(self, ident: int, descriptor: int) -> None:
+        """Another worker, which serves this socket."""
+        pid = os.fork()
+        if pid == 0:
+            try:
+                ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+                self.socket.close()
+                self.selector.close()
+                Worker(descriptor).run()
+            finally:
+                os._exit(0)
+        os.close(descriptor)
+        self.watch(ident, pid)
+        self.send(op="forked", id=ident, pid=pid)
+
+    def watch(self, ident: int, pid: int) -> None:
+        """A child, until it ends."""
+        self.children[ident] = pid
+        self.selector.register(os.pidfd_open(pid), selectors.EVENT_READ, ident)
 
     def start(self, ident: int, source: str, descriptor: int) -> None:
         script = Script(source)
@@ -115,8 +142,7 @@ class Worker:
             finally:
                 os._exit(0)
         os.close(descriptor)
-        self.children[ident] = pid
-        self.selector.register(os.pidfd_open(pid), selectors.EVENT_READ, ident)
+        self.watch(ident, pid)
 
     def reap(self, ident: int, descriptor: int) -> None:
         """Say how a child has ended."""

@@ -167,20 +167,15 @@ int rosy_drop_capabilities(void) {
   return (int)syscall(SYS_capset, &header, none);
 }
 
-/*
- * Dies with its parent, leads its own session, knows no environment, has nothing open but the kept descriptors and an empty 0, 1 and 2,
- * starts no core dump, holds no capability, and, unless a test wants to see what the other layers do, can gain no privilege and write no file.
- */
-int rosy_child_begin(int count, const int *keep, int null_fd, int no_files, int no_privileges) {
+/* Fails where the parent has died already. */
+static int die_with_parent(void) {
   pid_t parent = getppid();
-  struct rlimit none = {0, 0};
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) < 0) return -1;
-  if (getppid() != parent || parent == 1) return -1;
-  volunteer_for_oom();
-  signal(SIGCHLD, SIG_DFL);
-  clearenv();
-  setsid();
-  for (int fd = 0; fd < 3; fd++) if (dup2(null_fd, fd) < 0) return -1;
+  return getppid() != parent || parent == 1 ? -1 : 0;
+}
+
+/* Closes all descriptors from 3 on that are not kept. */
+static void close_others(int count, const int *keep) {
   int last = 2;
   for (int i = 0; i < count; i++) if (keep[i] > last) last = keep[i];
   for (int fd = 3; fd < last; fd++) if (!is_kept(fd, count, keep)) close(fd);
@@ -188,6 +183,28 @@ int rosy_child_begin(int count, const int *keep, int null_fd, int no_files, int 
   if (syscall(SYS_close_range, last + 1, ~0U, 0) < 0)
 #endif
     for (int fd = last + 1; fd < 65536; fd++) close(fd);
+}
+
+/* A forked worker dies with its parent, and has nothing of its parent open but the kept descriptors and 0 to 2. */
+int rosy_fork_begin(int count, const int *keep) {
+  if (die_with_parent() < 0) return -1;
+  close_others(count, keep);
+  return 0;
+}
+
+/*
+ * Dies with its parent, leads its own session, knows no environment, has nothing open but the kept descriptors and an empty 0, 1 and 2,
+ * starts no core dump, holds no capability, and, unless a test wants to see what the other layers do, can gain no privilege and write no file.
+ */
+int rosy_child_begin(int count, const int *keep, int null_fd, int no_files, int no_privileges) {
+  struct rlimit none = {0, 0};
+  if (die_with_parent() < 0) return -1;
+  volunteer_for_oom();
+  signal(SIGCHLD, SIG_DFL);
+  clearenv();
+  setsid();
+  for (int fd = 0; fd < 3; fd++) if (dup2(null_fd, fd) < 0) return -1;
+  close_others(count, keep);
   setrlimit(RLIMIT_CORE, &none);
   if (no_files) setrlimit(RLIMIT_FSIZE, &none);
   if (no_privileges && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) < 0) return -1;

@@ -18,6 +18,7 @@ __all__ = [
     "Checked",
     "Completed",
     "Failed",
+    "Forked",
     "Gone",
     "Pong",
     "Refused",
@@ -26,6 +27,7 @@ __all__ = [
     "WorkerStream",
     "check_request",
     "complete_request",
+    "fork_request",
     "kill_request",
     "ping_request",
     "run_request",
@@ -89,6 +91,13 @@ class Gone(msgspec.Struct, tag="gone", tag_field="op"):
     problem: Problem | None = None
 
 
+class Forked(msgspec.Struct, tag="forked", tag_field="op"):
+    """A worker has been forked; ``pid`` is its process in the worker's own namespace."""
+
+    id: int
+    pid: int
+
+
 class Pong(msgspec.Struct, tag="pong", tag_field="op"):
     """Answer to a ping."""
 
@@ -102,7 +111,7 @@ class Failed(msgspec.Struct, tag="failed", tag_field="op"):
     id: int | None = None
 
 
-Answer = WorkerReady | Checked | Completed | Started | Refused | Gone | Pong | Failed
+Answer = WorkerReady | Checked | Completed | Started | Refused | Gone | Forked | Pong | Failed
 
 _decoder = msgspec.json.Decoder(Answer)
 
@@ -142,6 +151,11 @@ def complete_request(ident: int, source: str, line: int, column: int) -> bytes:
 def run_request(ident: int, source: str, memory: int) -> bytes:
     """Asks for a run; the robot link's descriptor rides along."""
     return _line(op="run", id=ident, source=source, memory=memory)
+
+
+def fork_request(ident: int) -> bytes:
+    """Asks for a forked worker; the descriptor of its socket rides along."""
+    return _line(op="fork", id=ident)
 
 
 def kill_request(ident: int) -> bytes:

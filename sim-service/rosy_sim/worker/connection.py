@@ -1,7 +1,7 @@
 """
 Connection to one worker process, from its start to its end: requests, answers and liveness.
 
-The owner sets the listener; ownership passes from the standby to the supervisor.
+The owner sets the listener; ownership of a forked worker passes from the fork server to the supervisor.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ import os
 import socket
 from collections import deque
 from collections.abc import Callable
-from typing import Any
 
 import msgspec
 
@@ -20,7 +19,7 @@ from ..sentence import tr
 from ..wire.line_splitter import LineTooLong
 from ..wire.worker import Answer, WorkerReady, WorkerStream, ping_request
 from ..wording import in_terminal
-from .launcher import WorkerProcess
+from .launcher import ForkedWorker, WorkerProcess
 from .liveness import PROBE_INTERVAL, LivenessMonitor
 
 __all__ = ["Connection"]
@@ -34,7 +33,7 @@ _PING = 0
 class Connection:
     """Owns the socket and the process. Call end() in any case."""
 
-    def __init__(self, process: WorkerProcess, ready_within: float) -> None:
+    def __init__(self, process: WorkerProcess | ForkedWorker, ready_within: float) -> None:
         process.socket.setblocking(False)
         self.pid = process.pid
         # It is warm.
@@ -91,7 +90,7 @@ class Connection:
         self.lost.set()
         self._process.kill()
         self._socket.close()
-        await _reap(self.pid)
+        await self._process.reap()
 
     # Bytes
 
@@ -146,28 +145,3 @@ class Connection:
 def _close(descriptors: tuple[int, ...]) -> None:
     for descriptor in descriptors:
         os.close(descriptor)
-
-
-def _complete(waiting: asyncio.Future[Any]) -> None:
-    if not waiting.done():
-        waiting.set_result(None)
-
-
-async def _reap(pid: int) -> None:
-    """Wait for a killed child without stopping the loop."""
-    loop = asyncio.get_running_loop()
-    try:
-        watch = os.pidfd_open(pid)
-    except ProcessLookupError:
-        return
-    try:
-        dead: asyncio.Future[None] = loop.create_future()
-        loop.add_reader(watch, _complete, dead)
-        try:
-            await asyncio.shield(dead)
-        finally:
-            loop.remove_reader(watch)
-            # It has been killed, so this returns at once even when the wait was cancelled.
-            os.waitpid(pid, 0)  # noqa: ASYNC222
-    finally:
-        os.close(watch)

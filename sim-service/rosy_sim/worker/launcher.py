@@ -8,6 +8,8 @@ themselves (the worker does, with seccomp and resource limits).
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
 import functools
 import os
 import shutil
@@ -21,7 +23,7 @@ from ..config import Config
 from ..errors import WorkerMissing
 from ..sentence import Sentence, tr, verbatim
 
-__all__ = ["WorkerProcess", "launch", "missing_sandbox", "sandbox_fault", "sandbox_warning"]
+__all__ = ["ForkedWorker", "WorkerProcess", "launch", "missing_sandbox", "sandbox_fault", "sandbox_warning"]
 
 _DESCRIPTOR = 3
 """Where the worker finds its socket. protocol/README.md, section 3."""
@@ -55,6 +57,51 @@ class WorkerProcess:
                 os.kill(self.pid, signal.SIGKILL)
             except ProcessLookupError:
                 return
+
+    async def reap(self) -> None:
+        """Wait for the killed process without stopping the loop."""
+        try:
+            handle = os.pidfd_open(self.pid)
+        except ProcessLookupError:
+            return
+        try:
+            await _ended(handle)
+        finally:
+            # It has been killed, so this returns at once even when the wait was cancelled.
+            os.waitpid(self.pid, 0)  # noqa: ASYNC222
+            os.close(handle)
+
+
+@dataclass(frozen=True, slots=True)
+class ForkedWorker:
+    """A worker that another one has forked, which reaps it. ``handle`` is its pidfd."""
+
+    pid: int
+    handle: int
+    socket: socket.socket
+
+    def kill(self) -> None:
+        """End the worker and its children, at once."""
+        with contextlib.suppress(ProcessLookupError):
+            signal.pidfd_send_signal(self.handle, signal.SIGKILL)
+
+    async def reap(self) -> None:
+        """Wait until it has ended; once."""
+        try:
+            await _ended(self.handle)
+        finally:
+            os.close(self.handle)
+
+
+async def _ended(handle: int) -> None:
+    """Wait until a pidfd says that its process has ended."""
+    loop = asyncio.get_running_loop()
+    ended = asyncio.Event()
+    loop.add_reader(handle, ended.set)
+    try:
+        await ended.wait()
+    finally:
+        loop.remove_reader(handle)
 
 
 def launch(config: Config) -> WorkerProcess:

@@ -2,13 +2,12 @@
 Supervisor of the worker for a service with many pages: one process, replaced when it dies, used from asyncio.
 
 Answers are matched to requests by ``id``. When the process dies or is wedged, all pending requests fail with
-``WorkerLost``, the pages are told, and the standby takes over (after a growing pause when workers keep dying).
+``WorkerLost``, the pages are told, and the fork server forks another (after a growing pause when workers keep dying).
 """
 
 from __future__ import annotations
 
 import asyncio
-import logging
 import os
 import socket
 from collections.abc import Callable
@@ -16,8 +15,7 @@ from dataclasses import dataclass
 from typing import Any, Literal, TypeVar
 
 from ..config import Config
-from ..errors import WorkerLost, WorkerMissing, WorkerRefused
-from ..sentence import tr
+from ..errors import WorkerLost, WorkerRefused
 from ..wire.worker import (
     Answer,
     Checked,
@@ -32,25 +30,17 @@ from ..wire.worker import (
     kill_request,
     run_request,
 )
-from ..wording import in_terminal
 from .connection import Connection
-from .launcher import launch
-from .standby import LAST_PAUSE, StandbyWorker
+from .fork_server import ForkServer
 
 __all__ = ["RunningProgram", "WorkerStatus", "WorkerSupervisor"]
 
 _T = TypeVar("_T")
 
-_log = logging.getLogger(__name__)
-
 WorkerStatus = Literal["starting", "ready", "restarting"]
 
-_FIRST_PAUSE = 0.02
-"""Between the end of a worker and the next start, s; doubles while workers die before they are ready."""
-
-_STANDBY_DELAY = 0.25
-"""After a worker is ready until the next one is warmed up beside it, s: the first run comes first. One that is wedged
-right then has been found out when the next one is warm, and all of it takes less than a second."""
+_FIRST_PAUSE, _LAST_PAUSE = 0.02, 1.0
+"""Between the end of a worker and the next one, s; doubles while workers die before they are ready."""
 
 
 @dataclass(slots=True)
@@ -74,8 +64,8 @@ class WorkerSupervisor:
         self.state: WorkerStatus = "starting"
         # The process id of the current worker, for tests and tables.
         self.pid: int | None = None
-        # Takes over at once when the worker dies.
-        self._standby = StandbyWorker(self._connect)
+        # Warm; makes the next worker when this one dies.
+        self._fork_server = ForkServer(config)
         self._ids = 0
         self._connection: Connection | None = None
         self._questions: dict[int, asyncio.Future[Checked | Completed]] = {}
@@ -89,25 +79,30 @@ class WorkerSupervisor:
         try:
             await self._keep()
         finally:
-            await self._standby.close()
+            await self._fork_server.close()
 
     async def _keep(self) -> None:
         pause = _FIRST_PAUSE
         while True:
-            connection = self._standby.take() or self._connect()
+            connection = await self._fork_server.fork()
             if connection is None:
                 # The executable may be in the middle of a build, or the machine out of processes.
                 self._set_state("restarting")
-                pause = min(LAST_PAUSE, pause * 2)
+                pause = min(_LAST_PAUSE, pause * 2)
                 await asyncio.sleep(pause)
                 continue
             try:
                 await self._serve(connection)
-                pause = _FIRST_PAUSE if connection.ready.is_set() else min(LAST_PAUSE, pause * 2)
             finally:
                 self._drop_connection()
                 await connection.end()
             self._set_state("restarting")
+            if connection.ready.is_set():
+                pause = _FIRST_PAUSE
+            else:
+                # What it has inherited may be damaged.
+                await self._fork_server.close()
+                pause = min(_LAST_PAUSE, pause * 2)
             await asyncio.sleep(pause)
 
     async def _serve(self, connection: Connection) -> None:
@@ -116,33 +111,12 @@ class WorkerSupervisor:
         connection.listener = self._handle
         if connection.ready.is_set():
             self._become_ready()
-        preparing = asyncio.get_running_loop().create_task(self._prepare(connection))
-        try:
-            await connection.wait_until_lost()
-        finally:
-            preparing.cancel()
-
-    async def _prepare(self, connection: Connection) -> None:
-        """Warm up the worker that takes over when this one dies."""
-        await connection.ready.wait()
-        await asyncio.sleep(_STANDBY_DELAY)
-        self._standby.prepare()
-
-    async def standby_ready(self) -> None:
-        """Wait until the standby is ready, for tests and measurements."""
-        await self._standby.wait_ready()
+        await connection.wait_until_lost()
 
     @property
-    def standby_pid(self) -> int | None:
-        """The process id of the worker in waiting, for tests and tables."""
-        return self._standby.pid
-
-    def _connect(self) -> Connection | None:
-        try:
-            return Connection(launch(self._config), self._config.limits.worker_ready)
-        except (WorkerMissing, OSError) as error:
-            _log.warning("%s", in_terminal(tr("the worker cannot be started: {why}", why=error)))
-            return None
+    def fork_server_pid(self) -> int | None:
+        """The process id of the fork server, for tests and tables."""
+        return self._fork_server.pid
 
     def _become_ready(self) -> None:
         self._ready.set()

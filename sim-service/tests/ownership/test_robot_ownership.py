@@ -434,8 +434,6 @@ def test_fifty_runs_leave_no_descriptor_open(config: Config, tmp_path: Path) -> 
                 await rig.page.send("run", run=run, source="drive:0.1 done@1", speed=1)
                 assert (await rig.page.ended(run))["ended"] == "done"
 
-        # The worker in waiting would come at some moment in between.
-        await rig.service.worker.standby_ready()
         await driven(range(1, 2))
         ours, theirs = descriptors(os.getpid()), descriptors(rig.driver)
         await driven(range(2, 52))

@@ -182,8 +182,6 @@ def test_no_text_crashes_or_hangs_the_worker_or_leaves_anything_behind() -> None
             # Several at once, so that all the children are there that answer questions.
             first_ones = list(texts(20, SEED + 1))
             await asyncio.gather(*(checked_and_run(worker, name, source) for name, source in first_ones))
-            # The one in waiting would come at some moment in between.
-            await worker.standby_ready()
             before = await at_rest(worker)
             began = time.monotonic()
             await asyncio.gather(*(some() for _ in range(AT_ONCE)))

@@ -1,4 +1,4 @@
-"""Keeping a worker: restarts, a standby, a missing executable, requests in flight when it dies."""
+"""Keeping a worker: restarts, a fork server, a missing executable, requests in flight when it dies."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from collections.abc import Awaitable, Callable
 from dataclasses import replace
 from pathlib import Path
 
+import psutil
 import pytest
 
 from rosy_sim.config import Config
@@ -78,7 +79,7 @@ def test_what_is_under_way_ends_with_the_worker_and_the_next_one_serves(config: 
             ours, theirs = socket.socketpair()
             program = await worker.start("slow", theirs)
             assert worker.pid is not None
-            os.killpg(worker.pid, signal.SIGKILL)
+            os.kill(worker.pid, signal.SIGKILL)
             for future in (waiting, program.started, program.gone):
                 with pytest.raises(WorkerLost):
                     await future
@@ -89,52 +90,53 @@ def test_what_is_under_way_ends_with_the_worker_and_the_next_one_serves(config: 
     keeping(play, config)
 
 
-def test_a_standby_takes_over(config: Config, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosy_sim.worker.supervisor._STANDBY_DELAY", 0.0)
-
+def test_a_worker_that_dies_is_replaced_by_one_that_shares_the_memory_of_the_same_fork_server(config: Config) -> None:
     async def play(worker: WorkerSupervisor, _: list[WorkerStatus]) -> None:
         await worker.check("")
-        await worker.standby_ready()
-        standby = worker.standby_pid
-        assert worker.pid is not None
+        first, server = worker.pid, worker.fork_server_pid
+        assert first is not None
+        assert server is not None
         waiting = asyncio.create_task(worker.check("slow"))
-        os.killpg(worker.pid, signal.SIGKILL)
+        os.kill(first, signal.SIGKILL)
         with pytest.raises(WorkerLost):
             await waiting
         await worker.check("")
-        assert worker.pid == standby
+        assert worker.fork_server_pid == server
+        assert worker.pid is not None
+        assert psutil.Process(worker.pid).ppid() == server
 
     keeping(play, config)
 
 
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGSTOP])
-def test_a_standby_that_is_lost_while_it_waits_is_replaced_at_once(
-    how: signal.Signals, config: Config, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("rosy_sim.worker.supervisor._STANDBY_DELAY", 0.0)
-    monkeypatch.setattr("rosy_sim.worker.standby._PROBE_INTERVAL", 0.05)
-
+def test_a_fork_server_that_is_lost_is_replaced_when_it_is_needed(how: signal.Signals, config: Config) -> None:
     async def play(worker: WorkerSupervisor, states: list[WorkerStatus]) -> None:
         await worker.check("")
-        await worker.standby_ready()
-        first = worker.standby_pid
+        first, server = worker.pid, worker.fork_server_pid
         assert first is not None
-        os.kill(first, how)
-        while worker.standby_pid in (None, first):
+        assert server is not None
+        os.kill(server, how)
+        if how == signal.SIGSTOP:
+            # Nothing is asked of it while its worker lives.
+            await worker.check("")
+            assert states == ["ready"]
+            os.kill(first, signal.SIGKILL)
+        while worker.pid in (None, first):
             await asyncio.sleep(0.01)
-        await worker.standby_ready()
-        assert states == ["ready"]
+        await worker.check("")
+        assert worker.fork_server_pid not in (None, server)
+        assert states == ["ready", "restarting", "ready"]
 
     keeping(play, config)
 
 
 def test_a_worker_that_is_stopped_before_it_is_warm_is_replaced(config: Config) -> None:
     async def play(worker: WorkerSupervisor, _: list[WorkerStatus]) -> None:
-        while (first := worker.pid) is None:
+        while (first := worker.fork_server_pid) is None:
             await asyncio.sleep(0)
         os.kill(first, signal.SIGSTOP)
         await worker.check("")
-        assert worker.pid != first
+        assert worker.fork_server_pid != first
 
     keeping(play, config)
 

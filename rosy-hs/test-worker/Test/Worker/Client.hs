@@ -10,6 +10,7 @@ module Test.Worker.Client
   ( -- * A worker
     Worker (..),
     withWorker,
+    forked,
     tell,
     tellBytes,
     hear,
@@ -39,6 +40,7 @@ module Test.Worker.Client
     descriptorsOf,
     threadStatus,
     anonymousMemory,
+    privateMemory,
     isAlive,
     eventually,
   )
@@ -151,14 +153,33 @@ kill i = object ["op" .= ("kill" :: Text), "id" .= i]
 -- | Asks for a run; gives the other end of its link.
 run :: Worker -> Value -> Text -> Int -> IO Link
 run worker i source memory = do
+  mine <- tellWithSocket worker (object ["op" .= ("run" :: Text), "id" .= i, "source" .= source, "memory" .= memory])
+  Link mine <$> newIORef ""
+
+-- | A worker that another one has forked, warm.
+forked :: Worker -> Value -> IO Worker
+forked worker i = do
+  mine <- tellWithSocket worker (object ["op" .= ("fork" :: Text), "id" .= i])
+  buffer <- newIORef ""
+  answer <- hear worker
+  case (text "op" answer, field "pid" answer) of
+    ("forked", Number pid) -> do
+      let new = worker {socketOf = mine, unread = buffer, processId = truncate pid}
+      first <- hear new
+      unless (text "op" first == "ready") (fail ("the forked worker said " ++ show first))
+      pure new
+    _ -> fail ("the worker said " ++ show answer)
+
+-- | Sends a request with one end of a new socket pair; gives the other end.
+tellWithSocket :: Worker -> Value -> IO Socket
+tellWithSocket worker request = do
   (mine, theirs) <- socketPair AF_UNIX Stream defaultProtocol
   mapM_ (`withFdSocket` (\fd -> setFdOption (Fd fd) CloseOnExec True)) [mine, theirs]
-  let line = Lazy.toStrict (encode (object ["op" .= ("run" :: Text), "id" .= i, "source" .= source, "memory" .= memory])) <> "\n"
+  let line = Lazy.toStrict (encode request) <> "\n"
   sent <- withFdSocket (socketOf worker) $ \to -> withFdSocket theirs $ \descriptor ->
     unsafeUseAsCStringLen line (\(bytes, size) -> test_send_with to bytes (fromIntegral size) descriptor)
   tellBytes worker (ByteString.drop (fromIntegral sent) line)
-  close theirs
-  Link mine <$> newIORef ""
+  mine <$ close theirs
 
 field :: Text -> Value -> Value
 field name (Object o) = fromMaybe Null (KeyMap.lookup (Key.fromText name) o)
@@ -223,6 +244,12 @@ anonymousMemory :: Int -> IO Int
 anonymousMemory pid = do
   found <- try (readFile ("/proc/" ++ show pid ++ "/statm") >>= \s -> length s `seq` pure s) :: IO (Either IOException String)
   pure (case words (fromRight "" found) of _ : resident : shared : _ -> (read resident - read shared) * 4096; _ -> 0)
+
+-- | Bytes of memory that a process shares with no other. proc(5), @smaps_rollup@, in kB.
+privateMemory :: Int -> IO Int
+privateMemory pid = do
+  found <- readFile ("/proc/" ++ show pid ++ "/smaps_rollup")
+  pure (sum [read kB * 1024 | key : kB : _ <- map words (lines found), key `elem` ["Private_Clean:", "Private_Dirty:"]])
 
 isAlive :: Int -> IO Bool
 isAlive pid = doesDirectoryExist ("/proc/" ++ show pid)

@@ -38,6 +38,30 @@ tests borrow =
           mapM_ closeLink links
         eventually "no child is left" (null <$> childrenOf (processId worker))
         eventually "no descriptor is left" ((<= before) <$> descriptorsOf (processId worker)),
+      testCase "a forked worker serves its own socket, shares the memory of the first, and its end is told" $
+        withWorker [] $ \worker -> do
+          new <- forked worker "second"
+          [checked, other] <- forM [new, worker] (`ask` check (Number 1) "main = simulate (Velocity 0.1 0)\n")
+          (text "op" checked, field "problems" checked) @?= ("checked", toJSON ([] :: [Value]))
+          checked @?= other
+          own <- privateMemory (processId new)
+          whole <- anonymousMemory (processId worker)
+          assertBool (show (own, whole)) (own * 4 < whole)
+          gone <- ask worker (kill "second")
+          (text "op" gone, text "id" gone, field "signal" gone) @?= ("gone", "second", Number 9),
+      testCase "a forked worker ends, with its programs, when its socket is closed or its fork server dies" $
+        withWorker [] $ \worker -> do
+          one <- forked worker "one"
+          two <- forked worker "two"
+          withRun one "running" idle (64 * megabytes) $ \_ -> do
+            _ <- hear one
+            [program] <- childrenOf (processId one)
+            closeWorker one
+            gone <- hear worker
+            (text "op" gone, text "id" gone) @?= ("gone", "one")
+            eventually "the program has ended" (not <$> isAlive program)
+          signalProcess sigKILL (fromIntegral (processId worker))
+          eventually "the other one has ended" (not <$> isAlive (processId two)),
       testCase "a run can be ended while it compiles" $ do
         worker <- borrow
         withRun worker "bomb" bomb (64 * megabytes) $ \_ -> do

@@ -52,6 +52,8 @@ data Request
   = Ask Id Question
   | -- | The source and the bytes of memory the run may take.
     Run Id Text Int
+  | -- | Serve another socket in a forked worker.
+    Fork Id
   | Kill Id
   | -- | Liveness probe.
     Ping Id
@@ -85,6 +87,7 @@ request i o = do
     "check" -> Ask i . Check <$> source
     "complete" -> (\s l c -> Ask i (Complete s (Position l c))) <$> source <*> o .: "line" <*> o .: "column"
     "run" -> Run i <$> source <*> o .: "memory"
+    "fork" -> pure (Fork i)
     "kill" -> pure (Kill i)
     "ping" -> pure (Ping i)
     other -> fail ("There is no request called " ++ show other ++ ".")
@@ -106,6 +109,8 @@ data Answer
     QuestionAnswered Question Id ByteString
   | Started Id ByteString
   | Refused Id ByteString
+  | -- | Process id of a forked worker.
+    Forked Id Int
   | -- | Exit code or signal, active function, and a problem reported by the worker.
     RunEnded Id (Either Int Int) (Maybe Text) (Maybe Problem)
   | Pong Id
@@ -118,6 +123,7 @@ answerLine answer = case answer of
   QuestionAnswered (Complete _ _) i fields -> spliced [op "completed", "id" .= i] fields
   Started i fields -> spliced [op "started", "id" .= i] fields
   Refused i fields -> spliced [op "refused", "id" .= i] fields
+  Forked i pid -> whole [op "forked", "id" .= i, "pid" .= pid]
   RunEnded i how firing problem ->
     whole $
       [op "gone", "id" .= i, either ("exit" .=) ("signal" .=) how]

@@ -5,7 +5,7 @@
 -- Description : Event loop of the worker: relays between the service and forked children.
 --
 -- Waits in one poll for requests, answers of children and their exits. It compiles nothing itself and runs no learner's code, so no
--- program can harm it; every child is reaped.
+-- program can harm it; every child is reaped. A child can also be another worker, which shares the memory of this one.
 module Rosy.Worker.Server
   ( Config (..),
     serve,
@@ -81,6 +81,9 @@ data Job = Job
 -- | A run that waits for others to be compiled: id, source, bytes of memory, link.
 data RunRequest = RunRequest Id Text Int Fd
 
+-- | A worker to be forked: id, socket.
+data ForkRequest = ForkRequest Id Fd
+
 data State = State
   { incoming :: LineBuffer,
     -- | Received descriptors whose run request has not arrived yet.
@@ -93,6 +96,10 @@ data State = State
     waiting :: Seq (Id, Question),
     -- | Runs whose compilation has not begun.
     waitingRuns :: Seq RunRequest,
+    -- | Workers that are not forked yet.
+    waitingForks :: Seq ForkRequest,
+    -- | Forked workers, by process id.
+    workers :: Map.Map Int Id,
     -- | When memory is looked at again; 'getMonotonicTime'.
     nextLook :: Double,
     -- | By 'questionBytes'.
@@ -102,17 +109,20 @@ data State = State
 
 -- | Serves until the service closes its end; then all children are killed.
 serve :: Config -> Session -> IO ()
-serve config session = do
+serve config session = compactHeap >> serveCompacted config session
+
+-- | The same in a process whose heap is compact already: a forked worker shares it with its parent.
+serveCompacted :: Config -> Session -> IO ()
+serveCompacted config session = do
   ended <- watchChildren
-  compactHeap
-  let begun = State emptyLineBuffer Seq.empty (Seq.singleton (answerLine (Ready compilerVersion))) Map.empty emptyPool Seq.empty Seq.empty 0 emptyCache False
+  let begun = State emptyLineBuffer Seq.empty (Seq.singleton (answerLine (Ready compilerVersion))) Map.empty emptyPool Seq.empty Seq.empty Seq.empty Map.empty 0 emptyCache False
   loop config session ended begun
 
 loop :: Config -> Session -> Fd -> State -> IO ()
 loop config session ended = go
   where
     go s
-      | peerGone s = forM_ (Map.keys (jobs s) ++ map fst (pollDescriptors (pool s))) (signalProcess sigKILL . fromIntegral)
+      | peerGone s = forM_ (Map.keys (jobs s) ++ map fst (pollDescriptors (pool s)) ++ Map.keys (workers s)) (signalProcess sigKILL . fromIntegral)
       | otherwise = do
         now <- getMonotonicTime
         let listening = [(fd, pid) | (pid, Job {answers = Just fd}) <- Map.toList (jobs s)]
@@ -131,7 +141,7 @@ loop config session ended = go
             s2 <- if reaping then drain ended >> reapChildren s1 else pure s1
             s3 <- killExpired s2 >>= enforceCeilings config
             s4 <- if mine then receiveRequests config s3 else pure s3
-            s5 <- dispatchQuestions config session s4 >>= dispatchRuns config session
+            s5 <- dispatchQuestions config session s4 >>= dispatchRuns config session >>= dispatchForks config session
             s6 <- if canWrite || not (Seq.null (outgoing s5)) then flush config s5 else pure s5
             go s6
           _ -> go s
@@ -163,8 +173,8 @@ handle s (Line bytes)
   | ByteString.null bytes = pure s
   | otherwise = case parseRequest bytes of
     Left (i, sentence) -> do
-      -- An invalid run request has still sent its descriptor.
-      s' <- if "\"run\"" `ByteString.isInfixOf` bytes then dropPassenger s else pure s
+      -- An invalid request has still sent its descriptor.
+      s' <- if any (`ByteString.isInfixOf` bytes) ["\"run\"", "\"fork\""] then dropPassenger s else pure s
       pure (reply (Failed i sentence) s')
     Right (Ask i question) -> case lookupEntry (questionBytes question) (cache s) of
       Just (fields, after) -> do
@@ -175,6 +185,9 @@ handle s (Line bytes)
     Right (Run i source memory) -> case pendingDescriptors s of
       Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
       fd :<| others -> pure s {pendingDescriptors = others, waitingRuns = waitingRuns s |> RunRequest i source memory fd}
+    Right (Fork i) -> case pendingDescriptors s of
+      Empty -> pure (reply (Failed i "A forked worker needs the descriptor of its socket.") s)
+      fd :<| others -> pure s {pendingDescriptors = others, waitingForks = waitingForks s |> ForkRequest i fd}
     Right (Kill i) -> kill i s
     Right (Ping i) -> pure (reply (Pong i) s)
 
@@ -199,7 +212,7 @@ flush config s = case outgoing s of
 
 kill :: Id -> State -> IO State
 kill i s = do
-  forM_ [pid | (pid, job) <- Map.toList (jobs s), jobId job == i] (signalProcess sigKILL . fromIntegral)
+  forM_ ([pid | (pid, job) <- Map.toList (jobs s), jobId job == i] ++ [pid | (pid, j) <- Map.toList (workers s), i == j]) (signalProcess sigKILL . fromIntegral)
   cancelQuestion i (pool s)
   let (dropped, kept) = Seq.partition ((== i) . fst) (waiting s)
       (droppedRuns, keptRuns) = Seq.partition (\(RunRequest j _ _ _) -> j == i) (waitingRuns s)
@@ -264,6 +277,17 @@ startRun config session i source memory link s = do
   closeFd link
   now <- getMonotonicTime
   pure s {jobs = Map.insert (fromIntegral pid) (Job i shared False (Just mine) emptyLineBuffer (Just (newBudget (compileSeconds config) now 0)) False Nothing "") (jobs s)}
+
+-- | Forks the workers that were asked for. Each shares this process's memory, also its session, and serves its own socket.
+dispatchForks :: Config -> Session -> State -> IO State
+dispatchForks config session s = case waitingForks s of
+  Empty -> pure s
+  ForkRequest i fd :<| others -> do
+    pid <- forkProcess $ do
+      becomeWorker [fd, nullFd (settings config)]
+      serveCompacted config {socket = fd} session
+    closeFd fd
+    dispatchForks config session (reply (Forked i (fromIntegral pid)) s {waitingForks = others, workers = Map.insert (fromIntegral pid) i (workers s)})
 
 -- | Reads the output of a run.
 receiveFromRun :: Fd -> Int -> State -> IO State
@@ -354,16 +378,18 @@ reapChildren s = do
       (said, after) <- removeExited pid how (pool s')
       foldM (flip report) s' {pool = after} said >>= finishRun pid how >>= reapChildren
 
--- | Reports the end of a run.
+-- | Reports the end of a run or of a forked worker.
 finishRun :: Int -> ProcessEnd -> State -> IO State
 finishRun pid how s = case Map.lookup pid (jobs s) of
-  Nothing -> pure s
+  Nothing
+    | Just i <- Map.lookup pid (workers s) -> pure (reply (RunEnded i (exitOrSignal how) Nothing Nothing) s {workers = Map.delete pid (workers s)})
+    | otherwise -> pure s
   Just job -> do
     mapM_ closeFd (answers job)
     let rest = s {jobs = Map.delete pid (jobs s)}
         i = jobId job
         wasKilled = how == Signalled 9 && isNothing (overrun job)
-        gone = RunEnded i (case how of Exited n -> Left n; Signalled n -> Right n)
+        gone = RunEnded i (exitOrSignal how)
     -- Copied once, because other processes may still write to the page.
     firing <- activeFunctionName <$> readSharedPage (page job)
     freeSharedPage (page job)
@@ -384,6 +410,11 @@ finishRun pid how s = case Map.lookup pid (jobs s) of
       | otherwise = Nothing
     isExit (Exited n) = n /= heapOverflowExitCode
     isExit _ = False
+
+exitOrSignal :: ProcessEnd -> Either Int Int
+exitOrSignal how = case how of
+  Exited n -> Left n
+  Signalled n -> Right n
 
 -- | The run-time system exits with a code of its own at its limit, and aborts at the kernel's limit.
 outOfMemory :: ProcessEnd -> Bool

@@ -35,6 +35,7 @@ module Rosy.Worker.SystemCalls
     -- * Restricting a child
     dropCapabilities,
     restrictChild,
+    becomeWorker,
     protectMemory,
     lowerPriority,
     setProcessName,
@@ -102,6 +103,8 @@ foreign import ccall unsafe rosy_name :: CString -> IO CInt
 foreign import ccall unsafe rosy_nice :: CInt -> IO CInt
 
 foreign import ccall unsafe rosy_drop_capabilities :: IO CInt
+
+foreign import ccall unsafe rosy_fork_begin :: CInt -> Ptr CInt -> IO CInt
 
 foreign import ccall unsafe rosy_child_begin :: CInt -> Ptr CInt -> CInt -> CInt -> CInt -> IO CInt
 
@@ -275,6 +278,10 @@ dropCapabilities = void $ orThrow "dropping capabilities" rosy_drop_capabilities
 restrictChild :: [Fd] -> Fd -> Bool -> Bool -> IO ()
 restrictChild keep (Fd nullFd) noFiles noPrivileges =
   void $ withArrayLen [fd | Fd fd <- keep] (\n fds -> orThrow "becoming a child" (rosy_child_begin (fromIntegral n) fds nullFd (flag noFiles) (flag noPrivileges)))
+
+-- | In a forked worker: dies with its parent, and closes the parent's descriptors except these and 0 to 2.
+becomeWorker :: [Fd] -> IO ()
+becomeWorker keep = void $ withArrayLen [fd | Fd fd <- keep] (\n fds -> orThrow "becoming a worker" (rosy_fork_begin (fromIntegral n) fds))
 
 -- | Makes sure that no memory of this process is both writable and executable. 'filterRunning' keeps it so.
 protectMemory :: IO ()
