@@ -4,6 +4,7 @@ import {writeFileSync} from "node:fs"
 import {expect, type Locator} from "@playwright/test"
 import {boxAtRest} from "./at_rest.ts"
 import {Finger} from "./finger.ts"
+import {Floor} from "./floor.ts"
 import {Learner} from "./learner.ts"
 import {test} from "./story.ts"
 
@@ -82,6 +83,60 @@ for (const size of sizes)
       await expect(page.getByTestId("problems")).toContainText("No problems")
     })
   })
+
+test.describe("with a finger", () => {
+  test.use({viewport: {width: 820, height: 1180}, hasTouch: true, isMobile: true})
+
+  test("a tap on the robot, beside its trail, and on a value asks why; a drag still moves the robot", async ({
+    page,
+  }) => {
+    const learner = new Learner(page)
+    await learner.opens("accelerateAndPlay")
+    const console = page.getByTestId("console")
+    await page.getByRole("button", {name: "Trail, picture and film"}).tap()
+    await page.getByRole("checkbox", {name: "Show values in the program"}).check()
+    await page.keyboard.press("Escape")
+    await learner.runs()
+    await expect(console).toContainText("Bumper CenterBumper Pressed")
+    await page.getByRole("button", {name: "Pause", exact: true}).tap()
+    const heading = page.getByTestId("why").getByRole("heading")
+    const closes = async () => {
+      await page.getByRole("button", {name: "Close the answer"}).tap()
+      await expect(heading).toHaveCount(0)
+    }
+    const metres = async (what: "x" | "y") =>
+      Number.parseFloat((await learner.robot(what).textContent()) ?? "")
+    const floor = new Floor(page, [5, 4])
+    const before = [await metres("x"), await metres("y")] as const
+
+    await page.touchscreen.tap(...(await floor.pixel(...before)))
+    await expect(heading).toHaveText("Why does it move like this?")
+    await learner.keeps("touch-why-robot")
+    await closes()
+    expect([await metres("x"), await metres("y")]).toEqual(before)
+
+    const [x, y] = await floor.pixel(3, before[1])
+    await page.touchscreen.tap(x, y + 20)
+    await expect(heading).toHaveText(/^Why was the robot there at \d+\.\d\d s\?$/)
+    await closes()
+    await learner.definition("accelerate").locator("> .rosyValue").tap()
+    await expect(heading).toHaveText("Why did accelerate run?")
+    await closes()
+    await console.getByRole("button", {name: "Why ErrorSound?"}).tap()
+    await expect(page.getByTestId("why-answer")).toContainText(/play sent ErrorSound/)
+    await closes()
+
+    const finger = await Finger.on(page)
+    const [fromX, fromY] = await floor.pixel(...before)
+    await finger.takesUp({x: fromX, y: fromY})
+    const [toX, toY] = await floor.pixel(2, 3)
+    await finger.movesTo({x: toX, y: toY})
+    await finger.letsGo()
+    await expect.poll(() => metres("x")).toBeLessThan(3)
+    await expect(heading).toHaveCount(0)
+    await learner.stops()
+  })
+})
 
 /// All of it is in the window.
 async function isInWindow(target: Locator): Promise<void> {

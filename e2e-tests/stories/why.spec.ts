@@ -103,3 +103,61 @@ test("a function that waits for a bumper: why did it not run, and why was no sou
   await expect(answer(page)).toContainText("play takes a Bumper; none came")
   await learner.stops()
 })
+
+test("shown values ask why: in the text, on blocks, in the diagram, and by key; so does a command in an answer", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await learner.opens("forwardBackward")
+  await page.getByRole("button", {name: "Diagram", exact: true}).click()
+  await page.getByRole("button", {name: "Trail, picture and film"}).click()
+  await page.getByRole("checkbox", {name: "Show values in the program"}).check()
+  await page.keyboard.press("Escape")
+  await learner.runs()
+  await expect(page.getByTestId("console")).toContainText("Bumper CenterBumper Pressed")
+  await page.getByRole("button", {name: "Pause", exact: true}).click()
+  const heading = page.getByTestId("why").getByRole("heading")
+  const asks = async (question: string, ask: () => Promise<void>) => {
+    await ask()
+    await expect(heading).toHaveText(question)
+    await page.getByRole("button", {name: "Close the answer"}).click()
+    await expect(heading).toHaveCount(0)
+  }
+  const inText = (line: string) => page.locator(".cm-line", {hasText: line}).locator(".hs-value")
+  const memory = "Why does Memory Bool have its value?"
+  await asks(memory, () => inText("type Hit").click())
+  await asks("Why did bump run?", () => inText("bump ::").click())
+  await asks(memory, () => learner.definition("Hit").locator("> .rosyValue").click())
+  await asks("Why did bump run?", () => learner.definition("bump").locator("> .rosyValue").click())
+  const diagram = page.locator("svg.diagram")
+  await asks(memory, () => diagram.locator(".node.store text.value").click())
+  await asks("What happened with Bumper?", () => diagram.locator(".node.event text.value").click())
+  await asks("Why does it move like this?", () => diagram.locator(".node.state text.value").click())
+  await learner.findsInHaskell("bump _")
+  await asks("Why did bump run?", () => page.keyboard.press("Shift+Alt+W"))
+
+  // A type does not run; a value of it can be asked about.
+  await learner.definition("Hit").click({button: "right", position: {x: 8, y: 8}})
+  await expect(page.getByRole("menuitem", {name: "Why does it have this value?"})).toBeVisible()
+  await expect(page.getByRole("menuitem", {name: /Hit .*run/})).toHaveCount(0)
+  await asks(memory, () => page.getByRole("menuitem", {name: "Why does it have this value?"}).click())
+
+  // A node under the pointer or with the keyboard tells its type and its last value.
+  const told = (kind: string) => diagram.locator(`.node.${kind} > title`)
+  await diagram.locator(".node.function").first().hover()
+  await expect(told("function").first()).toHaveText(
+    /^bump\ntype Bumper -> Memory Hit\nlast: Bumper CenterBumper (Pressed|Released) → Memory True/,
+  )
+  await diagram.locator(".node.command").focus()
+  await expect(told("command")).toHaveText(/^Velocity\ntype Velocity\nlast: Velocity /)
+
+  // One step further back by a command in the answer.
+  await asks("Why did forwardBackward run?", () => inText("forwardBackward ::").click())
+  await inText("forwardBackward ::").click()
+  await answer(page)
+    .getByRole("button", {name: /^Velocity/})
+    .click()
+  await expect(heading).toHaveText(/^Why Velocity \S+ \S+\?$/)
+  await expect(answer(page)).toContainText(new RegExp(`^At ${time} forwardBackward sent Velocity`))
+  await learner.stops()
+})

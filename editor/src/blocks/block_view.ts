@@ -53,7 +53,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   setScrollBarThickness()
   const workspace = inject(host, options, toolboxInfo(language, level))
   const marks = new Annotations(workspace)
-  const values = new ValueLabels(workspace)
+  const values = new ValueLabels(workspace, block => options.questions?.whyValue(block))
   const comments = new TeacherComments(workspace)
   const away = cullByViewport(workspace, host)
   const stopScrollBars = showScrollBarsInUse(workspace, host)

@@ -38,6 +38,9 @@ export interface Questions {
   /// Whether a block is part of a case that a function may take, and the question why it did not.
   hasCase(block: BlockId): boolean
   whyNotCase(block: BlockId): void
+  /// Whether a definition has values, and the question why they are as they are.
+  hasValue(definition: BlockId): boolean
+  whyValue(definition: BlockId): void
 }
 
 export interface History {

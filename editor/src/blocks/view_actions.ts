@@ -91,13 +91,25 @@ function menuActions(
     focusSearch: () => focusSearch(workspace),
     offerBlocks: () => offerBlocks(workspace),
     copied,
-    functionToAsk: block =>
-      options.questions?.canAsk() === true
-        ? (inference().definitions.get(block.getRootBlock().id)?.name ?? null)
-        : null,
+    functionToAsk(block) {
+      const name = inference().definitions.get(block.getRootBlock().id)?.name
+      // A type does not run.
+      return options.questions?.canAsk() === true && name !== undefined && !isType(name) ? name : null
+    },
     askWhy: name => options.questions?.why(name),
     askWhyNot: name => options.questions?.whyNot(name),
     hasCase: block => options.questions?.hasCase(block.id) === true,
+    typeToAsk(block) {
+      const {id} = block.getRootBlock()
+      // Functions have a type of their own; a type has none.
+      const name = inference().definitions.get(id)?.name
+      const mayBeType = name === undefined || isType(name)
+      return mayBeType && options.questions?.hasValue(id) === true ? id : null
+    },
+    askWhyValue: definition => options.questions?.whyValue(definition),
     askWhyNotCase: block => options.questions?.whyNotCase(block.id),
   }
 }
+
+/// Names of types begin with a capital letter, or a colon; those of functions do not.
+const isType = (name: string): boolean => /^[\p{Lu}\p{Lt}:]/u.test(name)

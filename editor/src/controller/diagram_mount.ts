@@ -9,9 +9,11 @@ import {innermostBlock, offsetOf, type Program, textRangeOf} from "../state/prog
 import {framesBetween} from "../state/recording.ts"
 import {shownFrame} from "../state/room_state.ts"
 import type {Store} from "../state/store.ts"
+import {lastOf} from "../values/last_values.ts"
 import {causalPath, noPath} from "../why/causal_path.ts"
 import type {Explanation} from "../why/explanation.ts"
-import {words} from "../words/index.ts"
+import {nodeQuestions} from "../why/node_questions.ts"
+import {measures, words} from "../words/index.ts"
 import type {PageParts} from "./page_parts.ts"
 
 export interface DiagramMount {
@@ -40,6 +42,13 @@ export function openDiagramMount(store: Store, parts: PageParts): DiagramMount {
       view = openDiagram(into, {
         words: words.diagram,
         chosen: node => choose(store, parts, node),
+        valueClicked(node) {
+          const {room} = store.now
+          const time = room.lookedAt ?? room.frame?.time ?? null
+          const question = time === null || room.run === null ? undefined : nodeQuestions(node, time)[0]
+          if (question !== undefined) store.dispatch({kind: "why", event: {kind: "asked", question}})
+        },
+        lastOf: node => lastOf(store.now.room, node, words.why, measures),
         typeOf: node => store.now.declared.find(d => d.name === node.key)?.type ?? null,
         drawn,
       })
@@ -75,6 +84,12 @@ export function openDiagramMount(store: Store, parts: PageParts): DiagramMount {
   return {
     mount(into) {
       host = into
+      // While a node may be asked for its last value, the page follows the firings.
+      const points = (isPointedAt: boolean) => store.dispatch({kind: "diagram-pointed", isPointedAt})
+      into.addEventListener("pointerenter", () => points(true))
+      into.addEventListener("pointerleave", () => points(false))
+      into.addEventListener("focusin", () => points(true))
+      into.addEventListener("focusout", () => points(false))
     },
     update(state, now) {
       if (host === null || !isShown(state)) return

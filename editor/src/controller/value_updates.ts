@@ -44,7 +44,7 @@ export function openValueUpdates(parts: PageParts): (state: PageState, now: numb
     const values = labels.map(label => ({...label, room: roomOf(label)}))
     const taken = labels.length === 0 ? noBranches : takenBranches(state)
     parts.source?.showValues(
-      values.map(value => ({...value, at: value.definition.start})),
+      values.map(value => ({...value, at: value.definition.start, block: value.definition.block})),
       taken.ranges,
     )
     parts.blocks?.showValues(

@@ -6,11 +6,13 @@ import type {SharedClipboard} from "../blocks/interaction/clipboard.ts"
 import type {ProgramStore} from "../browser/program_store.ts"
 import {openExplanations} from "../browser/remote_resources.ts"
 import type {NumberDragListener} from "../preview/number_grip.ts"
+import type {QuestionTarget} from "../room/question_targets.ts"
 import {openRoom} from "../room/room_view.ts"
 import {openWorldEditor} from "../room/world_editor_view.ts"
 import {openHaskellPane} from "../source/haskell_pane.ts"
-import {signatureFix} from "../state/program.ts"
+import {type BlockId, signatureFix} from "../state/program.ts"
 import type {Store} from "../state/store.ts"
+import {definitionQuestion} from "../values/value_labels.ts"
 import {caseQuestion} from "../why/untaken_case.ts"
 import {lookedBackFor, motionQuestion, type Question} from "../why/why_state.ts"
 import {words} from "../words/index.ts"
@@ -81,11 +83,19 @@ export function mountBlocks(
         const question = caseQuestion(store.now, block)
         if (question !== null) store.dispatch({kind: "why", event: {kind: "asked", question}})
       },
+      hasValue: block => definitionQuestion(store.now, block) !== null,
+      whyValue: block => askOfDefinition(store, block),
     },
   })
   parts.blocks = blocks
   blocks.onChange(({workspace, inference}) => editor.blocksEdited(workspace, inference))
   blocks.onSelect(block => store.dispatch({kind: "selected", block: block ?? null, in: "blocks"}))
+}
+
+/// Asks why the values at a definition are as they are, if there are any.
+function askOfDefinition(store: Store, block: BlockId): void {
+  const question = definitionQuestion(store.now, block)
+  if (question !== null) store.dispatch({kind: "why", event: {kind: "asked", question}})
 }
 
 /// `edited` is called with each edit, before the document has it.
@@ -106,6 +116,12 @@ export function mountSource(
     format: commands.format,
     explainer: {about: openExplanations().about, more: words.readMore},
     cursorMoved: editor.cursorMoved,
+    valueClicked: block => askOfDefinition(store, block),
+    asked(offset) {
+      const {definitions} = store.now.document.program
+      const around = definitions.find(({start, end}) => start <= offset && offset <= end)
+      if (around !== undefined) askOfDefinition(store, around.block)
+    },
     mend: commands.applyFix,
     numbers: {...numbers, hint: words.preview.dragNumber},
     fixHere(offset) {
@@ -146,9 +162,21 @@ export function mountRoom(canvas: HTMLCanvasElement, {store, parts}: MountContex
       const {room} = store.now
       const time = room.lookedAt ?? room.frame?.time ?? null
       if (room.run === null || time === null) return
-      const question: Question =
-        about.kind === "robot" ? motionQuestion(time) : {kind: "position", time: about.time ?? time}
-      store.dispatch({kind: "why", event: {kind: "asked", question}})
+      store.dispatch({kind: "why", event: {kind: "asked", question: questionAbout(about, time)}})
     },
   })
+}
+
+/// `time` is the displayed moment, s.
+function questionAbout(about: QuestionTarget, time: number): Question {
+  switch (about.kind) {
+    case "robot":
+      return motionQuestion(time)
+    case "place":
+      return {kind: "position", time: about.time ?? time}
+    case "led":
+      return {kind: "command", command: about.command, value: "", time}
+    case "speech":
+      return {kind: "command", command: "Say", value: about.text, time: about.time}
+  }
 }

@@ -39,6 +39,7 @@ export function drawEdge(edge: DiagramEdge, route: readonly Point[], toJoin: boo
   }
   const {x, y, room} = labelPlace(route)
   const text = svgElement("text", {class: "carried", x, y: y - 6})
+  text.dataset["edge"] = edge.id
   const title = svgElement("title")
   group.append(title)
   return {group, text, title, most: Math.floor(room / valueCharWidth)}

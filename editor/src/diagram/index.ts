@@ -20,7 +20,9 @@ export type {OutlineLine} from "./outline.ts"
 export interface DiagramOptions {
   readonly words: ViewWords
   chosen(node: DiagramNode): void
+  valueClicked(node: DiagramNode): void
   typeOf(node: DiagramNode): string | null
+  lastOf(node: DiagramNode): string | null
   /// A new drawing is there, or none could be made.
   drawn(outcome: "drawn" | "empty" | "failed"): void
 }
@@ -58,7 +60,9 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
   const drawing = openDrawing(host, {
     words: options.words,
     chosen: options.chosen,
+    valueClicked: options.valueClicked,
     typeOf: options.typeOf,
+    lastOf: options.lastOf,
     toggled(id) {
       const next = new Set(folded)
       if (!next.delete(id)) next.add(id)

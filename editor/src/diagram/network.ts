@@ -67,6 +67,12 @@ export interface Network {
   readonly edges: readonly DiagramEdge[]
 }
 
+/// The node whose value an edge carries: a source or a store before a function; a command, an event or a store behind it.
+export function valuedNode({nodes}: Network, {from, to}: DiagramEdge): string {
+  const kind = nodes.find(node => node.id === from)?.kind
+  return kind === "either" || kind === "all" || kind === "function" ? to : from
+}
+
 /// A text on one line, cut at `longest` characters.
 export function shortened(text: string, longest: number): string {
   const line = text.replace(/\s+/g, " ").trim()

@@ -6,7 +6,7 @@ import {type DrawnEdge, drawEdge} from "./edge_drawing.ts"
 import {explained} from "./explained.ts"
 import {neighbour} from "./keyboard_navigation.ts"
 import type {Layout} from "./layout.ts"
-import {firstOf, isContainer, isJoin, type Network, shortened} from "./network.ts"
+import {firstOf, isContainer, isJoin, type Network, shortened, valuedNode} from "./network.ts"
 import {type DrawnNode, drawNode, fitting} from "./node_drawing.ts"
 import {outline} from "./outline.ts"
 import {svgElement} from "./svg_element.ts"
@@ -133,21 +133,32 @@ export function openDrawing(host: HTMLElement, options: ViewOptions): DrawnDiagr
     }
     appearance = next
     wroteAt = now
+    const pointedAt = nodes.get(told ?? "")
+    if (pointedAt !== undefined) tell(pointedAt)
   }
 
   // Type and last value, when they are asked for.
-  svg.addEventListener("pointerover", event => {
-    const drawn = nodeOf(event.target)
-    if (drawn === null) return
-    const {node} = drawn
+  const tell = ({node, title}: DrawnNode) => {
     const type = node.kind === "function" ? options.typeOf(node) : node.key
-    const value = appearance.atNodes.get(node.id)
-    const last = node.kind === "function" ? null : value === undefined ? words.notYet : words.lastValue(value)
+    const value = appearance.atNodes.get(node.id) ?? options.lastOf(node)
+    // Frames have every value of these.
+    const isTold = node.kind === "event" || node.kind === "state" || node.kind === "store"
+    const last = value !== null ? words.lastValue(value) : isTold ? words.notYet : null
     const messages = node.topic === null ? [] : [node.topic.name, node.topic.type]
-    drawn.title.textContent = [node.label, type === null ? null : words.type(type), ...messages, last]
+    const text = [node.label, type === null ? null : words.type(type), ...messages, last]
       .filter(Boolean)
       .join("\n")
-  })
+    if (title.textContent !== text) title.textContent = text
+  }
+  /// The node that the pointer or the keyboard came to last.
+  let told: string | null = null
+  const point = (event: Event) => {
+    const drawn = nodeOf(event.target)
+    told = drawn?.node.id ?? null
+    if (drawn !== null) tell(drawn)
+  }
+  svg.addEventListener("pointerover", point)
+  svg.addEventListener("focusin", point)
   const nodeOf = (target: EventTarget | null): DrawnNode | null => {
     const group = target instanceof Element ? target.closest<SVGGElement>("[data-node]") : null
     return nodes.get(group?.dataset.node ?? "") ?? null
@@ -159,9 +170,18 @@ export function openDrawing(host: HTMLElement, options: ViewOptions): DrawnDiagr
     else options.chosen(drawn.node)
   }
   svg.addEventListener("click", event => {
-    const drawn = nodeOf(event.target)
+    const valued = valuedAt(event.target)
+    if (valued !== null) options.valueClicked(valued.node)
+    const drawn = valued ?? nodeOf(event.target)
     if (drawn?.group.hasAttribute("tabindex")) choose(drawn)
   })
+  /// The node whose value is written at a place: on the node itself, or on an edge.
+  const valuedAt = (target: EventTarget | null): DrawnNode | null => {
+    const text = target instanceof Element ? target.closest<SVGTextElement>("text.value, text.carried") : null
+    if (text === null || text.textContent === "") return null
+    const edge = shownNetwork.edges.find(one => one.id === text.dataset["edge"])
+    return edge === undefined ? nodeOf(text) : (nodes.get(valuedNode(shownNetwork, edge)) ?? null)
+  }
   svg.addEventListener("keydown", event => {
     const drawn = nodeOf(event.target)
     if (drawn === null || event.ctrlKey || event.metaKey || event.altKey) return

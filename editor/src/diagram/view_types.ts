@@ -24,8 +24,12 @@ export interface ViewOptions {
   chosen(node: DiagramNode): void
   /// A container was opened or closed.
   toggled(id: string): void
+  /// The learner clicked on the value of a node.
+  valueClicked(node: DiagramNode): void
   /// The type of a function.
   typeOf(node: DiagramNode): string | null
+  /// The latest value that frames do not tell: what a function took and gave, a command, an event of the program. `null` when it is not known.
+  lastOf(node: DiagramNode): string | null
 }
 
 export interface DrawnDiagram {

@@ -3,7 +3,7 @@
 import {isChord, type Keys} from "../state/shortcuts.ts"
 import {type Camera, toRoom} from "./camera.ts"
 import {type MovableObject, objectAt, type Pose} from "./poses.ts"
-import type {QuestionTarget} from "./question_targets.ts"
+import {fingerReach, pointerReach, type QuestionTarget, type Spot} from "./question_targets.ts"
 
 export interface GestureHost {
   camera(): Camera
@@ -62,8 +62,9 @@ const reach = 0.22
 const near = 0.45
 /// How far around a pointer is meant, in pixels.
 const grasp = 16
-/// A pointer that moved no further than this was a click, in pixels.
+/// A pointer that moved no further than this was a click or a tap, in pixels: a finger rolls while it rests.
 const still = 4
+const stillFinger = 10
 /// A key moves the robot so far, in metres, and turns it so far, in radians.
 const keyStep = 0.05
 const keyTurn = Math.PI / 12
@@ -73,11 +74,6 @@ type GestureTarget =
   | {readonly kind: "turn"; readonly by: number}
   | {readonly kind: "thing"; readonly thing: number; readonly dx: number; readonly dy: number; theta: number}
   | {readonly kind: "floor"; readonly x: number; readonly y: number}
-
-interface Spot {
-  readonly x: number
-  readonly y: number
-}
 
 export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): void {
   const at = (event: PointerEvent | WheelEvent): Spot => {
@@ -127,9 +123,10 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
   }
 
   let grip: GestureTarget | null = null
-  /// Where the pointer went down; `null` once it has moved, or another finger came.
-  let pressed: Spot | null = null
-  const askedAt = (p: Spot) => host.targetAt(inRoom(p), metres(grasp / 2))
+  /// Where the pointer went down, and what was there; `null` once it has moved, or another finger came. The robot may drive on before it goes up.
+  let pressed: {readonly at: Spot; readonly about: QuestionTarget | null} | null = null
+  const askedAt = (p: Spot, {pointerType}: PointerEvent) =>
+    host.targetAt(inRoom(p), metres(pointerType === "touch" ? fingerReach : pointerReach))
   // With two fingers the view zooms, or the robot that one of them holds is turned; `fingers` are those on the canvas.
   const fingers = new Map<number, Spot>()
   const otherFinger = (id: number) => [...fingers].find(([other]) => other !== id)?.[1]
@@ -138,7 +135,7 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
     canvas.setPointerCapture(event.pointerId)
     const p = at(event)
     fingers.set(event.pointerId, p)
-    pressed = fingers.size === 1 && event.button === 0 ? p : null
+    pressed = fingers.size === 1 && event.button === 0 ? {at: p, about: askedAt(p, event)} : null
     if (fingers.size > 1) return
     grip = gripAt(p)
     host.handled(grip.kind === "robot" || grip.kind === "turn")
@@ -147,14 +144,19 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
     const p = at(event)
     if (grip === null) {
       const under = gripAt(p).kind
-      canvas.style.cursor = under !== "floor" ? "grab" : askedAt(p) === null ? "" : "help"
+      canvas.style.cursor = under !== "floor" ? "grab" : askedAt(p, event) === null ? "" : "help"
       const robot = host.robot()
       const point = inRoom(p)
       if (event.pointerType === "mouse")
         host.handled(robot !== null && Math.hypot(point.x - robot.x, point.y - robot.y) < near)
       return
     }
-    if (pressed !== null && Math.hypot(p.x - pressed.x, p.y - pressed.y) > still) pressed = null
+    if (pressed !== null) {
+      const moved = Math.hypot(p.x - pressed.at.x, p.y - pressed.at.y)
+      // Until then nothing is dragged: a tap on the robot leaves it where it is.
+      if (moved <= (event.pointerType === "touch" ? stillFinger : still)) return
+      pressed = null
+    }
     const mine = fingers.get(event.pointerId)
     const other = otherFinger(event.pointerId)
     fingers.set(event.pointerId, p)
@@ -184,7 +186,7 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
     canvas.style.cursor = ""
   }
   canvas.addEventListener("pointerup", event => {
-    const about = pressed === null ? null : askedAt(pressed)
+    const about = pressed?.about ?? null
     pressed = null
     release(event)
     if (about !== null) host.asked(about)

@@ -231,7 +231,7 @@ function drawLed(
 /// Characters shown; the console has the rest.
 const longest = 40
 
-/// `lift` is how far from the robot's middle the bubble stands.
+/// `lift` is how far from the robot's middle the bubble stands. The result is where it is, in pixels.
 export function drawBubble(
   ctx: CanvasRenderingContext2D,
   text: string,
@@ -239,7 +239,7 @@ export function drawBubble(
   lift: number,
   size: {readonly w: number; readonly h: number},
   palette: Palette,
-): void {
+): {readonly left: number; readonly top: number; readonly width: number; readonly height: number} {
   ctx.font = `500 14px ${palette.font}`
   const short = text.length > longest ? `${text.slice(0, longest - 1)}…` : text
   const width = Math.min(ctx.measureText(short).width + 22, size.w - 8)
@@ -262,4 +262,5 @@ export function drawBubble(
   ctx.textAlign = "center"
   ctx.textBaseline = "middle"
   ctx.fillText(short, left + width / 2, top + 16, width - 16)
+  return {left, top, width, height: 30}
 }

@@ -3,7 +3,14 @@
 import {shownPreview} from "../preview/preview.ts"
 import type {Overlay} from "../runs/overlay.ts"
 import type {Frame} from "../state/messages.ts"
-import {type RoomState, shownFrame, speech, type Trail, type TrailStyle} from "../state/room_state.ts"
+import {
+  type RoomState,
+  shownFrame,
+  speech,
+  type Trail,
+  type TrailStyle,
+  type Words,
+} from "../state/room_state.ts"
 import type {World} from "../worlds/world.ts"
 import {openLayer, type Size} from "./cached_layer.ts"
 import {type Camera, type CameraView, follow, lookAt, pan, toScreen, zoom} from "./camera.ts"
@@ -55,7 +62,7 @@ export interface RoomListener {
   holds(thing: number | null): void
   /// The picture is to go with the robot, or no longer: the learner moved it by hand, or asked for all of the room.
   follows(follows: boolean): void
-  /// The learner asks why the robot moves as it does, or why it was at a point of its trail.
+  /// The learner asks why the robot moves, shines or speaks as it does, or why it was at a point of its trail.
   asked(about: QuestionTarget): void
   /// The learner has read the answer.
   read(): void
@@ -76,6 +83,8 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
   let things: readonly MovableObject[] = []
   let shown: Pose | null = null
   let trail: Trail = []
+  /// The speech bubble where it is drawn, in pixels.
+  let bubble: {readonly words: Words; readonly box: ReturnType<typeof drawBubble>} | null = null
   // Without a run there is nothing to ask about.
   let canAsk = false
   let before: TimedPose | null = null
@@ -132,7 +141,12 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
     zoomed,
     fitted: whole,
     followed: () => listener.follows(!following),
-    targetAt: (at, reach) => targetAt(canAsk ? shown : null, canAsk ? trail : [], at, reach),
+    targetAt(at, reach) {
+      if (!canAsk) return null
+      if (bubble !== null && isWithin(bubble.box, toScreen(camera, at.x, at.y)))
+        return {kind: "speech", ...bubble.words}
+      return targetAt(shown, trail, at, reach)
+    },
     asked: about => listener.asked(about),
     read: () => listener.read(),
   })
@@ -183,6 +197,7 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
       if (world === null) {
         shown = null
         things = []
+        bubble = null
         return false
       }
       const pose = poseOf(room, world, frame, now)
@@ -216,9 +231,11 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
         drawRunNames(ctx, overlay.names, {shown: pose, compared: overlay.pose}, camera, palette)
       }
       const words = speech(room)
+      bubble = null
       if (words !== null) {
         ctx.setTransform(size.ratio, 0, 0, size.ratio, 0, 0)
-        drawBubble(ctx, words, toScreen(camera, pose.x, pose.y), 0.2 * camera.scale + 14, size, palette)
+        const at = toScreen(camera, pose.x, pose.y)
+        bubble = {words, box: drawBubble(ctx, words.text, at, 0.2 * camera.scale + 14, size, palette)}
       }
       return last !== null && before !== null && now - last.at < last.at - before.at
     },
@@ -234,6 +251,13 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
       watcher.disconnect()
     },
   }
+}
+
+function isWithin(
+  {left, top, width, height}: ReturnType<typeof drawBubble>,
+  {x, y}: {readonly x: number; readonly y: number},
+): boolean {
+  return left <= x && x <= left + width && top <= y && y <= top + height
 }
 
 /// Hands stay in the room: what is dragged out of it stops at its border.

@@ -74,6 +74,9 @@ export interface SourceOptions {
   tooLong(): void
   /// The learner wants the text laid out anew.
   format(): void
+  /// The learner clicked on the values that belong to a block, or asks why about the place of the cursor.
+  valueClicked(block: string): void
+  asked(offset: number): void
   /// The learner moved the cursor, to this offset.
   cursorMoved(offset: number): void
   /// The dragging of the number at the cursor.

@@ -7,7 +7,7 @@ import {openSearchPanel, searchKeymap} from "@codemirror/search"
 import type {Command, KeyBinding} from "@codemirror/view"
 import type {Keys} from "../state/shortcuts.ts"
 
-export const ownKeys = {mend: "Mod-.", rename: "F2", format: "Shift-Alt-f"} as const
+export const ownKeys = {mend: "Mod-.", rename: "F2", format: "Shift-Alt-f", why: "Shift-Alt-w"} as const
 
 const chordsOf = (bindings: readonly KeyBinding[], run: Command) =>
   bindings.flatMap(binding => (binding.run === run ? (binding.key ?? []) : []))
@@ -18,6 +18,7 @@ export const textKeys: Keys = {
   nextProblem: chordsOf(lintKeymap, nextDiagnostic),
   rename: [ownKeys.rename],
   format: [ownKeys.format],
+  why: [ownKeys.why],
   find: chordsOf(searchKeymap, openSearchPanel),
   comment: chordsOf(defaultKeymap, toggleComment),
   lineUp: chordsOf(defaultKeymap, moveLineUp),

@@ -1,11 +1,12 @@
 /// Values at the ends of lines: what functions took last and gave, as widgets that are no part of the text; and marks of the branches that they took.
 
 import {type Extension, StateEffect, StateField} from "@codemirror/state"
-import {Decoration, type DecorationSet, EditorView, WidgetType} from "@codemirror/view"
+import {Decoration, type DecorationSet, EditorView, ViewPlugin, WidgetType} from "@codemirror/view"
 
 export interface LineValue {
-  /// The offset of a place in the line.
+  /// The offset of a place in the line, and the block that the values belong to.
   readonly at: number
+  readonly block: string
   readonly text: string
   /// The text without folds.
   readonly whole: string
@@ -28,8 +29,14 @@ class ValueWidget extends WidgetType {
   }
 
   override eq({value}: ValueWidget): boolean {
-    const {text, whole, isOld, room} = this.value
-    return text === value.text && whole === value.whole && isOld === value.isOld && room === value.room
+    const {text, whole, isOld, room, block} = this.value
+    return (
+      text === value.text &&
+      whole === value.whole &&
+      isOld === value.isOld &&
+      room === value.room &&
+      block === value.block
+    )
   }
 
   override toDOM(): HTMLElement {
@@ -39,7 +46,8 @@ class ValueWidget extends WidgetType {
   }
 
   override updateDOM(element: HTMLElement): boolean {
-    const {text, whole, isOld, room} = this.value
+    const {text, whole, isOld, room, block} = this.value
+    element.dataset["block"] = block
     element.className = isOld ? "hs-value old" : "hs-value"
     element.style.minWidth = `min(${room}ch, 100% - 1.5ch)`
     element.title = whole
@@ -84,4 +92,17 @@ const takenField = StateField.define<DecorationSet>({
   provide: field => EditorView.decorations.from(field),
 })
 
-export const valueWidgets: Extension = [valuesField, takenField]
+/// A click or a tap on a value asks why it is so; CodeMirror leaves events in widgets alone.
+export const valueWidgets = (clicked: (block: string) => void): Extension => [
+  valuesField,
+  takenField,
+  ViewPlugin.define(({dom}) => {
+    const onClick = ({target}: MouseEvent) => {
+      const value = target instanceof Element ? target.closest<HTMLElement>(".hs-value") : null
+      const block = value?.dataset["block"]
+      if (block !== undefined) clicked(block)
+    }
+    dom.addEventListener("click", onClick)
+    return {destroy: () => dom.removeEventListener("click", onClick)}
+  }),
+]

@@ -65,6 +65,8 @@ export type RunEvent =
   | {readonly kind: "hand"; readonly hand: Hand}
   | {readonly kind: "safety-switched"; readonly on: boolean}
   | {readonly kind: "values-shown"; readonly shown: boolean}
+  /// The pointer or the keyboard came to the diagram, or left it.
+  | {readonly kind: "diagram-pointed"; readonly isPointedAt: boolean}
 
 /// Real robots.
 export type RobotEvent =

@@ -128,6 +128,8 @@ export interface PageState {
     readonly outcome: "waiting" | "drawn" | "empty" | "failed"
     readonly drawings: number
     readonly chosen: {readonly kind: string; readonly key: string} | null
+    /// The pointer or the keyboard is in it: what functions took and gave last can be read there.
+    readonly isPointedAt: boolean
   }
   readonly room: RoomState
   /// The runs in this room.
@@ -233,7 +235,7 @@ export const initialState: PageState = {
   types: {text: "", names: [], at: []},
   network: null,
   topics: [],
-  diagram: {outcome: "waiting", drawings: 0, chosen: null},
+  diagram: {outcome: "waiting", drawings: 0, chosen: null, isPointedAt: false},
   room: emptyRoom,
   runTree: noRuns,
   robots: noRobots,

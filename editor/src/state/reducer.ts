@@ -37,6 +37,7 @@ function next(state: PageState, event: PageEvent): Transition {
     case "hand":
     case "safety-switched":
     case "values-shown":
+    case "diagram-pointed":
       return reduceRunEvent(state, event)
     case "run-shown":
     case "run-compared":

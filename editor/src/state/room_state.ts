@@ -148,10 +148,10 @@ export function addSpeech(room: RoomState, text: string, time: number): RoomStat
 }
 
 /// What the bubble says at the time that is looked at; `null` when there is none.
-export function speech(room: RoomState): string | null {
+export function speech(room: RoomState): Words | null {
   const now = room.lookedAt ?? room.frame?.time ?? 0
   const last = room.lookedAt === null ? room.words.at(-1) : room.words.findLast(w => w.time <= now)
-  return last === undefined || now > last.time + speechSeconds ? null : last.text
+  return last === undefined || now > last.time + speechSeconds ? null : last
 }
 
 export function addFrame(room: RoomState, heard: Frame): RoomState {

@@ -75,12 +75,13 @@ export function reduceRunEvent(state: PageState, event: RunEvent): Transition {
       const chosen = {...state, speed: event.speed}
       return isActive(state.run) ? sending(chosen, {op: "speed", speed: event.speed}) : still(chosen)
     }
-    case "values-shown": {
-      const {room} = state
-      const firings = {...emptyLog, isWhole: room.frame === null}
-      const chosen = {...state, valuesShown: event.shown, room: {...room, firings}}
-      return state.link === "open" ? sending(chosen, observeMessage(chosen)) : still(chosen)
-    }
+    case "values-shown":
+      return observing(state, {...state, valuesShown: event.shown})
+    case "diagram-pointed":
+      return observing(state, {
+        ...state,
+        diagram: {...state.diagram, isPointedAt: event.isPointedAt},
+      })
     default:
       return unreachable(event)
   }
@@ -123,9 +124,19 @@ function start(state: PageState, seed: number | null, from?: RunOrigin): Transit
   return connected ? sending(started, runMessage(started, run)) : still(started)
 }
 
-/// Runs are recorded for questions; frames have the firings only while their values are shown.
-export const observeMessage = ({valuesShown}: PageState) =>
-  ({op: "observe", on: true, ...(valuesShown ? {frames: true} : {})}) as const
+/// Runs are recorded for questions; frames have the firings only while their values may be seen.
+export const observeMessage = (state: PageState) =>
+  ({op: "observe", on: true, ...(seesFirings(state) ? {frames: true} : {})}) as const
+
+const seesFirings = ({valuesShown, diagram}: PageState) => valuesShown || diagram.isPointedAt
+
+/// The log of firings begins anew when the service begins to send them, and is empty when it does not.
+function observing(before: PageState, after: PageState): Transition {
+  if (seesFirings(before) === seesFirings(after)) return still(after)
+  const firings = {...emptyLog, isWhole: after.room.frame === null}
+  const chosen = {...after, room: {...after.room, firings}}
+  return after.link === "open" ? sending(chosen, observeMessage(chosen)) : still(chosen)
+}
 
 /// Whether the shown run can go on from the moment that is looked at.
 export function mayContinue({room, robots, link}: PageState): boolean {

@@ -33,7 +33,12 @@ export function reduceViewEvent(state: PageState, event: ViewEvent): PageState {
     case "diagram":
       return {
         ...state,
-        diagram: {outcome: event.outcome, drawings: state.diagram.drawings + 1, chosen: null},
+        diagram: {
+          ...state.diagram,
+          outcome: event.outcome,
+          drawings: state.diagram.drawings + 1,
+          chosen: null,
+        },
       }
     case "node-chosen":
       return {...state, diagram: {...state.diagram, chosen: event.node}}

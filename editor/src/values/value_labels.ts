@@ -1,11 +1,13 @@
 /// Values of a program at the displayed moment, in place: what each function took last and gave, and what each memory holds. Pure.
 
 import type {Firing, FiringInput, FiringOutput} from "../state/firings.ts"
+import type {Frame} from "../state/messages.ts"
 import type {PageState} from "../state/page_state.ts"
-import type {Definition} from "../state/program.ts"
+import type {BlockId, Definition} from "../state/program.ts"
 import type {ProgramPart} from "../state/program_graph.ts"
 import {shownFrame} from "../state/room_state.ts"
 import {shortFractions, storedValue} from "../why/sentence_words.ts"
+import {lookedBackFor, type Question} from "../why/why_state.ts"
 import type {words as english} from "../words/index.ts"
 import type {Measures} from "../words/number_formats.ts"
 import {latestFirings} from "./firing_log.ts"
@@ -29,7 +31,7 @@ const longestOutput = 26
 const fresh = 1
 
 type Shown = Pick<PageState, "document" | "network" | "room" | "valuesShown">
-type LabelWords = Pick<(typeof english)["why"], "nothing" | "aCall" | "notYet">
+export type LabelWords = Pick<(typeof english)["why"], "nothing" | "aCall" | "notYet">
 
 export function valueLabels(state: Shown, words: LabelWords, measures: Measures): readonly ValueLabel[] {
   const {room, network, document} = state
@@ -42,13 +44,13 @@ export function valueLabels(state: Shown, words: LabelWords, measures: Measures)
   const label = (definition: Definition): readonly ValueLabel[] => {
     const {name} = definition
     const firing = latest.get(name)
-    if (firing !== undefined) return [firingLabel(definition, firing, time, words, measures)]
-    const memory = frame.memory?.find(({type}) => typesOf(definition, document.program.text).has(type))
-    if (memory !== undefined) return [labelOf(definition, shortFractions(memory.value), "", false)]
+    if (firing !== undefined) return [{definition, ...firingText(firing, time, words, measures)}]
+    const memory = memoryOf(definition, document.program.text, frame)
+    if (memory !== undefined) return [{definition, ...foldedText(shortFractions(memory.value), "", false)}]
     if (!functions.has(name)) return []
     // Without a record of its firings it is not known what it took and gave.
     const isKnown = ever.has(name) ? room.firings.isWhole : room.fired[name] === undefined
-    return isKnown ? [labelOf(definition, words.notYet, "", true)] : []
+    return isKnown ? [{definition, ...foldedText(words.notYet, "", true)}] : []
   }
   const seen = new Set<string>()
   return document.program.definitions.flatMap(label).filter(({definition: {block}}) => {
@@ -58,13 +60,10 @@ export function valueLabels(state: Shown, words: LabelWords, measures: Measures)
   })
 }
 
-function firingLabel(
-  definition: Definition,
-  firing: Firing,
-  time: number,
-  words: LabelWords,
-  measures: Measures,
-): ValueLabel {
+type LabelText = Pick<ValueLabel, "text" | "whole" | "isOld">
+
+/// What a firing took and gave.
+export function firingText(firing: Firing, time: number, words: LabelWords, measures: Measures): LabelText {
   const took = firing.took.map(inputText).join(", ")
   const gave = firing.gave.map(one => outputText(one, words)).join(", ") || words.nothing
   const isOld = time - firing.time > fresh
@@ -74,22 +73,38 @@ function firingLabel(
   const most = longestText - when.length
   const result = folding(gave, longestOutput)
   const folded = arrow(folding(took, most - " → ".length - result.length), result)
-  return labelOf(definition, whole.length <= most ? whole : folded, when, isOld, whole)
+  return foldedText(whole.length <= most ? whole : folded, when, isOld, whole)
 }
 
-function labelOf(
-  definition: Definition,
-  text: string,
-  when: string,
-  isOld: boolean,
-  whole = text,
-): ValueLabel {
+function foldedText(text: string, when: string, isOld: boolean, whole = text): LabelText {
   return {
-    definition,
     text: folding(text, longestText - when.length) + when,
     whole: whole.replace(/\s+/g, " ") + when,
     isOld,
   }
+}
+
+/// What a definition of a type remembers.
+function memoryOf(definition: Definition, text: string, {memory}: Frame) {
+  return memory?.find(({type}) => typesOf(definition, text).has(type))
+}
+
+/// Why the values at a definition are as they are at the displayed moment, whether they are shown or not; `null` where there are none.
+export function definitionQuestion(state: Omit<Shown, "valuesShown">, block: BlockId): Question | null {
+  const {room, network, document} = state
+  const frame = shownFrame(room)
+  const definition = document.program.definitions.find(one => one.block === block)
+  if (room.run === null || frame === null || definition === undefined) return null
+  const {name} = definition
+  const time = room.lookedAt ?? frame.time
+  const memory = memoryOf(definition, document.program.text, frame)
+  if (memory !== undefined) return {kind: "memory", type: memory.type, time}
+  if (network === null || !functionNames(network.parts).includes(name)) return null
+  // Without a record of its firings only the latest one is known.
+  const isRecorded = room.firings.isWhole && room.firings.pieces.length > 0
+  const hasRun = isRecorded ? latestFirings(room.firings, time).has(name) : room.fired[name] !== undefined
+  if (hasRun) return {kind: "run", function: name, time}
+  return {kind: "not", function: name, command: "", since: Math.max(0, time - lookedBackFor), until: time}
 }
 
 /// The types of the memory that a definition of a type may be about. The service writes types without synonyms.

@@ -1,6 +1,6 @@
 /// Questions about a node of the diagram at a moment of the run. Pure.
 
-import {lookedBackFor, type Question} from "./why_state.ts"
+import {lookedBackFor, motionQuestion, type Question} from "./why_state.ts"
 
 /// `time` is the displayed moment, s.
 export function nodeQuestions(
@@ -23,6 +23,10 @@ export function nodeQuestions(
         {kind: "event", value: name, time},
         {kind: "not-received", type: key, since: 0, until: time},
       ]
+    case "state":
+      // What the robot measures of its own motion comes from the commands that move it.
+      if (name === "Velocity") return [motionQuestion(time)]
+      return name === "Position" || name === "Orientation" ? [{kind: "position", time}] : []
     case "store":
       return [{kind: "memory", type: key, time}]
     case "command":

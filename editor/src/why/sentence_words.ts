@@ -6,10 +6,11 @@ import type {Said} from "./explanation.ts"
 
 export type WhyWords = typeof english
 
-/// `cause` is the name of the function that leads one step back; `firing` is the number of its firing.
+/// `cause` is the name of the function that leads one step back; `firing` is the number of its firing. A command leads to why it was sent.
 export type Piece =
   | {readonly kind: "text" | "code" | "function"; readonly text: string}
   | {readonly kind: "cause"; readonly text: string; readonly firing: number}
+  | {readonly kind: "command"; readonly text: string; readonly type: string; readonly time: number}
 
 const text = (words: string): Piece => ({kind: "text", text: words})
 const code = (haskell: string): Piece => ({kind: "code", text: haskell})
@@ -34,6 +35,8 @@ export function pieces(said: Said, words: WhyWords, measures: Measures): readonl
     if (to === "call") return [text(words.aCall)]
     if (to === "feedback") return [text(words.feedback)]
     if (value === "" || value === "_") return one(type)
+    if (to === "command" && type !== "" && said.time !== null)
+      return [{kind: "command", text: value, type, time: said.time}]
     return [code(to === "memory" || to === "param" ? storedValue(type, value) : value)]
   })
   const inputs = said.values.map(value => [code(value)])
@@ -107,7 +110,7 @@ export function asText(all: readonly Piece[]): string {
     .map(piece =>
       piece.kind === "text"
         ? piece.text
-        : piece.kind === "code"
+        : piece.kind === "code" || piece.kind === "command"
           ? `\`${shortFractions(piece.text)}\``
           : `**${piece.text}**`,
     )

@@ -152,6 +152,24 @@ function PieceShown({piece}: {piece: Piece}): VNode {
       return <code title={piece.text}>{shortFractions(piece.text)}</code>
     case "function":
       return <b>{piece.text}</b>
+    case "command": {
+      const question: Question = {
+        kind: "command",
+        command: piece.type,
+        value: piece.text,
+        time: piece.time,
+      }
+      return (
+        <button
+          type="button"
+          class="link cause"
+          title={words.why.of(piece.text)}
+          onClick={() => store.dispatch({kind: "why", event: {kind: "followed", question}})}
+        >
+          <code>{shortFractions(piece.text)}</code>
+        </button>
+      )
+    }
     case "cause": {
       const question: Question = {kind: "firing", firing: piece.firing, function: piece.text}
       return (

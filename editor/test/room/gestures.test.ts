@@ -2,6 +2,7 @@
 
 import {beforeEach, describe, expect, it} from "vitest"
 import {type GestureHost, watchGestures} from "../../src/room/gestures.ts"
+import type {Pose} from "../../src/room/poses.ts"
 import type {QuestionTarget} from "../../src/room/question_targets.ts"
 
 /// 100 pixels are one metre; the room's lower left corner is at the lower left of the canvas.
@@ -20,6 +21,9 @@ let asked: QuestionTarget[]
 let held: number | null
 let closed: number
 let looked: (readonly [x: number, y: number])[]
+let reaches: number[]
+let placed: Pose[]
+let able: boolean
 
 beforeEach(() => {
   canvas = new FakeCanvas()
@@ -27,14 +31,17 @@ beforeEach(() => {
   held = null
   closed = 0
   looked = []
+  reaches = []
+  placed = []
+  able = false
   const ignore = () => undefined
   const host: GestureHost = {
     camera: () => camera,
     robot: () => ({x: 1, y: 1, theta: 0}),
     things: () => [],
     held: () => held,
-    able: () => false,
-    placed: ignore,
+    able: () => able,
+    placed: pose => placed.push(pose),
     pushed: ignore,
     holds: ignore,
     handled: ignore,
@@ -42,7 +49,8 @@ beforeEach(() => {
     zoomed: ignore,
     fitted: ignore,
     followed: ignore,
-    targetAt(at) {
+    targetAt(at, reach) {
+      reaches.push(reach)
       looked.push([at.x, at.y])
       return at.x < 2 ? {kind: "place", time: at.x} : null
     },
@@ -111,6 +119,44 @@ describe("a click in the room", () => {
     pointer("pointercancel", 100, 200)
     pointer("pointerup", 100, 200)
     expect(asked).toEqual([])
+  })
+})
+
+describe("a tap on the room", () => {
+  const finger = {pointerType: "touch"}
+
+  it("reaches 22 pixels around it, a mouse 8", () => {
+    pointer("pointerdown", 100, 200, finger)
+    pointer("pointerup", 100, 200, finger)
+    pointer("pointerdown", 100, 200)
+    pointer("pointerup", 100, 200)
+    expect(reaches).toEqual([0.22, 0.08])
+  })
+
+  it("by a finger that rolls asks, and leaves the robot where it is", () => {
+    able = true
+    pointer("pointerdown", 100, 300, finger)
+    pointer("pointermove", 106, 305, finger)
+    pointer("pointerup", 106, 305, finger)
+    expect(asked).toEqual([{kind: "place", time: 1}])
+    expect(placed).toEqual([])
+  })
+
+  it("that goes on as a drag takes the robot along, and asks nothing", () => {
+    able = true
+    pointer("pointerdown", 100, 300, finger)
+    pointer("pointermove", 106, 300, finger)
+    pointer("pointermove", 150, 300, finger)
+    pointer("pointerup", 150, 300, finger)
+    expect(asked).toEqual([])
+    expect(placed).toEqual([{x: 1.5, y: 1, theta: 0}])
+  })
+
+  it("asks about what was there when the finger came down", () => {
+    pointer("pointerdown", 190, 200, finger)
+    pointer("pointermove", 199, 200, finger)
+    pointer("pointerup", 205, 200, finger)
+    expect(asked).toEqual([{kind: "place", time: 1.9}])
   })
 })
 

@@ -9,7 +9,8 @@ const trail: Trail = [
   [point(0, 0, 0), point(1, 0, 2), point(2, 0, 4)],
   [point(2, 0, 4), point(2, 1, 6), point(1, 0, 9)],
 ]
-const robot = {x: 1, y: 1}
+/// It looks to the right: its LEDs are at the left of its rear.
+const robot = {x: 1, y: 1, theta: 0}
 
 describe("a click in the room", () => {
   it.each([
@@ -20,6 +21,21 @@ describe("a click in the room", () => {
     ["far from both", {x: 3, y: 3}, null],
   ])("%s", (_, at, about) => {
     expect(targetAt(robot, trail, at, 0.3)).toEqual(about)
+  })
+
+  it.each([
+    ["the first LED", {x: 0.9, y: 1.08}, 0, {kind: "led", command: "Led1"}],
+    ["the second LED", {x: 0.88, y: 1.03}, 0, {kind: "led", command: "Led2"}],
+    [
+      "where the first LED is after a quarter turn",
+      {x: 0.92, y: 0.9},
+      Math.PI / 2,
+      {kind: "led", command: "Led1"},
+    ],
+    ["where it was before the turn", {x: 0.9, y: 1.08}, Math.PI / 2, {kind: "robot"}],
+  ])("on %s asks about it from nearby, and about the robot from far away", (_, at, theta, about) => {
+    expect(targetAt({...robot, theta}, trail, at, 0.02)).toEqual(about)
+    expect(targetAt({...robot, theta}, trail, at, 0.13)).toEqual({kind: "robot"})
   })
 
   it("asks about the trail without a robot, and about nothing without a trail", () => {

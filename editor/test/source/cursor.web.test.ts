@@ -37,6 +37,8 @@ test("a letter follows the one before it when the marks on that change twice in 
       mend: nothing,
       numbers: {hint: "", begins() {}, ends() {}, isBehind: () => false},
       fixHere: nobody,
+      valueClicked: nothing,
+      asked: nothing,
     })
     pane.setEditable(true)
     Object.assign(window, {pane})

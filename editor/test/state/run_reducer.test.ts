@@ -133,7 +133,7 @@ describe("time", () => {
     ).state
     const at = (time: number) => play(told, {kind: "looked-back", time}).state.room
     expect(speech(at(1.2))).toBeNull()
-    expect(speech(at(2))).toBe("bump!")
+    expect(speech(at(2))?.text).toBe("bump!")
     expect(speech(told.room)).toBeNull()
     // Boxes are told of only when they move; in between they stay where they were.
     expect(shownFrame(at(2))?.boxes).toEqual([[1, 1, 0]])

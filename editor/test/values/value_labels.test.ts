@@ -6,7 +6,7 @@ import {emptyDocument} from "../../src/state/history.ts"
 import type {Frame} from "../../src/state/messages.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
 import {addFrame} from "../../src/state/room_state.ts"
-import {longestText, valueLabels} from "../../src/values/value_labels.ts"
+import {definitionQuestion, longestText, valueLabels} from "../../src/values/value_labels.ts"
 import {measures, words} from "../../src/words/index.ts"
 
 const firing = (n: number, time: number, more: Partial<Firing> = {}): Firing => ({
@@ -79,6 +79,20 @@ describe("values at a moment", () => {
     expect(at(0.2)).toEqual(["bump", "not yet", true])
     expect(at(0.7)).toEqual(["bump", pressed, false])
     expect(at(null)).toEqual(["bump", "Bumper CenterBumper Pressed → Memory False", false])
+  })
+
+  it("ask why they are so, shown or not", () => {
+    const memory = [{type: "Memory Hit", value: "True"}]
+    const state = {...stateOf(frame(0), frame(0.5, [firing(1, 0.48)], {memory})), valuesShown: false}
+    expect(names.map((_, i) => definitionQuestion(state, `b${i}`))).toEqual([
+      {kind: "memory", type: "Memory Hit", time: 0.5},
+      {kind: "run", function: "bump", time: 0.5},
+      {kind: "not", function: "drive", command: "", since: 0, until: 0.5},
+      null,
+    ])
+    const before = {...state, room: {...state.room, lookedAt: 0.2}}
+    expect(definitionQuestion(before, "b1")).toMatchObject({kind: "not", function: "bump", until: 0.2})
+    expect(definitionQuestion(initialState, "b1")).toBeNull()
   })
 
   it("that are older than a second are grey and have their time", () => {

@@ -32,6 +32,12 @@ describe("the questions about a node of the diagram", () => {
     expect(asked("store", "Memory Mode")).toEqual([{op: "why", id: 1, memory: "Memory Mode", time: 3}])
   })
 
+  it("is why the robot moves so, or how it came there, about what it measures of itself", () => {
+    expect(asked("state", "Velocity")).toEqual([{op: "why", id: 1, command: "Velocity", time: 3}])
+    expect(asked("state", "Position")).toEqual([{op: "why", id: 1, position: true, time: 3}])
+    expect(asked("state", "Battery")).toEqual([])
+  })
+
   it("are none about a container or a sample", () => {
     expect(asked("task", "explore")).toEqual([])
     expect(asked("sample", "Seconds")).toEqual([])

@@ -61,6 +61,7 @@ export const styleSheet = `
 .rosyBlocks .blocklyBlock.rosyWhy > .blocklyPath { stroke: var(--rosy); stroke-width: 4; }
 .rosyBlocks .blocklyBlock.rosyWrong > .blocklyPath:not(.blocklyPathSelected) { stroke: var(--bad); stroke-width: 3; }
 .rosyBlocks .blocklyBlock.rosyWarned > .blocklyPath:not(.blocklyPathSelected) { stroke: var(--warn); stroke-width: 2; }
+.rosyBlocks .rosyValue { cursor: help; }
 .rosyBlocks .rosyValue > rect { fill: var(--paper); stroke: var(--line-strong); }
 .rosyBlocks .rosyValue > text { font: 500 11px "JetBrains Mono", ui-monospace, monospace; fill: var(--ink); dominant-baseline: central; }
 .rosyBlocks .rosyValue.old > text { fill: var(--ink-2); }

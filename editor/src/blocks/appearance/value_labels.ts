@@ -25,11 +25,14 @@ const overlap = 8
 
 export class ValueLabels {
   private readonly workspace: Blockly.WorkspaceSvg
+  private readonly clicked: (block: BlockId) => void
   private readonly groups = new Map<BlockId, SVGGElement>()
   private values: readonly BlockValue[] = []
 
-  constructor(workspace: Blockly.WorkspaceSvg) {
+  /// A click or a tap on a label is told with its block.
+  constructor(workspace: Blockly.WorkspaceSvg, clicked: (block: BlockId) => void) {
     this.workspace = workspace
+    this.clicked = clicked
   }
 
   show(values: readonly BlockValue[]): void {
@@ -51,7 +54,7 @@ export class ValueLabels {
   private draw({block: id, text, whole, isOld, room}: BlockValue): void {
     const block = this.workspace.getBlockById(id)
     if (block === null) return
-    const group = this.groups.get(id) ?? made()
+    const group = this.groups.get(id) ?? made(() => this.clicked(id))
     this.groups.set(id, group)
     const root = block.getSvgRoot()
     if (group.parentNode !== root) root.append(group)
@@ -66,7 +69,10 @@ export class ValueLabels {
   }
 }
 
-function made(): SVGGElement {
+/// A pointer that moved further than this dragged the block, CSS pixels.
+const still = 8
+
+function made(clicked: () => void): SVGGElement {
   const {SVG_NS} = Blockly.utils.dom
   const group = document.createElementNS(SVG_NS, "g") as SVGGElement
   group.setAttribute("class", "rosyValue")
@@ -78,6 +84,13 @@ function made(): SVGGElement {
   const label = document.createElementNS(SVG_NS, "text")
   label.setAttribute("x", `${padding}`)
   label.setAttribute("y", `${height / 2}`)
+  let pressed = {x: 0, y: 0}
+  group.addEventListener("pointerdown", ({clientX: x, clientY: y}) => {
+    pressed = {x, y}
+  })
+  group.addEventListener("click", ({clientX: x, clientY: y}) => {
+    if (Math.hypot(x - pressed.x, y - pressed.y) <= still) clicked()
+  })
   group.append(document.createElementNS(SVG_NS, "title"), box, label)
   return group
 }

@@ -27,6 +27,10 @@ export interface MenuActions {
   askWhy(name: string): void
   /// Asks why a function did not run.
   askWhyNot(name: string): void
+  /// The definition of a type that a block is part of, when there is a value of it to ask about; `null` otherwise.
+  typeToAsk(block: Blockly.Block): string | null
+  /// Asks why a value of the type is as it is.
+  askWhyValue(definition: string): void
   /// Whether a block is part of a case of a function that can be asked about.
   hasCase(block: Blockly.Block): boolean
   /// Asks why the case around a block was not taken.
@@ -198,6 +202,8 @@ function questions(actions: () => MenuActions | undefined): void {
   const {registry: menus, ScopeType} = Blockly.ContextMenuRegistry
   const asked = (block: Blockly.Block | undefined) =>
     block === undefined || block.isInFlyout ? null : (actions()?.functionToAsk(block) ?? null)
+  const typeAsked = (block: Blockly.Block | undefined) =>
+    block === undefined || block.isInFlyout ? null : (actions()?.typeToAsk(block) ?? null)
   menus.register({
     id: "rosyWhy",
     weight: 0.4,
@@ -218,6 +224,17 @@ function questions(actions: () => MenuActions | undefined): void {
     callback: ({block}) => {
       const name = asked(block)
       if (name !== null) actions()?.askWhyNot(name)
+    },
+  })
+  menus.register({
+    id: "rosyWhyValue",
+    weight: 0.4,
+    scopeType: ScopeType.BLOCK,
+    displayText: () => words.why.value,
+    preconditionFn: ({block}) => (typeAsked(block) === null ? "hidden" : "enabled"),
+    callback: ({block}) => {
+      const definition = typeAsked(block)
+      if (definition !== null) actions()?.askWhyValue(definition)
     },
   })
   menus.register({

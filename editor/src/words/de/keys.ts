@@ -109,6 +109,7 @@ export const keys: Words["keys"] = {
     nextProblem: "Nächstes Problem",
     rename: "Umbenennen, worauf der Cursor steht",
     format: "Das Haskell ordnen",
+    why: "Fragen, warum das ist, worauf der Cursor steht",
     find: "Suchen",
     comment: "Zeilen zum Kommentar machen, und zurück",
     lineUp: lines,

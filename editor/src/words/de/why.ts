@@ -29,6 +29,7 @@ export const why: typeof english = {
   ran: name => `Warum lief ${name}?`,
   notRun: name => `Warum lief ${name} nicht?`,
   notTaken: "Warum nicht dieser Fall?",
+  value: "Warum hat es diesen Wert?",
   noCommand: command => `Warum kein ${command}?`,
   lookThere: time => `Sieh dir ${time} an`,
   marks: "Zeitpunkte der Antwort",

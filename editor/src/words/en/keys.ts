@@ -110,6 +110,7 @@ export const keys = {
     nextProblem: "Next problem",
     rename: "Rename what the cursor is on",
     format: "Lay out the Haskell",
+    why: "Ask why about what the cursor is on",
     find: "Find",
     comment: "Make lines a comment, and back",
     lineUp: lines,

@@ -28,6 +28,7 @@ export const why = {
   ran: (name: string) => `Why did ${name} run?`,
   notRun: (name: string) => `Why did ${name} not run?`,
   notTaken: "Why not this case?",
+  value: "Why does it have this value?",
   noCommand: (command: string) => `Why no ${command}?`,
   lookThere: (time: string) => `Look at ${time}`,
   marks: "Moments of the answer",

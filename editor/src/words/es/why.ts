@@ -29,6 +29,7 @@ export const why: Words["why"] = {
   ran: name => `¿Por qué se ejecutó ${name}?`,
   notRun: name => `¿Por qué no se ejecutó ${name}?`,
   notTaken: "¿Por qué no este caso?",
+  value: "¿Por qué tiene este valor?",
   noCommand: command => `¿Por qué no hay ningún ${command}?`,
   lookThere: time => `Mirar qué pasó a los ${time}`,
   marks: "Momentos de la respuesta",

@@ -29,6 +29,7 @@ export const why: typeof english = {
   ran: name => `Pourquoi ${name} s'est-elle lancée ?`,
   notRun: name => `Pourquoi ${name} ne s'est-elle pas lancée ?`,
   notTaken: "Pourquoi pas ce cas ?",
+  value: "Pourquoi a-t-il cette valeur ?",
   noCommand: command => `Pourquoi aucun ${command} ?`,
   lookThere: time => `Regarder à ${time}`,
   marks: "Moments de la réponse",

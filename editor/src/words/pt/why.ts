@@ -30,6 +30,7 @@ export const why: typeof english = {
   ran: name => `Por que ${name} foi executada?`,
   notRun: name => `Por que ${name} não foi executada?`,
   notTaken: "Por que não este caso?",
+  value: "Por que tem este valor?",
   noCommand: command => `Por que nenhum ${command}?`,
   lookThere: time => `Veja aos ${time}`,
   marks: "Momentos da resposta",
