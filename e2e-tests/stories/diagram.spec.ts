@@ -1,8 +1,10 @@
 /// The diagram of a program: it leads to block and text, shows values while the program runs, and is there for keyboard and screen reader.
 
+import {readFileSync} from "node:fs"
 import {AxeBuilder} from "@axe-core/playwright"
 import {expect, type Page} from "@playwright/test"
 import {atRest} from "./at_rest.ts"
+import {drawnParts, drawnPoints, pixelsOf} from "./drawing.ts"
 import {Learner} from "./learner.ts"
 import {test} from "./story.ts"
 
@@ -95,4 +97,49 @@ test("an edit of one function moves no other node", async ({page}) => {
   }
   await expect(node(page, /^cliff: function; runs on Cliff; gives Led1/)).toBeVisible()
   expect(await atRest(page, places)).toEqual(before)
+})
+
+test("the files of the diagram show every text and node with its colours, without the page", async ({
+  page,
+  browser,
+}, info) => {
+  const learner = new Learner(page)
+  await learner.opens("randomWalk")
+  await showsDiagram(page)
+  await learner.runs()
+  await expect(node(page, /^Memory Mode: memory/).locator(".value")).toHaveText(/Go|Turn|Stop/)
+  await page.getByRole("button", {name: "Pause", exact: true}).click()
+  const files = {svg: info.outputPath("diagram.svg"), png: info.outputPath("diagram.png")}
+  const saves = async (kind: "svg" | "png") => {
+    const saved = page.waitForEvent("download")
+    await diagram(page)
+      .getByRole("button", {name: `Save as ${kind.toUpperCase()}`})
+      .click()
+    await (await saved).saveAs(files[kind])
+  }
+  // The chosen node: the keyboard's mark is no part of the file.
+  let parts = await atRest(page, () => drawnParts(page))
+  await expect(async () => {
+    parts = await atRest(page, () => drawnParts(page))
+    await saves("svg")
+    await saves("png")
+    expect(await drawnParts(page)).toEqual(parts)
+  }).toPass()
+  const points = await drawnPoints(page)
+  expect(parts.length).toBeGreaterThan(60)
+  expect(points.length).toBeGreaterThan(20)
+
+  // What programs without CSS do not know is not in it.
+  const file = readFileSync(files.svg, "utf8").replaceAll(/<style>.*?<\/style>/gs, "")
+  expect(file).not.toMatch(/var\(|color\(|color-mix|class=|style=|\d(?:px)?\) rotate\([^)]*deg/)
+  const alone = await (await browser.newContext({deviceScaleFactor: 2})).newPage()
+  await alone.goto(`file://${files.svg}`)
+  await alone.evaluate(() => document.fonts.ready.then(() => undefined))
+  expect(await drawnParts(alone)).toEqual(parts)
+  const seen = await pixelsOf(page, await alone.locator("svg").first().screenshot(), points)
+  const saved = await pixelsOf(page, readFileSync(files.png), points)
+  const expected = points.map(({what, colour}) => `${what}: ${colour}`)
+  expect(seen).toEqual(expected)
+  expect(saved).toEqual(expected)
+  await alone.context().close()
 })

@@ -114,7 +114,7 @@ export function openDiagramMount(store: Store, parts: PageParts): DiagramMount {
       list: path => view?.list(path) ?? [],
       choose: id => view?.chooseById(id),
       saveSvg() {
-        if (view !== null) download(nameOf(store, "svg"), view.svgFile(), "image/svg+xml")
+        void view?.svgFile().then(file => download(nameOf(store, "svg"), file, "image/svg+xml"))
       },
       savePng() {
         void view?.pngFile().then(file => file !== null && downloadBlob(nameOf(store, "png"), file))

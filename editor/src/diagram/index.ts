@@ -44,7 +44,7 @@ export interface DiagramView {
   /// With what led to the answer of a question.
   list(path: CausalPath): readonly OutlineLine[]
   chooseById(id: string): void
-  svgFile(): string
+  svgFile(): Promise<string>
   pngFile(): Promise<Blob | null>
 }
 
@@ -119,7 +119,7 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
       if (node !== undefined) options.chosen(node)
     },
     svgFile: () => standalone(drawing.svg, getComputedStyle(host).backgroundColor),
-    pngFile: () => pngOf(standalone(drawing.svg, getComputedStyle(host).backgroundColor)),
+    pngFile: async () => pngOf(await standalone(drawing.svg, getComputedStyle(host).backgroundColor)),
   }
 }
 

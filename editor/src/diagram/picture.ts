@@ -1,10 +1,14 @@
-/// The diagram as a file: an SVG that needs no style sheet, and a PNG of it.
+/// The diagram as a file: an SVG that needs nothing else, also in programs that know no CSS, and a PNG of it.
 
-/// Properties that the page's style sheet sets on the drawing.
+import {fontFaces} from "./font_faces.ts"
+
+/// Properties that the page's style sheet sets on the drawing. Each of them is an attribute of SVG 1.1 as well, apart from `paint-order`,
+/// without which a label keeps its outline on top.
 const properties = [
   "fill",
   "fill-opacity",
   "stroke",
+  "stroke-opacity",
   "stroke-width",
   "stroke-dasharray",
   "stroke-linecap",
@@ -15,41 +19,68 @@ const properties = [
   "font-weight",
   "text-anchor",
   "paint-order",
-  "transform",
 ] as const
 
-/// The drawing with its colours on each element, on the colour of its background.
-export function standalone(svg: SVGSVGElement, background: string): string {
+/// What an element has without the attribute.
+const defaults: Readonly<Record<string, string>> = {
+  "fill-opacity": "1",
+  stroke: "none",
+  "stroke-opacity": "1",
+  "stroke-dasharray": "none",
+  "stroke-linecap": "butt",
+  "stroke-linejoin": "miter",
+  opacity: "1",
+  "paint-order": "normal",
+}
+
+/// What only the page uses.
+const ofThePage = ["class", "style", "tabindex", "role", "aria-label", "data-node", "data-edge"]
+
+/// The drawing with its colours on each element, on the colour of its background, and with the fonts of its texts.
+export async function standalone(svg: SVGSVGElement, background: string): Promise<string> {
   const copy = svg.cloneNode(true) as SVGSVGElement
   const originals = [svg, ...svg.querySelectorAll<SVGElement>("*")]
   const copies = [copy, ...copy.querySelectorAll<SVGElement>("*")]
   originals.forEach((original, i) => {
-    const style = getComputedStyle(original)
     const target = copies[i]
     if (target === undefined) return
-    for (const property of properties) {
-      const value = style.getPropertyValue(property)
-      if ((value !== "" && value !== "none") || property === "fill" || property === "stroke")
-        target.style.setProperty(property, value)
+    const style = getComputedStyle(original)
+    const isText = original instanceof SVGTextElement
+    const isShape = original instanceof SVGGeometryElement
+    for (const property of isText || isShape ? properties : []) {
+      if (!isText && /^font|^text|^paint/.test(property)) continue
+      const value = plainColour(style.getPropertyValue(property))
+      if (value !== "" && value !== defaults[property]) target.setAttribute(property, value)
     }
-    for (const name of ["class", "tabindex", "role", "data-node"]) target.removeAttribute(name)
+    const place = /^translate\((-?[\d.]+)px(?:, (-?[\d.]+)px)?\)$/.exec(original.style.transform)
+    if (place !== null) target.setAttribute("transform", `translate(${place[1]} ${place[2] ?? 0})`)
+    for (const name of ofThePage) target.removeAttribute(name)
   })
-  const box = svg.viewBox.baseVal
+  const {x, y, width, height} = svg.viewBox.baseVal
   const paper = document.createElementNS(svg.namespaceURI, "rect")
-  for (const [name, value] of Object.entries({
-    x: box.x,
-    y: box.y,
-    width: box.width,
-    height: box.height,
-    fill: background,
-  }))
+  for (const [name, value] of Object.entries({x, y, width, height, fill: plainColour(background)}))
     paper.setAttribute(name, `${value}`)
   copy.prepend(paper)
-  copy.setAttribute("xmlns", "http://www.w3.org/2000/svg")
-  copy.setAttribute("width", `${box.width}`)
-  copy.setAttribute("height", `${box.height}`)
-  copy.style.removeProperty("transform")
+  const fonts = await fontFaces(svg.querySelectorAll("text"))
+  if (fonts !== "") {
+    const sheet = document.createElementNS(svg.namespaceURI, "style")
+    sheet.textContent = fonts
+    copy.prepend(sheet)
+  }
+  copy.setAttribute("width", `${width}`)
+  copy.setAttribute("height", `${height}`)
   return new XMLSerializer().serializeToString(copy)
+}
+
+/// A mixed colour as the page computes it, `color(srgb 0.9 0.95 1)`, as `#e6f2ff`, which every program knows; any other value as it is.
+export function plainColour(value: string): string {
+  const mixed = /^color\(srgb ([\d.e-]+) ([\d.e-]+) ([\d.e-]+)\)$/.exec(value)
+  if (mixed === null) return value
+  const part = (share: string | undefined) =>
+    Math.round(255 * Math.min(1, Math.max(0, Number(share))))
+      .toString(16)
+      .padStart(2, "0")
+  return `#${part(mixed[1])}${part(mixed[2])}${part(mixed[3])}`
 }
 
 /// Pixels of a PNG for one pixel of the drawing.
