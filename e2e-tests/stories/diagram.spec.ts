@@ -143,3 +143,91 @@ test("the files of the diagram show every text and node with its colours, withou
   expect(saved).toEqual(expected)
   await alone.context().close()
 })
+
+test.describe("with reduced motion", () => {
+  test.use({contextOptions: {reducedMotion: "reduce"}})
+
+  test("nothing travels in the diagram, and firings are still seen in diagram and blocks", async ({page}) => {
+    const learner = new Learner(page)
+    await learner.opens("randomWalk")
+    await showsDiagram(page)
+    await page.evaluate(watchMotion)
+    const seen = () => page.evaluate(() => (window as unknown as {seen: () => SeenMotion}).seen())
+    await learner.runs()
+    // What fires is lit: function, edges, and block.
+    await expect.poll(seen).toMatchObject({
+      functions: expect.arrayContaining(["spin"]),
+      edges: true,
+      blocks: true,
+    })
+    const lit = diagram(page).locator(".node.function.lit .outline").first()
+    const dark = diagram(page).locator(".node.function:not(.lit) .outline").first()
+    await expect(lit).toHaveCSS("stroke-width", "3px")
+    await expect(dark).toHaveCSS("stroke-width", "2px")
+    // A node goes, and when the diagram is tidied up others take other places at once.
+    await learner.findsInHaskell("wheel, chgdir")
+    await page.keyboard.type("chgdir")
+    await expect(node(page, /^wheel: function/)).toHaveCount(0)
+    await diagram(page).getByRole("button", {name: "Tidy up"}).click()
+    await expect.poll(async () => (await seen()).moved).toBe(true)
+    await atRest(page, seen)
+    expect(await seen()).toMatchObject({between: [], animations: []})
+    await learner.stops()
+  })
+})
+
+interface SeenMotion {
+  /// Functions, and whether edges and blocks, that were lit.
+  readonly functions: readonly string[]
+  readonly edges: boolean
+  readonly blocks: boolean
+  /// Whether a node went to another place; places between two of its places; animations that took time.
+  readonly moved: boolean
+  readonly between: readonly string[]
+  readonly animations: readonly string[]
+}
+
+/// Runs in the page: looks at diagram and blocks in every frame.
+function watchMotion(): void {
+  const functions = new Set<string>()
+  const animations = new Set<string>()
+  const between = new Set<string>()
+  const places = new Map<string, Set<string>>()
+  let [edges, blocks, moved] = [false, false, false]
+  const numbers = (transform: string) =>
+    (transform.match(/-?[\d.]+/g) ?? [])
+      .slice(-2)
+      .map(one => Number(one).toFixed(1))
+      .join(" ")
+  const look = () => {
+    for (const group of document.querySelectorAll<SVGGElement>("svg.diagram .node")) {
+      const id = group.dataset["node"] ?? ""
+      if (group.matches(".function.lit")) functions.add(group.querySelector(".name")?.textContent ?? "")
+      const known = places.get(id) ?? new Set()
+      places.set(id, known.add(numbers(group.style.transform)))
+      if (known.size > 1) moved = true
+      const at = numbers(getComputedStyle(group).transform)
+      if (!known.has(at)) between.add(`${id}: ${at}`)
+    }
+    edges ||= document.querySelector("svg.diagram .edge.lit") !== null
+    blocks ||= document.querySelector(".rosyFired") !== null
+    for (const animation of document.getAnimations()) {
+      const {effect} = animation
+      const target = effect instanceof KeyframeEffect ? effect.target : null
+      const time = Number(effect?.getComputedTiming().duration)
+      if (time > 1 && target?.closest(".region.diagram, .region.blocks"))
+        animations.add(`${target.getAttribute("class")}: ${time} ms`)
+    }
+    requestAnimationFrame(look)
+  }
+  requestAnimationFrame(look)
+  const seen = () => ({
+    functions: [...functions],
+    edges,
+    blocks,
+    moved,
+    between: [...between],
+    animations: [...animations],
+  })
+  Object.assign(window, {seen})
+}
