@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from rosy_sim.bench.postgresql_server import SERVERS, postgresql_server
+from rosy_sim.bench.postgresql_server import SERVERS, PostgresqlServer, postgresql_server, restartable_server
 
-__all__ = ["needs_postgresql", "postgresql_server"]
+__all__ = ["PostgresqlServer", "needs_postgresql", "postgresql_server", "restartable_server"]
 
 _SITE = Path(__file__).resolve().parents[2] / ".rosy" / "venv-cluster" / "lib"
 

@@ -59,6 +59,7 @@ function BoardPage({send, unlock, download, backUp, programs, openRun, openProje
     checking,
     results,
     checkRefused,
+    storeFault,
   } = board.value
   const w = words.classroom.board
   if (opened === null)
@@ -72,6 +73,11 @@ function BoardPage({send, unlock, download, backUp, programs, openRun, openProje
         {link === "lost" && (
           <p class="refused" role="status">
             {w.lost}
+          </p>
+        )}
+        {storeFault !== null && (
+          <p class="refused" role="status" data-testid="store-fault">
+            {w.store[storeFault]}
           </p>
         )}
         <PupilsInNeed pupils={pupils} />

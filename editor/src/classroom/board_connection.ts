@@ -47,19 +47,31 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
       if (message.op === "board") {
         storage.tab.setItem(teacherKey, key ?? "")
         storage.shared.setItem(teacherKey, "yes")
-        change({class: message, attention: message.attention, refused: null, results: new Map()})
+        change({
+          class: message,
+          attention: message.attention,
+          refused: null,
+          storeFault: null,
+          results: new Map(),
+        })
       } else if (message.op === "refused") {
         if (message.reason === "key" || message.reason === "attempts") {
           storage.tab.removeItem(teacherKey)
           change({refused: words.classroom.refused[message.reason], class: null})
-        } else if (message.reason === "deadline" || message.reason === "tasks" || message.reason === "disk")
+        } else if (
+          message.reason === "deadline" ||
+          message.reason === "tasks" ||
+          message.reason === "disk" ||
+          message.reason === "database"
+        )
           change({taskRefused: words.classroom.board.refused[message.reason]})
         else if (message.reason === "comments")
           change({commentRefused: words.classroom.board.refused.comments})
         else if (message.reason === "busy" || message.reason === "away")
           change({sharingRefused: words.classroom.board.refused[message.reason]})
         else if (message.reason === "rooms") change({checkRefused: words.classroom.board.check.refused})
-      } else if (message.op === "pupils") change({pupils: message.pupils})
+      } else if (message.op === "store") change({storeFault: message.fault})
+      else if (message.op === "pupils") change({pupils: message.pupils})
       else if (message.op === "room") rooms.value = new Map([...rooms.value, [message.pupil, message.world]])
       else if (message.op === "places")
         places.value = new Map([

@@ -24,6 +24,8 @@ import {
   type Refusal,
   refusals,
   type Shared,
+  type StoreFault,
+  storeFaults,
 } from "./class_messages.ts"
 import {
   type Checking,
@@ -109,6 +111,8 @@ export type BoardMessage =
       readonly addresses: readonly string[]
       readonly attention: string | null
     }
+  /// Why nothing can be stored now; `null` when it can.
+  | {readonly op: "store"; readonly fault: StoreFault | null}
   | {readonly op: "pupils"; readonly pupils: readonly PupilOnBoard[]}
   | {readonly op: "room"; readonly pupil: number; readonly world: World}
   | {readonly op: "places"; readonly places: readonly Place[]}
@@ -228,6 +232,7 @@ const boardMessage: Decoder<BoardMessage> = (value, path) => {
       "op",
       oneOf(
         "board",
+        "store",
         "pupils",
         "room",
         "places",
@@ -254,6 +259,8 @@ const boardMessage: Decoder<BoardMessage> = (value, path) => {
   if (op === "run") return {op, ...runInRoom(value, path)}
   return object<BoardMessage>(get => {
     switch (op) {
+      case "store":
+        return {op, fault: get("fault", optional(oneOf(...storeFaults), null))}
       case "board":
         return {
           op,

@@ -3,7 +3,7 @@
 import {type Signal, signal} from "@preact/signals"
 import type {World} from "../worlds/world.ts"
 import type {BoardMessage, BoardTask, Place, PupilOnBoard} from "./board_messages.ts"
-import type {OwnComment} from "./class_messages.ts"
+import type {OwnComment, StoreFault} from "./class_messages.ts"
 import {type Checking, type Results, type RoomsOfResult, withRooms} from "./hand_in_checks.ts"
 import type {ProjectorChoice} from "./projector_choice.ts"
 import type {SharingBounds, SharingMessage} from "./shared_messages.ts"
@@ -23,6 +23,8 @@ export interface Board extends ProjectorChoice {
   readonly link: "connecting" | "open" | "lost"
   readonly class: {readonly code: string; readonly addresses: readonly string[]} | null
   readonly refused: string | null
+  /// Why nothing can be stored now.
+  readonly storeFault: StoreFault | null
   readonly attention: string | null
   readonly pupils: readonly PupilOnBoard[]
   /// A pupil's program to look at: its link for an embedded page.
@@ -54,6 +56,7 @@ export const board: Signal<Board> = signal({
   link: "connecting",
   class: null,
   refused: null,
+  storeFault: null,
   attention: null,
   pupils: [],
   shown: null,

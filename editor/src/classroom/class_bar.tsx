@@ -43,7 +43,7 @@ interface Props {
 export function ClassBar({desk}: Props): VNode {
   const w = words.classroom
   const {member, link, saved, hand, handout, isHandoutFolded, blockComments, sharing} = desk.state.value
-  const isSaved = link === "open" && saved !== "failed"
+  const isSaved = link === "open" && (saved === "saved" || saved === "saving")
   return (
     <section class="class-bar" aria-label={w.bar} data-testid="class-bar">
       {member === null ? (

@@ -38,6 +38,7 @@ export const refusals = [
   "comments",
   "busy",
   "away",
+  "database",
   "nickname-empty",
   "nickname-long",
   "nickname-letters",
@@ -45,6 +46,12 @@ export const refusals = [
 export type Refusal = (typeof refusals)[number]
 
 export type SaveReason = "change" | "run"
+
+/// Why the class could not store anything: the disk is full or broken, or the database does not answer.
+export const storeFaults = ["disk", "database"] as const
+export type StoreFault = (typeof storeFaults)[number]
+/// Why it could not store a program: `full` when the pupil's share of the disk is.
+export type SaveFault = "full" | StoreFault
 
 /// A program of the pupil as the service has it.
 export interface ProgramEntry {
@@ -158,12 +165,12 @@ export type ClassMessage =
       readonly name: string
       readonly text: string
     }
-  | {readonly op: "unsaved"; readonly program: string; readonly mark: string}
+  | {readonly op: "unsaved"; readonly program: string; readonly mark: string; readonly reason: SaveFault}
   | {readonly op: "attention"; readonly message: string | null}
   | ({readonly op: "handout"} & Handout)
   | {readonly op: "lowered"}
   | {readonly op: "tasks"; readonly tasks: readonly OwnTask[]}
-  | {readonly op: "not-handed-in"; readonly task: number; readonly reason: "late" | "full"}
+  | {readonly op: "not-handed-in"; readonly task: number; readonly reason: "late" | "full" | "database"}
   | {readonly op: "comments"; readonly comments: readonly OwnComment[]}
 
 const entry = object<ProgramEntry>(get => ({
@@ -267,7 +274,12 @@ const classMessage: Decoder<ClassMessage> = (value, path) => {
           text: get("text", string),
         }
       case "unsaved":
-        return {op, program: get("program", string), mark: get("mark", string)}
+        return {
+          op,
+          program: get("program", string),
+          mark: get("mark", string),
+          reason: get("reason", oneOf("full", ...storeFaults)),
+        }
       case "attention":
         return {op, message: get("message", optional(string, null))}
       case "handout":
@@ -283,7 +295,7 @@ const classMessage: Decoder<ClassMessage> = (value, path) => {
       case "tasks":
         return {op, tasks: get("tasks", list(ownTask))}
       case "not-handed-in":
-        return {op, task: get("task", number), reason: get("reason", oneOf("late", "full"))}
+        return {op, task: get("task", number), reason: get("reason", oneOf("late", "full", "database"))}
       case "comments":
         return {op, comments: get("comments", list(ownComment))}
     }

@@ -2,6 +2,7 @@
 
 import {hashOf} from "@rosy/codegen"
 import type {ClassMessage, Handout, OwnComment, OwnTask, Refusal, SharingQuestion} from "./class_messages.ts"
+import type {SyncState} from "./class_sync.ts"
 
 export interface ClassState {
   readonly link: "connecting" | "open" | "lost"
@@ -11,7 +12,7 @@ export interface ClassState {
   /// A request of the card waits for its answer.
   readonly asked: boolean
   readonly refused: Refusal | null
-  readonly saved: "saved" | "saving" | "failed"
+  readonly saved: SyncState
   readonly hand: boolean
   readonly attention: string | null
   /// A program, a room or a lesson from the teacher that was not opened yet.
@@ -38,7 +39,7 @@ export type Sharing =
   /// The program that the teacher asked about is not in this browser.
   | {readonly kind: "gone"; readonly name: string}
 
-export type HandInState = "asked" | "late" | "full" | "offline"
+export type HandInState = "asked" | "late" | "full" | "database" | "offline"
 
 /// Names a comment; a changed comment on the same hand-in is another one.
 export const commentKey = (task: OwnTask): string => `${task.id} ${hashOf(task.handedIn?.comment ?? "")}`

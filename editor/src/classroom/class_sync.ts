@@ -4,7 +4,7 @@
 
 import {hashOf} from "@rosy/codegen"
 import type {ProgramStore} from "../browser/program_store.ts"
-import type {ClassMessage, ProgramEntry, PupilMessage, SaveReason} from "./class_messages.ts"
+import type {ClassMessage, ProgramEntry, PupilMessage, SaveFault, SaveReason} from "./class_messages.ts"
 import {type Membership, readMembership, type SyncRecord, writeMembership} from "./membership.ts"
 
 /// The page's open program, as synchronization needs it.
@@ -28,9 +28,13 @@ export interface ClassSync {
   /// Saves the open program if it differs from the version on the service.
   save(reason: SaveReason): void
   lost(): void
-  /// `saving` while a request waits for its answer or a text could not be sent yet, `failed` when the service could not store one.
-  state(): "saved" | "saving" | "failed"
+  /// Sends again what the service could not store or read.
+  retry(): void
+  state(): SyncState
 }
+
+/// `saving` while a request waits for its answer or a text could not be sent yet; else why the service could not store one.
+export type SyncState = "saved" | "saving" | SaveFault
 
 /// A name for a copy, and an entry for it.
 export interface Naming {
@@ -60,7 +64,8 @@ export function openClassSync(
   const reading = new Set<string>()
   /// Programs whose newest text is not on its way.
   const behind = new Set<string>()
-  let failed = false
+  /// Programs that the service could not store, and why.
+  const unstored = new Map<string, SaveFault>()
 
   const update = (change: (now: Membership) => Membership) => {
     const now = readMembership(storage)
@@ -83,18 +88,20 @@ export function openClassSync(
     const hash = hashOf(text)
     if (record.hash === hash && record.marks.length === 0) {
       behind.delete(id)
+      unstored.delete(id)
       return
     }
     if ([...waiting.values()].some(request => request.program === id)) {
       behind.add(id)
       return
     }
-    const mark = naming.place()
+    // A request that is repeated keeps its mark, so that repetitions do not displace the marks of others.
+    const mark = (unstored.has(id) ? record.marks.at(-1) : undefined) ?? naming.place()
     const name = listed(id)?.name ?? ""
     const {version: base, marks: unacknowledged} = record
     behind.delete(id)
     // Before it is sent: a page that ends now must know later what the service may have stored.
-    setRecord(id, {...record, marks: [...unacknowledged, mark].slice(-mostMarks)})
+    setRecord(id, {...record, marks: [...new Set([...unacknowledged, mark])].slice(-mostMarks)})
     const sent = send({op: "save", program: id, name, text, reason, base, mark, unacknowledged})
     if (sent) waiting.set(mark, {program: id, hash})
     else {
@@ -146,7 +153,7 @@ export function openClassSync(
       open.store()
       waiting.clear()
       reading.clear()
-      failed = false
+      unstored.clear()
       const newest = programs[0]
       toOpen = isNew && newest !== undefined ? newest.id : null
       const known = readMembership(storage)?.programs ?? {}
@@ -172,12 +179,12 @@ export function openClassSync(
       } else {
         const request = waiting.get(message.mark)
         waiting.delete(message.mark)
+        if (message.op === "unsaved") unstored.set(program, message.reason)
+        else unstored.delete(program)
         if (message.op === "saved" && request !== undefined) {
-          failed = false
           setRecord(program, {version: message.version, hash: request.hash, marks: []})
           if (behind.has(program)) push(program, "change")
         } else if (message.op === "conflict") becomeTwo(program, message.version, message.name, message.text)
-        else if (message.op === "unsaved") failed = true
       }
       changed()
     },
@@ -194,8 +201,14 @@ export function openClassSync(
       reading.clear()
       changed()
     },
+    retry() {
+      for (const [id, fault] of [...unstored]) if (fault !== "full") push(id, "change")
+      for (const id of [...reading]) read(id)
+      changed()
+    },
     state() {
-      if (failed) return "failed"
+      const [fault] = unstored.values()
+      if (fault !== undefined) return fault
       return waiting.size > 0 || behind.size > 0 || reading.size > 0 ? "saving" : "saved"
     },
   }

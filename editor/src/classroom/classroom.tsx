@@ -21,6 +21,7 @@ import {
   type OwnTask,
   type PageStatus,
   type PupilMessage,
+  type Refusal,
   readClassMessage,
   type SaveReason,
 } from "./class_messages.ts"
@@ -34,6 +35,9 @@ import {openPupilSharing} from "./pupil_sharing.ts"
 
 /// Milliseconds between a change and its being sent to the service.
 const savePause = 2000
+
+/// Milliseconds until a request that the service could not store or read is sent again.
+const retryPause = 5000
 
 const skippedKey = "rosy.class.skipped"
 const handoutKey = "rosy.class.handout"
@@ -54,6 +58,8 @@ export function openClassroom(page: PageOfClass): void {
   const dispatch = (event: ClassEvent) => {
     state.value = reduceClass(state.value, event, receivedHandouts())
   }
+  /// The service has let this connection in.
+  let isIn = false
   /// A change waits for the pause after it.
   let isPending = false
   const showSaved = () => dispatch({kind: "saved", saved: isPending ? "saving" : sync.state()})
@@ -64,6 +70,7 @@ export function openClassroom(page: PageOfClass): void {
         dispatch({kind: "card", card: "join"})
     },
     lost() {
+      isIn = false
       sync.lost()
       sharing.lost()
       dispatch({kind: "link", link: "lost"})
@@ -93,6 +100,15 @@ export function openClassroom(page: PageOfClass): void {
     send,
     showSaved,
   )
+  let isRetryDue = false
+  const retryLater = () => {
+    if (isRetryDue) return
+    isRetryDue = true
+    setTimeout(() => {
+      isRetryDue = false
+      if (isIn) sync.retry()
+    }, retryPause)
+  }
   const sharing = openPupilSharing(page, state, dispatch, send)
   const status = openStatus(store, send)
   const pause = openPause(store)
@@ -102,10 +118,12 @@ export function openClassroom(page: PageOfClass): void {
     if (message.op === "entered" && message.token !== null)
       writeMembership(storage.shared, {token: message.token, nickname: message.nickname, programs: {}})
     if (message.op === "refused" && message.reason === "token") writeMembership(storage.shared, null)
-    if (message.op === "refused" && message.reason === "attempts" && admission.refused()) {
+    if (message.op === "refused" && keepsOut(message.reason) && !isIn && admission.refused()) {
       sync.lost()
       return
     }
+    if (message.op === "entered") isIn = true
+    if (message.op === "unsaved" || (message.op === "refused" && message.reason !== "request")) retryLater()
     const wasUp = state.value.hand
     sharing.heard(message)
     dispatch({kind: "heard", message})
@@ -198,6 +216,10 @@ export function openClassroom(page: PageOfClass): void {
   document.body.append(dialogs)
   render(<ClassDialogs desk={desk} />, dialogs)
 }
+
+/// The service could not let the page in, and will later.
+const keepsOut = (reason: Refusal): boolean =>
+  reason === "attempts" || reason === "disk" || reason === "database"
 
 /// Shows what the teacher sent. A room replaces the one around the open program.
 function openHandout(store: Store, loader: ProgramLoader, {what, name, text}: Handout): void {

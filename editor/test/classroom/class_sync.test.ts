@@ -3,7 +3,7 @@
 import {describe, expect, test} from "vitest"
 import {memoryStorage} from "../../src/browser/memory_storage.ts"
 import {openProgramStore} from "../../src/browser/program_store.ts"
-import type {ClassMessage, ProgramEntry, PupilMessage} from "../../src/classroom/class_messages.ts"
+import type {ClassMessage, ProgramEntry, PupilMessage, SaveFault} from "../../src/classroom/class_messages.ts"
 import {type ClassSync, openClassSync} from "../../src/classroom/class_sync.ts"
 import {readMembership, writeMembership} from "../../src/classroom/membership.ts"
 
@@ -20,6 +20,9 @@ class Service {
   /// Every text that was ever stored.
   readonly history = new Set<string>()
   private version = 0
+  /// Why it stores nothing now.
+  fault: SaveFault | null = null
+  marks: string[] = []
 
   serve(message: PupilMessage): ClassMessage | null {
     if (message.op === "read") {
@@ -28,6 +31,8 @@ class Service {
     }
     if (message.op !== "save") return null
     const {program, name, text, base, mark, unacknowledged} = message
+    this.marks.push(mark)
+    if (this.fault !== null) return {op: "unsaved", program, mark, reason: this.fault}
     const latest = this.programs.get(program)
     if (latest !== undefined && latest.text === text)
       return {op: "saved", program, mark, version: latest.version}
@@ -126,7 +131,8 @@ class Browser {
 
   settle(): void {
     for (let next = this.answers.shift(); next !== undefined; next = this.answers.shift())
-      if (next?.op === "program" || next?.op === "saved" || next?.op === "conflict") this.sync.heard(next)
+      if (next?.op === "program" || next?.op === "saved" || next?.op === "conflict" || next?.op === "unsaved")
+        this.sync.heard(next)
   }
 
   enters(isNew = false): void {
@@ -187,6 +193,51 @@ describe("a program in the class", () => {
     expect(browser.sync.state()).toBe("saving")
     browser.enters()
     expect(service.texts()).toEqual(["two"])
+    expect(browser.sync.state()).toBe("saved")
+  })
+
+  test.each(["database", "disk"] as const)(
+    "that meets a fault of the %s is sent until it is stored",
+    fault => {
+      const service = new Service()
+      const browser = new Browser(service, "a")
+      browser.enters()
+      service.fault = fault
+      browser.write("one")
+      browser.save()
+      expect(browser.sync.state()).toBe(fault)
+      for (let i = 0; i < 30; i++) {
+        browser.sync.retry()
+        browser.settle()
+      }
+      // It is not shown as saved, and all requests are one.
+      expect(browser.sync.state()).toBe(fault)
+      expect(service.marks.length).toBe(31)
+      expect(new Set(service.marks).size).toBe(1)
+      service.fault = null
+      browser.write("two")
+      browser.sync.retry()
+      browser.settle()
+      expect(browser.sync.state()).toBe("saved")
+      expect(service.texts()).toEqual(["two"])
+      browser.sync.retry()
+      expect(service.marks.length).toBe(32)
+    },
+  )
+
+  test("that finds the pupil's share of the disk full is sent again when it has changed", () => {
+    const service = new Service()
+    const browser = new Browser(service, "a")
+    browser.enters()
+    service.fault = "full"
+    browser.write("one")
+    browser.save()
+    browser.sync.retry()
+    expect(service.marks.length).toBe(1)
+    expect(browser.sync.state()).toBe("full")
+    service.fault = null
+    browser.write("two")
+    browser.save()
     expect(browser.sync.state()).toBe("saved")
   })
 

@@ -65,6 +65,7 @@ __all__ = [
     "Send",
     "Sent",
     "SetAttention",
+    "StoreShown",
     "Unlock",
     "read_board_request",
 ]
@@ -196,6 +197,12 @@ class BoardShown(msgspec.Struct, tag="board", tag_field="op"):
     attention: str | None
 
 
+class StoreShown(msgspec.Struct, tag="store", tag_field="op"):
+    """Why nothing can be stored now; ``None`` when it can."""
+
+    fault: Literal["disk", "database"] | None
+
+
 class PupilShown(msgspec.Struct):
     """A pupil; ``changed`` is when a program of theirs was stored last, in s ago."""
 
@@ -310,6 +317,7 @@ class CommentsShown(msgspec.Struct, tag="comments", tag_field="op"):
 
 BoardAnswer = (
     BoardShown
+    | StoreShown
     | PupilsShown
     | RoomShown
     | PlacesShown

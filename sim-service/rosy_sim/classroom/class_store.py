@@ -140,6 +140,10 @@ class ClassStore:
         """
         return ClassStore(self._database.beside(), self.admission(), now)
 
+    def keep(self) -> None:
+        """``Database.keep``."""
+        self._database.keep()
+
     def close(self) -> None:
         """Close the database."""
         self._database.close()

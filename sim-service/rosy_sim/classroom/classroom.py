@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 from typing import IO
 
 from ..attempts import Attempts, Rate
-from ..sentence import tr
+from ..sentence import Sentence, tr
 from ..wording import in_terminal
 from . import board_messages as b
 from . import pupil_messages as p
@@ -27,7 +27,7 @@ from .class_comments import ClassComments
 from .class_export import write_export
 from .class_store import ClassStore, Conflict, NicknameTaken, Pupil, Saved, StoreFull, Version
 from .class_tasks import ClassTasks
-from .database import StoreError
+from .database import ClassTaken, StoreAway, StoreError
 from .hand_in_export import hand_ins_zip
 from .message_fields import Refused
 from .nickname import BadNickname, read_nickname
@@ -36,7 +36,7 @@ from .projector_messages import Project, Projected
 from .pupil_state import PupilState
 from .shared_editing import Participant, SharedEditing
 from .shared_messages import AskToShare, Cursor, Decline, EndSharing, Push, Share
-from .store_thread import StoreThread
+from .store_thread import Fault, StoreThread, fault_of
 from .word_list import draw_words, read_words
 
 __all__ = ["Classroom", "PupilPage"]
@@ -46,6 +46,9 @@ ADDRESS_ATTEMPTS = Rate(0.2, 10.0)
 
 ALL_ATTEMPTS = Rate(5.0, 300.0)
 """From all addresses together: a class of thirty mistypes without being locked out."""
+
+_PAUSE, _PAUSE_AWAY = 5.0, 1.0
+"""Between looks whether the database server is there, and when it was not, s."""
 
 _log = logging.getLogger(__name__)
 
@@ -94,6 +97,8 @@ class Classroom:
         # time, would count as wrong attempts until each is decided.
         self._admitting = asyncio.Lock()
         self._store = StoreThread(store)
+        # The last save found the disk full or broken.
+        self._disk_fault = False
         self.tasks = ClassTasks(store, self._store, time.time)
         self.comments = ClassComments(store, self._store, time.time)
         self.projection = Projection(self._newest_program)
@@ -109,6 +114,31 @@ class Classroom:
             if latest is not None:
                 member.program, member.changed = latest.name, latest.at
             self._members[pupil.id] = member
+
+    async def keep_store(self) -> Sentence:
+        """
+        Keep the class locked for this service, after lost connections too; returns, as a sentence, why that was not
+        possible any more: this service must end.
+        """
+        while True:
+            try:
+                await self._store.keep()
+            except StoreAway:
+                pause = _PAUSE_AWAY
+            except ClassTaken:
+                return tr("Another Rosy has opened the class while the database did not answer; this one ends.")
+            except StoreError as error:
+                _log.error("%s", in_terminal(tr("The class cannot be read or stored: {why}", why=error)))
+                pause = _PAUSE
+            else:
+                pause = _PAUSE
+            await asyncio.sleep(pause)
+
+    def store_fault(self) -> Fault | None:
+        """Why nothing can be stored now."""
+        if self._store.is_away:
+            return "database"
+        return "disk" if self._disk_fault else None
 
     async def close(self) -> None:
         """Finish what is being stored."""
@@ -140,12 +170,14 @@ class Classroom:
                 await self._serve_member(page, self._members[page.pupil.id], request)
         except StoreError as error:
             _log.error("%s", in_terminal(tr("The class cannot be stored: {why}", why=error)))
+            fault = fault_of(error)
             if isinstance(request, p.Save):
-                page.put(p.SaveFailed(request.program, request.mark))
+                self._disk_fault = fault == "disk"
+                page.put(p.SaveFailed(request.program, request.mark, fault))
             elif isinstance(request, p.HandIn):
-                page.put(p.NotHandedIn(request.task, "full"))
+                page.put(p.NotHandedIn(request.task, "database" if fault == "database" else "full"))
             else:
-                page.put(Refused("full"))
+                page.put(Refused(fault))
 
     async def _admit(self, page: PupilPage, request: p.PupilRequest) -> None:
         if not isinstance(request, p.Join | p.Resume | p.Enter):
@@ -267,12 +299,13 @@ class Classroom:
         )
         match saved:
             case Saved():
+                self._disk_fault = False
                 member.program, member.changed = request.name, time.time()
                 page.put(p.Saved(request.program, request.mark, saved.number))
             case Conflict(latest):
                 page.put(p.Conflicting(latest.program, request.mark, latest.number, latest.name, latest.text))
             case StoreFull():
-                page.put(p.SaveFailed(request.program, request.mark))
+                page.put(p.SaveFailed(request.program, request.mark, "full"))
 
     async def _hand_in(self, page: PupilPage, member: _Member, request: p.HandIn) -> None:
         if not await self.tasks.hand_in(member.pupil.id, request):

@@ -14,11 +14,19 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
-__all__ = ["Database", "Rows", "SqliteDatabase", "StoreError"]
+__all__ = ["ClassTaken", "Database", "Rows", "SqliteDatabase", "StoreAway", "StoreError"]
 
 
 class StoreError(Exception):
     """The disk is full or broken, or the database server cannot be reached; the transaction changed nothing."""
+
+
+class StoreAway(StoreError):
+    """The database server cannot be reached now; the transaction changed nothing and can be tried again."""
+
+
+class ClassTaken(StoreError):
+    """While the server could not be reached another service has opened the class; this one must end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +68,15 @@ class Database(Protocol):
 
     def migrate(self, statements: Sequence[str], number: int) -> None:
         """Apply the migration of that number, as one transaction."""
+
+    def keep(self) -> None:
+        """
+        Make sure that the class is locked for this service, after a lost connection through a new one.
+
+        Raises:
+            StoreAway: the server cannot be reached now.
+            ClassTaken: another service has opened the class meanwhile.
+        """
 
     def beside(self) -> Database:
         """
@@ -114,6 +131,9 @@ class SqliteDatabase:
             for statement in statements:
                 self.execute(statement)
             self.execute(f"PRAGMA user_version = {number}")
+
+    def keep(self) -> None:
+        """``Database.keep``: the lock of the folder stays as long as the process."""
 
     def beside(self) -> SqliteDatabase:
         """``Database.beside``."""

@@ -32,6 +32,7 @@ from .class_tasks import ClassTasks
 from .database import StoreError
 from .message_fields import Refused
 from .program_fingerprint import source_of
+from .store_thread import fault_of
 from .task_store import HandInKept
 
 __all__ = ["HandInChecks"]
@@ -99,7 +100,7 @@ class HandInChecks:
             refuse(Refused("rooms"))
         except StoreError as error:
             _log.error("%s", in_terminal(tr("Results cannot be stored: {why}", why=error)))
-            refuse(Refused("disk"))
+            refuse(Refused(fault_of(error)))
         finally:
             self._end()
 

@@ -61,6 +61,7 @@ Refusal = (
         "comments",
         "busy",
         "away",
+        "database",
     ]
     | Fault
 )

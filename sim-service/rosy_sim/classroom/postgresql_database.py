@@ -2,28 +2,47 @@
 Database of a class on a PostgreSQL server: for a cluster, where a class may come up on another machine.
 
 Each class has a schema of its own in one database. A session-level advisory lock says that a service has the class
-open. The server frees it when the connection ends; keepalives end the connection of a machine that is lost. A commit
-is on the server's disk when it returns (``synchronous_commit``, PostgreSQL's default).
+open. The server frees it when the connection ends; keepalives end the connection of a machine that is lost. All writes
+go through the connection that holds the lock, so a service without the lock writes nothing. A commit is on the server's
+disk when it returns (``synchronous_commit``, PostgreSQL's default).
+
+After a lost connection the service takes the lock again. The table ``holder`` of the class names the service that had
+it last (a fencing token), and how many transactions that one has committed: so the service knows whether another one
+had the class meanwhile, and whether a commit whose answer was lost has taken place.
 
 Only the environment of a cluster has ``psycopg``; nothing else imports this module at its top.
 """
 
 from __future__ import annotations
 
+import secrets
+import time
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 import psycopg
 
 from ..errors import BadInput
 from ..sentence import tr
-from .database import Rows, StoreError
+from .database import ClassTaken, Rows, StoreAway, StoreError
 
 __all__ = ["PostgresqlDatabase", "class_names", "delete_class"]
 
 _KEEPALIVES = {"tcp_keepalives_idle": 5, "tcp_keepalives_interval": 2, "tcp_keepalives_count": 3}
 """A machine that does not answer for 11 s has lost its classes, s and a count."""
+
+_CLIENT: dict[str, Any] = {
+    "connect_timeout": 5,
+    "keepalives_idle": 5,
+    "keepalives_interval": 2,
+    "keepalives_count": 3,
+    "tcp_user_timeout": 11_000,
+}
+"""The same for a server that does not answer, s, a count and ms (libpq, connection parameters)."""
+
+_UNANSWERED, _PAUSE = 30.0, 0.5
+"""How long a commit whose answer was lost waits for the server to say what became of it, and between attempts, s."""
 
 PATIENCE = 30.0
 """A class is opened when the server has noticed that its last machine is lost, s: the keepalives and more."""
@@ -62,31 +81,77 @@ class PostgresqlDatabase:
         """
         self._url, self._name, self._patience = url, name, patience
         self._is_in_transaction = False
+        # Identifies this service; the number is that of the class on the server.
+        self._service = secrets.token_hex(16)
+        self._number: int | None = None
+        self._committed = 0
         self._connection = _connect(url)
         self._open()
 
     def _open(self) -> None:
         connection = self._connection
-        with _as_store_error(), connection.transaction():
+        with _as_store_error(connection), connection.transaction():
             connection.execute("SELECT pg_advisory_xact_lock(%s, 0)", (_LOCKS,))
             _make_registry(connection)
             connection.execute("INSERT INTO public.rosy_class (name) VALUES (%s) ON CONFLICT DO NOTHING", (self._name,))
-            number = _number(connection, self._name)
+            self._number = number = _number(connection, self._name)
             _run(connection, f"CREATE SCHEMA IF NOT EXISTS class_{number}")
-        with _as_store_error():
+        with _as_store_error(connection):
             if self._patience is not None and not _lock(connection, number, self._patience):
                 connection.close()
                 raise _in_use(self._name)
             _run(connection, f"SET search_path TO class_{number}")
             _run(connection, "CREATE TABLE IF NOT EXISTS migration (number BIGINT PRIMARY KEY)")
+            if self._patience is not None:
+                with connection.transaction():
+                    _run(connection, "CREATE TABLE IF NOT EXISTS holder (service TEXT, committed BIGINT)")
+                    _run(connection, "DELETE FROM holder")
+                    _run(connection, "INSERT INTO holder VALUES (?, 0)", (self._service,))
+
+    def _reconnect(self) -> int:
+        """
+        Lock the class again after a lost connection; returns how many of our transactions are committed.
+
+        Raises:
+            StoreAway: the server cannot be reached now, or still has the lost connection.
+            ClassTaken: another service has had the class, or it was deleted.
+        """
+        connection = _connect(self._url)
+        try:
+            self._committed = self._lock_again(connection)
+        except BaseException:
+            connection.close()
+            raise
+        self._connection = connection
+        return self._committed
+
+    def _lock_again(self, connection: psycopg.Connection) -> int:
+        with _as_store_error(connection):
+            _run(connection, f"SET search_path TO class_{self._number}")
+            if self._patience is None:
+                return 0
+            if self._holder(connection) is None:
+                raise ClassTaken(self._name)
+            if not _lock(connection, self._number, self._patience):
+                raise StoreAway(str(_in_use(self._name)))
+            committed = self._holder(connection)
+            if committed is None:
+                raise ClassTaken(self._name)
+            return committed
+
+    def _holder(self, connection: psycopg.Connection) -> int | None:
+        """How many of our transactions are committed; ``None`` if another service was the last to have the class."""
+        if _number(connection, self._name) != self._number:
+            return None
+        row = _run(connection, "SELECT committed FROM holder WHERE service = ?", (self._service,)).fetchone()
+        return None if row is None else int(row[0])
 
     def execute(self, statement: str, values: Sequence[object] = ()) -> Rows:
         """``Database.execute``."""
         if self._connection.closed and not self._is_in_transaction:
             # The server was started again, or the network was gone.
-            self._connection = _connect(self._url)
-            self._open()
-        with _as_store_error():
+            self._reconnect()
+        with _as_store_error(self._connection):
             return _run(self._connection, statement, values)
 
     @contextmanager
@@ -96,13 +161,45 @@ class PostgresqlDatabase:
         self._is_in_transaction = True
         try:
             yield
-            self.execute("COMMIT")
+            self._commit()
         except BaseException:
             if not self._connection.closed:
-                self.execute("ROLLBACK")
+                with suppress(StoreAway):
+                    self.execute("ROLLBACK")
             raise
         finally:
             self._is_in_transaction = False
+
+    def _commit(self) -> None:
+        if self._patience is None:
+            self.execute("COMMIT")
+            return
+        number = self._committed + 1
+        self.execute("UPDATE holder SET committed = ?", (number,))
+        try:
+            self.execute("COMMIT")
+        except StoreAway:
+            if self._count_of_server() != number:
+                raise
+        self._committed = number
+
+    def _count_of_server(self) -> int:
+        """How many of our transactions are committed, when the server can be asked again."""
+        end = time.monotonic() + _UNANSWERED
+        while True:
+            try:
+                return self._reconnect()
+            except StoreAway:
+                if time.monotonic() > end:
+                    raise
+                time.sleep(_PAUSE)
+
+    def keep(self) -> None:
+        """``Database.keep``."""
+        with suppress(StoreAway):
+            self.execute("SELECT 1")
+        if self._connection.closed:
+            self._reconnect()
 
     def applied_migrations(self) -> int:
         """``Database.applied_migrations``: they are rows of a table."""
@@ -159,8 +256,11 @@ def delete_class(url: str, name: str) -> None:
 
 
 def _connect(url: str) -> psycopg.Connection:
-    with _as_store_error():
-        connection = psycopg.connect(url, autocommit=True, connect_timeout=30)
+    try:
+        connection = psycopg.connect(url, autocommit=True, **_CLIENT)
+    except psycopg.OperationalError as error:
+        raise StoreAway(str(error).strip()) from error
+    with _as_store_error(connection):
         for setting, value in _KEEPALIVES.items():
             _run(connection, f"SET {setting} TO {value}")
         return connection
@@ -202,8 +302,18 @@ def _run(connection: psycopg.Connection, statement: str, values: Sequence[Any] =
 
 
 @contextmanager
-def _as_store_error() -> Iterator[None]:
+def _as_store_error(connection: psycopg.Connection | None = None) -> Iterator[None]:
+    """
+    Errors of the server as our own: ``StoreAway`` when the connection is lost.
+
+    PostgreSQL's class 57P is a server that ends or starts, 08 a fault of the connection.
+    """
     try:
         yield
     except psycopg.Error as error:
+        code = error.sqlstate or ""
+        if code.startswith(("57P", "08")) or (connection is not None and connection.closed):
+            if connection is not None:
+                connection.close()
+            raise StoreAway(str(error).strip()) from error
         raise StoreError(str(error).strip()) from error

@@ -209,10 +209,14 @@ class Conflicting(msgspec.Struct, tag="conflict", tag_field="op"):
 
 
 class SaveFailed(msgspec.Struct, tag="unsaved", tag_field="op"):
-    """What ``mark`` asked for cannot be stored: the disk, or the pupil's share of it, is full."""
+    """
+    What ``mark`` asked for cannot be stored: the pupil's share of the disk is full, the disk is full or broken, or the
+    database cannot be reached.
+    """
 
     program: str
     mark: str
+    reason: Literal["full", "disk", "database"]
 
 
 class Attention(msgspec.Struct, tag="attention", tag_field="op"):
@@ -260,10 +264,10 @@ class OwnTasks(msgspec.Struct, tag="tasks", tag_field="op"):
 
 
 class NotHandedIn(msgspec.Struct, tag="not-handed-in", tag_field="op"):
-    """The program was not handed in: the task has ended, or the disk is full."""
+    """The program was not handed in: the task has ended, the disk is full, or the database cannot be reached."""
 
     task: int
-    reason: Literal["late", "full"]
+    reason: Literal["late", "full", "database"]
 
 
 class OwnComment(msgspec.Struct):

@@ -79,6 +79,8 @@ class Service:
         self.loop_scheduler = LoopScheduler()
         # None without class mode.
         self.classroom = classroom
+        # Ends the service, and says why; the server sets it.
+        self.end: Callable[[Sentence], None] = lambda _: None
         self.lateness = Lateness()
         self.run_queue = RunQueue(config.limits.runs)
         self.worker = WorkerSupervisor(config, self._on_worker_status)
@@ -111,7 +113,9 @@ class Service:
     @contextlib.asynccontextmanager
     async def lifespan(self, _app: Starlette) -> AsyncIterator[None]:
         """Keep a worker while the application runs."""
-        supervision = asyncio.create_task(self.worker.run())
+        supervision = [asyncio.create_task(self.worker.run())]
+        if self.classroom is not None:
+            supervision.append(asyncio.create_task(self._keep_class(self.classroom)))
         try:
             yield
         finally:
@@ -122,9 +126,13 @@ class Service:
                 await self._checks.cancel()
             if self.classroom is not None:
                 await self.classroom.close()
-            supervision.cancel()
-            with contextlib.suppress(asyncio.CancelledError):
-                await supervision
+            for task in supervision:
+                task.cancel()
+                with contextlib.suppress(asyncio.CancelledError):
+                    await task
+
+    async def _keep_class(self, classroom: Classroom) -> None:
+        self.end(await classroom.keep_store())
 
     # Pages
 

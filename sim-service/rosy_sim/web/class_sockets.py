@@ -32,6 +32,7 @@ from ..classroom.message_fields import BadRequest, Refused
 from ..classroom.projector_messages import Project, Projecting
 from ..classroom.shared_editing import Participant
 from ..classroom.shared_messages import SHARING_OPS, AskToShare, Cursor, EndSharing, Push
+from ..classroom.store_thread import Fault, fault_of
 from ..sentence import tr
 from ..wording import in_terminal
 from .address_slots import AddressSlots
@@ -160,7 +161,7 @@ class ClassSockets:
             await self._serve_teacher(connection, request)
         except StoreError as error:
             _log.error("%s", in_terminal(tr("The class cannot be read or stored: {why}", why=error)))
-            connection.put(Refused("disk"))
+            connection.put(Refused(fault_of(error)))
 
     async def _serve_teacher(self, connection: ClassConnection, request: b.BoardRequest) -> None:
         match request:
@@ -224,9 +225,13 @@ class ClassSockets:
         projecting = Projecting(None, False, False)
         checking = Checking()
         results: dict[tuple[int, int], bytes] = {}
+        store_fault: Fault | None = None
         looks = 0
         while True:
             if looks % _LOOKS_PER_LIST == 0:
+                if (fault := self._classroom.store_fault()) != store_fault:
+                    store_fault = fault
+                    connection.put(b.StoreShown(fault))
                 pupils = self._classroom.pupils_shown()
                 if pupils != shown:
                     shown = pupils
@@ -265,7 +270,7 @@ class ClassSockets:
             changed = await self._classroom.program_changed(followed)
         except StoreError as error:
             _log.error("%s", in_terminal(tr("The class cannot be read or stored: {why}", why=error)))
-            connection.put(Refused("disk"))
+            connection.put(Refused(fault_of(error)))
             return
         # The board may have opened another one meanwhile.
         if changed is not None and connection.followed is followed:

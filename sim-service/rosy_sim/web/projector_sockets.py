@@ -17,6 +17,7 @@ from ..classroom.classroom import Classroom
 from ..classroom.database import StoreError
 from ..classroom.message_fields import Refused
 from ..classroom.projector_messages import Invitation, Projected, RoomProjected, read_projector_request
+from ..classroom.store_thread import fault_of
 from ..sentence import tr
 from ..wording import in_terminal
 from .address_slots import AddressSlots
@@ -101,7 +102,7 @@ class ProjectorSockets:
                 newest = await self._classroom.projected()
             except StoreError as error:
                 _log.error("%s", in_terminal(tr("The class cannot be read or stored: {why}", why=error)))
-                connection.put(Refused("disk"))
+                connection.put(Refused(fault_of(error)))
                 return
             if newest != shown:
                 if shown is None or newest.number != shown.number:

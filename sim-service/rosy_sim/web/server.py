@@ -101,8 +101,12 @@ def serve(
         greet = _Greeting(address, addresses() if is_any else None, code, admission).print
         if announce is not None:
             greet = partial(_announced, announce, bound, admission, address)
+        server = _Server(_settings(app, config), greet, open_browser)
+        app.state.service.end = server.end
         with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
-            runner.run(_serve(_Server(_settings(app, config), greet, open_browser), listener))
+            runner.run(_serve(server, listener))
+        if server.fault is not None:
+            raise BadInput(server.fault)
     return 0
 
 
@@ -199,6 +203,13 @@ class _Server(uvicorn.Server):
         super().__init__(config)
         self._greet = greet
         self._open_browser = open_browser
+        # Why it ended by itself.
+        self.fault: Sentence | None = None
+
+    def end(self, why: Sentence) -> None:
+        """End, for a reason."""
+        self.fault = why
+        self.should_exit = True
 
     @contextlib.contextmanager
     def capture_signals(self) -> Iterator[None]:

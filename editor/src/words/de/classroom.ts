@@ -26,6 +26,9 @@ export const classroom: Words["classroom"] = {
     taken:
       "Diesen Spitznamen gibt es schon. Ist es deiner, drück „Ich war schon da“; sonst wähle einen anderen.",
     full: "Die Klasse ist voll. Frag deine Lehrkraft.",
+    disk: "Diese Klasse kann dich nicht aufnehmen: Ihre Platte ist voll. Sag es deiner Lehrkraft.",
+    database:
+      "Die Klasse ist nicht zu erreichen: Ihre Datenbank antwortet nicht. Versuch es gleich noch einmal.",
     "nickname-empty": "Ein Spitzname braucht mindestens einen Buchstaben oder eine Ziffer.",
     "nickname-long": "Ein Spitzname hat höchstens 24 Buchstaben.",
     "nickname-letters":
@@ -41,7 +44,10 @@ export const classroom: Words["classroom"] = {
   saved: {
     saved: "In der Klasse gespeichert",
     saving: "Wird gespeichert…",
-    failed: "Nicht in der Klasse gespeichert: Ihr Speicher ist voll. Deine Arbeit bleibt in diesem Browser.",
+    full: "Nicht in der Klasse gespeichert: Ihr Speicher ist voll. Deine Arbeit bleibt in diesem Browser.",
+    disk: "Das Speichern wartet: Die Platte der Klasse ist voll. Sag es deiner Lehrkraft. Deine Arbeit bleibt in diesem Browser.",
+    database:
+      "Das Speichern wartet: Die Datenbank der Klasse antwortet nicht. Deine Arbeit bleibt in diesem Browser und wird noch einmal gesendet.",
     offline: "Keine Verbindung zur Klasse. Bis sie wieder da ist, bleibt deine Arbeit in diesem Browser.",
   },
   raiseHand: "Hand heben",
@@ -67,6 +73,8 @@ export const classroom: Words["classroom"] = {
     failed: {
       late: "Die Zeit ist um. Dein Programm wurde nicht abgegeben.",
       full: "Dein Programm konnte nicht abgegeben werden. Sag es deiner Lehrkraft.",
+      database:
+        "Die Datenbank der Klasse antwortet nicht: Dein Programm ist noch nicht abgegeben. Gib es gleich noch einmal ab.",
       offline:
         "Keine Verbindung zur Klasse: Vielleicht ist dein Programm nicht abgegeben. Gib es noch einmal ab.",
     },
@@ -106,6 +114,11 @@ export const classroom: Words["classroom"] = {
     key: "Schlüssel der Lehrkraft",
     open: "Tafel öffnen",
     lost: "Keine Verbindung zu Rosy. Neuer Versuch…",
+    store: {
+      disk: "Jetzt kann nichts gespeichert werden: Die Platte der Klasse ist voll oder defekt. Schaffen Sie dort Platz. Die Programme bleiben in den Browsern und werden noch einmal gesendet.",
+      database:
+        "Jetzt kann nichts gespeichert werden: Die Datenbank der Klasse antwortet nicht. Die Programme bleiben in den Browsern und werden gesendet, wenn sie wieder da ist.",
+    },
     pupilsOpen: "Adresse für die Klasse",
     noNetwork: "Dieser Rechner ist in keinem Netz; die Klasse erreicht ihn nicht.",
     qr: "QR-Code der Adresse mit dem Klassencode",
@@ -159,6 +172,7 @@ export const classroom: Words["classroom"] = {
       tasks: "Diese Klasse hat 200 Aufgaben, mehr kann eine Klasse nicht haben.",
       comments: "Zu diesen Programmen gibt es 200 Kommentare, mehr gehen nicht. Nimm einige zurück.",
       disk: "Rosy kann es nicht speichern: Die Platte ist voll oder defekt.",
+      database: "Die Datenbank der Klasse antwortet nicht. Versuchen Sie es gleich noch einmal.",
       busy: "Dieses Kind wird schon auf einer anderen Tafel gefragt oder bearbeitet dort zusammen.",
       away: "Dieses Kind ist nicht verbunden. Frag später noch einmal.",
     },

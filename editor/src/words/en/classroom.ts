@@ -22,6 +22,8 @@ export const classroom = {
     attempts: "That was wrong too many times. Wait ten seconds and try again.",
     taken: "This nickname is taken. If it is yours, press “I joined before”; if not, choose a different one.",
     full: "The class is full. Ask your teacher.",
+    disk: "This class cannot let you in: its disk is full. Tell your teacher.",
+    database: "The class cannot be reached: its database does not answer. Try again in a moment.",
     "nickname-empty": "A nickname needs at least one letter or digit.",
     "nickname-long": "A nickname has at most 24 letters.",
     "nickname-letters": "This nickname has characters that cannot be seen or read. Use letters and digits.",
@@ -36,7 +38,10 @@ export const classroom = {
   saved: {
     saved: "Saved in the class",
     saving: "Saving…",
-    failed: "Not saved in the class: its store is full. Your work stays in this browser.",
+    full: "Not saved in the class: its store is full. Your work stays in this browser.",
+    disk: "Saving waits: the disk of the class is full. Tell your teacher. Your work stays in this browser.",
+    database:
+      "Saving waits: the database of the class does not answer. Your work stays in this browser and is sent again.",
     offline: "No connection to the class. Your work stays in this browser until it is back.",
   },
   raiseHand: "Raise hand",
@@ -62,6 +67,8 @@ export const classroom = {
     failed: {
       late: "The time is over. Your program was not handed in.",
       full: "Your program could not be handed in. Tell your teacher.",
+      database:
+        "The database of the class does not answer: your program is not handed in yet. Hand it in again in a moment.",
       offline: "No connection to the class: your program may not be handed in. Hand it in again.",
     },
   },
@@ -100,6 +107,11 @@ export const classroom = {
     key: "Teacher's key",
     open: "Open the board",
     lost: "No connection to Rosy. Trying again…",
+    store: {
+      disk: "Nothing can be saved now: the disk of the class is full or broken. Free some space on it. Pupils' programs stay in their browsers and are sent again.",
+      database:
+        "Nothing can be saved now: the database of the class does not answer. Pupils' programs stay in their browsers and are sent again when it is back.",
+    },
     pupilsOpen: "Pupils open",
     noNetwork: "This computer is on no network; pupils cannot reach it.",
     qr: "QR code of the address with the class code",
@@ -153,6 +165,7 @@ export const classroom = {
       tasks: "This class has 200 tasks, the most that a class can have.",
       comments: "This pupil has 200 comments, the most that there can be. Take back some of them.",
       disk: "Rosy cannot store it: the disk is full or broken.",
+      database: "The database of the class does not answer. Try again in a moment.",
       busy: "This pupil is being asked or edits together already, on another board.",
       away: "This pupil is not connected. Ask again later.",
     },

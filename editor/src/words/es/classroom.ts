@@ -26,6 +26,8 @@ export const classroom: Words["classroom"] = {
     attempts: "Han sido demasiados intentos fallidos. Espera diez segundos y prueba otra vez.",
     taken: "Este apodo ya está en uso. Si es el tuyo, pulsa «Ya entré antes»; si no, elige uno distinto.",
     full: "La clase está llena. Pregunta a tu profe.",
+    disk: "Esta clase no puede admitirte: su disco está lleno. Díselo a tu profe.",
+    database: "No se puede entrar en la clase: su base de datos no responde. Prueba otra vez en un momento.",
     "nickname-empty": "Un apodo necesita al menos una letra o una cifra.",
     "nickname-long": "Un apodo tiene como máximo 24 letras.",
     "nickname-letters": "Este apodo tiene caracteres que no se ven o no se pueden leer. Usa letras y cifras.",
@@ -40,7 +42,10 @@ export const classroom: Words["classroom"] = {
   saved: {
     saved: "Guardado en la clase",
     saving: "Guardando…",
-    failed: "No se ha guardado en la clase: no queda espacio. Tu trabajo se queda en este navegador.",
+    full: "No se ha guardado en la clase: no queda espacio. Tu trabajo se queda en este navegador.",
+    disk: "El guardado espera: el disco de la clase está lleno. Díselo a tu profe. Tu trabajo se queda en este navegador.",
+    database:
+      "El guardado espera: la base de datos de la clase no responde. Tu trabajo se queda en este navegador y se enviará otra vez.",
     offline: "Sin conexión con la clase. Tu trabajo se queda en este navegador hasta que vuelva.",
   },
   raiseHand: "Levantar la mano",
@@ -66,6 +71,8 @@ export const classroom: Words["classroom"] = {
     failed: {
       late: "Se acabó el tiempo. Tu programa no se ha entregado.",
       full: "Tu programa no se pudo entregar. Díselo a tu profe.",
+      database:
+        "La base de datos de la clase no responde: tu programa aún no se ha entregado. Entrégalo otra vez en un momento.",
       offline: "Sin conexión con la clase: puede que tu programa no se haya entregado. Entrégalo otra vez.",
     },
   },
@@ -104,6 +111,11 @@ export const classroom: Words["classroom"] = {
     key: "Clave docente",
     open: "Abrir el panel",
     lost: "Sin conexión con Rosy. Probando otra vez…",
+    store: {
+      disk: "Ahora no se puede guardar nada: el disco de la clase está lleno o dañado. Libere espacio en él. Los programas se quedan en los navegadores y se envían otra vez.",
+      database:
+        "Ahora no se puede guardar nada: la base de datos de la clase no responde. Los programas se quedan en los navegadores y se envían otra vez cuando vuelva.",
+    },
     pupilsOpen: "Dirección para la clase",
     noNetwork: "Esta computadora no está en ninguna red; la clase no puede llegar a ella.",
     qr: "Código QR de la dirección con el código de la clase",
@@ -157,6 +169,7 @@ export const classroom: Words["classroom"] = {
       tasks: "Esta clase tiene 200 tareas, el máximo posible.",
       comments: "Hay 200 comentarios para este alumno, el máximo. Retira algunos.",
       disk: "Rosy no puede guardarlo: el disco está lleno o dañado.",
+      database: "La base de datos de la clase no responde. Pruebe otra vez en un momento.",
       busy: "A este alumno ya se le ha preguntado o ya edita en conjunto, en otro panel.",
       away: "Este alumno no está conectado. Pregunta más tarde.",
     },

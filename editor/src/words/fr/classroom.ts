@@ -28,6 +28,8 @@ export const classroom: Words["classroom"] = {
     taken:
       "Ce surnom est déjà pris. Si c'est le tien, appuie sur « J'étais déjà là » ; sinon, choisis-en un autre.",
     full: "La classe est pleine. Demande à ton prof.",
+    disk: "Cette classe ne peut pas t'accueillir : son disque est plein. Dis-le à ton prof.",
+    database: "La classe n'est pas joignable : sa base de données ne répond pas. Réessaie dans un instant.",
     "nickname-empty": "Un surnom a besoin d'au moins une lettre ou un chiffre.",
     "nickname-long": "Un surnom a au plus 24 lettres.",
     "nickname-letters":
@@ -44,7 +46,10 @@ export const classroom: Words["classroom"] = {
   saved: {
     saved: "Enregistré dans la classe",
     saving: "Enregistrement…",
-    failed: "Pas enregistré dans la classe : sa mémoire est pleine. Ton travail reste dans ce navigateur.",
+    full: "Pas enregistré dans la classe : sa mémoire est pleine. Ton travail reste dans ce navigateur.",
+    disk: "L'enregistrement attend : le disque de la classe est plein. Dis-le à ton prof. Ton travail reste dans ce navigateur.",
+    database:
+      "L'enregistrement attend : la base de données de la classe ne répond pas. Ton travail reste dans ce navigateur et sera renvoyé.",
     offline: "Pas de connexion avec la classe. En attendant, ton travail reste dans ce navigateur.",
   },
   raiseHand: "Lever la main",
@@ -70,6 +75,8 @@ export const classroom: Words["classroom"] = {
     failed: {
       late: "Le temps est écoulé. Ton programme n'a pas été rendu.",
       full: "Ton programme n'a pas pu être rendu. Dis-le à ton prof.",
+      database:
+        "La base de données de la classe ne répond pas : ton programme n'est pas encore rendu. Rends-le à nouveau dans un instant.",
       offline:
         "Pas de connexion avec la classe : ton programme n'est peut-être pas rendu. Rends-le à nouveau.",
     },
@@ -109,6 +116,11 @@ export const classroom: Words["classroom"] = {
     key: "Clé du prof",
     open: "Ouvrir le tableau",
     lost: "Pas de connexion avec Rosy. Nouvel essai…",
+    store: {
+      disk: "Rien ne peut être enregistré maintenant : le disque de la classe est plein ou abîmé. Libérez de la place. Les programmes restent dans les navigateurs et sont renvoyés.",
+      database:
+        "Rien ne peut être enregistré maintenant : la base de données de la classe ne répond pas. Les programmes restent dans les navigateurs et sont renvoyés quand elle revient.",
+    },
     pupilsOpen: "Adresse pour les élèves",
     noNetwork: "Cet ordinateur n'est sur aucun réseau ; les élèves ne peuvent pas le joindre.",
     qr: "Code QR de l'adresse avec le code de la classe",
@@ -162,6 +174,7 @@ export const classroom: Words["classroom"] = {
       tasks: "Cette classe a 200 devoirs, le maximum possible.",
       comments: "Cet élève a 200 commentaires, le maximum. Retirez-en quelques-uns.",
       disk: "Rosy ne peut pas l'enregistrer : le disque est plein ou abîmé.",
+      database: "La base de données de la classe ne répond pas. Réessayez dans un instant.",
       busy: "Cet élève a déjà une question ou modifie déjà à deux, sur un autre tableau.",
       away: "Cet élève n'est pas connecté. Demandez plus tard.",
     },

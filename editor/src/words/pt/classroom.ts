@@ -26,6 +26,8 @@ export const classroom: Words["classroom"] = {
     taken:
       "Este apelido já está em uso. Se for o seu, aperte “Já entrei antes”; se não, escolha um diferente.",
     full: "A turma está cheia. Fale com o seu professor.",
+    disk: "Esta turma não pode receber você: o disco dela está cheio. Avise o seu professor.",
+    database: "Não dá para entrar na turma: o banco de dados dela não responde. Tente de novo daqui a pouco.",
     "nickname-empty": "Um apelido precisa de pelo menos uma letra ou um algarismo.",
     "nickname-long": "Um apelido tem no máximo 24 letras.",
     "nickname-letters": "Este apelido tem caracteres que não dá para ver ou ler. Use letras e algarismos.",
@@ -40,7 +42,10 @@ export const classroom: Words["classroom"] = {
   saved: {
     saved: "Salvo na turma",
     saving: "Salvando…",
-    failed: "Não foi salvo na turma: o espaço dela acabou. Seu trabalho fica neste navegador.",
+    full: "Não foi salvo na turma: o espaço dela acabou. Seu trabalho fica neste navegador.",
+    disk: "O salvamento espera: o disco da turma está cheio. Avise o seu professor. Seu trabalho fica neste navegador.",
+    database:
+      "O salvamento espera: o banco de dados da turma não responde. Seu trabalho fica neste navegador e será enviado de novo.",
     offline: "Sem conexão com a turma. Seu trabalho fica neste navegador até ela voltar.",
   },
   raiseHand: "Levantar a mão",
@@ -66,6 +71,8 @@ export const classroom: Words["classroom"] = {
     failed: {
       late: "O tempo acabou. Seu programa não foi entregue.",
       full: "Seu programa não pôde ser entregue. Avise o seu professor.",
+      database:
+        "O banco de dados da turma não responde: seu programa ainda não foi entregue. Entregue de novo daqui a pouco.",
       offline: "Sem conexão com a turma: seu programa talvez não tenha sido entregue. Entregue de novo.",
     },
   },
@@ -104,6 +111,11 @@ export const classroom: Words["classroom"] = {
     key: "Chave do professor",
     open: "Abrir o painel",
     lost: "Sem conexão com Rosy. Tentando de novo…",
+    store: {
+      disk: "Nada pode ser salvo agora: o disco da turma está cheio ou com defeito. Libere espaço nele. Os programas ficam nos navegadores e são enviados de novo.",
+      database:
+        "Nada pode ser salvo agora: o banco de dados da turma não responde. Os programas ficam nos navegadores e são enviados de novo quando ele voltar.",
+    },
     pupilsOpen: "Os alunos abrem",
     noNetwork: "Este computador não está em nenhuma rede; os alunos não conseguem chegar a ele.",
     qr: "QR code do endereço com o código da turma",
@@ -157,6 +169,7 @@ export const classroom: Words["classroom"] = {
       tasks: "Esta turma tem 200 tarefas, o máximo possível.",
       comments: "Há 200 comentários para este aluno, o máximo. Retire alguns.",
       disk: "Rosy não consegue guardar: o disco está cheio ou com defeito.",
+      database: "O banco de dados da turma não responde. Tente de novo daqui a pouco.",
       busy: "Este aluno já foi perguntado ou já edita em conjunto, em outro painel.",
       away: "Este aluno não está conectado. Pergunte de novo mais tarde.",
     },
