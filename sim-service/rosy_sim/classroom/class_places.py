@@ -17,7 +17,7 @@ from ..sentence import tr
 from . import class_folder
 from .class_folder import check_name, new_admission
 from .class_store import ClassStore
-from .database import StoreError
+from .database import StoreAway, StoreError, StoreRefused
 
 __all__ = ["ClassPlace", "class_place"]
 
@@ -116,5 +116,21 @@ class _Server:
 def _as_bad_input() -> Iterator[None]:
     try:
         yield
+    except StoreRefused as error:
+        raise BadInput(
+            tr(
+                "The server of the classes' database does not admit this machine ({why}). Correct user, password or "
+                "database in ROSY_CLASS_DATABASE, or the server's pg_hba.conf.",
+                why=error,
+            )
+        ) from error
+    except StoreAway as error:
+        raise BadInput(
+            tr(
+                "The database of the classes cannot be reached ({why}). Start its server, or correct "
+                "ROSY_CLASS_DATABASE.",
+                why=error,
+            )
+        ) from error
     except StoreError as error:
         raise BadInput(tr("The database of the classes cannot be used: {why}", why=error)) from error

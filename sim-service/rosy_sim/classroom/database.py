@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
-__all__ = ["ClassTaken", "Database", "Rows", "SqliteDatabase", "StoreAway", "StoreError"]
+__all__ = ["ClassTaken", "Database", "Rows", "SqliteDatabase", "StoreAway", "StoreError", "StoreRefused"]
 
 
 class StoreError(Exception):
@@ -23,6 +23,10 @@ class StoreError(Exception):
 
 class StoreAway(StoreError):
     """The database server cannot be reached now; the transaction changed nothing and can be tried again."""
+
+
+class StoreRefused(StoreAway):
+    """The server is there and does not admit this service: its password, its database or its address."""
 
 
 class ClassTaken(StoreError):

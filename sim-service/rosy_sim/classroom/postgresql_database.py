@@ -22,10 +22,12 @@ from contextlib import contextmanager, suppress
 from typing import Any
 
 import psycopg
+from psycopg.conninfo import make_conninfo
+from psycopg.pq import PGconn, Ping
 
 from ..errors import BadInput
 from ..sentence import tr
-from .database import ClassTaken, Rows, StoreAway, StoreError
+from .database import ClassTaken, Rows, StoreAway, StoreError, StoreRefused
 
 __all__ = ["PostgresqlDatabase", "class_names", "delete_class"]
 
@@ -258,8 +260,14 @@ def delete_class(url: str, name: str) -> None:
 def _connect(url: str) -> psycopg.Connection:
     try:
         connection = psycopg.connect(url, autocommit=True, **_CLIENT)
+    except psycopg.ProgrammingError as error:
+        # libpq would quote the password.
+        raise BadInput(
+            tr("ROSY_CLASS_DATABASE cannot be read. It is like postgresql://rosy:PASSWORD@HOST/rosy.")
+        ) from error
     except psycopg.OperationalError as error:
-        raise StoreAway(str(error).strip()) from error
+        is_there = PGconn.ping(make_conninfo(url, **_CLIENT).encode()) == Ping.OK
+        raise (StoreRefused if is_there else StoreAway)(_words(error)) from error
     with _as_store_error(connection):
         for setting, value in _KEEPALIVES.items():
             _run(connection, f"SET {setting} TO {value}")
@@ -301,6 +309,11 @@ def _run(connection: psycopg.Connection, statement: str, values: Sequence[Any] =
     return Rows(cursor.fetchall() if cursor.description is not None else [], cursor.rowcount)
 
 
+def _words(error: psycopg.Error) -> str:
+    """What the server says, in one line."""
+    return " ".join(str(error).split())
+
+
 @contextmanager
 def _as_store_error(connection: psycopg.Connection | None = None) -> Iterator[None]:
     """
@@ -315,5 +328,5 @@ def _as_store_error(connection: psycopg.Connection | None = None) -> Iterator[No
         if code.startswith(("57P", "08")) or (connection is not None and connection.closed):
             if connection is not None:
                 connection.close()
-            raise StoreAway(str(error).strip()) from error
-        raise StoreError(str(error).strip()) from error
+            raise StoreAway(_words(error)) from error
+        raise StoreError(_words(error)) from error

@@ -24,8 +24,9 @@ from ..sentence import tr
 from ..web.lan_addresses import lan_addresses
 from ..web.server import serve
 from ..wording import in_terminal
-from .class_service import Ready
+from .class_service import Failed, Ready
 from .classes import directory
+from .connection import reached
 
 __all__ = ["DEFAULT_PORT", "begin_class", "end_class", "serve_pages"]
 
@@ -66,13 +67,18 @@ def begin_class(options: argparse.Namespace, output: Callable[[str], None]) -> i
 
     Raises:
         ClusterError: the cluster cannot be used from this machine.
-        BadInput: the name cannot be used.
+        BadInput: the name cannot be used, or the class cannot start.
     """
     check_name(options.class_name)
     own = f"http://{next(iter(lan_addresses()), '127.0.0.1')}:{_port(options)}"
     origin = (options.origin or own).rstrip("/")
     classes = directory(options.address)
-    is_new = options.class_name not in ray.get(classes.names.remote())
+    with reached():
+        return _begin(classes, options.class_name, origin, output)
+
+
+def _begin(classes: Any, name: str, origin: str, output: Callable[[str], None]) -> int:
+    is_new = name not in ray.get(classes.names.remote())
     if is_new and not ray.get(classes.has_room.remote()):
         full = tr(
             "No node has room for the class now. It begins when a node joins that serves classes (docs/district.md), "
@@ -80,13 +86,11 @@ def begin_class(options: argparse.Namespace, output: Callable[[str], None]) -> i
         )
         output(in_terminal(full))
     else:
-        output(
-            in_terminal(tr("A node with room for the class is chosen; if it cannot start there, Ray's log says why."))
-        )
-    ray.get(classes.place.remote(options.class_name, origin))
-    found = _wait_for(classes, options.class_name)
-    pupils = f"{origin}/?class={options.class_name}#class={found.code}"
-    board = f"{origin}/board.html?class={options.class_name}#key={found.teacher_key}"
+        output(in_terminal(tr("A node with room for the class is chosen, and the class starts there.")))
+    ray.get(classes.place.remote(name, origin))
+    found = _wait_for(classes, name, is_new, output)
+    pupils = f"{origin}/?class={name}#class={found.code}"
+    board = f"{origin}/board.html?class={name}#key={found.teacher_key}"
     output(in_terminal(tr("Pupils open     {addresses}", addresses=pupils)))
     output(in_terminal(tr("Class code      {code}", code=found.code)))
     output(in_terminal(tr("Teacher's board {address}", address=board)))
@@ -103,18 +107,35 @@ def end_class(options: argparse.Namespace, output: Callable[[str], None]) -> int
         ClusterError: the cluster cannot be used from this machine.
         BadInput: no node serves it.
     """
-    if not ray.get(directory(options.address).end.remote(options.class_name)):
+    classes = directory(options.address)
+    with reached():
+        has_ended = ray.get(classes.end.remote(options.class_name))
+    if not has_ended:
         raise BadInput(tr("No node serves a class called {name}.", name=options.class_name))
     output(in_terminal(tr("The class {name} has ended; its programs are kept.", name=options.class_name)))
     return 0
 
 
-def _wait_for(classes: Any, name: str) -> Ready:
-    """Where a class is, when a node has room for it and it has started; an interrupt ends the wait."""
+def _wait_for(classes: Any, name: str, is_new: bool, output: Callable[[str], None]) -> Ready:
+    """
+    Where a class is, when a node has room for it and it has started; an interrupt ends the wait.
+
+    Raises:
+        BadInput: a class that was not begun before cannot start; it is begun no more.
+    """
+    told: Failed | None = None
     while True:
         found: Ready | None = ray.get(classes.find.remote(name))
         if found is not None:
             return found
+        fault: Failed | None = ray.get(classes.fault.remote(name))
+        if fault is not None and is_new:
+            ray.get(classes.end.remote(name))
+            raise BadInput(fault.sentence)
+        if fault is not None and fault != told:
+            told = fault
+            output(in_terminal(fault.sentence))
+            output(in_terminal(tr("It is tried again; Ctrl-C ends the wait, and --end the class.")))
 
 
 def _port(options: argparse.Namespace) -> int:

@@ -12,6 +12,7 @@ import os
 import subprocess
 import sys
 import threading
+import time
 from contextlib import suppress
 from typing import Any
 
@@ -21,8 +22,8 @@ from ray._private.state import available_resources_per_node
 from ray.exceptions import RayError
 
 from ..sentence import tr
-from .class_service import Ready
-from .connection import NAMESPACE, ClusterError, connect
+from .class_service import Failed, Ready, Started
+from .connection import NAMESPACE, connect, reached
 from .node import PAGES
 
 __all__ = ["PAGES_OF_CLASS", "ClassDirectory", "directory"]
@@ -44,6 +45,12 @@ _FOREVER: dict[str, Any] = {"namespace": NAMESPACE, "lifetime": "detached", "max
 _DIRECTORY = "directory"
 
 
+_UNKNOWN = Failed(tr("The class could not start on a node; what its service says is in Ray's log there.").id, {})
+
+_PAUSE = 2.0
+"""Before an actor whose class could not start ends and is started again, s."""
+
+
 class _ClassHost:
     """The actor of a class: its service as a process, which ends with this one and ends this one."""
 
@@ -57,10 +64,12 @@ class _ClassHost:
         )
         assert self._process.stdout is not None
         line = self._process.stdout.readline()
-        if not line:
+        started = msgspec.json.decode(line, type=Started) if line else _UNKNOWN
+        if isinstance(started, Failed):
+            _report(name, started)
             # The database cannot be used now, or no port is free: Ray starts the actor again.
             os._exit(1)
-        self._ready = msgspec.json.decode(line, type=Ready)
+        self._ready = started
         self._is_ending = False
         threading.Thread(target=self._end_with_process, daemon=True).start()
 
@@ -83,12 +92,25 @@ class _ClassHost:
 class ClassDirectory:
     """The actor that maps classes to nodes."""
 
+    def __init__(self) -> None:
+        # Of classes that could not start.
+        self._faults: dict[str, Failed] = {}
+
     def place(self, name: str, origin: str) -> None:
         """Have a class served by a node, for pages of an origin (a URL); nothing happens if it is."""
+        self._faults.pop(name, None)
         resources = {PAGES: PAGES_OF_CLASS}
         options = {"num_cpus": 0, "resources": resources, "memory": _MEMORY_OF_CLASS, "scheduling_strategy": "SPREAD"}
         host = ray.remote(_ClassHost).options(name=_host(name), get_if_exists=True, **_FOREVER, **options)
         host.remote(name, origin)
+
+    def report(self, name: str, why: Failed) -> None:
+        """A class could not start on a node; it is tried again."""
+        self._faults[name] = why
+
+    def fault(self, name: str) -> Failed | None:
+        """Why a class that was begun or lost could not start lately."""
+        return self._faults.get(name)
 
     def has_room(self) -> bool:
         """Whether a node has room for one more class now."""
@@ -127,6 +149,14 @@ def _host(name: str) -> str:
     return f"class-{name}"
 
 
+def _report(name: str, why: Failed) -> None:
+    """Tell the directory why a class could not start, if that can be reached."""
+    with suppress(RayError, ValueError, TimeoutError):
+        directory = ray.get_actor(_DIRECTORY, namespace=NAMESPACE)
+        ray.get(directory.report.remote(name, why), timeout=_ASK)
+    time.sleep(_PAUSE)
+
+
 def directory(address: str) -> Any:
     """
     The directory of a cluster; it is started if there is none. Connects this process to the cluster.
@@ -137,7 +167,5 @@ def directory(address: str) -> Any:
     connect(address)
     # The caller may be asked while a class starts elsewhere.
     options = {**_FOREVER, "max_task_retries": -1, "num_cpus": 0, "max_concurrency": 64}
-    try:
+    with reached():
         return ray.remote(ClassDirectory).options(name=_DIRECTORY, get_if_exists=True, **options).remote()
-    except RayError as error:
-        raise ClusterError(tr("The cluster cannot be reached any more: {why}", why=type(error).__name__)) from error

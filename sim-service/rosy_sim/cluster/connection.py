@@ -14,7 +14,7 @@ from ray.exceptions import RayError
 from ..sentence import tr
 from .node import SECRET_REFUSED, ClusterError, other_secret, reach
 
-__all__ = ["NAMESPACE", "ClusterError", "connect"]
+__all__ = ["NAMESPACE", "ClusterError", "connect", "reached"]
 
 NAMESPACE = "rosy"
 """Of the named actors."""
@@ -53,6 +53,20 @@ def connect(address: str) -> None:
                 why=said.strip().split("\n")[0],
             )
         ) from error
+
+
+@contextmanager
+def reached() -> Iterator[None]:
+    """
+    Calls of the cluster after ``connect``.
+
+    Raises:
+        ClusterError: its head, or the actor that was asked, was lost meanwhile.
+    """
+    try:
+        yield
+    except RayError as error:
+        raise ClusterError(tr("The cluster cannot be reached any more: {why}", why=type(error).__name__)) from error
 
 
 @contextmanager

@@ -54,5 +54,21 @@ def test_what_is_no_class_is_refused(place: ClassPlace) -> None:
 
 @needs_postgresql
 def test_a_server_that_is_not_there_is_named(tmp_path: Path) -> None:
-    with pytest.raises(BadInput, match="database of the classes cannot be used"):
+    with pytest.raises(BadInput, match=r"database of the classes cannot be reached \(.*\). Start its server"):
         class_place(tmp_path, f"postgresql://rosy@/none?host={tmp_path}").names()
+
+
+@needs_postgresql
+def test_a_server_that_does_not_admit_this_machine_is_named(server: str, tmp_path: Path) -> None:
+    place = class_place(tmp_path, server.replace("/postgres?", "/none?"))
+    with pytest.raises(BadInput, match=r'does not admit this machine \(.*"none" does not exist'), place.open("7b"):
+        pass
+
+
+@needs_postgresql
+@pytest.mark.parametrize("url", ["postgresql://rosy:secret@[1", "postgresql://rosy:secret@host:port/rosy"])
+def test_an_address_that_cannot_be_read_is_named_without_its_password(url: str, tmp_path: Path) -> None:
+    with pytest.raises(BadInput) as refused:
+        class_place(tmp_path, url).names()
+    assert "ROSY_CLASS_DATABASE" in str(refused.value)
+    assert "secret" not in str(refused.value)
