@@ -54,11 +54,20 @@ def serve_pages(config: Config, options: argparse.Namespace) -> int:
             return JSONResponse({}, status_code=503, headers={"Cache-Control": "no-store"})
         return JSONResponse({"address": found.address}, headers={"Cache-Control": "no-store"})
 
+    async def services(_request: Request) -> Response:
+        """The services of all classes as Prometheus's HTTP service discovery reads them; 503 without an answer."""
+        try:
+            found: dict[str, str] = await classes.services.remote()
+        except RayError:
+            return JSONResponse([], status_code=503)
+        return JSONResponse([{"targets": [address], "labels": {"class": name}} for name, address in found.items()])
+
     host = options.host or "0.0.0.0"
     if options.origin is not None:
         # Behind a proxy pages come from its address.
         config = replace(config, origins=frozenset({urlsplit(options.origin).netloc}))
-    return serve(config, host, _port(options), False, options.unprotected, more=[Route("/api/place", place)])
+    routes = [Route("/api/place", place), Route("/api/services", services)]
+    return serve(config, host, _port(options), False, options.unprotected, more=routes)
 
 
 def begin_class(options: argparse.Namespace, output: Callable[[str], None]) -> int:

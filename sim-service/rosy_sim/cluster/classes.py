@@ -126,6 +126,19 @@ class ClassDirectory:
             return None
         return found
 
+    def services(self) -> dict[str, str]:
+        """The classes that are served now, and where, as HOST:PORT."""
+        asked = {}
+        for name in self.names():
+            with suppress(ValueError):
+                asked[ray.get_actor(_host(name), namespace=NAMESPACE).ready.remote()] = name
+        answers, _ = ray.wait(list(asked), num_returns=len(asked), timeout=_ASK) if asked else ([], [])
+        found = {}
+        for answer in answers:
+            with suppress(RayError):
+                found[asked[answer]] = ray.get(answer).address
+        return found
+
     def names(self) -> list[str]:
         """The classes that nodes serve."""
         actors = ray.util.list_named_actors(all_namespaces=True)

@@ -296,6 +296,7 @@ class Service:
             "rosy_runs_limit": self.run_queue.limit,
             "rosy_runs_queued": self.run_queue.queued,
             "rosy_worker_ready": int(self.worker.state == "ready"),
+            "rosy_store_ready": None if self.classroom is None else int(self.classroom.store_fault() is None),
             **{f"rosy_step_lateness_{name}": value for name, value in lateness.items()},
         }
         lines = [f"# TYPE {name} gauge\n{name} {value}\n" for name, value in values.items() if value is not None]

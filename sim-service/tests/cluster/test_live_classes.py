@@ -178,6 +178,13 @@ def test_a_class_outlives_its_node_and_another_goes_on(cluster: tuple[Pages, lis
     lost = next(node for node in nodes if node.class_services("7a"))
     kept = next(node for node in nodes if node.class_services("7b"))
     assert kept is not lost
+    # What Prometheus asks for (HTTP service discovery) names the services, and each has metrics.
+    listed = httpx.get(f"http://{pages.origin}/api/services", timeout=PATIENCE)
+    assert (listed.status_code, listed.headers["content-type"]) == (200, "application/json")
+    assert [group["labels"] for group in listed.json()] == [{"class": "7a"}, {"class": "7b"}]
+    for group in listed.json():
+        (address,) = group["targets"]
+        assert "rosy_store_ready 1" in httpx.get(f"http://{address}/api/metrics", timeout=PATIENCE).text
 
     async def lesson() -> None:
         async with pupil(pages, "7b") as other:

@@ -1,9 +1,15 @@
-"""What a service of a cluster does beside that of a laptop: metrics, and pages and boards from another origin."""
+"""
+What a service of a cluster does beside that of a laptop: metrics with their dashboard, and pages and boards from
+another origin.
+"""
 
 from __future__ import annotations
 
 import asyncio
+import json
+import re
 from dataclasses import replace
+from pathlib import Path
 
 import httpx
 import pytest
@@ -31,6 +37,46 @@ def test_metrics_are_in_the_format_of_prometheus(config: Config) -> None:
     assert lines[:2] == ["# TYPE rosy_pages gauge", "rosy_pages 1"]
     assert "rosy_step_lateness_p99 0.0" in lines
     assert all(line.startswith("# TYPE rosy_") or float(line.split(" ")[1]) >= 0 for line in lines)
+
+
+DOCS = Path(__file__).resolve().parents[3] / "docs"
+
+
+def test_the_dashboard_shows_metrics_that_a_class_has(config: Config) -> None:
+    async def ask() -> str:
+        async with teaching(config) as opened, httpx.AsyncClient(timeout=PATIENCE) as http:
+            return (await http.get(f"http://{opened.address}/api/metrics")).text
+
+    # `up` is made by Prometheus for each service that it asks.
+    there = {line.split(" ")[0] for line in asyncio.run(ask()).splitlines() if not line.startswith("#")} | {"up"}
+    dashboard = json.loads((DOCS / "district-dashboard.json").read_text())
+    queries = [target["expr"] for panel in dashboard["panels"] for target in panel["targets"]]
+    shown = {name for query in queries for name in re.findall(r"(\w+)\{", query)}
+    assert shown == there
+    assert all('{job="rosy", class=~"$class"}' in query for query in queries)
+
+
+def test_the_dashboard_has_the_structure_that_grafana_imports() -> None:
+    dashboard = json.loads((DOCS / "district-dashboard.json").read_text())
+    assert dashboard["schemaVersion"] == 39
+    (source,) = dashboard["__inputs"]
+    reference = {"type": source["pluginId"], "uid": f"${{{source['name']}}}"}
+    (variable,) = dashboard["templating"]["list"]
+    assert (variable["name"], variable["type"], variable["datasource"]) == ("class", "query", reference)
+    panels = dashboard["panels"]
+    assert len({panel["id"] for panel in panels}) == len(panels)
+    places = set()
+    for panel in panels:
+        assert panel["type"] == "timeseries"
+        assert panel["title"]
+        assert panel["fieldConfig"]["defaults"]["unit"] in ("short", "s", "percentunit")
+        assert panel["datasource"] == reference
+        assert [target["refId"] for target in panel["targets"]] == ["A", "B"][: len(panel["targets"])]
+        assert all(target["datasource"] == reference and target["legendFormat"] for target in panel["targets"])
+        place = panel["gridPos"]
+        assert 0 <= place["x"] <= 24 - place["w"]
+        places.add((place["x"], place["y"]))
+    assert len(places) == len(panels)
 
 
 def test_pages_of_the_cluster_are_let_in_and_no_others(config: Config) -> None:
