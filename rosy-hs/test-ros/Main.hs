@@ -4,6 +4,7 @@ module Main (main) where
 
 import System.Environment (getArgs)
 import qualified Test.Ros.Generator
+import qualified Test.Ros.Genpy
 import qualified Test.Ros.Listings
 import qualified Test.Ros.Messages
 import qualified Test.Ros.Names
@@ -24,6 +25,7 @@ suite :: IO ()
 suite =
   defaultMain . testGroup "ros" $
     [ Test.Ros.Generator.tests,
+      Test.Ros.Genpy.tests,
       Test.Ros.Listings.tests,
       Test.Ros.Messages.tests,
       Test.Ros.Names.tests,

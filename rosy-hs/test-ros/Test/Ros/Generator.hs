@@ -19,7 +19,7 @@ tests =
     [ testGroup "sums equal the ones that ROS has for the same text" (map sumOf known),
       testCase "the modules in the repository are what the generator prints now" $ do
         messagesOnDisk <- loaded
-        texts <- either assertFailure pure (modules messagesOnDisk packages)
+        texts <- either assertFailure pure (modules Map.empty messagesOnDisk packages)
         length texts @?= 117
         mapM_ upToDate texts,
       testCase "a string constant keeps its number sign, a number its zeros, and comments go" $
@@ -30,6 +30,38 @@ tests =
             ),
       testCase "a line that is neither field nor constant is named with its number" $
         readMsg led "uint8 a\nuint8\n" @?= Left (StrangeLine 2 "uint8"),
+      testGroup
+        "a constant is a value of its type, in the forms that Python reads"
+        [ testCase text $ (either (const Nothing) Just (readMsg led (text ++ "\n")) >>= constantValue . head . constants) @?= value
+          | (text, value) <-
+              [ ("int8 A=-128", Just (Whole (-128))),
+                ("int8 A=-129", Nothing),
+                ("byte A=-1", Just (Whole (-1))),
+                ("char A=-1", Nothing),
+                ("uint8 A=256", Nothing),
+                ("uint64 A=1_000", Just (Whole 1000)),
+                ("uint64 A=1__0", Nothing),
+                ("int32 A=0x10", Nothing),
+                ("int32 A=", Nothing),
+                ("bool A=True", Just (Truth True)),
+                ("bool A=0", Just (Truth False)),
+                ("bool A=maybe", Nothing),
+                ("float32 A=-.5", Just (Decimal True "" "5" 0)),
+                ("float64 A=1.E3", Just (Decimal False "1" "" 3)),
+                ("float64 A=-Infinity", Just (Infinite True)),
+                ("float64 A=nan", Just NotANumber),
+                ("float64 A=.", Nothing),
+                ("string A= a = b # c", Just (Text "a = b # c"))
+              ]
+        ],
+      testCase "two fields of one name are refused" $
+        readMsg led "uint8 a\nint8 a\n" @?= Left (DuplicateField "a"),
+      testCase "an array of Header is of the package's own, one Header is that of std_msgs" $
+        fmap (map fieldType . fields) (readMsg led "Header h\nHeader[] hs\n") @?= Right [Nested (MsgName "std_msgs" "Header"), Nested (MsgName "p" "Header")],
+      testCase "what is nested is made too, except what the library has" $
+        fmap (map fst) (library "int8 x\n") @?= Right [led, MsgName "q" "Other"],
+      testCase "a message that the library has with other fields is refused" $
+        fmap (map fst) (library "int16 x\n") @?= Left "q/Ours is in the library already, with other fields or constants; only one of them can be used in a program",
       testCase "a constant of a time is refused" $
         readMsg led "time NOW=3\n" @?= Left (StrangeConstant 1 "time NOW=3"),
       testCase "a nested message that was not given is named" $
@@ -51,6 +83,11 @@ tests =
   where
     cyclic = messages <$> traverse (\(name, text) -> either (Left . explainMsgError) Right (readMsg (MsgName "p" name) text)) [("Self", "int8 x\nSelf[] more\n"), ("A", "B b\n"), ("B", "A[2] a\n"), ("Outer", "Leaf l\nA a\n"), ("Leaf", "int8 x\n"), ("Twice", "Leaf a\nLeaf b\n")]
     led = MsgName "p" "Led"
+    library text = do
+      ours <- parsed (MsgName "q" "Ours") "int8 x\n"
+      known' <- sequence [parsed led "q/Ours a\nq/Other b\n", parsed (MsgName "q" "Other") "", parsed (MsgName "q" "Ours") text, parsed (MsgName "q" "Unused") ""]
+      modules (messages [ours]) (messages known') ["p"]
+    parsed name = either (Left . explainMsgError) Right . readMsg name
     readEither t = either (Left . explainMsgError) Right (readMsg led t)
 
 packages :: [String]

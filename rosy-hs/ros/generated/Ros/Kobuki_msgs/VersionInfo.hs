@@ -23,10 +23,10 @@ data VersionInfo = VersionInfo
   deriving (P.Eq, P.Show)
 
 smooth_move_start :: R.Word64
-smooth_move_start = 0000000000000001
+smooth_move_start = 1
 
 gyroscope_3d_data :: R.Word64
-gyroscope_3d_data = 0000000000000002
+gyroscope_3d_data = 2
 
 hardware :: P.Functor f => (P.String -> f P.String) -> VersionInfo -> f VersionInfo
 hardware f' m' = P.fmap (\x' -> m' {_hardware = x'}) (f' (_hardware m'))

@@ -12,7 +12,7 @@ module Ros.Gen.Files
   )
 where
 
-import Control.Monad (filterM, forM, forM_, unless)
+import Control.Monad (filterM, foldM, forM, forM_, unless)
 import Data.List (sort)
 import qualified Data.Map.Strict as Map
 import Ros.Gen.Haskell
@@ -25,31 +25,49 @@ import System.IO (IOMode (..), hGetContents, hPutStr, hPutStrLn, hSetEncoding, s
 
 generate :: [String] -> IO ()
 generate arguments = case options arguments of
-  Just (out, roots, packages@(_ : _)) -> do
+  Just (out, roots, libraries, packages@(_ : _)) -> do
+    library <- loadMessages libraries >>= orFail
     known <- loadMessages roots >>= orFail
-    texts <- orFail (modules known packages)
+    texts <- orFail (modules library known packages)
     forM_ texts $ \(name, text) -> do
       writeIfChanged (out </> modulePath name) text
       putStrLn (moduleName name)
-  _ -> failWith "usage: rosy-messages -o OUT [-I MSGS]... PACKAGE..."
+  _ -> failWith "usage: rosy-messages -o OUT [-I MSGS]... [-L MSGS]... PACKAGE..."
   where
-    options = go ("", [], [])
-    go (_, is, ps) ("-o" : o : rest) = go (o, is, ps) rest
-    go (o, is, ps) ("-I" : i : rest) = go (o, is ++ [i], ps) rest
-    go (o, is, ps) (p : rest) | take 1 p /= "-" = go (o, is, ps ++ [p]) rest
-    go (o, is, ps) [] | not (null o) = Just (o, is, ps)
+    options = go ("", [], [], [])
+    go (_, is, ls, ps) ("-o" : o : rest) = go (o, is, ls, ps) rest
+    go (o, is, ls, ps) ("-I" : i : rest) = go (o, is ++ [i], ls, ps) rest
+    go (o, is, ls, ps) ("-L" : l : rest) = go (o, is, ls ++ [l], ps) rest
+    go (o, is, ls, ps) (p : rest) | take 1 p /= "-" = go (o, is, ls, ps ++ [p]) rest
+    go (o, is, ls, ps) [] | not (null o) = Just (o, is, ls, ps)
     go _ _ = Nothing
 
--- | The module of every message of these packages, in the order of their names.
-modules :: Messages -> [String] -> Either String [(MsgName, String)]
-modules known packages = case filter (`notElem` map package (Map.keys known)) packages of
+-- | The modules of all messages of these packages and of all that they nest, in the order of their names. What a library has is not
+-- made again: two modules of one name would be two types. The first argument is what the library has, the second all messages on disk.
+modules :: Messages -> Messages -> [String] -> Either String [(MsgName, String)]
+modules library given packages = case filter (`notElem` map package (Map.keys known)) packages of
   absent : _ -> Left ("no messages found for package " ++ absent)
-  [] -> forM [m | m <- Map.elems known, package (msgName m) `elem` packages] $ \m -> explain $ do
-    s <- md5 known m
-    d <- fullDefinition known m
-    pure (msgName m, haskellModule s d m)
+  [] -> do
+    named <- foldM nested Map.empty [m | m <- Map.elems known, package (msgName m) `elem` packages]
+    concat <$> mapM one (Map.elems named)
   where
-    explain = either (Left . explainNestingError) Right
+    known = Map.union given library
+    nested done m
+      | msgName m `Map.member` done = Right done
+      | otherwise = do
+        below <- mapM (child m) [t | Field (Nested t) _ _ <- fields m]
+        foldM nested (Map.insert (msgName m) m done) below
+    child m t = maybe (explained (Left (MissingMessage (msgName m) t))) Right (Map.lookup t known)
+    one m = do
+      s <- explained (md5 known m)
+      case Map.lookup (msgName m) library of
+        Nothing -> do
+          d <- explained (fullDefinition known m)
+          pure [(msgName m, haskellModule s d m)]
+        Just theirs -> do
+          s' <- explained (md5 (Map.union library given) theirs)
+          if s == s' then pure [] else Left (fullName (msgName m) ++ " is in the library already, with other fields or constants; only one of them can be used in a program")
+    explained = either (Left . explainNestingError) Right
 
 loadMessages :: [FilePath] -> IO (Either String Messages)
 loadMessages roots = do
