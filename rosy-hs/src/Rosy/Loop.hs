@@ -38,6 +38,7 @@ where
 
 import Data.Bits ((.|.))
 import qualified Data.IntMap.Strict as IntMap
+import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
 import Rosy.Channel (Channel (..), Field, Kind (..), tellMessage)
 import Rosy.Core
@@ -139,7 +140,8 @@ collect (Network running w) = (reportOf w, Network running w {actions = [], hear
 remembered :: Network -> [(String, String)]
 remembered (Network _ w) = concatMap (kept "Memory") (IntMap.elems (envMemories (env w))) ++ kept "Param" (envParams (env w))
   where
-    kept of' memories = [(of' ++ ' ' : showsPrec 11 what "", text) | (what, Kept _ text) <- Map.toAscList memories]
+    -- By name: the order of type representations differs between versions of GHC.
+    kept of' memories = sortOn fst [(of' ++ ' ' : showsPrec 11 what "", text) | (what, Kept _ text) <- Map.toAscList memories]
 
 -- | How many user events the program has sent.
 emissionsOf :: Network -> Int

@@ -89,7 +89,9 @@ withoutConsequences ps = nubBy (\x y -> place x == place y && kind x == kind y) 
         || kind p == "ambiguous-type" && any (sameLine p) (at p "operator")
         || kind p == "main-type" && any ((< place p) . place) (at p "main-type")
     -- The type of an expression that depends on what is put into its empty places.
-    isAboutHole p = (kind p `elem` ["ambiguous-type", "lower-case-type"] || "Overlapping instances" `Text.isPrefixOf` ghc p) && or [around s (place p) | q <- ps, kind q == "hole", "ambiguous type variable" `Text.isInfixOf` ghc q, Just s <- [place q]]
+    isAboutHole p = (kind p `elem` ["ambiguous-type", "lower-case-type"] || "Overlapping instances" `Text.isPrefixOf` withoutCode (ghc p)) && or [around s (place p) | q <- ps, kind q == "hole", "ambiguous type variable" `Text.isInfixOf` ghc q, Just s <- [place q]]
+    -- Without the code of GHC 9.6 and newer, see 'original'.
+    withoutCode said = maybe said (Text.drop 2 . Text.dropWhile (/= ']')) (Text.stripPrefix "[GHC-" said)
     around s = maybe False (\outer -> start outer <= start s && end s <= end outer)
     -- The robot of 2021 before the controller: without it simulate has one argument.
     isRobot q = any ((== tr "Remove the robot") . title) (fixes q)

@@ -209,17 +209,26 @@ parseArguments env flags arguments = (\(parsed, _, _) -> parsed) <$> parseDynami
 parseArguments _ flags arguments = (\(parsed, _, _) -> parsed) <$> parseDynamicFlags flags (map noLoc arguments)
 #endif
 
+-- | The language that GHC 9.0 starts with. Later ones start with GHC2021, in which the same text may mean something else: a type variable that
+-- begins with an underscore is a wildcard there.
+sameLanguage :: DynFlags -> DynFlags
+#if __GLASGOW_HASKELL__ >= 904
+sameLanguage flags = lang_set flags (Just Haskell2010) `xopt_set` NondecreasingIndentation `xopt_unset` DatatypeContexts
+#else
+sameLanguage = id
+#endif
+
 -- | Flags for bytecode in memory, for the way in which this process is linked.
 interpretedCode :: DynFlags -> DynFlags
 interpretedCode plain = foldl gopt_unset (foldl gopt_set flags (concatMap (wayGeneralFlags platform) own)) (concatMap (wayUnsetGeneralFlags platform) own)
   where
     own = hostFullWays
     platform = targetPlatform plain
-    flags = withInterpreter plain {ghcMode = CompManager, ghcLink = LinkInMemory, verbosity = 0}
+    flags = withInterpreter (sameLanguage plain) {ghcMode = CompManager, ghcLink = LinkInMemory, verbosity = 0}
 
 -- | Flags for machine code in an executable.
 nativeCode :: DynFlags -> DynFlags
-nativeCode plain = withCodeGenerator plain {ghcMode = CompManager, ghcLink = LinkBinary, verbosity = 0}
+nativeCode plain = withCodeGenerator (sameLanguage plain) {ghcMode = CompManager, ghcLink = LinkBinary, verbosity = 0}
 
 withInterpreter, withCodeGenerator :: DynFlags -> DynFlags
 #if __GLASGOW_HASKELL__ >= 906
