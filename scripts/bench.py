@@ -99,7 +99,7 @@ BENCHES = {
         " and what recording adds to a step",
         [
             node("e2e-tests/bench/why.ts"),
-            Command(simulator("recording", "--pages", "32"), small=simulator("recording", "--pages", "1", "--seconds", "1")),
+            Command(simulator("recording", "--pages", "8", "32"), small=simulator("recording", "--pages", "1", "--seconds", "0.2")),
         ],
     ),
     "simulator": Benchmark(

@@ -34,6 +34,7 @@ import Data.Aeson.Types (Parser, parseEither)
 import Data.ByteString (ByteString)
 import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Builder.Extra as Builder
 import qualified Data.ByteString.Builder.Prim as Prim
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (fromRight)
@@ -159,12 +160,12 @@ data Telling = Telling {tellsTrace :: Bool, tellsQuiet :: Bool}
 writeAnswer :: Telling -> Answer -> Builder
 writeAnswer telling a =
   foldMap action (answerActions a)
-    <> "{\"op\":\"settled\",\"step\":"
+    <> literal "{\"op\":\"settled\",\"step\":"
     <> Builder.intDec (answerStep a)
     <> done telling a
-    <> (if null listening then mempty else ",\"listens\":" <> list (text . channelName) listening)
-    <> (if tellsQuiet telling && quiet > 0 then ",\"quiet\":" <> Builder.intDec quiet else mempty)
-    <> "}\n"
+    <> (if null listening then mempty else literal ",\"listens\":" <> list (text . channelName) listening)
+    <> (if tellsQuiet telling && quiet > 0 then literal ",\"quiet\":" <> Builder.intDec quiet else mempty)
+    <> literal "}\n"
   where
     quiet = quietSteps (answerStep a) (answerQuiescence a)
     listening = [c | c <- robotOnDemand simulated, interestedIn (wakingInterest (answerQuiescence a)) (channelInterest c)]
@@ -187,68 +188,68 @@ writeEnding telling a ending =
 -- | What fired in a step and what was sensed, with trace what was heard and said, and what is remembered when it is requested.
 done :: Telling -> Answer -> Builder
 done telling a =
-  ",\"fired\":"
+  literal ",\"fired\":"
     <> list (text . nameText) (answerFired a)
     <> sent (answerSent a)
-    <> (if null (answerSensed a) then mempty else ",\"sensed\":" <> list text (answerSensed a))
+    <> (if null (answerSensed a) then mempty else literal ",\"sensed\":" <> list text (answerSensed a))
     <> ( if tellsTrace telling
-           then ",\"events\":" <> list text (answerEvents a) <> ",\"commands\":" <> list (text . tellAction) (answerActions a)
+           then literal ",\"events\":" <> list text (answerEvents a) <> literal ",\"commands\":" <> list (text . tellAction) (answerActions a)
            else mempty
        )
-    <> foldMap (\kept -> ",\"memory\":" <> list remember kept) (answerMemory a)
-    <> foldMap (\found -> ",\"firings\":" <> list record found) (answerRecords a)
+    <> foldMap (\kept -> literal ",\"memory\":" <> list remember kept) (answerMemory a)
+    <> foldMap (\found -> literal ",\"firings\":" <> list record found) (answerRecords a)
   where
     -- One function sent all commands of its step.
-    sent counts@(_ : _ : _) | any (> 0) counts = ",\"sent\":" <> list Builder.intDec counts
+    sent counts@(_ : _ : _) | any (> 0) counts = literal ",\"sent\":" <> list Builder.intDec counts
     sent _ = mempty
-    remember (what, value) = "{\"type\":" <> text what <> ",\"value\":" <> text value <> "}"
+    remember (what, value) = literal "{\"type\":" <> text what <> literal ",\"value\":" <> text value <> literal "}"
 
 -- | A firing with its provenance.
 record :: Record -> Builder
 record r =
-  "{\"n\":" <> Builder.intDec (recordNumber r) <> ",\"function\":" <> text (recordFunction r) <> ",\"task\":" <> Builder.intDec (recordTask r)
-    <> ",\"cause\":{\"by\":"
+  literal "{\"n\":" <> Builder.intDec (recordNumber r) <> literal ",\"function\":" <> text (recordFunction r) <> literal ",\"task\":" <> Builder.intDec (recordTask r)
+    <> literal ",\"cause\":{\"by\":"
     <> reason (recordReason r)
-    <> "},\"took\":"
+    <> literal "},\"took\":"
     <> list input (recordInputs r)
-    <> ",\"gave\":"
+    <> literal ",\"gave\":"
     <> list output (recordOutputs r)
-    <> (if null (recordBranches r) then mempty else ",\"branches\":" <> list (Builder.byteString . takenText) (recordBranches r))
-    <> "}"
+    <> (if null (recordBranches r) then mempty else literal ",\"branches\":" <> list (Builder.byteString . takenText) (recordBranches r))
+    <> literal "}"
   where
     reason why = case why of
-      OfMessage at shown -> "\"message\"" <> instant at <> value shown
-      OfTick at -> "\"tick\"" <> instant at
-      OfEvent n by -> "\"event\"" <> event n <> from by
-      OfStart -> "\"start\""
-      OfWait at -> "\"instant\"" <> instant at
-      OfFiring by -> "\"task\"" <> from by
-      OfEnd -> "\"end\""
-    input (Input origin shown) = "{\"from\":" <> place origin <> value shown <> "}"
+      OfMessage at shown -> literal "\"message\"" <> instant at <> value shown
+      OfTick at -> literal "\"tick\"" <> instant at
+      OfEvent n by -> literal "\"event\"" <> event n <> from by
+      OfStart -> literal "\"start\""
+      OfWait at -> literal "\"instant\"" <> instant at
+      OfFiring by -> literal "\"task\"" <> from by
+      OfEnd -> literal "\"end\""
+    input (Input origin shown) = literal "{\"from\":" <> place origin <> value shown <> literal "}"
     place origin = case origin of
-      AnEvent -> "\"event\""
-      AState channel at -> "\"state\",\"channel\":" <> text channel <> foldMap instant at
-      AMemory what by -> "\"memory\"" <> typed ("Memory " ++ what) <> from by
-      AParam what by -> "\"param\"" <> typed ("Param " ++ what) <> from by
-      ATime -> "\"time\""
-      AGenerator n -> "\"generator\",\"read\":" <> Builder.intDec n
+      AnEvent -> literal "\"event\""
+      AState channel at -> literal "\"state\",\"channel\":" <> text channel <> foldMap instant at
+      AMemory what by -> literal "\"memory\"" <> typed ("Memory " ++ what) <> from by
+      AParam what by -> literal "\"param\"" <> typed ("Param " ++ what) <> from by
+      ATime -> literal "\"time\""
+      AGenerator n -> literal "\"generator\",\"read\":" <> Builder.intDec n
     output (Output sink shown) =
-      "{\"to\":"
+      literal "{\"to\":"
         <> ( case sink of
-               ACommand what -> "\"command\"" <> typed what <> value shown
-               AnEmission what n -> "\"event\"" <> typed what <> event n <> value shown
-               IntoMemory what -> "\"memory\"" <> typed ("Memory " ++ what) <> value shown
-               IntoParam what -> "\"param\"" <> typed ("Param " ++ what) <> value shown
-               ADone -> "\"done\"" <> value shown
-               AFeedback -> "\"feedback\"" <> value shown
-               ACall -> "\"call\""
+               ACommand what -> literal "\"command\"" <> typed what <> value shown
+               AnEmission what n -> literal "\"event\"" <> typed what <> event n <> value shown
+               IntoMemory what -> literal "\"memory\"" <> typed ("Memory " ++ what) <> value shown
+               IntoParam what -> literal "\"param\"" <> typed ("Param " ++ what) <> value shown
+               ADone -> literal "\"done\"" <> value shown
+               AFeedback -> literal "\"feedback\"" <> value shown
+               ACall -> literal "\"call\""
            )
-        <> "}"
-    instant n = ",\"instant\":" <> Builder.intDec n
-    event n = ",\"event\":" <> Builder.intDec n
-    value shown = ",\"value\":" <> text shown
-    typed what = ",\"type\":" <> text what
-    from = foldMap (\n -> ",\"firing\":" <> Builder.intDec n)
+        <> literal "}"
+    instant n = literal ",\"instant\":" <> Builder.intDec n
+    event n = literal ",\"event\":" <> Builder.intDec n
+    value shown = literal ",\"value\":" <> text shown
+    typed what = literal ",\"type\":" <> text what
+    from = foldMap (\n -> literal ",\"firing\":" <> Builder.intDec n)
 
 -- | A branch as the record of a firing has it.
 branchText :: Branch -> ByteString
@@ -269,7 +270,7 @@ action (Action c fields) = maybe mempty ($ fields) (IntMap.lookup (channelNumber
 publishers :: IntMap.IntMap ([Field] -> Builder)
 publishers = IntMap.fromList [(channelNumber (routeChannel route), line' route) | route <- commandRoutes pipeRoutes]
   where
-    line' route = let written = publishing route in \fields -> written fields <> "\n"
+    line' route = let written = publishing route in \fields -> written fields <> literal "\n"
 
 -- | The message of a channel without its line end. Partial application prepares it.
 publishing :: Route -> [Field] -> Builder
@@ -303,7 +304,13 @@ position (l, c) = object [("line", Builder.intDec l), ("column", Builder.intDec 
 
 -- | A text in JSON. Half a pair of surrogates, which Haskell lets stand in a text, cannot be written in UTF-8.
 text :: String -> Builder
-text shown = "\"" <> Prim.primMapListBounded character shown <> "\""
+text shown = Builder.char7 '"' <> Prim.primMapListBounded character shown <> Builder.char7 '"'
+
+-- | A piece of a line that is always the same. It is copied as a whole; a 'Builder' from a string literal is encoded letter by letter
+-- each time before bytestring 0.11.
+literal :: ByteString -> Builder
+literal = Builder.byteStringCopy
+{-# INLINE literal #-}
 
 -- | A character of a text in JSON (RFC 8259, section 7), as aeson writes it. Inlined, a text is written without memory for each character.
 character :: Prim.BoundedPrim Char
@@ -321,8 +328,8 @@ character =
     hexadecimal c = ('\\', ('u', fromIntegral (fromEnum c)))
 
 list :: (a -> Builder) -> [a] -> Builder
-list _ [] = "[]"
-list f (x : xs) = "[" <> f x <> foldMap (\y -> "," <> f y) xs <> "]"
+list _ [] = literal "[]"
+list f (x : xs) = Builder.char7 '[' <> f x <> foldMap (\y -> Builder.char7 ',' <> f y) xs <> Builder.char7 ']'
 
 -- ---------------------------------------------------------------------------------------------
 -- Steps

@@ -37,7 +37,7 @@ def main() -> int:
             asyncio.run(recovery.measure(config, options.rounds))
             return 0
         if options.name == "recording":
-            recording.report(config, options.pages[0], options.seconds)
+            recording.report(config, options.pages, options.seconds)
             return 0
         if options.name == "attacks":
             under_attack.report(config, options.seconds, options.only)

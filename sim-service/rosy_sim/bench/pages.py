@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import base64
+import contextlib
 import cProfile
 import json
 import multiprocessing
@@ -18,7 +19,7 @@ import selectors
 import socket
 import statistics
 import time
-from collections.abc import Mapping
+from collections.abc import AsyncIterator, Mapping
 from dataclasses import dataclass, replace
 from multiprocessing.connection import Connection
 from typing import Any
@@ -33,7 +34,7 @@ from ..web.paced_frames import paced_frames
 from ..world.time_step import STEP
 from .processor_time import exact_time
 
-__all__ = ["IN_TIME", "Cost", "Drivers", "drive", "report"]
+__all__ = ["IN_TIME", "Cost", "Drivers", "Turn", "drive", "report", "take_turns"]
 
 IN_TIME = STEP
 """A step that begins later than the next one was due is late, s."""
@@ -112,6 +113,111 @@ def drive(config: Config, drivers: Drivers, profiler: cProfile.Profile | None = 
 
 
 async def _measure(config: Config, drivers: Drivers, profiler: cProfile.Profile | None) -> Cost:
+    async with _driving(config, drivers) as driving:
+        driving.service.lateness.clear()
+        before, theirs_before = driving.processor_time()
+        began = time.perf_counter()
+        if profiler is not None:
+            profiler.enable()
+        await asyncio.sleep(drivers.seconds)
+        if profiler is not None:
+            profiler.disable()
+        # Shared parts are divided among those who share them.
+        memory = [process.memory_full_info().pss for process in driving.programs]
+        frames, received = await driving.received()
+        after, theirs_after = driving.processor_time()
+        return Cost(
+            lateness=driving.service.lateness.summary(),
+            took=time.perf_counter() - began,
+            service=after - before,
+            programs=theirs_after - theirs_before,
+            frames=frames,
+            received=received,
+            memory=memory,
+            queued=driving.service.run_queue.queued,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """What a step of a turn cost, s of processor time, and what each page received, bytes a second."""
+
+    service: float
+    programs: float
+    received: float
+
+    @property
+    def step(self) -> float:
+        """Service and program."""
+        return self.service + self.programs
+
+
+def take_turns(
+    config: Config, drivers: Drivers, kinds: Mapping[str, Mapping[str, Any]], rounds: int
+) -> list[dict[str, Turn]]:
+    """
+    Let the same pages run a program, with a request of each kind in turn, and measure each turn of ``drivers.seconds``.
+
+    What a machine does besides changes in seconds; the turns of a round follow each other at once, and every other round
+    has them in the opposite order.
+    """
+    with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
+        return runner.run(_turns(config, drivers, kinds, rounds))
+
+
+SETTLE = 0.1
+"""From a request to the measurement of what it changes, s: five steps."""
+
+
+async def _turns(
+    config: Config, drivers: Drivers, kinds: Mapping[str, Mapping[str, Any]], rounds: int
+) -> list[dict[str, Turn]]:
+    measured: list[dict[str, Turn]] = []
+    async with _driving(config, drivers) as driving:
+        for number in range(rounds):
+            turns: dict[str, Turn] = {}
+            for kind in list(kinds) if number % 2 == 0 else reversed(kinds):
+                driving.talk.send(kinds[kind])
+                await asyncio.sleep(SETTLE)
+                await driving.received()
+                driving.service.lateness.clear()
+                before, theirs_before = driving.processor_time()
+                began = time.perf_counter()
+                await asyncio.sleep(drivers.seconds)
+                after, theirs_after = driving.processor_time()
+                steps = driving.service.lateness.summary()["steps"]
+                took = time.perf_counter() - began
+                _, received = await driving.received()
+                turns[kind] = Turn(
+                    service=(after - before) / steps,
+                    programs=(theirs_after - theirs_before) / steps,
+                    received=received / took / drivers.count,
+                )
+            measured.append(turns)
+    return measured
+
+
+@dataclass(frozen=True, slots=True)
+class _Driving:
+    """A service and pages whose programs drive."""
+
+    service: Service
+    programs: list[psutil.Process]
+    talk: Connection
+
+    def processor_time(self) -> tuple[float, float]:
+        """Of the service and of the programs, s."""
+        return exact_time([psutil.Process()]), exact_time(self.programs)
+
+    async def received(self) -> tuple[int, int]:
+        """Frames and bytes that all pages have received since the last call."""
+        self.talk.send("count")
+        counted: tuple[int, int] = await asyncio.to_thread(self.talk.recv)
+        return counted
+
+
+@contextlib.asynccontextmanager
+async def _driving(config: Config, drivers: Drivers) -> AsyncIterator[_Driving]:
     app = build_app(config)
     service: Service = app.state.service
     settings = uvicorn.Config(
@@ -135,36 +241,14 @@ async def _measure(config: Config, drivers: Drivers, profiler: cProfile.Profile 
     )
     pages.start()
     await asyncio.to_thread(ours.recv)
-    service.lateness.clear()
-    programs = _programs(service.worker.pid)
-    service_process = psutil.Process()
-    before, theirs_before = exact_time([service_process]), exact_time(programs)
-    began = time.perf_counter()
-    if profiler is not None:
-        profiler.enable()
-    ours.send("count")
-    await asyncio.sleep(drivers.seconds)
-    if profiler is not None:
-        profiler.disable()
-    # Shared parts are divided among those who share them.
-    memory = [process.memory_full_info().pss for process in programs]
+    driving = _Driving(service, _programs(service.worker.pid), ours)
+    await driving.received()
+    yield driving
     ours.send("stop")
-    frames, received = await asyncio.to_thread(ours.recv)
-    cost = Cost(
-        lateness=service.lateness.summary(),
-        took=time.perf_counter() - began,
-        service=exact_time([service_process]) - before,
-        programs=exact_time(programs) - theirs_before,
-        frames=frames,
-        received=received,
-        memory=memory,
-        queued=service.run_queue.queued,
-    )
     pages.join(5)
     pages.kill()
     server.should_exit = True
     await serving
-    return cost
 
 
 def _programs(worker: int | None) -> list[psutil.Process]:
@@ -178,7 +262,7 @@ def _programs(worker: int | None) -> list[psutil.Process]:
 
 
 def _simulate_pages(port: int, drivers: Drivers, active_drivers: int, talk: Connection) -> None:
-    """Open the pages, wait until as many of them drive as may, then count what they are sent."""
+    """Open the pages, wait until as many of them drive as may, then count what they are sent, and send what is wanted."""
     count = drivers.count
     pages = [_open(port) for _ in range(count)]
     run = {"op": "run", "run": 1, "source": drivers.program, "seed": 1, "speed": 1}
@@ -200,12 +284,22 @@ def _simulate_pages(port: int, drivers: Drivers, active_drivers: int, talk: Conn
                     waiting.discard(page)
         talk.send("driving")
         frames = received = 0
-        while not (talk.poll() and talk.recv() == "stop"):
+        while True:
             for key, _ in selector.select(0.05):
                 data = key.data.recv(1 << 16)
                 received += len(data)
                 frames += data.count(b'"op":"frame"')
-    talk.send((frames, received))
+            if not talk.poll():
+                continue
+            wanted = talk.recv()
+            if wanted == "stop":
+                return
+            if wanted == "count":
+                talk.send((frames, received))
+                frames = received = 0
+            else:
+                for page in pages:
+                    page.sendall(_masked(json.dumps(wanted).encode()))
 
 
 def _open(port: int) -> socket.socket:
