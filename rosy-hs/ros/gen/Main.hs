@@ -1,10 +1,10 @@
 -- |
--- Description : rosy-messages: .msg files in, Haskell modules out.
+-- Description : rosy-messages: .msg and .srv files in, Haskell modules out.
 --
 -- > rosy-messages -o OUT [-I MSGS]... [-L MSGS]... PACKAGE...
 --
 -- Every folder given with @-I@ holds packages (@std_msgs/String.msg@ or, as ROS installs them,
--- @std_msgs/msg/String.msg@). All messages of the named packages, and all that they nest, become modules
+-- @std_msgs/msg/String.msg@). All messages and services of the named packages, and all that they nest, become modules
 -- below OUT; their names are printed, ready for a cabal file. Messages in the folders given with @-L@ are in a library
 -- already, so they are not made again. A module whose text has not changed is not touched.
 module Main (main) where

@@ -1,12 +1,13 @@
 """
 Pseudo-random values of ROS messages, and what genpy makes of them.
 
-In: a seed, a folder with genpy's modules, and folders of message definitions as arguments; on standard input a message name a line.
+In: a seed, a folder with genpy's modules, and folders of message definitions as arguments; on standard input a line for each
+message, its name; with the name of its service behind it for a request or response; and `NAME service` for a service.
 Out: for each name one line of fields between tabs: name, MD5 sum, the zero value as hexadecimal bytes and as Haskell shows it, the
-constants as Haskell shows them, the full definition in hexadecimal, and for each of three values its bytes and what genpy reads from them as Haskell shows it.
+constants as Haskell shows them, the full definition in hexadecimal, and for each of three values its bytes and what genpy reads from them as Haskell shows it. For a service its name and sum.
 """
 
-import importlib
+import importlib.util
 import io
 import keyword
 import random
@@ -15,7 +16,7 @@ import sys
 from pathlib import Path
 
 from genmsg import MsgContext
-from genmsg.msg_loader import load_msg_by_type
+from genmsg.msg_loader import load_depends, load_msg_by_type, load_srv_by_type
 from genpy import Duration, Message, Time
 from genpy.rostime import TVal
 
@@ -33,10 +34,18 @@ def main():
     search = {}
     for folder in folders:
         path = Path(folder)
-        search.setdefault(path.parent.name if path.name == "msg" else path.name, []).append(folder)
+        search.setdefault(path.parent.name if path.name in ("msg", "srv") else path.name, []).append(folder)
     for line in sys.stdin:
-        name = line.strip()
-        print("\t".join(facts(seed, name, load_msg_by_type(context, name, search))))
+        name, *service = line.split()
+        if service == ["service"]:
+            print("\t".join([name, class_of(name)._md5sum]))
+        elif service:
+            spec = load_srv_by_type(context, service[0], search)
+            half = next(half for half in (spec.request, spec.response) if half.full_name == name)
+            load_depends(context, half, search)
+            print("\t".join(facts(seed, name, half)))
+        else:
+            print("\t".join(facts(seed, name, load_msg_by_type(context, name, search))))
 
 
 def facts(seed, name, spec):
@@ -53,7 +62,12 @@ def facts(seed, name, spec):
 
 def class_of(name):
     package, base = name.split("/")
-    return getattr(importlib.import_module(package + ".msg"), base)
+    for part in (".msg", ".srv"):
+        if importlib.util.find_spec(package) and importlib.util.find_spec(package + part):
+            found = getattr(importlib.import_module(package + part), base, None)
+            if found:
+                return found
+    raise LookupError(name)
 
 
 def written(message):

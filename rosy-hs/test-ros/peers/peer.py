@@ -2,7 +2,7 @@
 A rospy node that does what its standard input says, one command a line, and says on its standard output what it sees.
 
 In: `sub TOPIC TYPE`, `pub TOPIC TYPE [latch]`, `send TOPIC JSON`, `stream TOPIC JSON`, `flood TOPIC COUNT`, `echo FROM TO`, `time COUNT TOPIC BACK [TOPIC BACK]`,
-`connected TOPIC COUNT`, `listening TOPIC`, `heard TOPIC COUNT`, `watchdog TOPIC`, `mark`, `param get|set NAME JSON`, `rosout`, `quit`.
+`serve NAME`, `call NAME TYPE JSON...` (one connection for all), `connected TOPIC COUNT`, `listening TOPIC`, `heard TOPIC COUNT`, `watchdog TOPIC`, `mark`, `param get|set NAME JSON`, `rosout`, `quit`.
 Out: `ready`, `got TOPIC JSON` for every message, an answer per command; that to `mark` comes as soon as a
 watched velocity is not zero, and behind it `stood SECONDS` when it is zero or the watchdog has spoken, by its own clock. It never decides whether a test passes.
 """
@@ -154,6 +154,35 @@ def measure(count, *topics):
     say("took", *(f"{took[len(took) * n // 100]:.3f}" for _publisher, _came, took in ways for n in (50, 95)))
 
 
+def serve(name):
+    """A std_srvs/SetBool that agrees to true, fails for false, and answers nothing when it is called "stuck"."""
+    from std_srvs.srv import SetBool, SetBoolResponse
+
+    def answer(request):
+        say("asked", name, str(request.data))
+        if name.endswith("stuck"):
+            threading.Event().wait()
+        if not request.data:
+            raise rospy.ServiceException("false is not for me")
+        return SetBoolResponse(True, "grün")
+
+    rospy.Service(name, SetBool, answer)
+    say("serving", name)
+
+
+def call_service(name, type_name, *texts):
+    package, base = type_name.split("/")
+    kind = getattr(importlib.import_module(package + ".srv"), base)
+    proxy = rospy.ServiceProxy(name, kind, persistent=len(texts) > 1)
+    for text in texts:
+        request = kind._request_class()
+        genpy.message.fill_message_args(request, [json.loads(text)])
+        try:
+            say("answer", json.dumps(plain(proxy(request))))
+        except rospy.ServiceException as error:
+            say("failed", str(error))
+
+
 wheels = threading.Condition()
 turning, marked = [False], [None]
 
@@ -231,6 +260,8 @@ COMMANDS = {
     "heard": wait_heard,
     "echo": echo,
     "time": measure,
+    "serve": serve,
+    "call": call_service,
     "watchdog": watchdog,
     "mark": mark,
     "param": param,

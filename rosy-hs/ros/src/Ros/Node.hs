@@ -48,6 +48,16 @@ module Ros.Node
     awaitPublishers,
     isConnectedTo,
 
+    -- * Services
+    ServiceName,
+    Service (..),
+    ServiceError (..),
+    explainServiceError,
+    offerService,
+    callService,
+    withServiceConnection,
+    awaitService,
+
     -- * Parameters
     Param (..),
     Value (..),
@@ -79,7 +89,7 @@ import Control.Concurrent (ThreadId)
 import Control.Concurrent.Async (asyncThreadId)
 import Control.Concurrent.STM
 import Control.Exception (bracket, throwIO)
-import Control.Monad (void)
+import Control.Monad (join, void)
 import Control.Monad.IO.Class (MonadIO (..))
 import Control.Monad.Trans.Reader (ReaderT (..), ask, asks)
 import Data.Either (fromRight)
@@ -95,8 +105,10 @@ import Ros.Node.Core
 import Ros.Node.Param (Param (..))
 import Ros.Node.Publish
 import Ros.Node.Run
+import Ros.Node.Service
 import Ros.Node.Subscribe
 import qualified Ros.Rosgraph_msgs.Clock as Clock
+import Ros.Service
 import Ros.SlicedTimeout (timeoutInSlices)
 import Ros.Topic (Topic)
 import qualified Ros.Topic as Topic
@@ -112,6 +124,8 @@ data Env = Env {envCore :: Core, envSettings :: Settings}
 type TopicName = Name
 
 type ParamName = Name
+
+type ServiceName = Name
 
 -- | Runs a node until it is told to end: by Ctrl-C, by the system, by the master, by 'getShutdownAction'. When
 -- a handler or a topic fails, the node ends and the exception is thrown here.
@@ -227,6 +241,32 @@ isConnectedTo topic = do
   core <- askCore
   t <- resolved topic
   pure ((> 0) <$> publisherCount core t)
+
+-- | Answers the calls of a service, each in a thread of its connection. A text is the reason why there is no response; a handler
+-- that throws has failed for its caller alone.
+offerService :: Service s => s -> ServiceName -> (Request s -> IO (Either String (Response s))) -> Node ()
+offerService s name act = do
+  core <- askCore
+  n <- resolved name
+  liftIO (openService core s n act)
+
+-- | One call, on a connection of its own.
+callService :: Service s => s -> ServiceName -> Request s -> Node (Either ServiceError (Response s))
+callService s name request = do
+  core <- askCore
+  n <- resolved name
+  join <$> liftIO (connectService core False s n ($ request))
+
+-- | Calls on one connection, one after the other, for as long as the action takes.
+withServiceConnection :: Service s => s -> ServiceName -> ((Request s -> IO (Either ServiceError (Response s))) -> IO a) -> Node (Either ServiceError a)
+withServiceConnection s name use = do
+  core <- askCore
+  n <- resolved name
+  liftIO (connectService core True s n use)
+
+-- | Waits until a node answers for the service.
+awaitService :: ServiceName -> Node ()
+awaitService name = askCore >>= \core -> resolved name >>= liftIO . awaitOffered core
 
 -- | The value of a parameter.
 getParamOpt :: Param a => ParamName -> Node (Maybe a)

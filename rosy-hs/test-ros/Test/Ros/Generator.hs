@@ -3,6 +3,7 @@
 module Test.Ros.Generator (tests) where
 
 import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
 import Ros.Gen.Files
 import Ros.Gen.Haskell
 import Ros.Gen.Md5
@@ -19,8 +20,8 @@ tests =
     [ testGroup "sums equal the ones that ROS has for the same text" (map sumOf known),
       testCase "the modules in the repository are what the generator prints now" $ do
         messagesOnDisk <- loaded
-        texts <- either assertFailure pure (modules Map.empty messagesOnDisk packages)
-        length texts @?= 117
+        texts <- either assertFailure pure (modules (withoutServices Map.empty) messagesOnDisk packages)
+        length texts @?= 133
         mapM_ upToDate texts,
       testCase "a string constant keeps its number sign, a number its zeros, and comments go" $
         fmap (\m -> (constants m, fields m)) (readMsg led "string A=x # y\nuint64 B=007  # why\n\n# only words\nfloat32[] c # d\nOther[3] e\n")
@@ -58,6 +59,19 @@ tests =
         readMsg led "uint8 a\nint8 a\n" @?= Left (DuplicateField "a"),
       testCase "an array of Header is of the package's own, one Header is that of std_msgs" $
         fmap (map fieldType . fields) (readMsg led "Header h\nHeader[] hs\n") @?= Right [Nested (MsgName "std_msgs" "Header"), Nested (MsgName "p" "Header")],
+      testCase "a service is a request and a response, on both sides of the first border; its sum is of both texts" $ do
+        let name = MsgName "std_srvs" "SetBool"
+            summed text = do
+              (request, response) <- either (Left . explainMsgError) Right (readSrv name text)
+              either (Left . explainNestingError) Right (serviceMd5 (messages [request, response]) request response)
+        fmap (\(a, b) -> (msgName a, map fieldName (fields a), msgName b, map fieldName (fields b))) (readSrv name "bool data # in\n--- out\nbool success\nstring message\n")
+          @?= Right (MsgName "std_srvs" "SetBoolRequest", ["data"], MsgName "std_srvs" "SetBoolResponse", ["success", "message"])
+        summed "bool data # e.g. for hardware enabling / disabling\n---\nbool success   # indicate successful run of triggered service\nstring message # informational, e.g. for error messages\n" @?= Right "09fb03525b03e7ea1fd3992bafd87e16"
+        summed "---" @?= Right "d41d8cd98f00b204e9800998ecf8427e"
+        summed "bool data\nwhat\n---\n" @?= Left "line 2 is neither a field nor a constant: what",
+      testCase "a service that is called like a message is refused" $ do
+        let both = Definitions (messages [m | Right m <- [readMsg led "", readMsg (MsgName "p" "LedRequest") "", readMsg (MsgName "p" "LedResponse") ""]]) (Set.singleton led)
+        fmap (map fst) (modules (withoutServices Map.empty) both ["p"]) @?= Left "p/Led is the name of a message and of a service; their modules would have one name",
       testCase "what is nested is made too, except what the library has" $
         fmap (map fst) (library "int8 x\n") @?= Right [led, MsgName "q" "Other"],
       testCase "a message that the library has with other fields is refused" $
@@ -86,15 +100,15 @@ tests =
     library text = do
       ours <- parsed (MsgName "q" "Ours") "int8 x\n"
       known' <- sequence [parsed led "q/Ours a\nq/Other b\n", parsed (MsgName "q" "Other") "", parsed (MsgName "q" "Ours") text, parsed (MsgName "q" "Unused") ""]
-      modules (messages [ours]) (messages known') ["p"]
+      modules (withoutServices (messages [ours])) (withoutServices (messages known')) ["p"]
     parsed name = either (Left . explainMsgError) Right . readMsg name
     readEither t = either (Left . explainMsgError) Right (readMsg led t)
 
 packages :: [String]
-packages = words "actionlib_msgs geometry_msgs kobuki_msgs nav_msgs rosgraph_msgs sensor_msgs std_msgs"
+packages = words "actionlib_msgs geometry_msgs kobuki_msgs nav_msgs roscpp rosgraph_msgs sensor_msgs std_msgs std_srvs"
 
-loaded :: IO Messages
-loaded = loadMessages ["rosy-hs/ros/msg"] >>= either assertFailure pure
+loaded :: IO Definitions
+loaded = loadDefinitions ["rosy-hs/ros/msg"] >>= either assertFailure pure
 
 upToDate :: (MsgName, String) -> Assertion
 upToDate (name, text) = do
@@ -106,7 +120,7 @@ upToDate (name, text) = do
 
 sumOf :: (String, String) -> TestTree
 sumOf (name, expected) = testCase name $ do
-  ms <- loaded
+  ms <- definedMessages <$> loaded
   n <- either (assertFailure . explainMsgError) pure (readMsgName name)
   m <- maybe (assertFailure "no such message") pure (Map.lookup n ms)
   md5 ms m @?= Right expected

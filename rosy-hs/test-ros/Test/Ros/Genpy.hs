@@ -6,10 +6,11 @@
 module Test.Ros.Genpy (tests) where
 
 import Control.Exception (bracket)
-import Control.Monad (unless)
+import Control.Monad (filterM, unless)
 import Data.List (intercalate, nub, sort)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
+import qualified Data.Set as Set
 import Ros.Gen.Files
 import Ros.Gen.Haskell
 import Ros.Gen.Md5
@@ -31,11 +32,12 @@ tests = testCaseInfo "messages of Debian's packages are genpy's: sums, constants
   case prepared of
     Left why -> pure ("skipped: " ++ why)
     Right () -> do
-      known <- loadMessages roots >>= either assertFailure pure
-      let all' = nub (map package (Map.keys known))
+      found <- loadDefinitions roots >>= either assertFailure pure
+      let known = definedMessages found
+          all' = nub (map package (Map.keys known))
           named = if isNightly then all' else daily
       prepare (sort (nub (map package (Map.keys (nestedIn known named))))) >>= either assertFailure pure
-      compareAll isNightly known [n | n <- Map.keys known, package n `elem` named]
+      compareAll isNightly found [n | n <- Map.keys known, package n `elem` named]
 
 -- | Where messages are; Debian's text of a message takes the place of the library's.
 roots :: [FilePath]
@@ -62,14 +64,20 @@ nestedIn known named = grow (Map.filter ((`elem` named) . package . msgName) kno
       let more = Map.fromList [(t, m) | h <- Map.elems have, Field (Nested t) _ _ <- fields h, t `Map.notMember` have, Just m <- [Map.lookup t known]]
        in if Map.null more then have else grow (Map.union have more)
 
-compareAll :: Bool -> Messages -> [MsgName] -> IO String
-compareAll isNightly known names = do
-  ours <- loadMessages [library] >>= either assertFailure pure
+compareAll :: Bool -> Definitions -> [MsgName] -> IO String
+compareAll isNightly found names = do
+  library' <- loadDefinitions [library] >>= either assertFailure pure
+  let known = definedMessages found
+      ours = definedMessages library'
   seed <- fromMaybe "1" <$> lookupEnv "ROSY_TEST_SEED"
-  expected <- map fieldsOf . lines <$> genpy seed
-  length expected @?= length names
+  let services = [n | n <- Set.toList (definedServices found), package n `elem` map package names]
+      serviceOf = Map.fromList [(half, n) | n <- Set.toList (definedServices found), let (request, response) = halves n, half <- [request, response]]
+  said <- map fieldsOf . lines <$> genpy seed ([unwords (fullName n : [fullName s | Just s <- [Map.lookup n serviceOf]]) | n <- names] ++ [fullName n ++ " service" | n <- services])
+  length said @?= length names + length services
+  let (expected, sums) = splitAt (length names) said
+  [[fullName n, either explainNestingError id (serviceMd5 known (known Map.! request) (known Map.! response))] | n <- services, let { (request, response) = halves n }] @?= sums
   withFolder $ \folder -> do
-    texts <- either assertFailure pure (modules ours known (nub (map package names)))
+    texts <- either assertFailure pure (modules library' found (nub (map package names)))
     mapM_ (\(n, text) -> write (folder </> modulePath n) text) texts
     write (folder </> "Main.hs") (mainModule known names)
     build folder
@@ -80,13 +88,13 @@ compareAll isNightly known names = do
     length answered @?= length wanted
     unless (null differences) $ assertFailure (show (length differences) ++ " of " ++ show (length wanted) ++ " values differ:\n" ++ concat (take 5 differences))
     let packages = length (nub (map package names))
-    if isNightly then assertBool "fewer than 200 messages of ten packages" (length names >= 200 && packages >= 10) else pure ()
-    pure (show (length names) ++ " messages of " ++ show packages ++ " packages, " ++ show (length wanted) ++ " values")
+    if isNightly then assertBool "fewer than 300 messages of ten packages" (length names >= 300 && packages >= 10) else pure ()
+    pure (show (length names) ++ " messages of " ++ show packages ++ " packages, " ++ show (length services) ++ " services, " ++ show (length wanted) ++ " values")
   where
-    genpy seed = do
-      found <- mapM (\root -> listDirectory root >>= \ps -> pure (map (root </>) (sort ps))) roots
-      folders <- concat <$> mapM (\p -> doesDirectoryExist (p </> "msg") >>= \nested -> pure [if nested then p </> "msg" else p]) (concat found)
-      readUtf8With "/usr/bin/python3" (["rosy-hs/test-ros/peers/genpy_values.py", seed, cache </> "python"] ++ folders) (unlines (map fullName names))
+    genpy seed asked = do
+      folders' <- mapM (\root -> listDirectory root >>= \ps -> pure (map (root </>) (sort ps))) roots
+      folders <- concat <$> mapM (\p -> (\kinds -> if null kinds then [p] else map (p </>) kinds) <$> filterM (doesDirectoryExist . (p </>)) ["msg", "srv"]) (concat folders')
+      readUtf8With "/usr/bin/python3" (["rosy-hs/test-ros/peers/genpy_values.py", seed, cache </> "python"] ++ folders) (unlines asked)
     valuesOf facts = pairs (drop 6 facts)
     pairs (a : b : rest) = (a, b) : pairs rest
     pairs _ = []

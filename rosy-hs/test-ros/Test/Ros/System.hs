@@ -43,6 +43,7 @@ import System.Posix.Process (getProcessID)
 import System.Timeout (timeout)
 import Test.Ros.Hostile
 import Test.Ros.Peer
+import qualified Test.Ros.Services
 import Test.Tasty
 import Test.Tasty.HUnit
 
@@ -75,7 +76,8 @@ tests = withResource acquire release $ \ready ->
       story ready "when it ends, its last message arrives and the master forgets it" saysGoodbye,
       story ready "Ctrl-C and the system's request end it, and the master forgets it" endsOnSignals,
       restartStory ready,
-      story ready "a round trip takes no longer than rospy's (printed, not judged)" roundTrip
+      story ready "a round trip takes no longer than rospy's (printed, not judged)" roundTrip,
+      testGroup "services" [story ready name act | (name, act) <- Test.Ros.Services.stories]
     ]
   where
     acquire = do

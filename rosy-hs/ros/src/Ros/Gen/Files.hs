@@ -8,13 +8,16 @@
 module Ros.Gen.Files
   ( generate,
     modules,
-    loadMessages,
+    Definitions (..),
+    withoutServices,
+    loadDefinitions,
   )
 where
 
-import Control.Monad (filterM, foldM, forM, forM_, unless)
+import Control.Monad (filterM, foldM, forM, forM_, join, unless)
 import Data.List (sort)
 import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
 import Ros.Gen.Haskell
 import Ros.Gen.Md5
 import Ros.Gen.Msg
@@ -26,8 +29,8 @@ import System.IO (IOMode (..), hGetContents, hPutStr, hPutStrLn, hSetEncoding, s
 generate :: [String] -> IO ()
 generate arguments = case options arguments of
   Just (out, roots, libraries, packages@(_ : _)) -> do
-    library <- loadMessages libraries >>= orFail
-    known <- loadMessages roots >>= orFail
+    library <- loadDefinitions libraries >>= orFail
+    known <- loadDefinitions roots >>= orFail
     texts <- orFail (modules library known packages)
     forM_ texts $ \(name, text) -> do
       writeIfChanged (out </> modulePath name) text
@@ -44,14 +47,22 @@ generate arguments = case options arguments of
 
 -- | The modules of all messages of these packages and of all that they nest, in the order of their names. What a library has is not
 -- made again: two modules of one name would be two types. The first argument is what the library has, the second all messages on disk.
-modules :: Messages -> Messages -> [String] -> Either String [(MsgName, String)]
-modules library given packages = case filter (`notElem` map package (Map.keys known)) packages of
+modules :: Definitions -> Definitions -> [String] -> Either String [(MsgName, String)]
+modules (Definitions library offered) (Definitions given services) packages = case filter (`notElem` map package (Map.keys known)) packages of
   absent : _ -> Left ("no messages found for package " ++ absent)
   [] -> do
     named <- foldM nested Map.empty [m | m <- Map.elems known, package (msgName m) `elem` packages]
-    concat <$> mapM one (Map.elems named)
+    (++) <$> (concat <$> mapM one (Map.elems named)) <*> mapM service [n | n <- Set.toList services, package n `elem` packages, n `Set.notMember` offered]
   where
     known = Map.union given library
+    service n
+      | n `Map.member` known = Left (fullName n ++ " is the name of a message and of a service; their modules would have one name")
+      | otherwise = do
+        let (request, response) = halves n
+        sum5 <- explained (join (serviceMd5 known <$> look' request <*> look' response))
+        pure (n, serviceModule sum5 n)
+      where
+        look' half = maybe (Left (MissingMessage n half)) Right (Map.lookup half known)
     nested done m
       | msgName m `Map.member` done = Right done
       | otherwise = do
@@ -69,20 +80,32 @@ modules library given packages = case filter (`notElem` map package (Map.keys kn
           if s == s' then pure [] else Left (fullName (msgName m) ++ " is in the library already, with other fields or constants; only one of them can be used in a program")
     explained = either (Left . explainNestingError) Right
 
-loadMessages :: [FilePath] -> IO (Either String Messages)
-loadMessages roots = do
+-- | What folders define: messages, among them the two of each service, and the names of services.
+data Definitions = Definitions {definedMessages :: Messages, definedServices :: Set.Set MsgName}
+
+withoutServices :: Messages -> Definitions
+withoutServices ms = Definitions ms Set.empty
+
+loadDefinitions :: [FilePath] -> IO (Either String Definitions)
+loadDefinitions roots = do
   found <- concat <$> mapM inRoot roots
-  fmap (fmap messages . sequence) . forM found $ \(name, path) -> do
+  parsed <- forM found $ \(name, path) -> do
     text <- readUtf8 path
-    pure (either (\e -> Left (path ++ ": " ++ explainMsgError e)) Right (readMsg name text))
+    pure (either (\e -> Left (path ++ ": " ++ explainMsgError e)) Right (definition name path text))
+  pure (Definitions <$> (messages . concat <$> sequence parsed) <*> pure (Set.fromList [n | (n, path) <- found, isService path]))
   where
+    definition name path text
+      | isService path = readSrv name text >>= \(request, response) -> pure [request, response]
+      | otherwise = pure <$> readMsg name text
+    isService = (== ".srv") . takeExtension
     inRoot root = do
       packages <- listDirectory root >>= filterM (doesDirectoryExist . (root </>)) . sort
       concat <$> mapM (inPackage root) packages
-    inPackage root p = do
-      nested <- doesDirectoryExist (root </> p </> "msg")
-      let folder = if nested then root </> p </> "msg" else root </> p
-      files <- sort . filter ((== ".msg") . takeExtension) <$> listDirectory folder
+    inPackage root p = (++) <$> inFolder root p "msg" <*> inFolder root p "srv"
+    inFolder root p kind = do
+      nested <- doesDirectoryExist (root </> p </> kind)
+      let folder = if nested then root </> p </> kind else root </> p
+      files <- sort . filter ((== '.' : kind) . takeExtension) <$> listDirectory folder
       pure [(MsgName p (dropExtension f), folder </> f) | f <- files]
 
 writeIfChanged :: FilePath -> String -> IO ()

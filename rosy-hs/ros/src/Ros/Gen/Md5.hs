@@ -12,6 +12,7 @@ module Ros.Gen.Md5
     explainNestingError,
     withoutCycles,
     md5,
+    serviceMd5,
     fullDefinition,
     md5Text,
   )
@@ -80,6 +81,10 @@ md5TextOf known m = intercalate "\n" . (map constant (constants m) ++) <$> trave
 
 md5 :: Messages -> Msg -> Either NestingError String
 md5 known m = digest <$> md5Text known m
+
+-- | Of a service: of the texts of its request and its response, one behind the other.
+serviceMd5 :: Messages -> Msg -> Msg -> Either NestingError String
+serviceMd5 known request response = digest <$> ((++) <$> md5Text known request <*> md5Text known response)
 
 -- | The text of the message, then of everything it nests, as @rosbag@ and @rostopic@ expect it.
 fullDefinition :: Messages -> Msg -> Either NestingError String

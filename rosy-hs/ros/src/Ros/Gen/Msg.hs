@@ -22,6 +22,8 @@ module Ros.Gen.Msg
     -- * Making one
     readMsg,
     readMsgName,
+    readSrv,
+    halves,
 
     -- * What can go wrong
     MsgError (..),
@@ -139,6 +141,23 @@ readMsg name text = traverse (uncurry (readLine name)) meaningful >>= distinct .
         names = map fieldName (fields m)
     meaningful = [(n, l) | (n, l) <- zip [1 ..] (lines text), not (null (strip (uncomment l)))]
     build parts = Msg name [c | Left c <- parts] [f | Right f <- parts] text
+
+-- | The messages of a service: what is asked and what is answered. A line that begins with @---@ stands between them.
+readSrv :: MsgName -> String -> Either MsgError (Msg, Msg)
+readSrv name text = (,) <$> readMsg request (ended above) <*> readMsg response (ended (filter (not . isBorder) below))
+  where
+    (request, response) = halves name
+    (above, below) = break isBorder (split text)
+    isBorder = (== "---") . take 3
+    -- As genmsg: each part has a line break more than its lines, which the definition keeps.
+    ended = unlines
+    split t = case break (== '\n') t of
+      (l, _ : rest) -> l : split rest
+      (l, []) -> [l]
+
+-- | The names of a service's two messages.
+halves :: MsgName -> (MsgName, MsgName)
+halves (MsgName p b) = (MsgName p (b ++ "Request"), MsgName p (b ++ "Response"))
 
 -- | One line: @float64[36] covariance@, @uint8 PRESSED=1  # held down@, @string NAME=anything # goes@.
 readLine :: MsgName -> Int -> String -> Either MsgError (Either Constant Field)

@@ -13,6 +13,8 @@ module Ros.Net.Master
     unregisterSubscriber,
     lookupNode,
     lookupService,
+    registerService,
+    unregisterService,
     getParam,
     setParam,
     hasParam,
@@ -62,6 +64,16 @@ lookupNode m n = fmap uri <$> ask m "lookupNode" [VString n]
 
 lookupService :: Master -> String -> IO (Either RpcError (Maybe Uri))
 lookupService m n = fmap uri <$> ask m "lookupService" [VString n]
+
+-- | The address is that of the node's connections, not of its calls.
+registerService :: Master -> String -> Uri -> IO (Either RpcError ())
+registerService m n at = nothing <$> ask m "registerService" [VString n, VString (serviceUri at), self m]
+
+unregisterService :: Master -> String -> Uri -> IO (Either RpcError ())
+unregisterService m n at = nothing <$> ask m "unregisterService" [VString n, VString (serviceUri at)]
+
+serviceUri :: Uri -> String
+serviceUri (Uri host port) = "rosrpc://" ++ host ++ ":" ++ show port
 
 -- | Nothing when the parameter is not set.
 getParam :: Master -> String -> IO (Either RpcError (Maybe Value))

@@ -30,6 +30,7 @@ module Ros.Net.Tcpros
     explainDisagreement,
     publisherAccepts,
     subscriberAccepts,
+    callerAccepted,
   )
 where
 
@@ -147,6 +148,8 @@ data Disagreement
     TypeClash (String, String) (String, String)
   | -- | Not a topic of this node.
     UnknownTopic String
+  | -- | Not a service of this node.
+    UnknownService String
   | -- | The other side refused, in its words.
     TheyRefuse String
   deriving (Eq, Show)
@@ -156,6 +159,7 @@ explainDisagreement d = case d of
   MissingField f -> "the connection header has no " ++ f
   TypeClash (t, m) (t', m') -> "the other node has " ++ t ++ "/" ++ m ++ " and this one has " ++ t' ++ "/" ++ m'
   UnknownTopic t -> t ++ " is not published here"
+  UnknownService n -> n ++ " is not offered here"
   TheyRefuse why -> "the other node refused: " ++ why
 
 -- | A publisher looks at a subscriber's header. A star agrees with everything.
@@ -174,6 +178,13 @@ subscriberAccepts ours theirs = case lookup "error" theirs of
     m <- wanted "md5sum" theirs
     t <- wanted "type" theirs
     agree (t, m) ours
+
+-- | A server looks at a caller's header, knowing its service's name, type and sum.
+callerAccepted :: (String, String, String) -> Fields -> Either Disagreement ()
+callerAccepted (name, kind, sum5) theirs = do
+  _ <- wanted "callerid" theirs
+  m <- wanted "md5sum" theirs
+  agree (fromMaybe "*" (lookup "type" theirs), m) (Offer "" name kind sum5 "")
 
 -- | The sum decides; names may differ when the layout is the same, as for rospy.
 agree :: (String, String) -> Offer -> Either Disagreement ()

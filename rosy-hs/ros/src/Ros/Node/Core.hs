@@ -19,6 +19,9 @@ module Ros.Node.Core
     Subscription (..),
     Inlet (..),
 
+    -- * Its services
+    Offered (..),
+
     -- * Its threads
     spawn,
     spawnLinked,
@@ -40,6 +43,7 @@ import qualified Data.Text as T
 import qualified Data.Text.Encoding as T
 import Data.Word (Word32)
 import Network.Socket (Socket)
+import Ros.LogLevel (LogLevel)
 import Ros.Names (Naming (..))
 import Ros.Net.Master (Master (..))
 import Ros.Net.Rpc (Uri)
@@ -58,6 +62,9 @@ data Core = Core
     coreProgramName :: String,
     publications :: TVar (Map.Map String Publication),
     subscriptions :: TVar (Map.Map String Subscription),
+    services :: TVar (Map.Map String Offered),
+    -- | what is less grave is not logged
+    logLevel :: TVar LogLevel,
     paramWatchers :: TVar (Map.Map String [Value -> STM ()]),
     -- | the master has not heard of all topics
     unregistered :: TVar Bool,
@@ -80,6 +87,8 @@ data Ending
 data NodeError
   = -- | One node uses a topic with two types: topic, the type there, the type asked for.
     TwoTypes String String String
+  | -- | One node offers two services of this name.
+    TwoServices String
   | -- | @ROS_MASTER_URI@ or @__master@ cannot be read.
     StrangeMaster String
   | -- | A parameter that is not set and has no default.
@@ -96,6 +105,7 @@ instance Exception NodeError where
 explainNodeError :: NodeError -> String
 explainNodeError e = case e of
   TwoTypes topic old new -> "The topic " ++ topic ++ " carries " ++ old ++ " in this node. It cannot carry " ++ new ++ " too."
+  TwoServices n -> "This node offers the service " ++ n ++ " already."
   StrangeMaster t -> "\"" ++ t ++ "\" is not the address of a ROS master. It looks like http://localhost:11311."
   NoParam n -> "The parameter " ++ n ++ " is not set."
   OtherParam n v -> "The parameter " ++ n ++ " is " ++ v ++ ", which is of another type than the program expects."
@@ -148,6 +158,16 @@ data Inlet = Inlet
     inletThread :: Async (),
     inletConnected :: TVar Bool,
     inletReceived :: TVar (Int, Int)
+  }
+
+-- | A service this node offers: its type and sum, those of its two messages' types, and what makes a response of a request.
+data Offered = Offered
+  { offeredType :: String,
+    offeredMd5 :: String,
+    offeredRequest :: String,
+    offeredResponse :: String,
+    -- | bytes of a request to bytes of the response, or why there is none
+    offeredAnswer :: ByteString -> IO (Either String ByteString)
   }
 
 freshId :: Core -> IO Int

@@ -114,33 +114,18 @@ counted o messages size = do
 subscriberCount :: Publisher a -> STM Int
 subscriberCount (Publisher _ p) = Map.size <$> readTVar (pubOutlets p)
 
--- | One subscriber, from its header until it leaves.
-serveSubscriber :: Core -> Socket -> IO ()
-serveSubscriber core s = readHeader noBytes >>= maybe (pure ()) answer
-  where
-    readHeader seen = do
-      more <- recv s 4096
-      if B.null more
-        then pure Nothing
-        else case feed maxHeader seen more of
-          Right ([], rest) -> readHeader rest
-          Right (h : _, _) -> pure (Just h)
-          Left _ -> pure Nothing
-    answer bytes = do
-      known <- readTVarIO (publications core)
-      let agreed = do
-            theirs <- either (Left . TheyRefuse) Right (decodeFields bytes)
-            topic <- maybe (Left (MissingField "topic")) Right (lookup "topic" theirs)
-            p <- maybe (Left (UnknownTopic topic)) Right (Map.lookup topic known)
-            publisherAccepts (pubOffer p) theirs
-            pure (theirs, p)
-      case agreed of
-        Left why -> sendAll s (frame (encodeFields (errorFields why)))
-        Right (theirs, p) -> deliver core s p (fromMaybe "?" (lookup "callerid" theirs))
-
--- | A subscriber's header is a few hundred bytes and a message definition.
-maxHeader :: Int
-maxHeader = 1024 * 1024
+-- | One subscriber with this header, until it leaves.
+serveSubscriber :: Core -> Socket -> Fields -> IO ()
+serveSubscriber core s theirs = do
+  known <- readTVarIO (publications core)
+  let agreed = do
+        topic <- maybe (Left (MissingField "topic")) Right (lookup "topic" theirs)
+        p <- maybe (Left (UnknownTopic topic)) Right (Map.lookup topic known)
+        publisherAccepts (pubOffer p) theirs
+        pure p
+  case agreed of
+    Left why -> sendAll s (frame (encodeFields (errorFields why)))
+    Right p -> deliver core s p (fromMaybe "?" (lookup "callerid" theirs))
 
 -- | Answers a subscriber that was accepted, and sends it what is published until it leaves. It has its place before
 -- it is answered: once it knows that it is connected, nothing that is published passes it by.

@@ -30,6 +30,7 @@ import Ros.Net.Tcpros (offerTopic, offerType)
 import Ros.Net.XmlRpc
 import Ros.Node.Core
 import Ros.Node.Publish
+import Ros.Node.Service
 import Ros.Node.Subscribe
 import Ros.SlicedTimeout (timeoutInSlices)
 import System.Environment (getArgs, getEnvironment, getProgName)
@@ -57,15 +58,18 @@ withCore settings name act = do
         <$> newTVarIO Map.empty
         <*> newTVarIO Map.empty
         <*> newTVarIO Map.empty
+        <*> newTVarIO minBound
+        <*> newTVarIO Map.empty
         <*> newTVarIO False
         <*> newEmptyTMVarIO
         <*> newTVarIO Map.empty
         <*> newTVarIO 0
+    loggerServices core
     effects <- newTQueueIO
     started <- newMVar ()
     let start = withMVar started $ \() -> do
           _ <- spawnLinked core (serveCalls calls (answering core effects))
-          _ <- spawnLinked core (accepting topics (serveSubscriber core))
+          _ <- spawnLinked core (accepting topics (serveConnection core))
           _ <- spawnLinked core (forever (atomically (readTQueue effects) >>= carryOut core))
           forM_ (privateParams (arguments settings)) $ \(k, v) -> setParam (master core) (resolve (coreNaming core) ('~' : k)) (literal v)
           spawnLinked core (watchMaster core)
@@ -168,6 +172,7 @@ registerAll :: Core -> IO ()
 registerAll core = do
   readTVarIO (publications core) >>= mapM_ (registerPublication core)
   readTVarIO (subscriptions core) >>= mapM_ (registerSubscription core)
+  readTVarIO (services core) >>= mapM_ (registerOffered core) . Map.keys
 
 -- | Sends what is waiting, says goodbye, and ends all threads. A peer that does not read is given up after 'drainTimeout', a master that
 -- does not answer after 'farewellTimeout'.
@@ -178,9 +183,11 @@ finish core = do
   ps <- readTVarIO (publications core)
   ss <- readTVarIO (subscriptions core)
   ws <- readTVarIO (paramWatchers core)
+  offered <- readTVarIO (services core)
   let goodbyes =
         [void (unregisterPublisher (master core) (offerTopic (pubOffer p))) | p <- Map.elems ps]
           ++ [void (unregisterSubscriber (master core) (offerTopic (subOffer s))) | s <- Map.elems ss]
+          ++ map (unregisterOffered core) (Map.keys offered)
           ++ [void (unsubscribeParam (master core) k) | k <- Map.keys ws]
   unless (null goodbyes) (withAsync (forConcurrently_ goodbyes id) (void . timeoutInSlices farewellTimeout . waitCatch))
   stopAll core
