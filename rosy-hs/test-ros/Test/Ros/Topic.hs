@@ -14,13 +14,14 @@ import Data.Maybe (catMaybes)
 import Ros.Queue
 import Ros.Topic (Topic (..))
 import qualified Ros.Topic as T
+import Ros.Topic.PID
 import Ros.Topic.Util
 import Test.Tasty
 import Test.Tasty.HUnit
 import Test.Tasty.QuickCheck
 
 tests :: TestTree
-tests = testGroup "topics" [pureOnes, joined, shared, queues]
+tests = testGroup "topics" [pureOnes, controllers, joined, shared, queues]
 
 -- | The values 0, 1, 2, …; and the first ten of what a function makes of them.
 numbers :: Topic Identity Int
@@ -87,6 +88,37 @@ pureOnes =
     effectful (T.IterCont (y, next)) = T.IterContM (y, Identity . effectful . next)
     law :: (Eq b, Show b) => String -> (Topic Identity Int -> Topic Identity b) -> ([Int] -> [b]) -> TestTree
     law name onTopic onList = testCase name $ ten (onTopic numbers) @?= take 10 (onList [0 ..])
+
+-- | Rational numbers, so that sums and quotients are exact.
+controllers :: TestTree
+controllers =
+  testGroup
+    "PID controllers"
+    [ testProperty "the first signal is proportional" $ \kp ki kd setpoint x -> first 1 (pidUniform kp ki kd setpoint (T.repeat x)) === [kp * (setpoint - x)],
+      testProperty "a constant error is summed over time" $ \ki dt' e -> let dt = abs dt' + 1 in first 10 (pidFixed 0 ki 0 e dt (T.repeat 0)) === [ki * e * dt * n | n <- [0 .. 9]],
+      testProperty "a ramp has its slope" $ \kd slope dt' ->
+        let dt = abs dt' + 1
+         in drop 1 (first 10 (pidFixed 0 0 kd 0 dt (T.iterate (+ slope * dt) 0))) === replicate 9 (negate (kd * slope)),
+      testProperty "a fixed distance is that of the stamps" $ \kp ki kd setpoint dt' xs ->
+        let dt = abs dt' + 1
+            values = T.fromList (0 : xs)
+         in first 20 (pidFixed kp ki kd setpoint dt values) === first 20 (pidStamped kp ki kd setpoint (T.mapAccum (\t x -> ((t, x), t + dt)) 7 values)),
+      testProperty "the signal is linear in the error" $ \kp ki kd k xs ->
+        let values = 0 : xs
+            out factor = first 20 (pidUniform kp ki kd 0 (T.fromList (map (* factor) values)))
+         in out k === map (* k) (out 1),
+      testCase "a value that is no newer does not divide by zero" $ first 3 (pidStamped 1 1 1 0 (T.fromList [(1, 2), (1, 4), (2, 4)])) @?= [-2, -4, -8],
+      testProperty "a process that sums its signals comes to its setpoint" $ \setpoint ->
+        let path = iterate (\x -> x + last (first 1 (pidUniform (1 / 2) 0 0 setpoint (T.repeat x)))) 0 in abs (path !! 40 - setpoint) <= abs setpoint / 1000000,
+      testProperty "leftThenRight: the newest left and the first right after it" $ \(xs :: [Either Int Char]) ->
+        let pairs (Left a : Right b : rest) = (a, b) : pairs rest
+            pairs (_ : rest) = pairs rest
+            pairs [] = []
+         in runIdentity (T.take (length (pairs xs)) (leftThenRight (T.fromList (xs ++ [Left 0, Right 'x'])))) === pairs xs
+    ]
+  where
+    first :: Int -> Topic Identity Rational -> [Rational]
+    first n = runIdentity . T.take n
 
 joined :: TestTree
 joined =

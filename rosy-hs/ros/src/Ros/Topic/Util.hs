@@ -14,6 +14,7 @@ module Ros.Topic.Util
     bothNew,
     everyNew,
     firstThenSecond,
+    leftThenRight,
 
     -- * One topic as several
     tee,
@@ -134,7 +135,11 @@ stepEveryNew (EveryNew x y) new = ((,) <$> x' <*> y', EveryNew x' y')
 
 -- | A value of the left, then one of the right: pairs of the newest left and the first right after it.
 firstThenSecond :: Topic IO a -> Topic IO b -> Topic IO (a, b)
-firstThenSecond l r = Topic.catMaybes (Topic.mapAccum step Nothing (l <+> r))
+firstThenSecond l r = leftThenRight (l <+> r)
+
+-- | The same pairs of values that are in one topic already.
+leftThenRight :: Monad m => Topic m (Either a b) -> Topic m (a, b)
+leftThenRight = Topic.catMaybes . Topic.mapAccum step Nothing
   where
     step _ (Left x) = (Nothing, Just x)
     step (Just x) (Right y) = (Just (x, y), Nothing)
