@@ -7,6 +7,7 @@ from __future__ import annotations
 import contextlib
 import os
 import random
+import shutil
 import signal
 import socket
 import subprocess
@@ -41,6 +42,7 @@ class Node:
         command = cluster_command("node", "--host", "127.0.0.1", "--processes", processes, *place)
         self._process = subprocess.Popen(command, env=dict(environment), stdout=subprocess.PIPE, text=True)
         assert self._process.stdout is not None
+        self._was_killed = False
         said = self._process.stdout.readline()
         if not said:
             raise RuntimeError(f"the node ended with status {self._process.wait(_PATIENCE)}")
@@ -60,6 +62,10 @@ class Node:
                 # Ray ends the rest of a node that was killed by and by.
                 _kill(pid)
             os.sched_yield()
+        if self._was_killed:
+            # It keeps Ray's logs after a fault.
+            for folder in Path("/tmp").glob(f"rosy-ray-{self.pid}-*"):
+                shutil.rmtree(folder, ignore_errors=True)
         assert self._process.stdout is not None
         self._process.stdout.close()
 
@@ -88,6 +94,7 @@ class Node:
 
     def kill(self) -> None:
         """Lose the node: all of its processes end in this moment."""
+        self._was_killed = True
         for pid in self.processes():
             _kill(pid)
 

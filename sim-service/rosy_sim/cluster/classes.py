@@ -64,7 +64,7 @@ class _ClassHost:
         )
         assert self._process.stdout is not None
         line = self._process.stdout.readline()
-        started = msgspec.json.decode(line, type=Started) if line else _UNKNOWN
+        started: Started = msgspec.json.decode(line, type=Started) if line else _UNKNOWN
         if isinstance(started, Failed):
             _report(name, started)
             # The database cannot be used now, or no port is free: Ray starts the actor again.

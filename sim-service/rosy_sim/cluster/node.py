@@ -15,10 +15,12 @@ import contextlib
 import json
 import os
 import secrets
+import shutil
 import signal
 import socket
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 from collections.abc import Callable
@@ -58,6 +60,8 @@ _SETTINGS = {
     # A node that is dead is found in about 5 s; one that stands still has 10 s for each answer (Ray's own timeout).
     "RAY_health_check_period_ms": "1000",
     "RAY_health_check_failure_threshold": "5",
+    # A node that ends waits for its tasks, a few seconds each; Ray's 30 s are for services that move away meanwhile.
+    "RAY_GRACEFUL_SHUTDOWN_DRAIN_TIMEOUT_S": "5",
     # On a busy machine the head may need longer than Ray's 30 s, and so may the first process of a task, than its 60 s.
     "RAY_gcs_server_port_wait_time_s": "600",
     "RAY_worker_register_timeout_seconds": "600",
@@ -187,13 +191,37 @@ def start_node(config: Config, options: argparse.Namespace, output: Callable[[st
     log = config.root / ".rosy" / "log" / f"cluster-node-{os.getpid()}.log"
     log.parent.mkdir(parents=True, exist_ok=True)
     environment = {**os.environ, **_SETTINGS, "ROSY_NODE_HOST": host}
+    # Sockets and logs of Ray's processes; the path of a socket has at most 107 bytes (unix(7)).
+    folder = Path(tempfile.mkdtemp(prefix=f"rosy-ray-{os.getpid()}-", dir="/tmp"))
+    command += ["--temp-dir", str(folder)]
     interrupted = threading.Event()
+    with contextlib.ExitStack() as stack:
+        stack.callback(shutil.rmtree, folder, ignore_errors=True)
+        try:
+            _run(command, environment, log, interrupted, options, address, output)
+        except ClusterFailed:
+            # Ray's logs are kept.
+            stack.pop_all()
+            raise
+    return 0
+
+
+def _run(
+    command: list[str],
+    environment: dict[str, str],
+    log: Path,
+    interrupted: threading.Event,
+    options: argparse.Namespace,
+    address: str,
+    output: Callable[[str], None],
+) -> None:
+    """Ray's processes, until an interrupt."""
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: interrupted.set())
     ray = _start(command, environment, log, interrupted)
     if ray is None:
         if interrupted.is_set():
-            return 0
+            return
         if SECRET_REFUSED in log.read_bytes():
             raise other_secret(address)
         raise ClusterFailed(tr("The node could not start; what Ray says is in {file}.", file=str(log)))
@@ -218,7 +246,6 @@ def start_node(config: Config, options: argparse.Namespace, output: Callable[[st
     ray.wait()
     if not interrupted.is_set():
         raise ClusterFailed(tr("The node has ended; what Ray says is in {file}.", file=str(log)))
-    return 0
 
 
 class ClusterFailed(RosyError):

@@ -75,7 +75,7 @@ def test_a_class_without_a_node_or_a_database_says_so(environment: dict[str, str
             assert "tried again" in said[2]
             interrupt(waiting)
             # A new one is not begun.
-            said, wrong = begin("7c", head).communicate(timeout=PATIENCE)
+            _, wrong = begin("7c", head).communicate(timeout=PATIENCE)
             assert "cannot be reached" in wrong
             assert "Traceback" not in wrong
             gone = subprocess.run(

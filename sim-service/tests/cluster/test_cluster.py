@@ -64,6 +64,11 @@ def scripts(folder: Path, texts: dict[str, str]) -> None:
         (folder / "class" / name / "p.hs").write_text(script)
 
 
+def temporary_folders(node: Node) -> list[Path]:
+    """Ray's sockets and logs of a node."""
+    return list(Path("/tmp").glob(f"rosy-ray-{node.pid}-*"))
+
+
 @needs_ray
 @pytest.mark.long
 def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> None:
@@ -88,6 +93,7 @@ def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> N
         assert [len(report["rooms"]) for report in reports] == [2, 0]
         assert ["lost" in report for report in reports] == [False, True]
 
+        assert temporary_folders(head)
         # An interrupt leaves nothing on the nodes.
         (tmp_path / "slow.hs").write_text("drive:0.1 hang@100")
         running = on_cluster(token, head, "slow.hs", "--rooms", 50)
@@ -110,6 +116,8 @@ def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> N
         joining = subprocess.run(command, env=token, capture_output=True, text=True, check=False)
         assert (joining.returncode, joining.stdout) == (2, "")
         assert "has another secret" in joining.stderr
+    # An interrupt left nothing of the head on the disk either.
+    assert not temporary_folders(head)
 
 
 @needs_ray
