@@ -137,7 +137,7 @@ class ClassDirectory:
         for answer in answers:
             with suppress(RayError):
                 found[asked[answer]] = ray.get(answer).address
-        return found
+        return dict(sorted(found.items()))
 
     def names(self) -> list[str]:
         """The classes that nodes serve."""
