@@ -158,8 +158,8 @@ def take_turns(
     """
     Let the same pages run a program, with a request of each kind in turn, and measure each turn of ``drivers.seconds``.
 
-    What a machine does besides changes in seconds; the turns of a round follow each other at once, and every other round
-    has them in the opposite order.
+    What a machine does besides changes in seconds; the turns of a round follow each other at once, and every other
+    round has them in the opposite order.
     """
     with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
         return runner.run(_turns(config, drivers, kinds, rounds))
@@ -176,7 +176,7 @@ async def _turns(
     async with _driving(config, drivers) as driving:
         for number in range(rounds):
             turns: dict[str, Turn] = {}
-            for kind in list(kinds) if number % 2 == 0 else reversed(kinds):
+            for kind in list(kinds) if number % 2 == 0 else reversed(list(kinds)):
                 driving.talk.send(kinds[kind])
                 await asyncio.sleep(SETTLE)
                 await driving.received()
@@ -262,7 +262,7 @@ def _programs(worker: int | None) -> list[psutil.Process]:
 
 
 def _simulate_pages(port: int, drivers: Drivers, active_drivers: int, talk: Connection) -> None:
-    """Open the pages, wait until as many of them drive as may, then count what they are sent, and send what is wanted."""
+    """Open the pages, wait until as many of them drive as may, count what they are sent, and send what is wanted."""
     count = drivers.count
     pages = [_open(port) for _ in range(count)]
     run = {"op": "run", "run": 1, "source": drivers.program, "seed": 1, "speed": 1}

@@ -2,8 +2,8 @@
 What it costs to record the firings of a run with their provenance: processor time of service and program for a step.
 
 The same programs drive in the same pages without being observed, observed, and observed with their firings sent to the
-page, in short turns one after the other. Each round has a share of its own, of turns that follow each other at once; the
-median of the shares and their quartiles are printed.
+page, in short turns one after the other. Each round has a share of its own, of turns that follow each other at once;
+the median of the shares and their quartiles are printed.
 """
 
 from __future__ import annotations
@@ -58,10 +58,10 @@ def report(config: Config, counts: list[int], seconds: float) -> None:
         for kind in _KINDS:
             turns = [turn[kind] for turn in measured]
             share = "" if kind == _PLAIN else "; " + _shares([(one[_PLAIN], one[kind]) for one in measured])
+            received = _median(turns, "received") / 1e3
             print(
                 f"  {count} pages, a step, {kind + ':':<37} {1e6 * _median(turns, 'service'):4.0f} µs of service and"
-                f" {1e6 * _median(turns, 'programs'):4.0f} of program, {_median(turns, 'received') / 1e3:5.1f} kB/s to a page"
-                f"{share}",
+                f" {1e6 * _median(turns, 'programs'):4.0f} of program, {received:5.1f} kB/s to a page{share}",
                 flush=True,
             )
     print(
@@ -70,7 +70,7 @@ def report(config: Config, counts: list[int], seconds: float) -> None:
 
 
 def _median(turns: list[Turn], what: str) -> float:
-    return statistics.median(getattr(turn, what) for turn in turns)
+    return float(statistics.median(getattr(turn, what) for turn in turns))
 
 
 def _shares(pairs: list[tuple[Turn, Turn]]) -> str:
