@@ -89,7 +89,11 @@ withoutConsequences ps = nubBy (\x y -> place x == place y && kind x == kind y) 
         || kind p == "ambiguous-type" && any (sameLine p) (at p "operator")
         || kind p == "main-type" && any ((< place p) . place) (at p "main-type")
     -- The type of an expression that depends on what is put into its empty places.
-    isAboutHole p = (kind p `elem` ["ambiguous-type", "lower-case-type"] || "Overlapping instances" `Text.isPrefixOf` withoutCode (ghc p)) && or [around s (place p) | q <- ps, kind q == "hole", "ambiguous type variable" `Text.isInfixOf` ghc q, Just s <- [place q]]
+    isAboutHole p = or [isAround || isOverlap && names q p | q <- ps, kind q == "hole", "ambiguous type variable" `Text.isInfixOf` ghc q, Just s <- [place q], let isAround = (isOverlap || kind p `elem` ["ambiguous-type", "lower-case-type"]) && around s (place p)]
+      where
+        isOverlap = "Overlapping instances" `Text.isPrefixOf` withoutCode (ghc p)
+    -- "‘a0’ is an ambiguous type variable" in the one, "(The choice depends on the instantiation of ‘a0’" in the other: GHC 9.6 places it at the function.
+    names q p = Text.takeWhileEnd (/= '‘') (fst (Text.breakOn "’ is an ambiguous type variable" (ghc q))) `elem` Text.split (not . isAlphaNum) (snd (Text.breakOn "instantiation of" (ghc p)))
     -- Without the code of GHC 9.6 and newer, see 'original'.
     withoutCode said = maybe said (Text.drop 2 . Text.dropWhile (/= ']')) (Text.stripPrefix "[GHC-" said)
     around s = maybe False (\outer -> start outer <= start s && end s <= end outer)
