@@ -66,6 +66,7 @@ standardMessages =
     ("nav_msgs", "OccupancyGrid", "Header header\nMapMetaData info\nint8[] data\n"),
     ("nav_msgs", "Odometry", "Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\ngeometry_msgs/TwistWithCovariance twist\n"),
     ("nav_msgs", "Path", "Header header\ngeometry_msgs/PoseStamped[] poses\n"),
+    ("roscpp", "Logger", "string name\nstring level\n"),
     ("rosgraph_msgs", "Clock", "time clock\n"),
     ("rosgraph_msgs", "Log", "byte DEBUG=1\nbyte INFO=2\nbyte WARN=4\nbyte ERROR=8\nbyte FATAL=16\nHeader header\nbyte level\nstring name\nstring msg\nstring file\nstring function\nuint32 line\nstring[] topics\n"),
     ("rosgraph_msgs", "TopicStatistics", "string topic\nstring node_pub\nstring node_sub\ntime window_start\ntime window_stop\nint32 delivered_msgs\nint32 dropped_msgs\nint32 traffic\nduration period_mean\nduration period_stddev\nduration period_max\nduration stamp_age_mean\nduration stamp_age_stddev\nduration stamp_age_max\n"),
