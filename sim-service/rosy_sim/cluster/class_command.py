@@ -88,7 +88,10 @@ def begin_class(options: argparse.Namespace, output: Callable[[str], None]) -> i
 
 def _begin(classes: Any, name: str, origin: str, output: Callable[[str], None]) -> int:
     is_new = name not in ray.get(classes.names.remote())
-    if is_new and not ray.get(classes.has_room.remote()):
+    has_room = not is_new or ray.get(classes.has_room.remote())
+    # Before anything is printed: an interrupt of the wait leaves a class that has begun.
+    ray.get(classes.place.remote(name, origin))
+    if not has_room:
         full = tr(
             "No node has room for the class now. It begins when a node joins that serves classes (docs/district.md), "
             "or when another class ends; Ctrl-C ends the wait."
@@ -96,7 +99,6 @@ def _begin(classes: Any, name: str, origin: str, output: Callable[[str], None]) 
         output(in_terminal(full))
     else:
         output(in_terminal(tr("A node with room for the class is chosen, and the class starts there.")))
-    ray.get(classes.place.remote(name, origin))
     found = _wait_for(classes, name, is_new, output)
     pupils = f"{origin}/?class={name}#class={found.code}"
     board = f"{origin}/board.html?class={name}#key={found.teacher_key}"
