@@ -122,7 +122,7 @@ async def _measure(config: Config, drivers: Drivers, profiler: cProfile.Profile 
         await asyncio.sleep(drivers.seconds)
         if profiler is not None:
             profiler.disable()
-        # Shared parts are divided among those who share them.
+        # Proportional set size: the bytes of a shared page are divided by the number of processes that map it.
         memory = [process.memory_full_info().pss for process in driving.programs]
         frames, received = await driving.received()
         after, theirs_after = driving.processor_time()

@@ -22,6 +22,7 @@ from .check_messages import (
     ShowResults,
     ShowRooms,
 )
+from .database import StoreFault
 from .message_fields import (
     Identifier,
     Label,
@@ -200,7 +201,7 @@ class BoardShown(msgspec.Struct, tag="board", tag_field="op"):
 class StoreShown(msgspec.Struct, tag="store", tag_field="op"):
     """Why nothing can be stored now; ``None`` when it can."""
 
-    fault: Literal["disk", "database"] | None
+    fault: StoreFault | None
 
 
 class PupilShown(msgspec.Struct):

@@ -27,7 +27,7 @@ from .class_comments import ClassComments
 from .class_export import write_export
 from .class_store import ClassStore, Conflict, NicknameTaken, Pupil, Saved, StoreFull, Version
 from .class_tasks import ClassTasks
-from .database import ClassTaken, StoreAway, StoreError
+from .database import ClassTaken, StoreAway, StoreError, StoreFault, fault_of
 from .hand_in_export import hand_ins_zip
 from .message_fields import Refused
 from .nickname import BadNickname, read_nickname
@@ -36,7 +36,7 @@ from .projector_messages import Project, Projected
 from .pupil_state import PupilState
 from .shared_editing import Participant, SharedEditing
 from .shared_messages import AskToShare, Cursor, Decline, EndSharing, Push, Share
-from .store_thread import Fault, StoreThread, fault_of
+from .store_thread import StoreThread
 from .word_list import draw_words, read_words
 
 __all__ = ["Classroom", "PupilPage"]
@@ -134,7 +134,7 @@ class Classroom:
                 pause = _PAUSE
             await asyncio.sleep(pause)
 
-    def store_fault(self) -> Fault | None:
+    def store_fault(self) -> StoreFault | None:
         """Why nothing can be stored now."""
         if self._store.is_away:
             return "database"

@@ -12,9 +12,19 @@ from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Literal, Protocol
 
-__all__ = ["ClassTaken", "Database", "Rows", "SqliteDatabase", "StoreAway", "StoreError", "StoreRefused"]
+__all__ = [
+    "ClassTaken",
+    "Database",
+    "Rows",
+    "SqliteDatabase",
+    "StoreAway",
+    "StoreError",
+    "StoreFault",
+    "StoreRefused",
+    "fault_of",
+]
 
 
 class StoreError(Exception):
@@ -31,6 +41,15 @@ class StoreRefused(StoreAway):
 
 class ClassTaken(StoreError):
     """While the server could not be reached another service has opened the class; this one must end."""
+
+
+StoreFault = Literal["disk", "database"]
+"""Why nothing can be stored: the disk is full or broken, or the database server cannot be reached."""
+
+
+def fault_of(error: StoreError) -> StoreFault:
+    """The fault that a client is told when its request failed with this error."""
+    return "database" if isinstance(error, StoreAway) else "disk"
 
 
 @dataclass(frozen=True, slots=True)

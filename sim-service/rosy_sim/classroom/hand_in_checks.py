@@ -29,10 +29,9 @@ from ..world.properties import BadProperty, read_properties
 from ..worlds.gallery import DEFAULT_WORLD, named_world
 from .check_messages import CheckAll, Checking, CheckNew, CheckResult, Fault
 from .class_tasks import ClassTasks
-from .database import StoreError
+from .database import StoreError, fault_of
 from .message_fields import Refused
 from .program_fingerprint import source_of
-from .store_thread import fault_of
 from .task_store import HandInKept
 
 __all__ = ["HandInChecks"]

@@ -12,29 +12,21 @@ import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from typing import Concatenate, Literal, ParamSpec, TypeVar
+from typing import Concatenate, ParamSpec, TypeVar
 
 from .class_store import ClassStore
-from .database import StoreAway, StoreError
+from .database import StoreAway
 
-__all__ = ["Fault", "StoreThread", "fault_of"]
+__all__ = ["StoreThread"]
 
 Arguments = ParamSpec("Arguments")
 Result = TypeVar("Result")
-
-Fault = Literal["disk", "database"]
-"""Why nothing can be stored: the disk is full or broken, or the database server cannot be reached."""
 
 _RESTART = 5.0
 """How long a call waits for a server that cannot be reached, s: as long as it takes to start again, and more."""
 
 _PAUSE = 0.2
 """Between its attempts, s."""
-
-
-def fault_of(error: StoreError) -> Fault:
-    """What an error of the store means for those who wanted something stored."""
-    return "database" if isinstance(error, StoreAway) else "disk"
 
 
 class StoreThread:

@@ -26,13 +26,12 @@ from ..classroom.check_messages import (
     ShowRooms,
 )
 from ..classroom.classroom import Classroom, PupilPage
-from ..classroom.database import StoreError
+from ..classroom.database import StoreError, StoreFault, fault_of
 from ..classroom.hand_in_checks import HandInChecks
 from ..classroom.message_fields import BadRequest, Refused
 from ..classroom.projector_messages import Project, Projecting
 from ..classroom.shared_editing import Participant
 from ..classroom.shared_messages import SHARING_OPS, AskToShare, Cursor, EndSharing, Push
-from ..classroom.store_thread import Fault, fault_of
 from ..sentence import tr
 from ..wording import in_terminal
 from .address_slots import AddressSlots
@@ -225,7 +224,7 @@ class ClassSockets:
         projecting = Projecting(None, False, False)
         checking = Checking()
         results: dict[tuple[int, int], bytes] = {}
-        store_fault: Fault | None = None
+        store_fault: StoreFault | None = None
         looks = 0
         while True:
             if looks % _LOOKS_PER_LIST == 0:

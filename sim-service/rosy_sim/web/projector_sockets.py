@@ -14,10 +14,9 @@ from collections.abc import Awaitable, Callable, Mapping
 from starlette.websockets import WebSocket
 
 from ..classroom.classroom import Classroom
-from ..classroom.database import StoreError
+from ..classroom.database import StoreError, fault_of
 from ..classroom.message_fields import Refused
 from ..classroom.projector_messages import Invitation, Projected, RoomProjected, read_projector_request
-from ..classroom.store_thread import fault_of
 from ..sentence import tr
 from ..wording import in_terminal
 from .address_slots import AddressSlots

@@ -34,7 +34,7 @@ class ForkServer:
         self._config = config
         self._server: Connection | None = None
         # The process inside of its sandbox, once that has been looked up.
-        self._forking: int | None = None
+        self._inner_pid: int | None = None
         self._ids = 0
 
     @property
@@ -61,7 +61,7 @@ class ForkServer:
         worker: Connection | None = None
         try:
             await asyncio.wait((forked, lost), return_when=asyncio.FIRST_COMPLETED)
-            process = _forked_process(self._inside(server), forked.result(), ours) if forked.done() else None
+            process = _forked_process(self._sandboxed(server), forked.result(), ours) if forked.done() else None
             if process is not None:
                 worker = Connection(process, self._config.limits.worker_ready)
         finally:
@@ -75,14 +75,14 @@ class ForkServer:
 
     async def close(self) -> None:
         """End the fork server, and with it the workers that it has forked."""
-        server, self._server, self._forking = self._server, None, None
+        server, self._server, self._inner_pid = self._server, None, None
         if server is not None:
             await server.end()
 
-    def _inside(self, server: Connection) -> int:
-        if self._forking is None:
-            self._forking = sandboxed_pid(server.pid)
-        return self._forking
+    def _sandboxed(self, server: Connection) -> int:
+        if self._inner_pid is None:
+            self._inner_pid = sandboxed_pid(server.pid)
+        return self._inner_pid
 
     def _launch(self) -> Connection | None:
         try:

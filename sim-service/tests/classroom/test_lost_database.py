@@ -63,7 +63,7 @@ def test_after_a_restart_the_class_is_locked_again_and_saves_go_on(
         assert isinstance(await store.call(join), Pupil)
         restarted.stop(how)
         restarted.start()
-        # Nobody saves, and still no other service gets the class.
+        # The lock is taken again without a save in between.
         await store.keep()
         assert_locked(restarted.url, name)
         restarted.stop(how)
