@@ -3,7 +3,8 @@ Test runner: every check and test of the repository, several suites at once, and
 
 In: suite names (none: all), and `nightly` for all random tests at full length. Out: the output of each suite in one block
 when it ends, a table, the failed tests, and `N passed, M failed` as the last line, followed by `, K skipped` when tests were skipped. Exit 0
-if nothing failed. The seed of the random tests is printed; ROSY_TEST_SEED repeats a run.
+if nothing failed. The seed of the random tests is printed; ROSY_TEST_SEED repeats a run. Tests that take turns by day also run while their file
+differs from the last commit that passed all suites here, or from the commit in ROSY_TEST_BASE.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
+from testing.changes import changed_since, record_commit, recorded_commit
 from testing.counts import Count
 from testing.failures import failed_tests
 from testing.scheduler import Result, run_all
@@ -21,6 +23,8 @@ from testing.suites import suites
 
 ROOT = Path(__file__).resolve().parent.parent
 STATE = ROOT / ".rosy"
+PASSED = STATE / "checked" / "commit"
+"""The commit of the last run of all suites that passed."""
 
 
 class Screen:
@@ -52,13 +56,14 @@ class Screen:
 
 
 def environment(arguments: Sequence[str]) -> dict[str, str]:
-    """Environment of the suites. Random tests read ROSY_TEST_SEED and ROSY_TEST_SHARE (0.1: a tenth of the cases)."""
+    """Environment of the suites. Random tests read ROSY_TEST_SEED and ROSY_TEST_SHARE (0.1: a tenth of the cases), tests that take turns ROSY_TEST_CHANGED."""
     nightly = "nightly" in arguments
     # The seed changes daily, so that a failure repeats until it is fixed and is the same on every machine; nightly runs draw a new one each time.
     seed = int(time.time()) if nightly else int(time.time()) // 86400
     return {
         "ROSY_TEST_SEED": str(seed % 2**31),
         "ROSY_TEST_SHARE": "1" if nightly else "0.1",
+        "ROSY_TEST_CHANGED": "\n".join(changed_since(ROOT, os.environ.get("ROSY_TEST_BASE") or recorded_commit(PASSED))),
         **os.environ,
         "PYTHONDONTWRITEBYTECODE": "1",
         "ROSY_REPORTS": str(STATE / "reports"),
@@ -116,6 +121,8 @@ def main() -> int:
     print(f"\n  {minutes:.1f} minutes on {cores} cores, {computing:.1f} minutes of computing")
     print(f"  Seed of the random tests: ROSY_TEST_SEED={env['ROSY_TEST_SEED']}")
     total = sum((result.count for result in results), Count(0, 0))
+    if not total.failed and len(results) == len(known):
+        record_commit(ROOT, PASSED)
     print(f"\n{total}")
     return 1 if total.failed else 0
 

@@ -6,7 +6,10 @@ import {expect, type Page} from "@playwright/test"
 import {atRest} from "./at_rest.ts"
 import {isFull, rotated} from "./extent.ts"
 import {Learner} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as story} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(story, import.meta.url)
 
 const given = process.env["SEEDS"]
 const seeds = given === undefined ? rotated([8, 12], 2) : given.split(",").map(Number)

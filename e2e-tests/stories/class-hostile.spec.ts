@@ -5,7 +5,10 @@ import {once} from "node:events"
 import {expect, type Page} from "@playwright/test"
 import WebSocket from "ws"
 import {device, RunningClass} from "./running_class.ts"
-import {test} from "./story.ts"
+import {test as story} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(story, import.meta.url)
 
 const script = "window.harmed=true;fetch('https://harm.example/')"
 const svg = `<svg onload="${script}"><script>${script}</script><image href="https://harm.example/a.png"/></svg>`

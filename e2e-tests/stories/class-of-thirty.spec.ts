@@ -6,7 +6,10 @@ import {isFull} from "./extent.ts"
 import {screenshot} from "./learner.ts"
 import {ProtocolPupil} from "./protocol_pupil.ts"
 import {device, RunningClass, savedIn} from "./running_class.ts"
-import {prepareContexts, test} from "./story.ts"
+import {prepareContexts, test as story} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(story, import.meta.url)
 
 const pupils = 30
 

@@ -3,7 +3,10 @@
 import {expect, type Page} from "@playwright/test"
 import {boxAtRest} from "./at_rest.ts"
 import {Learner} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as daily} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(daily, import.meta.url)
 
 /// A machine that shows no picture until it is told to.
 async function showsNothing(page: Page): Promise<void> {
@@ -48,7 +51,7 @@ test("what is typed before a change of the blocks is seen does not take it back"
   await expect(learner.definition("play")).not.toContainText("Released")
 })
 
-test("a letter right after Tab stands where the cursor was", async ({page}) => {
+daily("a letter right after Tab stands where the cursor was", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("accelerateAndPlay")
   await learner.haskell().click()

@@ -2,7 +2,10 @@
 
 import {expect} from "@playwright/test"
 import {Learner} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as story} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(story, import.meta.url)
 
 const program = `newtype Charge = Charge Int
 

@@ -2,9 +2,12 @@
 
 import {expect} from "@playwright/test"
 import {Learner} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as daily} from "./story.ts"
+import {inTurn} from "./turns.ts"
 
-test("a reload in the middle of a word loses nothing", async ({page}) => {
+const test = inTurn(daily, import.meta.url)
+
+daily("a reload in the middle of a word loses nothing", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("accelerateAndPlay")
   await learner.findsInHaskell("Velocity (vl + 0.5) va")

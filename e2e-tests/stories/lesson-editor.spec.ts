@@ -3,7 +3,10 @@
 
 import {expect, type Locator, type Page} from "@playwright/test"
 import {Learner} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as story} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(story, import.meta.url)
 
 const editor = (page: Page): Locator => page.getByRole("complementary", {name: "Lesson editor"})
 const lesson = (page: Page): Locator => page.getByRole("complementary", {name: "Lesson", exact: true})

@@ -2,50 +2,56 @@
 
 import {expect, type Page} from "@playwright/test"
 import {Pupil} from "./pupil.ts"
-import {test} from "./story.ts"
+import {test as daily} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(daily, import.meta.url)
 
 const pupil = (page: Page) => new Pupil(page)
 
-test("a lesson is followed in blocks: guess, run, look, change, make, and its end leads to the next", async ({
-  page,
-}) => {
-  const one = pupil(page)
-  await one.opensLesson("Hello, robot")
-  await expect(page.getByRole("textbox", {name: "Name of the program"})).toHaveValue("Hello, robot")
-  await one.answers("Where it is now")
-  await one.goesOn()
-  await expect(one.panel()).toContainText("Your guess: Where it is now")
-  await one.tries()
-  await expect(one.panel()).toContainText("does not stop by itself")
-  await one.goesOn()
-  await one.answers("The second, 0")
-  await expect(one.panel()).toContainText("The second number is for turning")
-  await one.answers("The first, 0.2")
-  await one.goesOn()
-  await one.tries()
-  await expect(one.check("It drives backwards")).toContainText("It did not drive backwards.")
-  await one.panel().getByRole("button", {name: "Give me a hint"}).click()
-  await expect(one.panel()).toContainText("What number is the opposite of 0.2?")
-  await one.changesNumber("0.2", "-0.2")
-  await expect(one.haskell()).toContainText("Velocity (-0.2) 0")
-  await one.tries()
-  await expect(one.check("It drives backwards")).toHaveAttribute("data-check-state", "done")
-  await one.goesOn()
-  await one.panel().getByRole("button", {name: "Begin this step again"}).click()
-  await expect(one.haskell()).toContainText("Velocity 0.2 0")
-  // The run before has ended; its button may be drawn a moment after the text.
-  await expect(one.runButton()).toHaveText("Run")
-  await one.tries()
-  await expect(one.check("In the ring at 5 s")).toContainText("metres away from it at 5.0 s.")
-  await one.changesNumber("0.2", "0.4")
-  await one.tries()
-  await expect(one.panel()).toContainText("Lesson finished!")
-  await one.keeps("lesson-finished")
-  await one.panel().getByRole("button", {name: "Next lesson"}).click()
-  await expect(one.panel().getByRole("heading", {name: "Turn on the spot"})).toBeVisible()
-  await page.getByRole("button", {name: "Lessons"}).click()
-  await expect(page.getByRole("dialog").getByRole("button", {name: "Hello, robot"})).toContainText("finished")
-})
+daily(
+  "a lesson is followed in blocks: guess, run, look, change, make, and its end leads to the next",
+  async ({page}) => {
+    const one = pupil(page)
+    await one.opensLesson("Hello, robot")
+    await expect(page.getByRole("textbox", {name: "Name of the program"})).toHaveValue("Hello, robot")
+    await one.answers("Where it is now")
+    await one.goesOn()
+    await expect(one.panel()).toContainText("Your guess: Where it is now")
+    await one.tries()
+    await expect(one.panel()).toContainText("does not stop by itself")
+    await one.goesOn()
+    await one.answers("The second, 0")
+    await expect(one.panel()).toContainText("The second number is for turning")
+    await one.answers("The first, 0.2")
+    await one.goesOn()
+    await one.tries()
+    await expect(one.check("It drives backwards")).toContainText("It did not drive backwards.")
+    await one.panel().getByRole("button", {name: "Give me a hint"}).click()
+    await expect(one.panel()).toContainText("What number is the opposite of 0.2?")
+    await one.changesNumber("0.2", "-0.2")
+    await expect(one.haskell()).toContainText("Velocity (-0.2) 0")
+    await one.tries()
+    await expect(one.check("It drives backwards")).toHaveAttribute("data-check-state", "done")
+    await one.goesOn()
+    await one.panel().getByRole("button", {name: "Begin this step again"}).click()
+    await expect(one.haskell()).toContainText("Velocity 0.2 0")
+    // The run before has ended; its button may be drawn a moment after the text.
+    await expect(one.runButton()).toHaveText("Run")
+    await one.tries()
+    await expect(one.check("In the ring at 5 s")).toContainText("metres away from it at 5.0 s.")
+    await one.changesNumber("0.2", "0.4")
+    await one.tries()
+    await expect(one.panel()).toContainText("Lesson finished!")
+    await one.keeps("lesson-finished")
+    await one.panel().getByRole("button", {name: "Next lesson"}).click()
+    await expect(one.panel().getByRole("heading", {name: "Turn on the spot"})).toBeVisible()
+    await page.getByRole("button", {name: "Lessons"}).click()
+    await expect(page.getByRole("dialog").getByRole("button", {name: "Hello, robot"})).toContainText(
+      "finished",
+    )
+  },
+)
 
 test("a lesson is followed in text, survives a reload, and is left for free play", async ({page}) => {
   const one = pupil(page)

@@ -4,7 +4,10 @@ import {expect, type Page} from "@playwright/test"
 import {rotated} from "./extent.ts"
 import {Learner} from "./learner.ts"
 import {faults} from "./page_faults.ts"
-import {test} from "./story.ts"
+import {test as story} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(story, import.meta.url)
 
 /// Buttons of an open dialog whose words stick out of them.
 function spilling(page: Page): Promise<readonly string[]> {

@@ -2,11 +2,14 @@
 
 import {expect, type Page} from "@playwright/test"
 import {Learner} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as daily} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(daily, import.meta.url)
 
 const dialogOf = (page: Page) => page.getByRole("dialog", {name: "My programs"})
 
-test("My programs opens, renames and duplicates a program, and a deleted one comes back", async ({page}) => {
+daily("My programs opens, renames and duplicates a program, and a deleted one comes back", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("move")
   await learner.changesNumber("0.5", "0.25")

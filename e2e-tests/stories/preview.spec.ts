@@ -4,7 +4,10 @@ import {AxeBuilder} from "@axe-core/playwright"
 import {expect, type Page} from "@playwright/test"
 import {boxAtRest} from "./at_rest.ts"
 import {Learner, screenshot} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as daily} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(daily, import.meta.url)
 
 const spoken = (page: Page) => page.getByTestId("preview-spoken")
 
@@ -77,30 +80,31 @@ async function dragsNumber(page: Page, right: number, lets = true): Promise<void
   if (lets) await page.mouse.up()
 }
 
-test("a number is dragged in its block and in the text, the path follows, and each drag is one step back", async ({
-  page,
-}) => {
-  const learner = await ranIntoTheWall(page)
-  const note = page.getByTestId("preview")
-  await learner.number("0.5").click()
-  await dragsNumber(page, -240, false)
-  // The path is there before the button is released.
-  await expect(learner.haskell()).toContainText("vl + (-0.3)")
-  await expect(note).toHaveText(/further left/)
-  await page.screenshot({path: screenshot("preview-drag")})
-  await page.mouse.up()
-  await page.keyboard.press("Enter")
-  await expect(learner.haskell()).toContainText("vl + (-0.3)")
-  await page.getByRole("button", {name: "Undo", exact: true}).click()
-  await expect(learner.haskell()).toContainText("vl + 0.5")
-  await expect(note).toBeHidden()
+daily(
+  "a number is dragged in its block and in the text, the path follows, and each drag is one step back",
+  async ({page}) => {
+    const learner = await ranIntoTheWall(page)
+    const note = page.getByTestId("preview")
+    await learner.number("0.5").click()
+    await dragsNumber(page, -240, false)
+    // The path is there before the button is released.
+    await expect(learner.haskell()).toContainText("vl + (-0.3)")
+    await expect(note).toHaveText(/further left/)
+    await page.screenshot({path: screenshot("preview-drag")})
+    await page.mouse.up()
+    await page.keyboard.press("Enter")
+    await expect(learner.haskell()).toContainText("vl + (-0.3)")
+    await page.getByRole("button", {name: "Undo", exact: true}).click()
+    await expect(learner.haskell()).toContainText("vl + 0.5")
+    await expect(note).toBeHidden()
 
-  await learner.findsInHaskell("0.5")
-  await page.keyboard.press("ArrowLeft")
-  await dragsNumber(page, -240)
-  await expect(learner.haskell()).toContainText("vl + (-0.3)")
-  await expect(learner.number("-0.3")).toBeVisible()
-  await expect(note).toHaveText(/further left/)
-  await page.getByRole("button", {name: "Undo", exact: true}).click()
-  await expect(learner.haskell()).toContainText("vl + 0.5")
-})
+    await learner.findsInHaskell("0.5")
+    await page.keyboard.press("ArrowLeft")
+    await dragsNumber(page, -240)
+    await expect(learner.haskell()).toContainText("vl + (-0.3)")
+    await expect(learner.number("-0.3")).toBeVisible()
+    await expect(note).toHaveText(/further left/)
+    await page.getByRole("button", {name: "Undo", exact: true}).click()
+    await expect(learner.haskell()).toContainText("vl + 0.5")
+  },
+)

@@ -3,9 +3,12 @@
 import {writeFileSync} from "node:fs"
 import {expect} from "@playwright/test"
 import {Learner} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as daily} from "./story.ts"
+import {inTurn} from "./turns.ts"
 
-test("changing a number block changes the Haskell at once, and the next run", async ({page}) => {
+const test = inTurn(daily, import.meta.url)
+
+daily("changing a number block changes the Haskell at once, and the next run", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("move")
   await learner.changesNumber("0.5", "0.2")
@@ -18,7 +21,7 @@ test("changing a number block changes the Haskell at once, and the next run", as
   await learner.stops()
 })
 
-test("a mistake is explained and mended in the language of the page", async ({page}) => {
+daily("a mistake is explained and mended in the language of the page", async ({page}) => {
   const learner = new Learner(page)
   await page.goto("/?example=move&lang=de")
   await expect(learner.haskell()).toContainText("simulate")

@@ -6,7 +6,10 @@ import {expect} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
 import {openRig, type Rig} from "./robot.ts"
 import {root} from "./service.ts"
-import {test} from "./story.ts"
+import {test as daily} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(daily, import.meta.url)
 
 const rosy = join(root, "rosy")
 
@@ -41,7 +44,7 @@ class Driver extends Learner {
   }
 }
 
-test("chooses a robot, sees it connect, runs, watches it move, and stops it", async ({page}) => {
+daily("chooses a robot, sees it connect, runs, watches it move, and stops it", async ({page}) => {
   const learner = new Driver(page)
   await learner.arrives()
   await learner.takes("Anna")
@@ -116,7 +119,7 @@ test("another page sees who has the robot, and takes it when it is free", async 
   await other.page.close()
 })
 
-test("the emergency stop works on its button, on the space bar, and from a terminal", async ({page}) => {
+daily("the emergency stop works on its button, on the space bar, and from a terminal", async ({page}) => {
   const learner = new Driver(page)
   await learner.arrives()
   await learner.takes("Anna")

@@ -4,7 +4,10 @@ import {expect, type Page} from "@playwright/test"
 import {boxAtRest} from "./at_rest.ts"
 import {drags, Floor, type Place} from "./floor.ts"
 import {Learner, until} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as daily} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(daily, import.meta.url)
 
 /// What reads alike for a second: most frames that were on their way have come, and the robot has rolled out.
 async function standsStill<T>(read: () => Promise<T>): Promise<T> {
@@ -77,29 +80,32 @@ class Workshop {
   }
 }
 
-test("a learner draws a wall and a box, drags, undoes, and the robot bumps into the wall", async ({page}) => {
-  const learner = new Learner(page)
-  const workshop = new Workshop(page)
-  await learner.opens("move")
-  await workshop.opens()
-  await workshop.takes("Wall")
-  await workshop.drags([0.6, 0.3], [0.6, 0.7])
-  await expect(workshop.told()).toHaveText(/^Wall 1 from 3 m, .* to 3 m/)
-  await workshop.takes("Box to push")
-  await workshop.drags([0.4, 0.7], [0.45, 0.8])
-  await expect(workshop.told()).toHaveText(/^Box 1 at/)
-  const before = await workshop.told().textContent()
-  await workshop.drags([0.425, 0.75], [0.5, 0.85])
-  await expect(workshop.told()).not.toHaveText(before ?? "")
-  await page.keyboard.press("Control+z")
-  await expect(workshop.told()).toHaveText(before ?? "")
-  await learner.keeps("workshop")
-  await workshop.isDone()
-  await learner.runs()
-  await expect(learner.robot("bumpers")).toHaveText("centre")
-  await until(learner.robot("x"), x => x > 2.7 && x < 2.85)
-  await learner.stops()
-})
+daily(
+  "a learner draws a wall and a box, drags, undoes, and the robot bumps into the wall",
+  async ({page}) => {
+    const learner = new Learner(page)
+    const workshop = new Workshop(page)
+    await learner.opens("move")
+    await workshop.opens()
+    await workshop.takes("Wall")
+    await workshop.drags([0.6, 0.3], [0.6, 0.7])
+    await expect(workshop.told()).toHaveText(/^Wall 1 from 3 m, .* to 3 m/)
+    await workshop.takes("Box to push")
+    await workshop.drags([0.4, 0.7], [0.45, 0.8])
+    await expect(workshop.told()).toHaveText(/^Box 1 at/)
+    const before = await workshop.told().textContent()
+    await workshop.drags([0.425, 0.75], [0.5, 0.85])
+    await expect(workshop.told()).not.toHaveText(before ?? "")
+    await page.keyboard.press("Control+z")
+    await expect(workshop.told()).toHaveText(before ?? "")
+    await learner.keeps("workshop")
+    await workshop.isDone()
+    await learner.runs()
+    await expect(learner.robot("bumpers")).toHaveText("centre")
+    await until(learner.robot("x"), x => x > 2.7 && x < 2.85)
+    await learner.stops()
+  },
+)
 
 test("a changed room is kept with the program, and comes back after a reload", async ({page}) => {
   const learner = new Learner(page)
@@ -208,7 +214,7 @@ test("hands take the robot, turn it, press and lift it, and push a box, while it
   await learner.stops()
 })
 
-test("the clock stands, makes single steps, goes on, and the run can be looked back at", async ({page}) => {
+daily("the clock stands, makes single steps, goes on, and the run can be looked back at", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("forwardBackward")
   // Two steps for each frame: the clock stops as often at a step without a frame as at one with.

@@ -2,7 +2,10 @@
 
 import {expect, type Page} from "@playwright/test"
 import {Learner} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as story} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(story, import.meta.url)
 
 /// The link in the share dialog.
 async function linkOf(page: Page): Promise<string> {

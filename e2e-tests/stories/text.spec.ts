@@ -5,7 +5,10 @@ import {expect, type Page} from "@playwright/test"
 import {boxAtRest, drawn} from "./at_rest.ts"
 import {isFull} from "./extent.ts"
 import {Learner} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as daily} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(daily, import.meta.url)
 
 const source = (example: string) =>
   readFileSync(new URL(`../../examples/${example}/Main.hs`, import.meta.url), "utf8")
@@ -109,7 +112,7 @@ test("a comment survives an edit of another definition in blocks", async ({page}
     .toContain("-- Ouch!   (do not touch)\n\nplay :: Bumper -> Maybe Sound\n")
 })
 
-test("undo and redo walk through the edits of both views in their order", async ({page}) => {
+daily("undo and redo walk through the edits of both views in their order", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("accelerateAndPlay")
   const [first, second] = await learner.takesAStep()

@@ -6,7 +6,10 @@ import {boxAtRest} from "./at_rest.ts"
 import {Finger} from "./finger.ts"
 import {Floor} from "./floor.ts"
 import {Learner} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as story} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(story, import.meta.url)
 
 const sizes = [
   {width: 820, height: 1180},

@@ -3,9 +3,12 @@
 import {readFileSync} from "node:fs"
 import {expect} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as daily} from "./story.ts"
+import {inTurn} from "./turns.ts"
 
-test("several values are drawn at once, one cursor reads them, and the table is saved", async ({page}) => {
+const test = inTurn(daily, import.meta.url)
+
+daily("several values are drawn at once, one cursor reads them, and the table is saved", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("forwardBackward")
   const backs = until(learner.robot("speed"), v => v < -0.2)

@@ -13,7 +13,10 @@ import {
   type QuestionTimes,
   questionedRuns,
 } from "./questions.ts"
-import {test} from "./story.ts"
+import {test as story} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(story, import.meta.url)
 
 /// Each day some of the runs, nightly all of them.
 const runs = rotated(questionedRuns(), 5)

@@ -7,7 +7,10 @@ import {expect, type Page} from "@playwright/test"
 import {knownNames, toolbox} from "@rosy/codegen"
 import {boxAtRest} from "./at_rest.ts"
 import {Learner} from "./learner.ts"
-import {test} from "./story.ts"
+import {test as daily} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(daily, import.meta.url)
 
 const words = (text: string): readonly string[] => text.match(/[A-Za-z]{3,}/g) ?? []
 
@@ -244,7 +247,7 @@ async function drag(page: Page, from: Spot, to: Spot): Promise<void> {
   await page.mouse.up()
 }
 
-test("German is chosen in the menu, spoken after that, and remembered", async ({page}) => {
+daily("German is chosen in the menu, spoken after that, and remembered", async ({page}) => {
   await page.goto("/?example=accelerateAndPlay")
   await expect(new Learner(page).haskell()).toContainText("simulate")
   await page.locator(".menu > button").last().click()

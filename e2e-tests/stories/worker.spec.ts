@@ -5,7 +5,10 @@ import {readdirSync, readFileSync} from "node:fs"
 import {expect} from "@playwright/test"
 import {Learner} from "./learner.ts"
 import {startService, type Talker} from "./service.ts"
-import {test} from "./story.ts"
+import {test as story} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(story, import.meta.url)
 
 let service: Talker
 let address = ""

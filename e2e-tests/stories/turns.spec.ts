@@ -1,0 +1,33 @@
+/// Turns of the stories: each file that takes turns is played once in three days, nightly, and while it has changed.
+
+import {readdirSync, readFileSync} from "node:fs"
+import {expect} from "@playwright/test"
+import {test} from "./story.ts"
+import {isPlayed, turns} from "./turns.ts"
+
+const folder = new URL(".", import.meta.url)
+const takesTurns = (name: string) => readFileSync(new URL(name, folder), "utf8").includes("= inTurn(")
+
+/// The names of all files of stories that take turns.
+const names = readdirSync(folder)
+  .filter(name => name.endsWith(".spec.ts") && name !== "turns.spec.ts" && takesTurns(name))
+  .map(name => name.replace(".spec.ts", ""))
+  .sort()
+
+const ordinary = {isFull: false, seed: 0, changed: []}
+
+test("three days play every file that takes turns once, whichever day is first", () => {
+  expect(turns.flat().sort()).toEqual(names)
+  for (const first of [0, 20_783, 20_784, 20_785])
+    for (const name of names)
+      expect(turns.filter((_, day) => isPlayed(name, {...ordinary, seed: first + day})).length).toBe(1)
+})
+
+test("nightly plays every file, and so does a day after a change of it", () => {
+  for (const name of names) {
+    expect(isPlayed(name, {...ordinary, isFull: true})).toBe(true)
+    const days = turns.map((_, seed) => ({...ordinary, seed}))
+    const changed = ["README.md", `e2e-tests/stories/${name}.spec.ts`]
+    expect(days.filter(day => isPlayed(name, {...day, changed})).length).toBe(turns.length)
+  }
+})

@@ -1,0 +1,81 @@
+/// Turns of the stories: most files are played on one day in three, and nightly.
+///
+/// In: the daily seed. Out: Playwright's function for stories, or one that declares none. A file that has changed since all suites last passed
+/// (`ROSY_TEST_CHANGED`, set by `scripts/test.py`) is played as well. A file that is in no turn, and what a file declares with `daily`, is played each day: the
+/// main path of each part.
+
+import {basename} from "node:path"
+import {fileURLToPath} from "node:url"
+import {isFull, seed} from "./extent.ts"
+
+/// Files that take turns, by day, without `.spec.ts`: each day's take as long as another's (measured in one run). Tables of rows within them (`rotated`)
+/// have a number of parts that three does not divide, so that each row meets the day of its file.
+export const turns: readonly (readonly string[])[] = [
+  [
+    "class-of-thirty",
+    "class-together",
+    "looks",
+    "own-lessons",
+    "ros",
+    "runs",
+    "safety",
+    "screens",
+    "text",
+    "touch",
+    "why",
+    "worker",
+  ],
+  [
+    "careless",
+    "class",
+    "class-sharing",
+    "continue",
+    "diagram",
+    "haste",
+    "leaving",
+    "lessons",
+    "my-programs",
+    "preview",
+    "room",
+    "values",
+  ],
+  [
+    "arrange",
+    "class-hostile",
+    "language",
+    "lesson-editor",
+    "many-rooms",
+    "problems",
+    "robots",
+    "sharing",
+    "sight",
+    "values-in-place",
+    "why-questions",
+    "words",
+  ],
+]
+
+/// Part of a run that decides which files are played.
+export interface Day {
+  readonly isFull: boolean
+  readonly seed: number
+  /// Paths from the root of the repository.
+  readonly changed: readonly string[]
+}
+
+const today: Day = {isFull, seed, changed: (process.env["ROSY_TEST_CHANGED"] ?? "").split("\n")}
+
+/// Whether a file of stories, by its name without `.spec.ts`, is played on a day.
+export function isPlayed(name: string, day: Day): boolean {
+  const own = turns.findIndex(names => names.includes(name))
+  if (own < 0) throw new Error(`${name}.spec.ts has no day in turns.ts`)
+  return (
+    day.isFull || day.seed % turns.length === own || day.changed.includes(`e2e-tests/stories/${name}.spec.ts`)
+  )
+}
+
+/// The function `test` for the file at `url`, if that is played today; else the same with its hooks and groups, but without stories.
+export function inTurn<Story extends (...story: never[]) => void>(story: Story, url: string): Story {
+  if (isPlayed(basename(fileURLToPath(url), ".spec.ts"), today)) return story
+  return Object.assign((() => undefined) as unknown as Story, story)
+}
