@@ -1,10 +1,15 @@
-"""Figures of processes: descendants, descriptors, memory, names. A process that has ended has none."""
+"""Figures of processes (descendants, descriptors, memory, names) and their end. An ended process has none."""
 
 from __future__ import annotations
 
+import os
+import select
+import time
+from collections.abc import Iterable
+
 import psutil
 
-__all__ = ["alive", "below", "called", "command_of", "descriptors", "named", "resident"]
+__all__ = ["await_end", "below", "called", "command_of", "descriptors", "named", "resident"]
 
 
 def below(pid: int) -> set[int]:
@@ -15,9 +20,20 @@ def below(pid: int) -> set[int]:
         return set()
 
 
-def alive(pids: set[int]) -> set[int]:
-    """Those that have not ended."""
-    return {pid for pid in pids if psutil.pid_exists(pid)}
+def await_end(pids: Iterable[int], seconds: float) -> None:
+    """Returns when all have ended; the kernel tells it, also of processes of others."""
+    deadline = time.monotonic() + seconds
+    for pid in pids:
+        try:
+            process = os.pidfd_open(pid)
+        except ProcessLookupError:
+            continue
+        try:
+            readable, _, _ = select.select([process], [], [], max(0.0, deadline - time.monotonic()))
+            if not readable:
+                raise TimeoutError(f"the process {pid} ({called(pid)}) has not ended after {seconds:g} s")
+        finally:
+            os.close(process)
 
 
 def descriptors(pid: int) -> int:

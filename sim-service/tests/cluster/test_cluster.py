@@ -23,7 +23,7 @@ from rosy_sim.errors import BadInput
 
 from ..conftest import PATIENCE
 from ..extent import WHOLE
-from ..processes import alive
+from ..processes import await_end
 from ..test_cli import Here, environment, here, one_sentence, rosy
 from .ray_nodes import CLUSTER_PYTHON, Node, needs_ray
 
@@ -102,8 +102,7 @@ def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> N
         os.killpg(running.pid, signal.SIGINT)
         running.communicate(timeout=PATIENCE)
         assert running.returncode == 130
-        while alive(busy):
-            os.sched_yield()
+        await_end(busy, PATIENCE)
 
         # A client without the secret is refused.
         (tmp_path / "token").write_text("0" * 64)

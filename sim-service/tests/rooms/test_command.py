@@ -19,7 +19,7 @@ from rosy_sim.rooms.trial_process import Answer, Request, Setup, Task, Trial
 from rosy_sim.worlds.gallery import load_world, usable_arena
 
 from ..conftest import PATIENCE
-from ..processes import alive, below
+from ..processes import await_end, below
 from ..test_cli import Here, environment, here, one_sentence, rosy
 
 __all__ = ["environment", "here"]
@@ -138,8 +138,7 @@ def test_an_interrupt_leaves_nothing_behind(environment: Environment, tmp_path: 
         # The scripted worker may complain about the end of its owner.
         assert b"KeyboardInterrupt" not in wrong
         assert b"rosy_sim/" not in wrong
-    while alive(seen):
-        os.sched_yield()
+    await_end(seen, PATIENCE)
     assert not list(tmp_path.glob("*.json"))
 
 

@@ -6,6 +6,7 @@ import asyncio
 import json
 import socket
 import time
+from collections.abc import Callable
 from types import SimpleNamespace
 
 import pytest
@@ -38,10 +39,10 @@ class Clock:
 
     def __init__(self) -> None:
         self.asleep = 0.0
-        self.looks = 0
+        self.on_look: Callable[[], object] = lambda: None
 
     def monotonic(self) -> float:
-        self.looks += 1
+        self.on_look()
         return time.monotonic() + self.asleep
 
 
@@ -52,9 +53,11 @@ def test_a_machine_that_was_asleep_does_not_end_a_program_that_has_answered(
     monkeypatch.setattr(realtime_runner, "time", SimpleNamespace(monotonic=clock.monotonic))
 
     async def looked_at(ended: asyncio.Future[Ending]) -> None:
-        before = clock.looks
-        while clock.looks == before and not ended.done():
-            await asyncio.sleep(0.01)
+        loop, looked = asyncio.get_running_loop(), asyncio.Event()
+        clock.on_look = lambda: loop.call_soon_threadsafe(looked.set)
+        ended.add_done_callback(lambda _: looked.set())
+        await looked.wait()
+        clock.on_look = lambda: None
 
     async def tell() -> None:
         loop, watched = asyncio.get_running_loop(), Watched()

@@ -34,7 +34,7 @@ from rosy_sim.worker.supervisor import WorkerSupervisor
 from ..conftest import PATIENCE
 from ..extent import WHOLE
 from ..ports import kept_port
-from ..processes import alive, below, called, descriptors, named, resident
+from ..processes import await_end, below, called, descriptors, named, resident
 from ..web.test_app import Page, opened
 from .mutants import texts
 
@@ -250,13 +250,6 @@ class Fort:
         await self._process.wait()
 
 
-async def gone(pids: set[int]) -> None:
-    """Until none of these processes is left."""
-    async with asyncio.timeout(PATIENCE):
-        while alive(pids):
-            await asyncio.sleep(0.01)
-
-
 async def crowd_member(fort: Fort, seed: int) -> None:
     """A page that runs and checks all the time, and reconnects whenever the connection breaks."""
     dice = random.Random(seed)
@@ -308,7 +301,7 @@ def test_whoever_is_killed_at_whatever_moment_the_service_recovers_and_nobody_is
                 if whom == "service":
                     os.kill(fort.pid, signal.SIGKILL)
                     await fort.buried()
-                    await gone(everybody)
+                    await asyncio.to_thread(await_end, everybody, PATIENCE)
                     began = time.monotonic()
                     await fort.start()
                 else:
@@ -327,7 +320,7 @@ def test_whoever_is_killed_at_whatever_moment_the_service_recovers_and_nobody_is
             await asyncio.gather(*crowd, return_exceptions=True)
             everybody = below(fort.pid)
             await fort.end()
-        await gone(everybody)
+        await asyncio.to_thread(await_end, everybody, PATIENCE)
         late = ", ".join(f"{whom} {seconds:.1f}" for whom, seconds in slowest.items())
         print(f"\nkilled: {killed}; a newcomer's program drove again after, at the latest, s: {late}; no orphan")
         # What is not closed by now is told of here, and not in whatever test comes next.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import time
 
 import pytest
 
@@ -11,7 +10,7 @@ from rosy_sim.config import Config, Limits
 from rosy_sim.web.app import Service
 
 from ..conftest import PATIENCE
-from ..processes import alive, below
+from ..processes import await_end, below
 from .test_app import Message, Page, story
 
 SECONDS = 8.0
@@ -164,7 +163,4 @@ def test_the_processes_end_with_the_service(config: Config) -> None:
     story(play, config)
 
     assert len(seen) >= 2
-    deadline = time.monotonic() + PATIENCE
-    while alive(seen):
-        assert time.monotonic() < deadline
-        os.sched_yield()
+    await_end(seen, PATIENCE)

@@ -17,7 +17,7 @@ from rosy_sim.config import Config
 from rosy_sim.worlds.gallery import named_world
 
 from ..conftest import PATIENCE, UNHURRIED
-from ..processes import alive, below, command_of
+from ..processes import await_end, below, command_of
 from .test_app import Page, opened, serving
 
 Message = dict[str, Any]
@@ -54,10 +54,6 @@ def trial_processes() -> set[int]:
 def wait_for(condition: Callable[[], bool]) -> None:
     while not condition():
         os.sched_yield()
-
-
-def wait_for_end(processes: set[int]) -> None:
-    wait_for(lambda: not alive(processes))
 
 
 def asked(config: Config, **changed: Any) -> list[Message]:
@@ -126,7 +122,7 @@ def test_a_test_ends_with_its_socket_or_its_page_and_leaves_nothing(config: Conf
                             await page.socket.close()
                             assert [text async for text in socket] == []
                 await asyncio.to_thread(wait_for, lambda: not service.room_tests.is_busy)
-                await asyncio.to_thread(wait_for_end, seen)
+                await asyncio.to_thread(await_end, seen, PATIENCE)
 
     asyncio.run(play())
 

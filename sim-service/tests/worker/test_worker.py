@@ -23,12 +23,30 @@ from rosy_sim.worker.supervisor import WorkerStatus, WorkerSupervisor
 from ..conftest import PATIENCE
 
 
-def keeping(play: Callable[[WorkerSupervisor, list[WorkerStatus]], Awaitable[None]], config: Config) -> None:
+class States(list[WorkerStatus]):
+    """What the supervisor has told, in order."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._told = asyncio.Event()
+
+    def tell(self, status: WorkerStatus) -> None:
+        self.append(status)
+        self._told.set()
+
+    async def reach(self, *states: WorkerStatus) -> None:
+        """Until it has told these, first of all."""
+        while self[: len(states)] != list(states):
+            self._told.clear()
+            await self._told.wait()
+
+
+def keeping(play: Callable[[WorkerSupervisor, States], Awaitable[None]], config: Config) -> None:
     """Keep a worker while a story is told; afterwards nothing of it is left."""
-    states: list[WorkerStatus] = []
+    states = States()
 
     async def tell() -> None:
-        worker = WorkerSupervisor(config, states.append)
+        worker = WorkerSupervisor(config, states.tell)
         keeper = asyncio.create_task(worker.run())
         try:
             async with asyncio.timeout(PATIENCE):
@@ -72,7 +90,7 @@ def test_a_run_is_started_or_refused_and_its_end_is_known(config: Config) -> Non
 
 
 def test_what_is_under_way_ends_with_the_worker_and_the_next_one_serves(config: Config) -> None:
-    async def play(worker: WorkerSupervisor, states: list[WorkerStatus]) -> None:
+    async def play(worker: WorkerSupervisor, states: States) -> None:
         for _ in range(5):
             await worker.check("")
             waiting = asyncio.create_task(worker.check("slow"))
@@ -110,7 +128,7 @@ def test_a_worker_that_dies_is_replaced_by_one_that_shares_the_memory_of_the_sam
 
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGSTOP])
 def test_a_fork_server_that_is_lost_is_replaced_when_it_is_needed(how: signal.Signals, config: Config) -> None:
-    async def play(worker: WorkerSupervisor, states: list[WorkerStatus]) -> None:
+    async def play(worker: WorkerSupervisor, states: States) -> None:
         await worker.check("")
         first, server = worker.pid, worker.fork_server_pid
         assert first is not None
@@ -121,8 +139,8 @@ def test_a_fork_server_that_is_lost_is_replaced_when_it_is_needed(how: signal.Si
             await worker.check("")
             assert states == ["ready"]
             os.kill(first, signal.SIGKILL)
-        while worker.pid in (None, first):
-            await asyncio.sleep(0.01)
+        await states.reach("ready", "restarting", "ready")
+        assert worker.pid not in (None, first)
         await worker.check("")
         assert worker.fork_server_pid not in (None, server)
         assert states == ["ready", "restarting", "ready"]
@@ -143,7 +161,7 @@ def test_a_worker_that_is_stopped_before_it_is_warm_is_replaced(config: Config) 
 
 @pytest.mark.parametrize("how", ["stopped", "running in circles"])
 def test_a_wedged_worker_is_replaced(config: Config, how: str) -> None:
-    async def play(worker: WorkerSupervisor, states: list[WorkerStatus]) -> None:
+    async def play(worker: WorkerSupervisor, states: States) -> None:
         await worker.check("")
         ours, theirs = socket.socketpair()
         program = await worker.start("slow", theirs)
@@ -166,9 +184,10 @@ def test_a_wedged_worker_is_replaced(config: Config, how: str) -> None:
 
 
 def test_a_worker_that_has_little_to_do_is_left_alone(config: Config) -> None:
-    async def play(worker: WorkerSupervisor, states: list[WorkerStatus]) -> None:
+    async def play(worker: WorkerSupervisor, states: States) -> None:
         await worker.check("")
         first, looks = worker.pid, 0
+        loop, looked = asyncio.get_running_loop(), asyncio.Event()
         assert worker._connection is not None
         liveness = worker._connection.liveness
         probe = liveness.probe
@@ -176,11 +195,12 @@ def test_a_worker_that_has_little_to_do_is_left_alone(config: Config) -> None:
         def counted() -> bool:
             nonlocal looks
             looks += 1
+            if looks == 10:
+                loop.call_soon_threadsafe(looked.set)
             return probe()
 
         liveness.probe = counted  # type: ignore[method-assign]
-        while looks < 10:
-            await asyncio.sleep(0.01)
+        await looked.wait()
         assert (worker.pid, states) == (first, ["ready"])
 
     keeping(play, config)
@@ -189,9 +209,8 @@ def test_a_worker_that_has_little_to_do_is_left_alone(config: Config) -> None:
 def test_a_worker_that_vanishes_is_waited_for(config: Config, tmp_path: Path) -> None:
     executable = tmp_path / "worker"
 
-    async def play(worker: WorkerSupervisor, states: list[WorkerStatus]) -> None:
-        while "restarting" not in states:
-            await asyncio.sleep(0.01)
+    async def play(worker: WorkerSupervisor, states: States) -> None:
+        await states.reach("restarting")
         executable.write_text(f'#!/bin/sh\nexec "{config.worker[0]}" "{config.worker[1]}"\n')
         executable.chmod(0o755)
         await worker.check("")
