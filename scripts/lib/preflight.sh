@@ -3,7 +3,7 @@
 #
 # In: the names of the steps that are still to be done (`pending`). Out: nothing when all is well; otherwise one list of
 # what is missing, each with the command that fixes it on this system, and exit 1. Then one line that estimates time and
-# download. Nothing is changed on the machine.
+# download. Without network a page that only is to be built again stays as it is (`keeps_page`). Nothing is changed on the machine.
 
 # GHC versions for which the worker is built and tested.
 GHC_SUPPORTED="9.0 9.4 9.6 9.10"
@@ -103,6 +103,7 @@ servers() {
   [ -z "$apt_pending" ] || cat /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources 2>/dev/null |
     sed -nE 's/^(deb|URIs:)[^#]*[[:space:]](https?:\/\/[^[:space:]]+).*/\2/p' | head -n 1
   case " $pending " in *" venv"* | *" node "*) python_index ;; esac
+  case " $pending " in *" npm"*) ! command -v npm >/dev/null || npm config get registry 2>/dev/null ;; esac
 }
 
 # The package index that pip is set up with, or its default.
@@ -132,6 +133,15 @@ check_network() {
   done
 }
 
+# page_can_stay: whether the steps only build anew what is there, and the command has all that it runs on.
+page_can_stay() {
+  local step
+  for step in $pending; do
+    case "$step" in node | npm) ;; codegen | api-docs | page) made "$step" || return 1 ;; *) return 1 ;; esac
+  done
+  [ -z "$runs_node" ] || command -v node >/dev/null
+}
+
 # preflight STEPS PORT: `apt_pending` holds the Debian packages that are missing.
 preflight() {
   pending=$1
@@ -150,6 +160,14 @@ preflight() {
   [ -z "$port" ] || check_port "$port"
   offline=$(tr '\n' ' ' <&4)
   exec 4<&-
+  keeps_page=""
+  if [ -n "$offline" ] && page_can_stay; then
+    # shellcheck disable=SC2034  # read by setup.sh
+    keeps_page=yes
+    seconds=0
+    say "The page is the one of the last build: to build it again, {megabytes} MB are to be downloaded, and {servers} cannot be reached." megabytes "$download" servers "${offline% }"
+    offline=""
+  fi
   [ -z "$offline" ] || lacks "$(sentence "There is no way to the network: {servers} cannot be reached, and {megabytes} MB are to be downloaded." servers "${offline% }" megabytes "$download")" \
     "$(sentence "Connect this machine, or set https_proxy, and try again.")"
   if [ "${#missing[@]}" -gt 0 ]; then

@@ -11,7 +11,8 @@
 #   need tools     test tools: browser, linters, test libraries
 #
 # `need` first lists the steps that are still to be done, checks that they can succeed (preflight.sh), and then does them
-# (steps.sh). A command that finds everything done costs a few file listings.
+# (steps.sh). A command that finds everything done costs a few file listings. What only the builds need is not kept: on a
+# machine without test tools, Node's packages are removed after the page is built, and Node unless a command runs on it.
 
 ROSY_STATE="$ROSY_ROOT/.rosy"
 ROSY_PYTHON="$ROSY_STATE/venv/bin/python"
@@ -72,8 +73,10 @@ made() {
 }
 built() { compgen -G "$ROSY_ROOT/dist-newstyle/build/*/ghc-*/rosy-*/x/$1/build/$1/$1" >/dev/null; }
 
-# print_of STEP: the fingerprint of the step's inputs.
+# print_of STEP: the fingerprint of the step's inputs. Those of the builds are read once for a command.
+declare -A prints=()
 print_of() {
+  [ -z "${prints[$1]:-}" ] || { echo "${prints[$1]}" && return; }
   case "$1" in
     apt-runtime) echo "$APT_RUNTIME" ;;
     apt-tools) echo "$APT_TOOLS" ;;
@@ -119,8 +122,8 @@ missing_packages() {
   done
 }
 apt_install() {
-  # A machine that has just started may still be at its own updates.
-  local as_root=() patient=(-o Acquire::Retries=5 -o DPkg::Lock::Timeout=600)
+  # A machine that has just started may still be at its own updates. The downloaded files would stay in apt's cache.
+  local as_root=() patient=(-o Acquire::Retries=5 -o DPkg::Lock::Timeout=600 -o APT::Keep-Downloaded-Packages=false)
   if [ "$(id -u)" != 0 ]; then as_root=(sudo); fi
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "${patient[@]}" update &&
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "${patient[@]}" install -y --no-install-recommends "$@"
@@ -162,7 +165,25 @@ npm_install() {
 do_npm() { npm_install --omit=dev --include-workspace-root --workspace @rosy/codegen --workspace @rosy/editor; }
 do_npm-tools() { npm_install; }
 
-cabal_build() { (cd "$ROSY_ROOT" && cabal build --offline -j2 --disable-tests "$@"); }
+# A linker that is killed leaves a part of a library, which looks newer than its objects; the next build would take it for whole.
+cabal_build() {
+  local unfinished="$ROSY_STATE/stamps/linking"
+  [ ! -e "$unfinished" ] || find "$ROSY_ROOT/dist-newstyle/build" -type f \
+    \( -path '*/cache/build' -o -newer "$unfinished" \( -name '*.so' -o -name '*.a' -o -perm -u+x \) \) -delete
+  : >"$unfinished"
+  (cd "$ROSY_ROOT" && cabal build --offline -j2 --disable-tests "$@") && rm "$unfinished"
+}
+
+# await_cabal: waits while a cabal that was started by hand builds here; it has no lock of its own.
+await_cabal() {
+  local process name
+  for process in /proc/[0-9]*; do
+    if { read -r name <"$process/comm"; } 2>/dev/null && [ "$name" = cabal ] && [ "$(readlink "$process/cwd")" -ef "$ROSY_ROOT" ]; then
+      say "A cabal of another command is building here. This one goes on when that one is done."
+      tail --pid="${process#/proc/}" -f /dev/null
+    fi
+  done
+}
 do_haskell() { cabal_build lib:rosy exe:rosy-worker; }
 do_robot() { cabal_build exe:rosy-robot; }
 do_builder() { cabal_build exe:rosy-build; }
@@ -196,28 +217,67 @@ steps_for() {
 # is_needed STEP: whether the step has to be done, as far as can be told before the steps that it follows.
 is_needed() {
   case "$1" in
-    node) if [ -d "$NODE_FOLDER" ]; then ! is_done node "$2"; else ! node_is_usable; fi ;;
+    node) { [ -n "$runs_node" ] || builds_page; } && if [ -d "$NODE_FOLDER" ]; then ! is_done node "$2"; else ! node_is_usable; fi ;;
     # The packages of the tests include those of the page.
-    npm) ! is_done npm "$2" && ! is_done npm-tools "$2" ;;
+    npm) builds_page && ! is_done npm "$2" && ! is_done npm-tools "$2" ;;
     *) ! is_done "$1" "$2" ;;
   esac
 }
 
+# builds_page: whether something of the command is still to be built with Node's packages.
+builds_page() {
+  local name
+  for name in codegen api-docs page; do
+    case " $wanted " in *" $name "*) is_done "$name" "$(print_of "$name")" || return 0 ;; esac
+  done
+  return 1
+}
+
+# clear_build_tools: removes what only the builds needed, unless the tests have installed their tools, or another command
+# still builds with it (a shared lock on `builders`; the last command removes).
+clear_build_tools() {
+  [ -f "$ROSY_STATE/stamps/npm" ] && [ ! -f "$ROSY_STATE/stamps/npm-tools" ] || return 0
+  local lock
+  exec {lock}>"$ROSY_STATE/builders"
+  if flock -n "$lock"; then
+    rm -rf "$ROSY_STATE/stamps/npm" "$ROSY_ROOT"/{.,codegen,editor,editor/vscode,e2e-tests}/node_modules
+    [ -f "$ROSY_STATE/stamps/runs-node" ] || rm -rf "$ROSY_STATE/stamps/node" "$NODE_FOLDER"
+  fi
+  exec {lock}>&-
+}
+
 # need PART...: everything that the parts stand for is installed and built afterwards.
 need() {
-  local name print todo=() wanted
-  wanted=$(steps_for "$@")
+  local name print todo=() wanted builders
+  wanted=$(steps_for "$@" | tr '\n' ' ')
   # npm-tools installs all that npm does.
   case " $wanted " in *" npm-tools"*) wanted=${wanted//npm/npm-tools} wanted=${wanted//npm-tools-tools/npm-tools} ;; esac
+  # A command that itself runs on Node keeps it.
+  runs_node=""
+  case " $* " in *" codegen "* | *" language-server "* | *" tools "*) runs_node=yes ;; esac
+  exec {builders}>"$ROSY_STATE/builders"
+  case " $wanted " in *" npm"*) ! command -v flock >/dev/null || flock -s "$builders" ;; esac
+  prints=()
+  for name in codegen api-docs page; do
+    case " $wanted " in *" $name "*) prints[$name]=$(print_of "$name") ;; esac
+  done
   for name in $wanted; do
     case " ${todo[*]} " in *" $name "*) continue ;; esac
     print=$(print_of "$name")
     if is_needed "$name" "$print"; then todo+=("$name"); fi
   done
-  [ "${#todo[@]}" -gt 0 ] || return 0
-  plan "${todo[@]}"
-  install_packages "${todo[@]}"
-  for name in "${todo[@]}"; do
+  if [ "${#todo[@]}" -gt 0 ]; then perform_all "${todo[@]}"; fi
+  [ -z "$runs_node" ] || : >"$ROSY_STATE/stamps/runs-node"
+  exec {builders}>&-
+  clear_build_tools
+}
+perform_all() {
+  local name
+  plan "$@"
+  [ -z "$keeps_page" ] || return 0
+  install_packages "$@"
+  for name in "$@"; do
+    case "$name" in haskell | robot | builder) await_cabal ;; esac
     case "$name" in
       apt-*) print_of "$name" >"$ROSY_STATE/stamps/$name" ;;
       *) step "$name" "$(print_of "$name")" "$(sentence_of "$name")" "do_$name" ;;

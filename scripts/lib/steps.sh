@@ -26,7 +26,7 @@ step() {
     say "Another ./rosy is installing or building here. This one goes on when that one is done."
     flock "$lock"
   fi
-  is_done "$name" "$print" || perform "$@"
+  ! is_needed "$name" "$print" || perform "$@"
   exec {lock}>&-
 }
 is_done() {
@@ -64,7 +64,7 @@ cost_of() {
     venv-tools) echo 20 45 186 ;;
     venv-cluster) echo 40 90 330 ;;
     node) echo 10 58 207 ;;
-    npm) echo 20 62 139 ;;
+    npm) echo 20 62 147 ;;
     npm-tools) echo 25 100 291 ;;
     haskell) echo 100 0 45 ;;
     robot) echo 60 0 50 ;;

@@ -7,6 +7,7 @@ would run one after the other, and two of them spend most of their time waiting 
 
 from __future__ import annotations
 
+import fcntl
 import os
 import subprocess
 import sys
@@ -22,8 +23,10 @@ TOOLS = ("ros-fuse", "ros-print-topic", "rosy-worker")
 
 
 def build() -> int:
-    # Executables as well: the tests start rosy-worker and rosy-robot.
-    return subprocess.run(["cabal", "build", "--offline", "-j2", "all"], cwd=ROOT, check=False).returncode
+    # Executables as well: the tests start rosy-worker and rosy-robot. Another ./rosy that builds here has the turn (scripts/lib/steps.sh).
+    with (ROOT / ".rosy" / "turn").open("w") as turn:
+        fcntl.flock(turn, fcntl.LOCK_EX)
+        return subprocess.run(["cabal", "build", "--offline", "-j2", "all"], cwd=ROOT, check=False).returncode
 
 
 def location(target: str) -> str:

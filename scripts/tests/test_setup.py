@@ -196,6 +196,79 @@ def test_a_path_with_spaces_and_umlauts(tmp_path: Path) -> None:
 
 def test_a_result_that_was_taken_away_is_made_again(complete: Machine) -> None:
     complete.rosy("start")
-    shutil.rmtree(complete.root / "node_modules")
+    shutil.rmtree(complete.root / "editor/dist")
     assert complete.rosy("start").returncode == 0
-    assert complete.called("npm install") == 2
+    assert complete.called("npm install") == complete.called("-w @rosy/editor") == 2
+    assert complete.called("-w @rosy/codegen") == 1
+
+
+def test_what_only_the_builds_need_is_not_kept(complete: Machine) -> None:
+    complete.rosy("start")
+    assert complete.called("npm install") == 1
+    assert not (complete.root / "node_modules").exists()
+    assert complete.called("Keep-Downloaded-Packages=false") == complete.called("apt-get")
+
+
+def test_the_packages_of_the_tests_are_kept(complete: Machine) -> None:
+    complete.rosy("test")
+    complete.rosy("start")
+    assert complete.called("--omit=dev") == 0
+    assert (complete.root / "node_modules").exists()
+
+
+def test_an_update_builds_only_what_changed(complete: Machine) -> None:
+    complete.rosy("start")
+    (complete.root / "editor/src/new.ts").write_text("new")
+    assert complete.rosy("start").returncode == 0
+    assert complete.called("-w @rosy/editor") == complete.called("npm install") == 2
+    assert complete.called("-w @rosy/codegen") == complete.called("cabal build") == complete.called("-m venv") == 1
+    assert not (complete.root / "node_modules").exists()
+
+
+def test_without_a_network_a_changed_example_leaves_the_page_as_it_was(complete: Machine) -> None:
+    complete.rosy("start")
+    complete.tool("curl", "exit 6")
+    complete.tool("npm", 'case "$*" in *registry*) echo https://packages.example ;; esac')
+    (complete.root / "examples/new.hs").write_text("main = simulate id")
+    done = complete.rosy("start")
+    assert (done.returncode, done.stdout) == (0, "served -m rosy_sim serve\n"), done.stderr
+    assert "The page is the one of the last build" in done.stderr
+    complete.tool("npm", COMPLETE["npm"])
+    complete.tool("curl", "")
+    complete.rosy("start")
+    assert complete.called("-w @rosy/editor") == 2
+
+
+def test_a_library_that_a_killed_build_left_unfinished_is_linked_again(complete: Machine) -> None:
+    build = "dist-newstyle/build/x86_64-linux/ghc-9.0.2/rosy-0.1.0"
+    whole, part, checked = (complete.root / build / name for name in ("build/libHSros.so", "build/libHSrosy.so", "cache/build"))
+    for file in (whole, checked):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.touch()
+    # Killed as the kernel does it when memory is short: the shell as well.
+    complete.tool("cabal", f'touch -d "now + 5 seconds" "$ROSY_ROOT/{part.relative_to(complete.root)}"; kill -KILL $PPID $$')
+    assert complete.rosy("start").returncode != 0
+    assert part.exists()
+    complete.tool("cabal", COMPLETE["cabal"])
+    assert complete.rosy("start").returncode == 0
+    assert whole.exists()
+    assert not part.exists()
+    assert not checked.exists()
+
+
+def test_a_cabal_that_builds_here_is_waited_for(complete: Machine, tmp_path: Path) -> None:
+    other = tmp_path / "elsewhere" / "cabal"
+    other.parent.mkdir()
+    shutil.copy2(shutil.which("sleep") or "", other)
+    with (
+        subprocess.Popen([other, "600"], cwd=complete.root) as building,
+        subprocess.Popen([complete.root / "rosy", "start"], env=complete.env, stderr=subprocess.PIPE, text=True) as start,
+    ):
+        told = next((line for line in start.stderr or () if "A cabal of another command" in line), "")
+        before = complete.called("cabal build")
+        building.kill()
+        building.wait()
+        start.communicate()
+    assert told
+    assert before == 0
+    assert (start.returncode, complete.called("cabal build")) == (0, 1)
