@@ -43,6 +43,8 @@ class Limits:
     sessions: int = 400
     # Pages at once from one client address: a school behind one address, and never all of them.
     address_sessions: int = 200
+    # Programs that are compiled before Run is pressed, of all pages: some 8 MB each. protocol/README.md, section 3.
+    prepared: int = 40
     # Programs that run at once; further runs wait in the run queue. `./rosy start --runs`.
     runs: int = 100
     # A message from a page.

@@ -36,6 +36,8 @@ class Worker:
     def __init__(self, descriptor: int = 3) -> None:
         self.socket = socket.socket(fileno=descriptor)
         self.children: dict[int, int] = {}
+        # Prepared runs: the robot link by id.
+        self.prepared: dict[int, int] = {}
         # The socket, and a descriptor of each child with its id.
         self.selector = selectors.DefaultSelector()
         # What has been received and is not a whole request yet.
@@ -95,11 +97,17 @@ class Worker:
                     name = {"name": f"at{request['line']}_{request['column']}", "type": "Velocity", "takes": 0}
                     self.send(op="completed", id=ident, expected="Velocity", names=[name])
             case "run":
-                self.start(ident, request["source"], descriptors.pop(0))
+                link = self.prepared.pop(ident, None)
+                self.start(ident, request["source"], descriptors.pop(0) if link is None else link)
+            case "prepare":
+                self.prepared[ident] = descriptors.pop(0)
             case "fork":
                 self.fork(ident, descriptors.pop(0))
             case "ping":
                 self.send(op="pong", id=ident)
+            case "kill" if ident in self.prepared:
+                os.close(self.prepared.pop(ident))
+                self.send(op="gone", id=ident, signal=signal.SIGKILL)
             case "kill":
                 with contextlib.suppress(KeyError, ProcessLookupError):
                     os.kill(self.children[ident], signal.SIGKILL)

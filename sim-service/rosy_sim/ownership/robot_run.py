@@ -18,6 +18,7 @@ from ..wire import page
 from ..wire.robot_process import CommandsLine, EndedLine, ObservedStep, SentCommand, read_observed
 from ..wire.topics import CHANNELS, TopicMessage
 from ..wire.worker import Started
+from ..worker.prepared_runs import PreparedRun
 from ..world.events import Command
 from ..world.time_step import STEPS_PER_SECOND
 from .robot_parts import missing_parts_problem
@@ -60,6 +61,7 @@ class RobotRun(PageRun):
         on_step: OnRobotStep,
         on_unobserved: Callable[[], None],
         observes: bool = False,
+        prepared: PreparedRun | None = None,
     ) -> None:
         self._robot_process = robot_process
         self._commands_in_force = CommandConflicts()
@@ -74,7 +76,7 @@ class RobotRun(PageRun):
         # Whether the next step that is told is the first of the run.
         self._is_first = observes
         self.observe(observes)
-        super().__init__(request, services, view, self._finish)
+        super().__init__(request, services, view, self._finish, prepared)
 
     def stop(self) -> None:
         """Let the program end in good order; the wheels stop at once."""

@@ -18,6 +18,7 @@ from ..wire.firing import Branch, Firing
 from ..wire.problem import Problem
 from ..wire.robot_link import MemoryValue
 from ..wire.worker import Started
+from ..worker.prepared_runs import PreparedRun
 from ..world.goals import GoalState
 from .command_conflicts import CommandConflict
 from .worker_session import RunServices, Silence, WorkerSession
@@ -85,10 +86,16 @@ class PageRun(ABC):
     Args:
         on_over: called once, when the robot is free for the next run. The page may still have to be told why this run
             ended: see ``is_explained``.
+        prepared: what is compiled of the program already.
     """
 
     def __init__(
-        self, request: page.Run, services: RunServices, view: RunView, on_over: Callable[[PageRun], None]
+        self,
+        request: page.Run,
+        services: RunServices,
+        view: RunView,
+        on_over: Callable[[PageRun], None],
+        prepared: PreparedRun | None = None,
     ) -> None:
         self._run = request.run
         self._services = services
@@ -99,7 +106,7 @@ class PageRun(ABC):
         # Asks the worker why the program went silent.
         self._explanation: asyncio.Task[None] | None = None
         view.show_state("compiling")
-        self._session = WorkerSession(request.source, services, self)
+        self._session = WorkerSession(request.source, services, self, prepared)
 
     # Requests of the page
 

@@ -16,6 +16,7 @@ from ..wire.firing import read_firings
 from ..wire.problem import Problem
 from ..wire.topics import TopicMessage
 from ..wire.worker import Started
+from ..worker.prepared_runs import PreparedRun
 from ..world.events import Reading, velocity
 from ..world.time_step import STEPS_PER_SECOND
 from ..world.world import World
@@ -66,6 +67,7 @@ class SimulatedRun(PageRun):
         services: RunServices,
         view: RunView,
         on_over: Callable[[PageRun], None],
+        prepared: PreparedRun | None = None,
     ) -> None:
         self._simulation = simulation
         self._safety = simulation.safety
@@ -83,7 +85,7 @@ class SimulatedRun(PageRun):
         self._runner: RealTimeRunner | None = None
         self._lockstep: Lockstep | None = None
         self._on_finished = on_over
-        super().__init__(request, services, view, self._finish)
+        super().__init__(request, services, view, self._finish, prepared)
         if self._replay.steps == 0:
             view.show_frame(force=True)
 

@@ -16,6 +16,7 @@ from ..config import Limits
 from ..errors import RosyError
 from ..wire.problem import Problem
 from ..wire.worker import Gone, Refused, Started
+from ..worker.prepared_runs import PreparedRun
 from ..worker.question_scheduler import QuestionScheduler
 from ..worker.supervisor import RunningProgram, WorkerSupervisor
 from .lateness import Lateness
@@ -58,9 +59,20 @@ class CompilationListener(Protocol):
 
 
 class WorkerSession:
-    """Starts at once. cancel() ends it while it compiles, kill() afterwards; a cancelled one calls nothing more."""
+    """
+    Starts at once. cancel() ends it while it compiles, kill() afterwards; a cancelled one calls nothing more.
 
-    def __init__(self, source: str, services: RunServices, listener: CompilationListener) -> None:
+    Args:
+        prepared: what is compiled of this text already. It is the session's, and ends with it.
+    """
+
+    def __init__(
+        self,
+        source: str,
+        services: RunServices,
+        listener: CompilationListener,
+        prepared: PreparedRun | None = None,
+    ) -> None:
         self._worker = services.worker
         self._queue = services.queue
         self._limits = services.limits
@@ -72,7 +84,9 @@ class WorkerSession:
         # Set when the worker has accepted the text.
         self._program: RunningProgram | None = None
         # None when the compilation is over.
-        self._compilation: asyncio.Task[None] | None = asyncio.get_running_loop().create_task(self._compile(source))
+        self._compilation: asyncio.Task[None] | None = asyncio.get_running_loop().create_task(
+            self._compile(source, prepared)
+        )
 
     @property
     def is_compiling(self) -> bool:
@@ -138,13 +152,28 @@ class WorkerSession:
         if waited:
             self._listener.on_turn()
 
-    async def _compile(self, source: str) -> None:
-        await self._wait_for_turn()
-        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+    async def _compile(self, source: str, prepared: PreparedRun | None) -> None:
+        try:
+            await self._wait_for_turn()
+        except asyncio.CancelledError:
+            if prepared is not None:
+                prepared.link.close()
+                self._worker.kill(prepared.program)
+            raise
+        theirs: socket.socket | None = None
+        if prepared is not None:
+            ours = prepared.link
+        else:
+            ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
         answer: Started | Refused | Gone
         try:
             async with asyncio.timeout(self._limits.worker_ready + self._limits.compile):
-                self._program = await self._worker.start(source, theirs)
+                if theirs is not None:
+                    self._program = await self._worker.start(source, theirs)
+                else:
+                    assert prepared is not None
+                    self._program = prepared.program
+                    self._worker.begin(prepared.program, source)
                 self._program.gone.add_done_callback(lambda _: self._on_gone())
                 answer = await asyncio.shield(self._program.started)
         except asyncio.CancelledError:

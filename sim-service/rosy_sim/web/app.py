@@ -42,6 +42,7 @@ from ..token_bucket import TokenBucket
 from ..wire import page
 from ..wire.problem import to_wire
 from ..wording import in_terminal
+from ..worker.prepared_runs import PreparedRuns
 from ..worker.question_scheduler import QuestionScheduler
 from ..worker.supervisor import WorkerStatus, WorkerSupervisor
 from ..worlds.gallery import named_world, world_names
@@ -98,6 +99,7 @@ class Service:
             )
             self._projectors = ProjectorSockets(classroom, self.sessions, _first_completed, self.loop_scheduler)
         self.previews = PreviewPool(config)
+        self.prepared_runs = PreparedRuns(self.worker, config.limits.prepared)
         self._run_services = RunServices(
             self.worker, self.run_queue, config.limits, self.lateness, QuestionScheduler(time.monotonic)
         )
@@ -164,7 +166,9 @@ class Service:
     def _open(self, address: str, turns: PageTurns) -> PageSession:
         in_class = self.classroom is not None
         ident = secrets.token_urlsafe(9)
-        return PageSession(ident, self._run_services, self.robots, self.previews, turns, in_class, address)
+        return PageSession(
+            ident, self._run_services, self.robots, self.previews, self.prepared_runs, turns, in_class, address
+        )
 
     async def serve_ros(self, socket: WebSocket) -> None:
         """

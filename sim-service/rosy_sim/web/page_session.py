@@ -29,6 +29,7 @@ from ..sentence import Sentence, tr, verbatim
 from ..wire import page
 from ..wire.topics import BadMessage, TopicMessage
 from ..wire.user_input import published, user_actions
+from ..worker.prepared_runs import PreparedRuns
 from ..world.events import Command, Reading, velocity
 from ..world.time_step import STEPS_PER_SECOND
 from ..world.world import ActionRefused, World
@@ -38,6 +39,7 @@ from .lesson_checks import LessonChecks
 from .loop_scheduler import PageTurns
 from .outbox import Outbox
 from .page_hands import PageHands
+from .page_preparation import PagePreparation
 from .page_previews import PagePreviews
 from .page_view import PageView, Room
 from .program_checks import ProgramChecks
@@ -60,6 +62,7 @@ class PageSession:
         services: RunServices,
         robots: RobotRegistry,
         previews: PreviewPool,
+        prepared: PreparedRuns,
         turns: PageTurns,
         in_class: bool = False,
         address: str = "",
@@ -78,6 +81,7 @@ class PageSession:
             self.outbox, self._room, self._limits.frame_rate, self._loop.time, self._explanations.on_branches
         )
         self._checks = ProgramChecks(services.worker, services.scheduler, self.outbox, self._on_checked, address)
+        self._preparation = PagePreparation(prepared)
         self._lesson = LessonChecks(self.outbox.put)
         self._previews = PagePreviews(previews, self.outbox.put, self._loop.time)
         self._hands = PageHands(self._simulated_run)
@@ -166,6 +170,7 @@ class PageSession:
         match request:
             case page.Check():
                 if self._is_short_enough(request.source):
+                    self._preparation.on_edited(request.source)
                     self._checks.check(request)
             case page.Complete():
                 self._checks.complete(request)
@@ -291,6 +296,7 @@ class PageSession:
                 self._explanations.on_robot_step,
                 self._explanations.on_robot_unobserved,
                 self._observes,
+                self._preparation.take(request.source),
             )
             return
         self._explanations.start(request.run, request.source)
@@ -322,9 +328,17 @@ class PageSession:
             self._observes,
             replay,
         )
-        self._run = SimulatedRun(request, simulation, self._services, self._view, self._on_run_over)
+        self._run = SimulatedRun(
+            request,
+            simulation,
+            self._services,
+            self._view,
+            self._on_run_over,
+            self._preparation.take(request.source),
+        )
 
     def _on_checked(self, source: str, checked: page.Checked) -> None:
+        self._preparation.on_checked(source, checked.problems)
         self._lesson.on_checked(source, checked, self.world.arena)
         self._explanations.on_checked(source, checked)
 
@@ -427,6 +441,7 @@ class PageSession:
     async def close(self) -> None:
         """End everything this session started."""
         self.closed.set()
+        self._preparation.close()
         self._idle.close()
         self._end_now()
         await self._checks.close()

@@ -30,6 +30,7 @@ __all__ = [
     "fork_request",
     "kill_request",
     "ping_request",
+    "prepare_request",
     "run_request",
 ]
 
@@ -149,8 +150,13 @@ def complete_request(ident: int, source: str, line: int, column: int) -> bytes:
 
 
 def run_request(ident: int, source: str, memory: int) -> bytes:
-    """Asks for a run; the robot link's descriptor rides along."""
+    """Asks for a run; the robot link's descriptor rides along, or has come with `prepare`."""
     return _line(op="run", id=ident, source=source, memory=memory)
+
+
+def prepare_request(ident: int, source: str, memory: int) -> bytes:
+    """Has a run compiled that may be asked for with the same id; the robot link's descriptor rides along."""
+    return _line(op="prepare", id=ident, source=source, memory=memory)
 
 
 def fork_request(ident: int) -> bytes:

@@ -28,6 +28,7 @@ from ..wire.worker import (
     check_request,
     complete_request,
     kill_request,
+    prepare_request,
     run_request,
 )
 from .connection import Connection
@@ -190,13 +191,31 @@ class WorkerSupervisor:
         except asyncio.CancelledError:
             link.close()
             raise
+        program = self._new_program()
+        self._send(run_request(program.id, source, self._config.limits.memory), (link.detach(),))
+        return program
+
+    def prepare(self, source: str, link: socket.socket) -> RunningProgram | None:
+        """Have a run compiled that begin() may start; ``link`` is handed over and closed here. ``None``: not now."""
+        if not self._ready.is_set():
+            link.close()
+            return None
+        program = self._new_program()
+        self._send(prepare_request(program.id, source, self._config.limits.memory), (link.detach(),))
+        return program
+
+    def begin(self, program: RunningProgram, source: str) -> None:
+        """Start a prepared run, with the text that it was prepared from."""
+        if program.id in self._runs:
+            self._send(run_request(program.id, source, self._config.limits.memory))
+
+    def _new_program(self) -> RunningProgram:
         loop = asyncio.get_running_loop()
         program = RunningProgram(self._next(), loop.create_future(), loop.create_future())
         for future in (program.started, program.gone):
             # The exception is retrieved even when no caller waits any more.
             future.add_done_callback(lambda f: f.cancelled() or f.exception())
         self._runs[program.id] = program
-        self._send(run_request(program.id, source, self._config.limits.memory), (link.detach(),))
         return program
 
     def kill(self, program: RunningProgram) -> None:

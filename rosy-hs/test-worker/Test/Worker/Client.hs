@@ -22,6 +22,8 @@ module Test.Worker.Client
     -- * Requests
     check,
     run,
+    prepare,
+    begin,
     kill,
     field,
     text,
@@ -155,6 +157,16 @@ run :: Worker -> Value -> Text -> Int -> IO Link
 run worker i source memory = do
   mine <- tellWithSocket worker (object ["op" .= ("run" :: Text), "id" .= i, "source" .= source, "memory" .= memory])
   Link mine <$> newIORef ""
+
+-- | Has a run prepared; gives the other end of its link.
+prepare :: Worker -> Value -> Text -> Int -> IO Link
+prepare worker i source memory = do
+  mine <- tellWithSocket worker (object ["op" .= ("prepare" :: Text), "id" .= i, "source" .= source, "memory" .= memory])
+  Link mine <$> newIORef ""
+
+-- | Asks for a run that was prepared.
+begin :: Value -> Text -> Int -> Value
+begin i source memory = object ["op" .= ("run" :: Text), "id" .= i, "source" .= source, "memory" .= memory]
 
 -- | A worker that another one has forked, warm.
 forked :: Worker -> Value -> IO Worker

@@ -8,7 +8,8 @@
 -- those of the file. @protocol/goldens/worker@: the service's lines go in; UPDATE_GOLDENS=1 rewrites the worker's lines.
 module Test.Worker.GoldenConversations (tests) where
 
-import Control.Monad (forM)
+import Control.Exception (bracket)
+import Control.Monad (forM, replicateM)
 import Data.Aeson (Value (..), eitherDecodeStrict', encode, object, toJSON, (.=))
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString as ByteString
@@ -33,7 +34,8 @@ tests start = do
   pure $
     testGroup
       "Golden conversations"
-      [ testGroup "a program in the worker says what the link's goldens say" [testCase name (link start name) | name <- links, name `elem` programs],
+      [ testGroup "a program in the worker says what the link's goldens say" [testCase name (link start withRun name) | name <- links, name `elem` programs],
+        testGroup "so does one that was prepared" [testCase name (link start withPrepared name) | name <- links, name `elem` programs],
         testGroup "the worker says what its goldens say" [testCase name (worker start name requests) | (name, requests) <- conversations]
       ]
 
@@ -45,12 +47,16 @@ entries file = do
   lines' <- Char8.lines <$> ByteString.readFile file
   forM lines' $ \l -> either (assertFailure . ((file ++ ": ") ++)) (\v -> pure (text "from" v, field "line" v)) (eitherDecodeStrict' l)
 
-link :: IO Worker -> String -> Assertion
-link start name = do
+-- | As 'withRun', of a program that may be compiled before it is asked for.
+withPrepared :: Worker -> Value -> Text -> Int -> (Link -> IO a) -> IO a
+withPrepared w i source memory action = bracket (prepare w i source memory) closeLink (\robot -> tell w (begin i source memory) >> action robot)
+
+link :: IO Worker -> (Worker -> Value -> Text -> Int -> (Link -> IO ()) -> IO ()) -> String -> Assertion
+link start with name = do
   w <- start
   source <- Text.readFile ("rosy-hs/test-worker/programs" </> name ++ ".hs")
   golden <- entries ("protocol/goldens/link" </> name ++ ".jsonl")
-  withRun w (toJSON name) source 67108864 $ \robot -> do
+  with w (toJSON name) source 67108864 $ \robot -> do
     started <- answerOf w (toJSON name)
     (text "op" started, field "problems" started) @?= ("started", toJSON ([] :: [Value]))
     mapM_ (say robot . snd) (filter ((== "sim") . fst) golden)
@@ -69,12 +75,15 @@ conversations =
     ("mistake", [check (Number 1) mistake]),
     ("complete", [object ["op" .= ("complete" :: Text), "id" .= (5 :: Int), "source" .= ("play :: Bumper -> Maybe Sound\nplay (Bumper _ ) = Nothing\n\nmain = simulate play\n" :: Text), "line" .= (2 :: Int), "column" .= (16 :: Int)]]),
     ("run", [running 2 idle]),
+    ("prepare", [preparing 7 idle, running 7 idle]),
     ("refused", [running 3 mistake]),
     ("ping", [object ["op" .= ("ping" :: Text), "id" .= (6 :: Int)]]),
     ("failed", [object ["op" .= ("dance" :: Text), "id" .= (4 :: Int)]])
   ]
   where
-    running i source = object ["op" .= ("run" :: Text), "id" .= (i :: Int), "source" .= (source :: Text), "memory" .= (67108864 :: Int)]
+    running = toRun "run"
+    preparing = toRun "prepare"
+    toRun op i source = object ["op" .= (op :: Text), "id" .= (i :: Int), "source" .= (source :: Text), "memory" .= (67108864 :: Int)]
     accelerate = Text.unlines ["main = simulate (accelerate, play)", "", "accelerate :: Velocity -> Velocity", "accelerate (Velocity v w) = Velocity (v + 0.5) w", "", "play :: Bumper -> Maybe Sound", "play (Bumper _ Pressed) = Just ErrorSound", "play _ = Nothing"]
     mistake = "main = simulate move\n\nmove :: Velocity\nmove = Velocity \"fast\" 0\n"
     idle = "main = pure ()\n"
@@ -82,8 +91,11 @@ conversations =
 worker :: IO Worker -> String -> [Value] -> Assertion
 worker start name requests = do
   w <- start
+  let prepared = [field "id" request | request <- requests, text "op" request == "prepare"]
   spoken <- fmap concat . forM requests $ \request -> do
     answers <- case text "op" request of
+      "prepare" -> [] <$ prepare w (field "id" request) (text "source" request) 67108864
+      "run" | field "id" request `elem` prepared -> tell w request >> replicateM 2 (hear w)
       "run" -> withRun w (field "id" request) (text "source" request) 67108864 $ \_ -> do
         first <- hear w
         if text "op" first == "started" then (\second -> [first, second]) <$> hear w else pure [first]

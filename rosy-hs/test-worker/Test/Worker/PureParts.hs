@@ -67,14 +67,16 @@ tests =
         said "{starting = …} {y} {x" @?= "{starting = …} {y} {x"
         (sentenceId (tr "One."), sentenceId (verbatim "GHC")) @?= (Just (object ["id" .= ("One." :: Text.Text)]), Nothing),
       testProperty "the children that may stay fit below both ceilings, and no child ends without need" $ \sizes (Positive most) (Positive each) ->
-        let usages = [Usage pid works (fromIntegral (size `mod` 1000)) | (pid, (works, size)) <- zip [1 ..] (sizes :: [(Bool, Int)])]
+        let usages = [Usage pid ([Prepared, Compiling, Running] !! (does `mod` 3)) (fromIntegral (size `mod` 1000)) | (pid, (does, size)) <- zip [1 ..] (sizes :: [(Int, Int)])]
             limits = ceilings (fromIntegral (most :: Int)) (fromIntegral (each :: Int))
             ended = overdraft limits usages
             left = filter ((`notElem` ended) . process) usages
-            fits us = sum (map bytes (filter compiling us)) <= compilingTotal limits && sum (map bytes us) <= allTotal limits
+            fits us = sum (map bytes (filter ((/= Running) . activity) us)) <= compilingTotal limits && sum (map bytes us) <= allTotal limits
          in counterexample (show ended) (fits left && (not (fits usages) || null ended)),
       testCase "the largest compilation ends first" $
-        overdraft (ceilings 100 50) [Usage 1 False 60, Usage 2 True 20, Usage 3 True 30, Usage 4 True 5] @?= [3],
+        overdraft (ceilings 100 50) [Usage 1 Running 60, Usage 2 Compiling 20, Usage 3 Compiling 30, Usage 4 Compiling 5] @?= [3],
+      testCase "what is only prepared ends before what compiles, and that before what runs" $
+        overdraft (ceilings 100 80) [Usage 1 Running 60, Usage 2 Compiling 70, Usage 3 Prepared 5, Usage 4 Prepared 6] @?= [4, 3, 2],
       testCase "a type is taken apart at its outer arrows" $
         splitArrows "(a -> b) -> [c] -> Maybe d" @?= ["(a -> b)", "[c]", "Maybe d"],
       testCase "what Rosy added is taken out of GHC's words" $

@@ -12,6 +12,7 @@ module Rosy.Worker.ChildProcess
     allProtections,
     Settings (..),
     runChecker,
+    Beginning (..),
     runProgram,
     heapOverflowExitCode,
   )
@@ -140,10 +141,19 @@ checkSource settings purpose session source = do
       | lists (protections settings) = Restricted
       | otherwise = SafeHaskellOnly
 
+-- | When a program begins.
+data Beginning
+  = AtOnce
+  | -- | When the parent writes something. Until then the child has said that it is ready, and waits with as few rights as the program has.
+    WhenAsked
+  deriving (Eq)
+
 -- | Answers @started@ or @refused@ with a letter before the line, then runs the program over the link.
-runProgram :: Settings -> Session -> Fd -> Fd -> SharedPage -> Word64 -> Text -> IO ()
-runProgram settings session answer link page memory source = runToExit answer $ do
+runProgram :: Settings -> Session -> Beginning -> Fd -> Fd -> SharedPage -> Word64 -> Text -> IO ()
+runProgram settings session beginning answer link page memory source = runToExit answer $ do
   began <- getMonotonicTime
+  -- What may never be run has a run's priority from the beginning, also while it is compiled.
+  when (beginning == WhenAsked) (lowerPriority runNiceness)
   enterSandbox settings [answer, link]
   when isLarge (setAllocationArea compileAllocationArea)
   (report, mayRun) <- checkSource settings ForRun session source
@@ -156,21 +166,31 @@ runProgram settings session answer link page memory source = runToExit answer $ 
       protectMemory
       -- The program uses blocking reads, whatever mode the creator of the link has set.
       setFdOption link NonBlockingRead False
-      lowerPriority runNiceness
-      when isLarge (performMinorGC >> shrinkAllocationArea >> setAllocationArea runAllocationArea)
+      when (beginning == AtOnce) (lowerPriority runNiceness)
+      -- A program that waits, also for long, gives back what compiling it took; else that costs more time than it is worth.
+      when (isLarge || beginning == WhenAsked) (performMinorGC >> shrinkAllocationArea >> setAllocationArea runAllocationArea)
       size <- dataSegmentSize
       let on layer = layer (protections settings)
       when (on memoryLimit) $ limitHeap (if isLarge then memory - min memory (compileAllocationArea - runAllocationArea) else memory)
       when (on computingLimit) $ limitCpu (runSeconds settings)
       limitProcess (if on memoryLimit then size + 2 * memory + heapSlack else 0) (on processLimit)
+      when (on systemCalls) filterRunning
       now <- getMonotonicTime
-      writeAll answer ("S" <> line ("problems" .= found <> "compile" .= (now - began) <> "uses" .= uses <> branchFields branches))
+      let starting = "S" <> line ("problems" .= found <> "compile" .= (now - began) <> "uses" .= uses <> branchFields branches)
+      when (beginning == WhenAsked) (ByteString.length starting `seq` awaitRequest answer)
+      writeAll answer starting
       closeFd answer
-      when (systemCalls (protections settings)) filterRunning
       let Fd fd = link
       launch fd page places
   where
     isLarge = Text.length source > largeSourceLength
+
+-- | Says that the program is ready, and waits until it is asked for.
+awaitRequest :: Fd -> IO ()
+awaitRequest answer = do
+  writeAll answer "P\n"
+  asked <- readSome answer
+  when (ByteString.null asked) (exitNow 0)
 
 -- | Bytes beyond twice the heap limit (a collection may need twice the heap) at which the kernel limits a run. The limit of the run-time
 -- system is lower and normally reached first.

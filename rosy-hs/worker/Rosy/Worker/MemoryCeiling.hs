@@ -6,6 +6,7 @@
 -- "Rosy.Worker.ChildProcess"; this is the limit of their sum. Pure.
 module Rosy.Worker.MemoryCeiling
   ( Usage (..),
+    Activity (..),
     Ceilings (..),
     ceilings,
     overdraft,
@@ -18,17 +19,25 @@ import Data.List (sortOn)
 import Data.Ord (Down (..))
 import Data.Word (Word64)
 
--- | Memory of one child, bytes beyond what it shares with the worker, and whether it compiles.
+-- | What a child does, in the order in which children are ended.
+data Activity
+  = -- | Its program is compiled, or is being compiled, in case that it will be run.
+    Prepared
+  | Compiling
+  | Running
+  deriving (Eq, Ord, Show)
+
+-- | Memory of one child, bytes beyond what it shares with the worker, and what it does.
 data Usage = Usage
   { process :: Int,
-    compiling :: Bool,
+    activity :: Activity,
     bytes :: Word64
   }
   deriving (Eq, Show)
 
 -- | Bytes.
 data Ceilings = Ceilings
-  { -- | For all children that compile.
+  { -- | For all children that compile or have a program prepared.
     compilingTotal :: Word64,
     -- | For all children.
     allTotal :: Word64
@@ -38,17 +47,18 @@ data Ceilings = Ceilings
 ceilings :: Word64 -> Word64 -> Ceilings
 ceilings all' each = Ceilings {compilingTotal = min all' (2 * each), allTotal = all'}
 
--- | The children to end: the largest first, until the rest fits. A child that compiles goes before a program that runs.
+-- | The children to end: the largest first, until the rest fits. What is only prepared goes before a child that compiles, and that before a
+-- program that runs.
 overdraft :: Ceilings -> [Usage] -> [Int]
 overdraft limits usages = map process (compilers ++ others)
   where
-    compilers = tooMany (compilingTotal limits) (filter compiling usages)
+    compilers = tooMany (compilingTotal limits) (filter ((/= Running) . activity) usages)
     left = filter (`notElem` compilers) usages
     others = tooMany (allTotal limits) left
 
 -- | What to remove from the usages so that their sum is at most the limit.
 tooMany :: Word64 -> [Usage] -> [Usage]
-tooMany limit usages = go (sum (map bytes usages)) (sortOn (\u -> (Down (compiling u), Down (bytes u))) usages)
+tooMany limit usages = go (sum (map bytes usages)) (sortOn (\u -> (activity u, Down (bytes u))) usages)
   where
     go _ [] = []
     go now (u : us)

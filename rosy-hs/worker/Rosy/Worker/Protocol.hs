@@ -51,7 +51,11 @@ type Id = Value
 data Request
   = Ask Id Question
   | -- | The source and the bytes of memory the run may take.
+    --
+    -- Its link rides along, or has come with 'Prepare'.
     Run Id Text Int
+  | -- | Compile for a run that may come: as 'Run'.
+    Prepare Id Text Int
   | -- | Serve another socket in a forked worker.
     Fork Id
   | Kill Id
@@ -87,6 +91,7 @@ request i o = do
     "check" -> Ask i . Check <$> source
     "complete" -> (\s l c -> Ask i (Complete s (Position l c))) <$> source <*> o .: "line" <*> o .: "column"
     "run" -> Run i <$> source <*> o .: "memory"
+    "prepare" -> Prepare i <$> source <*> o .: "memory"
     "fork" -> pure (Fork i)
     "kill" -> pure (Kill i)
     "ping" -> pure (Ping i)

@@ -13,7 +13,7 @@ module Rosy.Worker.Server
 where
 
 import Control.Exception (evaluate)
-import Control.Monad (foldM, forM_)
+import Control.Monad (foldM, forM_, when)
 import Data.Aeson (Value (Null), encode, object, pairs, (.=))
 import Data.Aeson.Encoding (encodingToLazyByteString)
 import Data.ByteString (ByteString)
@@ -21,7 +21,7 @@ import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isNothing)
+import Data.Maybe (fromMaybe, isJust, isNothing)
 import Data.Sequence (Seq (..), (|>))
 import qualified Data.Sequence as Seq
 import Data.Text (Text)
@@ -35,7 +35,8 @@ import Rosy.Worker.CheckerPool
 import Rosy.Worker.ChildProcess
 import Rosy.Worker.Ghc (Session, compilerVersion)
 import Rosy.Worker.LruCache
-import Rosy.Worker.MemoryCeiling (Usage (Usage), ceilings, compilingInterval, overdraft, runningInterval)
+import Rosy.Worker.MemoryCeiling (Activity (..), Usage (Usage), ceilings, compilingInterval, overdraft, runningInterval)
+import Rosy.Worker.Preparations
 import Rosy.Worker.Problem (Completion (..), Problem (..), problemNowhere)
 import Rosy.Worker.Protocol
 import Rosy.Worker.Report (emptyReport)
@@ -45,7 +46,7 @@ import Rosy.Worker.SystemCalls
 import Rosy.Worker.TimeBudget
 import System.Posix.IO (closeFd)
 import System.Posix.Process (forkProcess, getProcessID)
-import System.Posix.Signals (sigKILL, signalProcess)
+import System.Posix.Signals (Signal, sigCONT, sigKILL, sigSTOP, signalProcess)
 import System.Posix.Types (Fd)
 
 data Config = Config
@@ -59,9 +60,17 @@ data Config = Config
     memoryTotal :: Word64
   }
 
--- | A run.
+-- | A run, or the preparation of one.
 data Job = Job
   { jobId :: Id,
+    -- | Whether the run has been asked for.
+    wanted :: Bool,
+    -- | Whether its child has compiled the program and waits.
+    ready :: Bool,
+    -- | Whether its child is stopped, because others have something to do.
+    paused :: Bool,
+    -- | The run to begin with if its prepared child is lost before it has answered.
+    instead :: Maybe RunRequest,
     -- | Shared page with the active function.
     page :: SharedPage,
     -- | Whether the program has started.
@@ -96,6 +105,7 @@ data State = State
     waiting :: Seq (Id, Question),
     -- | Runs whose compilation has not begun.
     waitingRuns :: Seq RunRequest,
+    preparations :: Preparations,
     -- | Workers that are not forked yet.
     waitingForks :: Seq ForkRequest,
     -- | Forked workers, by process id.
@@ -115,14 +125,14 @@ serve config session = compactHeap >> serveCompacted config session
 serveCompacted :: Config -> Session -> IO ()
 serveCompacted config session = do
   ended <- watchChildren
-  let begun = State emptyLineBuffer Seq.empty (Seq.singleton (answerLine (Ready compilerVersion))) Map.empty emptyPool Seq.empty Seq.empty Seq.empty Map.empty 0 emptyCache False
+  let begun = State emptyLineBuffer Seq.empty (Seq.singleton (answerLine (Ready compilerVersion))) Map.empty emptyPool Seq.empty Seq.empty noPreparations Seq.empty Map.empty 0 emptyCache False
   loop config session ended begun
 
 loop :: Config -> Session -> Fd -> State -> IO ()
 loop config session ended = go
   where
     go s
-      | peerGone s = forM_ (Map.keys (jobs s) ++ map fst (pollDescriptors (pool s)) ++ Map.keys (workers s)) (signalProcess sigKILL . fromIntegral)
+      | peerGone s = forM_ (Map.keys (jobs s) ++ map fst (pollDescriptors (pool s)) ++ Map.keys (workers s)) (signal sigKILL)
       | otherwise = do
         now <- getMonotonicTime
         let listening = [(fd, pid) | (pid, Job {answers = Just fd}) <- Map.toList (jobs s)]
@@ -141,7 +151,7 @@ loop config session ended = go
             s2 <- if reaping then drain ended >> reapChildren s1 else pure s1
             s3 <- killExpired s2 >>= enforceCeilings config
             s4 <- if mine then receiveRequests config s3 else pure s3
-            s5 <- dispatchQuestions config session s4 >>= dispatchRuns config session >>= dispatchForks config session
+            s5 <- dispatchQuestions config session s4 >>= dispatchRuns config session >>= dispatchForks config session >>= dispatchPreparations config session >>= pausePreparations
             s6 <- if canWrite || not (Seq.null (outgoing s5)) then flush config s5 else pure s5
             go s6
           _ -> go s
@@ -161,20 +171,20 @@ receiveRequests config s = do
         Just fd
           | Seq.length (pendingDescriptors s) >= maxPendingDescriptors -> pendingDescriptors s <$ closeFd fd
           | otherwise -> pure (pendingDescriptors s |> fd)
-      foldM handle s {incoming = rest, pendingDescriptors = taken} lines'
+      foldM (handle config) s {incoming = rest, pendingDescriptors = taken} lines'
 
 -- | Maximal number of descriptors that wait for their run request.
 maxPendingDescriptors :: Int
 maxPendingDescriptors = 64
 
-handle :: State -> BufferedLine -> IO State
-handle s TooLong = pure (reply (Failed Null "This line is too long.") s)
-handle s (Line bytes)
+handle :: Config -> State -> BufferedLine -> IO State
+handle _ s TooLong = pure (reply (Failed Null "This line is too long.") s)
+handle config s (Line bytes)
   | ByteString.null bytes = pure s
   | otherwise = case parseRequest bytes of
     Left (i, sentence) -> do
       -- An invalid request has still sent its descriptor.
-      s' <- if any (`ByteString.isInfixOf` bytes) ["\"run\"", "\"fork\""] then dropPassenger s else pure s
+      s' <- if any (`ByteString.isInfixOf` bytes) ["\"run\"", "\"prepare\"", "\"fork\""] then dropPassenger s else pure s
       pure (reply (Failed i sentence) s')
     Right (Ask i question) -> case lookupEntry (questionBytes question) (cache s) of
       Just (fields, after) -> do
@@ -182,9 +192,16 @@ handle s (Line bytes)
         own <- evaluate (ByteString.copy fields)
         pure (reply (QuestionAnswered question i own) s {cache = after})
       Nothing -> pure s {waiting = waiting s |> (i, question)}
+    Right (Run i source memory)
+      | Just (preparation, others) <- takePreparation i (preparations s) -> beginPrepared config (RunRequest i source memory (link preparation)) (stage preparation) s {preparations = others}
     Right (Run i source memory) -> case pendingDescriptors s of
       Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
       fd :<| others -> pure s {pendingDescriptors = others, waitingRuns = waitingRuns s |> RunRequest i source memory fd}
+    Right (Prepare i source memory) -> case pendingDescriptors s of
+      Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
+      fd :<| others -> case addPreparation (Preparation i fd (Queued source memory)) (preparations s) of
+        Left sentence -> reply (Failed i (Text.pack sentence)) s {pendingDescriptors = others} <$ closeFd fd
+        Right more -> pure s {pendingDescriptors = others, preparations = more}
     Right (Fork i) -> case pendingDescriptors s of
       Empty -> pure (reply (Failed i "A forked worker needs the descriptor of its socket.") s)
       fd :<| others -> pure s {pendingDescriptors = others, waitingForks = waitingForks s |> ForkRequest i fd}
@@ -211,14 +228,44 @@ flush config s = case outgoing s of
         | otherwise -> pure s {outgoing = ByteString.drop n first :<| rest}
 
 kill :: Id -> State -> IO State
+kill i s
+  | Just (preparation, others) <- takePreparation i (preparations s) = do
+    closeFd (link preparation)
+    let dropped = s {preparations = others}
+    case stage preparation of
+      -- Its end is told when it has been reaped, as that of a run.
+      Child pid -> dropped {jobs = Map.adjust (\job -> job {wanted = True}) pid (jobs s)} <$ signal sigKILL pid
+      _ -> pure (reply (RunEnded i (Right 9) Nothing Nothing) dropped)
 kill i s = do
-  forM_ ([pid | (pid, job) <- Map.toList (jobs s), jobId job == i] ++ [pid | (pid, j) <- Map.toList (workers s), i == j]) (signalProcess sigKILL . fromIntegral)
+  let mine = Map.filter ((== i) . jobId) (jobs s)
+  forM_ (Map.keys mine ++ [pid | (pid, j) <- Map.toList (workers s), i == j]) (signal sigKILL)
+  mapM_ closeInstead mine
   cancelQuestion i (pool s)
   let (dropped, kept) = Seq.partition ((== i) . fst) (waiting s)
       (droppedRuns, keptRuns) = Seq.partition (\(RunRequest j _ _ _) -> j == i) (waitingRuns s)
   forM_ droppedRuns (\(RunRequest _ _ _ link) -> closeFd link)
   let ends = length dropped + length droppedRuns
-  pure (foldr (\_ -> reply (RunEnded i (Right 9) Nothing Nothing)) s {waiting = kept, waitingRuns = keptRuns} [1 .. ends])
+  pure (foldr (\_ -> reply (RunEnded i (Right 9) Nothing Nothing)) s {waiting = kept, waitingRuns = keptRuns, jobs = Map.map (\job -> if jobId job == i then job {instead = Nothing} else job) (jobs s)} [1 .. ends])
+
+-- | Closes the link that is kept in case that a prepared child is lost.
+closeInstead :: Job -> IO ()
+closeInstead job = forM_ (instead job) (\(RunRequest _ _ _ fd) -> closeFd fd)
+
+signal :: Signal -> Int -> IO ()
+signal what pid = signalProcess what (fromIntegral pid)
+
+-- | Lets a prepared program begin, or compiles it now where there is none. It may take as long to compile as any other from now on.
+beginPrepared :: Config -> RunRequest -> Stage -> State -> IO State
+beginPrepared config request what s = case what of
+  Child pid
+    | Just job@Job {answers = Just fd} <- Map.lookup pid (jobs s) -> do
+      -- One byte always fits; a child that has died is noticed when it is reaped.
+      _ <- send fd "\n"
+      when (paused job) (signal sigCONT pid)
+      now <- getMonotonicTime
+      computed <- fromMaybe 0 <$> processorTime pid
+      pure s {jobs = Map.insert pid job {wanted = True, paused = False, instead = Just request, budget = Just (newBudget (compileSeconds config) now computed)} (jobs s)}
+  _ -> pure s {waitingRuns = waitingRuns s |> request}
 
 -- * Children
 
@@ -264,19 +311,68 @@ dispatchRuns config session s
     startRun config session i source memory link s {waitingRuns = others} >>= dispatchRuns config session
   | otherwise = pure s
 
+-- | Whether a run that has been asked for is being compiled.
 isCompiling :: Job -> Bool
-isCompiling job = not (answered job)
+isCompiling job = wanted job && not (answered job)
+
+-- | Whether a program is compiled that may never be run.
+isPreparing :: Job -> Bool
+isPreparing job = not (wanted job || ready job)
 
 startRun :: Config -> Session -> Id -> Text -> Int -> Fd -> State -> IO State
-startRun config session i source memory link s = do
+startRun config session i source memory fd s = do
+  (_, begun) <- forkRun config session AtOnce i source memory fd s
+  begun <$ closeFd fd
+
+-- | A child that compiles and runs a program.
+forkRun :: Config -> Session -> Beginning -> Id -> Text -> Int -> Fd -> State -> IO (Int, State)
+forkRun config session beginning i source memory fd s = do
   (mine, theirs) <- newSocketPair
   shared <- newSharedPage
-  pid <- forkProcess (runProgram (settings config) session theirs link shared (fromIntegral (max 0 memory)) source)
+  pid <- fromIntegral <$> forkProcess (runProgram (settings config) session beginning theirs fd shared (fromIntegral (max 0 memory)) source)
   unmapInChildren shared
   closeFd theirs
-  closeFd link
   now <- getMonotonicTime
-  pure s {jobs = Map.insert (fromIntegral pid) (Job i shared False (Just mine) emptyLineBuffer (Just (newBudget (compileSeconds config) now 0)) False Nothing "") (jobs s)}
+  let job =
+        Job
+          { jobId = i,
+            wanted = beginning == AtOnce,
+            ready = False,
+            paused = False,
+            instead = Nothing,
+            page = shared,
+            started = False,
+            answers = Just mine,
+            inputBuffer = emptyLineBuffer,
+            budget = Just (newBudget (compileSeconds config) now 0),
+            answered = False,
+            overrun = Nothing,
+            compilerFailure = ""
+          }
+  pure (pid, s {jobs = Map.insert pid job (jobs s)})
+
+-- | Whether there is a question, or a run to compile.
+isBusy :: State -> Bool
+isBusy s = not (Seq.null (waiting s) && Seq.null (waitingRuns s)) || any snd (memberProcesses (pool s)) || any isCompiling (jobs s)
+
+-- | Compiles a program that may be run, one at a time, while there is nothing else to do.
+dispatchPreparations :: Config -> Session -> State -> IO State
+dispatchPreparations config session s
+  | Just (i, fd, source, memory) <- nextPreparation (preparations s),
+    not (isBusy s),
+    not (any isPreparing (jobs s)) = do
+    (pid, begun) <- forkRun config session WhenAsked i source memory fd s
+    pure begun {preparations = withChild i pid (preparations begun)}
+  | otherwise = pure s
+
+-- | Stops what compiles only in case while there is something else to do: it takes no time and no memory from checks and runs.
+pausePreparations :: State -> IO State
+pausePreparations s = do
+  forM_ changed (\(pid, _) -> signal (if busy then sigSTOP else sigCONT) pid)
+  pure s {jobs = foldr (\(pid, job) -> Map.insert pid job {paused = busy}) (jobs s) changed}
+  where
+    busy = isBusy s
+    changed = [(pid, job) | (pid, job) <- Map.toList (jobs s), isPreparing job, paused job /= busy]
 
 -- | Forks the workers that were asked for. Each shares this process's memory, also its session, and serves its own socket.
 dispatchForks :: Config -> Session -> State -> IO State
@@ -302,20 +398,26 @@ receiveFromRun fd pid s = case Map.lookup pid (jobs s) of
         mapM_ closeFd descriptor
         let (found, rest) = splitLines (inputBuffer job) bytes
             s' = s {jobs = Map.insert pid job {inputBuffer = rest} (jobs s)}
-        receiveFromRun fd pid (foldl (flip (handleRunLine pid)) s' found)
+        foldM (flip (handleRunLine pid)) s' found >>= receiveFromRun fd pid
 
--- | Handles one line of a child. Only the first counts: afterwards the program itself may write to the descriptor.
-handleRunLine :: Int -> BufferedLine -> State -> State
+-- | Handles one line of a child. Only the first answer counts: afterwards the program itself may write to the descriptor.
+handleRunLine :: Int -> BufferedLine -> State -> IO State
 handleRunLine pid (Line bytes) s
   | Just job <- Map.lookup pid (jobs s),
     not (answered job) =
-    let done answer runs = reply answer s {jobs = Map.insert pid job {answered = True, budget = Nothing, started = runs} (jobs s)}
+    let keep changed = pure s {jobs = Map.insert pid changed (jobs s)}
+        done answer runs = do
+          closeInstead job
+          reply answer <$> keep job {answered = True, budget = Nothing, started = runs, instead = Nothing}
      in case Char8.uncons bytes of
+          Just ('P', _) -> keep job {ready = True, budget = if wanted job then budget job else Nothing}
+          -- The run is compiled again when it is asked for, and refused then.
+          Just ('R', _) | not (wanted job) -> pure s {preparations = withoutChild pid (preparations s)}
           Just ('S', fields) -> done (Started (jobId job) fields) True
           Just ('R', fields) -> done (Refused (jobId job) fields) False
-          Just ('!', words') -> s {jobs = Map.insert pid job {compilerFailure = decodeUtf8With lenientDecode words'} (jobs s)}
-          _ -> s
-handleRunLine _ _ s = s
+          Just ('!', words') -> keep job {compilerFailure = decodeUtf8With lenientDecode words'}
+          _ -> pure s
+handleRunLine _ _ s = pure s
 
 -- | Adds an answer to the cache.
 cacheAnswer :: Question -> ByteString -> State -> IO State
@@ -336,7 +438,8 @@ killExpired s = do
   now <- getMonotonicTime
   asked <- killOverdue now (pool s)
   reviewed <- Map.traverseWithKey (reviewJob now) (jobs s)
-  pure s {pool = asked, jobs = reviewed}
+  let expired = [pid | (pid, job) <- Map.toList reviewed, isJust (overrun job)]
+  pure s {pool = asked, jobs = reviewed, preparations = foldr withoutChild (preparations s) expired}
   where
     reviewJob now pid job = case budget job of
       Nothing -> pure job
@@ -348,7 +451,7 @@ killExpired s = do
 
 -- | Whether a child compiles or a program runs.
 isOccupied :: State -> Bool
-isOccupied s = not (Map.null (jobs s)) || any snd (memberProcesses (pool s))
+isOccupied s = any (\job -> wanted job || isPreparing job) (jobs s) || any snd (memberProcesses (pool s))
 
 -- | Kills children so that all together stay below the ceilings of memory.
 enforceCeilings :: Config -> State -> IO State
@@ -358,14 +461,20 @@ enforceCeilings config s = do
     then pure s
     else do
       own <- getProcessID >>= anonymousMemory . fromIntegral
-      let members = [(pid, isCompiling job) | (pid, job) <- Map.toList (jobs s)] ++ memberProcesses (pool s)
-          usage (pid, works) = (\all' -> Usage pid works (all' - min all' own)) <$> anonymousMemory pid
+      let members = [(pid, activityOf job) | (pid, job) <- Map.toList (jobs s)] ++ [(pid, if works then Compiling else Running) | (pid, works) <- memberProcesses (pool s)]
+          usage (pid, activity) = (\all' -> Usage pid activity (all' - min all' own)) <$> anonymousMemory pid
       victims <- overdraft (ceilings (memoryTotal config) (compileMemory (settings config))) <$> mapM usage members
       let isVictim pid = pid `elem` victims
-          interval = if any snd members then compilingInterval else runningInterval
-      forM_ (filter isVictim (Map.keys (jobs s))) (signalProcess sigKILL . fromIntegral)
+          interval = if any isPreparing (jobs s) || any ((== Compiling) . snd) members then compilingInterval else runningInterval
+      forM_ (filter isVictim (Map.keys (jobs s))) (signal sigKILL)
       asked <- killTooLarge victims (pool s)
-      pure s {nextLook = now + interval, pool = asked, jobs = Map.mapWithKey (\pid job -> if isVictim pid then job {budget = Nothing, overrun = Just TooLarge} else job) (jobs s)}
+      pure s {nextLook = now + interval, pool = asked, preparations = foldr withoutChild (preparations s) victims, jobs = Map.mapWithKey (\pid job -> if isVictim pid then job {budget = Nothing, overrun = Just TooLarge} else job) (jobs s)}
+
+activityOf :: Job -> Activity
+activityOf job
+  | not (wanted job) = Prepared
+  | isCompiling job = Compiling
+  | otherwise = Running
 
 reapChildren :: State -> IO State
 reapChildren s = do
@@ -386,24 +495,24 @@ finishRun pid how s = case Map.lookup pid (jobs s) of
     | otherwise -> pure s
   Just job -> do
     mapM_ closeFd (answers job)
-    let rest = s {jobs = Map.delete pid (jobs s)}
+    let rest = s {jobs = Map.delete pid (jobs s), preparations = withoutChild pid (preparations s)}
         i = jobId job
         wasKilled = how == Signalled 9 && isNothing (overrun job)
         gone = RunEnded i (exitOrSignal how)
     -- Copied once, because other processes may still write to the page.
     firing <- activeFunctionName <$> readSharedPage (page job)
     freeSharedPage (page job)
-    pure $
-      if started job
-        then let atWork = if Text.null firing || isExit how then Nothing else Just firing in reply (gone atWork (endProblem job atWork how)) rest
-        else
-          if answered job
-            then rest
-            else
-              if wasKilled
-                then reply (gone Nothing Nothing) rest
-                else reply (Refused i (Lazy.toStrict (encode (object ["problems" .= [compileProblem (overrun job) (compilerFailure job) how]])))) rest
+    case instead job of
+      Just request | isNothing (overrun job) -> pure rest {waitingRuns = waitingRuns rest |> request}
+      _ -> do
+        closeInstead job
+        pure (told job i gone wasKilled firing rest)
   where
+    told job i gone wasKilled firing rest
+      | started job = let atWork = if Text.null firing || isExit how then Nothing else Just firing in reply (gone atWork (endProblem job atWork how)) rest
+      | not (wanted job) || answered job = rest
+      | wasKilled = reply (gone Nothing Nothing) rest
+      | otherwise = reply (Refused i (Lazy.toStrict (encode (object ["problems" .= [compileProblem (overrun job) (compilerFailure job) how]])))) rest
     endProblem job atWork ended
       | overrun job == Just TooLarge || outOfMemory ended = Just (memoryProblem atWork)
       | ended == Signalled cpuLimitSignal = Just timeProblem
