@@ -38,6 +38,7 @@ LAYERS = (
     ("previews",),
     ("rooms",),
     ("lessons",),
+    ("recordings",),
     ("ownership",),
     ("classroom",),
     ("web", "lsp"),

@@ -3,7 +3,7 @@
 -- |
 -- Description : rosy-robot: a real robot for programs that wait for the simulator.
 --
--- > rosy-robot ADDRESS DESCRIPTOR [SECONDS [STEP]]
+-- > rosy-robot [--record FILE] ADDRESS DESCRIPTOR [SECONDS [STEP]]
 -- > rosy-robot hold ADDRESS DESCRIPTOR [STEP ALIVE]
 -- > rosy-robot check ADDRESS
 --
@@ -24,6 +24,7 @@ import Control.Monad (forM_, unless, void)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Char8 as C
 import qualified Data.ByteString.Lazy as L
+import Data.Foldable (traverse_)
 import qualified Data.Text as T
 import qualified Data.Text.IO as T
 import Foreign.C.Types (CInt)
@@ -34,6 +35,7 @@ import Rosy.Robots.ArmPrompt (startArmPrompt)
 import Rosy.Robots.Connection (Connection (..))
 import Rosy.Robots.DriverLock (withDriverLock)
 import Rosy.Robots.Guard
+import Rosy.Robots.LinkRecorder (beginRecording, recordLines, recordedConnection, withRecorder)
 import Rosy.Robots.LockstepRun
 import Rosy.Robots.RobotProcess
 import Rosy.Robots.RobotRun (onSignals, runAfter, terminationSignals, withConnection)
@@ -57,7 +59,8 @@ main = do
   getArgs >>= \case
     "hold" : address : fd : given -> holdFor address fd (limitsFrom given)
     ["check", address] -> void (targetAt address)
-    address : fd : given -> driveOnce address fd (numbers (take 1 given)) (limitsFrom (drop 1 given))
+    "--record" : file : address : fd : given -> driveOnce (Just file) address fd (numbers (take 1 given)) (limitsFrom (drop 1 given))
+    address : fd : given -> driveOnce Nothing address fd (numbers (take 1 given)) (limitsFrom (drop 1 given))
     _ -> refuse (tr "rosy-robot takes an address, such as ws://HOST:9090, and the descriptor of a socket.")
 
 targetAt :: String -> IO Target
@@ -83,8 +86,8 @@ limitsFrom given = case numbers given of
 numbers :: [String] -> [Double]
 numbers given = [s | t <- given, (s, "") <- reads t]
 
-driveOnce :: String -> String -> [Double] -> ProcessLimits -> IO ()
-driveOnce address fd seconds limits = do
+driveOnce :: Maybe FilePath -> String -> String -> [Double] -> ProcessLimits -> IO ()
+driveOnce recording address fd seconds limits = do
   target <- targetAt address
   socket <- socketAt fd
   began <- getMonotonicTime
@@ -92,10 +95,13 @@ driveOnce address fd seconds limits = do
   guarded <- newTVarIO (targetGuard target)
   forM_ seconds (`runAfter` atomically (writeTVar stopWanted True))
   pace <- realPace (stepLimit limits)
-  served <- withDriverLock address . withConnection target $ \connection -> do
+  served <- withDriverLock address . withConnection target $ \plain -> withRecorder $ \recorder -> do
+    traverse_ (beginRecording recorder) recording
+    let connection = recordedConnection recorder plain
+        observer = (onTerminal (connectionName connection)) {onLines = recordLines recorder}
     startArmPrompt (connectionName connection) guarded
     let sendHalt = atomically (stateTVar guarded haltWheels) >>= mapM_ (sendCommand connection)
-    onSignals terminationSignals (sendHalt >> atomically (writeTVar stopWanted True)) (runLockstep pace (onTerminal (connectionName connection)) (readTVar stopWanted) (targetPatience target) guarded connection socket)
+    onSignals terminationSignals (sendHalt >> atomically (writeTVar stopWanted True)) (runLockstep pace observer (readTVar stopWanted) (targetPatience target) guarded connection socket)
       `finally` sendHalt
   ended <- getMonotonicTime
   report limits (ended - began) served
@@ -109,8 +115,8 @@ holdFor address fd limits = do
   hSetBinaryMode stdout True
   _ <- forkIO ((reading requests `catchIOError` const (pure ())) `finally` request requests Leave)
   _ <- installHandler sigUSR1 (Catch (request requests EmergencyStop)) Nothing
-  withDriverLock address . withConnection target $ \connection ->
-    onSignals (filter (/= sigUSR1) terminationSignals) (request requests Leave) (runRobotProcess limits target connection requests (recvFd socket >>= socketFrom) (\l -> L.hPut stdout l >> hFlush stdout))
+  withDriverLock address . withConnection target $ \connection -> withRecorder $ \recorder ->
+    onSignals (filter (/= sigUSR1) terminationSignals) (request requests Leave) (runRobotProcess limits target recorder connection requests (recvFd socket >>= socketFrom) (\l -> L.hPut stdout l >> hFlush stdout))
   where
     reading requests = do
       over <- isEOF

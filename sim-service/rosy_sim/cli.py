@@ -1,5 +1,5 @@
 """
-Command line of the service: ``serve``, ``node``, ``class``, ``run``, ``check``, ``build``, ``lsp``.
+Command line of the service: ``serve``, ``node``, ``class``, ``run``, ``replay``, ``check``, ``build``, ``lsp``.
 ``./rosy help COMMAND`` explains them.
 
 Every expected failure ends as one sentence on stderr; the exit status is the error's own.
@@ -33,6 +33,9 @@ from .explain.why_not import RobotLimits
 from .explain.wording import words_of
 from .ownership.robot_configuration import read_robot_configuration
 from .problem_text import format_problem
+from .recordings.command import add_replay_options, replay_recording
+from .recordings.mcap_file import RunDetails
+from .recordings.recording_folder import RecordingFolder, named_recording, recorded_sentence
 from .robots import DEFAULT_ROBOT
 from .rooms.command import add_options, check_options, test_in_rooms
 from .rooms.programs import Pool
@@ -41,10 +44,10 @@ from .run.headless_run import RunOutput, RunResult, RunSettings, run_native, run
 from .run.input_file import read_inputs
 from .run.program_file import ProgramFile, read_program
 from .run.velocity_guard import SafetySettings
-from .sentence import tr
+from .sentence import Sentence, tr
 from .terminal_text import escape_json, neutralize, neutralize_line
 from .usage_errors import usage_error
-from .wire.problem import is_complete
+from .wire.problem import Problem, is_complete
 from .wording import in_terminal, machine_wording
 from .worker.blocking_worker import BlockingWorker
 from .worker.launcher import missing_sandbox, sandbox_warning
@@ -133,6 +136,9 @@ def _command(arguments: Sequence[str] | None) -> int:
         return _build(config, options)
     if options.command == "check":
         return _check(config, options)
+    if options.command == "replay":
+        _warn_without_sandbox(config)
+        return replay_recording(config, options, _print_sentence, _print_problem)
     check_options(options)
     if options.rooms is not None:
         _warn_without_sandbox(config)
@@ -165,6 +171,7 @@ def _parser() -> argparse.ArgumentParser:
     lsp = commands.add_parser("lsp", prog="rosy lsp", add_help=False, allow_abbrev=False)
     # Editors add it to name the transport; there is no other one.
     lsp.add_argument("--stdio", action="store_true")
+    add_replay_options(commands.add_parser("replay", prog="rosy replay", add_help=False, allow_abbrev=False))
     add_class_options(commands.add_parser("class", prog="rosy class", add_help=False, allow_abbrev=False))
     run = commands.add_parser("run", prog="rosy run", add_help=False, allow_abbrev=False)
     run.add_argument("files", type=Path, nargs="+", metavar="file")
@@ -175,6 +182,8 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("--trace", type=Path)
     run.add_argument("--input", type=Path)
     run.add_argument("--robot")
+    run.add_argument("--record", type=Path, metavar="FILE")
+    run.add_argument("--no-record", action="store_true")
     add_options(run)
     run.add_argument("--safety", choices=("on", "off"))
     run.add_argument("--max-speed", type=float)
@@ -243,6 +252,8 @@ def _run(config: Config, options: argparse.Namespace) -> int:
                 tr("A built program drives by itself: {file} --robot {robot}", file=options.file, robot=options.robot)
             )
         return _drive(config, program, options)
+    if options.record is not None or options.no_record:
+        raise BadInput(tr("--record and --no-record are for --robot; a simulated run has --trace."))
     arena = _arena(program, options)
     settings = RunSettings(
         seconds=_seconds(options.seconds),
@@ -305,14 +316,36 @@ def _drive(config: Config, program: ProgramFile, options: argparse.Namespace) ->
     for name in ("world", "seed", "speed", "trace", "input", "explain"):
         if getattr(options, name) is not None:
             raise BadInput(tr("--{name} is for the simulator; a real robot cannot have it.", name=name))
+    if options.record is not None and options.no_record:
+        raise BadInput(tr("--record and --no-record exclude each other."))
     seconds = MAX_SECONDS if options.seconds is None else _seconds(options.seconds)
+    address = _with_options(options.robot, _safety_options(options))
+    details = RunDetails(program.source, address, str(options.file))
     with _worker(config) as worker:
         worker.ready()
-        address = _with_options(options.robot, _safety_options(options))
-        problems, status = run_on_robot(worker, config.robot_executable, program.source, address, seconds)
+        pending = None
+        if options.record is not None:
+            pending = named_recording(options.record)
+        elif not options.no_record:
+            pending = RecordingFolder(config.recordings).begin(details)
+        log = pending.log if pending is not None else None
+        try:
+            problems, status = run_on_robot(worker, config.robot_executable, program.source, address, seconds, log)
+        finally:
+            finished = pending.finish(details) if pending is not None else None
     for found in problems:
-        print(format_problem(options.file, found, sys.stderr.isatty()), file=sys.stderr)
+        _print_problem(options.file, found)
+    if finished is not None:
+        print(f"rosy: {neutralize_line(in_terminal(recorded_sentence(finished)))}", file=sys.stderr)
     return status
+
+
+def _print_problem(file: Path, found: Problem) -> None:
+    print(format_problem(file, found, sys.stderr.isatty()), file=sys.stderr)
+
+
+def _print_sentence(sentence: Sentence) -> None:
+    _print(neutralize_line(in_terminal(sentence)))
 
 
 def _safety_options(options: argparse.Namespace) -> dict[str, str | float]:

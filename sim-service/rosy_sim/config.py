@@ -90,6 +90,8 @@ class Config:
     robots: dict[str, str] = field(default_factory=dict)
     # The folder of classes, one folder each. ROSY_CLASSES; else in the person's data folder (XDG base directories).
     classes: Path = field(default_factory=lambda: _classes())
+    # The folder of recordings of runs on real robots. ROSY_RECORDINGS; else in the person's data folder.
+    recordings: Path = field(default_factory=lambda: _recordings())
     # URL of the PostgreSQL database of all classes, or sqlite:/PATH; None for the folder. ROSY_CLASS_DATABASE.
     class_database: str | None = None
     # The class that is served; None without class mode.
@@ -131,9 +133,17 @@ def discover() -> Config:
 
 
 def _classes() -> Path:
+    return Path(os.environ.get("ROSY_CLASSES") or _data_folder() / "classes")
+
+
+def _recordings() -> Path:
+    return Path(os.environ.get("ROSY_RECORDINGS") or _data_folder() / "recordings")
+
+
+def _data_folder() -> Path:
     data = os.environ.get("XDG_DATA_HOME", "")
     home = Path(data) if data.startswith("/") else Path.home() / ".local" / "share"
-    return Path(os.environ.get("ROSY_CLASSES") or home / "rosy" / "classes")
+    return home / "rosy"
 
 
 def _built(root: Path, name: str) -> Path | None:

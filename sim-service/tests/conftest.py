@@ -84,6 +84,7 @@ def config(tmp_path: Path, limits: Limits) -> Config:
         worker=(sys.executable, str(FAKE_WORKER)),
         sandbox=False,
         classes=tmp_path / "classes",
+        recordings=tmp_path / "recordings",
         limits=limits,
     )
 

@@ -37,10 +37,16 @@ _ENDINGS = (signal.SIGTERM, signal.SIGINT)
 
 
 def run_on_robot(
-    worker: BlockingWorker, robot_executable: Path | None, source: str, address: str, seconds: float
+    worker: BlockingWorker,
+    robot_executable: Path | None,
+    source: str,
+    address: str,
+    seconds: float,
+    log: Path | None = None,
 ) -> tuple[list[Problem], int]:
     """
-    Compile a program and let it drive; returns what compiling found and the exit status.
+    Compile a program and let it drive; returns what compiling found and the exit status. ``log`` gets the lines of the
+    robot link.
 
     Raises:
         BadInput: the address is not valid, or another process drives the robot.
@@ -65,7 +71,8 @@ def run_on_robot(
         if missing is not None:
             return [*answer.problems, missing], 1
         descriptor, settle = str(ours.fileno()), str(worker.limits.settle)
-        command = [str(robot_executable), address, descriptor, str(seconds), settle]
+        recording = ["--record", str(log)] if log is not None else []
+        command = [str(robot_executable), *recording, address, descriptor, str(seconds), settle]
         with _forwarded_signals() as forward, subprocess.Popen(command, pass_fds=[ours.fileno()]) as process:
             ours.close()
             forward(process)

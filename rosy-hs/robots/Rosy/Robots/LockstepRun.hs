@@ -29,6 +29,7 @@ import Data.Aeson (Value)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as C
+import qualified Data.ByteString.Lazy as L
 import Data.IORef
 import Data.Maybe (isJust, isNothing)
 import qualified Data.Text as T
@@ -43,6 +44,7 @@ import Rosy.Core (topicName)
 import Rosy.Robot
 import Rosy.Robots.Connection
 import Rosy.Robots.Guard
+import Rosy.Robots.LinkRecorder (LineSource (..))
 import Rosy.Robots.PipeCodec
 import Rosy.Robots.Wording (tellPerson)
 import Rosy.Sentence
@@ -61,7 +63,9 @@ data Observer = Observer
     -- | whether the program is to tell its firings with their provenance, from the next step on
     observes :: IO Bool,
     -- | the robot is awaited, lost or back
-    onNotice :: Notice -> IO ()
+    onNotice :: Notice -> IO (),
+    -- | lines of the robot link, each with its newline
+    onLines :: LineSource -> L.ByteString -> IO ()
   }
 
 -- | A step that the program has done: what it tells of it, and its commands in their order.
@@ -77,7 +81,8 @@ onTerminal name =
         _ -> pure (),
       onSettled = const (pure ()),
       observes = pure False,
-      onNotice = tellPerson . explainNotice name
+      onNotice = tellPerson . explainNotice name,
+      onLines = \_ _ -> pure ()
     }
 
 data LockstepResult = LockstepResult
@@ -181,24 +186,25 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
         heard' <- line
         case heard' of
           Left e -> pure (Just e)
-          Right bytes -> case readProgramLine bytes of
-            Just (Commands a) -> modifyIORef' commands (a :) >> mapM_ carry (resolveCommand connection a) >> listen
-            Just (DeclaresTopic t) -> modifyIORef' own (++ [t | isOwn t]) >> listen
-            Just Ready -> do
-              missing <- readIORef own >>= registerTopics connection
-              pure
-                ( case missing of
-                    why : _ -> Just (Failed why (tr "Another way to the robot may have it.") Nothing)
-                    [] -> Nothing
-                )
-            Just (Settled report) -> Nothing <$ settles report
-            Just (HasEnded how p report) -> do
-              when (isJust (reportObserved report)) (settles report)
-              pure . Just $ case how of
-                "error" -> maybe (Failed (tr "The program failed.") (verbatim "") Nothing) (\(m, hint, v) -> Failed m hint (Just v)) p
-                "stopped" -> Stopped
-                _ -> Finished
-            Nothing -> pure (Just (Failed (tr "The program said something that a robot does not understand.") (verbatim "") Nothing))
+          Right bytes ->
+            onLines observer FromProgram (L.fromStrict bytes <> "\n") >> case readProgramLine bytes of
+              Just (Commands a) -> modifyIORef' commands (a :) >> mapM_ carry (resolveCommand connection a) >> listen
+              Just (DeclaresTopic t) -> modifyIORef' own (++ [t | isOwn t]) >> listen
+              Just Ready -> do
+                missing <- readIORef own >>= registerTopics connection
+                pure
+                  ( case missing of
+                      why : _ -> Just (Failed why (tr "Another way to the robot may have it.") Nothing)
+                      [] -> Nothing
+                  )
+              Just (Settled report) -> Nothing <$ settles report
+              Just (HasEnded how p report) -> do
+                when (isJust (reportObserved report)) (settles report)
+                pure . Just $ case how of
+                  "error" -> maybe (Failed (tr "The program failed.") (verbatim "") Nothing) (\(m, hint, v) -> Failed m hint (Just v)) p
+                  "stopped" -> Stopped
+                  _ -> Finished
+              Nothing -> pure (Just (Failed (tr "The program said something that a robot does not understand.") (verbatim "") Nothing))
       settles report = do
         done <- readIORef commands <* writeIORef commands []
         unless (null (reportFired report) && isNothing (reportObserved report)) (onSettled observer (SettledStep report (reverse done)))
@@ -207,7 +213,10 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
         onProgramCommand observer a
         t <- now
         guarding (onCommand t a) >>= mapM_ (sendCommand connection)
-      say builder = try (sendAll socket (Builder.toLazyByteString builder)) >>= either (\(_ :: IOException) -> pure ()) pure
+      say builder = do
+        let bytes = Builder.toLazyByteString builder
+        try (sendAll socket bytes) >>= either (\(_ :: IOException) -> pure ()) pure
+        onLines observer ToProgram bytes
       -- Messages of an event for the program; notices go to the observer.
       passes h = do
         wasHere <- isConnected <$> readTVarIO guarded

@@ -13,6 +13,7 @@ module Rosy.Robots.PipeCodec
     StepQuestions (..),
     noQuestions,
     stopLine,
+    commandLine,
     ProgramLine (..),
     StepReport (..),
     readProgramLine,
@@ -31,7 +32,7 @@ import Data.Either (fromRight)
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Rosy.Channel (Action, Message (..))
+import Rosy.Channel (Action (..), Message (..))
 import Rosy.Codec
 import Rosy.Core (Topic (..), TopicUse (..))
 import Rosy.Sentence (Sentence, verbatim)
@@ -63,11 +64,20 @@ batchLines (StepQuestions memory firings) step time messages =
 sensorLine :: Message -> Builder
 sensorLine (OpenMessage name message)
   | Text.pack name `elem` map routeTopic (sensorRoutes pipeRoutes) = mempty
-  | otherwise = "{\"op\":\"publish\",\"topic\":" <> fromEncoding (text (Text.pack name)) <> ",\"msg\":" <> fromEncoding (value message) <> "}\n"
+  | otherwise = publication (Text.pack name) (fromEncoding (value message))
 sensorLine (Message c fields) = case routeFor pipeRoutes c of
-  Just route -> "{\"op\":\"publish\",\"topic\":" <> fromEncoding (text (routeTopic route)) <> ",\"msg\":" <> fromEncoding (encode route fields) <> "}\n"
+  Just route -> publication (routeTopic route) (fromEncoding (encode route fields))
   -- A robot may sense what the simulated one does not have.
   Nothing -> mempty
+
+-- | A command as a program writes it; none for one that the simulated robot does not have.
+commandLine :: Action -> Maybe Builder
+commandLine a = case a of
+  OpenAction name message -> Just (publication (Text.pack name) (fromEncoding (value message)))
+  Action c fields -> (\route -> publication (routeTopic route) (fromEncoding (encode route fields))) <$> routeFor (commandRoutes pipeRoutes) c
+
+publication :: Text -> Builder -> Builder
+publication topic message = "{\"op\":\"publish\",\"topic\":" <> fromEncoding (text topic) <> ",\"msg\":" <> message <> "}\n"
 
 -- | A line of a program.
 data ProgramLine

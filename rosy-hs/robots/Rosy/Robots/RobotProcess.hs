@@ -30,6 +30,7 @@ import qualified Data.Aeson as Aeson
 import Data.Aeson.Types (parseMaybe)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as L
+import Data.Foldable (traverse_)
 import Data.Maybe (isJust, isNothing)
 import Data.Text (Text)
 import qualified Data.Text as T
@@ -38,6 +39,7 @@ import Network.Socket (Socket, close)
 import Rosy.Robot
 import Rosy.Robots.Connection
 import Rosy.Robots.Guard
+import Rosy.Robots.LinkRecorder
 import Rosy.Robots.LockstepRun
 import Rosy.Robots.PipeCodec (StepReport (..))
 import Rosy.Robots.Target (Profile (..), Target (..), targetGuard)
@@ -47,6 +49,8 @@ import Rosy.Sentence
 data Request
   = -- | a program waits at the next socket
     Run
+  | -- | the next program's run is to be recorded in this file
+    Record FilePath
   | Stop
   | EmergencyStop
   | -- | the emergency stop is over, and a robot that was lost may drive again
@@ -67,6 +71,7 @@ readRequest bytes = case Aeson.decodeStrict' bytes of
   Just (Object o) -> case parseMaybe (.: "op") o of
     Just "safety" -> Safety <$> parseMaybe (.: "on") o
     Just "observe" -> Observe <$> parseMaybe (.: "on") o
+    Just "record" -> Record <$> parseMaybe (.: "file") o
     op -> op >>= (`lookup` ops)
   _ -> Nothing
   where
@@ -96,6 +101,8 @@ data RobotProcess = RobotProcess
     silentChecks :: TVar Int,
     -- | whether programs tell their firings
     observed :: TVar Bool,
+    -- | file for the next program's run
+    recordingFile :: TVar (Maybe FilePath),
     -- | stop flag of the running program
     running :: TVar (Maybe (TVar Bool)),
     lines' :: TBQueue L.ByteString
@@ -128,8 +135,9 @@ defaultLimits = ProcessLimits defaultStepTimeout 3
 
 -- | Runs until the owner leaves. The caller provides an action that receives the next program's socket, which is closed when its run
 -- is over, and a writer of lines.
-runRobotProcess :: ProcessLimits -> Target -> Connection -> Requests -> IO Socket -> (L.ByteString -> IO ()) -> IO ()
-runRobotProcess limits target connection (Requests asked) nextProgram write = do
+runRobotProcess :: ProcessLimits -> Target -> Recorder -> Connection -> Requests -> IO Socket -> (L.ByteString -> IO ()) -> IO ()
+runRobotProcess limits target recorder plain (Requests asked) nextProgram write = do
+  let connection = recordedConnection recorder plain
   t0 <- getMonotonicTime
   runs <- newTQueueIO
   h <-
@@ -143,13 +151,15 @@ runRobotProcess limits target connection (Requests asked) nextProgram write = do
       <*> newTVarIO 0
       <*> newTVarIO False
       <*> newTVarIO Nothing
+      <*> newTVarIO Nothing
       <*> newTBQueueIO maxQueuedLines
   sendSettings h target
   sendLine h (linkLine (IsAwaited unknownReason))
   let requests = do
         r <- atomically (readTQueue asked)
         case r of
-          Run -> atomically (writeTQueue runs ())
+          Run -> atomically (swapTVar (recordingFile h) Nothing >>= writeTQueue runs)
+          Record file -> atomically (writeTVar (recordingFile h) (Just file))
           Stop -> stopRun h >> sendHalt h connection
           EmergencyStop -> emergencyStop h connection
           Free -> atomically (writeTVar (stoppedAt h) Nothing >> modifyTVar' (guarded h) arm) >> reportHeld h
@@ -159,10 +169,10 @@ runRobotProcess limits target connection (Requests asked) nextProgram write = do
           Leave -> pure ()
         unless (r == Leave) requests
       programs = do
-        next <- atomically ((Nothing <$ readTQueue runs) `orElse` (Just <$> takeEvents connection))
+        next <- atomically ((Left <$> readTQueue runs) `orElse` (Right <$> takeEvents connection))
         case next of
-          Just hs -> mapM_ (passEvent h connection) hs
-          Nothing -> bracket nextProgram close (runProgram (stepLimit limits) target connection h)
+          Right hs -> mapM_ (passEvent h connection) hs
+          Left file -> bracket nextProgram close (\socket -> traverse_ (beginRecording recorder) file >> runProgram (stepLimit limits) target recorder connection h socket)
         programs
       writer = forever (atomically (readTBQueue (lines' h)) >>= write)
   (requests `race_` programs `race_` writer `race_` sendFrames h `race_` superviseOwner (abandonLimit limits) h connection) `finally` sendHalt h connection
@@ -233,8 +243,8 @@ emergencyStop h connection = do
   reportHeld h
   stopRun h
 
-runProgram :: Double -> Target -> Connection -> RobotProcess -> Socket -> IO ()
-runProgram stepLimit' target connection h socket = do
+runProgram :: Double -> Target -> Recorder -> Connection -> RobotProcess -> Socket -> IO ()
+runProgram stepLimit' target recorder connection h socket = do
   stop <- newTVarIO False
   t <- getMonotonicTime
   held <- atomically $ do
@@ -247,11 +257,12 @@ runProgram stepLimit' target connection h socket = do
       modifyTVar' (robotState h) restart
     pure held
   case held of
-    Just _ -> sendLine h (endedLine 0 "stopped" Nothing)
+    Just _ -> endRecording recorder >> sendLine h (endedLine 0 "stopped" Nothing)
     Nothing -> do
       pace <- realPace stepLimit'
-      served <- runLockstep pace (observer h) (readTVar stop) (targetPatience target) (guarded h) connection socket `finally` atomically (writeTVar (running h) Nothing)
+      served <- runLockstep pace (observer h) {onLines = recordLines recorder} (readTVar stop) (targetPatience target) (guarded h) connection socket `finally` atomically (writeTVar (running h) Nothing)
       time <- elapsed h
+      endRecording recorder
       sendFrame h
       sendLine h . uncurry (endedLine time) $ case runEnd served of
         Finished -> ("done", Nothing)
@@ -281,7 +292,8 @@ observer h =
           t <- elapsed h
           sendLine h (commandsLine t fired sent commands ((,) backing <$> told)),
       observes = readTVarIO (observed h),
-      onNotice = sendNotice h
+      onNotice = sendNotice h,
+      onLines = \_ _ -> pure ()
     }
 
 -- | Sends fifty frames a second, the rate at which the robot senses.

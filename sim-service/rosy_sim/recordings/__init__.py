@@ -1,0 +1,3 @@
+"""
+Recordings of runs on real robots: MCAP files, their folder, and their replay into a program.
+"""

@@ -1,0 +1,171 @@
+"""
+Folder of recordings with a bounded size: a new recording takes the place of the oldest ones.
+
+A run writes a log (``.log``), which becomes an MCAP file when the run is over. A log that was left behind, because
+Rosy was killed, becomes one after the next run.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+import time
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+
+import msgspec
+
+from ..atomic_file import AtomicFile
+from ..errors import BadInput
+from ..sentence import Sentence, tr
+from .mcap_file import RunDetails, write_recording
+
+__all__ = ["MAX_FOLDER", "Finished", "PendingRecording", "RecordingFolder", "named_recording", "recorded_sentence"]
+
+MAX_FOLDER = 1_000_000_000
+"""Bytes of all recordings together, about 200 hours of a Kobuki; a choice of ours."""
+
+_ABANDONED = 3600.0
+"""A log that was not written to for so many s belongs to no run, which writes 50 times a second."""
+
+_NAME_LENGTH = 40
+
+
+@dataclass(frozen=True, slots=True)
+class Finished:
+    """A recording that is in its place, and how many older ones were removed for it."""
+
+    path: Path
+    removed: int
+
+
+@dataclass(frozen=True, slots=True)
+class PendingRecording:
+    """A run that is being recorded: its log, and the file that is made of it."""
+
+    log: Path
+    path: Path
+    # None for a file that a person has named.
+    folder: RecordingFolder | None = None
+
+    def finish(self, details: RunDetails) -> Finished | None:
+        """
+        Make the MCAP file, and remove the log; None when nothing was recorded.
+
+        Raises:
+            BadInput: the file cannot be written; the log stays.
+        """
+        try:
+            count = _convert(self.log, self.path, details)
+        except OSError as error:
+            raise BadInput(tr("{path} cannot be read: {why}.", path=self.log, why=error.strerror or "")) from error
+        if count == 0:
+            return None
+        return Finished(self.path, self.folder.tidy(self.path) if self.folder is not None else 0)
+
+
+class RecordingFolder:
+    """Only its owner may look into it: recordings have programs."""
+
+    def __init__(self, folder: Path, most: int = MAX_FOLDER) -> None:
+        self._folder = folder
+        self._most = most
+
+    def begin(self, details: RunDetails) -> PendingRecording:
+        """
+        A place for the recording of a run that begins now.
+
+        Raises:
+            BadInput: the folder cannot be made or written.
+        """
+        try:
+            self._folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            stem = f"{datetime.now():%Y-%m-%dT%H-%M-%S}-{_file_name(details.name)}".rstrip("-")
+            number = 0
+            while True:
+                name = stem if number == 0 else f"{stem}-{number}"
+                pending = PendingRecording(self._folder / f"{name}.log", self._folder / f"{name}.mcap", self)
+                number += 1
+                if not pending.path.exists():
+                    with contextlib.suppress(FileExistsError), pending.log.open("xb"):
+                        _details_of(pending.log).write_bytes(msgspec.json.encode(details))
+                        return pending
+        except OSError as error:
+            raise BadInput(
+                tr("{path} cannot be written: {why}.", path=self._folder, why=error.strerror or "")
+            ) from error
+
+    def tidy(self, kept: Path) -> int:
+        """
+        Finish logs that were left behind, and remove the oldest recordings until all together fit.
+
+        Returns how many were removed; ``kept`` never is.
+        """
+        self._finish_abandoned()
+        found = []
+        for path in self._folder.glob("*.mcap"):
+            with contextlib.suppress(FileNotFoundError):
+                found.append((path.stat().st_mtime, path.stat().st_size, path))
+        total, removed = sum(size for _, size, _ in found), 0
+        for _, size, path in sorted(found):
+            if total <= self._most:
+                break
+            if path != kept:
+                with contextlib.suppress(FileNotFoundError):
+                    path.unlink()
+                total -= size
+                removed += 1
+        return removed
+
+    def _finish_abandoned(self) -> None:
+        for log in self._folder.glob("*.log"):
+            with contextlib.suppress(OSError, msgspec.DecodeError, BadInput):
+                if time.time() - log.stat().st_mtime > _ABANDONED:
+                    details = msgspec.json.decode(_details_of(log).read_bytes(), type=RunDetails)
+                    _convert(log, log.with_suffix(".mcap"), details)
+
+
+def named_recording(path: Path) -> PendingRecording:
+    """
+    A recording in a file of this name.
+
+    Raises:
+        BadInput: the file cannot be written.
+    """
+    log = path.with_name(f".{path.name[:_NAME_LENGTH]}.log")
+    try:
+        log.write_bytes(b"")
+    except OSError as error:
+        raise BadInput(tr("{path} cannot be written: {why}.", path=path, why=error.strerror or "")) from error
+    return PendingRecording(log.absolute(), path)
+
+
+def recorded_sentence(finished: Finished) -> Sentence:
+    """Where the recording of a run is."""
+    if finished.removed:
+        return tr(
+            "The run is recorded in {path}. Old recordings made room for it: {removed}.",
+            path=finished.path,
+            removed=finished.removed,
+        )
+    return tr("The run is recorded in {path}.", path=finished.path)
+
+
+def _convert(log: Path, path: Path, details: RunDetails) -> int:
+    count = 0
+    if log.stat().st_size > 0:
+        with log.open("rb") as lines, AtomicFile(path, mode=0o600) as output:
+            count = write_recording(lines, output, details)
+    log.unlink()
+    _details_of(log).unlink(missing_ok=True)
+    return count
+
+
+def _details_of(log: Path) -> Path:
+    """The file that keeps what is known of a run while it lasts."""
+    return log.with_suffix(".run")
+
+
+def _file_name(name: str) -> str:
+    return re.sub(r"[^A-Za-z0-9_-]+", "-", Path(name).stem)[:_NAME_LENGTH].strip("-")

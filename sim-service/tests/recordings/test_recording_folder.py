@@ -1,0 +1,128 @@
+"""The folder of recordings: bounded, private, and complete after a crash."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from mcap.reader import make_reader
+
+from rosy_sim.errors import BadInput
+from rosy_sim.recordings.mcap_file import RunDetails, open_recording
+from rosy_sim.recordings.recording_folder import Finished, RecordingFolder, named_recording, recorded_sentence
+
+DETAILS = RunDetails("main = simulate (Velocity 0.1 0)", "serial:/dev/kobuki", "pupils/anna's walk.hs")
+
+LOG = b"""1000 > {"op":"start","seed":3}
+900 < {"op":"ready"}
+1001 > {"op":"publish","topic":"/odom","msg":{"x":1}}
+. 2
+"""
+
+
+def recorded(folder: RecordingFolder, log: bytes = LOG) -> Finished | None:
+    pending = folder.begin(DETAILS)
+    pending.log.write_bytes(log)
+    return pending.finish(DETAILS)
+
+
+def test_a_recording_is_its_owners_and_named_after_time_and_program(tmp_path: Path) -> None:
+    finished = recorded(RecordingFolder(tmp_path / "recordings"))
+    assert finished is not None
+    assert finished.path.name.endswith("-anna-s-walk.mcap")
+    assert (finished.path.stat().st_mode & 0o777, finished.path.parent.stat().st_mode & 0o777) == (0o600, 0o700)
+    assert [path.name for path in finished.path.parent.iterdir()] == [finished.path.name]
+
+
+def test_another_reader_finds_order_times_program_and_details(tmp_path: Path) -> None:
+    finished = recorded(RecordingFolder(tmp_path))
+    assert finished is not None
+    with finished.path.open("rb") as stream:
+        reader = make_reader(stream, validate_crcs=True)
+        found = [(c.topic, m.log_time, m.data) for _, c, m in reader.iter_messages()]
+        assert found == [
+            ("/rosy/to_program", 1000, b'{"op":"start","seed":3}'),
+            ("/rosy/from_program", 1001, b'{"op":"ready"}'),
+            ("/odom", 1002, b'{"x":1}'),
+        ]
+        assert [a.data.decode() for a in reader.iter_attachments()] == [DETAILS.program]
+        assert [m.metadata for m in reader.iter_metadata()] == [
+            {"robot": DETAILS.robot, "name": DETAILS.name, "ended": "", "complete": "yes", "left_out": "2"}
+        ]
+
+
+def test_runs_in_the_same_second_have_names_of_their_own(tmp_path: Path) -> None:
+    folder = RecordingFolder(tmp_path)
+    assert len({finished.path for _ in range(5) if (finished := recorded(folder))}) == 5
+
+
+def test_the_oldest_make_room_which_is_said(tmp_path: Path) -> None:
+    first = recorded(RecordingFolder(tmp_path))
+    assert first is not None
+    os.utime(first.path, (1, 1))
+    size = first.path.stat().st_size
+    second = recorded(RecordingFolder(tmp_path, most=2 * size + size // 2))
+    assert second is not None
+    assert second.removed == 0
+    third = recorded(RecordingFolder(tmp_path, most=2 * size + size // 2))
+    assert third is not None
+    assert third.removed == 1
+    assert set(tmp_path.iterdir()) == {second.path, third.path}
+    assert "Old recordings made room for it: 1." in str(recorded_sentence(third))
+
+
+def test_the_newest_stays_even_when_it_is_too_large_alone(tmp_path: Path) -> None:
+    finished = recorded(RecordingFolder(tmp_path, most=10))
+    assert finished is not None
+    assert finished.path.exists()
+
+
+def test_a_run_that_never_reached_its_robot_leaves_nothing(tmp_path: Path) -> None:
+    assert recorded(RecordingFolder(tmp_path), b"") is None
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_log_that_a_crash_left_becomes_a_recording_after_the_next_run(tmp_path: Path) -> None:
+    folder = RecordingFolder(tmp_path)
+    left = folder.begin(DETAILS)
+    left.log.write_bytes(LOG[:-5] + b'\n1002 > {"op":"st')
+    running = folder.begin(DETAILS)
+    os.utime(left.log, (1, 1))
+    recorded(folder)
+    assert not left.log.exists()
+    assert running.log.exists()
+    with open_recording(left.path) as recording:
+        assert not recording.is_complete
+        assert recording.details == DETAILS
+        assert len(list(recording.lines())) == 3
+
+
+def test_a_named_file_has_to_be_writable(tmp_path: Path) -> None:
+    with pytest.raises(BadInput, match=r"nowhere/my\.mcap cannot be written: No such file or directory\."):
+        named_recording(tmp_path / "nowhere" / "my.mcap")
+    (tmp_path / "file").touch()
+    with pytest.raises(BadInput, match=r"file/recordings cannot be written: Not a directory\."):
+        RecordingFolder(tmp_path / "file" / "recordings").begin(DETAILS)
+
+
+@pytest.mark.parametrize("damage", [slice(0, 0), slice(0, 40), slice(0, -20), slice(8, None)])
+def test_a_file_that_is_damaged_is_refused_with_a_sentence(damage: slice, tmp_path: Path) -> None:
+    finished = recorded(RecordingFolder(tmp_path))
+    assert finished is not None
+    finished.path.write_bytes(finished.path.read_bytes()[damage])
+    with pytest.raises(BadInput, match="is no recording of a run"), open_recording(finished.path) as recording:
+        list(recording.lines())
+
+
+def test_no_flipped_byte_ends_in_a_traceback(tmp_path: Path) -> None:
+    finished = recorded(RecordingFolder(tmp_path))
+    assert finished is not None
+    whole = finished.path.read_bytes()
+    for place in range(0, len(whole), 7):
+        finished.path.write_bytes(whole[:place] + bytes([whole[place] ^ 0xFF]) + whole[place + 1 :])
+        try:
+            with open_recording(finished.path) as recording:
+                list(recording.lines())
+        except BadInput:
+            continue
