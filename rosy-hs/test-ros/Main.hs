@@ -9,6 +9,7 @@ import qualified Test.Ros.Listings
 import qualified Test.Ros.Messages
 import qualified Test.Ros.Names
 import qualified Test.Ros.Net
+import qualified Test.Ros.Stamped
 import qualified Test.Ros.System
 import qualified Test.Ros.Topic
 import Test.Tasty
@@ -30,6 +31,7 @@ suite =
       Test.Ros.Messages.tests,
       Test.Ros.Names.tests,
       Test.Ros.Net.tests,
+      Test.Ros.Stamped.tests,
       Test.Ros.System.tests,
       Test.Ros.Topic.tests
     ]

@@ -1,9 +1,11 @@
 -- |
--- Description : Services among real nodes: rospy's and ROS's tools' on one side, ours on the other.
+-- Description : Services among real nodes: rospy's, roscpp's and ROS's tools' on one side, ours on the other.
 module Test.Ros.Services (stories) where
 
 import Control.Concurrent.Async (forConcurrently, wait, withAsync)
+import Control.Concurrent.STM
 import Control.Exception (ErrorCall (..), bracket, throwIO, try)
+import Control.Monad (forM_, (>=>))
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Char8 as C
 import Data.List (isInfixOf)
@@ -15,12 +17,18 @@ import Ros.Net.Rpc (connectTo)
 import Ros.Net.Tcpros
 import Ros.Node
 import Ros.Node.Core (Core (..))
+import Ros.Roscpp.GetLoggers (GetLoggers (..))
+import Ros.Roscpp.GetLoggersRequest (GetLoggersRequest (..))
+import Ros.Roscpp.GetLoggersResponse (GetLoggersResponse (..))
+import qualified Ros.Roscpp.Logger as Logger
+import qualified Ros.Std_msgs.String as Ros
 import Ros.Std_srvs.SetBool (SetBool (..))
 import Ros.Std_srvs.SetBoolRequest (SetBoolRequest (..))
 import Ros.Std_srvs.SetBoolResponse (SetBoolResponse (..))
 import Ros.Std_srvs.Trigger (Trigger (..))
 import Ros.Std_srvs.TriggerRequest (TriggerRequest (..))
 import Ros.Std_srvs.TriggerResponse (TriggerResponse (..))
+import System.Exit (ExitCode (..))
 import Test.Ros.Peer
 import Test.Tasty.HUnit
 
@@ -28,6 +36,8 @@ stories :: [(String, Ros -> IO ())]
 stories =
   [ ("rospy and ROS's tools call its services", theyCallUs),
     ("it calls rospy's services, and each failure is a value", weCallThem),
+    ("it calls roscpp's services", weCallRoscpp),
+    ("roscpp calls its service", roscppCallsUs),
     ("its services answer many callers at once, and callers that say garbage or too much", manyCallers),
     ("a service is waited for, and gone when its node ends", waitsAndLeaves),
     ("its loggers are listed, and their level is set from outside", loggers)
@@ -100,6 +110,49 @@ weCallThem ros = withPeer ros "server" $ \peer -> node ros "caller" $ do
     isLost answer = case answer of
       Left (ConnectionLost _) -> pure ()
       _ -> assertFailure (show answer)
+
+-- | topic_tools/MuxSelect: a string each way, which has the bytes of a std_msgs/String.
+data MuxSelect = MuxSelect
+
+instance Service MuxSelect where
+  type Request MuxSelect = Ros.String
+  type Response MuxSelect = Ros.String
+  serviceType _ = "topic_tools/MuxSelect"
+  serviceMd5 _ = "053052240ca985e1f2eedbb0dae9b1f7"
+
+-- | roscpp's multiplexer answers with the topic that it has let through so far, or that it knows no such topic.
+weCallRoscpp :: Ros -> IO ()
+weCallRoscpp ros = withProgram ros "/usr/lib/topic_tools/mux" ["/out", "/first", "/second", "__name:=chooser"] $ \_ -> node ros "caller" $ do
+  mapM_ awaitService ["/mux/select", "/chooser/get_loggers"]
+  answers <- mapM (callService MuxSelect "/mux/select" . Ros.String) ["/second", "/first"]
+  kept <- withServiceConnection MuxSelect "/mux/select" (\ask -> mapM (ask . Ros.String) ["/second", "/third", "/first"])
+  other <- callService SetBool "/mux/select" (SetBoolRequest True)
+  found <- callService GetLoggers "/chooser/get_loggers" GetLoggersRequest
+  liftIO $ do
+    answers @?= map (Right . Ros.String) ["/first", "/second"]
+    case kept of
+      Right [Right (Ros.String "/first"), Left (ServiceFailed _), Right (Ros.String "/second")] -> pure ()
+      _ -> assertFailure (show kept)
+    case other of
+      Left (ServiceFailed why) -> assertBool why ("md5" `isInfixOf` why)
+      Left (OtherService _ _) -> pure ()
+      _ -> assertFailure (show other)
+    case found of
+      Right (GetLoggersResponse loggers') -> assertBool (show loggers') (any (("ros.roscpp" ==) . Logger._name) loggers')
+      _ -> assertFailure (show found)
+
+-- | roscpp's program for a multiplexer, whose service is ours here: it says what the answer was, or that there was none.
+roscppCallsUs :: Ros -> IO ()
+roscppCallsUs ros = node ros "chooser" $ do
+  asked <- liftIO (newTVarIO [])
+  offerService MuxSelect "/out_select" $ \(Ros.String topic) -> do
+    atomically (modifyTVar' asked (topic :))
+    pure (if topic == "/second" then Right (Ros.String "/first") else Left "there is no such topic")
+  awaitService "/out_select"
+  liftIO $ do
+    forM_ [("/second", ExitSuccess), ("/third", ExitFailure 1)] $ \(topic, ends) ->
+      withProgram ros "/usr/lib/topic_tools/switch_mux" ["/out", topic] (exitOf >=> (@?= ends))
+    readTVarIO asked >>= (@?= ["/third", "/second"])
 
 manyCallers :: Ros -> IO ()
 manyCallers ros = node ros "server" $ do

@@ -1,7 +1,7 @@
 -- |
 -- Description : A node among real ROS nodes.
 --
--- The peers are Debian's rosmaster, rospy nodes, roscpp's relay, rostopic and rosnode. Where they cannot
+-- The peers are Debian's rosmaster, rospy nodes, roscpp's relay and multiplexer, rostopic and rosnode. Where they cannot
 -- be installed every test says so and passes without having tested.
 module Test.Ros.System (tests, aNode, anEcho) where
 
@@ -32,6 +32,9 @@ import Ros.Node
 import Ros.Node.Core (Core (..), Publication (..))
 import qualified Ros.Std_msgs.Int32 as Int32
 import qualified Ros.Std_msgs.String as Ros
+import Ros.Std_srvs.SetBool (SetBool (..))
+import Ros.Std_srvs.SetBoolRequest (SetBoolRequest (..))
+import Ros.Std_srvs.SetBoolResponse (SetBoolResponse (..))
 import Ros.Topic (Topic (..))
 import qualified Ros.Topic as T
 import Ros.Topic.Util
@@ -470,7 +473,8 @@ endsOnSignals ros = do
         Right (VArray [VInt 1, _, VArray [VArray publishers', VArray subscribers', _]]) -> (publishers', subscribers') @?= ([], [])
         other -> assertFailure (show other)
 
--- | A master that comes back knows nothing; rospy's nodes do not tell it again, ours does.
+-- | A master that comes back knows nothing; rospy's nodes do not tell it again, ours does: what it publishes, subscribes to and offers, and the
+-- parameters that it watches. The peers are new each time, so they learn of it from the master alone.
 restartStory :: Ready -> TestTree
 restartStory ready = testCaseInfo "it waits for a master, and registers again with one that was restarted" $ do
   (folder, prepared) <- ready
@@ -479,10 +483,32 @@ restartStory ready = testCaseInfo "it waits for a master, and registers again wi
     act :: Ros -> (forall b. IO b -> IO b) -> IO ()
     act ros start = node ros "us" $ do
       p <- publisherWith publisherOptions {latched = True} "/n"
+      heard <- subscribe "/m"
+      offerService SetBool "/switch" (\(SetBoolRequest on) -> pure (Right (SetBoolResponse on "it is")))
       liftIO (publish p (Int32.Int32 7))
-      liftIO . forM_ [1, 2 :: Int] $ \_ -> start . withPeer ros "peer" $ \peer -> do
-        say peer "sub /n std_msgs/Int32"
-        hears peer "got" >>= (@?= "got /n {\"data\": 7}")
+      liftIO (start (meets ros heard 1))
+      speeds <- nodeIO $ \run -> start $ do
+        speeds <- run (watchParam "/speed")
+        snd <$> meets' ros heard 2 speeds 0.5
+      liftIO (start (void (meets' ros heard 3 speeds 2)))
+    meets ros heard n = withPeer ros "peer" $ \peer -> do
+      say peer "sub /n std_msgs/Int32"
+      hears peer "got" >>= (@?= "got /n {\"data\": 7}")
+      say peer "call /switch std_srvs/SetBool {\"data\":true}"
+      hears peer "answer" >>= (@?= "answer {\"success\": true, \"message\": \"it is\"}")
+      say peer "pub /m std_msgs/Int32"
+      say peer "connected /m 1"
+      _ <- hears peer "connected"
+      say peer ("send /m {\"data\": " ++ show n ++ "}")
+      T.head (T.filter (== Int32.Int32 n) heard) >>= (@?= Int32.Int32 n)
+    meets' ros heard n speeds speed = do
+      meets ros heard n
+      withPeer ros "setter" $ \peer -> do
+        say peer ("param set /speed " ++ show speed)
+        _ <- hears peer "done"
+        (now, later) <- runTopic speeds
+        now @?= (speed :: Double)
+        pure (now, later)
 
 -- | A rospy node and one of ours, each in a process of its own, answer a bumper with an LED. A third node asks them in turn.
 roundTrip :: Ros -> IO ()

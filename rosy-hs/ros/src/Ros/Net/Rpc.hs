@@ -52,6 +52,7 @@ import GHC.IO.Exception (IOException (ioe_description))
 import Network.Socket
 import Network.Socket.ByteString (recv)
 import Network.Socket.ByteString.Lazy (sendAll)
+import Ros.Net.HostLookup (addressesOf)
 import Ros.Net.Http
 import Ros.Net.XmlRpc
 import System.Posix.Types (CSsize (..), Fd (..))
@@ -125,7 +126,7 @@ call uri c = do
 -- | TCP to a host by name or number, without delay for small packets.
 connectTo :: String -> Int -> IO Socket
 connectTo host port = do
-  addresses <- getAddrInfo (Just defaultHints {addrSocketType = Stream}) (Just host) (Just (show port))
+  addresses <- addressesOf defaultHints {addrSocketType = Stream} host port
   attempt addresses
   where
     attempt [] = ioError (userError "no address")

@@ -23,6 +23,7 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes, fromMaybe, listToMaybe)
 import Network.Socket
 import Ros.Names
+import Ros.Net.HostLookup (addressesOf)
 import Ros.Net.Master
 import Ros.Net.Rpc
 import Ros.Net.Slave
@@ -93,7 +94,7 @@ hostFor settings uri = maybe (fromRight "127.0.0.1" <$> (try towards :: IO (Eith
     told = firstOf ([special k (arguments settings) | k <- ["__hostname", "__ip"]] ++ [nonEmpty =<< lookup k (environment settings) | k <- ["ROS_HOSTNAME", "ROS_IP"]])
     nonEmpty v = if null v then Nothing else Just v
     towards = do
-      addresses <- getAddrInfo (Just defaultHints {addrSocketType = Datagram, addrFamily = AF_INET}) (Just (uriHost uri)) (Just (show (uriPort uri)))
+      addresses <- addressesOf defaultHints {addrSocketType = Datagram, addrFamily = AF_INET} (uriHost uri) (uriPort uri)
       case addresses of
         [] -> pure "127.0.0.1"
         a : _ -> bracket (socket AF_INET Datagram defaultProtocol) close $ \s -> do
@@ -172,6 +173,8 @@ registerAll :: Core -> IO ()
 registerAll core = do
   readTVarIO (publications core) >>= mapM_ (registerPublication core)
   readTVarIO (subscriptions core) >>= mapM_ (registerSubscription core)
+  -- A service is the last to be known, so one who can call it finds the rest.
+  readTVarIO (paramWatchers core) >>= mapM_ (subscribeParam (master core)) . Map.keys
   readTVarIO (services core) >>= mapM_ (registerOffered core) . Map.keys
 
 -- | Sends what is waiting, says goodbye, and ends all threads. A peer that does not read is given up after 'drainTimeout', a master that

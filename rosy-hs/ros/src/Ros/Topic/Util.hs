@@ -45,7 +45,7 @@ where
 import Control.Concurrent (forkIO)
 import Control.Concurrent.MVar (MVar, modifyMVar, newMVar)
 import Control.Concurrent.STM
-import Control.Exception (BlockedIndefinitelyOnMVar (..), BlockedIndefinitelyOnSTM (..), Handler (..), SomeException, catches, fromException, throwIO, try)
+import Control.Exception (SomeException, throwIO, try)
 import Control.Monad (void)
 import Control.Monad.IO.Class (MonadIO (..))
 import Data.Bifunctor (bimap)
@@ -55,14 +55,10 @@ import Data.Maybe (fromMaybe)
 import Ros.Rate (rateLimiter)
 import Ros.Topic (Topic (..))
 import qualified Ros.Topic as Topic
+import Ros.Topic.Feed (feed, newFeed, taking)
 import System.IO.Unsafe (unsafeInterleaveIO)
 
 infixl 7 <+>
-
--- | How many values of one source may wait to be taken: enough that a burst does not switch threads for
--- each of its values, few enough that a source without a rhythm of its own fills no memory.
-ahead :: Int
-ahead = 16
 
 -- | Both topics, each value when it arrives. Nothing is dropped.
 (<+>) :: Topic IO a -> Topic IO b -> Topic IO (Either a b)
@@ -78,28 +74,9 @@ mergeList = interleave
 -- waits.
 interleave :: [Topic IO a] -> Topic IO a
 interleave sources = Topic $ do
-  found <- newTBQueueIO (fromIntegral (ahead * max 1 (length sources)))
+  found <- newFeed (length sources)
   mapM_ (forkIO . feed found) sources
   runTopic (taking found)
-
--- | What was fed into the queue; an exception of the source is thrown here.
-taking :: TBQueue (Either SomeException a) -> Topic IO a
-taking found = Topic.mapM (either throwIO pure) (Topic.repeatM (atomically (readTBQueue found)))
-
--- | Pulls for ever. Ends quietly when the reader is gone, since then the queue can never empty, and when the source
--- can never speak again: in both cases the runtime says so. Any other exception of the source goes to the reader.
-feed :: TBQueue (Either SomeException a) -> Topic IO a -> IO ()
-feed found = quietly . go
-  where
-    go t = do
-      pulled <- try (runTopic t)
-      case pulled of
-        Left e
-          | Just BlockedIndefinitelyOnSTM <- fromException e -> pure ()
-          | Just BlockedIndefinitelyOnMVar <- fromException e -> pure ()
-          | otherwise -> atomically (writeTBQueue found (Left e))
-        Right (x, rest) -> atomically (writeTBQueue found (Right x)) >> go rest
-    quietly act = act `catches` [Handler (\BlockedIndefinitelyOnSTM -> pure ()), Handler (\BlockedIndefinitelyOnMVar -> pure ())]
 
 -- | Pairs in which both values are new. The later one of the two decides when; of the side that came first,
 -- the newest value counts, and older ones are forgotten.
@@ -157,7 +134,7 @@ teeEager t = forkTopic t >>= tee
 -- | Pulls in a thread of its own, from now on, so that the source keeps its own rhythm.
 forkTopic :: Topic IO a -> IO (Topic IO a)
 forkTopic t = do
-  found <- newTBQueueIO (fromIntegral ahead)
+  found <- newFeed 1
   void (forkIO (feed found t))
   pure (taking found)
 
