@@ -61,6 +61,7 @@ class BlockingWorker:
     ) -> None:
         self._process.kill()
         os.waitpid(self._process.pid, 0)
+        self._process.leave_nothing()
         self._socket.close()
 
     def ready(self) -> WorkerReady:

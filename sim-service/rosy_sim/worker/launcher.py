@@ -21,7 +21,9 @@ from pathlib import Path
 
 from ..config import Config
 from ..errors import WorkerMissing
+from ..memory_ceiling import memory_ceiling
 from ..sentence import Sentence, tr, verbatim
+from .memory_group import MemoryGroup, create_memory_group
 
 __all__ = ["ForkedWorker", "WorkerProcess", "launch", "missing_sandbox", "sandbox_fault", "sandbox_warning"]
 
@@ -35,6 +37,13 @@ _LINKS = ("/bin", "/sbin", "/lib", "/lib64")
 """Links into /usr on a merged system, folders elsewhere."""
 
 
+_SESSION_MEMORY = 512 * 1024 * 1024
+"""What a worker takes itself, several times over, bytes; its control group may take so much beyond the ceiling."""
+
+_JOIN = ("/bin/sh", "-c", 'echo $$ > "$0"; exec "$@"')
+"""Starts a command in the control group whose file comes first: before the command can start a process."""
+
+
 def sandbox_warning(fault: Sentence) -> Sentence:
     """The line on standard error that every command prints where the sandbox is missing."""
     return tr("programs run without their sandbox: {fault}.", fault=fault)
@@ -46,6 +55,8 @@ class WorkerProcess:
 
     pid: int
     socket: socket.socket
+    # Where the kernel keeps the limit of its memory.
+    group: MemoryGroup | None
 
     def kill(self) -> None:
         """End the worker and everything in its sandbox, at once. Reaping is the owner's."""
@@ -70,6 +81,12 @@ class WorkerProcess:
             # It has been killed, so this returns at once even when the wait was cancelled.
             os.waitpid(self.pid, 0)  # noqa: ASYNC222
             os.close(handle)
+            self.leave_nothing()
+
+    def leave_nothing(self) -> None:
+        """To be called when it has been reaped."""
+        if self.group is not None:
+            self.group.remove()
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,6 +132,9 @@ def launch(config: Config) -> WorkerProcess:
     if not config.worker or shutil.which(config.worker[0]) is None:
         raise WorkerMissing
     command = [*(_sandbox(config) if uses_sandbox(config) else []), *config.worker]
+    group = create_memory_group(memory_ceiling() + _SESSION_MEMORY)
+    if group is not None:
+        command = [*_JOIN, str(group.members), *command]
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
     try:
         pid = os.posix_spawn(
@@ -129,10 +149,12 @@ def launch(config: Config) -> WorkerProcess:
         )
     except OSError:
         ours.close()
+        if group is not None:
+            group.remove()
         raise
     finally:
         theirs.close()
-    return WorkerProcess(pid, ours)
+    return WorkerProcess(pid, ours, group)
 
 
 def _environment() -> dict[str, str]:
