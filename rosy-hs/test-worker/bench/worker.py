@@ -82,6 +82,8 @@ def large_program(functions: int = 12) -> str:
             f"    after{i} other = other",
             "",
         ]
+    # The first function fires at the first step.
+    parts = [line.replace("step0 :: Bumper", "step0 :: Velocity").replace("step0 (Bumper _ Pressed)", "step0 (Velocity 9 9)") for line in parts]
     parts.append("main = simulate (" + ", ".join(f"step{i}" for i in range(9)) + ")")
     return "\n".join(parts) + "\n"
 
