@@ -121,11 +121,11 @@ export function withoutRun(tree: RunTree, run: number): RunTree {
   }
 }
 
-/// The tree within its bounds: the oldest runs go that are neither shown nor compared.
+/// The tree within its bounds: the oldest runs go that are neither shown nor compared. The newest one may go on.
 function bounded(tree: RunTree, shown: number): RunTree {
   const frames = tree.nodes.reduce((sum, {kept}) => sum + (kept?.room.recording.length ?? 0), 0)
   if (tree.nodes.length <= maxRuns && frames <= maxFrames) return tree
-  const oldest = tree.nodes.find(({run}) => run !== shown && run !== tree.compared)
+  const oldest = tree.nodes.slice(0, -1).find(({run}) => run !== shown && run !== tree.compared)
   if (oldest === undefined) return tree
   return bounded({...withoutRun(tree, oldest.run), dropped: tree.dropped + 1}, shown)
 }

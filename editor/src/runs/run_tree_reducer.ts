@@ -1,10 +1,11 @@
-/// Reducer for the run tree: a stored run is shown again, or compared with the shown one. Pure.
+/// Reducer for the run tree: a stored run is shown again, or compared with the shown one. A run that goes on is paused and stored meanwhile. Pure.
 
 import {noPreview} from "../preview/preview.ts"
 import type {PageState} from "../state/page_state.ts"
 import {isActive} from "../state/run_state.ts"
+import {sending, still, type Transition} from "../state/transition.ts"
 import {reduceWhy} from "../why/why_state.ts"
-import {compareWith, takeRun, withoutRun} from "./run_tree.ts"
+import {compareWith, nodeOf, type RunNode, type ShownRun, takeRun, withoutRun} from "./run_tree.ts"
 
 export type RunTreeEvent =
   /// A stored run is looked at again.
@@ -12,10 +13,48 @@ export type RunTreeEvent =
   /// A stored run is drawn over the shown one; `null` for none.
   | {readonly kind: "run-compared"; readonly run: number | null}
 
-export function reduceRunTree(state: PageState, event: RunTreeEvent): PageState {
-  if (event.kind === "run-compared") return {...state, runTree: compareWith(state.runTree, event.run)}
-  // The room shows a program that runs until it ends.
-  return isActive(state.run) ? state : showRun(state, event.run)
+export function reduceRunTree(state: PageState, event: RunTreeEvent): Transition {
+  if (event.kind === "run-compared") return still({...state, runTree: compareWith(state.runTree, event.run)})
+  if (!mayShowRuns(state)) return still(state)
+  const shown = showRun(state, event.run)
+  // As when a run is looked back at, its clock stands until it is resumed.
+  return shown !== state && isActive(state.run) && state.clock === "going"
+    ? sending({...shown, clock: "standing"}, {op: "pause"})
+    : still(shown)
+}
+
+/// Whether another run can be shown: not before the first picture of a run that begins, nor while a real robot drives, which does not wait.
+export function mayShowRuns({run, robots, runTree, room}: PageState): boolean {
+  if (!isActive(run)) return true
+  if (run.kind !== "running" || robots.held !== null) return false
+  return room.run !== run.run ? nodeOf(runTree, run.run) !== undefined : room.recording.length > 0
+}
+
+/// The run that goes on while the room shows another one; `null` when there is none.
+export function awayRun({run, runTree}: Pick<PageState, "run" | "runTree">): RunNode | null {
+  const node = isActive(run) ? nodeOf(runTree, run.run) : undefined
+  return node === undefined || node.kept === null ? null : node
+}
+
+/// The page with the run that goes on in its room again, at its newest moment.
+export function returnToRun(state: PageState): PageState {
+  const away = awayRun(state)
+  return away === null ? state : showRun(state, away.run)
+}
+
+/// Applies what the service tells of a run that is stored: its last frame arrives after another run was chosen.
+export function inStoredRun(
+  state: PageState,
+  run: number,
+  apply: (state: PageState) => Transition,
+): Transition {
+  const stored = nodeOf(state.runTree, run)?.kept
+  if (stored == null || state.run.kind === "ready" || state.run.run !== run) return apply(state)
+  const {room, lines, runTree} = state
+  const told = apply({...state, ...stored})
+  const kept: ShownRun = {room: told.state.room, lines: told.state.lines}
+  const nodes = runTree.nodes.map(node => (node.run === run ? {...node, kept} : node))
+  return {...told, state: {...told.state, room, lines, runTree: {...runTree, nodes}}}
 }
 
 /// The page with a stored run in its room, at its end or at a moment, s.

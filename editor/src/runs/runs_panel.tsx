@@ -13,6 +13,7 @@ import {wordedText} from "../words/worker_sentences.ts"
 import {changeSentence} from "./change_sentence.ts"
 import {factsOf, picturePath} from "./run_facts.ts"
 import {comparedRun, nodeOf, type RunRow, runRows} from "./run_tree.ts"
+import {awayRun, mayShowRuns} from "./run_tree_reducer.ts"
 
 /// Rows deeper than this are indented like this one: the tree fits on a phone.
 const deepest = 6
@@ -34,7 +35,8 @@ function Tree(): VNode {
   const {store} = useController()
   const tree = usePageState(s => s.runTree)
   const shown = usePageState(s => s.room.run)
-  const running = usePageState(s => isActive(s.run))
+  const mayChoose = usePageState(mayShowRuns)
+  const away = usePageState(s => awayRun(s)?.run ?? null)
   const rows = runRows(tree)
   const items = useRef<HTMLDivElement>(null)
   const first = Math.max(
@@ -65,7 +67,7 @@ function Tree(): VNode {
   return (
     <>
       <p class="quiet" id="runs-hint">
-        {running ? words.runs.isRunning : words.runs.choose}
+        {mayChoose ? words.runs.choose : words.runs.isRunning}
       </p>
       <div class="run-tree" role="tree" aria-label={words.tabs.runs} aria-describedby="runs-hint" ref={items}>
         {rows.map((row, i) => (
@@ -75,7 +77,8 @@ function Tree(): VNode {
             isShown={row.node.run === shown}
             isCompared={row.node.run === tree.compared}
             isTabStop={i === at}
-            isDisabled={running}
+            isAway={row.node.run === away}
+            isDisabled={!mayChoose}
             focused={() => move(i)}
             choose={() => choose(row)}
             pressed={event => {
@@ -120,13 +123,15 @@ function Row(props: {
   readonly row: RunRow
   readonly isShown: boolean
   readonly isCompared: boolean
+  /// Whether it stands still until the learner returns to it.
+  readonly isAway: boolean
   readonly isTabStop: boolean
   readonly isDisabled: boolean
   focused(): void
   choose(): void
   pressed(event: KeyboardEvent): void
 }): VNode {
-  const {row, isShown, isCompared} = props
+  const {row, isShown, isCompared, isAway} = props
   const {node, continued, changes} = row
   const room = usePageState(s => node.kept?.room ?? s.room)
   const {length, goals} = factsOf(room)
@@ -158,6 +163,7 @@ function Row(props: {
           {measures.seconds(length, 1)}
           {goals.length > 0 && ` · ${w.goals(doneIn(goals), goals.length)}`}
           {isCompared && ` · ${w.compared}`}
+          {isAway && ` · ${w.paused}`}
         </span>
       </span>
     </div>

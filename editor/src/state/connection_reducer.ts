@@ -4,7 +4,7 @@ import {conflictShown} from "@rosy/codegen"
 import {reduceLesson, watchedNow} from "../lessons/lesson_state.ts"
 import {hearPreview, noPreview} from "../preview/preview.ts"
 import {nodeOf} from "../runs/run_tree.ts"
-import {withoutRefusedRun} from "../runs/run_tree_reducer.ts"
+import {inStoredRun, withoutRefusedRun} from "../runs/run_tree_reducer.ts"
 import {check} from "./document_reducer.ts"
 import type {PageMessage, ServiceMessage} from "./messages.ts"
 import type {PageState} from "./page_state.ts"
@@ -36,6 +36,29 @@ export function loseConnection(state: PageState): PageState {
 }
 
 export function reduceServiceMessage(state: PageState, message: ServiceMessage): Transition {
+  const run = pictureOf(message)
+  return run === null
+    ? reduceMessage(state, message)
+    : inStoredRun(state, run, s => reduceMessage(s, message))
+}
+
+/// The run of whose picture or console a message tells; `null` for other messages.
+function pictureOf(message: ServiceMessage): number | null {
+  switch (message.op) {
+    case "frame":
+      return message.frame.run
+    case "goals":
+    case "said":
+    case "sound":
+    case "diverged":
+    case "uncompared":
+      return message.run
+    default:
+      return null
+  }
+}
+
+function reduceMessage(state: PageState, message: ServiceMessage): Transition {
   switch (message.op) {
     case "hello":
       return greet(state, message)

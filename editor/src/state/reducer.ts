@@ -41,7 +41,7 @@ function next(state: PageState, event: PageEvent): Transition {
       return reduceRunEvent(state, event)
     case "run-shown":
     case "run-compared":
-      return still(reduceRunTree(state, event))
+      return reduceRunTree(state, event)
     case "robots-unlocked":
     case "robot-taken":
     case "robot-left":

@@ -2,6 +2,7 @@
 
 import {noPreview} from "../preview/preview.ts"
 import {beginRun, nodeOf, originOf, type RunOrigin, storeShown} from "../runs/run_tree.ts"
+import {returnToRun} from "../runs/run_tree_reducer.ts"
 import {emptyLog} from "../values/firing_log.ts"
 import {reduceWhy} from "../why/why_state.ts"
 import {setVisible} from "./arrangement.ts"
@@ -87,9 +88,10 @@ export function reduceRunEvent(state: PageState, event: RunEvent): Transition {
   }
 }
 
-/// Shows the newest moment of the run again.
+/// Shows the newest moment of the run that goes on again.
 function present(state: PageState): PageState {
-  return {...state, room: {...state.room, lookedAt: null}}
+  const returned = returnToRun(state)
+  return {...returned, room: {...returned.room, lookedAt: null}}
 }
 
 /// A new run of the open program; without a connection it waits.

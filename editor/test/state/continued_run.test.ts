@@ -1,6 +1,8 @@
 /// Runs that go on from a moment: what is asked for, what of the run before stays, and where a changed program differs.
 
 import {describe, expect, it} from "vitest"
+import {maxFrames} from "../../src/runs/run_tree.ts"
+import {awayRun} from "../../src/runs/run_tree_reducer.ts"
 import type {Frame, ServiceMessage} from "../../src/state/messages.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
@@ -95,7 +97,7 @@ describe("a run that goes on from a moment", () => {
     const stop: PageEvent = {kind: "stop-pressed"}
     const show: PageEvent = {kind: "run-shown", run: 1}
     const twice = [...before, back, goOn, frame(2, 51)]
-    // Not while a program runs.
+    // Not while a program compiles.
     expect(play(...twice, show).state.room.run).toBe(2)
     const {state, times} = play(...twice, stop, show)
     expect(state.room.run).toBe(1)
@@ -122,5 +124,66 @@ describe("a run that goes on from a moment", () => {
     ["after a reset", [back, {kind: "reset-pressed"}, goOn]],
   ])("is not asked for %s", (_, events) => {
     expect(play(...before, ...events).sent).toEqual([])
+  })
+})
+
+describe("an earlier run that is chosen while another goes on", () => {
+  const show = (number: number): PageEvent => ({kind: "run-shown", run: number})
+  const second = [back, goOn, hear({op: "state", run: 2, state: "running"}), frame(2, 51)]
+  const away = [...before, ...second, show(1)]
+
+  it("is shown, and the other one stands still", () => {
+    const {state, sent, times} = play(...away)
+    expect(sent).toEqual([{op: "pause"}])
+    expect(times).toEqual([0, 0.5, 1, 1.5, 2])
+    expect([state.room.run, state.clock, state.run]).toEqual([1, "standing", {kind: "running", run: 2}])
+    expect(awayRun(state)?.number).toBe(2)
+    // It stands already.
+    expect(play(...before, ...second, {kind: "pause-pressed"}, show(1)).sent).toEqual([])
+  })
+
+  it("leaves the frames that are still on their way with their own run", () => {
+    const {state, times} = play(...away, frame(2, 52), frame(1, 101), show(2))
+    expect(times).toEqual([0, 0.5, 1, 1.02, 1.04])
+    expect([state.room.run, state.clock, awayRun(state)]).toEqual([2, "standing", null])
+    const seen = play(...away, frame(2, 52)).times
+    expect(seen).toEqual([0, 0.5, 1, 1.5, 2])
+  })
+
+  it.each<[string, PageEvent, object]>([
+    ["resumed", {kind: "resume-pressed"}, {op: "resume"}],
+    ["made a step", {kind: "forward-pressed"}, {op: "forward"}],
+    ["given a hand", {kind: "hand", hand: {lift: "both"}}, {op: "input", lift: "both"}],
+  ])("gives its place to the other when that is %s", (_, event, message) => {
+    const {state, sent, times} = play(...away, back, event)
+    expect(sent).toEqual([message])
+    expect([state.room.run, state.room.lookedAt]).toEqual([2, null])
+    expect(times).toEqual([0, 0.5, 1, 1.02])
+  })
+
+  it("stays when the other one is stopped, which is then chosen like any", () => {
+    const {state} = play(...away, {kind: "stop-pressed"}, frame(2, 52))
+    expect([state.room.run, awayRun(state), state.run.kind]).toEqual([1, null, "ended"])
+    expect(play(...away, {kind: "stop-pressed"}, frame(2, 52), show(2)).times).toEqual([
+      0, 0.5, 1, 1.02, 1.04,
+    ])
+  })
+
+  it("can be continued, which ends the other one", () => {
+    const {state, sent} = play(...away, back, goOn)
+    expect(sent).toMatchObject([{op: "run", run: 3, after: 50, of: 1}])
+    expect(state.runTree.nodes.map(({run, from}) => [run, from?.run ?? null])).toEqual([
+      [1, null],
+      [2, 1],
+      [3, 1],
+    ])
+    expect([awayRun(state), state.clock]).toEqual([null, "going"])
+  })
+
+  it("is never dropped for want of room while it goes on", () => {
+    const {state} = play(...before, ...second)
+    const long = {...state.room, recording: {...state.room.recording, length: maxFrames + 1}}
+    const chosen = reduce({...state, room: long}, show(1)).state
+    expect(awayRun(chosen)?.run).toBe(2)
   })
 })

@@ -1,6 +1,7 @@
 /// Time bar of the run: reset, pause, single step, repeat, seek, clock, speed.
 
 import type {VNode} from "preact"
+import {awayRun} from "../../runs/run_tree_reducer.ts"
 import type {Speed} from "../../state/messages.ts"
 import {spanOfTime} from "../../state/recording.ts"
 import {isUntouched} from "../../state/room_state.ts"
@@ -65,10 +66,13 @@ export function TimeBar(): VNode {
   )
 }
 
-/// While a simulated run is looked back at: the run goes on from there, and the tree of runs is found.
+/// While a simulated run is looked back at: the run goes on from there, and the tree of runs is found. While another run than the one that
+/// goes on is shown: the way back to that one.
 export function ContinueBar(): VNode | null {
   const {store} = useController()
-  if (!usePageState(mayContinue)) return null
+  const away = usePageState(s => awayRun(s)?.number ?? null)
+  const continues = usePageState(mayContinue)
+  if (!continues && away === null) return null
   const showRuns = () => {
     store.dispatch({kind: "tab", tab: "runs"})
     // The tab may have to be drawn first.
@@ -76,14 +80,21 @@ export function ContinueBar(): VNode | null {
   }
   return (
     <div class="continue-bar">
-      <button
-        type="button"
-        class="plain"
-        title={words.continueHint}
-        onClick={() => store.dispatch({kind: "continue-pressed"})}
-      >
-        {words.continueHere}
-      </button>
+      {away !== null && (
+        <button type="button" class="plain" onClick={() => store.dispatch({kind: "resume-pressed"})}>
+          {words.runs.goOn(away)}
+        </button>
+      )}
+      {continues && (
+        <button
+          type="button"
+          class="plain"
+          title={words.continueHint}
+          onClick={() => store.dispatch({kind: "continue-pressed"})}
+        >
+          {words.continueHere}
+        </button>
+      )}
       <IconButton label={words.runs.show} onClick={showRuns}>
         <RunsIcon />
       </IconButton>

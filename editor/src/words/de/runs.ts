@@ -10,6 +10,7 @@ export const runs = {
   choose: "Wähle einen Lauf, um ihn wieder anzusehen.",
   isRunning: "Stoppe das Programm, um einen anderen Lauf anzusehen.",
   run: (number: number) => `Lauf ${number}`,
+  goOn: (number: number) => `Mit Lauf ${number} weitermachen`,
   otherProgram: (number: number) => `Lauf ${number} hatte ein anderes Programm.`,
   showProgram: "Sein Programm zeigen",
   continued: (run: number, at: number) => `geht weiter aus Lauf ${run} bei ${seconds(at, 2)}`,
@@ -27,6 +28,7 @@ export const runs = {
   compare: "Vergleichen mit",
   none: "keinem anderen Lauf",
   compared: "verglichen",
+  paused: "angehalten",
   /// How the path of each of two runs is drawn.
   lines: {shown: "durchgezogen", compared: "gepunktet"},
   both: "Die zwei Läufe",

@@ -10,6 +10,7 @@ export const runs = {
   choose: "Choose a run to look at it again.",
   isRunning: "Stop the program to look at another run.",
   run: (number: number) => `Run ${number}`,
+  goOn: (number: number) => `Go on with run ${number}`,
   otherProgram: (number: number) => `Run ${number} had another program.`,
   showProgram: "Show its program",
   continued: (run: number, at: number) => `continues run ${run} at ${seconds(at, 2)}`,
@@ -27,6 +28,7 @@ export const runs = {
   compare: "Compare with",
   none: "no other run",
   compared: "compared",
+  paused: "paused",
   /// How the path of each of two runs is drawn.
   lines: {shown: "solid line", compared: "dotted line"},
   both: "The two runs",

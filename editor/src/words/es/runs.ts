@@ -10,6 +10,7 @@ export const runs = {
   choose: "Elige una ejecución para verla otra vez.",
   isRunning: "Detén el programa para ver otra ejecución.",
   run: (number: number) => `Ejecución ${number}`,
+  goOn: (number: number) => `Seguir con la ejecución ${number}`,
   otherProgram: (number: number) => `La ejecución ${number} tenía otro programa.`,
   showProgram: "Mostrar su programa",
   continued: (run: number, at: number) => `sigue la ejecución ${run} en ${seconds(at, 2)}`,
@@ -30,6 +31,7 @@ export const runs = {
   compare: "Comparar con",
   none: "ninguna otra",
   compared: "comparada",
+  paused: "en pausa",
   /// How the path of each of two runs is drawn.
   lines: {shown: "línea continua", compared: "línea punteada"},
   both: "Las dos ejecuciones",

@@ -10,6 +10,7 @@ export const runs = {
   choose: "Choisis une exécution pour la revoir.",
   isRunning: "Arrête le programme pour voir une autre exécution.",
   run: (number: number) => `Exécution ${number}`,
+  goOn: (number: number) => `Reprendre l’exécution ${number}`,
   otherProgram: (number: number) => `L’exécution ${number} avait un autre programme.`,
   showProgram: "Montrer son programme",
   continued: (run: number, at: number) => `continue l’exécution ${run} à ${seconds(at, 2)}`,
@@ -30,6 +31,7 @@ export const runs = {
   compare: "Comparer avec",
   none: "aucune autre",
   compared: "comparée",
+  paused: "en pause",
   /// How the path of each of two runs is drawn.
   lines: {shown: "trait continu", compared: "pointillés"},
   both: "Les deux exécutions",

@@ -10,6 +10,7 @@ export const runs = {
   choose: "Escolha uma execução para vê-la de novo.",
   isRunning: "Pare o programa para ver outra execução.",
   run: (number: number) => `Execução ${number}`,
+  goOn: (number: number) => `Seguir com a execução ${number}`,
   otherProgram: (number: number) => `A execução ${number} tinha outro programa.`,
   showProgram: "Mostrar o programa dela",
   continued: (run: number, at: number) => `continua a execução ${run} em ${seconds(at, 2)}`,
@@ -27,6 +28,7 @@ export const runs = {
   compare: "Comparar com",
   none: "nenhuma outra",
   compared: "comparada",
+  paused: "em pausa",
   /// How the path of each of two runs is drawn.
   lines: {shown: "linha contínua", compared: "linha pontilhada"},
   both: "As duas execuções",
