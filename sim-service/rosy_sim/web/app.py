@@ -53,6 +53,7 @@ from .example_paths import ExamplePaths
 from .examples import example_file, examples
 from .lesson_rehearsals import LessonRehearsals
 from .loop_scheduler import LoopScheduler, PageTurns
+from .paced_frames import WRITE
 from .page_session import PageSession
 from .projector_sockets import ProjectorSockets
 from .reading_pace import ReadingPace, message_cost
@@ -416,6 +417,9 @@ async def _send_ros(socket: WebSocket, client: RosClient) -> None:
 
 async def _send(socket: WebSocket, session: PageSession) -> None:
     """Send until the page disconnects or stops reading."""
+    write = socket.scope.get("extensions", {}).get(WRITE)
+    if write is not None:
+        session.outbox.write_with(write)
     try:
         while True:
             await socket.send_text(page.encode(await session.outbox.get()))

@@ -2,14 +2,18 @@
 Outbox: bounded queue of the messages for one page.
 
 A page that reads slowly gets fewer frames; one that reads nothing is disconnected. Neither delays other pages.
+
+An answer to a page that reads is written at once, where the connection allows it: waking a task for each frame costs
+more than the frame.
 """
 
 from __future__ import annotations
 
 import asyncio
 from collections import deque
+from collections.abc import Callable
 
-from ..wire.page import Answer, Frame
+from ..wire.page import Answer, Frame, encode_bytes
 
 __all__ = ["Outbox"]
 
@@ -26,10 +30,20 @@ class Outbox:
         self._not_empty = asyncio.Event()
         # Set when the queue is full, so the page has stopped reading.
         self.overflowed = asyncio.Event()
+        # Writes a text at once, or answers that it cannot.
+        self._write: Callable[[bytes], bool] | None = None
+        # Whether all that was taken out has been sent: the sender waits in get().
+        self._is_drained = False
+
+    def write_with(self, write: Callable[[bytes], bool]) -> None:
+        """Write answers at once with this function, as long as it answers that it has written them."""
+        self._write = write
 
     def put(self, answer: Answer) -> None:
-        """Add an answer; never blocks."""
+        """Add an answer, or send it at once; never blocks."""
         waiting = self._waiting
+        if self._write is not None and self._is_drained and not waiting and self._write(encode_bytes(answer)):
+            return
         if isinstance(answer, Frame) and waiting:
             last = waiting[-1]
             if isinstance(last, Frame) and last.run == answer.run:
@@ -51,5 +65,7 @@ class Outbox:
         """The next answer."""
         while not self._waiting:
             self._not_empty.clear()
+            self._is_drained = True
             await self._not_empty.wait()
+        self._is_drained = False
         return self._waiting.popleft()

@@ -6,6 +6,8 @@ stretch: 0.2 s and more, in which no other page is served, again and again. Here
 connections together read for some milliseconds in an iteration of the event loop, and those of an address have a share
 of it. What messages mean and cost is
 not known here (``loop_scheduler.py``, ``reading_pace.py``).
+
+An application may write a text without a task and the layers of ASGI: the scope has the function ``WRITE`` for it.
 """
 
 from __future__ import annotations
@@ -14,14 +16,19 @@ import asyncio
 import contextlib
 import time
 from collections.abc import Callable
-from typing import Any
+from typing import Any, cast
 
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
+from websockets.exceptions import InvalidState
 from websockets.frames import Frame
+from websockets.http11 import Request
 
 from ..token_bucket import TokenBucket
 
-__all__ = ["FrameBudgets", "PacedFrames", "paced_frames"]
+__all__ = ["WRITE", "FrameBudgets", "PacedFrames", "paced_frames"]
+
+WRITE = "rosy.write"
+"""Extension of the scope: ``(text: bytes) -> bool`` writes a text now; false when it has to be sent as ASGI has it."""
 
 _PIECE = 4096
 """Bytes that are read at once: at most 700 frames, which take 3 ms."""
@@ -126,6 +133,28 @@ class PacedFrames(WebSocketsSansIOProtocol):
                 pass
         self._unread, self._position = b"", 0
         super().connection_lost(exc)
+
+    def handle_connect(self, event: Request) -> None:
+        """As in uvicorn, with an extension."""
+        super().handle_connect(event)
+        if self.handshake_complete:
+            # Refused.
+            return
+        cast("dict[str, Any]", self.scope["extensions"])[WRITE] = self.write_text
+
+    def write_text(self, text: bytes) -> bool:
+        """Write a text at once, unless the client does not read or the connection is not open."""
+        if not self.handshake_complete or self.initial_response is not None or self.close_sent:
+            return False
+        if self.disconnected or not self.writable.is_set() or self.transport.is_closing():
+            return False
+        try:
+            self.conn.send_text(text)
+        except InvalidState:
+            # The client closes the connection.
+            return False
+        self.transport.write(b"".join(self.conn.data_to_send()))
+        return True
 
     def handle_cont(self, event: Frame) -> None:
         """As in uvicorn, but not without end."""

@@ -566,3 +566,8 @@ _encoder = msgspec.json.Encoder()
 def encode(answer: Answer) -> str:
     """The text of a frame."""
     return _encoder.encode(answer).decode()
+
+
+def encode_bytes(answer: Answer) -> bytes:
+    """The text of a frame in UTF-8."""
+    return _encoder.encode(answer)

@@ -43,6 +43,8 @@ class RangeScanner:
 
     def listen(self, listener: str, channels: Collection[str]) -> None:
         """A listener wants these channels from now on, and no others."""
+        if not channels and not self._listeners.get(listener):
+            return
         wanted = frozenset(channels) & {AHEAD, SCAN}
         if self._listeners.get(listener, frozenset()) == wanted:
             return

@@ -102,6 +102,9 @@ class World:
         self._scanner = RangeScanner(scanner, obstacles) if scanner is not None else None
         # Steps since the start.
         self._steps = 0
+        # What the devices say now; None when that may have changed.
+        self._device_values: dict[str, tuple[float | int | str, ...]] | None = None
+        self._device_events = frozenset[str]().union(*(device.events for device in self._devices))
         # What the devices said last; nothing before the first sense().
         self._told: dict[str, tuple[float | int | str, ...]] = {}
         self._check_start()
@@ -166,24 +169,30 @@ class World:
     def _device_readings(self, first: bool) -> list[Reading]:
         events: list[Reading] = []
         states: list[Reading] = []
-        for device in self._devices:
-            for channel, values in device.values(self).items():
-                if self._told.get(channel) == values:
-                    continue
-                self._told[channel] = values
-                if channel not in device.events:
-                    states.append(Reading(channel, values))
-                elif not first:
-                    events.append(Reading(channel, values))
+        for channel, values in self._read_devices().items():
+            if self._told.get(channel) == values:
+                continue
+            self._told[channel] = values
+            if channel not in self._device_events:
+                states.append(Reading(channel, values))
+            elif not first:
+                events.append(Reading(channel, values))
         return events + states
+
+    def _read_devices(self) -> dict[str, tuple[float | int | str, ...]]:
+        """What the devices say; each has channels of its own. A step reads them for the program and for the picture."""
+        if self._device_values is None:
+            self._device_values = {}
+            for device in self._devices:
+                self._device_values.update(device.values(self))
+        return self._device_values
 
     def channels(self) -> dict[str, tuple[float | int | str, ...]]:
         """What every channel says now, for a picture of the robot; of events the state of each sensor."""
         shown: dict[str, tuple[float | int | str, ...]] = {"Velocity": (self.v, self.w)}
         shown.update(self.robot.states(self.sensors))
         shown.update(self.outputs)
-        for device in self._devices:
-            shown.update(device.values(self))
+        shown.update(self._read_devices())
         if self._scanner is not None:
             shown.update(self._scanner.latest)
         return shown
@@ -211,6 +220,7 @@ class World:
 
     def command(self, command: Command) -> None:
         """Obey a command from the next integrate() on, or later when the world is slow."""
+        self._device_values = None
         if self._latency is not None and command.channel == "Velocity":
             self._latency.send(command)
         else:
@@ -241,6 +251,7 @@ class World:
         Raises:
             HandRefused: there is no room for the robot there, or no such thing.
         """
+        self._device_values = None
         match action:
             case Press(button, down):
                 bit = 1 << button
@@ -277,6 +288,7 @@ class World:
 
     def integrate(self, dt: float = STEP) -> None:
         """Let ``dt`` seconds pass. Long times are cut into steps."""
+        self._device_values = None
         for _ in range(max(1, math.ceil(dt / STEP - 1e-9))):
             part = min(dt, STEP)
             dt -= part

@@ -13,6 +13,7 @@ from dataclasses import replace
 from typing import Any
 
 import httpx
+import msgspec
 import pytest
 import uvicorn
 from websockets.asyncio.client import ClientConnection, connect
@@ -24,7 +25,7 @@ from rosy_sim.web.app import Service, build_app
 from rosy_sim.web.outbox import Outbox
 from rosy_sim.web.paced_frames import paced_frames
 from rosy_sim.wire.firing import Cause
-from rosy_sim.wire.page import FiringShown, Frame
+from rosy_sim.wire.page import FiringShown, Frame, Said
 from rosy_sim.wire.robot_link import MemoryValue
 from rosy_sim.wire.telemetry import PoseShown, Shown
 from rosy_sim.world.world import World
@@ -751,5 +752,48 @@ def test_memory_and_channels_are_not_lost_with_a_frame_that_a_slow_page_never_ge
         outbox.put(frame(2, [MemoryValue("Memory Int", "2")]))
         outbox.put(frame(3, None, Led1=[3]))
         assert await outbox.get() == frame(3, [MemoryValue("Memory Int", "2")], Led1=[3], Led2=[1])
+
+    asyncio.run(tell())
+
+
+def test_answers_reach_a_page_in_order_also_when_some_are_written_at_once() -> None:
+    def said(text: str) -> Said:
+        return Said(0.0, text, run=1)
+
+    async def tell() -> None:
+        outbox = Outbox(10)
+        sent: list[str] = []
+        is_reading = False
+
+        def write(text: bytes) -> bool:
+            if is_reading:
+                sent.append(msgspec.json.decode(text)["text"])
+            return is_reading
+
+        outbox.write_with(write)
+        # Nothing waits to send yet, so nothing may go before what is to be sent first.
+        is_reading = True
+        outbox.put(said("1"))
+        first = await outbox.get()
+        # The first one has been taken and may not have been sent.
+        outbox.put(said("2"))
+        assert isinstance(first, Said)
+        sent.append(first.text)
+        second = await outbox.get()
+        assert isinstance(second, Said)
+        sent.append(second.text)
+        waiting = asyncio.create_task(outbox.get())
+        await asyncio.sleep(0)
+        outbox.put(said("3"))
+        assert sent == ["1", "2", "3"]
+        assert not waiting.done()
+        # A page that does not read has its answers stored.
+        is_reading = False
+        outbox.put(said("4"))
+        is_reading = True
+        outbox.put(said("5"))
+        assert sent == ["1", "2", "3"]
+        rest = [await waiting, await outbox.get()]
+        assert [answer.text for answer in rest if isinstance(answer, Said)] == ["4", "5"]
 
     asyncio.run(tell())

@@ -11,7 +11,7 @@ import uvicorn
 from uvicorn.server import ServerState
 from websockets.frames import Frame, Opcode
 
-from rosy_sim.web.paced_frames import FrameBudgets, PacedFrames
+from rosy_sim.web.paced_frames import WRITE, FrameBudgets, PacedFrames
 
 from .test_loop_scheduler import Clock, Loop
 
@@ -205,5 +205,25 @@ def test_a_message_of_endless_empty_frames_ends_the_connection() -> None:
         await asyncio.sleep(60)
         assert client.transport.closed
         assert client.messages == []
+
+    play(story)
+
+
+def test_an_application_writes_at_once_to_a_client_that_reads_and_to_no_other() -> None:
+    async def story(budgets: FrameBudgets, _clock: Clock) -> None:
+        client = Client(budgets)
+        write: Any = client.protocol.scope["extensions"][WRITE]
+        # The application has not accepted the connection.
+        assert not write(b"early")
+        await asyncio.sleep(1)
+        before = client.transport.written
+        assert write("größer".encode())
+        assert client.transport.written == before + Frame(Opcode.TEXT, "größer".encode()).serialize(mask=False)
+        client.protocol.pause_writing()
+        assert not write(b"full")
+        client.protocol.resume_writing()
+        assert write(b"again")
+        client.protocol.data_received(Frame(Opcode.CLOSE, b"\x03\xe8").serialize(mask=True))
+        assert not write(b"late")
 
     play(story)
