@@ -1,11 +1,13 @@
 /// What a key costs, told apart: how long a person waits for it, and how long of that the page works.
 ///
-/// A key is shown in the browser's next frame, which comes when the screen wants it (every 16.7 ms at 60 Hz), so a part of every wait is no work; a bare
-/// text area waits as long. Both are read from the browser's own trace: the wait from the key's arrival to the picture on the screen, and the tasks of
-/// the page's main thread from the key to the end of that frame.
+/// A key is shown in a frame of the browser: at once on a page at rest, and when the screen wants the next one (every 16.7 ms at 60 Hz) on a page that draws. Both are read
+/// from the browser's own trace: the wait from the press to the picture on the screen, and the tasks of the page's main thread from the key to the end of that frame.
 
 import {setTimeout as pause} from "node:timers/promises"
 import type {Browser, Page} from "@playwright/test"
+
+/// Not `devtools.timeline`: with it the browser counts the objects of the page at each layout, 2 ms for 29,000 of them; a bare text area has none.
+const categories = ["toplevel", "benchmark", "input", "cc"]
 
 /// Milliseconds from one key to the next at 80 words a minute.
 const gap = 150
@@ -36,9 +38,7 @@ export async function typedOn(
   key: string,
   count: number,
 ): Promise<Pick<Keys, "wait" | "work" | "processor">> {
-  await browser.startTracing(page, {
-    categories: ["devtools.timeline", "disabled-by-default-devtools.timeline"],
-  })
+  await browser.startTracing(page, {categories})
   for (let i = 0; i < count; i++) await Promise.all([page.keyboard.press(key), pause(gap)])
   return workIn(JSON.parse((await browser.stopTracing()).toString()).traceEvents, count)
 }
@@ -54,9 +54,7 @@ export async function pressed(
 ): Promise<Keys> {
   const followed: number[] = []
   let atOnce = 0
-  await browser.startTracing(page, {
-    categories: ["devtools.timeline", "disabled-by-default-devtools.timeline"],
-  })
+  await browser.startTracing(page, {categories})
   for (let i = 1; i <= count; i++) {
     await page.evaluate(
       ([wanted, shows, follows, gap]) => {
@@ -121,38 +119,70 @@ export async function pressed(
 /// One line of Chromium's trace; times in microseconds.
 interface Traced {
   readonly name: string
+  readonly cat: string
+  readonly ph: string
   readonly pid: number
   readonly tid: number
   readonly ts: number
   readonly dur?: number
   /// What of `dur` the processor was at it.
   readonly tdur?: number
+  readonly id2?: {readonly local?: string}
   readonly args: {
-    readonly data?: {
-      readonly type: string
-      /// Milliseconds on the page's clock: the key arrives, and its frame is handed on by the main thread.
-      readonly timeStamp: number
-      readonly commitFinishTime: number
-      /// Milliseconds from `timeStamp` to the picture on the screen.
-      readonly duration: number
+    readonly name?: string
+    readonly event_latency?: {readonly event_type: string}
+  }
+}
+
+/// A key on its way: when it was pressed, when the main thread had handed its frame on, and when that was on the screen.
+interface KeyTimes {
+  readonly pid: number
+  readonly pressed: number
+  handedOn: number
+  shown: number
+}
+
+/// The keys of a trace that led to a picture.
+function keysIn(events: readonly Traced[]): readonly KeyTimes[] {
+  const going = new Map<string, KeyTimes>()
+  const keys: KeyTimes[] = []
+  const sorted = events
+    .filter(e => e.id2?.local !== undefined && /\binput\b/.test(e.cat))
+    .sort((a, b) => a.ts - b.ts)
+  for (const {name, ph, pid, ts, id2, args} of sorted) {
+    const id = `${pid} ${id2?.local}`
+    const key = going.get(id)
+    if (name === "EventLatency" && ph === "b") {
+      going.delete(id)
+      if (args.event_latency?.event_type === "KEY_PRESSED")
+        going.set(id, {pid, pressed: ts, handedOn: Number.NaN, shown: Number.NaN})
+    } else if (key !== undefined && name === "Commit" && ph === "e") key.handedOn = ts
+    else if (key !== undefined && name === "EventLatency" && ph === "e") {
+      key.shown = ts
+      going.delete(id)
+      if (!Number.isNaN(key.handedOn)) keys.push(key)
     }
   }
+  return keys
 }
 
 /// The waits and the work of the last keys in a trace.
 function workIn(events: readonly Traced[], count: number): Pick<Keys, "wait" | "work" | "processor"> {
-  const tasks = events.filter(e => e.name === "RunTask")
-  const keys = events.filter(e => e.name === "EventTiming" && e.args.data?.type === "keydown").slice(-count)
+  const keys = keysIn(events).slice(-count)
+  const mains = new Map(
+    events.flatMap(e =>
+      e.name === "thread_name" && e.args.name === "CrRendererMain" ? [[e.pid, e.tid]] : [],
+    ),
+  )
+  const tasks = events.filter(e => e.name === "ThreadControllerImpl::RunTask" && mains.get(e.pid) === e.tid)
   const wait: number[] = []
   const work: number[] = []
   const processor: number[] = []
-  for (const {ts, pid, tid, args} of keys) {
-    if (args.data === undefined) continue
-    const {timeStamp, commitFinishTime, duration} = args.data
-    const end = ts + 1000 * (commitFinishTime - timeStamp)
-    const own = tasks.filter(t => t.pid === pid && t.tid === tid && t.ts + (t.dur ?? 0) > ts && t.ts < end)
-    wait.push(duration)
-    work.push(own.reduce((sum, t) => sum + Math.min(end, t.ts + (t.dur ?? 0)) - Math.max(ts, t.ts), 0) / 1000)
+  for (const {pid, pressed, handedOn, shown} of keys) {
+    const own = tasks.filter(t => t.pid === pid && t.ts + (t.dur ?? 0) > pressed && t.ts < handedOn)
+    const parts = own.map(t => Math.min(handedOn, t.ts + (t.dur ?? 0)) - Math.max(pressed, t.ts))
+    wait.push((shown - pressed) / 1000)
+    work.push(parts.reduce((sum, part) => sum + part, 0) / 1000)
     processor.push(own.reduce((sum, t) => sum + (t.tdur ?? 0), 0) / 1000)
   }
   return {wait, work, processor}

@@ -55,10 +55,11 @@ await withPage(async (browser, address) => {
     told(`${lines} lines, typing on while blocks follow`, await typedOn(browser, page, "1", KEYS))
     await page.close()
 
-    const bare = await openPage(browser, {})
+    // In a window of the same size, with the pointer over it, too.
+    const bare = await openPage(browser)
     await bare.setContent("<textarea rows=40 cols=80></textarea>")
     await bare.locator("textarea").fill(text)
-    await bare.locator("textarea").focus()
+    await bare.locator("textarea").click()
     told(
       `${lines} lines, a bare text area`,
       await pressed(browser, bare, "x", () => "", KEYS, {shows: "textarea"}),

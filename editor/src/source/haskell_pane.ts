@@ -12,6 +12,7 @@ import type {Finding} from "../state/program.ts"
 import {changesBetween} from "../state/text_changes.ts"
 import {commentLines, setComments} from "./comment_lines.ts"
 import {compilerInfoField, completion, setCompilerInfo} from "./completion.ts"
+import {cursorBlink} from "./cursor_blink.ts"
 import {cursorCorrection, lineDecorations, setExplained, setGlowing, setLinked} from "./decorations.ts"
 import {diagnosticsOf, saidBy, standThere} from "./diagnostics.ts"
 import {openDropPreview} from "./drop_preview.ts"
@@ -64,6 +65,7 @@ export function openHaskellPane(host: HTMLElement, options: SourceOptions): Hask
         }),
         EditorView.lineWrapping,
         drawSelection(),
+        cursorBlink,
         bracketMatching(),
         closeBrackets(),
         highlightSelectionMatches(),

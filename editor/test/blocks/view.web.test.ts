@@ -343,6 +343,16 @@ describe("what comes from elsewhere", () => {
     await page.waitForFunction(() => window.Blockly.getMainWorkspace().getTopBlocks(false).length === 80)
     expect(await page.evaluate(() => window.blocks.save().blocks.blocks.length)).toBe(80)
     expect(await page.evaluate(() => window.changes)).toBe(0)
+    // What is far away while the focus is elsewhere costs the browser no layout: no path and no text in it has one.
+    await page.evaluate(() => (document.activeElement as HTMLElement | SVGElement | null)?.blur())
+    await page.waitForFunction(() => document.querySelectorAll(".rosyAway").length > 50)
+    const laidOut = await page.evaluate(
+      () =>
+        [...document.querySelectorAll(".rosyAway :is(path, text, rect, tspan)")].filter(part =>
+          part.checkVisibility(),
+        ).length,
+    )
+    expect(laidOut).toBe(0)
   })
 
   test("a large program that is touched is drawn completely", async () => {

@@ -1,5 +1,6 @@
-/// What is typed stands where it is typed, also when marks change around it between two letters.
+/// What is typed stands where it is typed, also when marks change around it between two letters; and the cursor blinks.
 
+import type {Page} from "playwright-core"
 import {afterAll, beforeAll, expect, inject, test} from "vitest"
 import {openStage, type Stage} from "../blocks/browser.ts"
 
@@ -9,7 +10,8 @@ beforeAll(async () => {
 })
 afterAll(() => stage.close())
 
-test("a letter follows the one before it when the marks on that change twice in between", async () => {
+/// A page with nothing but an empty pane, which has the focus.
+async function openPane(): Promise<Page> {
   const page = await stage.openOwn("empty")
   await page.addScriptTag({
     type: "module",
@@ -44,6 +46,11 @@ test("a letter follows the one before it when the marks on that change twice in 
     Object.assign(window, {pane})
   })
   await page.getByRole("textbox", {name: "Haskell"}).click()
+  return page
+}
+
+test("a letter follows the one before it when the marks on that change twice in between", async () => {
+  const page = await openPane()
   await page.keyboard.type("type Side = Either ")
   for (const letter of "Degrees") {
     await page.keyboard.type(letter)
@@ -65,4 +72,19 @@ test("a letter follows the one before it when the marks on that change twice in 
     })
   }
   expect(await page.getByRole("textbox", {name: "Haskell"}).textContent()).toBe("type Side = Either Degrees")
+})
+
+test("the cursor blinks without an animation, for which the browser would make frames all the time", async () => {
+  const page = await openPane()
+  const isSeen = (seen: boolean) =>
+    page.waitForFunction(
+      seen => document.querySelector(".cm-cursor")?.checkVisibility({visibilityProperty: true}) === seen,
+      seen,
+    )
+  await isSeen(false)
+  await isSeen(true)
+  await isSeen(false)
+  await page.keyboard.type("x")
+  expect(await page.evaluate(() => document.getAnimations().length)).toBe(0)
+  await isSeen(true)
 })
