@@ -119,7 +119,7 @@ def _command(arguments: Sequence[str] | None) -> int:
                 raise BadInput(tr("--runs says how many programs may run at once: at least 1."))
             config = config.with_limits(replace(config.limits, runs=options.runs))
         robots = read_robot_configuration(config.robot_executable, options.robot, options.robots)
-        config = replace(config, robots=robots, class_name=options.class_name)
+        config = replace(config, robots=robots, class_name=options.class_name, records=not options.no_record)
         host = options.host or ("127.0.0.1" if options.class_name is None else "0.0.0.0")
         return serve(config, host, options.port, not options.no_browser, options.unprotected)
     if options.command == "node":
@@ -161,6 +161,7 @@ def _parser() -> argparse.ArgumentParser:
     serve.add_argument("--robot", action="append", default=[], metavar="NAME=ADDRESS")
     serve.add_argument("--robots", type=Path, metavar="FILE")
     serve.add_argument("--unprotected", action="store_true")
+    serve.add_argument("--no-record", action="store_true")
     add_cluster_options(commands.add_parser("node", prog="rosy start", add_help=False, allow_abbrev=False))
     check = commands.add_parser("check", prog="rosy check", add_help=False, allow_abbrev=False)
     check.add_argument("file", type=Path)

@@ -92,6 +92,8 @@ class Config:
     classes: Path = field(default_factory=lambda: _classes())
     # The folder of recordings of runs on real robots. ROSY_RECORDINGS; else in the person's data folder.
     recordings: Path = field(default_factory=lambda: _recordings())
+    # Whether runs of pages on real robots are recorded.
+    records: bool = True
     # URL of the PostgreSQL database of all classes, or sqlite:/PATH; None for the folder. ROSY_CLASS_DATABASE.
     class_database: str | None = None
     # The class that is served; None without class mode.

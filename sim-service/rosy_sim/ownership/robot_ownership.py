@@ -21,6 +21,7 @@ from ..wire.problem import to_wire
 from ..wire.robot_process import DriveSettingsLine, FrameLine, Line, LinkLine, SaidLine, SoundLine, StoppedLine
 from .robot_process import RobotProcess
 from .robot_registry import RobotRegistry
+from .run_recorder import RunRecorder
 
 __all__ = ["RobotOwnership", "RobotView", "SafetyView"]
 
@@ -81,6 +82,16 @@ class RobotOwnership:
         """The greatest speeds of the robot that the page owns."""
         assert self._state is not None
         return RobotLimits(self._state.max_speed, self._state.max_turn)
+
+    @property
+    def recorder(self) -> RunRecorder | None:
+        """Records the runs on the robot; None if they are not to be recorded."""
+        return self._registry.recorder
+
+    @property
+    def name(self) -> str:
+        """What pages call the robot that the page owns."""
+        return self._state.name if self._state is not None else ""
 
     def send_robots(self) -> None:
         """Tell the page which robots there are, if there are any."""

@@ -17,7 +17,15 @@ from typing import Literal, Protocol
 import msgspec
 
 from ..config import Limits
-from ..wire.robot_process import CommandsLine, EndedLine, Line, decode_line, encode_request, encode_switch
+from ..wire.robot_process import (
+    CommandsLine,
+    EndedLine,
+    Line,
+    decode_line,
+    encode_record,
+    encode_request,
+    encode_switch,
+)
 
 __all__ = ["RobotListener", "RobotProcess", "RunListener"]
 
@@ -77,6 +85,10 @@ class RobotProcess:
                 return
         self._runs.append(listener)
         self._send("run")
+
+    def record(self, log: Path) -> None:
+        """Write what goes to and fro in the next program's run into a file."""
+        self._write(encode_record(str(log)))
 
     def stop(self) -> None:
         """End the program in good order; the wheels stop at once."""

@@ -19,6 +19,7 @@ from ..errors import BadInput
 from ..sentence import tr
 from ..wire import page
 from .driver_locks import active_drivers, canonical_address
+from .run_recorder import RunRecorder
 
 __all__ = ["Owner", "RobotRegistry"]
 
@@ -54,6 +55,7 @@ class RobotRegistry:
         executable: ``rosy-robot``; ``None`` while it is not built.
         now: a clock in s that only goes forward.
         on_change: called when a robot gets an owner or loses it.
+        recorder: records the runs on the robots; ``None`` if they are not to be recorded.
     """
 
     def __init__(
@@ -62,7 +64,9 @@ class RobotRegistry:
         executable: Path | None,
         now: Callable[[], float],
         on_change: Callable[[], None],
+        recorder: RunRecorder | None = None,
     ) -> None:
+        self.recorder = recorder
         self._addresses = addresses
         self.executable = executable
         self._now = now

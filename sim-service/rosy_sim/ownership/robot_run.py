@@ -10,6 +10,8 @@ from typing import Protocol
 
 import msgspec
 
+from ..recordings.mcap_file import RunDetails
+from ..recordings.recording_folder import PendingRecording
 from ..run.command_conflicts import Action, CommandConflicts
 from ..run.page_run import PageRun, RunView
 from ..run.problems import broken_link, died, lost_robot
@@ -23,6 +25,7 @@ from ..world.events import Command
 from ..world.time_step import STEPS_PER_SECOND
 from .robot_parts import missing_parts_problem
 from .robot_process import RobotProcess
+from .run_recorder import RunRecorder
 
 __all__ = ["OnRobotStep", "RobotRun"]
 
@@ -62,7 +65,13 @@ class RobotRun(PageRun):
         on_unobserved: Callable[[], None],
         observes: bool = False,
         prepared: PreparedRun | None = None,
+        recorder: RunRecorder | None = None,
+        robot_name: str = "",
     ) -> None:
+        self._recorder = recorder
+        self._details = RunDetails(request.source, robot_process.address, robot_name)
+        # The recording of the run from its start on.
+        self._recording: PendingRecording | None = None
         self._robot_process = robot_process
         self._commands_in_force = CommandConflicts()
         self._on_step = on_step
@@ -132,6 +141,10 @@ class RobotRun(PageRun):
             self._end("error", [missing])
             return
         self._view.show_started(started.problems, started.branches)
+        if self._recorder is not None:
+            self._recording = self._recorder.begin(self._details)
+        if self._recording is not None:
+            self._robot_process.record(self._recording.log)
         self._robot_process.run(link, self)
         self._has_begun = True
         if not self._is_observed:
@@ -165,6 +178,7 @@ class RobotRun(PageRun):
 
     def on_ended(self, line: EndedLine) -> None:
         """The program has ended."""
+        self._finish_recording(line.how)
         if self._is_over:
             return
         if line.how == "stuck" or line.how == "died":
@@ -183,8 +197,14 @@ class RobotRun(PageRun):
 
     def on_lost(self) -> None:
         """The connection to the robot is lost."""
+        self._finish_recording("lost")
         self._session.kill()
         self._end("error", [lost_robot(self._view.step / STEPS_PER_SECOND)])
+
+    def _finish_recording(self, how: str) -> None:
+        recording, self._recording = self._recording, None
+        if recording is not None and self._recorder is not None:
+            self._recorder.finish(recording, how)
 
 
 def _action(sent: SentCommand) -> Action:

@@ -24,7 +24,7 @@ from .mcap_file import RunDetails, write_recording
 __all__ = ["MAX_FOLDER", "Finished", "PendingRecording", "RecordingFolder", "named_recording", "recorded_sentence"]
 
 MAX_FOLDER = 1_000_000_000
-"""Bytes of all recordings together, about 200 hours of a Kobuki; a choice of ours."""
+"""Bytes of all recordings together, about 200 hours of driving; a choice of ours."""
 
 _ABANDONED = 3600.0
 """A log that was not written to for so many s belongs to no run, which writes 50 times a second."""
@@ -95,6 +95,19 @@ class RecordingFolder:
             raise BadInput(
                 tr("{path} cannot be written: {why}.", path=self._folder, why=error.strerror or "")
             ) from error
+
+    def pending(self, name: str) -> tuple[PendingRecording, RunDetails]:
+        """
+        A recording that was begun under this name, and what is known of its run.
+
+        Raises:
+            BadInput: there is none.
+        """
+        pending = PendingRecording(self._folder / f"{name}.log", self._folder / f"{name}.mcap", self)
+        try:
+            return pending, msgspec.json.decode(_details_of(pending.log).read_bytes(), type=RunDetails)
+        except OSError as error:
+            raise BadInput(tr("{path} cannot be read: {why}.", path=pending.log, why=error.strerror or "")) from error
 
     def tidy(self, kept: Path) -> int:
         """

@@ -8,6 +8,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import secrets
+import sys
 import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterable, Sequence
 from pathlib import Path
@@ -32,12 +33,14 @@ from ..config import Config
 from ..errors import BadInput, RosyError
 from ..lessons.catalogue import lesson_json, lesson_list
 from ..ownership.robot_registry import RobotRegistry
+from ..ownership.run_recorder import RunRecorder
 from ..previews.preview_pool import PreviewPool
 from ..run.lateness import Lateness
 from ..run.problems import address_full, service_full
 from ..run.run_queue import RunQueue
 from ..run.worker_session import RunServices
 from ..sentence import Sentence, tr
+from ..terminal_text import neutralize_line
 from ..token_bucket import TokenBucket
 from ..wire import page
 from ..wire.problem import to_wire
@@ -86,7 +89,10 @@ class Service:
         self.lateness = Lateness()
         self.run_queue = RunQueue(config.limits.runs)
         self.worker = WorkerSupervisor(config, self._on_worker_status)
-        self.robots = RobotRegistry(config.robots, config.robot_executable, time.monotonic, self._on_robots_change)
+        self.recorder = RunRecorder(config.recordings, self._tell) if config.records else None
+        self.robots = RobotRegistry(
+            config.robots, config.robot_executable, time.monotonic, self._on_robots_change, self.recorder
+        )
         self.example_paths = ExamplePaths(config.examples, self.worker, self.run_queue, config.limits)
         self.room_tests = RoomTests(config)
         self.lesson_rehearsals = LessonRehearsals(config, self.room_tests.queue)
@@ -104,6 +110,11 @@ class Service:
         self._run_services = RunServices(
             self.worker, self.run_queue, config.limits, self.lateness, QuestionScheduler(time.monotonic)
         )
+
+    @staticmethod
+    def _tell(sentence: Sentence) -> None:
+        """Tell the person who started Rosy."""
+        print(f"rosy: {neutralize_line(in_terminal(sentence))}", file=sys.stderr)
 
     def _on_worker_status(self, status: WorkerStatus) -> None:
         for session in self.sessions.values():
@@ -125,6 +136,8 @@ class Service:
             # Concurrently: no robot keeps driving while others are being stopped.
             await asyncio.gather(*(session.close() for session in list(self.sessions.values())))
             await self.previews.close()
+            if self.recorder is not None:
+                await self.recorder.close()
             if self._checks is not None:
                 await self._checks.cancel()
             if self.classroom is not None:

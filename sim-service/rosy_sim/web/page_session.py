@@ -297,6 +297,8 @@ class PageSession:
                 self._explanations.on_robot_unobserved,
                 self._observes,
                 self._preparation.take(request.source),
+                self.ownership.recorder,
+                self.ownership.name,
             )
             return
         self._explanations.start(request.run, request.source)

@@ -26,6 +26,7 @@ __all__ = [
     "SoundLine",
     "StoppedLine",
     "decode_line",
+    "encode_record",
     "encode_request",
     "encode_switch",
     "read_observed",
@@ -138,6 +139,11 @@ def decode_line(line: bytes) -> Line:
 def encode_request(op: Literal["run", "stop", "estop", "free", "alive"]) -> bytes:
     """A request as a line."""
     return msgspec.json.encode({"op": op}) + b"\n"
+
+
+def encode_record(file: str) -> bytes:
+    """The line that names the file for the log of the next run."""
+    return msgspec.json.encode({"op": "record", "file": file}) + b"\n"
 
 
 def encode_switch(op: Literal["safety", "observe"], on: bool) -> bytes:

@@ -21,6 +21,7 @@ async def main(robot: str, folder: Path) -> None:
         sandbox=False,
         robot_executable=discover().robot_executable,
         robots={"Kitchen": robot},
+        recordings=folder / "recordings",
         # A page that gets no processor for a while is still there.
         limits=Limits(settle=60.0, ready=60.0, unattended=PATIENCE),
     )

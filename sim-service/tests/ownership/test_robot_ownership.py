@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import json
 import os
 import signal
 import sys
@@ -21,6 +22,7 @@ from rosy_sim.errors import BadInput
 from rosy_sim.ownership.driver_locks import active_drivers, canonical_address
 from rosy_sim.ownership.robot_configuration import read_robot_configuration
 from rosy_sim.ownership.robot_registry import RobotRegistry
+from rosy_sim.recordings.mcap_file import open_recording
 
 from ..conftest import PATIENCE
 from ..processes import descriptors
@@ -59,6 +61,39 @@ def test_robots_are_locked_until_the_page_knows_the_code(config: Config, tmp_pat
         assert found["robots"] == [{"name": "Kitchen", "holder": None, "yours": False}]
 
     story(tell, config, tmp_path)
+
+
+def test_runs_of_a_page_are_recorded_each_in_its_file(
+    config: Config, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        for run in (1, 2):
+            await rig.drives(f"drive:0.2 say:run{run}@2", run)
+            await rig.page.send("stop")
+            await rig.page.op("state", run=run, state="ended")
+        assert rig.service.recorder is not None
+        await rig.service.recorder.close()
+
+    story(tell, config, tmp_path)
+    said, found = capfd.readouterr().err, []
+    for path in sorted((tmp_path / "recordings").iterdir()):
+        assert f"The run is recorded in {path}." in said
+        with open_recording(path) as recording:
+            topics = {message["topic"] for line in recording.lines() if "topic" in (message := json.loads(line.text))}
+            assert {"/odom", "/mobile_base/commands/velocity"} <= topics
+            found.append((recording.details.program, recording.details.name, recording.details.ended))
+            assert recording.is_complete
+    assert sorted(found) == [(f"drive:0.2 say:run{run}@2", "Kitchen", "stopped") for run in (1, 2)]
+
+
+def test_a_service_that_does_not_record_makes_no_folder(config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        await rig.drives()
+
+    story(tell, replace(config, records=False), tmp_path)
+    assert not (tmp_path / "recordings").exists()
 
 
 def test_a_page_that_guesses_the_code_does_not_lock_the_right_code_out(config: Config, tmp_path: Path) -> None:
