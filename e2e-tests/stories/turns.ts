@@ -1,7 +1,7 @@
 /// Turns of the stories: most files are played on one day in three, and nightly.
 ///
 /// In: the daily seed. Out: Playwright's function for stories, or one that declares none. A file that has changed since all suites last passed
-/// (`ROSY_TEST_CHANGED`, set by `scripts/test.py`) is played as well. A file that is in no turn, and what a file declares with `daily`, is played each day: the
+/// (`ROSY_TEST_CHANGED`, set by `scripts/test.py`) is played as well, and so is every file where there is no daily seed: stories started by hand. A file that is in no turn, and what a file declares with `daily`, is played each day: the
 /// main path of each part.
 
 import {basename} from "node:path"
@@ -63,7 +63,11 @@ export interface Day {
   readonly changed: readonly string[]
 }
 
-const today: Day = {isFull, seed, changed: (process.env["ROSY_TEST_CHANGED"] ?? "").split("\n")}
+const today: Day = {
+  isFull: isFull || process.env["ROSY_TEST_SEED"] === undefined,
+  seed,
+  changed: (process.env["ROSY_TEST_CHANGED"] ?? "").split("\n"),
+}
 
 /// Whether a file of stories, by its name without `.spec.ts`, is played on a day.
 export function isPlayed(name: string, day: Day): boolean {

@@ -21,6 +21,7 @@ from rosy_sim.world.arena import read_arena
 from rosy_sim.world.events import Reading
 from rosy_sim.world.world import World
 
+from .extent import TODAY
 from .fake_program import play
 
 PATIENCE = 240.0
@@ -89,6 +90,17 @@ def config(tmp_path: Path, limits: Limits) -> Config:
     )
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Long tests start first: the process that gets one last would keep the others waiting."""
+REPOSITORY = Path(__file__).resolve().parents[2]
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """
+    Tests that take turns are left out on two days of three. Long tests start first: a process that gets one last keeps
+    the others waiting.
+    """
+    turns = [item for item in items if item.get_closest_marker("turns") is not None]
+    today = TODAY.share((item.nodeid, item.path.relative_to(REPOSITORY).as_posix()) for item in turns)
+    left_out = [item for item in turns if item.nodeid not in today]
+    config.hook.pytest_deselected(items=left_out)
+    items[:] = [item for item in items if item not in left_out]
     items.sort(key=lambda item: item.get_closest_marker("long") is None)

@@ -7,10 +7,11 @@ Extent and seed of long tests: ``./rosy test`` runs a share that changes daily, 
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from typing import TypeVar
 
-__all__ = ["SEED", "WHOLE", "rotated"]
+__all__ = ["SEED", "TODAY", "WHOLE", "Day", "rotated"]
 
 Row = TypeVar("Row")
 
@@ -24,3 +25,34 @@ SEED = int(os.environ.get("ROSY_TEST_SEED", "1"))
 def rotated(rows: Sequence[Row], parts: int, *, seed: int = SEED, whole: bool = WHOLE) -> list[Row]:
     """All rows, or every ``parts``-th: the next ones with the next seed, so that each row has its turn."""
     return [row for number, row in enumerate(rows) if whole or (number + seed) % parts == 0]
+
+
+DAYS = 3
+"""Days in which each test that takes turns is run once."""
+
+
+@dataclass(frozen=True)
+class Day:
+    """Part of a run that decides which of the tests that take turns are run."""
+
+    seed: int
+    whole: bool
+    changed: frozenset[str] = frozenset()
+    """Names of files, from the root of the repository, that differ from what has passed."""
+
+    def share(self, tests: Iterable[tuple[str, str]]) -> set[str]:
+        """Those of the tests (name, file) that are run: one in three by their order, and those of changed files."""
+        ordered = sorted(tests)
+        return {
+            name
+            for number, (name, file) in enumerate(ordered)
+            if self.whole or (number + self.seed) % DAYS == 0 or file in self.changed
+        }
+
+
+TODAY = Day(
+    SEED,
+    # Without a daily seed tests are started by hand: all that are named are run.
+    WHOLE or "ROSY_TEST_SEED" not in os.environ,
+    frozenset(os.environ.get("ROSY_TEST_CHANGED", "").splitlines()),
+)

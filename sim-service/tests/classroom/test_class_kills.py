@@ -48,6 +48,7 @@ while True:
 
 
 @pytest.mark.long
+@pytest.mark.turns
 def test_nothing_acknowledged_is_missing_after_kills_during_saves(tmp_path: Path) -> None:
     database = tmp_path / "class.sqlite3"
     reported = 0
@@ -63,6 +64,7 @@ def test_nothing_acknowledged_is_missing_after_kills_during_saves(tmp_path: Path
 
 @needs_postgresql
 @pytest.mark.long
+@pytest.mark.turns
 def test_nothing_acknowledged_is_missing_on_a_server_after_kills_of_its_client(server: str) -> None:
     from rosy_sim.classroom.postgresql_database import PostgresqlDatabase
 

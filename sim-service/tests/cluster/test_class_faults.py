@@ -45,6 +45,7 @@ def test_a_service_that_cannot_start_tells_its_actor_a_sentence(environment: dic
 
 @needs_ray
 @pytest.mark.long
+@pytest.mark.turns
 @pytest.mark.skipif(not WHOLE, reason="cluster: classes that cannot start are begun in nightly")
 def test_a_class_without_a_node_or_a_database_says_so(environment: dict[str, str], tmp_path: Path) -> None:
     token = {**environment, "ROSY_CLUSTER_TOKEN": str(tmp_path / "token")}

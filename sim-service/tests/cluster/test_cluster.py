@@ -71,6 +71,7 @@ def temporary_folders(node: Node) -> list[Path]:
 
 @needs_ray
 @pytest.mark.long
+@pytest.mark.turns
 def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> None:
     scripts(tmp_path, {"ann": "done@1", "bob": "drive:0.5", "cem": "refuse", "dora": "drive:0.2 bump"})
     rooms = 120 if WHOLE else 12
@@ -122,6 +123,7 @@ def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> N
 @needs_ray
 @pytest.mark.real
 @pytest.mark.long
+@pytest.mark.turns
 @pytest.mark.skipif(not WHOLE, reason="cluster: 2,000 runs are graded in nightly")
 @pytest.mark.skipif(not discover().worker, reason="the worker is not built")
 def test_two_thousand_runs_are_graded_while_a_node_is_killed_and_another_joins(tmp_path: Path) -> None:

@@ -169,6 +169,7 @@ async def watch(pupil: Pupil, seen: list[dict[str, Any]]) -> None:
 @needs_ray
 @pytest.mark.skipif(not WHOLE, reason="cluster: live classes are played in nightly")
 @pytest.mark.long
+@pytest.mark.turns
 def test_a_class_outlives_its_node_and_another_goes_on(cluster: tuple[Pages, list[Node]], tmp_path: Path) -> None:
     pages, nodes = cluster
     admissions = {name: pages.begin(name) for name in ("7a", "7b")}

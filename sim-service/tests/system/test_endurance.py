@@ -159,6 +159,7 @@ async def at_rest_again(worker: WorkerSupervisor, before: dict[str, int]) -> dic
 
 
 @pytest.mark.long
+@pytest.mark.turns
 def test_no_text_crashes_or_hangs_the_worker_or_leaves_anything_behind() -> None:
     async def tell() -> None:
         config = discover().with_limits(PATIENT)
@@ -285,6 +286,7 @@ async def drives(page: Page, run: int) -> bool:
 
 
 @pytest.mark.long
+@pytest.mark.turns
 def test_whoever_is_killed_at_whatever_moment_the_service_recovers_and_nobody_is_orphaned() -> None:
     async def tell() -> None:
         dice = random.Random(SEED)

@@ -93,6 +93,7 @@ def test_on_a_computer_without_rosy_it_says_what_it_can_do(built: Callable[[str]
 
 
 @pytest.mark.long
+@pytest.mark.turns
 def test_in_the_simulator_it_does_what_its_source_does(built: Callable[[str], Path], tmp_path: Path) -> None:
     binary = built("randomWalk")
     options = ["--world", "obstacles", "--seconds", "20", "--seed", "7"]

@@ -1,0 +1,28 @@
+"""Tests that take turns: each is run once in three days, nightly, and while its file has changed."""
+
+from __future__ import annotations
+
+import pytest
+
+from .extent import DAYS, Day
+
+TESTS = [(f"a.py::test_{n}", "a.py") for n in range(4)] + [(f"b.py::test_{n}", "b.py") for n in range(3)]
+NAMES = sorted(name for name, _ in TESTS)
+
+
+@pytest.mark.parametrize("first", [0, 20783, 20784, 20785])
+def test_three_days_run_each_test_once(first: int) -> None:
+    shares = [Day(first + day, whole=False).share(TESTS) for day in range(DAYS)]
+    assert sorted(name for share in shares for name in share) == NAMES
+    assert all(abs(len(share) - len(TESTS) / DAYS) < 1 for share in shares)
+
+
+def test_the_order_in_which_tests_are_found_changes_nothing() -> None:
+    assert Day(1, whole=False).share(TESTS) == Day(1, whole=False).share(reversed(TESTS))
+
+
+def test_nightly_runs_all_and_a_changed_file_runs_all_of_its_own() -> None:
+    assert sorted(Day(0, whole=True).share(TESTS)) == NAMES
+    today = Day(0, whole=False).share(TESTS)
+    changed = Day(0, whole=False, changed=frozenset({"b.py"})).share(TESTS)
+    assert changed == today | {name for name, file in TESTS if file == "b.py"}
