@@ -9,10 +9,20 @@ import {showScheme} from "../src/types/type.ts"
 
 const database = packageDatabase()
 
+/// What the Prelude of GHC 9.6 has and that of 9.0, which the environment is made with, has not. Blocks offer what all versions have.
+const newer = new Set([
+  "liftA2 :: Applicative f => (a -> b -> c) -> f a -> f b -> f c",
+  "class (a ~ b) => (~) a b",
+  "instance Functor ((,,,,) a b c d)",
+  "instance Functor ((,,,,,) a b c d e)",
+  "instance Functor ((,,,,,,) a b c d e f)",
+])
+
 describe("the generated environment", () => {
   // Needs the built library; `./rosy test` builds it first.
   test.skipIf(database === undefined)("is not stale", () => {
-    expect(environmentFromGhc(database ?? "")).toBe(generated)
+    const told = environmentFromGhc(database ?? "").split("\n")
+    expect(told.filter(line => !newer.has(line)).join("\n")).toBe(generated)
   })
   test.each([
     ["simulate", "Runnable a => a -> IO ()"],

@@ -51,8 +51,11 @@ export function normal(d: Dump): Dump {
     if (isList(n) && n[0] === "(" && n.length === 2) return [n[1] as Dump]
     if (isList(n) && n[0] === "(" && n.includes(",")) return [...n.slice(1)]
     if (isList(n) && head(n) === "ConDeclField") return fieldByField(n)
-    const inner = isList(n) && ["HsPar", "ParPat", "HsParTy"].includes(head(n)) ? n[n.length - 1] : undefined
-    return [inner ?? n]
+    // From GHC 9.2 on a place is written around what is there, and brackets of 9.4 to 9.8 are tokens of the tree.
+    if (isList(n) && head(n) === "L") return [n[n.length - 1] ?? n]
+    const bracketed =
+      isList(n) && ["HsPar", "ParPat", "HsParTy"].includes(head(n)) ? n.filter(y => y !== "HsTok") : []
+    return [bracketed[bracketed.length - 1] ?? n]
   })
   if (head(all) === "Infix" || head(all) === "Prefix") return ["(", "Prefix"]
   // A `where` with nothing below it.
