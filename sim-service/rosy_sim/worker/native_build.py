@@ -7,17 +7,22 @@ The program must have passed the worker's check. Intermediate files go into a fo
 from __future__ import annotations
 
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
 from ..atomic_file import AtomicFile
 from ..errors import BadInput, WorkerMissing
 from ..sentence import tr
+from ..wording import in_terminal
 
 __all__ = ["build_program", "is_native"]
 
 _ARCHIVES = ("libgmp.a", "libffi.a", "libz.a")
-"""Libraries that a robot's computer need not have. Not the C library: how it looks up hosts depends on its version."""
+"""Libraries that a robot's computer need not have, also where the C library cannot become a part of the file."""
+
+_LINKER_ADVICE = "in statically linked applications requires at runtime"
+"""The linker's warning of host lookups, which ``Ros.Net.HostLookup`` heeds: it loads no library of the machine."""
 
 
 def build_program(root: Path, source: str, output: Path) -> int:
@@ -38,13 +43,21 @@ def build_program(root: Path, source: str, output: Path) -> int:
         scratch = Path(folder)
         program, binary = scratch / "Main.hs", scratch / "program"
         program.write_text(source, encoding="utf-8")
-        _link_static_archives(scratch)
+        static = _archive("libc.a") is not None
+        if not static:
+            note = tr(
+                "This computer has no static C library,"
+                " so the program needs a C library that is no older than the one here."
+            )
+            print(in_terminal(note), file=sys.stderr)
+            _link_static_archives(scratch)
         units = f"{robots.stem.removesuffix('-robots')},{robots.stem}"
-        run_queue = [_libdir(), robots.parent, units, scratch, program, root, binary]
-        status = subprocess.run([builder, *map(str, run_queue)], check=False).returncode
-        if status == 0:
+        request = [_libdir(), robots.parent, units, scratch, program, root, binary, "static" if static else "dynamic"]
+        finished = subprocess.run([builder, *map(str, request)], stderr=subprocess.PIPE, text=True, check=False)
+        sys.stderr.writelines(line for line in finished.stderr.splitlines(keepends=True) if _LINKER_ADVICE not in line)
+        if finished.returncode == 0:
             _install(binary, output)
-    return status
+    return finished.returncode
 
 
 def is_native(path: Path) -> bool:
@@ -65,10 +78,15 @@ def _install(binary: Path, output: Path) -> None:
 def _link_static_archives(folder: Path) -> None:
     """What the linker finds there as an archive and not as a shared library becomes a part of the file."""
     for name in _ARCHIVES:
-        archive = Path(_output_of("gcc", f"-print-file-name={name}"))
-        # A bare name comes back where the system has none; then the shared library is taken.
-        if archive.is_absolute():
+        archive = _archive(name)
+        if archive is not None:
             (folder / name).symlink_to(archive)
+
+
+def _archive(name: str) -> Path | None:
+    """Where the C compiler has this static library; a bare name comes back from it where there is none."""
+    archive = Path(_output_of("gcc", f"-print-file-name={name}"))
+    return archive if archive.is_absolute() else None
 
 
 def _libdir() -> str:

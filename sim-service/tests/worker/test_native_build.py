@@ -6,6 +6,8 @@ import asyncio
 import fcntl
 import json
 import os
+import shutil
+import struct
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -14,6 +16,7 @@ import pytest
 
 from rosy_sim.cli import main
 from rosy_sim.config import Config, discover
+from rosy_sim.worker import native_build
 from rosy_sim.worker.native_build import _newest
 
 from ..web.test_app import opened, serving
@@ -90,6 +93,91 @@ def test_on_a_computer_without_rosy_it_says_what_it_can_do(built: Callable[[str]
         said = subprocess.run([binary, *options], capture_output=True, text=True, check=False, env=elsewhere)
         assert said.returncode == 1
         assert "Say which robot to drive: accelerateAndPlay --robot ws://HOST:9090" in said.stderr
+
+
+def program_headers(binary: Path) -> set[int]:
+    """Kinds of a 64-bit ELF file's program headers (elf(5))."""
+    elf = binary.read_bytes()
+    start, size, count = struct.unpack_from("<Q", elf, 32)[0], *struct.unpack_from("<HH", elf, 54)
+    return {struct.unpack_from("<I", elf, start + size * i)[0] for i in range(count)}
+
+
+PT_LOAD, PT_DYNAMIC, PT_INTERP = 1, 2, 3
+
+
+def test_nothing_but_the_kernel_is_needed_to_start_it(built: Callable[[str], Path]) -> None:
+    kinds = program_headers(built("accelerateAndPlay"))
+    assert PT_LOAD in kinds
+    assert not kinds & {PT_DYNAMIC, PT_INTERP}
+
+
+@pytest.mark.skipif(shutil.which("bwrap") is None, reason="there is no bubblewrap for an empty root")
+@pytest.mark.parametrize("host", ["127.0.0.1", "kitchen.local"])
+def test_it_drives_a_robot_from_a_root_without_a_c_library(
+    host: str, built: Callable[[str], Path], config: Config, tmp_path: Path
+) -> None:
+    """A name that is neither in /etc/hosts nor in DNS is asked of the machine's getent, here one that knows it."""
+    binary = built("accelerateAndPlay")
+    empty = tmp_path / "root"
+    empty.mkdir()
+    getent = tmp_path / "getent.c"
+    getent.write_text('#include <stdio.h>\nint main(void) { puts("127.0.0.1 STREAM kitchen.local"); return 0; }\n')
+    subprocess.run(["gcc", "-static", "-o", tmp_path / "getent", getent], check=True)
+    sandbox = [
+        "bwrap",
+        "--bind",
+        empty,
+        "/",
+        "--ro-bind",
+        binary,
+        "/walk",
+        "--ro-bind",
+        tmp_path / "getent",
+        "/bin/getent",
+    ]
+
+    async def tell() -> None:
+        async with serving(config) as (address, _), opened(address) as page:
+            hello = await page.op("hello")
+            robot = f"ws://{host}:{address.partition(':')[2]}/rosbridge/{hello['session']}"
+            program = await asyncio.create_subprocess_exec(
+                *map(str, sandbox),
+                "--die-with-parent",
+                "/walk",
+                "--robot",
+                robot,
+                "--seconds",
+                "4",
+                env={"PATH": "/bin"},
+            )
+            await page.until(lambda m: m["op"] == "frame" and m["channels"].get("Velocity", [0.0])[0] > 0.1)
+            await page.until(lambda m: m["op"] == "frame" and m["channels"].get("Velocity", [1.0])[0] == 0)
+            assert await program.wait() == 0
+
+    asyncio.run(tell())
+
+
+@pytest.mark.skipif(shutil.which("bwrap") is None, reason="there is no bubblewrap for an empty root")
+def test_a_name_that_no_one_knows_is_said_to_be_unknown(built: Callable[[str], Path], tmp_path: Path) -> None:
+    sandbox = ["bwrap", "--bind", tmp_path, "/", "--ro-bind", built("accelerateAndPlay"), "/walk"]
+    command = [*map(str, sandbox), "/walk", "--robot", "ws://kitchen.local:9090", "--seconds", "1"]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, env={"PATH": "/bin"}) as program:
+        assert program.stderr is not None
+        try:
+            assert any("no computer here has this name" in line for line in program.stderr)
+        finally:
+            program.kill()
+
+
+def test_without_a_static_c_library_it_says_what_the_program_needs(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    archive = native_build._archive
+    monkeypatch.setattr(native_build, "_archive", lambda name: None if name == "libc.a" else archive(name))
+    binary = tmp_path / "move"
+    assert main(["build", str(ROOT / "examples" / "move" / "Main.hs"), "-o", str(binary)]) == 0
+    assert "This computer has no static C library" in capfd.readouterr().err
+    assert PT_INTERP in program_headers(binary)
 
 
 @pytest.mark.long

@@ -34,7 +34,9 @@ data BuildRequest = BuildRequest
     source :: FilePath,
     -- | folder of Rosy and its simulator
     home :: FilePath,
-    binary :: FilePath
+    binary :: FilePath,
+    -- | whether the C library becomes a part of the executable
+    static :: Bool
   }
 
 data Outcome
@@ -88,6 +90,8 @@ arguments order =
     ++ concat [["-package-id", u] | u <- units order]
     ++ concat [["-package", p] | p <- ["base", "containers", "random"]]
     ++ ["-O1", "-threaded", "-fno-omit-yields", "-rtsopts=ignoreAll", "-w"]
+    ++ ["-optl-s"]
+    ++ ["-optl-static" | static order]
     ++ ["-main-is", launcherName, "-L" ++ scratch order, "-outputdir", scratch order, "-o", binary order]
 
 -- | The names in scope of every program. 'robotTypes' serve warnings only, which a build does not give.
