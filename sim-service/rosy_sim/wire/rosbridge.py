@@ -5,7 +5,7 @@ Follows the protocol as RobotWebTools' rosbridge_suite (ROBOT side: ros1 0.11.17
 tell: topics are echoed as the client wrote them, `status` is only sent to clients that asked with `set_level`,
 latched values come at once, throttling is per topic, a subscription with another type than the topic's and a message
 with an unknown field are refused. What a client sends wrong is ignored, like there, and told to those who listen.
-Operations that the protocol has and this server has not (`png` from clients, actions) are refused as unknown ones are.
+`png` goes to clients only (its section 2), and actions are ROS 2's: from clients both are refused as unknown.
 Types without a definition in ``rosy-hs/ros/msg`` are taken as the client says.
 """
 

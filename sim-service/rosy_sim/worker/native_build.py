@@ -21,7 +21,7 @@ __all__ = ["build_program", "is_native"]
 _ARCHIVES = ("libgmp.a", "libffi.a", "libz.a")
 """Libraries that a robot's computer need not have, also where the C library cannot become a part of the file."""
 
-_LINKER_ADVICE = "in statically linked applications requires at runtime"
+_LINKER_ADVICE = ": warning: Using 'getaddrinfo'"
 """The linker's warning of host lookups, which ``Ros.Net.HostLookup`` heeds: it loads no library of the machine."""
 
 
