@@ -22,8 +22,9 @@ from rosy_sim.rooms.trial_process import Setup
 from rosy_sim.world.properties import read_properties
 
 from ..conftest import PATIENCE
+from ..processes import await_end
 from .test_class import Class, Client, Message, in_class, save, teaching
-from .test_room_tests import trial_processes, wait_for, wait_for_end
+from .test_room_tests import trial_processes, wait_for
 
 
 async def own_tasks(client: Client, *, opened: bool) -> list[Message]:
@@ -343,12 +344,12 @@ def test_a_check_is_cancelled_and_leaves_no_process(config: Config) -> None:
             if ended_by == "board":
                 await board.send("cancel-check")
                 await board.op("checking", such=lambda m: m["task"] is None)
-                await asyncio.to_thread(wait_for_end, processes)
+                await asyncio.to_thread(await_end, processes, PATIENCE)
             left.append(processes)
 
     left: list[set[int]] = []
     in_class(config, lesson)
-    wait_for_end(left[-1])
+    await_end(left[-1], PATIENCE)
 
 
 @pytest.mark.parametrize(

@@ -13,9 +13,9 @@ from websockets.asyncio.client import connect
 from rosy_sim.config import Config
 
 from ..conftest import PATIENCE, UNHURRIED
-from ..processes import below, command_of
+from ..processes import await_end, below, command_of
 from .test_app import opened, serving
-from .test_room_tests import Message, session_of, wait_for, wait_for_end
+from .test_room_tests import Message, session_of, wait_for
 
 ROOM: Message = {"size": [6, 4], "start": {"x": 1, "y": 2}}
 STEP: Message = {"seconds": 4, "checks": [{"kind": "moves", "id": "far", "metres": 1}]}
@@ -83,6 +83,6 @@ def test_rehearsals_end_with_their_socket_and_leave_nothing(config: Config) -> N
                 [refusal] = await answers(address, session, REQUEST)
                 assert refusal["op"] == "failed"
             await asyncio.to_thread(wait_for, lambda: not service.lesson_rehearsals.is_busy)
-            await asyncio.to_thread(wait_for_end, seen)
+            await asyncio.to_thread(await_end, seen, PATIENCE)
 
     asyncio.run(play())
