@@ -74,7 +74,8 @@ made() {
 built() { compgen -G "$ROSY_ROOT/dist-newstyle/build/*/ghc-*/rosy-*/x/$1/build/$1/$1" >/dev/null; }
 
 # print_of STEP: the fingerprint of the step's inputs. Those of the builds are read once for a command.
-declare -A prints=()
+# Global, for set_up in `rosy` reads this file within a function.
+declare -gA prints=()
 print_of() {
   [ -z "${prints[$1]:-}" ] || { echo "${prints[$1]}" && return; }
   case "$1" in

@@ -216,6 +216,13 @@ def test_the_packages_of_the_tests_are_kept(complete: Machine) -> None:
     assert (complete.root / "node_modules").exists()
 
 
+def test_the_tests_install_ray_after_everything_else(complete: Machine) -> None:
+    done = complete.rosy("test", "python")
+    assert complete.called("requirements-cluster.lock") == 1
+    # What bash itself says of a fault in the script.
+    assert "setup.sh: line" not in done.stderr
+
+
 def test_an_update_builds_only_what_changed(complete: Machine) -> None:
     complete.rosy("start")
     (complete.root / "editor/src/new.ts").write_text("new")
