@@ -86,6 +86,9 @@ class Surroundings(Protocol):
     def odometry(self) -> tuple[float, float, float, float, float]:
         """x, y (m), heading (rad), speed (m/s) and turn rate (rad/s), as the robot's own sensors estimate them."""
 
+    def free_distance(self, direction: float, farthest: float) -> float:
+        """From the robot's centre to the first surface in a direction (rad, in the room), m; at most ``farthest``."""
+
 
 class Device(Protocol):
     """A sensor or an actuator with a state of its own, such as a battery."""

@@ -203,6 +203,10 @@ class World:
             return (*self._odometry_model.pose, *self._odometry_model.speeds)
         return self._truth()
 
+    def free_distance(self, direction: float, farthest: float) -> float:
+        """From the robot's centre to the first surface in a direction (rad, in the room), m; at most ``farthest``."""
+        return self.obstacles.distance(self.x, self.y, direction, farthest)
+
     def _truth(self) -> Odometry:
         ox, oy, otheta = self._origin
         dx, dy = self.x - ox, self.y - oy

@@ -34,5 +34,21 @@ def test_the_regions(dock: tuple[float, float, float], seen: tuple[int, int, int
     assert world.channels()["DockInfraRed"] == seen
 
 
+@pytest.mark.parametrize(
+    ("hidden", "things"),
+    [
+        (True, {"walls": [{"from": [11.5, 8], "to": [11.5, 12]}]}),
+        (True, {"boxes": [{"x": 11.5, "y": 10, "w": 0.3, "h": 0.3}]}),
+        (False, {"walls": [{"from": [11.5, 10.5], "to": [11.5, 12]}]}),
+        # Behind the dock, and the wall at which it stands.
+        (False, {"walls": [{"from": [13.6, 8], "to": [13.6, 12]}]}),
+        (False, {"walls": [{"from": [13.02, 8], "to": [13.02, 12]}]}),
+    ],
+)
+def test_what_stands_between_hides_the_dock(hidden: bool, things: dict[str, object]) -> None:
+    world = hall(dock={"x": 13.0, "y": 10.0, "theta": 0.0}, **things)
+    assert world.channels()["DockInfraRed"] == (0, 0 if hidden else FAR_CENTER, 0)
+
+
 def test_a_room_without_a_dock_has_no_signal() -> None:
     assert hall().channels()["DockInfraRed"] == (0, 0, 0)

@@ -16,6 +16,8 @@ def pass_time(world: World, seconds: float) -> dict[str, tuple[float | int | str
     """What the channels say after so long; the devices take it in one piece, which for them makes no difference."""
     for device in world._devices:
         device.integrate(world, seconds)
+    # The world reads its devices anew after each piece of time, also after none.
+    world.integrate(0.0)
     return world.channels()
 
 

@@ -2,8 +2,8 @@
 Infrared receivers of Kobuki for the beams of its dock.
 
 The dock sends to three regions in front of it, left, centre and right, each divided into near and far
-(kobuki_msgs, msg/DockInfraRed.msg). A receiver that faces the dock in a region reports it. Walls do not
-shadow the beams here.
+(kobuki_msgs, msg/DockInfraRed.msg). A receiver that faces the dock in a region reports it, unless a wall or a
+thing is between them: infrared light does not pass.
 """
 
 from __future__ import annotations
@@ -31,6 +31,9 @@ BEARINGS = (math.radians(60), 0.0, math.radians(-60))
 HALF_VIEW = math.radians(45)
 """Half the field of view of a receiver, rad. Our choice: neighbours overlap, so that two see a dock between them."""
 
+MARGIN = 0.05
+"""A surface within this distance of the dock, m, does not hide it: the dock stands at a wall. Our choice."""
+
 NEAR_FLAGS = (1, 2, 4)
 FAR_FLAGS = (16, 8, 32)
 """Flags of the left, centre and right region. kobuki_msgs, msg/DockInfraRed.msg."""
@@ -55,8 +58,11 @@ class DockReceivers:
         dx, dy = dock.x - robot.x, dock.y - robot.y
         c, s = math.cos(dock.theta), math.sin(dock.theta)
         flag = _region(dx * c + dy * s, dx * s - dy * c)
+        distance, direction = math.hypot(dx, dy), math.atan2(dy, dx)
+        if flag and robot.free_distance(direction, distance) < distance - MARGIN:
+            flag = 0
         # In the dock there is no direction to it: it is straight ahead.
-        bearing = wrapped(math.atan2(dy, dx) - robot.theta) if math.hypot(dx, dy) > 1e-3 else 0.0
+        bearing = wrapped(direction - robot.theta) if distance > 1e-3 else 0.0
         return {"DockInfraRed": tuple(flag if abs(wrapped(bearing - at)) <= HALF_VIEW else 0 for at in BEARINGS)}
 
 
