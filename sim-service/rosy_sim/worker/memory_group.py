@@ -13,6 +13,8 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
+import psutil
+
 __all__ = ["MemoryGroup", "create_memory_group"]
 
 _PREFIX = "rosy-programs-"
@@ -79,8 +81,9 @@ def _create(parent: Path, limit_file: str, limit: int) -> MemoryGroup | None:
     if not parent.is_dir():
         return None
     for old in parent.glob(f"{_PREFIX}*"):
-        # Of a service that was killed. One with processes stays.
-        _remove(old)
+        # Of a service that was killed. One with processes stays, and one that its service has just made.
+        if not psutil.pid_exists(_owner(old)):
+            _remove(old)
     folder = parent / f"{_PREFIX}{os.getpid()}-{next(_numbers)}"
     try:
         folder.mkdir()
@@ -96,6 +99,12 @@ def _create(parent: Path, limit_file: str, limit: int) -> MemoryGroup | None:
         group.remove()
         return None
     return group
+
+
+def _owner(group: Path) -> int:
+    """The process that has made a group: its name says it."""
+    owner = group.name.removeprefix(_PREFIX).partition("-")[0]
+    return int(owner) if owner.isdecimal() else -1
 
 
 def _words(file: Path) -> list[str]:

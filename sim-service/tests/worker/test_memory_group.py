@@ -80,12 +80,16 @@ def test_there_is_none_where_there_cannot_be_one(membership: str, files: dict[st
 
 def test_groups_of_services_that_were_killed_are_removed(tmp_path: Path) -> None:
     groups, own = tree(tmp_path, "4:memory:/a\n", {f"memory/a/{PROCS}": ""})
-    empty, used = (groups / "memory" / "a" / f"rosy-programs-{name}" for name in ("1-1", "2-1"))
-    empty.mkdir()
-    used.mkdir()
+    killed = subprocess.Popen(["true"])
+    killed.wait(PATIENCE)
+    names = (f"{killed.pid}-1", f"{killed.pid}-2", f"{os.getpid()}-0")
+    empty, used, new = (groups / "memory" / "a" / f"rosy-programs-{name}" for name in names)
+    for folder in (empty, used, new):
+        folder.mkdir()
     (used / "held").touch()
     assert create_memory_group(1000, groups, own) is not None
-    assert (empty.exists(), used.exists()) == (False, True)
+    # A service that lives may be about to start the first process of its group.
+    assert (empty.exists(), used.exists(), new.exists()) == (False, True, True)
 
 
 def test_the_kernel_ends_what_takes_more_than_the_limit() -> None:
