@@ -31,6 +31,7 @@ LAYERS = (
     ("world",),
     ("robots",),
     ("worlds",),
+    ("maps",),
     ("wire",),
     ("explain",),
     ("worker",),

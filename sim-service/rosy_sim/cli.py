@@ -1,5 +1,6 @@
 """
-Command line of the service: ``serve``, ``node``, ``class``, ``run``, ``replay``, ``check``, ``build``, ``lsp``.
+Command line of the service: ``serve``, ``node``, ``class``, ``run``, ``room``, ``replay``, ``check``, ``build``,
+``lsp``.
 ``./rosy help COMMAND`` explains them.
 
 Every expected failure ends as one sentence on stderr; the exit status is the error's own.
@@ -31,6 +32,7 @@ from .explain.causal_chain import explain
 from .explain.recorded_run import RecordedRun
 from .explain.why_not import RobotLimits
 from .explain.wording import words_of
+from .maps.command import add_room_options, make_room
 from .ownership.robot_configuration import read_robot_configuration
 from .problem_text import format_problem
 from .recordings.command import add_replay_options, replay_recording
@@ -136,6 +138,8 @@ def _command(arguments: Sequence[str] | None) -> int:
         return _build(config, options)
     if options.command == "check":
         return _check(config, options)
+    if options.command == "room":
+        return make_room(options, _print_sentence)
     if options.command == "replay":
         _warn_without_sandbox(config)
         return replay_recording(config, options, _print_sentence, _print_problem)
@@ -172,6 +176,7 @@ def _parser() -> argparse.ArgumentParser:
     lsp = commands.add_parser("lsp", prog="rosy lsp", add_help=False, allow_abbrev=False)
     # Editors add it to name the transport; there is no other one.
     lsp.add_argument("--stdio", action="store_true")
+    add_room_options(commands.add_parser("room", prog="rosy room", add_help=False, allow_abbrev=False))
     add_replay_options(commands.add_parser("replay", prog="rosy replay", add_help=False, allow_abbrev=False))
     add_class_options(commands.add_parser("class", prog="rosy class", add_help=False, allow_abbrev=False))
     run = commands.add_parser("run", prog="rosy run", add_help=False, allow_abbrev=False)
