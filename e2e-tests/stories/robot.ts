@@ -20,7 +20,7 @@ export interface Rig {
 export async function openRig(): Promise<Rig> {
   const folder = mkdtempSync(join(tmpdir(), "rosy-e2e-"))
   const emulator = join(root, "rosy-hs", "test-robots", "peers", "kobuki.py")
-  const environment = {...process.env, XDG_RUNTIME_DIR: folder}
+  const environment = {...process.env, XDG_RUNTIME_DIR: folder, ROSY_RECORDINGS: join(folder, "recordings")}
   const base = new Talker("/usr/bin/python3", [emulator, join(folder, "kobuki")], environment)
   const device = (await base.says(/^plugged (.*)$/))[1]
   const service = startService(["--robot", `Kitchen=serial:${device}?rearm=off`], environment)

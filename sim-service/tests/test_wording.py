@@ -155,7 +155,7 @@ def test_no_command_says_anything_in_english(
 # Names of ours, of options and of formats.
 _NAMES = """
 rosy help json start run class list export rooms file robot action world family name like ROOM off max int float tiles
-size seconds explain provenance trace check build lsp command serve node
+size seconds explain provenance trace check build lsp replay room command serve node
 """
 
 _KEPT = set(re.findall("[A-Za-z]{3,}", f"{_NAMES} {_ALL_PROPERTIES} {' '.join(world_names())}"))
