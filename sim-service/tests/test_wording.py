@@ -113,6 +113,7 @@ _ALL_PROPERTIES = "reaches-goal never-falls never-pushes 1 s returns-to-start co
         ["check", "."],
         ["check", "broken.rosy"],
         ["build", "nowhere.hs"],
+        ["room", "flat.json"],
         ["nonsense"],
         ["run", "p.hs", "--seconds", "many"],
         ["run", "p.hs", "--seconds", "-1"],
