@@ -79,3 +79,26 @@ test("a branch of a run is compared with the run that it came from", async ({pag
   await expect(rows(page).nth(0)).toBeVisible()
   await page.screenshot({path: screenshot("runs-phone")})
 })
+
+test("an earlier run is looked at while another one goes on", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("move")
+  await learner.runs()
+  await until(learner.robot("time"), time => time > 1)
+  await learner.stops()
+  await learner.runs()
+  await until(learner.robot("time"), time => time > 0.5)
+  await page.getByRole("tab", {name: "Runs"}).click()
+  await rows(page).nth(0).click()
+  await expect(rows(page).nth(0)).toHaveAttribute("aria-selected", "true")
+  await expect(rows(page).nth(1)).toContainText("paused")
+  // The program has not ended, and its run comes back where it was.
+  await expect(learner.status()).toHaveText("Paused")
+  await page.getByRole("button", {name: "Go on with run 2"}).click()
+  await expect(rows(page).nth(1)).toHaveAttribute("aria-selected", "true")
+  await expect(rows(page).nth(1)).not.toContainText("paused")
+  await expect(learner.status()).toHaveText("Running")
+  // Later than either run was when it was looked at.
+  await until(learner.robot("time"), time => time > 3)
+  await learner.stops()
+})

@@ -41,8 +41,10 @@ _SESSION_MEMORY = 512 * 1024 * 1024
 """What a worker takes itself, several times over, bytes; its control group may take so much beyond the ceiling."""
 
 _JOIN = ("/bin/sh", "-c", '{ echo $$ > "$0"; } 2>/dev/null; exec "$@"')
-"""Starts a command in the control group whose file comes first: before the command can start a process. One that it may not
-join leaves the worker's own ceiling, as no group does; its output belongs to the user."""
+"""
+Starts a command in the control group whose file comes first: before the command can start a process. Where it may not
+join, the worker's own ceiling is alone; nothing is said, for the output belongs to the user.
+"""
 
 
 def sandbox_warning(fault: Sentence) -> Sentence:
