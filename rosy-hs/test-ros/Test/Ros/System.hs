@@ -25,11 +25,12 @@ import Ros.Message (def)
 import Ros.Names (readArguments)
 import Ros.Nav_msgs.Odometry (Odometry)
 import qualified Ros.Nav_msgs.Odometry as Odometry
+import Ros.Net.Master (lookupService, unregisterPublisher, unregisterService)
 import Ros.Net.Rpc (Uri (..), call, connectTo, readUri)
 import Ros.Net.Tcpros
 import Ros.Net.XmlRpc (Call (..))
 import Ros.Node
-import Ros.Node.Core (Core (..), Publication (..))
+import Ros.Node.Core (Core (..), Publication (..), master)
 import qualified Ros.Std_msgs.Int32 as Int32
 import qualified Ros.Std_msgs.String as Ros
 import Ros.Std_srvs.SetBool (SetBool (..))
@@ -79,6 +80,7 @@ tests = withResource acquire release $ \ready ->
       story ready "when it ends, its last message arrives and the master forgets it" saysGoodbye,
       story ready "Ctrl-C and the system's request end it, and the master forgets it" endsOnSignals,
       restartStory ready,
+      story ready "it registers again when the master knows only what it told it last" forgotten,
       story ready "a round trip takes no longer than rospy's (printed, not judged)" roundTrip,
       testGroup "services" [story ready name act | (name, act) <- Test.Ros.Services.stories]
     ]
@@ -509,6 +511,27 @@ restartStory ready = testCaseInfo "it waits for a master, and registers again wi
         (now, later) <- runTopic speeds
         now @?= (speed :: Double)
         pure (now, later)
+
+-- | So is a master that was restarted between two looks, and to which the node then told something new: here the watch of a
+-- parameter stays, and what the node told before is forgotten.
+forgotten :: Ros -> IO ()
+forgotten ros = node ros "us" $ do
+  core <- askCore
+  p <- publisherWith publisherOptions {latched = True} "/n"
+  _ <- watchParam "/speed" :: Node (Topic IO Double)
+  liftIO $ do
+    publish p (Int32.Int32 7)
+    at <- registered core
+    unregisterPublisher (master core) "/n" >>= (@?= Right ())
+    unregisterService (master core) "/us/get_loggers" at >>= (@?= Right ())
+    withPeer ros "peer" $ \peer -> do
+      say peer "sub /n std_msgs/Int32"
+      hears peer "got" >>= (@?= "got /n {\"data\": 7}")
+  where
+    registered core =
+      lookupService (master core) "/us/get_loggers" >>= \case
+        Right (Just at) -> pure at
+        _ -> registered core
 
 -- | A rospy node and one of ours, each in a process of its own, answer a bumper with an LED. A third node asks them in turn.
 roundTrip :: Ros -> IO ()

@@ -160,7 +160,10 @@ watchMaster core = go True False
       case found of
         Left (Refused _) -> registerAll core >> rest True False
         Right (Just u)
-          | u == coreUri core -> (if missed then registerAll core else pure ()) >> rest True True
+          | u == coreUri core -> do
+              complete <- isComplete core
+              unless (complete && not missed) (registerAll core)
+              rest True True
           | wasKnown && not missed -> requestEnd core (AskedTo ("a new node is called " ++ ownName (coreNaming core)))
         Right _ -> registerAll core >> rest True False
         Left why -> do
@@ -168,6 +171,11 @@ watchMaster core = go True False
           atomically (writeTVar (unregistered core) True)
           rest False wasKnown
     rest there known = threadDelay watchEvery >> go there known
+
+-- | Whether the master knows what 'registerAll' tells it last. A master that was restarted between two looks knows the node from
+-- the first thing that the node told it since, and nothing of what the node told its predecessor.
+isComplete :: Core -> IO Bool
+isComplete core = (== Right (Just (serviceAddress core))) <$> lookupService (master core) (resolve (coreNaming core) loggersService)
 
 registerAll :: Core -> IO ()
 registerAll core = do

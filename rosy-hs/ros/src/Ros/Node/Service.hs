@@ -12,6 +12,8 @@ module Ros.Node.Service
   ( openService,
     registerOffered,
     unregisterOffered,
+    serviceAddress,
+    loggersService,
     serveCaller,
     serveConnection,
     connectService,
@@ -80,14 +82,14 @@ offered s act =
 
 -- | Tells the master. When it cannot be told now, "Ros.Node.Run" tells it later.
 registerOffered :: Core -> String -> IO ()
-registerOffered core name = Master.registerService (master core) name (address core) >>= either (const (atomically (writeTVar (unregistered core) True))) pure
+registerOffered core name = Master.registerService (master core) name (serviceAddress core) >>= either (const (atomically (writeTVar (unregistered core) True))) pure
 
 unregisterOffered :: Core -> String -> IO ()
-unregisterOffered core name = void (Master.unregisterService (master core) name (address core))
+unregisterOffered core name = void (Master.unregisterService (master core) name (serviceAddress core))
 
 -- | Where callers connect.
-address :: Core -> Uri
-address core = Uri (coreHost core) (coreTcpPort core)
+serviceAddress :: Core -> Uri
+serviceAddress core = Uri (coreHost core) (coreTcpPort core)
 
 -- | A connection of another node: a subscriber or a caller, as its header says.
 serveConnection :: Core -> Socket -> IO ()
@@ -244,6 +246,10 @@ awaitOffered core name = do
 lookEvery :: Int
 lookEvery = 100000
 
+-- | The service that every node offers.
+loggersService :: String
+loggersService = "~get_loggers"
+
 -- | What each node offers, as roscpp and rospy do: its loggers, of which there is one, and its level.
 loggerServices :: Core -> IO ()
 loggerServices core = atomically $ do
@@ -253,7 +259,7 @@ loggerServices core = atomically $ do
   where
     ours =
       Map.fromList
-        [ (own "~get_loggers", offered GetLoggers (const (Right . levels <$> readTVarIO (logLevel core)))),
+        [ (own loggersService, offered GetLoggers (const (Right . levels <$> readTVarIO (logLevel core)))),
           (own "~set_logger_level", offered SetLoggerLevel set)
         ]
     own = resolve (coreNaming core)
