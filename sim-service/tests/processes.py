@@ -1,15 +1,16 @@
-"""Figures of processes (descendants, descriptors, memory, names) and their end. An ended process has none."""
+"""Figures of processes (descendants, descriptors, memory, names), their begin and end. An ended process has none."""
 
 from __future__ import annotations
 
 import os
 import select
+import subprocess
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import psutil
 
-__all__ = ["await_end", "below", "called", "command_of", "descriptors", "named", "resident"]
+__all__ = ["await_begin", "await_end", "below", "called", "command_of", "descriptors", "named", "resident"]
 
 
 def below(pid: int) -> set[int]:
@@ -34,6 +35,21 @@ def await_end(pids: Iterable[int], seconds: float) -> None:
                 raise TimeoutError(f"the process {pid} ({called(pid)}) has not ended after {seconds:g} s")
         finally:
             os.close(process)
+
+
+def await_begin(find: Callable[[], set[int]], client: subprocess.Popen[str]) -> set[int]:
+    """
+    What ``find`` finds, as soon as it finds some, or none when the client has ended first.
+
+    No event tells of a process that begins elsewhere, so it looks 20 times a second, without work in between.
+    """
+    process = os.pidfd_open(client.pid)
+    try:
+        while not (found := find()) and not select.select([process], [], [], 0.05)[0]:
+            pass
+    finally:
+        os.close(process)
+    return found
 
 
 def descriptors(pid: int) -> int:

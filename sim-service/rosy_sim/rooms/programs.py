@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import Protocol
 
+from ..interruptible import results
 from .room_test import Report, RoomTest, shrunk_report, try_rooms
 from .trial import Outcome
 from .trial_pool import Trials
@@ -87,7 +88,9 @@ def test_programs(test: RoomTest, sources: Sequence[str], pool: Pool, progress: 
     at_once = max(1, min(len(sources), pool.processes, _MOST_PROGRAMS))
     threads = ThreadPoolExecutor(at_once)
     try:
-        yield from threads.map(lambda source: _test(test, pool.program(test.task(source)), progress), sources)
+        yield from results(
+            [threads.submit(_test, test, pool.program(test.task(source)), progress) for source in sources]
+        )
     except BaseException:
         # The threads wait for trials.
         pool.close()

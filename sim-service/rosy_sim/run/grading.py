@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import BadInput
+from ..interruptible import results
 from ..sentence import tr, verbatim
 from ..terminal_text import neutralize_line
 from ..wording import in_terminal
@@ -63,7 +64,7 @@ def programs_in(paths: Sequence[Path]) -> list[Path]:
 def grade_programs(files: Sequence[Path], options: Sequence[str]) -> list[Grade]:
     """Run each file with the same options."""
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 2) as pool:
-        return list(pool.map(lambda file: _one(file, options), files))
+        return list(results([pool.submit(_one, file, options) for file in files]))
 
 
 def _one(file: Path, options: Sequence[str]) -> Grade:

@@ -83,10 +83,10 @@ class WorkerSession:
         self._return: asyncio.Task[None] | None = None
         # Set when the worker has accepted the text.
         self._program: RunningProgram | None = None
+        # Until the compilation begins: a task that is cancelled before its first step never runs.
+        self._untouched = prepared
         # None when the compilation is over.
-        self._compilation: asyncio.Task[None] | None = asyncio.get_running_loop().create_task(
-            self._compile(source, prepared)
-        )
+        self._compilation: asyncio.Task[None] | None = asyncio.get_running_loop().create_task(self._compile(source))
 
     @property
     def is_compiling(self) -> bool:
@@ -98,6 +98,16 @@ class WorkerSession:
         if self._compilation is not None:
             self._compilation.cancel()
             self._compilation = None
+            self._discard(self._take_prepared())
+
+    def _take_prepared(self) -> PreparedRun | None:
+        prepared, self._untouched = self._untouched, None
+        return prepared
+
+    def _discard(self, prepared: PreparedRun | None) -> None:
+        if prepared is not None:
+            prepared.link.close()
+            self._worker.kill(prepared.program)
 
     def yield_slot(self) -> None:
         """Let another run have the place of this one, which stands still until the end of take_slot()."""
@@ -152,13 +162,12 @@ class WorkerSession:
         if waited:
             self._listener.on_turn()
 
-    async def _compile(self, source: str, prepared: PreparedRun | None) -> None:
+    async def _compile(self, source: str) -> None:
+        prepared = self._take_prepared()
         try:
             await self._wait_for_turn()
         except asyncio.CancelledError:
-            if prepared is not None:
-                prepared.link.close()
-                self._worker.kill(prepared.program)
+            self._discard(prepared)
             raise
         theirs: socket.socket | None = None
         if prepared is not None:

@@ -23,7 +23,7 @@ from rosy_sim.errors import BadInput
 
 from ..conftest import PATIENCE
 from ..extent import WHOLE
-from ..processes import await_end
+from ..processes import await_begin, await_end
 from ..test_cli import Here, environment, here, one_sentence, rosy
 from .ray_nodes import CLUSTER_PYTHON, Node, needs_ray
 
@@ -79,9 +79,7 @@ def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> N
     alone = rosy(token, "run", *test)
     with Node(token) as head, Node(token, head) as second:
         running = on_cluster(token, head, *test)
-        while not second.trial_processes() and running.poll() is None:
-            os.sched_yield()
-        assert second.trial_processes()
+        assert await_begin(second.trial_processes, running)
         second.kill()
         with Node(token, head) if WHOLE else nullcontext():
             assert told(running) == (3, alone.stdout)
@@ -95,11 +93,11 @@ def test_a_lost_node_costs_no_result(token: dict[str, str], tmp_path: Path) -> N
         assert ["lost" in report for report in reports] == [False, True]
 
         assert temporary_folders(head)
-        # An interrupt leaves nothing on the nodes.
+        # An interrupt leaves nothing on the nodes. What the client before has left ends first.
+        await_end(head.trial_processes(), PATIENCE)
         (tmp_path / "slow.hs").write_text("drive:0.1 hang@100")
         running = on_cluster(token, head, "slow.hs", "--rooms", 50)
-        while not (busy := head.trial_processes()) and running.poll() is None:
-            os.sched_yield()
+        busy = await_begin(head.trial_processes, running)
         os.killpg(running.pid, signal.SIGINT)
         running.communicate(timeout=PATIENCE)
         assert running.returncode == 130

@@ -5,12 +5,20 @@ from __future__ import annotations
 import asyncio
 import os
 import signal
+import socket
+import time
 from collections.abc import Awaitable, Callable
 from dataclasses import replace
+from typing import Literal
 
 from rosy_sim.config import Config
+from rosy_sim.run.lateness import Lateness
+from rosy_sim.run.run_queue import RunQueue
+from rosy_sim.run.worker_session import RunServices, WorkerSession
+from rosy_sim.wire.problem import Problem
 from rosy_sim.wire.worker import Started
 from rosy_sim.worker.prepared_runs import PreparedRuns
+from rosy_sim.worker.question_scheduler import QuestionScheduler
 from rosy_sim.worker.supervisor import WorkerSupervisor
 
 from ..conftest import PATIENCE
@@ -86,6 +94,36 @@ def test_what_is_discarded_is_gone(config: Config) -> None:
         runs.discard("one")
         runs.discard("one")
         assert (len(runs), runs.take("one", "a")) == (0, None)
+
+    keeping(play, config)
+
+
+class Silent:
+    """A listener of a session that may not be told anything."""
+
+    def on_queued(self, place: int) -> None:
+        raise AssertionError(place)
+
+    def on_turn(self) -> None:
+        raise AssertionError
+
+    def on_started(self, link: socket.socket, started: Started) -> None:
+        raise AssertionError(link, started)
+
+    def on_failed(self, ended: Literal["refused", "error"], problems: list[Problem]) -> None:
+        raise AssertionError(ended, problems)
+
+
+def test_what_a_session_was_given_ends_when_it_is_cancelled_before_its_first_step(config: Config) -> None:
+    async def play(worker: WorkerSupervisor) -> None:
+        runs = PreparedRuns(worker, 2)
+        runs.prepare("one", "a")
+        prepared = runs.take("one", "a")
+        assert prepared is not None
+        services = RunServices(worker, RunQueue(1), config.limits, Lateness(), QuestionScheduler(time.monotonic))
+        WorkerSession("a", services, Silent(), prepared).cancel()
+        assert prepared.link.fileno() == -1
+        assert (await prepared.program.gone).signal == signal.SIGKILL
 
     keeping(play, config)
 

@@ -2,13 +2,15 @@
 -- Description : .msg files in, sums and modules out.
 module Test.Ros.Generator (tests) where
 
+import Data.List (sort)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import Ros.Gen.Files
 import Ros.Gen.Haskell
 import Ros.Gen.Md5
 import Ros.Gen.Msg
-import System.Directory (doesFileExist)
+import System.Directory (doesFileExist, listDirectory)
+import System.FilePath ((</>))
 import Test.Tasty
 import Test.Tasty.HUnit
 import Test.Tasty.QuickCheck
@@ -19,10 +21,23 @@ tests =
     "generator"
     [ testGroup "sums equal the ones that ROS has for the same text" (map sumOf known),
       testCase "the modules in the repository are what the generator prints now" $ do
-        messagesOnDisk <- loaded
-        texts <- either assertFailure pure (modules (withoutServices Map.empty) messagesOnDisk packages)
-        length texts @?= 133
-        mapM_ upToDate texts,
+        definitions <- loaded
+        names <- maybe [] Set.toList <$> compiledNames folder
+        texts <- either assertFailure pure (modules (withoutServices Map.empty) definitions names)
+        mapM_ upToDate texts
+        -- What the listed ones nest is listed too: a user's modules are made without it.
+        library' <- loadLibrary [folder] >>= either assertFailure pure
+        Map.keysSet (definedMessages library') `Set.union` definedServices library' @?= Set.fromList (map fst texts)
+        onDisk <- sort . concat <$> (listDirectory (generated </> "Ros") >>= mapM (\p -> map (("Ros" </> p) </>) <$> listDirectory (generated </> "Ros" </> p)))
+        onDisk @?= sort (map (modulePath . fst) texts),
+      testCase "a message that is not compiled is made alone, with what it nests and the library has not" $ do
+        definitions <- loaded
+        library' <- loadLibrary [folder] >>= either assertFailure pure
+        let made = fmap (map (fullName . fst)) . modules library' definitions
+        made ["sensor_msgs/Imu"] @?= Right ["sensor_msgs/Imu"]
+        made ["sensor_msgs/PointCloud"] @?= Right ["geometry_msgs/Point32", "sensor_msgs/ChannelFloat32", "sensor_msgs/PointCloud"]
+        made ["std_srvs/Empty"] @?= Right ["std_srvs/EmptyRequest", "std_srvs/EmptyResponse", "std_srvs/Empty"]
+        made ["std_msgs/Nothing"] @?= Left "there is no message or service std_msgs/Nothing",
       testCase "a string constant keeps its number sign, a number its zeros, and comments go" $
         fmap (\m -> (constants m, fields m)) (readMsg led "string A=x # y\nuint64 B=007  # why\n\n# only words\nfloat32[] c # d\nOther[3] e\n")
           @?= Right
@@ -104,15 +119,16 @@ tests =
     parsed name = either (Left . explainMsgError) Right . readMsg name
     readEither t = either (Left . explainMsgError) Right (readMsg led t)
 
-packages :: [String]
-packages = words "actionlib_msgs geometry_msgs kobuki_msgs nav_msgs roscpp rosgraph_msgs sensor_msgs std_msgs std_srvs"
+folder, generated :: FilePath
+folder = "rosy-hs/ros/msg"
+generated = "rosy-hs/ros/generated"
 
 loaded :: IO Definitions
-loaded = loadDefinitions ["rosy-hs/ros/msg"] >>= either assertFailure pure
+loaded = loadDefinitions [folder] >>= either assertFailure pure
 
 upToDate :: (MsgName, String) -> Assertion
 upToDate (name, text) = do
-  let path = "rosy-hs/ros/generated/" ++ modulePath name
+  let path = generated </> modulePath name
   exists <- doesFileExist path
   assertBool (path ++ " is missing; run rosy-messages") exists
   there <- readFile path

@@ -66,7 +66,7 @@ nestedIn known named = grow (Map.filter ((`elem` named) . package . msgName) kno
 
 compareAll :: Bool -> Definitions -> [MsgName] -> IO String
 compareAll isNightly found names = do
-  library' <- loadDefinitions [library] >>= either assertFailure pure
+  library' <- loadLibrary [library] >>= either assertFailure pure
   let known = definedMessages found
       ours = definedMessages library'
   seed <- fromMaybe "1" <$> lookupEnv "ROSY_TEST_SEED"

@@ -11,6 +11,8 @@ module Ros.Gen.Files
     Definitions (..),
     withoutServices,
     loadDefinitions,
+    loadLibrary,
+    compiledNames,
   )
 where
 
@@ -28,14 +30,14 @@ import System.IO (IOMode (..), hGetContents, hPutStr, hPutStrLn, hSetEncoding, s
 
 generate :: [String] -> IO ()
 generate arguments = case options arguments of
-  Just (out, roots, libraries, packages@(_ : _)) -> do
-    library <- loadDefinitions libraries >>= orFail
+  Just (out, roots, libraries, wanted@(_ : _)) -> do
+    library <- loadLibrary libraries >>= orFail
     known <- loadDefinitions roots >>= orFail
-    texts <- orFail (modules library known packages)
+    texts <- orFail (modules library known wanted)
     forM_ texts $ \(name, text) -> do
       writeIfChanged (out </> modulePath name) text
       putStrLn (moduleName name)
-  _ -> failWith "usage: rosy-messages -o OUT [-I MSGS]... [-L MSGS]... PACKAGE..."
+  _ -> failWith "usage: rosy-messages -o OUT [-I MSGS]... [-L MSGS]... PACKAGE[/NAME]..."
   where
     options = go ("", [], [], [])
     go (_, is, ls, ps) ("-o" : o : rest) = go (o, is, ls, ps) rest
@@ -45,16 +47,22 @@ generate arguments = case options arguments of
     go (o, is, ls, ps) [] | not (null o) = Just (o, is, ls, ps)
     go _ _ = Nothing
 
--- | The modules of all messages of these packages and of all that they nest, in the order of their names. What a library has is not
--- made again: two modules of one name would be two types. The first argument is what the library has, the second all messages on disk.
+-- | The modules of these packages or single messages and services (@package/Name@), and of all that they nest, in the order of their
+-- names. What a library has is not made again: two modules of one name would be two types. The first argument is what the library has,
+-- the second all messages on disk.
 modules :: Definitions -> Definitions -> [String] -> Either String [(MsgName, String)]
-modules (Definitions library offered) (Definitions given services) packages = case filter (`notElem` map package (Map.keys known)) packages of
-  absent : _ -> Left ("no messages found for package " ++ absent)
+modules (Definitions library offered) (Definitions given services) wanted = case filter (\w -> not (any (`isOf` w) (Map.keys known ++ Set.toList services))) wanted of
+  absent : _
+    | '/' `elem` absent -> Left ("there is no message or service " ++ absent)
+    | otherwise -> Left ("no messages found for package " ++ absent)
   [] -> do
-    named <- foldM nested Map.empty [m | m <- Map.elems known, package (msgName m) `elem` packages]
-    (++) <$> (concat <$> mapM one (Map.elems named)) <*> mapM service [n | n <- Set.toList services, package n `elem` packages, n `Set.notMember` offered]
+    let asked = [n | n <- Set.toList services, any (n `isOf`) wanted]
+        halvesAsked = concat [[request, response] | n <- asked, let (request, response) = halves n]
+    named <- foldM nested Map.empty [m | m <- Map.elems known, msgName m `elem` halvesAsked || any (msgName m `isOf`) wanted]
+    (++) <$> (concat <$> mapM one (Map.elems named)) <*> mapM service (filter (`Set.notMember` offered) asked)
   where
     known = Map.union given library
+    name `isOf` w = w == package name || w == fullName name
     service n
       | n `Map.member` known = Left (fullName n ++ " is the name of a message and of a service; their modules would have one name")
       | otherwise = do
@@ -107,6 +115,26 @@ loadDefinitions roots = do
       let folder = if nested then root </> p </> kind else root </> p
       files <- sort . filter ((== '.' : kind) . takeExtension) <$> listDirectory folder
       pure [(MsgName p (dropExtension f), folder </> f) | f <- files]
+
+-- | What a library has: of a folder with a list 'compiledNames' only what stands there, of another one all.
+loadLibrary :: [FilePath] -> IO (Either String Definitions)
+loadLibrary roots = fmap (foldr both (withoutServices Map.empty)) . sequence <$> mapM one roots
+  where
+    one root = do
+      listed <- compiledNames root
+      found <- loadDefinitions [root]
+      pure (maybe id only listed <$> found)
+    only names (Definitions ms ss) =
+      let kept = Set.filter ((`Set.member` names) . fullName) ss
+          parts = Set.fromList (concat [[request, response] | n <- Set.toList kept, let (request, response) = halves n])
+       in Definitions (Map.filterWithKey (\n _ -> fullName n `Set.member` names || n `Set.member` parts) ms) kept
+    both (Definitions ms ss) (Definitions ms' ss') = Definitions (Map.union ms ms') (Set.union ss ss')
+
+-- | The messages and services of a folder that are compiled into a library: the lines of its @compiled.txt@, where it has one.
+compiledNames :: FilePath -> IO (Maybe (Set.Set String))
+compiledNames root = do
+  exists <- doesFileExist (root </> "compiled.txt")
+  if exists then Just . Set.fromList . lines <$> readUtf8 (root </> "compiled.txt") else pure Nothing
 
 writeIfChanged :: FilePath -> String -> IO ()
 writeIfChanged path text = do

@@ -161,9 +161,9 @@ watchMaster core = go True False
         Left (Refused _) -> registerAll core >> rest True False
         Right (Just u)
           | u == coreUri core -> do
-              complete <- isComplete core
-              unless (complete && not missed) (registerAll core)
-              rest True True
+            complete <- isComplete core
+            unless (complete && not missed) (registerAll core)
+            rest True True
           | wasKnown && not missed -> requestEnd core (AskedTo ("a new node is called " ++ ownName (coreNaming core)))
         Right _ -> registerAll core >> rest True False
         Left why -> do
