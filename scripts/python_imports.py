@@ -26,6 +26,7 @@ LAYERS = (
         "terminal_text",
         "wording",
         "token_bucket",
+        "interruptible",
         "usage_errors",
     ),
     ("world",),

@@ -37,7 +37,7 @@ def test_a_signal_that_another_thread_takes_ends_the_wait() -> None:
         try:
             assert process.stdout.readline() == "waits\n"
             process.send_signal(signal.SIGINT)
-            assert process.communicate(timeout=PATIENCE) [0] == "interrupted\n"
+            assert process.communicate(timeout=PATIENCE)[0] == "interrupted\n"
         finally:
             process.kill()
     assert process.returncode == 0
