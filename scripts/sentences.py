@@ -55,9 +55,9 @@ _EXEMPT = {
     "previews/preview_process.py": "log of a process of its own",
     "usage_errors.py": "patterns of argparse's messages",
     "wire/line_splitter.py": "technical: a broken protocol",
-    "wire/ros_messages.py": "answers to ROS clients",
-    "wire/rosbridge.py": "answers to ROS clients",
-    "wire/rosbridge_fragments.py": "answers to ROS clients",
+    "wire/ros/ros_messages.py": "answers to ROS clients",
+    "wire/ros/rosbridge.py": "answers to ROS clients",
+    "wire/ros/rosbridge_fragments.py": "answers to ROS clients",
 }
 
 # protocol/README.md, section 1.1.

@@ -22,8 +22,8 @@ from typing import NoReturn
 import msgspec
 
 from .atomic_file import AtomicFile
-from .classroom.class_places import class_place
 from .classroom.command import add_class_options, run_class_command
+from .classroom.store.class_places import class_place
 from .cluster.command import add_cluster_options, run_cluster_command
 from .cluster.node import use_token
 from .config import Config, discover
@@ -45,7 +45,7 @@ from .run.grading import format_table, grade_programs, programs_in
 from .run.headless_run import RunOutput, RunResult, RunSettings, run_native, run_program
 from .run.input_file import read_inputs
 from .run.program_file import ProgramFile, read_program
-from .run.velocity_guard import SafetySettings
+from .run.steps.velocity_guard import SafetySettings
 from .sentence import Sentence, tr
 from .terminal_text import escape_json, neutralize, neutralize_line
 from .usage_errors import usage_error

@@ -18,8 +18,8 @@ from pathlib import Path
 import psutil
 import uvloop
 
-from ..classroom.class_folder import open_class
-from ..classroom.class_store import ClassStore
+from ..classroom.store.class_folder import open_class
+from ..classroom.store.class_store import ClassStore
 from ..config import Config
 from ..web.app import Service
 from .class_pupils import PROGRAM, run_class

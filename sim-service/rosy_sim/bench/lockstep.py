@@ -13,7 +13,7 @@ from typing import NamedTuple
 from ..config import Config
 from ..robots import DEFAULT_ROBOT
 from ..run.headless_run import RunOutput, RunSettings, run_program
-from ..run.lockstep import Lockstep
+from ..run.steps.lockstep import Lockstep
 from ..worker.blocking_worker import BlockingWorker
 from ..world.world import World
 from ..worlds.gallery import named_world, usable_arena

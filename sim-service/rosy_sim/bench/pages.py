@@ -30,7 +30,7 @@ import uvloop
 
 from ..config import Config
 from ..web.app import Service, build_app
-from ..web.paced_frames import paced_frames
+from ..web.pacing.paced_frames import paced_frames
 from ..world.time_step import STEP
 from .processor_time import exact_time
 

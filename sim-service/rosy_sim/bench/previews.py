@@ -10,7 +10,7 @@ from ..config import Config
 from ..previews.preview import PreviewTask
 from ..previews.preview_pool import PreviewPool
 from ..run.program_file import read_program
-from ..run.velocity_guard import OFF
+from ..run.steps.velocity_guard import OFF
 from ..worlds.gallery import DEFAULT_WORLD, named_world
 
 __all__ = ["report"]

@@ -10,12 +10,12 @@ from contextlib import asynccontextmanager
 
 import uvicorn
 
-from ..classroom.class_store import ClassStore
+from ..classroom.store.class_store import ClassStore
 from ..config import Config
 from ..web.app import Service, build_app
 from ..web.garbage_collection import keep_what_is_loaded
-from ..web.paced_frames import paced_frames
-from ..web.request_deadline import RequestDeadline
+from ..web.pacing.paced_frames import paced_frames
+from ..web.pacing.request_deadline import RequestDeadline
 
 __all__ = ["serving"]
 

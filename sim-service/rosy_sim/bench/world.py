@@ -6,7 +6,7 @@ import statistics
 import time
 
 from ..robots import DEFAULT_ROBOT
-from ..run.lockstep import Lockstep
+from ..run.steps.lockstep import Lockstep
 from ..world.arena import Arena, read_arena
 from ..world.events import velocity
 from ..world.time_step import STEP

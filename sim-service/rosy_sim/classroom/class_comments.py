@@ -12,12 +12,12 @@ from dataclasses import replace
 
 import msgspec
 
-from . import board_messages as b
-from .class_store import ClassStore
-from .comment_store import CommentKept
-from .message_fields import PlaceInProgram, Refused
-from .pupil_messages import OwnComment
-from .store_thread import StoreThread
+from .messages import board_messages as b
+from .messages.message_fields import PlaceInProgram, Refused
+from .messages.pupil_messages import OwnComment
+from .store.class_store import ClassStore
+from .store.comment_store import CommentKept
+from .store.store_thread import StoreThread
 
 __all__ = ["ClassComments"]
 

@@ -12,7 +12,7 @@ from typing import IO, Protocol, cast
 
 import msgspec
 
-from .class_store import ClassStore, Pupil, Version
+from .store.class_store import ClassStore, Pupil, Version
 
 __all__ = ["safe_name", "write_export"]
 

@@ -12,15 +12,15 @@ from dataclasses import replace
 import msgspec
 
 from ..wire.room_tests import TestedRoom
-from . import board_messages as b
-from . import pupil_messages as p
-from .check_messages import CheckAll, CheckResult
-from .class_store import ClassStore
-from .message_fields import Refused
+from .messages import board_messages as b
+from .messages import pupil_messages as p
+from .messages.check_messages import CheckAll, CheckResult
+from .messages.message_fields import Refused
 from .program_fingerprint import fingerprint, source_of
 from .rooms_tried import pack_rooms, rooms_of
-from .store_thread import StoreThread
-from .task_store import HandIn, HandInGraded, HandInKept, Task
+from .store.class_store import ClassStore
+from .store.store_thread import StoreThread
+from .store.task_store import HandIn, HandInGraded, HandInKept, Task
 
 __all__ = ["ClassTasks"]
 

@@ -20,23 +20,23 @@ from typing import IO
 from ..attempts import Attempts, Rate
 from ..sentence import Sentence, tr
 from ..wording import in_terminal
-from . import board_messages as b
-from . import pupil_messages as p
-from .check_messages import ROOMS_OF_A_MESSAGE, OpenRun, RoomsShown, RunShown, ShowRooms
 from .class_comments import ClassComments
 from .class_export import write_export
-from .class_store import ClassStore, Conflict, NicknameTaken, Pupil, Saved, StoreFull, Version
 from .class_tasks import ClassTasks
-from .database import ClassTaken, StoreAway, StoreError, StoreFault, fault_of
 from .hand_in_export import hand_ins_zip
-from .message_fields import Refused
-from .nickname import BadNickname, read_nickname
+from .messages import board_messages as b
+from .messages import pupil_messages as p
+from .messages.check_messages import ROOMS_OF_A_MESSAGE, OpenRun, RoomsShown, RunShown, ShowRooms
+from .messages.message_fields import Refused
+from .messages.nickname import BadNickname, read_nickname
+from .messages.projector_messages import Project, Projected
+from .messages.shared_messages import AskToShare, Cursor, Decline, EndSharing, Push, Share
 from .projection import Projection
-from .projector_messages import Project, Projected
 from .pupil_state import PupilState
 from .shared_editing import Participant, SharedEditing
-from .shared_messages import AskToShare, Cursor, Decline, EndSharing, Push, Share
-from .store_thread import StoreThread
+from .store.class_store import ClassStore, Conflict, NicknameTaken, Pupil, Saved, StoreFull, Version
+from .store.database import ClassTaken, StoreAway, StoreError, StoreFault, fault_of
+from .store.store_thread import StoreThread
 from .word_list import draw_words, read_words
 
 __all__ = ["Classroom", "PupilPage"]

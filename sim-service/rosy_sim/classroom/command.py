@@ -14,7 +14,7 @@ from ..sentence import tr
 from ..terminal_text import neutralize_line
 from ..wording import in_terminal
 from .class_export import write_export
-from .class_places import ClassPlace
+from .store.class_places import ClassPlace
 
 __all__ = ["add_class_options", "run_class_command"]
 

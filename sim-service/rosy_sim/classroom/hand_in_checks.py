@@ -18,7 +18,7 @@ import msgspec
 from ..config import Config
 from ..errors import BadInput, RosyError
 from ..rooms.background_trials import BUDGET, try_in_background
-from ..rooms.families import Family, family_like
+from ..rooms.generation.families import Family, family_like
 from ..rooms.room_test import Report, RoomTest, check_goals, worst_first
 from ..rooms.tested_room import tested_room
 from ..run.run_queue import RunQueue
@@ -27,12 +27,12 @@ from ..wire.room_tests import TestedRoom
 from ..wording import in_terminal
 from ..world.properties import BadProperty, read_properties
 from ..worlds.gallery import DEFAULT_WORLD, named_world
-from .check_messages import CheckAll, Checking, CheckNew, CheckResult, Fault
 from .class_tasks import ClassTasks
-from .database import StoreError, fault_of
-from .message_fields import Refused
+from .messages.check_messages import CheckAll, Checking, CheckNew, CheckResult, Fault
+from .messages.message_fields import Refused
 from .program_fingerprint import source_of
-from .task_store import HandInKept
+from .store.database import StoreError, fault_of
+from .store.task_store import HandInKept
 
 __all__ = ["HandInChecks"]
 

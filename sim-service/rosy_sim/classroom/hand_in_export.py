@@ -16,9 +16,9 @@ import msgspec
 from ..rooms.report_text import describe_failure
 from ..sentence import Sentence, tr
 from ..wording import in_terminal
-from .check_messages import CheckResult, Fault
 from .class_export import safe_name
-from .task_store import HandInKept
+from .messages.check_messages import CheckResult, Fault
+from .store.task_store import HandInKept
 
 __all__ = ["hand_ins_zip"]
 

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Awaitable, Callable
 
-from .class_store import Pupil, Version
+from .messages.projector_messages import Project, Projected, Projecting
 from .program_fingerprint import source_of
-from .projector_messages import Project, Projected, Projecting
+from .store.class_store import Pupil, Version
 
 __all__ = ["Projection"]
 

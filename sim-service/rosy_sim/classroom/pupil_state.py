@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from .board_messages import Need
-from .message_fields import LessonProgress
-from .pupil_messages import Status
+from .messages.board_messages import Need
+from .messages.message_fields import LessonProgress
+from .messages.pupil_messages import Status
 
 __all__ = ["ERROR_NEEDS_HELP", "IDLE_NEEDS_HELP", "PupilState"]
 

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 import msgspec
 
 from ..wire.room_tests import TestedRoom
-from .check_messages import CheckResult
-from .task_store import HandInGraded
+from .messages.check_messages import CheckResult
+from .store.task_store import HandInGraded
 
 __all__ = ["pack_rooms", "rooms_of"]
 

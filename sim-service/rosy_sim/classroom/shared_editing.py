@@ -13,8 +13,8 @@ from collections.abc import Callable, Hashable
 from dataclasses import dataclass, field
 from typing import Any
 
-from .message_fields import Refused
-from .shared_messages import (
+from .messages.message_fields import Refused
+from .messages.shared_messages import (
     Asked,
     AskToShare,
     Cursor,

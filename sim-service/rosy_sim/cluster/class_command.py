@@ -17,7 +17,7 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
-from ..classroom.class_folder import check_name
+from ..classroom.store.class_folder import check_name
 from ..config import Config
 from ..errors import BadInput
 from ..sentence import tr

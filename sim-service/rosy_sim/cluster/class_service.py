@@ -17,7 +17,7 @@ from urllib.parse import urlsplit
 
 import msgspec
 
-from ..classroom.class_store import Admission
+from ..classroom.store.class_store import Admission
 from ..config import discover
 from ..errors import RosyError
 from ..sentence import Sentence

@@ -13,7 +13,7 @@ import msgspec
 from msgspec import Meta
 
 from ..robots import DEFAULT_ROBOT
-from ..run.lockstep import Lockstep
+from ..run.steps.lockstep import Lockstep
 from ..sentence import Sentence, SentenceError, tr
 from ..world.arena import Arena
 from ..world.properties import BadProperty, PropertyTracker, read_properties

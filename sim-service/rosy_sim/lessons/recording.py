@@ -7,7 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from ..run.lockstep import Lockstep
+from ..run.steps.lockstep import Lockstep
 from ..world.arena import Arena
 from ..world.goals import GoalState
 from ..world.properties import PropertyTracker

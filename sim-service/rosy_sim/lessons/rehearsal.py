@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from ..config import Limits
 from ..robots import DEFAULT_ROBOT
 from ..run.headless_run import RunOutput, RunResult, RunSettings, run_program
-from ..run.lockstep import Lockstep
+from ..run.steps.lockstep import Lockstep
 from ..wire.user_input import TimedInput, user_actions
 from ..worker.blocking_worker import BlockingWorker
 from ..world.arena import Arena

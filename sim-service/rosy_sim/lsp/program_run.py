@@ -20,8 +20,8 @@ from ..config import Limits
 from ..errors import WorkerLost
 from ..robots import DEFAULT_ROBOT
 from ..run.headless_run import RunOutput, RunResult, RunSettings, run_over_link
-from ..run.lockstep import Lockstep
 from ..run.problems import worker_lost
+from ..run.steps.lockstep import Lockstep
 from ..sentence import Sentence, tr
 from ..wire.problem import Problem, failure_context, worded
 from ..wire.worker import Gone, Refused

@@ -14,7 +14,7 @@ from ..config import Limits
 from ..errors import BadInput
 from ..explain.why_not import RobotLimits
 from ..run.page_run import RunView
-from ..run.velocity_guard import SafetySettings
+from ..run.steps.velocity_guard import SafetySettings
 from ..sentence import Sentence, tr
 from ..wire import page
 from ..wire.problem import to_wire
@@ -27,7 +27,7 @@ __all__ = ["RobotOwnership", "RobotView", "SafetyView"]
 
 
 class RobotView(RunView, Protocol):
-    """Receives what a page is shown of a real robot. ``web.page_view`` implements it."""
+    """Receives what a page is shown of a real robot. ``web.sessions.page_view`` implements it."""
 
     # The run number that frames carry; set by the owner.
     run: int
@@ -43,7 +43,7 @@ class RobotView(RunView, Protocol):
 
 
 class SafetyView(Protocol):
-    """Receives the safety settings of the robot. ``web.safety_switch`` implements it."""
+    """Receives the safety settings of the robot. ``web.sessions.safety_switch`` implements it."""
 
     def set(self, settings: SafetySettings) -> None:
         """How the robot is driven."""

@@ -12,9 +12,9 @@ import msgspec
 
 from ..recordings.mcap_file import RunDetails
 from ..recordings.recording_folder import PendingRecording
-from ..run.command_conflicts import Action, CommandConflicts
 from ..run.page_run import PageRun, RunView
 from ..run.problems import broken_link, died, lost_robot
+from ..run.steps.command_conflicts import Action, CommandConflicts
 from ..run.worker_session import RunServices
 from ..wire import page
 from ..wire.robot_process import CommandsLine, EndedLine, ObservedStep, SentCommand, read_observed

@@ -14,10 +14,10 @@ import msgspec
 
 from ..config import Limits
 from ..robots import DEFAULT_ROBOT
-from ..run.hands import Hand, read_hands
 from ..run.headless_run import Program, RunOutput, RunResult, RunSettings, run_over_link
-from ..run.lockstep import Lockstep
-from ..run.velocity_guard import SafetySettings
+from ..run.steps.hands import Hand, read_hands
+from ..run.steps.lockstep import Lockstep
+from ..run.steps.velocity_guard import SafetySettings
 from ..wire.page import Goal, Previewed
 from ..wire.problem import Problem
 from ..world.arena import read_arena

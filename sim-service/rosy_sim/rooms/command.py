@@ -21,14 +21,14 @@ from ..config import Config
 from ..errors import BadInput
 from ..run.grading import programs_in
 from ..run.program_file import read_program
-from ..run.velocity_guard import SafetySettings
+from ..run.steps.velocity_guard import SafetySettings
 from ..sentence import tr
 from ..terminal_text import escape_json, neutralize_line
 from ..wire.problem import worded
 from ..wording import in_terminal, machine_wording
 from ..worker.native_build import is_native
 from ..world.properties import BadProperty, read_properties
-from .families import read_family
+from .generation.families import read_family
 from .programs import Pool, Progress, Tested, test_programs
 from .report_text import format_report, report_values, worst_status
 from .room_test import MAX_ROOMS, Report, RoomTest, check_goals

@@ -11,13 +11,13 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..errors import BadInput
-from ..run.velocity_guard import OFF, SafetySettings
+from ..run.steps.velocity_guard import OFF, SafetySettings
 from ..sentence import Sentence, tr
 from ..wire.problem import Problem
 from ..world.properties import Property
-from .families import Family
-from .reductions import reduction_of
-from .shrinking import Shrunk, shrink
+from .generation.families import Family
+from .generation.reductions import reduction_of
+from .generation.shrinking import Shrunk, shrink
 from .trial import Outcome
 from .trial_pool import ProgramLost, Trials
 from .trial_process import Answer, Task, Trial

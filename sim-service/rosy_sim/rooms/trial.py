@@ -16,8 +16,8 @@ import msgspec
 from ..config import Limits
 from ..robots import DEFAULT_ROBOT
 from ..run.headless_run import Program, RunOutput, RunSettings, run_over_link
-from ..run.lockstep import Lockstep
-from ..run.velocity_guard import OFF, SafetySettings
+from ..run.steps.lockstep import Lockstep
+from ..run.steps.velocity_guard import OFF, SafetySettings
 from ..wire.problem import Problem
 from ..world.arena import read_arena
 from ..world.properties import Property, PropertyTracker, Verdict

@@ -20,12 +20,12 @@ import msgspec
 
 from ..config import Config, Limits
 from ..errors import RosyError
-from ..run.velocity_guard import OFF, SafetySettings
+from ..run.steps.velocity_guard import OFF, SafetySettings
 from ..wire.problem import Sentence, to_wire
 from ..wire.worker import Refused
 from ..worker.blocking_worker import BlockingWorker
 from ..world.properties import read_properties
-from .families import Family, generate_room
+from .generation.families import Family, generate_room
 from .trial import Outcome, judge_run, refused
 
 __all__ = ["Answer", "Request", "Setup", "Task", "Trial", "main"]

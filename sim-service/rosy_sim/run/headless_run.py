@@ -30,10 +30,10 @@ from ..world.goals import GoalState
 from ..world.time_step import STEP
 from ..world.world import World
 from .core_affinity import REVIEW_STEPS, CoreAffinity
-from .hands import HandAction, apply_hand
-from .lockstep import Lockstep, State
 from .problems import broken_link, died, missing_parts, stuck, too_much_output, worker_lost
-from .velocity_guard import OFF, SafetySettings
+from .steps.hands import HandAction, apply_hand
+from .steps.lockstep import Lockstep, State
+from .steps.velocity_guard import OFF, SafetySettings
 
 __all__ = [
     "Ended",

@@ -20,7 +20,7 @@ from ..wire.robot_link import MemoryValue
 from ..wire.worker import Started
 from ..worker.prepared_runs import PreparedRun
 from ..world.goals import GoalState
-from .command_conflicts import CommandConflict
+from .steps.command_conflicts import CommandConflict
 from .worker_session import RunServices, Silence, WorkerSession
 
 __all__ = ["Ended", "PageRun", "RunView"]
@@ -29,7 +29,7 @@ Ended = Literal["done", "error", "stuck", "stopped", "time", "refused"]
 
 
 class RunView(Protocol):
-    """Receives what a page is shown of a run. ``web.page_view`` implements it."""
+    """Receives what a page is shown of a run. ``web.sessions.page_view`` implements it."""
 
     # The latest step of the run; set by the run.
     step: int

@@ -18,8 +18,8 @@ from ..wire.page import Speed
 from ..wire.robot_link import LimitExceeded, LinkError
 from ..world.time_step import STEP
 from .lateness import Lateness
-from .lockstep import Lockstep
-from .quiet_steps import MemoryRequest
+from .steps.lockstep import Lockstep
+from .steps.quiet_steps import MemoryRequest
 
 __all__ = ["Ending", "RealTimeRunner", "RunnerListener"]
 

@@ -20,13 +20,13 @@ from ..worker.prepared_runs import PreparedRun
 from ..world.events import Reading, velocity
 from ..world.time_step import STEPS_PER_SECOND
 from ..world.world import World
-from .hands import apply_hand
-from .lockstep import Lockstep
 from .page_run import PageRun, RunView
 from .problems import broken_link, died, missing_parts, too_much_output
 from .realtime_runner import Ending, RealTimeRunner
-from .replay import NO_REPLAY, Replay
-from .velocity_guard import SafetySettings
+from .steps.hands import apply_hand
+from .steps.lockstep import Lockstep
+from .steps.replay import NO_REPLAY, Replay
+from .steps.velocity_guard import SafetySettings
 from .worker_session import RunServices
 
 __all__ = ["SimulatedRun", "Simulation"]

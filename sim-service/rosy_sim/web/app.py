@@ -25,10 +25,10 @@ from starlette.responses import JSONResponse, PlainTextResponse, RedirectRespons
 from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from ..classroom.class_store import ClassStore
 from ..classroom.classroom import Classroom
-from ..classroom.database import StoreError
 from ..classroom.hand_in_checks import HandInChecks
+from ..classroom.store.class_store import ClassStore
+from ..classroom.store.database import StoreError
 from ..config import Config
 from ..errors import BadInput, RosyError
 from ..lessons.catalogue import lesson_json, lesson_list
@@ -49,20 +49,20 @@ from ..worker.prepared_runs import PreparedRuns
 from ..worker.question_scheduler import QuestionScheduler
 from ..worker.supervisor import WorkerStatus, WorkerSupervisor
 from ..worlds.gallery import named_world, world_names
-from .address_slots import AddressSlots
 from .browser_safety import BrowserSafety
-from .class_sockets import ClassSockets
 from .example_paths import ExamplePaths
 from .examples import example_file, examples
-from .lesson_rehearsals import LessonRehearsals
-from .loop_scheduler import LoopScheduler, PageTurns
-from .paced_frames import WRITE
-from .page_session import PageSession
-from .projector_sockets import ProjectorSockets
-from .reading_pace import ReadingPace, message_cost
-from .request_turns import RequestTurns
-from .room_tests import RoomTests
-from .ros_bridge import RosClient
+from .pacing.loop_scheduler import LoopScheduler, PageTurns
+from .pacing.paced_frames import WRITE
+from .pacing.reading_pace import ReadingPace, message_cost
+from .pacing.request_turns import RequestTurns
+from .sessions.page_session import PageSession
+from .sessions.ros_bridge import RosClient
+from .sockets.address_slots import AddressSlots
+from .sockets.class_sockets import ClassSockets
+from .sockets.lesson_rehearsals import LessonRehearsals
+from .sockets.projector_sockets import ProjectorSockets
+from .sockets.room_tests import RoomTests
 from .static_pages import StaticPages
 
 __all__ = ["Service", "build_app"]

@@ -25,8 +25,8 @@ import uvloop
 from starlette.applications import Starlette
 from starlette.routing import BaseRoute
 
-from ..classroom.class_places import class_place
-from ..classroom.class_store import Admission
+from ..classroom.store.class_places import class_place
+from ..classroom.store.class_store import Admission
 from ..config import Config
 from ..errors import BadInput, WorkerMissing
 from ..sentence import Argument, Sentence, tr
@@ -36,9 +36,9 @@ from .app import build_app
 from .browser_safety import own_names
 from .garbage_collection import keep_what_is_loaded
 from .lan_addresses import is_unspecified, lan_addresses
-from .paced_frames import paced_frames
+from .pacing.paced_frames import paced_frames
+from .pacing.request_deadline import RequestDeadline
 from .qr_code import qr_code_lines
-from .request_deadline import RequestDeadline
 
 __all__ = ["raise_priority", "serve"]
 

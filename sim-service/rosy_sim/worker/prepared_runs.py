@@ -2,7 +2,7 @@
 Runs that the worker compiles before they are asked for: at most one of each page, and a bounded number of all.
 
 A prepared program waits in a process of its own, with all its rights given up, at its robot link. What it does not do:
-decide what to prepare and when (``web.page_preparation``).
+decide what to prepare and when (``web.sessions.page_preparation``).
 """
 
 from __future__ import annotations

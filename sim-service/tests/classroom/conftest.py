@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from rosy_sim.classroom.class_store import Admission, ClassStore
-from rosy_sim.classroom.database import Database, SqliteDatabase
+from rosy_sim.classroom.store.class_store import Admission, ClassStore
+from rosy_sim.classroom.store.database import Database, SqliteDatabase
 
 from ..postgresql_server import needs_postgresql, postgresql_server
 
@@ -35,7 +35,7 @@ def opens(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Opens]:
         if url is None:
             database: Database = SqliteDatabase(tmp_path / name)
         else:
-            from rosy_sim.classroom.postgresql_database import PostgresqlDatabase
+            from rosy_sim.classroom.store.postgresql_database import PostgresqlDatabase
 
             database = PostgresqlDatabase(url, f"{tmp_path}-{name}")
         opened.append(database)

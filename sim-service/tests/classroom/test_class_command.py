@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from rosy_sim import cli
-from rosy_sim.classroom.class_folder import open_class
-from rosy_sim.classroom.class_store import Pupil
+from rosy_sim.classroom.store.class_folder import open_class
+from rosy_sim.classroom.store.class_store import Pupil
 
 
 @pytest.fixture

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from rosy_sim.classroom.class_store import Admission, ClassStore
-from rosy_sim.classroom.database import SqliteDatabase
+from rosy_sim.classroom.store.class_store import Admission, ClassStore
+from rosy_sim.classroom.store.database import SqliteDatabase
 
 from ..cluster.ray_nodes import CLUSTER_PYTHON
 from ..conftest import PATIENCE
@@ -24,11 +24,11 @@ KILLS = 1000 if WHOLE else 20
 WRITER = """
 import sys
 from pathlib import Path
-from rosy_sim.classroom.class_store import Admission, ClassStore
-from rosy_sim.classroom.database import SqliteDatabase
+from rosy_sim.classroom.store.class_store import Admission, ClassStore
+from rosy_sim.classroom.store.database import SqliteDatabase
 
 if sys.argv[1].startswith("postgresql:"):
-    from rosy_sim.classroom.postgresql_database import PostgresqlDatabase
+    from rosy_sim.classroom.store.postgresql_database import PostgresqlDatabase
 
     database = PostgresqlDatabase(sys.argv[1], sys.argv[3])
 else:
@@ -66,7 +66,7 @@ def test_nothing_acknowledged_is_missing_after_kills_during_saves(tmp_path: Path
 @pytest.mark.long
 @pytest.mark.turns
 def test_nothing_acknowledged_is_missing_on_a_server_after_kills_of_its_client(server: str) -> None:
-    from rosy_sim.classroom.postgresql_database import PostgresqlDatabase
+    from rosy_sim.classroom.store.postgresql_database import PostgresqlDatabase
 
     for acknowledged in _killed_writers([str(CLUSTER_PYTHON), "-c", WRITER, server], ["kills"]):
         # The server has noticed the death when the class can be opened.

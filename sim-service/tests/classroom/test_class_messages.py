@@ -8,8 +8,8 @@ from typing import Any
 import msgspec
 import pytest
 
-from rosy_sim.classroom.board_messages import BoardAnswer
-from rosy_sim.classroom.pupil_messages import PupilAnswer
+from rosy_sim.classroom.messages.board_messages import BoardAnswer
+from rosy_sim.classroom.messages.pupil_messages import PupilAnswer
 
 GOLDENS = Path(__file__).resolve().parents[3] / "protocol/goldens/class"
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from rosy_sim.classroom.class_places import ClassPlace, class_place
-from rosy_sim.classroom.class_store import Pupil
+from rosy_sim.classroom.store.class_places import ClassPlace, class_place
+from rosy_sim.classroom.store.class_store import Pupil
 from rosy_sim.errors import BadInput
 
 from ..postgresql_server import needs_postgresql
@@ -19,7 +19,7 @@ def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.Mo
         return class_place(tmp_path, None)
     if request.param == "sqlite":
         return class_place(tmp_path / "elsewhere", f"sqlite:{tmp_path}")
-    from rosy_sim.classroom import postgresql_database
+    from rosy_sim.classroom.store import postgresql_database
 
     monkeypatch.setattr(postgresql_database.PostgresqlDatabase.__init__, "__kwdefaults__", {"patience": 0.0})
     return class_place(tmp_path, request.getfixturevalue("server"))

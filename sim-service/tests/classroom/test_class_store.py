@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 
-from rosy_sim.classroom import class_store as stores
-from rosy_sim.classroom import schema
-from rosy_sim.classroom.class_store import (
+from rosy_sim.classroom.store import class_store as stores
+from rosy_sim.classroom.store import schema
+from rosy_sim.classroom.store.class_store import (
     Admission,
     ClassStore,
     Conflict,
@@ -18,7 +18,7 @@ from rosy_sim.classroom.class_store import (
     Saved,
     StoreFull,
 )
-from rosy_sim.classroom.database import SqliteDatabase, StoreError
+from rosy_sim.classroom.store.database import SqliteDatabase, StoreError
 from rosy_sim.classroom.word_list import WORD_LISTS, draw_words, read_words
 from rosy_sim.errors import BadInput
 

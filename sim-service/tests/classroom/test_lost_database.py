@@ -15,9 +15,9 @@ from pathlib import Path
 
 import pytest
 
-from rosy_sim.classroom.class_store import ClassStore, Pupil, Saved
-from rosy_sim.classroom.database import ClassTaken, StoreAway
-from rosy_sim.classroom.store_thread import StoreThread
+from rosy_sim.classroom.store.class_store import ClassStore, Pupil, Saved
+from rosy_sim.classroom.store.database import ClassTaken, StoreAway
+from rosy_sim.classroom.store.store_thread import StoreThread
 from rosy_sim.errors import BadInput
 
 from ..conftest import PATIENCE
@@ -34,7 +34,7 @@ def restarted() -> Iterator[PostgresqlServer]:
 
 
 def opened(url: str, name: str, patience: float = PATIENCE) -> ClassStore:
-    from rosy_sim.classroom.postgresql_database import PostgresqlDatabase
+    from rosy_sim.classroom.store.postgresql_database import PostgresqlDatabase
 
     return ClassStore(PostgresqlDatabase(url, name, patience=patience), ADMISSION, 0.0)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rosy_sim.classroom.nickname import BadNickname, read_nickname
+from rosy_sim.classroom.messages.nickname import BadNickname, read_nickname
 
 
 @pytest.mark.parametrize(

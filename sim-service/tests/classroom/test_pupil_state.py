@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from rosy_sim.classroom.message_fields import LessonProgress
-from rosy_sim.classroom.pupil_messages import Status
+from rosy_sim.classroom.messages.message_fields import LessonProgress
+from rosy_sim.classroom.messages.pupil_messages import Status
 from rosy_sim.classroom.pupil_state import ERROR_NEEDS_HELP, IDLE_NEEDS_HELP, PupilState
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import msgspec
 
-from rosy_sim.classroom.check_messages import CheckResult
+from rosy_sim.classroom.messages.check_messages import CheckResult
 from rosy_sim.classroom.rooms_tried import pack_rooms, rooms_of
-from rosy_sim.classroom.task_store import HandInGraded
+from rosy_sim.classroom.store.task_store import HandInGraded
 from rosy_sim.wire import room_tests as wire
 
 

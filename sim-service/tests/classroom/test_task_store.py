@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from rosy_sim.classroom import schema, task_store
-from rosy_sim.classroom.class_store import ClassStore, Pupil
-from rosy_sim.classroom.task_store import HandIn, HandInGraded, HandInKept, Task
+from rosy_sim.classroom.store import schema, task_store
+from rosy_sim.classroom.store.class_store import ClassStore, Pupil
+from rosy_sim.classroom.store.task_store import HandIn, HandInGraded, HandInKept, Task
 
 from .conftest import ADMISSION, Opens
 

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from rosy_sim.bench.local_nodes import cluster_command
-from rosy_sim.classroom.class_folder import open_class
-from rosy_sim.classroom.database import SqliteDatabase
+from rosy_sim.classroom.store.class_folder import open_class
+from rosy_sim.classroom.store.database import SqliteDatabase
 
 from ..conftest import PATIENCE
 from ..extent import WHOLE

@@ -17,19 +17,19 @@ from typing import Any
 import msgspec
 import pytest
 
-from rosy_sim.classroom.board_messages import BoardRequest, read_board_request
-from rosy_sim.classroom.message_fields import BadRequest
-from rosy_sim.classroom.nickname import read_nickname
-from rosy_sim.classroom.projector_messages import UnlockProjector, read_projector_request
-from rosy_sim.classroom.pupil_messages import PupilRequest, read_pupil_request
+from rosy_sim.classroom.messages.board_messages import BoardRequest, read_board_request
+from rosy_sim.classroom.messages.message_fields import BadRequest
+from rosy_sim.classroom.messages.nickname import read_nickname
+from rosy_sim.classroom.messages.projector_messages import UnlockProjector, read_projector_request
+from rosy_sim.classroom.messages.pupil_messages import PupilRequest, read_pupil_request
 from rosy_sim.classroom.word_list import read_words
 from rosy_sim.errors import BadInput
 from rosy_sim.lessons.program_graph import read_graph
-from rosy_sim.rooms.families import read_family
-from rosy_sim.run.hands import Hand, read_hands
+from rosy_sim.rooms.generation.families import read_family
 from rosy_sim.run.input_file import read_inputs
 from rosy_sim.run.program_file import read_program
-from rosy_sim.web.ros_bridge import RosBridge
+from rosy_sim.run.steps.hands import Hand, read_hands
+from rosy_sim.web.sessions.ros_bridge import RosBridge
 from rosy_sim.wire import lesson_rehearsals, page, robot_process, room_tests, worker
 from rosy_sim.wire.channels import BadMessage
 from rosy_sim.wire.line_splitter import LineTooLong

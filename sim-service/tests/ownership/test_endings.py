@@ -20,7 +20,7 @@ from websockets.asyncio.client import connect
 
 from rosy_sim.config import Config, discover
 from rosy_sim.ownership.driver_locks import emergency_stop
-from rosy_sim.web.page_session import PageSession
+from rosy_sim.web.sessions.page_session import PageSession
 
 from ..conftest import PATIENCE, UNHURRIED
 from ..web.test_app import Page, opened, serving

@@ -11,8 +11,8 @@ import pytest
 
 from rosy_sim.errors import BadInput
 from rosy_sim.robots import DEFAULT_ROBOT
-from rosy_sim.rooms.fairness import is_fair
-from rosy_sim.rooms.families import FAMILIES, generate_room, read_family
+from rosy_sim.rooms.generation.fairness import is_fair
+from rosy_sim.rooms.generation.families import FAMILIES, generate_room, read_family
 from rosy_sim.world.arena import read_arena
 from rosy_sim.world.goals import Reach
 from rosy_sim.world.world import World

@@ -16,9 +16,9 @@ from typing import Any
 import pytest
 
 from rosy_sim.robots import DEFAULT_ROBOT
-from rosy_sim.rooms.families import generate_room, read_family
-from rosy_sim.rooms.reductions import Reduction, reduction_of
-from rosy_sim.rooms.shrinking import shrink
+from rosy_sim.rooms.generation.families import generate_room, read_family
+from rosy_sim.rooms.generation.reductions import Reduction, reduction_of
+from rosy_sim.rooms.generation.shrinking import shrink
 from rosy_sim.world.arena import read_arena
 from rosy_sim.world.events import velocity
 from rosy_sim.world.goals import Observation

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rosy_sim.run.command_conflicts import CommandConflict, CommandConflicts, senders
+from rosy_sim.run.steps.command_conflicts import CommandConflict, CommandConflicts, senders
 from rosy_sim.wire.topics import TopicMessage
 from rosy_sim.world.events import Command, velocity
 

@@ -7,7 +7,7 @@ import json
 import pytest
 
 from rosy_sim.robots.kobuki.facts import COMMAND_TIMEOUT
-from rosy_sim.run.lockstep import Lockstep
+from rosy_sim.run.steps.lockstep import Lockstep
 from rosy_sim.wire.robot_link import LinkError
 from rosy_sim.wire.topics import TopicMessage
 from rosy_sim.world.events import velocity

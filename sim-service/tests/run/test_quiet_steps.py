@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from rosy_sim.run.lockstep import Lockstep
-from rosy_sim.run.quiet_steps import MemoryRequest
+from rosy_sim.run.steps.lockstep import Lockstep
+from rosy_sim.run.steps.quiet_steps import MemoryRequest
 from rosy_sim.wire.topics import TopicMessage
 from rosy_sim.world.events import Lift, Press
 

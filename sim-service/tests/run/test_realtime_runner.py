@@ -14,8 +14,8 @@ import pytest
 from rosy_sim.config import Limits
 from rosy_sim.run import realtime_runner
 from rosy_sim.run.lateness import Lateness
-from rosy_sim.run.lockstep import Lockstep
 from rosy_sim.run.realtime_runner import Ending, RealTimeRunner
+from rosy_sim.run.steps.lockstep import Lockstep
 
 from ..conftest import hall
 

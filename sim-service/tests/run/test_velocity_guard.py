@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 
-from rosy_sim.run.lockstep import Lockstep
-from rosy_sim.run.velocity_guard import SafetySettings, Velocity, VelocityGuard
+from rosy_sim.run.steps.lockstep import Lockstep
+from rosy_sim.run.steps.velocity_guard import SafetySettings, Velocity, VelocityGuard
 from rosy_sim.world.events import Reading
 
 from ..conftest import hall

@@ -13,7 +13,7 @@ import pytest
 from rosy_sim.config import discover
 from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.run.headless_run import RunOutput, RunSettings, run_program
-from rosy_sim.run.lockstep import Lockstep
+from rosy_sim.run.steps.lockstep import Lockstep
 from rosy_sim.wire.firing import Branch, Firing, read_firings
 from rosy_sim.worker.blocking_worker import BlockingWorker
 from rosy_sim.world.world import World

@@ -20,8 +20,8 @@ import pytest
 
 from rosy_sim.config import discover
 from rosy_sim.robots.kobuki.facts import MAX_SPEED, RADIUS
-from rosy_sim.run import lockstep
-from rosy_sim.run.command_conflicts import CommandConflict, CommandConflicts
+from rosy_sim.run.steps import lockstep
+from rosy_sim.run.steps.command_conflicts import CommandConflict, CommandConflicts
 from rosy_sim.worker.blocking_worker import BlockingWorker
 from rosy_sim.world.events import Lift, Press, Teleport
 from rosy_sim.world.field_readers import Pose

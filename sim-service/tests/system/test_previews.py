@@ -13,8 +13,8 @@ import pytest
 
 from rosy_sim.config import Limits, discover
 from rosy_sim.previews.preview import PreviewTask, preview_over_link
-from rosy_sim.run.hands import write_hands
-from rosy_sim.run.velocity_guard import OFF
+from rosy_sim.run.steps.hands import write_hands
+from rosy_sim.run.steps.velocity_guard import OFF
 from rosy_sim.wire.page import Previewed
 from rosy_sim.wire.worker import Started
 from rosy_sim.worker.blocking_worker import BlockingWorker

@@ -20,8 +20,8 @@ from rosy_sim.config import discover
 from rosy_sim.explain.wording import english
 from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.run.headless_run import RunOutput, RunSettings, run_over_link
-from rosy_sim.run.lockstep import Lockstep
-from rosy_sim.web.run_explanations import RunExplanations
+from rosy_sim.run.steps.lockstep import Lockstep
+from rosy_sim.web.sessions.run_explanations import RunExplanations
 from rosy_sim.wire import page
 from rosy_sim.wire.firing import Branch, read_firings
 from rosy_sim.wire.worker import Started

@@ -19,11 +19,11 @@ import uvicorn
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
-from rosy_sim.classroom.class_store import ClassStore
+from rosy_sim.classroom.store.class_store import ClassStore
 from rosy_sim.config import Config, Limits
 from rosy_sim.web.app import Service, build_app
-from rosy_sim.web.outbox import Outbox
-from rosy_sim.web.paced_frames import paced_frames
+from rosy_sim.web.pacing.paced_frames import paced_frames
+from rosy_sim.web.sessions.outbox import Outbox
 from rosy_sim.wire.firing import Cause
 from rosy_sim.wire.page import FiringShown, Frame, Said
 from rosy_sim.wire.robot_link import MemoryValue
@@ -480,7 +480,9 @@ def test_a_room_of_too_many_movable_things_is_refused_before_it_is_built(
         places = [(0.5 + 0.8 * (i % 50), 0.5 + 0.9 * (i // 50)) for i in range(2000)]
         rounds = [{"x": x, "y": y, "r": 0.15, "movable": True} for x, y in places]
         start = {"x": 0.9, "y": 41, "theta": 0}
-        monkeypatch.setattr("rosy_sim.web.room_building.Obstacles", lambda *_: pytest.fail("the room was built"))
+        monkeypatch.setattr(
+            "rosy_sim.web.sessions.room_building.Obstacles", lambda *_: pytest.fail("the room was built")
+        )
         await page.send("world", world={"name": "posts", "size": [42, 42], "start": start, "rounds": rounds})
         assert "at most 200 things that can be pushed" in (await page.op("refusal"))["message"]
 
@@ -542,7 +544,7 @@ def test_the_rooms_of_a_page_are_freed_when_it_has_left_without_the_garbage_coll
 def test_a_page_that_used_up_its_share_is_read_no_further_and_the_others_are(
     config: Config, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rosy_sim.web.reading_pace._MESSAGE_RATE", 1e-6)
+    monkeypatch.setattr("rosy_sim.web.pacing.reading_pace._MESSAGE_RATE", 1e-6)
 
     async def tell() -> None:
         async with serving(config) as (address, _), opened(address) as busy:

@@ -15,7 +15,7 @@ import pytest
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import InvalidStatus
 
-from rosy_sim.classroom.class_folder import open_class
+from rosy_sim.classroom.store.class_folder import open_class
 from rosy_sim.config import Config
 
 from ..conftest import PATIENCE, UNHURRIED

@@ -6,7 +6,7 @@ import asyncio
 import json
 from typing import Any
 
-from rosy_sim.classroom.comment_store import MAX_COMMENTS
+from rosy_sim.classroom.store.comment_store import MAX_COMMENTS
 from rosy_sim.config import Config
 
 from .test_class import Class, in_class, save, teaching

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from rosy_sim.classroom.class_places import class_place
-from rosy_sim.classroom.class_store import ClassStore
-from rosy_sim.classroom.store_thread import StoreThread
+from rosy_sim.classroom.store.class_places import class_place
+from rosy_sim.classroom.store.class_store import ClassStore
+from rosy_sim.classroom.store.store_thread import StoreThread
 from rosy_sim.config import Config
 
 from ..classroom.conftest import server

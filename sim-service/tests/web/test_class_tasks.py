@@ -13,9 +13,9 @@ from typing import Any
 import httpx
 import pytest
 
-from rosy_sim.classroom import task_store
+from rosy_sim.classroom.store import task_store
 from rosy_sim.config import Config
-from rosy_sim.rooms.families import Family
+from rosy_sim.rooms.generation.families import Family
 from rosy_sim.rooms.room_test import RoomTest, try_rooms, worst_first
 from rosy_sim.rooms.trial_pool import TrialPool
 from rosy_sim.rooms.trial_process import Setup

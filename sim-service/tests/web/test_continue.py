@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from rosy_sim.config import Config
-from rosy_sim.run.lockstep import Lockstep
+from rosy_sim.run.steps.lockstep import Lockstep
 from rosy_sim.web.app import Service
 
 from .test_app import Message, Page, story
@@ -183,7 +183,7 @@ def test_a_run_that_is_not_kept_is_not_continued(config: Config) -> None:
 
 
 def test_commands_that_are_no_longer_kept_are_told(config: Config, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosy_sim.run.replay._MAX_STEPS", 3)
+    monkeypatch.setattr("rosy_sim.run.steps.replay._MAX_STEPS", 3)
 
     async def play(page: Page, _: Service) -> None:
         await begin(page, 1, "drive:0.5", seed=1)
@@ -250,7 +250,7 @@ def test_not_more_is_repeated_than_there_was(config: Config) -> None:
 
 
 def test_a_run_that_cannot_be_repeated_is_not_continued(config: Config, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosy_sim.run.hands._MAX_ACTIONS", 1)
+    monkeypatch.setattr("rosy_sim.run.steps.hands._MAX_ACTIONS", 1)
 
     async def play(page: Page, _: Service) -> None:
         await begin(page, 1, "drive:0.5", seed=1)

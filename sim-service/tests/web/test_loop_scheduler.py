@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from rosy_sim.web.loop_scheduler import LoopScheduler, PageTurns
+from rosy_sim.web.pacing.loop_scheduler import LoopScheduler, PageTurns
 
 
 class Clock:

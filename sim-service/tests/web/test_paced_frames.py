@@ -11,7 +11,7 @@ import uvicorn
 from uvicorn.server import ServerState
 from websockets.frames import Frame, Opcode
 
-from rosy_sim.web.paced_frames import WRITE, FrameBudgets, PacedFrames
+from rosy_sim.web.pacing.paced_frames import WRITE, FrameBudgets, PacedFrames
 
 from .test_loop_scheduler import Clock, Loop
 

@@ -6,8 +6,8 @@ import pytest
 
 from rosy_sim.config import Config
 from rosy_sim.web.app import Service
-from rosy_sim.web.outbox import Outbox
-from rosy_sim.web.page_view import PageView, Room
+from rosy_sim.web.sessions.outbox import Outbox
+from rosy_sim.web.sessions.page_view import PageView, Room
 from rosy_sim.wire import page
 from rosy_sim.wire.robot_process import FrameLine
 from rosy_sim.wire.telemetry import PoseShown, Shown

@@ -82,7 +82,7 @@ def test_a_preview_repeats_seed_and_hands_of_the_last_run(config: Config) -> Non
 def test_a_run_with_more_hands_than_are_recorded_has_no_preview(
     config: Config, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rosy_sim.run.hands._MAX_ACTIONS", 2)
+    monkeypatch.setattr("rosy_sim.run.steps.hands._MAX_ACTIONS", 2)
 
     async def play(page: Page, _: Service) -> None:
         # A program that is not ready: its hands do not wait for the end of a step.

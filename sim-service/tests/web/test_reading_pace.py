@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rosy_sim.web.reading_pace import ReadingPace
+from rosy_sim.web.pacing.reading_pace import ReadingPace
 
 
 def seconds_to_read(messages: int, characters: int, work: float) -> float:

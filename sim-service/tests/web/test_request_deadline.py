@@ -14,7 +14,7 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket
 from websockets.asyncio.client import connect
 
-from rosy_sim.web.request_deadline import RequestDeadline
+from rosy_sim.web.pacing.request_deadline import RequestDeadline
 
 from ..conftest import PATIENCE, UNHURRIED
 

@@ -19,8 +19,8 @@ from websockets.asyncio.client import connect
 from websockets.exceptions import InvalidStatus
 
 from rosy_sim.config import Config
-from rosy_sim.web.ros_bridge import MAX_CLIENTS
-from rosy_sim.wire.rosbridge import MAX_SUBSCRIPTIONS, RosbridgeClient
+from rosy_sim.web.sessions.ros_bridge import MAX_CLIENTS
+from rosy_sim.wire.ros.rosbridge import MAX_SUBSCRIPTIONS, RosbridgeClient
 from rosy_sim.world.events import Command, velocity
 
 from ..conftest import PATIENCE, UNHURRIED

@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rosy_sim.web.run_history import MAX_RUNS, RunHistory
+from rosy_sim.web.sessions.run_history import MAX_RUNS, RunHistory
 
 
 @given(st.lists(st.tuples(st.integers(0, 30), st.integers(0, 50)), max_size=60))

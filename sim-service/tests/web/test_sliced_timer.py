@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import pytest
 
-from rosy_sim.web.sliced_timer import SlicedTimer
+from rosy_sim.web.pacing.sliced_timer import SlicedTimer
 
 
 class Loop(asyncio.SelectorEventLoop):

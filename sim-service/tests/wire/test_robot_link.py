@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rosy_sim.run.lockstep import Lockstep
+from rosy_sim.run.steps.lockstep import Lockstep
 from rosy_sim.wire.robot_link import (
     MAX_COMMANDS,
     MAX_LINE,

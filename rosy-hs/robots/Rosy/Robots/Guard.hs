@@ -7,7 +7,7 @@
 -- without a command for 0.6 s (kobuki_node: cmd_vel_timeout); it is forgotten when the robot is lost, and a robot that was lost stands until a
 -- person lets it drive again ('arm'). While the safety rules are on, they override the program. Odometry is moved so that the program starts at the origin (rule R22).
 --
--- @sim-service/rosy_sim/run/velocity_guard.py@ does the same for the simulator; @protocol/goldens/safety.json@ holds the two together.
+-- @sim-service/rosy_sim/run/steps/velocity_guard.py@ does the same for the simulator; @protocol/goldens/safety.json@ holds the two together.
 module Rosy.Robots.Guard
   ( -- * What it is
     Guard,

@@ -1,0 +1,354 @@
+"""
+Messages of the socket of the teacher's board. ``protocol/README.md``, section 11.
+
+Requests are read into values; answers are values whose encoding is the frame.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+import msgspec
+
+from ..store.database import StoreFault
+from .check_messages import (
+    CancelCheck,
+    CheckAll,
+    Checking,
+    CheckNew,
+    OpenRun,
+    ResultShown,
+    RoomsShown,
+    RunShown,
+    ShowResults,
+    ShowRooms,
+)
+from .message_fields import (
+    Identifier,
+    Label,
+    LessonProgress,
+    PlaceInProgram,
+    ProjectText,
+    Refused,
+    Shared,
+    Typed,
+    decoded,
+)
+from .projector_messages import Project, Projecting
+from .pupil_messages import OwnComment
+from .shared_messages import AskToShare, Cursor, EndSharing, Over, Push, Updates, Waiting
+from .shared_messages import Shared as ShareBegun
+
+__all__ = [
+    "AddComment",
+    "BoardAnswer",
+    "BoardRequest",
+    "BoardShown",
+    "BoardTask",
+    "BoardTasks",
+    "CloseTask",
+    "Comment",
+    "CommentsShown",
+    "HandedIn",
+    "LowerHand",
+    "Need",
+    "OpenHandIn",
+    "OpenProgram",
+    "OpenTask",
+    "Place",
+    "PlacesShown",
+    "ProgramChanged",
+    "ProgramShown",
+    "PupilShown",
+    "PupilsShown",
+    "RemoveComment",
+    "RoomShown",
+    "Send",
+    "Sent",
+    "SetAttention",
+    "StoreShown",
+    "Unlock",
+    "read_board_request",
+]
+
+Date = Annotated[float, msgspec.Meta(ge=0, le=4_102_444_800)]
+"""Seconds since 1970, until 2100."""
+
+Need = Literal["hand", "error", "idle"]
+"""Why a pupil may need help: a raised hand, an error for a minute, no run for five minutes."""
+
+CommentText = Annotated[str, msgspec.Meta(max_length=2000)]
+"""A teacher's comment."""
+
+
+# Requests of the board
+
+
+class Unlock(msgspec.Struct, tag="unlock", tag_field="op"):
+    """The teacher's key."""
+
+    key: Typed
+
+
+class OpenProgram(msgspec.Struct, tag="open", tag_field="op"):
+    """The newest version of a pupil's program; of the one that was changed last if ``program`` is ``None``."""
+
+    pupil: int
+    program: Identifier | None = None
+
+
+class SetAttention(msgspec.Struct, tag="attention", tag_field="op"):
+    """Pause all pages with a message; ``None`` ends it."""
+
+    message: Label | None
+
+
+class LowerHand(msgspec.Struct, tag="lower", tag_field="op"):
+    """The raised hand was seen."""
+
+    pupil: int
+
+
+class Send(msgspec.Struct, tag="send", tag_field="op"):
+    """Send a program, a room or a lesson to these pupils, or to all if ``pupils`` is ``None``."""
+
+    name: Label
+    text: ProjectText
+    what: Shared = "program"
+    pupils: Annotated[list[int], msgspec.Meta(min_length=1, max_length=1000)] | None = None
+
+
+class OpenTask(msgspec.Struct, tag="open-task", tag_field="op"):
+    """Begin a task, which ends the one before; ``deadline`` in s since 1970, ``None`` for none."""
+
+    title: Annotated[str, msgspec.Meta(min_length=1, max_length=200)]
+    deadline: Date | None = None
+
+
+class CloseTask(msgspec.Struct, tag="close-task", tag_field="op"):
+    """End a task."""
+
+    task: int
+
+
+class OpenHandIn(msgspec.Struct, tag="open-hand-in", tag_field="op"):
+    """A pupil's hand-in for a task; the answer is ``ProgramShown``."""
+
+    task: int
+    pupil: int
+
+
+class Comment(msgspec.Struct, tag="comment", tag_field="op"):
+    """Set the comment on a hand-in; an empty one removes it."""
+
+    task: int
+    pupil: int
+    text: CommentText
+
+
+class AddComment(msgspec.Struct, tag="add-comment", tag_field="op"):
+    """Comment on a place in a pupil's program."""
+
+    pupil: int
+    program: Identifier
+    text: Annotated[str, msgspec.Meta(min_length=1, max_length=2000)]
+    place: PlaceInProgram
+
+
+class RemoveComment(msgspec.Struct, tag="remove-comment", tag_field="op"):
+    """Take back a comment on a place in a program."""
+
+    comment: int
+
+
+BoardRequest = (
+    Unlock
+    | OpenProgram
+    | SetAttention
+    | LowerHand
+    | Send
+    | OpenTask
+    | CloseTask
+    | OpenHandIn
+    | Comment
+    | AddComment
+    | RemoveComment
+    | Project
+    | CheckAll
+    | CheckNew
+    | CancelCheck
+    | ShowResults
+    | ShowRooms
+    | OpenRun
+    | AskToShare
+    | Push
+    | Cursor
+    | EndSharing
+)
+
+
+# Answers to the board
+
+
+class BoardShown(msgspec.Struct, tag="board", tag_field="op"):
+    """The key fits."""
+
+    code: str
+    addresses: list[str]
+    attention: str | None
+
+
+class StoreShown(msgspec.Struct, tag="store", tag_field="op"):
+    """Why nothing can be stored now; ``None`` when it can."""
+
+    fault: StoreFault | None
+
+
+class PupilShown(msgspec.Struct):
+    """A pupil; ``changed`` is when a program of theirs was stored last, in s ago."""
+
+    id: int
+    nickname: str
+    words: str
+    online: bool
+    running: bool
+    program: str | None
+    changed: float | None
+    lesson: LessonProgress | None
+    needs: list[Need]
+    # Comments on places in the pupil's programs, and those that the pupil has dealt with.
+    comments: int
+    done: int
+
+
+class PupilsShown(msgspec.Struct, tag="pupils", tag_field="op"):
+    """All pupils, in the order in which they joined."""
+
+    pupils: list[PupilShown]
+
+
+class RoomShown(msgspec.Struct, tag="room", tag_field="op"):
+    """The room that a pupil's page shows."""
+
+    pupil: int
+    world: Any
+
+
+class Place(msgspec.Struct, array_like=True):
+    """Where a pupil's robot is, in m and radians."""
+
+    pupil: int
+    x: float
+    y: float
+    theta: float
+
+
+class PlacesShown(msgspec.Struct, tag="places", tag_field="op"):
+    """The robots that moved since the last message."""
+
+    places: list[Place]
+
+
+class ProgramShown(msgspec.Struct, tag="program", tag_field="op"):
+    """
+    A pupil's program; ``text`` is ``None`` if there is none. ``program`` is its identifier, ``None`` for a hand-in.
+    """
+
+    pupil: int
+    name: str
+    text: str | None
+    program: str | None = None
+
+
+class ProgramChanged(msgspec.Struct, tag="program-changed", tag_field="op"):
+    """Another version of the program that the board opened last is stored."""
+
+    pupil: int
+    program: str
+    name: str
+    text: str
+
+
+class Sent(msgspec.Struct, tag="sent", tag_field="op"):
+    """It was sent to so many pages; so many pupils are not connected and get it when they are."""
+
+    pages: int
+    later: int
+
+
+class HandedIn(msgspec.Struct):
+    """
+    A pupil's hand-in for a task, without its text; ``at`` in s since 1970. The programs of the pupils ``alike`` differ
+    from it in comments, layout and names of their own only.
+    """
+
+    pupil: int
+    at: float
+    name: str
+    comment: str
+    alike: list[int]
+
+
+class BoardTask(msgspec.Struct):
+    """
+    A task with its hand-ins, oldest first; times in s since 1970. ``checked``: there was a check of all hand-ins.
+    """
+
+    id: int
+    title: str
+    opened: float
+    deadline: float | None
+    open: bool
+    handed_in: list[HandedIn]
+    checked: bool = False
+
+
+class BoardTasks(msgspec.Struct, tag="tasks", tag_field="op"):
+    """The newest tasks, oldest first."""
+
+    tasks: list[BoardTask]
+
+
+class CommentsShown(msgspec.Struct, tag="comments", tag_field="op"):
+    """The comments on the programs of the pupil whose program the board opened last, oldest first."""
+
+    pupil: int
+    comments: list[OwnComment]
+
+
+BoardAnswer = (
+    BoardShown
+    | StoreShown
+    | PupilsShown
+    | RoomShown
+    | PlacesShown
+    | ProgramShown
+    | ProgramChanged
+    | Sent
+    | Refused
+    | BoardTasks
+    | CommentsShown
+    | Projecting
+    | Checking
+    | ResultShown
+    | RoomsShown
+    | RunShown
+    | Waiting
+    | ShareBegun
+    | Updates
+    | Cursor
+    | Over
+)
+
+
+_decoder: msgspec.json.Decoder[BoardRequest] = msgspec.json.Decoder(BoardRequest)
+
+
+def read_board_request(text: str | bytes) -> BoardRequest:
+    """
+    Read a message of the board.
+
+    Raises:
+        BadRequest: it is none.
+    """
+    return decoded(_decoder, text)

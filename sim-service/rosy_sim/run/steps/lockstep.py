@@ -1,0 +1,275 @@
+"""
+Lockstep of a program and a world, without any I/O: bytes from the program in, bytes for it out.
+
+The owner transfers the bytes and decides when time passes::
+
+    send(lockstep.begin())             feed() until ready
+    send(lockstep.sense())             feed() until settled   } once per 20 ms
+    lockstep.integrate()                                      }
+
+A step is quiet when the program has said that nothing can fire in it, and no event happens. Such a step has settled
+when it is sensed, and nothing is sent. The program gets the states that have changed meanwhile before its next step.
+
+``feed`` applies commands as they come; nothing moves before ``integrate``. Velocities pass the ``velocity_guard``, as
+on real robots: the latest is repeated while the program lives (rule R9), and the safety rules may override it. The
+watchdog of the base stops the robot of a dead program.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+
+from ...wire.channels import Values
+from ...wire.robot_link import NO_FIRINGS, Ended, Ready, Settled, SimulatorLink, start_line, step_line, stop_line
+from ...wire.topics import CHANNELS, ODOMETRY, TopicMessage, on_demand, reading_line, topic_message
+from ...world.events import VELOCITY_CHANNEL, Command, Reading, velocity
+from ...world.goals import GoalTracker, Observation
+from ...world.time_step import STEPS_PER_SECOND
+from ...world.world import World
+from .command_conflicts import CommandConflict, CommandConflicts
+from .quiet_steps import MemoryRequest, QuietSteps
+from .velocity_guard import OFF, SafetySettings, Velocity, VelocityGuard
+
+__all__ = ["Lockstep", "State"]
+
+State = Literal["opening", "ready", "thinking", "settled", "ended"]
+
+_encoder = msgspec.json.Encoder()
+
+GUARD_STEPS = 5
+"""Steps between two ticks of the velocity guard: 10 Hz, as those of ``Rosy.Robots.Guard`` on a real robot."""
+
+
+class Lockstep:
+    """One run of a program in a world."""
+
+    def __init__(
+        self, world: World, seed: int, trace: bool = False, safety: SafetySettings = OFF, quiet: bool = True
+    ) -> None:
+        self.world = world
+        self._seed = seed
+        self._trace = trace
+        self._quiet = QuietSteps() if quiet else None
+        # Whether the program tells its firings with their provenance (language rule R12).
+        self.observes = False
+        self._link = SimulatorLink()
+        # The progress of the goals of the world.
+        self.goals = GoalTracker(world.arena.goals)
+        # Where the conversation is: opening until `ready`; thinking from sense() to `settled`.
+        self.state: State = "opening"
+        # Steps integrated so far, and with it the simulated time in units of 20 ms.
+        self.step = 0
+        # What the program did in the current step; cleared by sense().
+        self.commands: list[Command] = []
+        # The same with messages on topics of its own, in order.
+        self._actions: list[Command | TopicMessage] = []
+        # What it published in the current step on topics of its own.
+        self.published: list[TopicMessage] = []
+        # Functions that override each other's commands, as far as this step has made it certain.
+        self.conflicts: list[CommandConflict] = []
+        self._commands_in_force = CommandConflicts()
+        # Messages on topics of its own that the program gets in the next step.
+        self._posted: list[TopicMessage] = []
+        self.settled: Settled | None = None
+        # Whether the program was left out of the current step; set by sense().
+        self.was_quiet = False
+        # What the robot sensed in the current step; set by sense().
+        self.events: list[Reading] = []
+        # The program's last line.
+        self.ended: Ended | None = None
+        self._guard = VelocityGuard(safety)
+        # The latest values of the channels on topics that the program takes itself.
+        self._latest: dict[str, Values] = {}
+        # Ground truth when the current step was sensed.
+        self._sensed = (0.0, 0.0, 0.0, 0.0, 0.0)
+
+    @property
+    def time(self) -> float:
+        """Simulated seconds since the run began."""
+        return self.step / STEPS_PER_SECOND
+
+    @property
+    def is_overridden(self) -> bool:
+        """Whether the safety rules drive instead of the program."""
+        return self._guard.is_overriding
+
+    def switch_safety(self, settings: SafetySettings) -> None:
+        """Change the safety rules during the run."""
+        self._drive(self._guard.switch(settings))
+
+    def begin(self) -> bytes:
+        """What to send first."""
+        return start_line(self._seed, self._trace, self._quiet is not None)
+
+    def stop(self) -> bytes:
+        """What to send to ask the program to end. Its clean-ups read the states of the last step."""
+        return self._late_batch() + stop_line()
+
+    def sense(self, memory: MemoryRequest = "none") -> bytes:
+        """
+        The batch of the current step, which may ask what the program remembers; empty when the step is quiet. Call when
+        ready or integrated.
+        """
+        world = self.world
+        self.events = events = world.sense()
+        for event in events:
+            self._guard.hear(event)
+        self.commands = []
+        self._actions = []
+        self.published = []
+        self.conflicts = []
+        self.settled = None
+        self.was_quiet = False
+        if self._trace:
+            self._sensed = (world.x, world.y, world.theta, world.v, world.w)
+        quiet = self._quiet
+        may_skip = quiet is not None and quiet.covers(self.step, memory) and not self._posted and not self.observes
+        if quiet is not None and may_skip and quiet.skip(events, world.odometry()):
+            self.settled = Settled(self.step)
+            self.was_quiet = True
+            self.state = "settled"
+            return b""
+        late = self._late_batch()
+        asks = memory != "none"
+        if quiet is not None:
+            quiet.end(asks)
+        self._link.step = self.step
+        self.state = "thinking"
+        sensed = self._lines([*events, Reading(ODOMETRY.name, world.odometry())])
+        # Messages of the program's own topics stand before the odometry.
+        sensed[-1:-1] = [message.line() for message in self._posted]
+        self._posted = []
+        return late + b"".join(sensed) + step_line(self.step, asks, self.observes)
+
+    def _late_batch(self) -> bytes:
+        """The states of the quiet steps that have passed; empty when there were none."""
+        missed = self._quiet.take_missed() if self._quiet is not None else None
+        if missed is None:
+            return b""
+        return b"".join(self._lines(missed)) + step_line(self.step - 1, late=True)
+
+    def _lines(self, readings: list[Reading]) -> list[bytes]:
+        """
+        The lines of what the robot sensed in a step.
+
+        On a topic that the program takes itself they are whole messages; the channels that share a topic give one.
+        """
+        if not self._link.subscribed:
+            *others, last = readings
+            lines = [reading_line(reading) for reading in others]
+            lines.append(ODOMETRY.line(last.values) if last.channel == ODOMETRY.name else reading_line(last))
+            return lines
+        lines = []
+        for index, reading in enumerate(readings):
+            channel = CHANNELS[reading.channel]
+            if channel.topic not in self._link.subscribed:
+                lines.append(ODOMETRY.line(reading.values) if channel is ODOMETRY else reading_line(reading))
+                continue
+            self._latest[channel.name] = reading.values
+            later = (CHANNELS[r.channel] for r in readings[index + 1 :] if r.channel != channel.name)
+            if all(other.topic != channel.topic for other in later):
+                whole = topic_message(self._latest, channel.topic, self.time, self.step)
+                lines.append(TopicMessage(channel.topic, whole).line())
+        return lines
+
+    def post(self, message: TopicMessage) -> None:
+        """A message for the program, if it takes the topic: in the next step."""
+        if message.topic in self._link.subscribed:
+            self._posted.append(message)
+
+    def feed(self, data: bytes) -> State:
+        """
+        Take bytes from the program and obey the commands among them.
+
+        Raises:
+            LinkError: the program broke the protocol.
+        """
+        for message in self._link.feed(data):
+            if isinstance(message, Settled):
+                self.settled = message
+                self.state = "settled"
+                self.world.listen("program", message.listens)
+                # Of a topic that the program takes itself it gets every message.
+                if self._quiet is not None and not self._link.subscribed:
+                    self._quiet.begin(self.step, message.quiet)
+                self.conflicts = self._commands_in_force.observe(self.step, message.fired, message.sent, self._actions)
+            elif isinstance(message, Ready):
+                self.world.listen("topics", on_demand(self._link.subscribed))
+                self.state = "ready"
+            elif isinstance(message, Ended):
+                self.ended = message
+                self.state = "ended"
+                self.world.listen("program", ())
+                self.world.listen("topics", ())
+            elif isinstance(message, TopicMessage):
+                # As in ROS, a program that takes the topic gets its own messages as well.
+                self._actions.append(message)
+                self.published.append(message)
+                self.post(message)
+            else:
+                self._actions.append(message)
+                self.commands.append(message)
+                self._carry_out(message)
+        return self.state
+
+    def _carry_out(self, command: Command) -> None:
+        if command.channel == VELOCITY_CHANNEL:
+            linear, angular = command.values
+            self._drive(self._guard.command(self.time, float(linear), float(angular)))
+        else:
+            self.world.command(command)
+
+    def _drive(self, wanted: Velocity | None) -> None:
+        if wanted is not None:
+            self.world.command(velocity(*wanted))
+
+    def integrate(self) -> None:
+        """Let the step's 20 ms pass."""
+        world = self.world
+        if self.step % GUARD_STEPS == 0 and self.ended is None:
+            self._drive(self._guard.tick(self.time))
+        world.integrate()
+        self.step += 1
+        if self.goals:
+            self.goals.observe(self.observation())
+
+    def observation(self) -> Observation:
+        """The state after the last step, for goals and properties."""
+        world = self.world
+        bits = world.sensors
+        return Observation(self.time, world.x, world.y, bits.bumpers, bits.cliffs, bits.wheels, world.is_blocked)
+
+    def channels(self) -> list[str]:
+        """The channels of the current step's commands in their order; empty for a topic of the program's own."""
+        return [one.channel if isinstance(one, Command) else "" for one in self._actions]
+
+    def said(self) -> list[str]:
+        """What the program said in the current step."""
+        return [str(c.values[0]) for c in self.commands if c.channel == "Say"]
+
+    def sounds(self) -> list[int]:
+        """Which sounds the program asked for in the current step."""
+        return [int(c.values[0]) for c in self.commands if c.channel == "Sound"]
+
+    def trace_line(self, provenance: bool = False) -> bytes:
+        """The line of `--trace` for the step that has just settled or ended (protocol §8)."""
+        x, y, theta, v, w = self._sensed
+        done = self.settled or self.ended
+        # A program that died in this step has reported nothing of it.
+        events, commands, fired = (done.events, done.commands, done.fired) if done is not None else ([], [], [])
+        line: dict[str, object] = {
+            "t": self.time,
+            "x": x,
+            "y": y,
+            "theta": theta,
+            "v": v,
+            "w": w,
+            "events": events,
+            "commands": commands,
+            "fired": fired,
+        }
+        if provenance:
+            line["firings"] = done.firings if done is not None else NO_FIRINGS
+        return _encoder.encode(line) + b"\n"

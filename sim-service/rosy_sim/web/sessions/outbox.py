@@ -1,0 +1,71 @@
+"""
+Outbox: bounded queue of the messages for one page.
+
+A page that reads slowly gets fewer frames; one that reads nothing is disconnected. Neither delays other pages.
+
+An answer to a page that reads is written at once, where the connection allows it: waking a task for each frame costs
+more than the frame.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from collections.abc import Callable
+
+from ...wire.page import Answer, Frame, encode_bytes
+
+__all__ = ["Outbox"]
+
+_MAX_FIRED = 200
+"""Firings remembered for one frame; a page shows the latest."""
+
+
+class Outbox:
+    """A queue in which a frame that has not been sent yet is replaced by the next."""
+
+    def __init__(self, limit: int) -> None:
+        self._limit = limit
+        self._waiting: deque[Answer] = deque()
+        self._not_empty = asyncio.Event()
+        # Set when the queue is full, so the page has stopped reading.
+        self.overflowed = asyncio.Event()
+        # Writes a text at once, or answers that it cannot.
+        self._write: Callable[[bytes], bool] | None = None
+        # Whether all that was taken out has been sent: the sender waits in get().
+        self._is_drained = False
+
+    def write_with(self, write: Callable[[bytes], bool]) -> None:
+        """Write answers at once with this function, as long as it answers that it has written them."""
+        self._write = write
+
+    def put(self, answer: Answer) -> None:
+        """Add an answer, or send it at once; never blocks."""
+        waiting = self._waiting
+        if self._write is not None and self._is_drained and not waiting and self._write(encode_bytes(answer)):
+            return
+        if isinstance(answer, Frame) and waiting:
+            last = waiting[-1]
+            if isinstance(last, Frame) and last.run == answer.run:
+                answer.fired = (last.fired + answer.fired)[-_MAX_FIRED:]
+                answer.sensed = (last.sensed + answer.sensed)[-_MAX_FIRED:]
+                answer.channels = {**last.channels, **answer.channels}
+                if last.firings:
+                    answer.firings = (last.firings + (answer.firings or []))[-_MAX_FIRED:]
+                answer.boxes = answer.boxes or last.boxes
+                answer.memory = last.memory if answer.memory is None else answer.memory
+                waiting.pop()
+        if len(waiting) >= self._limit:
+            self.overflowed.set()
+        else:
+            waiting.append(answer)
+        self._not_empty.set()
+
+    async def get(self) -> Answer:
+        """The next answer."""
+        while not self._waiting:
+            self._not_empty.clear()
+            self._is_drained = True
+            await self._not_empty.wait()
+        self._is_drained = False
+        return self._waiting.popleft()

@@ -1,0 +1,62 @@
+"""
+Previews that a page asks for: one at a time, the newest request wins, within a budget of computing time.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections.abc import Callable
+
+from ...errors import RosyError
+from ...previews.preview import PreviewTask
+from ...previews.preview_pool import PreviewPool
+from ...run.problems import worker_lost
+from ...token_bucket import TokenBucket
+from ...wire import page
+
+__all__ = ["PagePreviews"]
+
+_BUDGET_RATE, _BUDGET_BURST = 0.5, 10.0
+"""Computing time of one page's previews: s in a second for long, and s at once."""
+
+
+class PagePreviews:
+    """Of one page; ``send`` puts a message into its outbox."""
+
+    def __init__(self, pool: PreviewPool, send: Callable[[page.Previewed], None], now: Callable[[], float]) -> None:
+        self._pool = pool
+        self._send = send
+        self._now = now
+        self._budget = TokenBucket(_BUDGET_RATE, _BUDGET_BURST, now())
+        # When the budget allows the next preview, on the clock.
+        self._next = 0.0
+        self._work: asyncio.Task[None] | None = None
+
+    def request(self, task: PreviewTask) -> None:
+        """Compute this preview; an older one that is not finished is never answered."""
+        self.cancel()
+        self._work = asyncio.get_running_loop().create_task(self._answer(task))
+
+    def cancel(self) -> None:
+        """Cancel the preview in progress; its request is not answered."""
+        if self._work is not None:
+            self._work.cancel()
+
+    async def close(self) -> None:
+        """End what is under way."""
+        if self._work is not None:
+            self._work.cancel()
+            with contextlib.suppress(asyncio.CancelledError):
+                await self._work
+
+    async def _answer(self, task: PreviewTask) -> None:
+        await asyncio.sleep(max(0.0, self._next - self._now()))
+        try:
+            self._send(await self._pool.run(task, self._spend))
+        except RosyError:
+            self._send(page.Previewed(task.id, "error", 0.0, (0.0, 0.0, 0.0), [], [], [], [worker_lost()]))
+
+    def _spend(self, seconds: float) -> None:
+        now = self._now()
+        self._next = now + self._budget.overdraw(seconds, now)

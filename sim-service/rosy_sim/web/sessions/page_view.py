@@ -1,0 +1,333 @@
+"""
+Page view: what one page is shown of its robot, as messages in its outbox: frames, output, goals, and the state of runs.
+
+Frames and output are limited to what a page can show, so a program that prints without end costs bounded memory.
+Implements ``RunView`` and ``RobotView``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from ...run.page_run import Ended
+from ...run.steps.command_conflicts import CommandConflict
+from ...token_bucket import TokenBucket
+from ...wire import page
+from ...wire.firing import Branch, Firing
+from ...wire.problem import Problem
+from ...wire.robot_link import MemoryValue
+from ...wire.robot_process import FrameLine
+from ...wire.telemetry import PoseShown, Shown
+from ...world.goals import GoalState
+from ...world.time_step import STEPS_PER_SECOND
+from ...world.world import World
+from .outbox import Outbox
+
+__all__ = ["PageView", "Room"]
+
+_MAX_FIRED = 200
+"""Firings in one frame; the latest ones."""
+
+_MAX_FIRINGS = 100
+"""Firings with their provenance in one frame; the latest ones. A page shows the latest of each function."""
+
+_MAX_SENSED = 50
+"""Events told in one frame; the latest ones."""
+
+_DIGITS = 5
+"""Digits after the point of what is drawn, m and rad: a hundredth of a millimetre. All would double the bytes."""
+
+_MAX_TEXT = 10_000
+"""Characters of one `Say` that reach the page."""
+
+_MAX_SOUNDS = 10
+"""Sounds of one step that reach the page."""
+
+_OUTPUT_RATE, _OUTPUT_BURST = 100.0, 300.0
+"""Texts and sounds that reach the page, a second and at once."""
+
+_BACKGROUND_RATE = 20.0
+"""Frames per second of a page without the focus, which is beside the window in which its user works."""
+
+_FRAME_BURST = 3.0
+"""Frames that may go out at once, so that a step that is late gets one too."""
+
+
+@dataclass(frozen=True, slots=True)
+class Room:
+    """The world's JSON, for the page to draw, and the world made from it."""
+
+    json: Any
+    world: World
+
+
+class PageView:
+    """
+    Puts answers into a page's outbox.
+
+    Args:
+        now: a clock in s that only goes forward.
+    """
+
+    def __init__(
+        self,
+        outbox: Outbox,
+        room: Room,
+        frame_rate: float,
+        now: Callable[[], float],
+        on_branches: Callable[[list[Branch]], None] = lambda _: None,
+    ) -> None:
+        self._outbox = outbox
+        # Called with the branches of a program that begins to run.
+        self._on_branches = on_branches
+        self._now = now
+        self._room = room
+        self._shows_simulator = True
+        # The run number on all messages, and the run's latest step.
+        self.run = 0
+        self.step = 0
+        # What the page was last told: poses of the movable things, and goals.
+        self._boxes: list[tuple[float, float, float]] = []
+        self._goals: list[page.Goal] = []
+        self._output_limit = TokenBucket(_OUTPUT_RATE, _OUTPUT_BURST, now())
+        self._frame_rate = frame_rate
+        self._frame_limit = TokenBucket(frame_rate, _FRAME_BURST, now())
+        # A hidden page gets the frames that show a change of its run's state only.
+        self._is_hidden = False
+        # For the next frame: functions that have fired, and the memory if it has changed.
+        self._fired: list[str] = []
+        self._sensed: list[str] = []
+        # What the page was last told of each channel; empty when the next frame has to tell all.
+        self._channels: dict[str, Shown] = {}
+        self._channels_run = -1
+        # The same before it was rounded, of the simulated robot.
+        self._values: dict[str, tuple[float | int | str, ...]] = {}
+        self._memory: list[MemoryValue] | None = None
+        # For the next frame: firings with their provenance, if the page asks for them.
+        self._firings: list[page.FiringShown] = []
+        self.shows_firings = False
+
+    # The room
+
+    def show_room(self, room: Room) -> None:
+        """Show another room."""
+        self._room = room
+        self._boxes = []
+        self._forget_channels()
+        self._send_room()
+
+    def reset(self, room: Room) -> None:
+        """Show the same room as it is before a run; the page has it already."""
+        self._room = room
+        self._boxes = []
+        self._goals = []
+        self._fired = []
+        self._sensed = []
+        self._forget_channels()
+        self._memory = None
+        self._firings = []
+        self.step = 0
+
+    def show_simulator(self) -> None:
+        """Show the simulated robot in its room."""
+        self._shows_simulator = True
+        self._send_room()
+
+    def _send_room(self) -> None:
+        self._outbox.put(page.WorldShown(self._room.json))
+        self.show_frame(force=True)
+
+    def hide_simulator(self) -> None:
+        """Show no frames of the simulated robot."""
+        self._shows_simulator = False
+
+    def _forget_channels(self) -> None:
+        """The next frame tells all."""
+        self._channels = {}
+        self._values = {}
+
+    # States of runs
+
+    def show_state(self, state: Literal["compiling", "running"], problems: list[Problem] | None = None) -> None:
+        """Show where the run is."""
+        self._outbox.put(page.RunState(self.run, state, problems or []))
+
+    def show_started(self, problems: list[Problem], branches: list[Branch]) -> None:
+        """Show that the program begins to run, with its warnings and branches."""
+        self._on_branches(branches)
+        self._outbox.put(page.RunState(self.run, "running", problems, branches=branches))
+
+    def show_queued(self, place: int) -> None:
+        """Show the position in the run queue."""
+        self._outbox.put(page.RunState(self.run, "queued", [], place=place))
+
+    def show_ended(self, run: int, ended: Ended, problems: list[Problem]) -> None:
+        """Show that a run, which need not be the latest, has ended."""
+        self._outbox.put(page.RunState(run, "ended", problems, ended))
+
+    # What a run does
+
+    def add_fired(self, names: list[str]) -> None:
+        """Show these functions with the next frame."""
+        self._fired = (self._fired + names)[-_MAX_FIRED:]
+
+    def add_sensed(self, texts: list[str]) -> None:
+        """Show the events that the program sensed with the next frame."""
+        self._sensed = (self._sensed + texts)[-_MAX_SENSED:]
+
+    def add_firings(self, time: float, firings: list[Firing]) -> None:
+        """Show these firings of a step with the next frame, if the page asks for them."""
+        if not self.shows_firings:
+            return
+        shown = [page.firing_shown(firing, time) for firing in firings[-_MAX_FIRINGS:]]
+        self._firings = (self._firings + shown)[-_MAX_FIRINGS:]
+
+    def set_memory(self, values: list[MemoryValue]) -> None:
+        """Show what the program remembers with the next frame."""
+        self._memory = values
+
+    def show_conflict(self, time: float, conflict: CommandConflict) -> None:
+        """Show that functions override each other's commands."""
+        self._outbox.put(page.ConflictShown(self.run, time, conflict.channel, conflict.winner, conflict.loser))
+
+    def show_divergence(self, time: float) -> None:
+        """Show when the program began to differ from the run that it repeats."""
+        self._outbox.put(page.Diverged(self.run, time))
+
+    def show_uncompared(self, time: float) -> None:
+        """Show since when it is not known whether the program differs from the run that it repeats."""
+        self._outbox.put(page.Uncompared(self.run, time))
+
+    def show_output(self, time: float, texts: list[str], sounds: list[int]) -> None:
+        """Show the texts and play the sounds of a step, as far as the limit allows."""
+        for text in texts:
+            if self._output_limit.spend(1, self._now()):
+                self.show_text(time, text[:_MAX_TEXT])
+        for sound in sounds[:_MAX_SOUNDS]:
+            if self._output_limit.spend(1, self._now()):
+                self.play_sound(time, sound)
+
+    def show_text(self, time: float, text: str) -> None:
+        """Show a line on the console."""
+        self._outbox.put(page.Said(time, text, run=self.run))
+
+    def play_sound(self, time: float, sound: int) -> None:
+        """Play a sound."""
+        self._outbox.put(page.SoundPlayed(time, sound, run=self.run))
+
+    def show_goals(self, states: list[GoalState]) -> None:
+        """Show the goals if they have changed visibly."""
+        goals = [page.Goal(s.kind, s.title, s.state, round(s.progress, 2), s.time) for s in states]
+        if goals != self._goals:
+            self._goals = goals
+            self._outbox.put(page.GoalsShown(self.run, goals))
+
+    # Frames
+
+    def set_visibility(self, visible: page.Visible) -> None:
+        """How much of the page is seen: it decides how many frames it gets."""
+        was_hidden, self._is_hidden = self._is_hidden, visible == "hidden"
+        rate = self._frame_rate if visible == "focused" else min(self._frame_rate, _BACKGROUND_RATE)
+        self._frame_limit = TokenBucket(rate, _FRAME_BURST, self._now())
+        if was_hidden and not self._is_hidden:
+            self.show_frame(force=True)
+
+    def _may_show_frame(self) -> bool:
+        return not self._is_hidden and self._frame_limit.spend(1, self._now())
+
+    def show_frame(self, force: bool = False) -> None:
+        """Show the simulated robot as it is now, unless the last frame was too recent."""
+        if not self._shows_simulator:
+            return
+        if not force and not self._may_show_frame():
+            return
+        world = self._room.world
+        pose = PoseShown(round(world.x, _DIGITS), round(world.y, _DIGITS), round(world.theta, _DIGITS))
+        self._put_frame(
+            self.step / STEPS_PER_SECOND,
+            pose,
+            self._changed_channels(world),
+            boxes=self._moved_boxes(),
+            ghost=_rounded(world.ghost()),
+            **self._observations(),
+        )
+
+    def snapshot(self) -> page.Frame:
+        """A frame with all that is drawn of the simulated robot, for others than the page."""
+        world = self._room.world
+        boxes = [
+            (round(x, _DIGITS), round(y, _DIGITS), round(theta, _DIGITS)) for x, y, theta in world.obstacles.poses()
+        ]
+        return page.Frame(
+            self.step / STEPS_PER_SECOND,
+            PoseShown(round(world.x, _DIGITS), round(world.y, _DIGITS), round(world.theta, _DIGITS)),
+            {
+                name: [round(v, _DIGITS) if isinstance(v, float) else v for v in values]
+                for name, values in world.channels().items()
+            },
+            [],
+            [],
+            run=self.run,
+            step=self.step,
+            boxes=boxes or None,
+        )
+
+    def show_telemetry(self, line: FrameLine) -> None:
+        """Show a real robot as it reports itself, unless the last frame was too recent."""
+        self.add_fired(line.fired)
+        self.add_sensed(line.sensed)
+        if not self._may_show_frame():
+            return
+        self.step = int(line.time * STEPS_PER_SECOND)
+        self._begin_run()
+        # The next frame of the simulated robot is compared with this one.
+        self._values = {}
+        self._put_frame(line.time, line.pose, line.channels, **self._observations())
+
+    def _begin_run(self) -> None:
+        """The first frame of a run tells all."""
+        if self._channels_run != self.run:
+            self._channels_run = self.run
+            self._forget_channels()
+
+    def _changed_channels(self, world: World) -> dict[str, Shown]:
+        """What the channels say, as far as it may differ from what the page was last told."""
+        self._begin_run()
+        changed: dict[str, Shown] = {}
+        before = self._values
+        for name, values in world.channels().items():
+            if before.get(name) != values:
+                before[name] = values
+                changed[name] = [round(v, _DIGITS) if isinstance(v, float) else v for v in values]
+        return changed
+
+    def _observations(self) -> dict[str, Any]:
+        """Memory and firings that wait for a frame."""
+        memory, self._memory = self._memory, None
+        firings, self._firings = self._firings, []
+        return {"memory": memory, "firings": firings or None}
+
+    def _put_frame(self, time: float, pose: PoseShown, channels: dict[str, Shown], **more: Any) -> None:
+        """Send a frame with the channels that differ from the last frame."""
+        news = {name: values for name, values in channels.items() if self._channels.get(name) != values}
+        self._channels.update(news)
+        fired, self._fired = self._fired, []
+        sensed, self._sensed = self._sensed, []
+        self._outbox.put(page.Frame(time, pose, news, fired, sensed, run=self.run, step=self.step, **more))
+
+    def _moved_boxes(self) -> list[tuple[float, float, float]] | None:
+        """Poses of the movable things if they differ from those that the page was told last."""
+        obstacles = self._room.world.obstacles
+        if not obstacles.movables:
+            return None
+        poses = obstacles.poses()
+        if poses == self._boxes:
+            return None
+        self._boxes = poses
+        return [(round(x, _DIGITS), round(y, _DIGITS), round(theta, _DIGITS)) for x, y, theta in poses]
+
+
+def _rounded(pose: tuple[float, float, float] | None) -> tuple[float, float, float] | None:
+    return None if pose is None else (round(pose[0], _DIGITS), round(pose[1], _DIGITS), round(pose[2], _DIGITS))

@@ -1,0 +1,64 @@
+"""
+Rooms that pages ask for, built in turns on the event loop. ``loop_scheduler.py``
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ...robots import DEFAULT_ROBOT
+from ...sentence import tr
+from ...world.arena import Arena, read_arena
+from ...world.obstacles import Obstacles
+from ...world.world import World
+from ...worlds.gallery import named_world, refusing_worlds
+from ..pacing.loop_scheduler import PageTurns
+from .page_view import Room
+
+__all__ = ["BuiltRoom", "build_room", "rebuild_room"]
+
+
+@dataclass(frozen=True, slots=True)
+class BuiltRoom:
+    """A room that lacks its robot."""
+
+    # As the page gave it.
+    json: object
+    arena: Arena
+    obstacles: Obstacles
+
+    def with_robot(self, seed: int = 0) -> Room:
+        """
+        The room as it is before a run; once, for a run moves the obstacles.
+
+        Raises:
+            BadInput: the robot cannot stand at the start.
+        """
+        with refusing_worlds(tr("This")):
+            return Room(self.json, World(self.arena, DEFAULT_ROBOT, seed, self.obstacles))
+
+
+async def build_room(wanted: object, turns: PageTurns) -> BuiltRoom:
+    """
+    A room by its name or as JSON.
+
+    Raises:
+        BadInput: there is no such room, or it is none.
+    """
+    with refusing_worlds(tr("This")):
+        async with turns.turn():
+            json = named_world(wanted) if isinstance(wanted, str) else wanted
+            arena = read_arena(json)
+        return BuiltRoom(json, arena, await _build_obstacles(arena, turns))
+
+
+async def rebuild_room(room: Room, turns: PageTurns) -> BuiltRoom:
+    """A room once more, as it was before anything moved."""
+    arena = room.world.arena
+    return BuiltRoom(room.json, arena, await _build_obstacles(arena, turns))
+
+
+async def _build_obstacles(arena: Arena, turns: PageTurns) -> Obstacles:
+    obstacles = Obstacles(DEFAULT_ROBOT.body)
+    await turns.complete(obstacles.add(arena))
+    return obstacles

@@ -1,0 +1,85 @@
+"""
+Connection of a socket of class mode: requests one after the other at a limited rate, answers from a bounded queue.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections.abc import Callable, Coroutine
+from typing import Any
+
+import msgspec
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from ...classroom.messages.board_messages import ProgramShown
+from ...classroom.messages.message_fields import BadRequest, Refused, encode
+from ...token_bucket import TokenBucket
+from ..pacing.loop_scheduler import LoopScheduler, PageTurns
+
+__all__ = ["ClassConnection"]
+
+_RATE, _BURST = 20.0, 400.0
+"""Messages that a page may send, a second and at once."""
+
+_CHARACTERS_PER_MESSAGE = 2000
+"""Characters that count as one more message."""
+
+_QUEUE = 500
+"""Messages waiting for a slow page before it is disconnected."""
+
+
+class ClassConnection:
+    """
+    The two directions of a socket: requests one after the other, in the turns of the client's address; answers from a
+    bounded queue.
+    """
+
+    def __init__(self, socket: WebSocket, scheduler: LoopScheduler) -> None:
+        self._socket = socket
+        self._turns = PageTurns(scheduler, self.address)
+        self._queue: asyncio.Queue[str] = asyncio.Queue(_QUEUE)
+        self.overflowed = asyncio.Event()
+        # The task whose results a board shows.
+        self.results_of: int | None = None
+        # The program that a board opened last, as it was told.
+        self.followed: ProgramShown | None = None
+        # The pupil whose comments a board shows.
+        self.comments_of: int | None = None
+
+    @property
+    def address(self) -> str:
+        return self._socket.client.host if self._socket.client is not None else ""
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether all answers are on their way."""
+        return self._queue.empty()
+
+    def put(self, answer: msgspec.Struct) -> None:
+        try:
+            self._queue.put_nowait(encode(answer))
+        except asyncio.QueueFull:
+            self.overflowed.set()
+
+    async def receive(self, serve: Callable[[str | bytes], Coroutine[Any, Any, None]]) -> None:
+        """Serve requests until the page disconnects; one that exceeds its rate is read more slowly."""
+        now = asyncio.get_running_loop().time
+        limit = TokenBucket(_RATE, _BURST, now())
+        while True:
+            message = await self._socket.receive()
+            if message["type"] == "websocket.disconnect":
+                return
+            text = message.get("text") or message.get("bytes") or ""
+            try:
+                await self._turns.serve(serve(text), len(text))
+            except BadRequest:
+                self.put(Refused("request"))
+            if wait := limit.overdraw(1 + len(text) / _CHARACTERS_PER_MESSAGE, now()):
+                await asyncio.sleep(wait)
+
+    async def send(self) -> None:
+        with contextlib.suppress(WebSocketDisconnect, RuntimeError):
+            # The page may disconnect during a send; the receiver notices as well.
+            while True:
+                await self._socket.send_text(await self._queue.get())

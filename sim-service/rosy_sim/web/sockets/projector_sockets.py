@@ -1,0 +1,128 @@
+"""
+Sockets of projectors: pages that show the room of the pupil whom the teacher has chosen on the board.
+``protocol/README.md``, section 11.
+
+A projector is told nothing before it has given the teacher's key, and afterwards nothing about other pupils.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Awaitable, Callable, Mapping
+
+from starlette.websockets import WebSocket
+
+from ...classroom.classroom import Classroom
+from ...classroom.messages.message_fields import Refused
+from ...classroom.messages.projector_messages import Invitation, Projected, RoomProjected, read_projector_request
+from ...classroom.store.database import StoreError, fault_of
+from ...sentence import tr
+from ...wording import in_terminal
+from ..pacing.loop_scheduler import LoopScheduler
+from ..sessions.page_session import PageSession
+from .address_slots import AddressSlots
+from .class_connection import ClassConnection
+
+__all__ = ["ProjectorSockets"]
+
+_log = logging.getLogger(__name__)
+
+_TRY_AGAIN = 1013
+"""WebSocket close code of a full service. Registry of RFC 6455, section 11.7."""
+
+_MAX_PROJECTORS, _ADDRESS_PROJECTORS = 20, 10
+"""Projectors with and without the key, of all addresses and of one."""
+
+_PERIOD = 0.1
+"""Between two looks at the robot, s."""
+
+
+class ProjectorSockets:
+    """
+    The sockets of the projectors of a running class.
+
+    Args:
+        classroom: the class.
+        sessions: the page sessions by their random names.
+        first_completed: waits until one of several works is done and cancels the others.
+        scheduler: of the event loop.
+    """
+
+    def __init__(
+        self,
+        classroom: Classroom,
+        sessions: Mapping[str, PageSession],
+        first_completed: Callable[..., Awaitable[None]],
+        scheduler: LoopScheduler,
+    ) -> None:
+        self._scheduler = scheduler
+        self._classroom = classroom
+        self._sessions = sessions
+        self._first_completed = first_completed
+        self._slots = AddressSlots(_MAX_PROJECTORS, _ADDRESS_PROJECTORS)
+
+    async def serve(self, socket: WebSocket) -> None:
+        """Serve a projector until it disconnects."""
+        await socket.accept()
+        connection = ClassConnection(socket, self._scheduler)
+        if not self._slots.take(connection.address):
+            await socket.close(_TRY_AGAIN)
+            return
+        unlocked = asyncio.Event()
+
+        async def serve(text: str | bytes) -> None:
+            request = read_projector_request(text)
+            admitted = self._classroom.admits_teacher(request.key, connection.address)
+            if admitted:
+                unlocked.set()
+            else:
+                connection.put(Refused("attempts" if admitted is None else "key"))
+
+        async def watch() -> None:
+            await unlocked.wait()
+            await self._watch(connection)
+
+        try:
+            await self._first_completed(
+                connection.receive(serve), connection.send(), watch(), connection.overflowed.wait()
+            )
+        finally:
+            self._slots.free(connection.address)
+
+    async def _watch(self, connection: ClassConnection) -> None:
+        """Tell the projector what it shows. One that reads slowly misses frames, nothing else."""
+        shown: Projected | None = None
+        room: object = None
+        frame: object = None
+        connection.put(Invitation(self._classroom.admission.code, self._classroom.addresses()))
+        while True:
+            try:
+                newest = await self._classroom.projected()
+            except StoreError as error:
+                _log.error("%s", in_terminal(tr("The class cannot be read or stored: {why}", why=error)))
+                connection.put(Refused(fault_of(error)))
+                return
+            if newest != shown:
+                if shown is None or newest.number != shown.number:
+                    room = frame = None
+                shown = newest
+                connection.put(newest)
+            session = self._session()
+            if session is not None and connection.is_idle:
+                if session.room_json is not room:
+                    room, frame = session.room_json, None
+                    connection.put(RoomProjected(room))
+                if (look := session.snapshot()) != frame:
+                    frame = look
+                    connection.put(look)
+            await asyncio.sleep(_PERIOD)
+
+    def _session(self) -> PageSession | None:
+        """A page session of the chosen pupil."""
+        pupil = self._classroom.projection.choice.pupil
+        for page in self._classroom.pages_to_show():
+            session = self._sessions.get(page.session or "")
+            if session is not None and page.pupil is not None and page.pupil.id == pupil:
+                return session
+        return None
