@@ -9,6 +9,12 @@ const small = process.env.ROSY_BENCH_SMALL !== undefined
 const steps = small ? 3 : 200
 const edits = small ? 2 : 60
 
+declare global {
+  interface Window {
+    edited: Awaited<ReturnType<Window["openText"]>>
+  }
+}
+
 interface Sample {
   readonly blocks: number
   readonly load: number
@@ -19,7 +25,7 @@ interface Sample {
   readonly keys: number
 }
 
-/// Fills the page with `wanted` blocks, drags a number across them, edits a number, picks a block up by key.
+/// Fills the page with a text of `wanted` blocks, drags a number across them, edits a number, picks a block up by key.
 async function sample(page: Page, wanted: number): Promise<Sample> {
   const load = await page.evaluate(async size => {
     type Saved = import("@rosy/codegen").SavedBlock
@@ -39,8 +45,9 @@ async function sample(page: Page, wanted: number): Promise<Sample> {
         all.push(made)
       }
     }
+    const {text} = window.codegen.toHaskell({blocks: {languageVersion: 0, blocks: all}})
     const began = performance.now()
-    window.blocks.load({blocks: {languageVersion: 0, blocks: all}})
+    window.edited = await window.openText(text)
     await window.Blockly.renderManagement.finishQueuedRenders()
     const took = performance.now() - began
     // What is out of sight is made later; the edits are to be those of a program that is there as a whole.
@@ -97,8 +104,9 @@ async function sample(page: Page, wanted: number): Promise<Sample> {
     const times: number[] = []
     for (let turn = 0; turn < count; turn++) {
       const told = new Promise<number>(done => {
-        const stop = window.blocks.onChange(({workspace: saved}) => {
-          window.codegen.toHaskell(saved)
+        const stop = window.blocks.onChange(edit => {
+          const text = window.edited(edit)
+          if (!text.includes(`${turn + 1}`)) throw new Error(`expected ${turn + 1} in the text`)
           stop()
           done(performance.now() - began)
         })
@@ -144,7 +152,7 @@ try {
       )
     row("drag, typed", typed.drag)
     row("drag, Blockly's checks", plain.drag)
-    row("edit to Haskell", typed.edit)
+    row("edit to the text", typed.edit)
     console.log(`${" ".repeat(7)}an edit with its drawing, on the processor ${ms(typed.work)}`)
     console.log(
       `${" ".repeat(7)}load ${ms(typed.load)}   pick up by key ${ms(typed.keys)} (Blockly's checks ${ms(plain.keys)})`,

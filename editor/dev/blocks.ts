@@ -12,6 +12,8 @@ import * as codegen from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {type BlocksView, openBlocks} from "../src/blocks/index.ts"
 import {openClipboard} from "../src/blocks/interaction/clipboard.ts"
+import {fetchReader} from "../src/browser/remote_resources.ts"
+import {readHaskell, withBlocks} from "../src/controller/document_conversion.ts"
 import {sample, small} from "../test/blocks/small_language.ts"
 
 declare global {
@@ -19,12 +21,16 @@ declare global {
     blocks: BlocksView
     Blockly: typeof Blockly
     codegen: typeof codegen
+    /// Shows a Haskell text as blocks; answers what makes the edits that the view tells of in the document, as the page does.
+    openText(haskell: string): Promise<(edit: BlocksEdit) => string>
     /// How often the view told of a change.
     changes: number
     /// Puts the page back to its beginning.
     reset(): void
   }
 }
+
+type BlocksEdit = Parameters<Parameters<BlocksView["onChange"]>[0]>[0]
 
 const examples: Record<string, string> = import.meta.glob("../../examples/*/program.rosy", {
   query: "?raw",
@@ -59,6 +65,16 @@ view.load(first)
 window.blocks = view
 window.Blockly = Blockly
 window.codegen = codegen
+window.openText = async haskell => {
+  const reader = await fetchReader()
+  if (reader === null) throw new Error("the parser's files cannot be fetched")
+  let {document} = readHaskell(reader, "", haskell)
+  view.load(document.workspace)
+  return ({workspace, inference}) => {
+    document = withBlocks(reader, document, workspace, inference).document
+    return document.program.text
+  }
+}
 window.changes = 0
 window.reset = () => {
   const workspace = Blockly.getMainWorkspace() as Blockly.WorkspaceSvg

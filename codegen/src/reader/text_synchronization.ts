@@ -158,6 +158,22 @@ function withoutInferred(read: Declaration, own: Declaration): Declaration {
 /// The first number above all `t12` in use.
 export function firstFree(blocks: readonly SavedBlock[]): number {
   let free = 1
+  for (const block of blocks) {
+    let own = freeAbove.get(block)
+    if (own === undefined) {
+      own = firstFreeIn(block)
+      freeAbove.set(block, own)
+    }
+    free = Math.max(free, own)
+  }
+  return free
+}
+
+/// Of blocks with what follows them: a saved block does not change, and thousands of others are the same after an edit.
+const freeAbove = new WeakMap<SavedBlock, number>()
+
+function firstFreeIn(top: SavedBlock): number {
+  let free = 1
   const visit = (b: SavedBlock): void => {
     const n = /^t(\d{1,9})$/.exec(b.id ?? "")?.[1]
     if (n !== undefined) free = Math.max(free, Number(n) + 1)
@@ -165,6 +181,6 @@ export function firstFree(blocks: readonly SavedBlock[]): number {
       for (const first of [input.block, input.shadow]) if (first !== undefined) chain(first).forEach(visit)
     for (const first of Object.values(foldedIn(b.extraState))) chain(first).forEach(visit)
   }
-  blocks.flatMap(chain).forEach(visit)
+  chain(top).forEach(visit)
   return free
 }

@@ -66,7 +66,7 @@ export function inferGroup(
     if (elsewhere !== undefined) s.unsignable.add(d)
     const own = d.signature === undefined ? elsewhere : {text: d.signature.text, node: d.signature}
     if (own === undefined) return
-    const scheme = readSignature(s, own.text, own.node)
+    const scheme = top ? s.readTopSignature(own.text, own.node) : readSignature(s, own.text, own.node)
     if (scheme !== undefined) {
       signatures.set(d, scheme)
       scope.set(d.name, scheme)

@@ -32,7 +32,7 @@ import {isKnownClass} from "./kinds.ts"
 import {inferPattern} from "./pattern_inference.ts"
 import {Scope} from "./scope.ts"
 import {library} from "./standard_library.ts"
-import type {Type} from "./type.ts"
+import type {Scheme, Type} from "./type.ts"
 import {app, con, metasIn, showScheme} from "./type.ts"
 import {readSignature} from "./type_lookup.ts"
 import {reduce} from "./unification.ts"
@@ -67,6 +67,7 @@ export function createInference(
     check: (e, type, scope) => checkExpression(s, e, type, scope),
     freeNames: d => cache?.freeIn(d) ?? freeInDeclaration(d),
     inferTopGroup: (members, scope, infer) => inferCached(s, cache, typesKey, members, scope, infer),
+    readTopSignature: (text, node) => readCached(s, cache, typesKey, text, node),
   }
   return s
 }
@@ -193,6 +194,27 @@ export function inferLooseStatements(
   s.pending.push(...reduceConstraints(s, s.wanted, []).stuck)
   s.wanted = []
   s.lenient = false
+}
+
+/// Reads the signature of a top-level definition, or takes what was read of the very same one before.
+function readCached(
+  s: InferenceState,
+  cache: InferenceCache | undefined,
+  typesKey: string,
+  text: string,
+  node: Node,
+): Scheme | undefined {
+  const known = cache?.signatures.get(node)
+  if (known?.typesKey === typesKey && known.text === text) {
+    s.problems.push(...known.problems)
+    if (known.isLarge) s.largeTypes.add(text)
+    return known.scheme
+  }
+  const before = s.problems.length
+  const scheme = readSignature(s, text, node)
+  const isLarge = s.largeTypes.has(text)
+  cache?.signatures.set(node, {typesKey, text, scheme, problems: s.problems.slice(before), isLarge})
+  return scheme
 }
 
 /// Infers a group of top-level definitions, or takes what was found for the very same group before.

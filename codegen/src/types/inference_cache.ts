@@ -31,10 +31,20 @@ export interface TypesOfProgram {
   readonly problems: readonly TypeProblem[]
 }
 
+/// A signature as it was read: of the same text with the same types it is read in the same way again.
+export interface ReadSignature {
+  readonly typesKey: string
+  readonly text: string
+  readonly scheme: Scheme | undefined
+  readonly problems: readonly TypeProblem[]
+  readonly isLarge: boolean
+}
+
 export class InferenceCache {
   /// By the numbers of the declarations.
   readonly ownTypes = new Map<string, TypesOfProgram>()
   readonly groups = new Map<string, CachedGroup>()
+  readonly signatures = new WeakMap<Node, ReadSignature>()
   private readonly numbers = new WeakMap<object, number>()
   private readonly free = new WeakMap<Declaration, Set<string>>()
   private readonly blocks = new WeakMap<Declaration, Set<BlockId>>()

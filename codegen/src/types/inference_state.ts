@@ -53,6 +53,7 @@ export interface InferenceState {
   readonly check: (e: Expr, type: Type, scope: Scope) => void
   readonly freeNames: (d: Declaration) => Set<string>
   readonly inferTopGroup: (members: readonly Declaration[], scope: Scope, infer: () => void) => void
+  readonly readTopSignature: (text: string, node: Node) => Scheme | undefined
 }
 
 export function freshMeta(s: InferenceState): Meta {

@@ -193,8 +193,12 @@ function shownOf(types: ReadonlyMap<Node, Type>, within: readonly SavedBlock[]):
 }
 
 function familyOfBlock(block: SavedBlock): TypeInfo["family"] | undefined {
-  return blockView(block.type)?.shape(block.extraState ?? {}).family
+  if (!families.has(block)) families.set(block, blockView(block.type)?.shape(block.extraState ?? {}).family)
+  return families.get(block)
 }
+
+/// A saved block does not change.
+const families = new WeakMap<SavedBlock, TypeInfo["family"] | undefined>()
 
 /// The blocks of a workspace that stand for themselves: the top-level ones, and those below them in a stack.
 function definitionsIn(workspace: SavedWorkspace): readonly SavedBlock[] {

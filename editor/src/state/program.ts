@@ -89,11 +89,21 @@ export function innermostBlock(
 
 /// The whole text that a block was printed to: its widest span.
 export function textRangeOf(spans: readonly Span[], block: BlockId): {start: number; end: number} | null {
-  let best: Span | null = null
-  for (const span of spans)
-    if (span.block === block && (best === null || span.end - span.start > best.end - best.start)) best = span
-  return best === null ? null : {start: best.start, end: best.end}
+  let ranges = widest.get(spans)
+  if (ranges === undefined) {
+    ranges = new Map()
+    for (const span of spans) {
+      const best = ranges.get(span.block)
+      if (best === undefined || span.end - span.start > best.end - best.start) ranges.set(span.block, span)
+    }
+    widest.set(spans, ranges)
+  }
+  const range = ranges.get(block)
+  return range === undefined ? null : {start: range.start, end: range.end}
 }
+
+/// The widest span of each block, found once for each list: a program may have thousands of blocks and of problems.
+const widest = new WeakMap<readonly Span[], Map<BlockId, Span>>()
 
 /// Brings a problem of the service home, in the language of the page: to the innermost block at its place, or else to the definition of the
 /// function it names.

@@ -20,6 +20,13 @@ const glowTime = 450
 
 const problemIcon = "rosy"
 
+/// What a block wears: thousands may wear the same after an edit.
+interface Worn {
+  readonly block: Blockly.BlockSvg
+  readonly words: string
+  readonly isWrong: boolean
+}
+
 export class Annotations {
   private readonly workspace: Blockly.WorkspaceSvg
   private inferred: readonly BlockProblem[] = []
@@ -31,7 +38,7 @@ export class Annotations {
   private explained: readonly BlockId[] = []
   private taken: readonly BlockId[] = []
   private dimmed: readonly BlockId[] = []
-  private readonly worded = new Map<BlockId, string>()
+  private readonly worn = new Map<BlockId, Worn>()
   private readonly glowing = new Map<BlockId, number>()
 
   constructor(workspace: Blockly.WorkspaceSvg) {
@@ -63,7 +70,7 @@ export class Annotations {
     if (this.waiting) return
     const sentences = new Map<BlockId, string[]>()
     const wrong = new Set<BlockId>()
-    for (const problem of [...this.worn(), ...this.told]) {
+    for (const problem of [...this.inferredToWear(), ...this.told]) {
       if (problem.block === undefined) continue
       if (problem.severity === "error") wrong.add(problem.block)
       const all = sentences.get(problem.block) ?? []
@@ -77,22 +84,25 @@ export class Annotations {
     for (const id of [...this.loose, ...loose])
       if (id !== undefined) toggle(this.workspace.getBlockById(id), "rosyLoose", loose.has(id))
     this.loose = loose
-    for (const id of new Set([...this.worded.keys(), ...sentences.keys()])) {
+    for (const id of new Set([...this.worn.keys(), ...sentences.keys()])) {
       const block = this.workspace.getBlockById(id)
       const words = sentences.get(id)?.join("\n") ?? ""
-      if (block === null) this.worded.delete(id)
+      const before = this.worn.get(id)
+      if (block === null) this.worn.delete(id)
       if (block === null || block.isInsertionMarker()) continue
-      toggle(block, "rosyWrong", words !== "" && wrong.has(id))
-      toggle(block, "rosyWarned", words !== "" && !wrong.has(id))
-      if ((this.worded.get(id) ?? "") === words) continue
-      if (words === "") this.worded.delete(id)
-      else this.worded.set(id, words)
+      const isWrong = wrong.has(id)
+      if (before?.block === block && before.words === words && before.isWrong === isWrong) continue
+      toggle(block, "rosyWrong", words !== "" && isWrong)
+      toggle(block, "rosyWarned", words !== "" && !isWrong)
+      if (words === "") this.worn.delete(id)
+      else this.worn.set(id, {block, words, isWrong})
+      if (before?.block === block && before.words === words) continue
       withoutEvents(() => block.setWarningText(words === "" ? null : bubbleText(words), problemIcon))
     }
   }
 
   /// The compiler does not check conflicts between functions: those stay when it has accepted the program.
-  private worn(): readonly BlockProblem[] {
+  private inferredToWear(): readonly BlockProblem[] {
     return this.accepted
       ? this.inferred.filter(problem => problem.kind === "conflict")
       : problemsWithIcon(this.inferred)
@@ -100,10 +110,10 @@ export class Annotations {
 
   /// Some blocks were replaced: their marks are gone with them.
   forget(): void {
-    for (const id of this.worded.keys()) {
+    for (const id of this.worn.keys()) {
       const marks = this.workspace.getBlockById(id)?.getSvgRoot().classList
       if (marks?.contains("rosyWrong") !== true && marks?.contains("rosyWarned") !== true)
-        this.worded.delete(id)
+        this.worn.delete(id)
     }
     this.showProblems()
     this.highlight(this.highlighted)
