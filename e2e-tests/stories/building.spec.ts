@@ -8,7 +8,10 @@ import {Keys} from "./keys.ts"
 import {Learner, until} from "./learner.ts"
 import {Mouse} from "./mouse.ts"
 import {drawSquare, mux, randomWalk} from "./recipes.ts"
-import {test} from "./story.ts"
+import {test as daily} from "./story.ts"
+import {inTurn, turns} from "./turns.ts"
+
+const test = inTurn(daily, import.meta.url)
 
 async function builds(
   page: Page,
@@ -75,13 +78,13 @@ const hands = [
   {with: "by keyboard alone", of: (page: Page): Hands => new Keys(page)},
 ] as const
 
-// One of the shorter programs on one day in six: it takes 60 to 90 s of processor time. On every day `every-lesson.spec.ts` builds
-// a lesson's solutions from blocks in this page, `words.spec.ts` a program by mouse, and `editor/test/blocks/building.web.test.ts`
+// One of the shorter programs when the file has its day: it takes 60 to 90 s of processor time. On every day `every-lesson.spec.ts` follows
+// a lesson in this page, `first-hour.spec.ts` builds a small program, and `editor/test/blocks/building.web.test.ts` builds
 // whole programs with both hands without the page around the blocks. The random walker takes three minutes by keyboard and is built nightly.
 const stories = programs
   .filter(({example}) => isFull || example !== "randomWalk")
   .flatMap(program => hands.map(by => ({...program, by})))
-const built = isFull ? stories : seed % 6 === 0 ? turn(stories, stories.length, seed / 6) : []
+const built = isFull ? stories : turn(stories, stories.length, Math.floor(seed / turns.length))
 for (const {title, example, recipe, behaves, by} of built) {
   test(`${title} ${by.with}`, async ({page}) => {
     await behaves(page, await builds(page, example, recipe, by.of(page)))

@@ -164,31 +164,40 @@ async function followsAll(page: Page, some: readonly LessonFolder[], way: Way): 
   console.log(times.join("\n"))
 }
 
-/// The lessons in the order in which they have their days; half of them lie between a lesson in text and the same one in blocks.
-const orders = [
-  [inText, lessons],
-  [inBlocks, [...lessons.slice(lessons.length / 2), ...lessons.slice(0, lessons.length / 2)]],
-] as const
-
-for (const [way, order] of orders) {
-  // One lesson each day; nightly all, some in each page.
-  const shares = isFull
-    ? Array.from({length: parts}, (_, part) =>
-        lessons.filter((_, i) => Math.floor((i * parts) / lessons.length) === part),
-      )
-    : rotated(order, order.length).map(lesson => [lesson])
-  for (const share of shares) {
-    const numbers = [...new Set([share[0]?.number, share.at(-1)?.number])].join(" to ")
-    test(`to the end ${way.name}: lesson ${numbers}`, async ({page}) => {
-      await followsAll(page, share, way)
-    })
-  }
+/// A lesson and the way in which a day follows it.
+interface LessonDay {
+  readonly way: Way
+  readonly lesson: LessonFolder
 }
 
+/// The days of lessons, in text and in blocks by turns; about half of all days lie between a lesson in text and the same one in blocks.
+const days: readonly LessonDay[] = lessons.flatMap((lesson, i) => [
+  {way: inText, lesson},
+  {way: inBlocks, lesson: lessons[(i + Math.floor(lessons.length / 2)) % lessons.length] ?? lesson},
+])
+
+function follow(way: Way, share: readonly LessonFolder[]): void {
+  const numbers = [...new Set([share[0]?.number, share.at(-1)?.number])].join(" to ")
+  test(`to the end ${way.name}: lesson ${numbers}`, async ({page}) => {
+    await followsAll(page, share, way)
+  })
+}
+
+// One lesson each day; nightly all in both ways, some in each page.
+if (isFull)
+  for (const way of [inText, inBlocks])
+    for (let part = 0; part < parts; part++)
+      follow(
+        way,
+        lessons.filter((_, i) => Math.floor((i * parts) / lessons.length) === part),
+      )
+else for (const {way, lesson} of rotated(days, days.length)) follow(way, [lesson])
+
 test("each lesson has its day, in text and in blocks", () => {
-  for (const [, order] of orders) {
-    const days = lessons.map((_, day) => turn(order, order.length, 20_000 + day))
-    expect(days.map(day => day.length)).toEqual(lessons.map(() => 1))
-    expect(new Set(days.flat()).size).toBe(lessons.length)
+  const played = days.map((_, day) => turn(days, days.length, 20_000 + day))
+  expect(played.map(day => day.length)).toEqual(days.map(() => 1))
+  for (const way of [inText, inBlocks]) {
+    const followed = played.flat().filter(day => day.way === way)
+    expect(new Set(followed.map(({lesson}) => lesson)).size).toBe(lessons.length)
   }
 })

@@ -3,6 +3,7 @@
 
 import {expect} from "@playwright/test"
 import {Builder, type Input} from "./actions.ts"
+import {rotated} from "./extent.ts"
 import {until} from "./learner.ts"
 import {test} from "./story.ts"
 
@@ -136,24 +137,22 @@ const stories: readonly Story[] = [
 
 const inputs: readonly Input[] = ["mouse", "touch", "keyboard"]
 
-/// Stories for one kind of input: all of them in `./rosy test nightly`, else one that changes with the daily seed.
-function chosen(offset: number): readonly Story[] {
-  if (Number(process.env.ROSY_TEST_SHARE ?? 0.1) >= 1) return stories
-  const seed = Number(process.env.ROSY_TEST_SEED ?? 1) + offset
-  return stories.filter((_, i) => i === seed % stories.length)
-}
+/// Each story with each kind of input. Neighbours differ in both: as many days pass until a story comes again, with another input.
+const pairs = inputs.flatMap((_, round) =>
+  stories.map((story, i) => ({...story, input: inputs[(i + round) % inputs.length] ?? "mouse"})),
+)
 
-for (const [offset, input] of inputs.entries())
+// One of them each day.
+for (const {title, goal, build, behaves, input} of rotated(pairs, pairs.length))
   test.describe(input, () => {
     test.use({hasTouch: input === "touch"})
-    for (const {title, goal, build, behaves} of chosen(offset))
-      test(`${title} by ${input}`, async ({page}) => {
-        const by = new Builder(page, input)
-        await by.begins()
-        await build(by)
-        const goalSaid = goal === null ? "" : ` (goal ${goal})`
-        console.log(`${title} by ${input}: ${by.actions} actions${goalSaid}`)
-        await behaves(by)
-        if (goal !== null && input !== "keyboard") expect(by.actions).toBeLessThanOrEqual(goal)
-      })
+    test(`${title} by ${input}`, async ({page}) => {
+      const by = new Builder(page, input)
+      await by.begins()
+      await build(by)
+      const goalSaid = goal === null ? "" : ` (goal ${goal})`
+      console.log(`${title} by ${input}: ${by.actions} actions${goalSaid}`)
+      await behaves(by)
+      if (goal !== null && input !== "keyboard") expect(by.actions).toBeLessThanOrEqual(goal)
+    })
   })

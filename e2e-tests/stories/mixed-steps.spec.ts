@@ -3,7 +3,10 @@
 import {openReaders} from "../walks/seen_program.ts"
 import {openWalk, walk} from "../walks/walk.ts"
 import {isFull, seed} from "./extent.ts"
-import {test} from "./story.ts"
+import {test as daily} from "./story.ts"
+import {inTurn} from "./turns.ts"
+
+const test = inTurn(daily, import.meta.url)
 
 const short = [201, 202, 203]
 // With 300 lines pasted on the way.

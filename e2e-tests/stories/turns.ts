@@ -1,4 +1,4 @@
-/// Turns of the stories: most files are played on one day in three, and nightly.
+/// Turns of the stories: most files are played on one day in seven, and nightly.
 ///
 /// In: the daily seed. Out: Playwright's function for stories, or one that declares none. A file that has changed since all suites last passed
 /// (`ROSY_TEST_CHANGED`, set by `scripts/test.py`) is played as well, and so is every file where there is no daily seed: stories started by hand. A file that is in no turn, and what a file declares with `daily`, is played each day: the
@@ -8,51 +8,16 @@ import {basename} from "node:path"
 import {fileURLToPath} from "node:url"
 import {isFull, seed} from "./extent.ts"
 
-/// Files that take turns, by day, without `.spec.ts`: each day's take as long as another's (measured in one run). Tables of rows within them (`rotated`)
-/// have a number of parts that three does not divide, so that each row meets the day of its file.
+/// Files that take turns, by day, without `.spec.ts`: each day's take as long as another's. Tables of rows within them (`rotated`) have a number of
+/// parts that seven does not divide, so that each row meets the day of its file.
 export const turns: readonly (readonly string[])[] = [
-  [
-    "class-of-thirty",
-    "class-together",
-    "looks",
-    "own-lessons",
-    "ros",
-    "runs",
-    "safety",
-    "screens",
-    "text",
-    "touch",
-    "why",
-    "worker",
-  ],
-  [
-    "careless",
-    "class",
-    "class-sharing",
-    "continue",
-    "diagram",
-    "haste",
-    "leaving",
-    "lessons",
-    "my-programs",
-    "preview",
-    "room",
-    "values",
-  ],
-  [
-    "arrange",
-    "class-hostile",
-    "language",
-    "lesson-editor",
-    "many-rooms",
-    "problems",
-    "robots",
-    "sharing",
-    "sight",
-    "values-in-place",
-    "why-questions",
-    "words",
-  ],
+  ["building", "continue", "ros", "runs", "safety", "worker"],
+  ["class-of-thirty", "diagram", "haste", "text", "touch"],
+  ["class-together", "leaving", "looks", "own-lessons", "room", "why"],
+  ["class", "lessons", "screens", "values"],
+  ["arrange", "careless", "class-sharing", "first-minute", "my-programs", "preview"],
+  ["class-hostile", "lesson-editor", "many-rooms", "mixed-steps", "robots", "sharing", "values-in-place"],
+  ["language", "problems", "sight", "why-questions", "words"],
 ]
 
 /// Part of a run that decides which files are played.
