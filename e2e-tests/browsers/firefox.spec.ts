@@ -7,5 +7,6 @@ shortForm({
   name: "Firefox",
   programs: [program],
   packages: "firefox-esr",
+  day: 0,
   start: () => startFirefox(program),
 })
