@@ -126,7 +126,7 @@ BENCHES = {
 }
 
 
-DAYS = 5
+DAYS = 10
 """After which each command has had its turn, where the seed grows by one each day."""
 
 
