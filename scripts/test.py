@@ -20,13 +20,15 @@ from testing.counts import Count
 from testing.failures import failed_tests
 from testing.scheduler import Result, run_all
 from testing.suites import suites
+from tracked_files import haskell_sources
 
 ROOT = Path(__file__).resolve().parent.parent
 STATE = ROOT / ".rosy"
 PASSED = STATE / "checked" / "commit"
 """The commit of the last run of all suites that passed."""
 TAKING_TURNS = ("e2e-tests/", "sim-service/tests/")
-"""Folders of the tests that take turns by day. The list of all that has changed can be longer than an environment variable may be."""
+"""Folders of the tests that take turns by day; Haskell sources do as well (`testing/changed_files.py`). The list of all that has
+changed can be longer than an environment variable may be."""
 
 
 class Screen:
@@ -62,13 +64,15 @@ def environment(arguments: Sequence[str]) -> dict[str, str]:
     nightly = "nightly" in arguments
     # The seed changes daily, so that a failure repeats until it is fixed and is the same on every machine; nightly runs draw a new one each time.
     seed = int(time.time()) if nightly else int(time.time()) // 86400
+    haskell = set(haskell_sources(ROOT))
     base = os.environ.get("ROSY_TEST_BASE") or recorded_commit(PASSED)
     return {
         "ROSY_TEST_SEED": str(seed % 2**31),
         "ROSY_TEST_SHARE": "1" if nightly else "0.1",
-        "ROSY_TEST_CHANGED": "\n".join(path for path in changed_since(ROOT, base) if path.startswith(TAKING_TURNS)),
+        "ROSY_TEST_CHANGED": "\n".join(path for path in changed_since(ROOT, base) if path.startswith(TAKING_TURNS) or path in haskell),
         **os.environ,
-        "PYTHONDONTWRITEBYTECODE": "1",
+        # Empty is off. Hundreds of tests start `rosy_sim`: with its compiled modules in `__pycache__` that takes half of the time.
+        "PYTHONDONTWRITEBYTECODE": "",
         "ROSY_REPORTS": str(STATE / "reports"),
     }
 

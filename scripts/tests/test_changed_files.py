@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from testing.changed_files import check
+from testing.changed_files import DAYS, Day, check
 
 # Prints the names of the files that it is given, and finds fault with the word `bad`.
 TOOL = """#!/bin/sh
@@ -32,11 +32,14 @@ def install(folder: Path, version: str) -> None:
     os.chmod(folder / "tool", 0o755)
 
 
-def checked(folder: Path, whole: bool = False) -> tuple[int, list[str]]:
+ALL = Day(None)
+
+
+def checked(folder: Path, whole: bool = False, day: Day = ALL) -> tuple[int, list[str]]:
     """The status, and the names of the files that the tool was given."""
     (folder / "seen").write_text("")
     files = [folder / "a", folder / "b"]
-    status = check(folder / "record", [str(folder / "tool")], [folder / "settings"], files, whole)
+    status = check(folder / "record", [str(folder / "tool")], [folder / "settings"], files, day, whole)
     return status, [Path(path).name for path in (folder / "seen").read_text().split()]
 
 
@@ -46,6 +49,21 @@ def test_what_passed_is_not_checked_again(folder: Path) -> None:
     (folder / "b").write_text("changed")
     assert checked(folder) == (0, ["b"])
     assert checked(folder, whole=True) == (0, ["a", "b"])
+
+
+@pytest.mark.parametrize("first", [0, 20783, 20784])
+def test_in_a_new_clone_each_file_is_judged_once_in_seven_days(folder: Path, first: int) -> None:
+    judged = [checked(folder, day=Day(first + day))[1] for day in range(DAYS)]
+    assert sorted(name for names in judged for name in names) == ["a", "b"]
+    assert all(len(names) < 2 for names in judged)
+    assert checked(folder, day=Day(first)) == (0, [])
+
+
+def test_a_changed_file_does_not_wait_for_its_day(folder: Path) -> None:
+    assert checked(folder, day=Day(1, {(folder / "a").as_posix()})) == (0, ["a"])
+    (folder / "a").write_text("changed")
+    assert checked(folder, day=Day(1)) == (0, ["a"])
+    assert checked(folder, day=Day(1), whole=True) == (0, ["a", "b"])
 
 
 def test_what_failed_is_checked_until_it_passes(folder: Path) -> None:
@@ -65,7 +83,8 @@ def test_another_version_or_configuration_checks_everything(folder: Path) -> Non
     assert checked(folder) == (0, ["a", "b"])
 
 
-def test_a_damaged_record_counts_as_empty(folder: Path) -> None:
+@pytest.mark.parametrize("damage", ["{", "[]", '["a digest"]'])
+def test_a_damaged_record_counts_as_empty(folder: Path, damage: str) -> None:
     checked(folder)
-    (folder / "record").write_text("{")
+    (folder / "record").write_text(damage)
     assert checked(folder) == (0, ["a", "b"])
