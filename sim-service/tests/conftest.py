@@ -95,7 +95,7 @@ REPOSITORY = Path(__file__).resolve().parents[2]
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """
-    Tests that take turns are left out on two days of three. Long tests start first: a process that gets one last keeps
+    Tests that take turns are left out on six days of seven. Long tests start first: a process that gets one last keeps
     the others waiting.
     """
     turns = [item for item in items if item.get_closest_marker("turns") is not None]

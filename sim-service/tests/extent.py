@@ -27,7 +27,7 @@ def rotated(rows: Sequence[Row], parts: int, *, seed: int = SEED, whole: bool = 
     return [row for number, row in enumerate(rows) if whole or (number + seed) % parts == 0]
 
 
-DAYS = 3
+DAYS = 7
 """Days in which each test that takes turns is run once."""
 
 
@@ -41,7 +41,7 @@ class Day:
     """Names of files, from the root of the repository, that differ from what has passed."""
 
     def share(self, tests: Iterable[tuple[str, str]]) -> set[str]:
-        """Those of the tests (name, file) that are run: one in three by their order, and those of changed files."""
+        """Those of the tests (name, file) that are run: one in seven by their order, and those of changed files."""
         ordered = sorted(tests)
         return {
             name

@@ -138,6 +138,7 @@ def test_explain_speaks_the_language_of_the_terminal(environment: dict[str, str]
     ]
 
 
+@pytest.mark.turns
 def test_a_trace_has_the_provenance_of_firings_on_request(environment: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "p.hs").write_text("tell")
     for options in ((), ("--provenance",)):
@@ -177,6 +178,7 @@ def test_a_goal_decides_the_exit_status(
     assert [goal["state"] for goal in told] == [state]
 
 
+@pytest.mark.turns
 def test_a_folder_of_programs_gives_a_table(environment: dict[str, str], tmp_path: Path) -> None:
     world = tmp_path / "w.json"
     goal = {"kind": "reach", "x": 2, "y": 1, "r": 0.3, "title": "Get there"}
@@ -282,6 +284,7 @@ def test_a_worker_that_is_missing_or_dies_gives_one_sentence(environment: dict[s
     one_sentence(rosy({**environment, "ROSY_WORKER": "/nowhere"}, "check", tmp_path / "p.hs"), 2)
 
 
+@pytest.mark.turns
 def test_a_port_in_use_gives_one_sentence(environment: dict[str, str]) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
@@ -294,6 +297,7 @@ def test_without_a_sandbox_only_this_machine_is_served(environment: dict[str, st
     one_sentence(rosy(environment, "serve", "--no-browser", "--host", "0.0.0.0", "--port", 0))
 
 
+@pytest.mark.turns
 @pytest.mark.usefixtures("here")
 def test_every_command_with_a_worker_warns_once_when_the_sandbox_is_missing(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]

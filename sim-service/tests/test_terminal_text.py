@@ -44,6 +44,7 @@ def test_the_name_of_a_file_gives_no_orders(
     assert not CONTROL.search(done.stdout + done.stderr)
 
 
+@pytest.mark.turns
 def test_a_file_that_is_not_there_gives_no_orders(environment: dict[str, str], tmp_path: Path) -> None:
     for words in (
         ["check", f"gone{ORDER}\n.hs"],
@@ -57,6 +58,7 @@ def test_a_file_that_is_not_there_gives_no_orders(environment: dict[str, str], t
         assert not CONTROL.search(line)
 
 
+@pytest.mark.turns
 def test_a_world_gives_no_orders(environment: dict[str, str], tmp_path: Path) -> None:
     goal = {"kind": "reach", "x": 1, "y": 1, "r": 0.3, "title": f"Get there{ORDER}"}
     world = tmp_path / "w.json"

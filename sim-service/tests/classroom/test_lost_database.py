@@ -52,6 +52,7 @@ def assert_locked(url: str, name: str) -> None:
         opened(url, name, patience=0.0)
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGQUIT])
 def test_after_a_restart_the_class_is_locked_again_and_saves_go_on(
     restarted: PostgresqlServer, how: signal.Signals

@@ -141,6 +141,7 @@ def test_two_thousand_runs_are_graded_while_a_node_is_killed_and_another_joins(t
     print(f"load average {os.getloadavg()[0]:.1f}")
 
 
+@pytest.mark.turns
 def test_a_program_that_ends_its_worker_twice_is_named(environment: dict[str, str], tmp_path: Path) -> None:
     scripts(tmp_path, {"ann": "done@1", "eve": "die", "fay": "done@1"})
     done = rosy(environment, "run", "class", "--rooms", 2, "--hold", "never-falls")
@@ -176,6 +177,7 @@ def test_a_bad_option_gives_one_sentence(command: list[str], here: Here, tmp_pat
     one_sentence(here(*command))
 
 
+@pytest.mark.turns
 @needs_ray
 def test_a_cluster_that_is_not_there_is_named(token: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "p.hs").write_text("done@1")

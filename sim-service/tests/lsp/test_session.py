@@ -242,6 +242,7 @@ async def test_a_killed_worker_is_one_sentence_and_the_next_text_is_checked_agai
     assert sentences == ["The compiler part of Rosy stopped unexpectedly; it is started again."]
 
 
+@pytest.mark.turns
 async def test_an_editor_that_dies_leaves_no_process_behind() -> None:
     client = await start()
     await client.initialize_session(types.InitializeParams(capabilities=types.ClientCapabilities()))
@@ -259,6 +260,7 @@ async def test_an_editor_that_dies_leaves_no_process_behind() -> None:
     await client.stop()  # type: ignore[no-untyped-call]
 
 
+@pytest.mark.turns
 async def test_settings_that_cannot_be_used_are_told_and_the_others_hold() -> None:
     async with connected({"world": "nowhere"}) as client:
         editor = Editor(client, 'main = simulate (say "hello")\n')
@@ -267,6 +269,7 @@ async def test_settings_that_cannot_be_used_are_told_and_the_others_hold() -> No
         assert any("nowhere" in message.message for message in client.messages)
 
 
+@pytest.mark.turns
 async def test_the_editors_cancel_button_stops_a_run() -> None:
     async with connected({"seconds": 3600}) as client:
         editor = Editor(client, "go :: Velocity -> Velocity\ngo _ = Velocity 0.2 0\n\nmain = simulate go\n")

@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import pytest
+
 from rosy_sim.worlds.gallery import load_world
 
 from ..test_cli import Here, environment, here, last, rosy
@@ -15,6 +17,7 @@ __all__ = ["environment", "here"]
 ROOM = put(rectangle(60, 40), 10, 10, ["#"])
 
 
+@pytest.mark.turns
 def test_a_program_runs_in_the_room_of_a_map(environment: dict[str, str], tmp_path: Path) -> None:
     map_file(tmp_path / "maps", binary(ROOM), origin="[-1.5, -1.0, 0]")
     done = rosy(environment, "room", "maps/scan.yaml", "-o", "classroom.json")

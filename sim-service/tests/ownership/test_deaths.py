@@ -155,7 +155,7 @@ async def driving(death: Death, robot: Robot, folder: Path) -> AsyncIterator[dic
 
 @pytest.mark.long
 @pytest.mark.skipif(discover().robot_executable is None, reason="rosy-robot is not built")
-@pytest.mark.parametrize("death", rotated(deaths(), 8), ids=str)
+@pytest.mark.parametrize("death", rotated(deaths(), 16), ids=str)
 def test_the_robot_stands_after(death: Death, tmp_path: Path, table: Table) -> None:
     async def play() -> None:
         async with LINKS[death.link](tmp_path) as robot, driving(death, robot, tmp_path) as processes:
@@ -181,6 +181,7 @@ def test_the_robot_stands_after(death: Death, tmp_path: Path, table: Table) -> N
     asyncio.run(play())
 
 
+@pytest.mark.turns
 @pytest.mark.long
 @pytest.mark.skipif(discover().robot_executable is None, reason="rosy-robot is not built")
 def test_what_stands_still_beside_a_drive_does_not_keep_it_from_ending(tmp_path: Path) -> None:

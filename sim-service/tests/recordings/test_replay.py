@@ -90,6 +90,7 @@ def test_a_program_of_the_worker_sends_the_same_commands(tmp_path: Path, capsys:
     assert replay_recording(config, options, say, lambda _, __: None) == 1
 
 
+@pytest.mark.turns
 def test_another_reader_finds_all_channels_in_both_directions(config: Config, tmp_path: Path) -> None:
     with recorded(config, SCRIPT, tmp_path).path.open("rb") as stream:
         reader = make_reader(stream, validate_crcs=True)

@@ -63,6 +63,7 @@ def test_a_failure_gives_a_table_and_a_room_that_opens(environment: Environment,
     assert again.returncode in (0, 3)
 
 
+@pytest.mark.turns
 def test_the_answer_does_not_depend_on_the_number_of_processes(environment: Environment, program: Path) -> None:
     test = (program, "--rooms", 6, "--seconds", 15, "--seed", 3, "--hold", "reaches-goal", "never-pushes", 1, "s")
     one, three = (told(environment, *test, "--processes", count) for count in (1, 3))
@@ -94,6 +95,7 @@ def test_the_exit_status_tells_what_is_wrong(
         assert "0 of its" in done.stdout
 
 
+@pytest.mark.turns
 def test_a_folder_of_programs_is_tested_one_by_one(environment: Environment, tmp_path: Path) -> None:
     for name, script in {"ann": "done@1", "bob": "drive:0.5", "cem": "refuse"}.items():
         (tmp_path / "class" / name).mkdir(parents=True)

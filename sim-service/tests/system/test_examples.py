@@ -205,6 +205,7 @@ def test_random_walk_shows_red_and_stands_while_its_wheels_hang_and_goes_on_afte
     assert run.at(3.5)["v"] == pytest.approx(0.5)
 
 
+@pytest.mark.turns
 def test_random_walk_turns_up_to_half_a_turn_to_either_side_after_each_bump(worker: BlockingWorker) -> None:
     """
     Forty times a hand sets the robot before a wall, and takes it into the open just after the bump, so that each turn
@@ -391,6 +392,7 @@ def test_safe_random_walk_lets_the_safety_controller_drive_for_a_second_after_ea
         assert all(v == -0.1 for line in run.between(time, time + 1.0) for v, _ in velocities(line))
 
 
+@pytest.mark.turns
 def test_safe_random_walk_backs_off_from_every_wall(worker: BlockingWorker) -> None:
     run = example(worker, "safeRandomWalk", 300, world="room")
     bumps = [time for time in run.heard("Bumper", "Pressed") if time < 299]
@@ -398,6 +400,7 @@ def test_safe_random_walk_backs_off_from_every_wall(worker: BlockingWorker) -> N
     assert all(min(line["v"] for line in run.between(time, time + 0.5)) < -0.05 for time in bumps)
 
 
+@pytest.mark.turns
 @pytest.mark.long
 @pytest.mark.parametrize("seed", rotated([1, 2, 3], 3))
 def test_safe_random_walk_never_stays_stuck_at_a_wall(seed: int, worker: BlockingWorker) -> None:
@@ -413,6 +416,7 @@ def test_safe_random_walk_stands_while_its_wheels_hang(worker: BlockingWorker) -
     assert run.at(4.9)["v"] == pytest.approx(0.2)
 
 
+@pytest.mark.turns
 @pytest.mark.long
 @pytest.mark.parametrize("seed", LONG_WALKS)
 def test_safe_random_walk_stays_out_of_every_pit_for_ten_minutes(seed: int, worker: BlockingWorker) -> None:

@@ -398,6 +398,7 @@ def test_garbage_is_refused_and_changes_nothing(config: Config) -> None:
     story(play, config)
 
 
+@pytest.mark.turns
 def test_a_page_that_reads_nothing_is_let_go_and_harms_nobody(config: Config) -> None:
     config = config.with_limits(replace(config.limits, page_queue=50))
 

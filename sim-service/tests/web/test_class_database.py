@@ -45,6 +45,7 @@ async def taught_on(url: str, config: Config) -> AsyncIterator[tuple[Class, Clas
             yield Class(address, admission.code, admission.teacher_key, stack), store
 
 
+@pytest.mark.turns
 @needs_postgresql
 def test_what_is_told_as_saved_is_in_the_database_also_when_it_was_away(config: Config) -> None:
     async def lesson(restarted: PostgresqlServer) -> None:
@@ -79,6 +80,7 @@ def test_what_is_told_as_saved_is_in_the_database_also_when_it_was_away(config: 
         asyncio.run(lesson(restarted))
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize("kind", ["sqlite", pytest.param("postgresql", marks=needs_postgresql)])
 def test_on_a_full_disk_nothing_is_told_as_saved_and_it_is_sent_again(
     config: Config, tmp_path: Path, kind: str, request: pytest.FixtureRequest

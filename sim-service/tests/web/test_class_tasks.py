@@ -306,6 +306,7 @@ def test_the_board_checks_all_hand_ins_in_rooms_and_opens_the_worst_one(config: 
     asyncio.run(run())
 
 
+@pytest.mark.turns
 def test_a_check_is_the_report_of_the_command_line(config: Config) -> None:
     async def lesson(opened: Class) -> None:
         board = await opened.board()
@@ -329,6 +330,7 @@ def test_a_check_is_the_report_of_the_command_line(config: Config) -> None:
     in_class(config, lesson)
 
 
+@pytest.mark.turns
 def test_a_check_is_cancelled_and_leaves_no_process(config: Config) -> None:
     async def lesson(opened: Class) -> None:
         board = await opened.board()
@@ -388,6 +390,7 @@ def test_a_hand_in_whose_room_cannot_be_used_is_named_and_the_others_are_checked
     in_class(config, lesson)
 
 
+@pytest.mark.turns
 def test_a_pupil_reaches_no_result(config: Config) -> None:
     async def lesson(opened: Class) -> None:
         board = await opened.board()

@@ -205,6 +205,7 @@ LATE_CHANGES = ("", " say:hi@{at}", " led:2@{at}", " sound:4@{at}", " bump", " d
 """Changes of a program that show late or at once. Of two equal words of a script the last one counts."""
 
 
+@pytest.mark.turns
 @settings(max_examples=6, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.integers(0, 10_000), st.sampled_from(LATE_CHANGES), st.integers(0, STEPS - 1), st.integers(1, STEPS - 1))
 def test_a_branch_is_the_run_of_the_changed_program_with_the_same_hands(

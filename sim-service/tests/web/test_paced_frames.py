@@ -7,6 +7,7 @@ import random
 from collections.abc import Callable
 from typing import Any
 
+import pytest
 import uvicorn
 from uvicorn.server import ServerState
 from websockets.frames import Frame, Opcode
@@ -120,6 +121,7 @@ def test_a_flood_of_pings_in_one_packet_is_read_in_pieces() -> None:
     play(story, 0.001)
 
 
+@pytest.mark.turns
 def test_all_connections_of_an_address_share_their_time_and_others_have_theirs() -> None:
     async def story(budgets: FrameBudgets, clock: Clock) -> None:
         flooding = [Client(budgets, "192.0.2.66") for _ in range(50)]
@@ -138,6 +140,7 @@ def test_all_connections_of_an_address_share_their_time_and_others_have_theirs()
     play(story, 0.001)
 
 
+@pytest.mark.turns
 def test_however_many_addresses_flood_an_iteration_of_the_loop_is_short() -> None:
     async def story(budgets: FrameBudgets, clock: Clock) -> None:
         flooding = [Client(budgets, f"192.0.2.{number}") for number in range(50)]

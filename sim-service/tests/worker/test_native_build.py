@@ -19,6 +19,7 @@ from rosy_sim.config import Config, discover
 from rosy_sim.worker import native_build
 from rosy_sim.worker.native_build import _newest
 
+from ..extent import rotated
 from ..web.test_app import opened, serving
 
 ROOT = discover().root
@@ -51,7 +52,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
     return build
 
 
-@pytest.mark.parametrize("name", ["accelerateAndPlay", "randomWalk"])
+@pytest.mark.parametrize("name", ["accelerateAndPlay", *rotated(["randomWalk"], 7)])
 def test_a_built_program_drives_a_robot(name: str, built: Callable[[str], Path], config: Config) -> None:
     binary = built(name)
 
@@ -111,6 +112,7 @@ def test_nothing_but_the_kernel_is_needed_to_start_it(built: Callable[[str], Pat
     assert not kinds & {PT_DYNAMIC, PT_INTERP}
 
 
+@pytest.mark.turns
 @pytest.mark.skipif(shutil.which("bwrap") is None, reason="there is no bubblewrap for an empty root")
 @pytest.mark.parametrize("host", ["127.0.0.1", "kitchen.local"])
 def test_it_drives_a_robot_from_a_root_without_a_c_library(
@@ -169,6 +171,7 @@ def test_a_name_that_no_one_knows_is_said_to_be_unknown(built: Callable[[str], P
             program.kill()
 
 
+@pytest.mark.turns
 def test_without_a_static_c_library_it_says_what_the_program_needs(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:

@@ -405,6 +405,7 @@ def trace_of_a_busy_room() -> str:
     return "\n".join(lines)
 
 
+@pytest.mark.turns
 def test_the_same_inputs_give_the_same_bytes_in_another_process() -> None:
     runs = [
         subprocess.run([sys.executable, "-c", _TWICE], capture_output=True, check=True, cwd=_root()).stdout
