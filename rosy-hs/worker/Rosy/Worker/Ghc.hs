@@ -221,9 +221,10 @@ check restriction purpose session flags columns source (L at parsed) warnings = 
         let describe spelling = describeFunctions flags spelling (map Text.pack names) tcg
             connections = describe AsWritten
             declarations = describeDeclarations flags placed tcg
+            spans = typedSpans tcg
             known = outlined {connectedTo = connections, spelledOut = describe SpelledOut, typesOfNames = [(declares d, ofType d) | d <- declarations]}
-         in Analysis (noMain ++ twice ++ doubtful ++ endless tcg) raws known (factsOf raws) declarations connections (if bad raws && not (mayBeUnfinished raws) then [] else programGraph (showType flags) (spanAt columns) connectedTopics parsed tcg) connectedTopics (typesAt (showType flags) (spanAt columns) (derivedSpans parsed) tcg) next
-      factsOf raws = if purpose == ForCheck && not (bad raws || hasHoles raws) then Just (programFacts (spanAt columns) (`onLinesContaining` source) (map Text.pack names) parsed) else Nothing
+         in Analysis (noMain ++ twice ++ doubtful ++ endless tcg) raws known (factsOf raws) declarations connections (if bad raws && not (mayBeUnfinished raws) then [] else programGraph (showType flags) (spanAt columns) connectedTopics parsed tcg spans) connectedTopics (typesAt (showType flags) (spanAt columns) (derivedSpans parsed) spans) next
+      factsOf raws = if purpose == ForCheck && not (bad raws || hasHoles raws) then Just (programFacts (spanAt columns) (`onLinesContaining` source) (`onLinesApplying` source) (map Text.pack names) parsed) else Nothing
       endless tcg =
         [ problemAt s "no-default" (trWith "A memory of ‘{name}’ has no first value." ["name" =: name]) (tr "Every way to make one needs a value that has none either. Add a constructor without fields.")
           | (spot, t) <- memoriesWithoutDefault (ownDefaults parsed) tcg,

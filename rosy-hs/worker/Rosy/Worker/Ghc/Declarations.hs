@@ -19,14 +19,17 @@ module Rosy.Worker.Ghc.Declarations
   )
 where
 
+import Data.Char (isUpper)
 import Data.List (nub)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import GHC.Builtin.Names (eitherTyConKey)
 import GHC.Builtin.Types (charTyCon, listTyCon, maybeTyCon, unitTyCon)
 import GHC.Core.DataCon (dataConName)
-import GHC.Core.TyCon (isTupleTyCon, tyConDataCons, tyConKind, tyConName)
+import GHC.Core.TyCo.Rep (Type (..))
+import GHC.Core.TyCon (isPromotedDataCon, isTupleTyCon, isVisibleTyConBinder, tyConArity, tyConBinders, tyConDataCons, tyConKind, tyConName)
 import GHC.Core.Type
 import GHC.Driver.Session (DynFlags)
 import GHC.Hs
@@ -116,4 +119,25 @@ describeFunctions flags spelling names checked =
 
 -- | On one line, without module names, and without how often a constructor uses what it holds. Text is always a @String@.
 showType :: DynFlags -> Type -> Text
-showType flags = Text.replace "[Char]" "String" . Text.replace " %1 ->" " ->" . Text.unwords . Text.words . Text.pack . showTypeForUser flags
+showType flags t = fromMaybe printed (namesOnly t)
+  where
+    printed = Text.replace "[Char]" "String" . Text.replace " %1 ->" " ->" . Text.unwords . Text.words . Text.pack $ showTypeForUser flags t
+
+-- | The same of a type of words and arrows, as most are. GHC's printer takes ten times as long.
+namesOnly :: Type -> Maybe Text
+namesOnly t = case t of
+  TyConApp c args
+    | isWord c, length args == tyConArity c, all isVisibleTyConBinder (tyConBinders c) -> Text.unwords . (Text.pack (getOccString (tyConName c)) :) <$> mapM (fmap bracketed . namesOnly) args
+  FunTy {}
+    | Nothing <- constraintResult t,
+      Just (TyConApp _ [], from, to) <- functionParts t ->
+      (\a b -> beforeArrow from a <> " -> " <> b) <$> namesOnly from <*> namesOnly to
+  _ -> Nothing
+  where
+    bracketed a = if Text.any (== ' ') a then "(" <> a <> ")" else a
+    beforeArrow from a = case from of
+      FunTy {} -> "(" <> a <> ")"
+      _ -> a
+    isWord c = all isUpper (take 1 (getOccString (tyConName c))) && not (isPromotedDataCon c || isTupleTyCon c || c == listTyCon || isKind c)
+    -- Printed as a star.
+    isKind c = getOccString (tyConName c) == "Type"

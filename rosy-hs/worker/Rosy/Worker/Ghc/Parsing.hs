@@ -16,6 +16,7 @@ module Rosy.Worker.Ghc.Parsing
     treeRefusals,
     unsafeImports,
     onLinesContaining,
+    onLinesApplying,
 
     -- * For the type checker
     summaryOf,
@@ -26,6 +27,7 @@ import Data.Bifunctor (first)
 import Data.Char (isAlpha, isDigit, isLower, isUpper)
 import Data.Data (Data, cast, gmapQ)
 import qualified Data.IntSet as IntSet
+import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
 import GHC.Data.StringBuffer (StringBuffer, stringToStringBuffer)
@@ -124,12 +126,31 @@ importRefusals columns parsed =
 
 -- | Whether a span contains a line with one of these words. Searching the text is faster than walking the tree.
 onLinesContaining :: [Text] -> Text -> SrcSpan -> Bool
-onLinesContaining words' source = \case
+onLinesContaining words' source = onLines (\l -> any (`Text.isInfixOf` l) there) (if null there then Text.empty else source)
+  where
+    there = filter (`Text.isInfixOf` source) words'
+
+-- | Whether a span contains a line where one of these names has something behind it, other than at the left edge, where it is defined.
+onLinesApplying :: [Text] -> Text -> SrcSpan -> Bool
+onLinesApplying names = onLines (applied . Text.split (== ' '))
+  where
+    wanted = Set.fromList names
+    -- All but the last have a space behind them.
+    applied parts = case parts of
+      leftmost : rest@(_ : _) -> isCall leftmost || any isWord (init rest)
+      _ -> False
+    isWord = (`Set.member` wanted) . afterBracket
+    isCall part = let word = afterBracket part in Text.length word < Text.length part && word `Set.member` wanted
+    afterBracket = Text.takeWhileEnd (`notElem` ("([," :: String))
+
+-- | Whether a span contains one of the lines that are asked for. To be applied to all but the span once: the lines are then searched once.
+onLines :: (Text -> Bool) -> Text -> SrcSpan -> Bool
+onLines isWanted source = \case
   RealSrcSpan s _ -> maybe False (<= srcSpanEndLine s) (IntSet.lookupGE (srcSpanStartLine s) found)
   UnhelpfulSpan _ -> False
   where
     -- Shared by all spans, therefore outside of the lambda.
-    found = IntSet.fromDistinctAscList [n | any (`Text.isInfixOf` source) words', (n, l) <- zip [1 ..] (Text.lines source), any (`Text.isInfixOf` l) words']
+    found = IntSet.fromDistinctAscList [n | (n, l) <- zip [1 ..] (Text.lines source), isWanted l]
 
 -- | Declarations that are refused whatever extensions are on.
 declarationRefusals :: TabStops -> Text -> SyntaxTree -> [Problem]

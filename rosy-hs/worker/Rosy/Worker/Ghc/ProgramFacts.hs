@@ -26,23 +26,26 @@ import Rosy.Worker.Ghc.TreeRewrite (instanceHead)
 import Rosy.Worker.Problem (Span)
 import Rosy.Worker.StaticAdvice
 
--- | Takes a predicate that selects spans with one of these words, and the names of the functions given to the robot.
-programFacts :: (SrcSpan -> Maybe Span) -> ([Text] -> SrcSpan -> Bool) -> [Text] -> SyntaxTree -> Facts
-programFacts located mayContain names parsed =
+-- | Takes predicates that select spans with one of these words, and with one of these names in front of an argument, and the names of the
+-- functions given to the robot.
+programFacts :: (SrcSpan -> Maybe Span) -> ([Text] -> SrcSpan -> Bool) -> ([Text] -> SrcSpan -> Bool) -> [Text] -> SyntaxTree -> Facts
+programFacts located mayContain mayApply names parsed =
   Facts
     { declaredTypes = types,
       built = nub [plain n | Built n <- uses],
       matched = [(plain n, s) | Matched at n <- uses, Just s <- [located at]],
       connectedNames = names,
-      appliedNames = nub (concat [appliedIn d | d@(At at _) <- hsmodDecls parsed, mayContain applications at]),
-      namedWorlds = [(Text.pack w, s) | d@(At at _) <- hsmodDecls parsed, mayContain [Text.pack "simulateIn"] at, (w, spot) <- worldsIn d, Just s <- [located spot]]
+      appliedNames = nub (concat [appliedIn d | d@(At at _) <- hsmodDecls parsed, appliesOne at]),
+      namedWorlds = [(Text.pack w, s) | d@(At at _) <- hsmodDecls parsed, namesWorld at, (w, spot) <- worldsIn d, Just s <- [located spot]]
     }
   where
     types = [declared t | L _ (TyClD _ t@DataDecl {}) <- hsmodDecls parsed]
     constructorsOfAll = map constructorName (concatMap constructors types)
-    uses = if null constructorsOfAll then [] else filter isOwn (concat [usesIn d | d <- hsmodDecls parsed, isCode (unLoc d), mayContain constructorsOfAll (spanOf d)])
-    -- A name with something behind it, other than at the left edge, where it is defined. Walking all declarations takes as long as checking them.
-    applications = [Text.concat [Text.pack before, n, Text.pack " "] | n <- names, before <- [" ", "(", "[", ","]]
+    uses = if null constructorsOfAll then [] else filter isOwn (concat [usesIn d | d <- hsmodDecls parsed, isCode (unLoc d), usesOne (spanOf d)])
+    -- The text is searched once for all declarations. Walking them all takes as long as checking them.
+    usesOne = mayContain constructorsOfAll
+    appliesOne = mayApply names
+    namesWorld = mayContain [Text.pack "simulateIn"]
     appliedIn :: Data a => a -> [Text]
     appliedIn x = case cast x of
       Just (HsApp _ (L _ (HsVar _ (L _ n))) _ :: HsExpr GhcPs) -> head' n ++ inside x

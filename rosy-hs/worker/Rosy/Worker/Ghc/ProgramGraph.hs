@@ -32,7 +32,6 @@ import GHC.Types.Unique (hasKey)
 import Rosy.Worker.Ghc.Compat.Syntax
 import Rosy.Worker.Ghc.Compat.Types
 import Rosy.Worker.Ghc.FunctionNames (bindingsOf, functionNames, namesOf, withLocals)
-import Rosy.Worker.Ghc.SpanTypes (typedSpans)
 import Rosy.Worker.Ghc.TreeRewrite (instanceHead)
 import Rosy.Worker.Graph
 import Rosy.Worker.Problem (Span)
@@ -73,9 +72,9 @@ type Fuel = Int
 fullTank :: Fuel
 fullTank = 3000
 
--- | The parts of the controller or task that @main@ simulates, in the order of the text.
-programGraph :: (Type -> Text) -> (SrcSpan -> Maybe Span) -> [Connection] -> SyntaxTree -> TcGblEnv -> [Part]
-programGraph shown' place' connections' parsed checked = case Map.lookup "main" top of
+-- | The parts of the controller or task that @main@ simulates, in the order of the text. Takes the types of all spans.
+programGraph :: (Type -> Text) -> (SrcSpan -> Maybe Span) -> [Connection] -> SyntaxTree -> TcGblEnv -> [(SrcSpan, Type)] -> [Part]
+programGraph shown' place' connections' parsed checked spans = case Map.lookup "main" top of
   Just main | (inner, argument) : _ <- concatMap (simulations 16 global) (bodies main) -> snd (parts context inner fullTank argument)
   _ -> []
   where
@@ -92,7 +91,7 @@ programGraph shown' place' connections' parsed checked = case Map.lookup "main" 
           onTopics = concatMap (topics . unLoc) (hsmodDecls parsed),
           connections = connections'
         }
-    types = Map.fromListWith (\_ first -> first) [(s, t) | (RealSrcSpan s _, t) <- typedSpans checked]
+    types = Map.fromListWith (\_ first -> first) [(s, t) | (RealSrcSpan s _, t) <- spans]
     topics :: HsDecl GhcPs -> [(String, String)]
     topics d = case d of
       TyClD _ t@DataDecl {} -> [(c, plain (unLoc (tcdLName t))) | c <- map plain (derivedClasses (tcdDataDefn t)), c `elem` ["Sensor", "Command"]]

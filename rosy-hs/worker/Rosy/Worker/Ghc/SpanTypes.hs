@@ -43,9 +43,9 @@ import Rosy.Worker.Ghc.Compat.Syntax
 import Rosy.Worker.Ghc.Compat.Types
 import Rosy.Worker.Problem (Span (..), Typed (..))
 
--- | In source order, outer spans before inner ones. The given declarations are skipped: derived code has their spans.
-typesAt :: (Type -> Text) -> (SrcSpan -> Maybe Span) -> [SrcSpan] -> TcGblEnv -> [Typed]
-typesAt shown place derived checked = named Map.empty . sortOn (\(s, _) -> (start s, Down (end s))) $ mapMaybe placed (take maxSpans (filter isOwn (typedSpans checked)))
+-- | Those of 'typedSpans' in source order, outer spans before inner ones. The given declarations are skipped: derived code has their spans.
+typesAt :: (Type -> Text) -> (SrcSpan -> Maybe Span) -> [SrcSpan] -> [(SrcSpan, Type)] -> [Typed]
+typesAt shown place derived spans = named Map.empty . sortOn (\(s, _) -> (start s, Down (end s))) $ mapMaybe placed (take maxSpans (filter isOwn spans))
   where
     isOwn = not . isInside derived . fst
     placed (at, t) = place at >>= \s -> Just (s, t)
