@@ -351,6 +351,34 @@ void rosy_area_clear(void) {
   }
 }
 
+/*
+ * Whether what survives a collection stays among the young, where the next collection finds it again. Among the old, which lie beside what is
+ * shared with the parent, it would stay also when it is not needed any more: collecting there copies the whole compiler.
+ */
+void rosy_stay_young(int stay) { generations[0].to = stay ? &generations[0] : &generations[1]; }
+
+/*
+ * Gives back the pages of all free blocks, which the run-time system keeps for later. They are found by taking them until there is none left:
+ * the run-time system then gets a new megablock. Large groups first, so that there are few calls.
+ */
+void rosy_free_clear(void) {
+  bdescr *taken = NULL;
+  for (W_ size = BLOCKS_PER_MBLOCK / 2; size > 0; size /= 2)
+    for (int is_new = 0; !is_new;) {
+      W_ before = mblocks_allocated;
+      bdescr *group = allocGroup_lock(size);
+      is_new = mblocks_allocated != before;
+      if (!is_new) madvise(group->start, group->blocks * BLOCK_SIZE, MADV_DONTNEED);
+      group->link = taken;
+      taken = group;
+    }
+  while (taken) {
+    bdescr *next = taken->link;
+    freeGroup_lock(taken);
+    taken = next;
+  }
+}
+
 void rosy_exit(int code) { _exit(code); }
 
 /* ---- Filters ------------------------------------------------------------------------------------------------ */

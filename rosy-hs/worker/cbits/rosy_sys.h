@@ -40,5 +40,7 @@ uint64_t rosy_anonymous_memory(int pid);
 uint64_t rosy_machine_memory(void);
 void rosy_area(uint64_t bytes);
 void rosy_area_clear(void);
+void rosy_stay_young(int stay);
+void rosy_free_clear(void);
 void rosy_exit(int code);
 #endif

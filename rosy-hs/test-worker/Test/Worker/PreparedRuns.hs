@@ -56,6 +56,17 @@ tests borrow =
         stat <- readFile ("/proc/" ++ show child ++ "/stat")
         niceness worker >>= \own -> drop 16 (take 17 (words (drop 2 (dropWhile (/= ')') stat)))) @?= [show (max 5 (own + 5))]
         discard worker "rights" robot,
+      testCase "a program that waits has given back the memory that compiling it took" $ do
+        worker <- borrow
+        robot <- prepare worker "long" (long 12) runMemory
+        child <- waiting worker
+        own <- privateMemory child
+        assertBool (show own ++ " bytes of its own") (own > 0 && own < 6 * megabytes)
+        tell worker (begin "long" (long 12) runMemory)
+        hear worker >>= (@?= "started") . text "op"
+        _ <- oneStep robot
+        closeLink robot
+        hear worker >>= (@?= "gone") . text "op",
       testCase "two pages prepare, and each has its own" $ do
         worker <- borrow
         robots <- forM ["a", "b" :: Text] $ \n -> prepare worker (toJSON n) (speaking n) runMemory
@@ -211,6 +222,25 @@ speaking word = "main = simulate (Say \"" <> word <> "\")\n"
 -- | Random numbers, a memory and branches.
 several :: Text
 several = Text.unlines ["main = simulate (wander, count)", "", "wander :: StdGen -> Seconds -> Velocity", "wander gen t", "  | t < 0.03 = Velocity (fst (randomR (0, 1) gen)) 0", "  | otherwise = Velocity 0 1", "", "count :: Seconds -> Memory Int -> Memory Int", "count _ (Memory n) = Memory (n + 1)"]
+
+-- | Compiling a function of this program allocates some ten megabytes.
+long :: Int -> Text
+long count =
+  Text.unlines $
+    ["data Mode = Go | Turn Double Seconds", "main = simulate (" <> Text.intercalate ", " ["step" <> n k | k <- [1 .. min 9 count]] <> ")"]
+      ++ concat
+        [ [ "step" <> n k <> " :: Bumper -> Memory Mode -> Seconds -> Memory Mode",
+            "step" <> n k <> " _ (Memory m) now = Memory (after m)",
+            "  where",
+            "    after (Turn a t)",
+            "      | now > t + " <> n k <> " = Go",
+            "      | otherwise = Turn (a * " <> n k <> " / 2) t",
+            "    after other = other"
+          ]
+          | k <- [1 .. count]
+        ]
+  where
+    n = Text.pack . show
 
 mistake :: Text
 mistake = "main = simulate move\n\nmove :: Velocity\nmove = Velocity \"fast\" 0\n"

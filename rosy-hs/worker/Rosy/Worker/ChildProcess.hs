@@ -18,7 +18,7 @@ module Rosy.Worker.ChildProcess
   )
 where
 
-import Control.Exception (AsyncException (HeapOverflow), IOException, displayException, fromException, try)
+import Control.Exception (AsyncException (HeapOverflow), IOException, displayException, evaluate, fromException, try)
 import Control.Monad (unless, when)
 import Data.Aeson (Series, pairs, (.=))
 import Data.Aeson.Encoding (encodingToLazyByteString)
@@ -114,9 +114,10 @@ runChecker settings session service = runToExit service $ do
 compileAllocationArea :: Word64
 compileAllocationArea = 32 * 1024 * 1024
 
--- | The same for a running program, of which two hundred must fit into memory. The initial value of every child (rosy.cabal, @-A@).
+-- | The same for a running program, of which two hundred must fit into memory. A small one that begins at once keeps the initial area of every child,
+-- 4 MB (rosy.cabal, @-A@).
 runAllocationArea :: Word64
-runAllocationArea = 4 * 1024 * 1024
+runAllocationArea = 1024 * 1024
 
 -- | Characters from which on a program is compiled with the large area. Allocating that takes as long as a collection or two.
 largeSourceLength :: Int
@@ -155,7 +156,7 @@ runProgram settings session beginning answer link page memory source = runToExit
   -- What may never be run has a run's priority from the beginning, also while it is compiled.
   when (beginning == WhenAsked) (lowerPriority runNiceness)
   enterSandbox settings [answer, link]
-  when isLarge (setAllocationArea compileAllocationArea)
+  when hasLargeArea (setAllocationArea compileAllocationArea >> keepYoung True)
   (report, mayRun) <- checkSource settings ForRun session source
   let found = problems report
       uses = usedTypes (parts report)
@@ -163,27 +164,41 @@ runProgram settings session beginning answer link page memory source = runToExit
     Nothing -> writeAll answer ("R" <> line ("problems" .= found))
     Just (program, places) -> do
       (branches, launch) <- load session program
+      forgetPrograms session
       protectMemory
       -- The program uses blocking reads, whatever mode the creator of the link has set.
       setFdOption link NonBlockingRead False
       when (beginning == AtOnce) (lowerPriority runNiceness)
-      -- A program that waits, also for long, gives back what compiling it took; else that costs more time than it is worth.
-      when (isLarge || beginning == WhenAsked) (performMinorGC >> shrinkAllocationArea >> setAllocationArea runAllocationArea)
+      now <- getMonotonicTime
+      let starting = "S" <> line ("problems" .= found <> "compile" .= (now - began) <> "uses" .= uses <> branchFields branches)
+      -- These hold the whole checked program until they are computed.
+      _ <- evaluate (ByteString.length starting + length (show places))
+      when hasLargeArea giveBack
       size <- dataSegmentSize
       let on layer = layer (protections settings)
-      when (on memoryLimit) $ limitHeap (if isLarge then memory - min memory (compileAllocationArea - runAllocationArea) else memory)
+      when (on memoryLimit) $ limitHeap (if hasLargeArea then memory - min memory (compileAllocationArea - runAllocationArea) else memory)
       when (on computingLimit) $ limitCpu (runSeconds settings)
       limitProcess (if on memoryLimit then size + 2 * memory + heapSlack else 0) (on processLimit)
       when (on systemCalls) filterRunning
-      now <- getMonotonicTime
-      let starting = "S" <> line ("problems" .= found <> "compile" .= (now - began) <> "uses" .= uses <> branchFields branches)
-      when (beginning == WhenAsked) (ByteString.length starting `seq` awaitRequest answer)
+      when (beginning == WhenAsked) (awaitRequest answer)
       writeAll answer starting
       closeFd answer
       let Fd fd = link
       launch fd page places
   where
-    isLarge = Text.length source > largeSourceLength
+    -- A program that waits, also for long, gives back what compiling it took. For a small one that begins at once this takes more time than it
+    -- is worth.
+    hasLargeArea = beginning == WhenAsked || Text.length source > largeSourceLength
+
+-- | Leaves of what a compilation has allocated only what the program needs. The second collection puts that beside what lives for long.
+giveBack :: IO ()
+giveBack = do
+  performMinorGC
+  keepYoung False
+  performMinorGC
+  shrinkAllocationArea
+  setAllocationArea runAllocationArea
+  releaseFreeMemory
 
 -- | Says that the program is ready, and waits until it is asked for.
 awaitRequest :: Fd -> IO ()

@@ -25,6 +25,7 @@ module Rosy.Worker.Ghc
     Ready,
     EmptyPlace,
     load,
+    forgetPrograms,
     asMain,
   )
 where
@@ -92,7 +93,7 @@ start library = do
     Just sample -> do
       _ <- load session sample
       -- The linker caches linked names: without this every program's main would be that of the sample.
-      unloadAll (environment session)
+      forgetPrograms session
     Nothing -> pure ()
   _ <- analyseProgram Restricted ForCheck session "hole = _ :: Velocity\nwrong = not hole + \"\" + undefinedName\n"
   _ <- complete session "asked :: Velocity -> Memory Bool -> Velocity\nasked v (Memory m) = \nmain = simulate asked\n" (Position 2 22)
@@ -269,6 +270,10 @@ load session (Ready env summary checked name source place) = do
   -- The type checker has verified that main is an IO action.
   action <- withForeignRef value localRef
   pure (branches, \fd page places -> launcher session fd page places branches (void (unsafeCoerce action :: IO ())))
+
+-- | Removes all loaded programs from the linker, which otherwise holds their unlinked code. They can still be run.
+forgetPrograms :: Session -> IO ()
+forgetPrograms = unloadAll . environment
 
 -- | Runs an action as main thread, which receives heap overflow exceptions.
 asMain :: IO () -> IO ()

@@ -51,6 +51,8 @@ module Rosy.Worker.SystemCalls
     machineMemory,
     setAllocationArea,
     shrinkAllocationArea,
+    keepYoung,
+    releaseFreeMemory,
     exitNow,
   )
 where
@@ -135,6 +137,10 @@ foreign import ccall unsafe rosy_machine_memory :: IO Word64
 foreign import ccall unsafe rosy_area :: Word64 -> IO ()
 
 foreign import ccall unsafe rosy_area_clear :: IO ()
+
+foreign import ccall unsafe rosy_stay_young :: CInt -> IO ()
+
+foreign import ccall unsafe rosy_free_clear :: IO ()
 
 foreign import ccall unsafe rosy_exit :: CInt -> IO ()
 
@@ -335,6 +341,14 @@ setAllocationArea bytes = rosy_area bytes >> performMinorGC
 -- | Returns unused blocks of the allocation area to the system: most of it after a collection.
 shrinkAllocationArea :: IO ()
 shrinkAllocationArea = rosy_area_clear
+
+-- | Whether collections keep what is alive where the next one finds it again, instead of beside what is shared with the parent.
+keepYoung :: Bool -> IO ()
+keepYoung = rosy_stay_young . flag
+
+-- | Returns the memory that collections have left free to the system.
+releaseFreeMemory :: IO ()
+releaseFreeMemory = rosy_free_clear
 
 -- | Exits at once, without finalizers and a last collection, which would take longer than the whole run.
 exitNow :: Int -> IO ()
