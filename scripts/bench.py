@@ -90,6 +90,7 @@ BENCHES = {
             Command(simulator("recovery"), small=simulator("recovery", "--rounds", "1")),
         ],
     ),
+    "memory": Benchmark("what a service at rest holds in memory, by process", [Command(simulator("memory"))]),
     "room": Benchmark(
         "pictures a second of a full room with a long trail and three curves, and bytes a second to the page",
         [node("e2e-tests/bench/room.ts")],

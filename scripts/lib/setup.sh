@@ -134,16 +134,18 @@ apt_install() {
 pip_install() {
   "$ROSY_PYTHON" -m pip install --disable-pip-version-check --retries 10 --no-cache-dir --no-deps --only-binary :all: --require-hashes "$@"
 }
+# strip_debug FOLDER: removes the debug symbols of libraries, which are half of some packages. `strip` comes with GHC's packages.
+strip_debug() { ! command -v strip >/dev/null || find "$1" -type f -name '*.so' -exec strip --strip-debug {} + || true; }
 do_venv() {
   rm -rf "$ROSY_STATE/venv" "$ROSY_STATE/stamps/venv-tools"
-  "$(find_python)" -m venv "$ROSY_STATE/venv" && pip_install -r "$ROSY_ROOT/sim-service/requirements.lock"
+  "$(find_python)" -m venv "$ROSY_STATE/venv" && pip_install -r "$ROSY_ROOT/sim-service/requirements.lock" && strip_debug "$ROSY_STATE/venv"
 }
 do_venv-cluster() {
   rm -rf "$ROSY_STATE/venv-cluster"
   "$(find_python)" -m venv "$ROSY_STATE/venv-cluster" &&
     ROSY_PYTHON="$ROSY_CLUSTER_PYTHON" pip_install -r "$ROSY_ROOT/sim-service/requirements-cluster.lock"
 }
-do_venv-tools() { pip_install -r "$ROSY_ROOT/sim-service/requirements-test.lock"; }
+do_venv-tools() { pip_install -r "$ROSY_ROOT/sim-service/requirements-test.lock" && strip_debug "$ROSY_STATE/venv"; }
 do_node() {
   rm -rf "$NODE_FOLDER"
   # The wheel holds a whole Node in one folder. A wheel has no symbolic links, and npm finds its own files by them.
@@ -160,6 +162,8 @@ do_node() {
 npm_install() {
   local cache="$ROSY_STATE/npm-cache" status=0
   (cd "$ROSY_ROOT" && npm install --no-save --no-audit --no-fund --fetch-retries=5 --cache "$cache" "$@") || status=$?
+  # npm says nothing of it; scripts/sizes.py reads it.
+  [ ! -d "$cache" ] || echo "npm downloaded $(du -sm "$cache" | cut -f1) MB"
   rm -rf "$cache"
   return "$status"
 }

@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BASIC = [
     "bash", "env", "sh", "cat", "cp", "rm", "mv", "ln", "mkdir", "chmod", "find", "sort",
     "sha1sum", "cut", "sed", "awk", "grep", "tail", "head", "tr", "printf", "dirname", "readlink", "uname",
-    "id", "locale", "flock", "df", "date", "sleep", "touch", "gzip", "basename", "mktemp", "tee", "wc",
+    "id", "locale", "flock", "df", "date", "sleep", "touch", "gzip", "basename", "mktemp", "tee", "wc", "du",
     "sudo",
 ]  # fmt: skip
 

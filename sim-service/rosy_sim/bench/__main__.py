@@ -1,6 +1,7 @@
 """
 ``python -m rosy_sim.bench simulator [--pages N ...] [--seconds S] [--profile]``, ``recovery [--rounds N]``,
-``class [--pupils N] [--seconds S]``, ``recording [--seconds S]``, ``attacks [--seconds S] [--only WORDS]``, and
+``memory``, ``class [--pupils N] [--seconds S]``, ``recording [--seconds S]``,
+``attacks [--seconds S] [--only WORDS]``, and
 ``cluster [--programs N] [--rooms N] [--pupils N] [--seconds S] [--rounds N]``.
 """
 
@@ -12,7 +13,7 @@ import sys
 
 from ..config import discover
 from ..errors import RosyError
-from . import class_board, cluster, lockstep, pages, previews, recording, recovery, under_attack, world
+from . import class_board, cluster, lockstep, pages, previews, recording, recovery, resting, under_attack, world
 
 __all__ = ["main"]
 
@@ -20,7 +21,7 @@ __all__ = ["main"]
 def main() -> int:
     """Print the tables."""
     parser = argparse.ArgumentParser(prog="python -m rosy_sim.bench")
-    parser.add_argument("name", choices=["simulator", "recovery", "class", "attacks", "recording", "cluster"])
+    parser.add_argument("name", choices=["simulator", "recovery", "class", "attacks", "recording", "cluster", "memory"])
     parser.add_argument("--pages", type=int, nargs="*", default=[50, 100, 150, 200])
     parser.add_argument("--seconds", type=float, default=10.0)
     parser.add_argument("--runs", type=int, help="programs at once; the other pages wait (default: all drive)")
@@ -32,6 +33,8 @@ def main() -> int:
     parser.add_argument("--rooms", type=int, default=50, help="in which each of them is tested")
     options = parser.parse_args()
     try:
+        if options.name == "memory":
+            return resting.report()
         config = discover()
         if options.name == "recovery":
             asyncio.run(recovery.measure(config, options.rounds))

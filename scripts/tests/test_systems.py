@@ -1,0 +1,77 @@
+"""Sizes of an installation, and what `./rosy test systems` says of a system that it cannot make."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from sizes import measure, table
+from systems import all_megabytes
+from testing.bare_system import System, first_error
+
+from .sandbox import COMPLETE, machine
+
+
+def write(path: Path, megabytes: float) -> Path:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(os.urandom(int(megabytes * 1e6)))
+    return path
+
+
+def test_sizes_are_told_by_part_from_the_logs_of_set_up(tmp_path: Path) -> None:
+    write(tmp_path / "node_modules/a/file", 2)
+    write(tmp_path / "dist-newstyle/library.so", 3)
+    os.link(tmp_path / "dist-newstyle/library.so", tmp_path / "dist-newstyle/the-same.so")
+    for name, text in {
+        "apt-runtime": "Need to get 134 MB of archives.\nAfter this operation, 1,093 MB of additional disk space will be used.\n",
+        "apt-tools": "  Download size: 2,500 kB / 3,000 kB\n  Space needed: 7,000 kB / 70.1 GB available\n",
+        "venv": "Downloading a-1.whl (1.5 MB)\n   ━━━ 1.5/1.5 MB 9.1 MB/s eta 0:00:00\n  Downloading https://index.example/b-2.whl (500 kB)\n",
+        "npm": "added 20 packages in 3s\nnpm downloaded 62 MB\n",
+    }.items():
+        write(tmp_path / f".rosy/log/{name}.log", 0).write_text(text)
+    found = {name: (round(disk, 1), round(download, 1)) for name, disk, download in measure(tmp_path)}
+    assert found["Debian packages"] == (1100.0, 136.5)
+    assert found["Python packages"] == (0.0, 2.0)
+    assert found["Node's packages"] == (2.0, 62.0)
+    assert found["Haskell builds"] == (3.0, 0.0)
+    printed = table(measure(tmp_path))
+    assert all_megabytes(printed) == ("1105", "200")
+
+
+def test_set_up_writes_down_what_npm_downloads_and_keeps_no_cache(tmp_path: Path) -> None:
+    complete = machine(tmp_path)
+    complete.tool(
+        "npm",
+        'case "$*" in *install*) while [ "$1" != --cache ]; do shift; done; mkdir -p "$2"; head -c 3000000 /dev/urandom >"$2/tarball" ;; esac\n'
+        + COMPLETE["npm"].replace("*install*)", "*npm-cache*)"),
+    )
+    done = complete.rosy("start")
+    assert done.returncode == 0, done.stderr
+    assert ("Node's packages", 3.0) in [(name, download) for name, _, download in measure(complete.root)]
+    assert not (complete.root / ".rosy/npm-cache").exists()
+
+
+@pytest.mark.parametrize("has_strip", [True, False])
+def test_the_debug_symbols_of_python_packages_are_removed_where_the_system_can(tmp_path: Path, has_strip: bool) -> None:
+    complete = machine(tmp_path)
+    complete.tool("python3", 'case "$*" in *"-m venv "*) mkdir -p "$3/lib"; touch "$3/lib/fast.so" "$3/lib/slow.py" ;; esac\n' + COMPLETE["python3"])
+    if has_strip:
+        complete.tool("strip", "")
+    done = complete.rosy("check", "Main.hs")
+    assert done.returncode == 0, done.stderr
+    assert complete.called("--strip-debug") == complete.called("venv/lib/fast.so") == (1 if has_strip else 0)
+    assert complete.called("slow.py") == 0
+
+
+def test_a_system_whose_keys_are_not_here_is_not_made_and_the_reason_is_told(tmp_path: Path) -> None:
+    system = System({"name": "Nowhere 1", "suite": "first", "distribution": "nowhere", "components": "main"}, tmp_path / "root", tmp_path / "log")
+    assert "nowhere-archive-keyring.gpg" in system.make()
+    assert not system.folder.exists()
+
+
+def test_the_reason_is_the_first_error_of_apt() -> None:
+    log = "I: running apt-get update...\nW: GPG error\nE: The repository 'x' is not signed.\nE: mmdebstrap failed to run\n"
+    assert first_error(log) == "The repository 'x' is not signed."
+    assert first_error("I: success\n") == ""
