@@ -39,6 +39,11 @@ tests borrow =
           "a class that the type inside does not have" `isRefused` ["calculation"] $ ["newtype Word' = Word' String deriving (Num)", stand]
         ],
       testGroup
+        "a name of Rosy's that the program defines as a type or as a constructor only"
+        [ "a type: Rosy's constructor stays" `says` "0.3" $ ["data Velocity = Fast | Slow", "main = simulate (Say (show (linear (Velocity 0.3 0))))", "linear (Velocity v _) = v", "other :: Velocity -> Bool", "other Fast = True", "other Slow = False"],
+          "a constructor: Rosy's type stays" `says` "Velocity 0.3" $ ["data Speed = Velocity Double deriving Show", "main = simulate (Say (show (Velocity 0.3)), keep)", "keep :: Velocity -> Velocity", "keep v = v"]
+        ],
+      testGroup
         "a memory starts with a finite default"
         [ "the first constructor that has one" `says` "Empty" $ ["data Stack = Push Int Stack | Empty deriving Show", remembers "Stack"],
           "through containers" `says` "Rose 0 []" $ ["data Rose a = Rose a [Rose a] deriving Show", remembers "(Rose Int)"],

@@ -117,8 +117,8 @@ preludeFor exported own
   | any (`elemOccSet` exported) own = hideDefined exported own (node (implicitImport "Prelude")) ++ [node (implicitImport "Prelude") {ideclQualified = QualifiedPre}]
   | otherwise = []
 
--- | An import that leaves out what the program defines. A data constructor and a type may share a name of
--- which the program defines only one: the other is then imported by itself.
+-- | An import that leaves out what the program defines. A data constructor and a type may share a name of which the program defines
+-- only one: the other stays. A constructor cannot be left out without its type, which is then imported by itself.
 hideDefined :: OccSet -> [OccName] -> LImportDecl GhcPs -> [LImportDecl GhcPs]
 hideDefined exported own l@(L at i)
   | null clashes = [l]
@@ -128,15 +128,13 @@ hideDefined exported own l@(L at i)
     Nothing -> hide noSrcSpan []
   where
     clashes = filter (`elemOccSet` exported) own
-    hide s items = L at (withImportList True s (items ++ map item clashes) i) : [L at (one o) | o <- clashes, not (null (siblings o))]
-    one o = withImportList False noSrcSpan (siblings o) (implicitImport (moduleNameString (unLoc (ideclName i))))
-    siblings o
-      | isTcOcc o, sibling <- mkDataOccFS (occNameFS o), sibling `elemOccSet` exported, sibling `notElem` own = [importPattern (mkRdrUnqual sibling)]
-      | isDataOcc o, sibling <- mkTcOccFS (occNameFS o), sibling `elemOccSet` exported, sibling `notElem` own = [importType (mkRdrUnqual sibling)]
-      | otherwise = []
+    hide s items = L at (withImportList True s (items ++ map item clashes) i) : [L at (only t) | o <- clashes, isDataOcc o, let t = typeNamed o, t `elemOccSet` exported, t `notElem` own]
+    only t = withImportList False noSrcSpan [importType (mkRdrUnqual t)] (implicitImport (moduleNameString (unLoc (ideclName i))))
     item o
-      | isTcOcc o || isDataOcc o = importType (mkRdrUnqual (mkTcOccFS (occNameFS o)))
+      | isTcOcc o = importTypeAlone (mkRdrUnqual o)
+      | isDataOcc o = importType (mkRdrUnqual (typeNamed o))
       | otherwise = importValue (mkRdrUnqual o)
+    typeNamed = mkTcOccFS . occNameFS
 
 -- | Every name that the program defines at top level: functions, types, constructors, fields, classes, methods.
 definedNames :: [LHsDecl GhcPs] -> [OccName]
