@@ -84,6 +84,42 @@ daily("chooses a robot, sees it connect, runs, watches it move, and stops it", a
   await expect(page.getByTestId("robot-choice")).toBeFocused()
 })
 
+daily("sees the simulated robot drive beside the real one, and reads what was different", async ({page}) => {
+  const learner = new Driver(page)
+  await learner.arrives()
+  await learner.takes("Anna")
+  // A worn robot: it drives a third less than it is told, and to the left.
+  rig.base.ask("slip 0.67 1 0.5")
+  await page.getByRole("checkbox", {name: "Simulator beside it"}).check()
+  await expect(page.getByRole("button", {name: "Room to drive in: A room"})).toBeVisible()
+  await learner.drives()
+  await expect(page.getByRole("checkbox", {name: "Simulator beside it"})).toBeDisabled()
+  await until(learner.robot("x"), x => x > 2)
+  rig.base.ask("bump 4")
+  await expect(learner.console()).toContainText("Bumper LeftBumper Pressed")
+  rig.base.ask("bump 0")
+  await page.getByRole("tab", {name: "Charts"}).click()
+  await expect(page.getByTestId("compared-charts")).toHaveText(
+    "Run 1, real: solid line · Run 1, simulated: dotted line",
+  )
+  await learner.stops()
+  const note = page.getByTestId("twin-note")
+  await expect(note).toHaveText(
+    /^After \d+\.\d s: the real robot turned \d+° further to the (left|right), drove (\d+ cm|[\d.]+ m) less, and had its bumper pressed at \d+\.\d s, the simulated one (never|at \d+\.\d s)\.$/,
+  )
+  await learner.keeps("twin")
+  await page.emulateMedia({colorScheme: "dark"})
+  await learner.keeps("twin-dark")
+  // The simulated run is looked at like any other one.
+  await page.getByRole("tab", {name: "Runs"}).click()
+  await page.getByRole("treeitem", {name: /Run 1, simulated/}).click()
+  await expect(page.getByTestId("run-facts")).toContainText("Run 1, simulated (solid line)")
+  await expect(note).toContainText("the real robot")
+  rig.base.ask("slip 1 1 0")
+  await page.getByRole("button", {name: "Let go"}).press("Enter")
+  await expect(page.getByTestId("robotbar")).toHaveCount(0)
+})
+
 test("another page sees who has the robot, and takes it when it is free", async ({page, browser}) => {
   const learner = new Driver(page)
   await learner.arrives()

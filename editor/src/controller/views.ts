@@ -5,7 +5,8 @@ import {pageKeys} from "../browser/browser_window.ts"
 import type {Preferences} from "../browser/stored_values.ts"
 import {roomKeys} from "../room/gestures.ts"
 import {worldKeys} from "../room/world_editor_shortcuts.ts"
-import {overlayOf} from "../runs/overlay.ts"
+import {type Overlay, overlayOf} from "../runs/overlay.ts"
+import {runName} from "../runs/run_tree.ts"
 import {textKeys} from "../source/shortcuts.ts"
 import {locateComments} from "../state/block_comments.ts"
 import type {PageState} from "../state/page_state.ts"
@@ -106,16 +107,24 @@ export function openViewUpdates(
       setPreferences(Object.fromEntries(preferenceKeys.map(key => [key, state[key]])))
     before = state
     const overlay = overlayOf(state)
-    const {run} = words.runs
     const sight = {
       trail: state.trail,
       follows: state.follows,
       hands: state.run.kind === "running" && state.robots.held === null,
       held: state.room.held,
-      overlay: overlay && {...overlay, names: {shown: run(overlay.shown), compared: run(overlay.compared)}},
+      overlay: overlay && {...overlay, names: namesOf(overlay)},
     }
     if (room?.draw(state.room, sight, now)) redraw()
   }
+}
+
+/// The names beside two robots. Those of a real run and its twin are short.
+function namesOf({shown, compared}: Overlay): {readonly shown: string; readonly compared: string} {
+  const name = ({number, twin}: Overlay["shown"]) =>
+    twin === undefined ? words.runs.run(number) : words.twin.names[twin]
+  return shown.number === compared.number
+    ? {shown: name(shown), compared: name(compared)}
+    : {shown: runName(shown, words), compared: runName(compared, words)}
 }
 
 export function keySections(): readonly KeySection[] {

@@ -169,6 +169,8 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
 
   const place = (world: World, pose: Pose) => {
     const [width, height] = world.size
+    // Between the floor of a real robot and a room, places and distances mean something else.
+    if (drawnWorld !== null && drawnWorld.open !== world.open) look = null
     if (following) look = follow(look, pose, width, height, size.w, size.h)
     camera = lookAt(look, width, height, size.w, size.h, cornerOf(world))
     path.place(camera, size)

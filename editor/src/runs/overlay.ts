@@ -3,12 +3,12 @@
 import type {PageState} from "../state/page_state.ts"
 import {frameAt} from "../state/recording.ts"
 import type {Trail} from "../state/room_state.ts"
-import {comparedRun, nodeOf} from "./run_tree.ts"
+import {comparedRun, nodeOf, type RunNode} from "./run_tree.ts"
 
 export interface Overlay {
-  /// The numbers by which the learner calls the two runs.
-  readonly shown: number
-  readonly compared: number
+  /// What the learner calls the two runs by.
+  readonly shown: Pick<RunNode, "number" | "twin">
+  readonly compared: Pick<RunNode, "number" | "twin">
   /// All of the compared path, and until when it is drawn, s; `null` for all of it.
   readonly trail: Trail
   readonly until: number | null
@@ -24,5 +24,5 @@ export function overlayOf({runTree, room}: Pick<PageState, "runTree" | "room">):
   const {trail, recording, frame} = other.kept.room
   const pose = room.lookedAt === null ? frame : frameAt(recording, room.lookedAt)
   if (pose === null) return null
-  return {shown: own.number, compared: other.number, trail, until: room.lookedAt, pose}
+  return {shown: own, compared: other, trail, until: room.lookedAt, pose}
 }

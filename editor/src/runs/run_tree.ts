@@ -1,6 +1,7 @@
 /// Tree of the runs in a room: which run each was continued from or followed, and what the page showed of it. Bounded: the oldest unused runs are dropped. Pure.
 
-import type {ConsoleLine, RoomState} from "../state/room_state.ts"
+import {type ConsoleLine, clearRoom, emptyRoom, type RoomState} from "../state/room_state.ts"
+import type {Words} from "../words/index.ts"
 import {type ProgramChange, programChanges} from "./program_changes.ts"
 
 /// What the page shows of a run: frames, path, goals, and the lines of the console.
@@ -17,6 +18,8 @@ export interface RunNode {
   readonly from: RunOrigin | null
   readonly text: string
   readonly seed: number | null
+  /// Of two runs of a program, one on a real robot and one beside it in the simulator, which one it is; absent for any other run.
+  readonly twin?: "real" | "simulated"
   /// `null` for the run that the room shows: the state of the room is newer.
   readonly kept: ShownRun | null
 }
@@ -49,7 +52,9 @@ export const nodeOf = (tree: RunTree, run: number | null): RunNode | undefined =
 
 /// What a run from the start follows: the shown run or, without one, the newest. With the same program it stands beside that run.
 export function originOf(tree: RunTree, shown: number | null, text: string): RunOrigin | null {
-  const before = nodeOf(tree, shown) ?? tree.nodes.at(-1)
+  const last = nodeOf(tree, shown) ?? tree.nodes.at(-1)
+  // A twin stands below its real run, where nothing else does.
+  const before = last?.twin === "simulated" ? nodeOf(tree, last.from?.run ?? null) : last
   if (before === undefined) return null
   if (before.text !== text) return {run: before.run, at: null}
   return before.from === null ? null : {run: before.from.run, at: null}
@@ -66,6 +71,42 @@ export function beginRun(
     {...rest, nodes: [...nodes, {...begun, number: count + 1, kept: null}], count: count + 1},
     begun.run,
   )
+}
+
+/// Adds a run on a real robot, and below it, compared with it, that of the same program in the simulator.
+export function beginTwins(
+  tree: RunTree,
+  shown: ShownRun,
+  begun: Pick<RunNode, "run" | "from" | "text" | "seed">,
+  twin: number,
+): RunTree {
+  const {nodes, count, ...rest} = beginRun(tree, shown, begun)
+  const {world} = shown.room
+  const simulated: RunNode = {
+    ...begun,
+    run: twin,
+    number: count,
+    from: {run: begun.run, at: null},
+    twin: "simulated",
+    kept: {room: {...clearRoom(emptyRoom, twin), world, source: begun.text}, lines: []},
+  }
+  const real = nodes.map(node => (node.run === begun.run ? {...node, twin: "real" as const} : node))
+  return bounded({...rest, nodes: [...real, simulated], count, compared: twin}, begun.run)
+}
+
+/// The run in the simulator beside this one on a real robot.
+export const twinOf = (tree: RunTree, run: number): RunNode | undefined =>
+  tree.nodes.find(node => node.twin === "simulated" && node.from?.run === run)
+
+/// What the learner calls a run.
+export function runName(
+  {number, twin}: Pick<RunNode, "number" | "twin">,
+  {
+    runs,
+    twin: twins,
+  }: {readonly runs: Pick<Words["runs"], "run">; readonly twin: Pick<Words["twin"], "real" | "simulated">},
+): string {
+  return twin === undefined ? runs.run(number) : twins[twin](number)
 }
 
 /// Stores what the room shows with its run. A run of which nothing was ever shown is removed.

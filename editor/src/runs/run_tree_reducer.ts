@@ -5,7 +5,7 @@ import type {PageState} from "../state/page_state.ts"
 import {isActive} from "../state/run_state.ts"
 import {sending, still, type Transition} from "../state/transition.ts"
 import {reduceWhy} from "../why/why_state.ts"
-import {compareWith, nodeOf, type RunNode, type ShownRun, takeRun, withoutRun} from "./run_tree.ts"
+import {compareWith, nodeOf, type RunNode, type ShownRun, takeRun, twinOf, withoutRun} from "./run_tree.ts"
 
 export type RunTreeEvent =
   /// A stored run is looked at again.
@@ -42,19 +42,24 @@ export function returnToRun(state: PageState): PageState {
   return away === null ? state : showRun(state, away.run)
 }
 
-/// Applies what the service tells of a run that is stored: its last frame arrives after another run was chosen.
+/// Applies what the service tells of a run that is stored: its last frame arrives after another run was chosen, or it is the twin of a real one.
 export function inStoredRun(
   state: PageState,
   run: number,
   apply: (state: PageState) => Transition,
 ): Transition {
-  const stored = nodeOf(state.runTree, run)?.kept
-  if (stored == null || state.run.kind === "ready" || state.run.run !== run) return apply(state)
+  const node = nodeOf(state.runTree, run)
+  const stored = node?.kept
+  const isTwin = node?.twin === "simulated"
+  const isOwn = state.run.kind !== "ready" && state.run.run === run
+  if (stored == null || !(isTwin || isOwn)) return apply(state)
   const {room, lines, runTree} = state
   const told = apply({...state, ...stored})
   const kept: ShownRun = {room: told.state.room, lines: told.state.lines}
   const nodes = runTree.nodes.map(node => (node.run === run ? {...node, kept} : node))
-  return {...told, state: {...told.state, room, lines, runTree: {...runTree, nodes}}}
+  // Only the real robot is heard.
+  const effects = isTwin ? [] : told.effects
+  return {effects, state: {...told.state, room, lines, runTree: {...runTree, nodes}}}
 }
 
 /// The page with a stored run in its room, at its end or at a moment, s.
@@ -87,7 +92,9 @@ const newestRun = ({runTree}: PageState) => runTree.nodes.at(-1)?.run
 export function withoutRefusedRun(state: PageState, run: number): PageState {
   const refused = state.runTree.nodes.find(node => node.run === run)
   if (refused === undefined) return state
-  const rest = {...state, runTree: withoutRun(state.runTree, run)}
+  const twin = twinOf(state.runTree, run)
+  const tree = twin === undefined ? state.runTree : withoutRun(state.runTree, twin.run)
+  const rest = {...state, runTree: withoutRun(tree, run)}
   const {from} = refused
   return from === null || from.at === null || state.room.run !== run ? rest : showRun(rest, from.run, from.at)
 }

@@ -12,7 +12,7 @@ import {measures, words} from "../words/index.ts"
 import {wordedText} from "../words/worker_sentences.ts"
 import {changeSentence} from "./change_sentence.ts"
 import {factsOf, picturePath} from "./run_facts.ts"
-import {comparedRun, nodeOf, type RunRow, runRows} from "./run_tree.ts"
+import {comparedRun, nodeOf, type RunRow, runName, runRows} from "./run_tree.ts"
 import {awayRun, mayShowRuns} from "./run_tree_reducer.ts"
 
 /// Rows deeper than this are indented like this one: the tree fits on a phone.
@@ -155,7 +155,7 @@ function Row(props: {
       <PathPicture room={room} isLive={node.kept === null} />
       <span class="run-words">
         <span>
-          <strong>{w.run(node.number)}</strong>{" "}
+          <strong>{runName(node, words)}</strong>{" "}
           {continued !== null && w.continued(continued.number, continued.at)}
         </span>
         {isChanged && <span>{changeSentence(changes, w.changes)}</span>}
@@ -204,9 +204,9 @@ function Comparison(): VNode {
           }}
         >
           <option value="">{w.none}</option>
-          {others.map(({run, number}) => (
-            <option key={run} value={String(run)}>
-              {w.run(number)}
+          {others.map(node => (
+            <option key={node.run} value={String(node.run)}>
+              {runName(node, words)}
             </option>
           ))}
         </select>
@@ -232,10 +232,10 @@ function ComparedFacts(): VNode | null {
         <tr>
           <td />
           <th scope="col">
-            {w.run(own.number)} <span class="quiet">({w.lines.shown})</span>
+            {runName(own, words)} <span class="quiet">({w.lines.shown})</span>
           </th>
           <th scope="col">
-            {w.run(other.number)} <span class="quiet">({w.lines.compared})</span>
+            {runName(other, words)} <span class="quiet">({w.lines.compared})</span>
           </th>
         </tr>
       </thead>

@@ -10,7 +10,7 @@ import type {PageMessage, ServiceMessage} from "./messages.ts"
 import type {PageState} from "./page_state.ts"
 import {blockFinding, locateProblem} from "./program.ts"
 import {explain, withLessons} from "./request_reducer.ts"
-import {reduceRobotMessage, withoutRobot, withRobotRefusal} from "./robot_ownership.ts"
+import {reduceRobotMessage, withoutRobot, withRobotRefusal, withSimulatedRoom} from "./robot_ownership.ts"
 import {addFrame, addLine, addSpeech, isShown, roomUntil, soundNames} from "./room_state.ts"
 import {observeMessage, runMessage} from "./run_reducer.ts"
 import {nextRun} from "./run_state.ts"
@@ -65,7 +65,7 @@ function reduceMessage(state: PageState, message: ServiceMessage): Transition {
     case "worker":
       return still({...state, worker: message.state})
     case "world":
-      return still(state.robots.held === null ? inWorld(state, message.world) : state)
+      return still((state.robots.held === null ? inWorld : withSimulatedRoom)(state, message.world))
     case "robots":
     case "robot":
       return reduceRobotMessage(state, message)

@@ -222,6 +222,8 @@ export type PageMessage =
       /// Repeat so many steps of the run `of`, and go on from there.
       readonly after?: number
       readonly of?: number
+      /// Beside a real robot, the number of the same run in the simulator.
+      readonly twin?: number
     }
   | {readonly op: "preview"; readonly id: number; readonly source: string; readonly seconds: number}
   | {readonly op: "stop"}

@@ -76,6 +76,8 @@ export type RobotEvent =
   | {readonly kind: "robot-left"}
   | {readonly kind: "estop-pressed"}
   | {readonly kind: "free-pressed"}
+  /// Whether the program also drives the simulated robot beside the real one.
+  | {readonly kind: "twin-switched"; readonly on: boolean}
   /// The page is seen no more, in a hidden tab or on a locked screen.
   | {readonly kind: "out-of-sight"}
 

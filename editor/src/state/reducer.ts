@@ -47,6 +47,7 @@ function next(state: PageState, event: PageEvent): Transition {
     case "robot-left":
     case "estop-pressed":
     case "free-pressed":
+    case "twin-switched":
     case "out-of-sight":
       return reduceRobotEvent(state, event)
     case "opened":

@@ -1,10 +1,11 @@
 /// Robot ownership: the page's requests to take, stop and release a real robot, and the service's answers. Pure.
 
 import {noRuns} from "../runs/run_tree.ts"
+import {isLarge, type World} from "../worlds/world.ts"
 import type {ServiceMessage} from "./messages.ts"
 import type {RobotEvent} from "./page_events.ts"
 import type {PageState} from "./page_state.ts"
-import {type OwnedRobot, openFloor} from "./robots.ts"
+import {floorOf, type OwnedRobot} from "./robots.ts"
 import {clearRoom} from "./room_state.ts"
 import {isActive, nextRun} from "./run_state.ts"
 import {sending, still, type Transition} from "./transition.ts"
@@ -34,6 +35,10 @@ export function reduceRobotEvent(state: PageState, event: RobotEvent): Transitio
       return held === null ? still(state) : sending(withoutRobot(state), {op: "leave"})
     case "estop-pressed":
       return held === null ? still(state) : sending(state, {op: "estop"})
+    case "twin-switched": {
+      const switched = {...state, robots: {...robots, twin: event.on}}
+      return still(held === null || !isActive(state.run) ? onFloor(switched) : state)
+    }
     case "free-pressed":
       return held === null ? still(state) : sending(state, {op: "free"})
     case "out-of-sight": {
@@ -61,18 +66,32 @@ export function reduceRobotMessage(state: PageState, message: RobotMessage): Tra
   }
   const held: OwnedRobot = {...rest, link}
   if (robots.held?.name === held.name) return still({...state, robots: {...robots, held}})
-  const room = {...clearRoom(state.room, state.runs), world: openFloor(held.name)}
   const dialog = state.dialog === "robots" ? null : state.dialog
-  return still({
+  const room = robots.held === null ? state.room.world : robots.room
+  return still({...onFloor({...state, robots: {...robots, held, room}}), clock: "going", dialog})
+}
+
+/// A real robot before a run on its floor, or in the room in which its twin drives. No runs were there yet.
+function onFloor(state: PageState): PageState {
+  const {held} = state.robots
+  if (held === null) return state
+  const world = floorOf(state.robots, held.name)
+  return {
     ...state,
-    robots: {...robots, held},
-    room,
+    room: {...clearRoom(state.room, state.runs), world},
     runTree: noRuns,
     lines: [],
-    follows: true,
-    clock: "going",
-    dialog,
-  })
+    follows: world.open === true || isLarge(world),
+  }
+}
+
+/// The service tells of the simulator's room while the page has a real robot: a twin drives there.
+export function withSimulatedRoom(state: PageState, room: World): PageState {
+  const told = {...state, robots: {...state.robots, room}}
+  const known = state.robots.room
+  // After a reset it is the same room.
+  const isSame = known !== null && JSON.stringify(known) === JSON.stringify(room)
+  return state.robots.twin && !isSame ? onFloor(told) : told
 }
 
 /// Without the robot; the service then sends the room of the simulated one.
@@ -80,8 +99,9 @@ export function withoutRobot(state: PageState): PageState {
   return {
     ...state,
     run: isActive(state.run) ? nextRun(state.run, {kind: "stop-pressed"}) : state.run,
-    robots: {...state.robots, held: null},
+    robots: {...state.robots, held: null, room: null},
     room: {...clearRoom(state.room, null), world: null},
+    runTree: noRuns,
     lines: [],
     follows: false,
   }

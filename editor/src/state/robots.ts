@@ -38,9 +38,26 @@ export interface RobotsState {
   readonly refused: string | null
   /// The name that others see.
   readonly who: string
+  /// Whether a program that drives a real robot also drives the simulated one beside it.
+  readonly twin: boolean
+  /// The room of the simulated robot while the page has a real one.
+  readonly room: World | null
 }
 
-export const noRobots: RobotsState = {offered: null, held: null, code: null, refused: null, who: ""}
+export const noRobots: RobotsState = {
+  offered: null,
+  held: null,
+  code: null,
+  refused: null,
+  who: "",
+  twin: false,
+  room: null,
+}
+
+/// What is drawn below the robot that the page has: with a twin the room in which that drives.
+export function floorOf(robots: RobotsState, name: string): World {
+  return (robots.twin ? robots.room : null) ?? openFloor(name)
+}
 
 /// Metres of floor that are drawn around the start of a real robot, whose room is unknown.
 const floor = 40

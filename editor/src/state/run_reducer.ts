@@ -1,7 +1,7 @@
 /// Reducer for a run: Run, Stop, Reset, the clock, looking back, the learner's input in the room. Pure.
 
 import {noPreview} from "../preview/preview.ts"
-import {beginRun, nodeOf, originOf, type RunOrigin, storeShown} from "../runs/run_tree.ts"
+import {beginRun, beginTwins, nodeOf, originOf, type RunOrigin, storeShown, twinOf} from "../runs/run_tree.ts"
 import {returnToRun} from "../runs/run_tree_reducer.ts"
 import {emptyLog} from "../values/firing_log.ts"
 import {reduceWhy} from "../why/why_state.ts"
@@ -97,10 +97,18 @@ function present(state: PageState): PageState {
 /// A new run of the open program; without a connection it waits.
 function start(state: PageState, seed: number | null, from?: RunOrigin): Transition {
   const connected = state.link === "open"
-  const run = state.runs + 1
-  const {text} = state.document.program
   const isReal = state.robots.held !== null
+  // The real run is the newest one: what the robot reports after it has its number.
+  const twin = isReal && state.robots.twin && state.robots.room !== null ? state.runs + 1 : null
+  const run = (twin ?? state.runs) + 1
+  const {text} = state.document.program
   const begun = {run, from: from ?? originOf(state.runTree, state.room.run, text), text, seed}
+  const runTree =
+    twin !== null
+      ? beginTwins(state.runTree, state, begun, twin)
+      : isReal
+        ? state.runTree
+        : beginRun(state.runTree, state, begun)
   const started: PageState = {
     ...state,
     run: nextRun(state.run, {kind: "run-pressed", connected, run}),
@@ -112,7 +120,7 @@ function start(state: PageState, seed: number | null, from?: RunOrigin): Transit
       source: text,
       preview: {...noPreview, ran: isReal ? null : text},
     },
-    runTree: isReal ? state.runTree : beginRun(state.runTree, state, begun),
+    runTree,
     why: reduceWhy(state.why, {kind: "closed"}).state,
     lines: [],
     findings: {...state.findings, run: []},
@@ -169,6 +177,7 @@ function continueRun(state: PageState): Transition {
 /// The request for the run with this number.
 export function runMessage(state: PageState, run: number) {
   const {seed} = state
-  const seeded = seed === null ? {} : {seed}
-  return {op: "run", run, source: state.document.program.text, ...seeded, speed: state.speed} as const
+  const twin = twinOf(state.runTree, run)
+  const more = {...(seed === null ? {} : {seed}), ...(twin === undefined ? {} : {twin: twin.run})}
+  return {op: "run", run, source: state.document.program.text, ...more, speed: state.speed} as const
 }

@@ -5,7 +5,7 @@ import {words} from "../words/index.ts"
 import {wordedText} from "../words/worker_sentences.ts"
 import {edit, isChanged, openEditor} from "../worlds/editor_state.ts"
 import {startFault} from "../worlds/start_validation.ts"
-import type {World} from "../worlds/world.ts"
+import {isLarge, type World} from "../worlds/world.ts"
 import {readWorld} from "../worlds/world_decoder.ts"
 import {worldText, writeWorld} from "../worlds/world_encoder.ts"
 import type {Fault} from "../worlds/world_fields.ts"
@@ -81,7 +81,7 @@ function chooseWorld(state: PageState, world: string): Transition {
     worldName: world,
     saved: "changed",
     run: nextRun(state.run, {kind: "reset-pressed"}),
-    room: clearRoom(state.room, null),
+    room: clearRoom(state.room, state.robots.held === null ? null : state.runs),
     runTree: noRuns,
     dialog: null,
   }
@@ -97,15 +97,12 @@ function restoreOwnRoom(state: PageState): Transition {
   return read.kind === "world" ? takeWorld(back, read.world) : still(state)
 }
 
-/// Metres: in a longer room that is shown whole, the robot is too small to see, so the view follows it.
-const longestSeenWhole = 12
-
 /// The simulator's room. The view follows the robot in a new room that is too large to be shown whole; in the same room as before the
 /// learner's choice stays.
 export function inWorld(state: PageState, world: World): PageState {
   const known = state.room.world
   const same = known !== null && known.name === world.name && `${known.size}` === `${world.size}`
-  const follows = same ? state.follows : Math.max(...world.size) > longestSeenWhole
+  const follows = same ? state.follows : isLarge(world)
   return {...state, follows, room: {...state.room, world, idle: true}}
 }
 

@@ -108,6 +108,10 @@ export const limits = {
   realism: {slip: 0.5, drift: 1, noise: 0.5, latency: 2},
 } as const
 
+/// Metres: in a longer room that is shown whole, the robot is too small to see, so the view follows it.
+const longestSeenWhole = 12
+export const isLarge = ({size}: World): boolean => Math.max(...size) > longestSeenWhole
+
 /// The robot's radius, m.
 export const robotRadius = robot.body.radius
 /// Half of the distance between its wheels, m.

@@ -50,8 +50,8 @@ const tree = compareWith(
 describe("two runs in one picture", () => {
   it("at their ends, or both at the displayed moment", () => {
     expect(overlayOf({runTree: tree, room: second})).toMatchObject({
-      shown: 2,
-      compared: 1,
+      shown: {number: 2},
+      compared: {number: 1},
       until: null,
       pose: {x: 1.6},
     })

@@ -2,7 +2,7 @@
 A Kobuki at the end of a pseudo-terminal.
 
 In: command packets on the terminal; on standard input `bump BITS`, `cliff BITS`, `drop BITS`, `press BITS`, `noise`, `cut`, `corrupt`,
-`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `mute` (it answers no question), `timeout SECONDS`, `hush` (no more packets of its own), `replay HEX`, `nudge` (one packet at once), `static` (only noise from now on, in which no packet is whole), `mark`, `quit`; the path of a symbolic link as the argument, to which its process number is added. Out: a packet every 20 ms; on
+`silence`, `speak`, `unplug`, `plug`, `firmware MAJOR`, `mute` (it answers no question), `timeout SECONDS`, `slip TRAVEL TURNING VEER` (it drives and turns this part of what it is told, and VEER rad to the left for each metre), `hush` (no more packets of its own), `replay HEX`, `nudge` (one packet at once), `static` (only noise from now on, in which no packet is whole), `mark`, `quit`; the path of a symbolic link as the argument, to which its process number is added. Out: a packet every 20 ms; on
 standard output `plugged PATH`, `first V W` for the first speed it is told behind that, `control V W` when the speed changes, `led1 BITS`, `led2 BITS`, `sound N`, `versions asked`, `versions told` for the first time behind `plugged`, `bad BYTES`, after `mark` `stood SECONDS` when
 its wheels stand, by its own clock.
 Its wheels turn as told; counters wrap at 16 bits and begin shortly before that. Yujin documents no time after which the firmware stops
@@ -30,6 +30,7 @@ heading, stamp = 17000.0, 65000
 faults, firmware, speaking, replaying = [], 1, True, False
 outputs, versions_due, versions_told, mute, marked = None, False, False, False, None
 static = False
+slip = [1.0, 1.0, 0.0]
 fresh, patience, told_at = True, None, 0.0
 buffer = b""
 
@@ -75,9 +76,15 @@ def tell(packet):
         pass  # no reader
 
 
+def driven():
+    """How fast it drives and turns, for the speed that it was told."""
+    v = speed[0] * slip[0]
+    return v, speed[1] * slip[1] + v * slip[2]
+
+
 def move():
     global left, right, heading, stamp
-    v, w = speed
+    v, w = driven()
     left += (v - w * BASE / 2) * 0.02 * TICKS_PER_METRE
     right += (v + w * BASE / 2) * 0.02 * TICKS_PER_METRE
     heading = (heading + math.degrees(w) * 100 * 0.02 + 18000) % 36000 - 18000
@@ -99,7 +106,7 @@ def versions():
 def feedback():
     core = struct.pack("<HBBBHHbbBBBB", stamp, bits["bump"], bits["drop"], bits["cliff"], int(left) % 65536, int(right) % 65536, 0, 0, bits["press"], 0, 160, 0)
     payload = bytes([1, 15]) + core + bytes([3, 3, 0, 0, 0])
-    payload += bytes([4, 7]) + struct.pack("<hhBBB", int(heading), int(math.degrees(speed[1]) * 100), 0, 0, 0)
+    payload += bytes([4, 7]) + struct.pack("<hhBBB", int(heading), int(math.degrees(driven()[1]) * 100), 0, 0, 0)
     payload += bytes([5, 6]) + bytes(6) + bytes([6, 2, 0, 0]) + bytes([13, 14, 1, 6]) + bytes(12) + bytes([16, 16]) + bytes(16)
     return framed(payload + versions())
 
@@ -222,6 +229,8 @@ def on_line(words):
         plug()
     elif words[0] == "timeout":
         patience = float(words[1])
+    elif words[0] == "slip":
+        slip[:] = [float(word) for word in words[1:4]]
     elif words[0] == "mute":
         mute = True
     elif words[0] == "firmware":

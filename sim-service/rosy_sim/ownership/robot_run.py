@@ -67,7 +67,10 @@ class RobotRun(PageRun):
         prepared: PreparedRun | None = None,
         recorder: RunRecorder | None = None,
         robot_name: str = "",
+        on_begun: Callable[[], None] = lambda: None,
     ) -> None:
+        # Called when the program is about to drive the robot.
+        self._on_begun = on_begun
         self._recorder = recorder
         self._details = RunDetails(request.source, robot_process.address, robot_name)
         # The recording of the run from its start on.
@@ -145,6 +148,7 @@ class RobotRun(PageRun):
             self._recording = self._recorder.begin(self._details)
         if self._recording is not None:
             self._robot_process.record(self._recording.log)
+        self._on_begun()
         self._robot_process.run(link, self)
         self._has_begun = True
         if not self._is_observed:

@@ -127,7 +127,7 @@ class Run(msgspec.Struct, tag="run", tag_field="op"):
     Compile and drive.
 
     ``after``: repeat so many steps of the run ``of``, without one the last run, with its seed and hands, and go on
-    from there.
+    from there. ``twin``: on a real robot, the number of a run of the same program in the simulator beside it.
     """
 
     run: int
@@ -136,6 +136,7 @@ class Run(msgspec.Struct, tag="run", tag_field="op"):
     speed: Speed = 1.0
     after: int | None = None
     of: int | None = None
+    twin: int | None = None
 
 
 class Preview(msgspec.Struct, tag="preview", tag_field="op"):

@@ -759,6 +759,23 @@ def test_memory_and_channels_are_not_lost_with_a_frame_that_a_slow_page_never_ge
     asyncio.run(tell())
 
 
+def test_a_page_that_does_not_read_gets_the_latest_frame_of_a_robot_and_of_its_twin() -> None:
+    def frame(run: int, step: int) -> Frame:
+        return Frame(step / 50, PoseShown(0, 0, 0), {}, [f"f{step}"], [], run=run, step=step)
+
+    async def tell() -> None:
+        outbox = Outbox(10)
+        for step in range(50):
+            outbox.put(frame(1, step))
+            outbox.put(frame(2, step))
+        assert not outbox.overflowed.is_set()
+        found = [await outbox.get(), await outbox.get()]
+        every = [f"f{step}" for step in range(50)]
+        assert found == [msgspec.structs.replace(frame(run, 49), fired=every) for run in (1, 2)]
+
+    asyncio.run(tell())
+
+
 def test_answers_reach_a_page_in_order_also_when_some_are_written_at_once() -> None:
     def said(text: str) -> Said:
         return Said(0.0, text, run=1)

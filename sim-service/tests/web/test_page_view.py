@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from rosy_sim.config import Config
@@ -11,6 +13,7 @@ from rosy_sim.web.sessions.page_view import PageView, Room
 from rosy_sim.wire import page
 from rosy_sim.wire.robot_process import FrameLine
 from rosy_sim.wire.telemetry import PoseShown, Shown
+from rosy_sim.world.arena import Pose
 from rosy_sim.world.events import Command
 
 from ..conftest import hall
@@ -110,3 +113,37 @@ def test_a_hidden_page_is_told_what_its_program_says_and_gets_no_frames(config: 
         await page.until(lambda m: m["op"] == "frame" and m["run"] == 1 and m["step"] > 0)
 
     story(play, config)
+
+
+def frame_line(time: float) -> FrameLine:
+    return FrameLine(time, PoseShown(0.0, 0.0, 0.0), {}, [], [], False)
+
+
+def test_frames_of_the_run_before_are_not_those_of_the_next_one() -> None:
+    clock, sent = Clock(), Sent()
+    view = PageView(sent, Room({}, hall()), 60.0, clock.time)
+
+    def shown(time: float) -> bool:
+        before = len(sent.frames)
+        view.show_telemetry(frame_line(time))
+        clock.now += 0.02
+        return len(sent.frames) > before
+
+    assert shown(5.0)
+    view.await_robot()
+    assert [shown(5.1), shown(0.01)] == [False, False]
+    view.begin_robot()
+    clock.now += 0.02
+    # The first is still on its way from before; the clock of the robot begins anew.
+    assert [shown(5.2), shown(0.02), shown(0.04)] == [False, True, True]
+    view.end_robot()
+    assert shown(5.3)
+
+
+def test_a_real_robot_is_shown_where_its_odometry_begins() -> None:
+    clock, sent = Clock(), Sent()
+    view = PageView(sent, Room({}, hall()), 60.0, clock.time)
+    view.origin = Pose(1.0, 2.0, math.pi / 2)
+    view.show_telemetry(FrameLine(0.1, PoseShown(0.5, 0.25, 0.1), {}, [], [], False))
+    found = sent.frames[-1].pose
+    assert (found.x, found.y, found.theta) == pytest.approx((0.75, 2.5, math.pi / 2 + 0.1), abs=1e-4)

@@ -2,6 +2,7 @@
 
 import type {VNode} from "preact"
 import {useEffect, useRef, useState} from "preact/hooks"
+import {isDriving} from "../../state/robot_ownership.ts"
 import type {RobotName} from "../../state/robots.ts"
 import {words} from "../../words/index.ts"
 import {useController, usePageState} from "../app_context.ts"
@@ -43,6 +44,7 @@ export function RobotBar(): VNode | null {
           <span class="limit">{w.limits(maxSpeed)}</span>
         </p>
       )}
+      <TwinSwitch />
       <span class="space" />
       {stopped && (
         <button
@@ -82,6 +84,24 @@ export function RobotBar(): VNode | null {
         {w.estop}
       </button>
     </section>
+  )
+}
+
+/// Whether the program also drives the simulated robot beside the real one; not while it drives.
+function TwinSwitch(): VNode {
+  const {store} = useController()
+  const on = usePageState(s => s.robots.twin)
+  const driving = usePageState(isDriving)
+  return (
+    <label class="twin-switch" title={words.twin.hint}>
+      <input
+        type="checkbox"
+        checked={on}
+        disabled={driving}
+        onChange={event => store.dispatch({kind: "twin-switched", on: event.currentTarget.checked})}
+      />
+      {words.twin.show}
+    </label>
   )
 }
 

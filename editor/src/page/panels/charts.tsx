@@ -2,7 +2,7 @@
 
 import type {VNode} from "preact"
 import {useLayoutEffect, useMemo, useRef, useState} from "preact/hooks"
-import {comparedRun, nodeOf} from "../../runs/run_tree.ts"
+import {comparedRun, nodeOf, runName} from "../../runs/run_tree.ts"
 import type {ChartSpan} from "../../state/page_state.ts"
 import {type Quantity, quantitiesOf} from "../../state/quantities.ts"
 import {measures, words} from "../../words/index.ts"
@@ -30,7 +30,8 @@ function Charts(): VNode {
   const curves = useMemo(openCurves, [])
   const otherCurves = useMemo(openCurves, [])
   const tree = usePageState(s => s.runTree)
-  const own = usePageState(s => nodeOf(s.runTree, s.room.run)?.number ?? 0)
+  const shownRun = usePageState(s => s.room.run)
+  const own = nodeOf(tree, shownRun)
   const other = useMemo(() => comparedRun(tree), [tree])
   const otherRecording = other?.kept.room.recording ?? null
   const shown = unitedWindow(windowOf(recording, lookedAt, span), otherRecording, span)
@@ -56,9 +57,9 @@ function Charts(): VNode {
           {at === null ? "" : words.atTime(Math.min(Math.max(at, shown.from), shown.to))}
         </span>
       </div>
-      {other !== null && (
+      {other !== null && own !== undefined && (
         <p class="quiet" data-testid="compared-charts">
-          {words.runs.run(own)}: {words.runs.lines.shown} · {words.runs.run(other.number)}:{" "}
+          {runName(own, words)}: {words.runs.lines.shown} · {runName(other, words)}:{" "}
           {words.runs.lines.compared}
         </p>
       )}

@@ -17,6 +17,7 @@ export function RoomBar(): VNode {
   const muted = usePageState(s => s.muted)
   const there = usePageState(s => s.room.world !== null)
   const held = usePageState(s => s.robots.held?.name ?? null)
+  const twin = usePageState(s => s.robots.twin)
   const status = usePageState(runStatus)
   const kind = usePageState(s =>
     s.clock === "standing" && isActive(s.run) ? "standing" : s.run.kind === "ended" ? s.run.how : s.run.kind,
@@ -26,7 +27,7 @@ export function RoomBar(): VNode {
       <DragHandle region="room" />
       <h2>{words.room}</h2>
       <RobotChoice />
-      {held === null && (
+      {(held === null || twin) && (
         <button
           type="button"
           class="plain room-choice"

@@ -3,6 +3,7 @@
 import type {CSSProperties, VNode} from "preact"
 import {useLayoutEffect, useRef} from "preact/hooks"
 import {PreviewNote} from "../../preview/preview_note.tsx"
+import {TwinNote} from "../../runs/twin_note.tsx"
 import {RobotWhy, WhyPanel} from "../../why/why_panel.tsx"
 import {words} from "../../words/index.ts"
 import {useController, usePageState} from "../app_context.ts"
@@ -45,6 +46,7 @@ export function RoomRegion({shown, style}: {shown: boolean; style: CSSProperties
           <Invitation />
           <Goals />
           <PreviewNote />
+          <TwinNote />
           <RobotWhy />
           <RoomViewControls />
         </div>

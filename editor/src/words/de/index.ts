@@ -14,6 +14,7 @@ import {preview} from "./preview.ts"
 import {roomTests} from "./room_tests.ts"
 import {world} from "./rooms.ts"
 import {runs} from "./runs.ts"
+import {twin} from "./twin.ts"
 import {why} from "./why.ts"
 
 export const german: Table = {
@@ -31,6 +32,7 @@ export const german: Table = {
     keys,
     lessons,
     lessonEditor,
+    twin,
     why,
     blockly,
   },

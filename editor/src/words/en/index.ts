@@ -11,6 +11,7 @@ import {preview} from "./preview.ts"
 import {roomTests} from "./room_tests.ts"
 import {world} from "./rooms.ts"
 import {runs} from "./runs.ts"
+import {twin} from "./twin.ts"
 import {why} from "./why.ts"
 
 export const en = {
@@ -25,6 +26,7 @@ export const en = {
   keys,
   lessons,
   lessonEditor,
+  twin,
   why,
   /// Blockly's own words, where they are not its English ones.
   blockly: {} as Readonly<Record<string, string>>,

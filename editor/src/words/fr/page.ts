@@ -17,6 +17,7 @@ export const page: Omit<
   | "keys"
   | "lessons"
   | "lessonEditor"
+  | "twin"
   | "why"
   | "blockly"
 > = {

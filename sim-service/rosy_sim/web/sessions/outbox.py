@@ -12,6 +12,7 @@ from __future__ import annotations
 import asyncio
 from collections import deque
 from collections.abc import Callable
+from itertools import islice
 
 from ...wire.page import Answer, Frame, encode_bytes
 
@@ -19,6 +20,9 @@ __all__ = ["Outbox"]
 
 _MAX_FIRED = 200
 """Firings remembered for one frame; a page shows the latest."""
+
+_MOST_RUNS = 2
+"""Runs that one page is shown at the same time: that of a real robot, and its twin."""
 
 
 class Outbox:
@@ -44,9 +48,9 @@ class Outbox:
         waiting = self._waiting
         if self._write is not None and self._is_drained and not waiting and self._write(encode_bytes(answer)):
             return
-        if isinstance(answer, Frame) and waiting:
-            last = waiting[-1]
-            if isinstance(last, Frame) and last.run == answer.run:
+        if isinstance(answer, Frame):
+            last = self._take_unsent_frame(answer.run)
+            if last is not None:
                 answer.fired = (last.fired + answer.fired)[-_MAX_FIRED:]
                 answer.sensed = (last.sensed + answer.sensed)[-_MAX_FIRED:]
                 answer.channels = {**last.channels, **answer.channels}
@@ -54,12 +58,24 @@ class Outbox:
                     answer.firings = (last.firings + (answer.firings or []))[-_MAX_FIRED:]
                 answer.boxes = answer.boxes or last.boxes
                 answer.memory = last.memory if answer.memory is None else answer.memory
-                waiting.pop()
         if len(waiting) >= self._limit:
             self.overflowed.set()
         else:
             waiting.append(answer)
         self._not_empty.set()
+
+    def _take_unsent_frame(self, run: int) -> Frame | None:
+        """
+        Take out the frame of a run that waits with only frames behind it: those of a real robot and of its twin
+        alternate.
+        """
+        for place, answer in enumerate(islice(reversed(self._waiting), _MOST_RUNS)):
+            if not isinstance(answer, Frame):
+                return None
+            if answer.run == run:
+                del self._waiting[-1 - place]
+                return answer
+        return None
 
     async def get(self) -> Answer:
         """The next answer."""

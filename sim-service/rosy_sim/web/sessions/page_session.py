@@ -19,6 +19,7 @@ from ...ownership.robot_ownership import RobotOwnership
 from ...ownership.robot_registry import RobotRegistry
 from ...ownership.robot_run import RobotRun
 from ...previews.preview_pool import PreviewPool
+from ...robots import DEFAULT_ROBOT
 from ...run.page_run import PageRun
 from ...run.simulated_run import SimulatedRun, Simulation
 from ...run.steps.lockstep import Lockstep
@@ -30,6 +31,7 @@ from ...wire import page
 from ...wire.topics import BadMessage, TopicMessage
 from ...wire.user_input import published, user_actions
 from ...worker.prepared_runs import PreparedRuns
+from ...world.arena import Pose
 from ...world.events import Command, Reading, velocity
 from ...world.time_step import STEPS_PER_SECOND
 from ...world.world import ActionRefused, World
@@ -41,6 +43,7 @@ from .outbox import Outbox
 from .page_hands import PageHands
 from .page_preparation import PagePreparation
 from .page_previews import PagePreviews
+from .page_twin import PageTwin
 from .page_view import PageView, Room
 from .program_checks import ProgramChecks
 from .room_building import BuiltRoom, build_room, rebuild_room
@@ -89,6 +92,8 @@ class PageSession:
         self._safety = SafetySwitch(self.outbox.put, lambda: self._view.run)
         # The real robot that this page owns, if any.
         self.ownership = RobotOwnership(ident, robots, self._limits, self.outbox.put, self._view, self._safety)
+        # The same program in the simulator, beside that robot.
+        self._twin = PageTwin(services, self.outbox, self._loop.time)
         # ROS clients of the simulated robot.
         self.bridge = RosBridge()
         # Whether the firings of the page's runs are recorded.
@@ -218,6 +223,7 @@ class PageSession:
         robot = self.ownership.process
         if robot is not None:
             robot.switch_safety(on)
+            self._twin.switch_safety(replace(self._safety.settings, on=on))
             return
         self._safety.set(replace(self._safety.settings, on=on))
         self._hands.record_safety(self._safety.settings)
@@ -286,6 +292,8 @@ class PageSession:
         self._view.run = request.run
         robot = self.ownership.process
         if robot is not None:
+            self._prepare_twin(request, built)
+            self._view.await_robot()
             self._explanations.start(request.run, request.source, self.ownership.limits)
             self._run = RobotRun(
                 request,
@@ -299,6 +307,7 @@ class PageSession:
                 self._preparation.take(request.source),
                 self.ownership.recorder,
                 self.ownership.name,
+                self._on_robot_begun,
             )
             return
         self._explanations.start(request.run, request.source)
@@ -339,6 +348,23 @@ class PageSession:
             self._preparation.take(request.source),
         )
 
+    def _prepare_twin(self, request: page.Run, built: BuiltRoom) -> None:
+        """The real robot drives in the room of the page if a twin drives there beside it, and else from its origin."""
+        if request.twin is None:
+            self._view.origin = Pose(0.0, 0.0, 0.0)
+            return
+        self._view.origin = built.arena.start
+        seed = request.seed if request.seed is not None else _random.randrange(2**31)
+        usual, most = DEFAULT_ROBOT.limits, self.ownership.limits
+        # They are 0 until the robot process has told them.
+        limits = replace(usual, speed=most.speed or usual.speed, angular_speed=most.turn or usual.angular_speed)
+        room = built.with_robot(seed, replace(DEFAULT_ROBOT, limits=limits))
+        self._twin.prepare(request, request.twin, room, seed)
+
+    def _on_robot_begun(self) -> None:
+        self._view.begin_robot()
+        self._twin.begin(self._safety.settings)
+
     def _on_checked(self, source: str, checked: page.Checked) -> None:
         self._preparation.on_checked(source, checked.problems)
         self._lesson.on_checked(source, checked, self.world.arena)
@@ -374,11 +400,15 @@ class PageSession:
         self._previews.cancel()
         if self._run is not None:
             self._run.end_now()
+        self._twin.end_now()
         self.world.command(velocity(0.0, 0.0))
         self._wake_idle()
 
     def _on_run_over(self, run: PageRun) -> None:
         self._run = None
+        if isinstance(run, RobotRun):
+            self._view.end_robot()
+            self._twin.finish(self._view.step)
         self._unexplained = [r for r in [*self._unexplained, run] if not r.is_explained]
         self._hands.after_step()
         self._wake_idle()
@@ -448,6 +478,7 @@ class PageSession:
         self._end_now()
         await self._checks.close()
         await self._previews.close()
+        self._twin.close()
         for run in self._unexplained:
             run.cancel_explanation()
         await self.ownership.close()

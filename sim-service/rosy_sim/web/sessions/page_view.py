@@ -7,6 +7,7 @@ Implements ``RunView`` and ``RobotView``.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -20,6 +21,7 @@ from ...wire.problem import Problem
 from ...wire.robot_link import MemoryValue
 from ...wire.robot_process import FrameLine
 from ...wire.telemetry import PoseShown, Shown
+from ...world.arena import Pose
 from ...world.goals import GoalState
 from ...world.time_step import STEPS_PER_SECOND
 from ...world.world import World
@@ -88,6 +90,11 @@ class PageView:
         # The run number on all messages, and the run's latest step.
         self.run = 0
         self.step = 0
+        # Where the odometry of a real robot begins, in the room that the page draws: m, m, rad.
+        self.origin = Pose(0.0, 0.0, 0.0)
+        # Since when frames of a real robot may be those of this run, on the clock: those of the run before are later in
+        # their run than that.
+        self._robot_began = -math.inf
         # What the page was last told: poses of the movable things, and goals.
         self._boxes: list[tuple[float, float, float]] = []
         self._goals: list[page.Goal] = []
@@ -142,6 +149,8 @@ class PageView:
     def hide_simulator(self) -> None:
         """Show no frames of the simulated robot."""
         self._shows_simulator = False
+        self.origin = Pose(0.0, 0.0, 0.0)
+        self._robot_began = -math.inf
 
     def _forget_channels(self) -> None:
         """The next frame tells all."""
@@ -276,6 +285,8 @@ class PageView:
 
     def show_telemetry(self, line: FrameLine) -> None:
         """Show a real robot as it reports itself, unless the last frame was too recent."""
+        if line.time > self._now() - self._robot_began:
+            return
         self.add_fired(line.fired)
         self.add_sensed(line.sensed)
         if not self._may_show_frame():
@@ -284,7 +295,20 @@ class PageView:
         self._begin_run()
         # The next frame of the simulated robot is compared with this one.
         self._values = {}
-        self._put_frame(line.time, line.pose, line.channels, **self._observations())
+        self._put_frame(line.time, _placed(line.pose, self.origin), line.channels, **self._observations())
+
+    def await_robot(self) -> None:
+        """A run on a real robot is about to begin: what the robot reports until then is not part of it."""
+        self._robot_began = math.inf
+        self.step = 0
+
+    def begin_robot(self) -> None:
+        """The program is told to drive the robot, whose clock and way begin anew then."""
+        self._robot_began = self._now()
+
+    def end_robot(self) -> None:
+        """The run is over, or never began: all that the robot reports is shown."""
+        self._robot_began = -math.inf
 
     def _begin_run(self) -> None:
         """The first frame of a run tells all."""
@@ -327,6 +351,15 @@ class PageView:
             return None
         self._boxes = poses
         return [(round(x, _DIGITS), round(y, _DIGITS), round(theta, _DIGITS)) for x, y, theta in poses]
+
+
+def _placed(pose: PoseShown, origin: Pose) -> PoseShown:
+    """A pose of the odometry in the room where the odometry begins at ``origin``."""
+    if origin == Pose(0.0, 0.0, 0.0):
+        return pose
+    c, s = math.cos(origin.theta), math.sin(origin.theta)
+    x, y = origin.x + c * pose.x - s * pose.y, origin.y + s * pose.x + c * pose.y
+    return PoseShown(round(x, _DIGITS), round(y, _DIGITS), round(origin.theta + pose.theta, _DIGITS))
 
 
 def _rounded(pose: tuple[float, float, float] | None) -> tuple[float, float, float] | None:

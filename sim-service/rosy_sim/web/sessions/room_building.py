@@ -10,6 +10,7 @@ from ...robots import DEFAULT_ROBOT
 from ...sentence import tr
 from ...world.arena import Arena, read_arena
 from ...world.obstacles import Obstacles
+from ...world.robot import Robot
 from ...world.world import World
 from ...worlds.gallery import named_world, refusing_worlds
 from ..pacing.loop_scheduler import PageTurns
@@ -27,15 +28,19 @@ class BuiltRoom:
     arena: Arena
     obstacles: Obstacles
 
-    def with_robot(self, seed: int = 0) -> Room:
+    def with_robot(self, seed: int = 0, robot: Robot = DEFAULT_ROBOT) -> Room:
         """
         The room as it is before a run; once, for a run moves the obstacles.
+
+        Args:
+            seed: of the world.
+            robot: the usual one, perhaps with other limits.
 
         Raises:
             BadInput: the robot cannot stand at the start.
         """
         with refusing_worlds(tr("This")):
-            return Room(self.json, World(self.arena, DEFAULT_ROBOT, seed, self.obstacles))
+            return Room(self.json, World(self.arena, robot, seed, self.obstacles))
 
 
 async def build_room(wanted: object, turns: PageTurns) -> BuiltRoom:
