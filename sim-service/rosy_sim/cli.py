@@ -141,7 +141,8 @@ def _command(arguments: Sequence[str] | None) -> int:
     if options.command == "room":
         return make_room(options, _print_sentence)
     if options.command == "replay":
-        _warn_without_sandbox(config)
+        if not options.fit:
+            _warn_without_sandbox(config)
         return replay_recording(config, options, _print_sentence, _print_problem)
     check_options(options)
     if options.rooms is not None:

@@ -13,6 +13,7 @@ which the robot is touched:
     flood@N     sends commands without end         long@N      sends a line without end
     deaf        ignores `stop`                     mute        never sends `ready`
     drip        sends byte by byte             count       remembers the step, and tells it when asked
+    tour        ahead, turning, back, an arc, each for a second, again and again
     fight       `hold` overrides `move`        tell        tells a firing a step when asked
 """
 
@@ -26,6 +27,9 @@ import time
 from typing import Any
 
 TWIST = "/mobile_base/commands/velocity"
+
+TOUR = [(0.3, 0.0), (0.0, 1.0), (-0.2, 0.0), (0.0, -1.5), (0.3, 0.5)]
+"""m/s and rad/s."""
 
 TOUCH = -1
 """The step in which the robot is touched, whenever that is."""
@@ -115,6 +119,8 @@ class _Player:
         if step % 5 == 0 and (script.has("drive") or script.has("turn")):
             linear = float(script.value("drive", "0"))
             commands.append(self.velocity(-linear if self.backwards else linear, float(script.value("turn", "0"))))
+        if step % 5 == 0 and script.has("tour"):
+            commands.append(self.velocity(*TOUR[step // 50 % len(TOUR)]))
         if script.now("say", step):
             commands.append(publish("/rosy/say", {"data": script.value("say")}))
         if script.now("sound", step):

@@ -58,7 +58,13 @@ export interface Realism {
   readonly drift: number
   readonly noise: number
   readonly latency: number
+  readonly travel: number
+  readonly turning: number
+  readonly veer: number
 }
+
+/// The values of what a file does not say.
+export const ideal: Realism = {slip: 0, drift: 0, noise: 0, latency: 0, travel: 1, turning: 1, veer: 0}
 
 export interface World {
   readonly name: string
@@ -105,7 +111,15 @@ export const limits = {
   points: 200,
   laps: 1000,
   within: [0.01, 1e6],
-  realism: {slip: 0.5, drift: 1, noise: 0.5, latency: 2},
+  realism: {
+    slip: [0, 0.5],
+    drift: [0, 1],
+    noise: [0, 0.5],
+    latency: [0, 2],
+    travel: [0.2, 2],
+    turning: [0.2, 2],
+    veer: [-5, 5],
+  },
 } as const
 
 /// Metres: in a longer room that is shown whole, the robot is too small to see, so the view follows it.

@@ -6,6 +6,7 @@ import {
   defaultLaps,
   defaultMass,
   defaultTile,
+  ideal,
   limits,
   type Pose,
   type Realism,
@@ -240,14 +241,14 @@ function goal(fields: Fields, path: string): WorldGoal {
 }
 
 function readRealism(value: unknown): Realism {
-  const read: Record<string, number> = {slip: 0, drift: 0, noise: 0, latency: 0}
+  const read: Record<string, number> = {...ideal}
   for (const [key, given] of Object.entries(record(value, "realism"))) {
-    const most = (limits.realism as Readonly<Record<string, number>>)[key]
-    if (most === undefined)
+    const range = (limits.realism as Readonly<Record<string, readonly [number, number]>>)[key]
+    if (range === undefined)
       throw new Wrong(`realism.${key}`, `expected one of ${Object.keys(limits.realism).join(", ")}.`)
     const amount = number(given, `realism.${key}`)
-    if (!(amount >= 0 && amount <= most))
-      throw new Wrong(`realism.${key}`, `it must be between 0 and ${most}.`)
+    if (!within(amount, range))
+      throw new Wrong(`realism.${key}`, `it must be between ${range[0]} and ${range[1]}.`)
     read[key] = amount
   }
   return read as unknown as Realism

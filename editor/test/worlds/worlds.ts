@@ -88,7 +88,15 @@ export const anyWorld: fc.Arbitrary<World> = fc.record({
   rounds: fc.array(fc.record({x: place, y: place, r: length, ...weight}), {maxLength: 4}),
   goals: fc.array(goal, {maxLength: 4}),
   realism: fc.option(
-    fc.record({slip: between(0, 0.5), drift: between(0, 1), noise: between(0, 0.5), latency: between(0, 2)}),
+    fc.record({
+      slip: between(0, 0.5),
+      drift: between(0, 1),
+      noise: between(0, 0.5),
+      latency: between(0, 2),
+      travel: between(0.2, 2),
+      turning: between(0.2, 2),
+      veer: between(-5, 5),
+    }),
   ),
   dock: fc.option(fc.record({x: between(0, 0.5), y: between(0, 0.5), theta: between(-7, 7)})),
   battery: between(0, 1),

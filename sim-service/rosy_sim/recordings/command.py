@@ -1,19 +1,26 @@
 """
-Command ``replay``: a recorded run goes into a program again.
+Command ``replay``: a recorded run goes into a program again, or the simulated robot is fitted to the recorded one.
 """
 
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 from collections.abc import Callable
 from pathlib import Path
 
+import msgspec
+
+from ..atomic_file import AtomicFile
 from ..config import Config
+from ..errors import BadInput
 from ..run.program_file import read_program
 from ..sentence import Sentence, tr
 from ..wire.problem import Problem
 from ..worker.blocking_worker import BlockingWorker
+from ..worlds.gallery import DEFAULT_WORLD, load_world, usable_arena
+from .fit import Fit, fit, recorded_drive
 from .mcap_file import Recording, open_recording
 from .replay import Difference, replay, shown
 
@@ -27,6 +34,9 @@ def add_replay_options(parser: argparse.ArgumentParser) -> None:
     """What ``replay`` takes."""
     parser.add_argument("file", type=Path)
     parser.add_argument("program", type=Path, nargs="?")
+    parser.add_argument("--fit", action="store_true")
+    parser.add_argument("--world")
+    parser.add_argument("-o", dest="output", type=Path, metavar="ROOM")
 
 
 def replay_recording(
@@ -35,7 +45,18 @@ def replay_recording(
     say: Callable[[Sentence], None],
     tell_problem: Callable[[Path, Problem], None],
 ) -> int:
-    """Replay a recording into its own program, or into another one; returns the exit status."""
+    """
+    Replay a recording into its own program, or into another one, or fit the simulator to it; returns the exit status.
+
+    Raises:
+        BadInput: the recording or the room cannot be used, or the robot drove too little.
+    """
+    if options.fit:
+        if options.program is not None:
+            raise BadInput(tr("--fit looks at the recorded run alone and takes no program."))
+        return _fit_recording(options, say)
+    if options.world is not None or options.output is not None:
+        raise BadInput(tr("--world and -o are for --fit."))
     with open_recording(options.file) as recording, BlockingWorker(config) as worker:
         worker.ready()
         source = recording.details.program if options.program is None else read_program(options.program).source
@@ -57,6 +78,60 @@ def replay_recording(
             )
         )
     return 0
+
+
+def _fit_recording(options: argparse.Namespace, say: Callable[[Sentence], None]) -> int:
+    """Fit the simulated robot to the recorded one, and write a room with it."""
+    name = options.world if options.world is not None else DEFAULT_WORLD
+    world = load_world(name)
+    with open_recording(options.file) as recording:
+        found = fit(recorded_drive(recording.lines()))
+        _tell_gaps(recording, say)
+    if not found.realism():
+        raise BadInput(
+            tr(
+                "The robot drives {way} m and turns {turn}° in this run; to tell how it drives, it takes 0.3 m or 60°.",
+                way=round(found.way, 2),
+                turn=round(math.degrees(found.turn)),
+            )
+        )
+    for sentence in _fit_sentences(found):
+        say(sentence)
+    output: Path = options.output or options.file.with_suffix(".json")
+    fitted = {**world, "name": output.stem, "realism": {**world.get("realism", {}), **found.realism()}}
+    usable_arena(fitted, str(output))
+    with AtomicFile(output) as file:
+        file.write(msgspec.json.format(msgspec.json.encode(fitted), indent=2) + b"\n")
+    say(tr("{output}: the room {room} with such a robot; --world and the page open it.", output=output, room=name))
+    return 0
+
+
+def _fit_sentences(found: Fit) -> list[Sentence]:
+    said: list[Sentence] = []
+    if found.travel is not None:
+        said.append(
+            tr("travel {travel}: it drove {percent} % of the way that it was told.",
+               travel=round(found.travel, 3), percent=round(100 * found.travel))
+        )  # fmt: skip
+    else:
+        said.append(tr("travel: it drove too little to tell."))
+    if found.turning is not None:
+        said.append(
+            tr("turning {turning}: it turned {percent} % of the angle that it was told.",
+               turning=round(found.turning, 3), percent=round(100 * found.turning))
+        )  # fmt: skip
+    else:
+        said.append(tr("turning: it turned too little to tell."))
+    if found.veer is not None:
+        said.append(
+            tr("veer {veer}: for each metre it turned {degrees}° to the left (to the right, if negative).",
+               veer=round(found.veer, 3), degrees=round(math.degrees(found.veer), 1))
+        )  # fmt: skip
+    else:
+        said.append(tr("veer: it needs some way straight ahead to tell."))
+    if found.latency is not None:
+        said.append(tr("latency {latency}: so many s from a command to the wheels.", latency=round(found.latency, 2)))
+    return said
 
 
 def _tell_gaps(recording: Recording, say: Callable[[Sentence], None]) -> None:

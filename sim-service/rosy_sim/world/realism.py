@@ -1,9 +1,10 @@
 """
-Imperfections of a real robot: wheel slip, gyro drift, noise of measured speeds, and command latency.
+Imperfections of a real robot: wheels that do not turn as told, wheel slip, gyro drift, noise of measured speeds, and
+command latency.
 
 All are off unless the world has them. Slip moves the robot less far, and less straight, than its wheels turn; the
-odometry counts the turning of the wheels. Drift and noise change only the odometry. All random numbers come from the
-run's seed.
+odometry counts the turning of the wheels. Wheels that do not turn as told move robot and odometry alike. Drift and
+noise change only the odometry. All random numbers come from the run's seed.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from ..sentence import tr
 from .events import Command
 from .field_readers import ArenaError, number, object_fields
 
-__all__ = ["CommandLatency", "GyroOdometry", "Realism", "WheelSlip", "read_realism"]
+__all__ = ["LIMITS", "CommandLatency", "GyroOdometry", "Realism", "WheelSlip", "read_realism"]
 
 _PATCH = 0.5
 """Time from one value of slip to the next, s. Our choice."""
@@ -35,6 +36,32 @@ class Realism:
     noise: float = 0.0
     # From a command to the wheels, s.
     latency: float = 0.0
+    # What the wheels do of the way and of the turn that they are told.
+    travel: float = 1.0
+    turning: float = 1.0
+    # How far they turn the robot to the left for each metre, rad/m.
+    veer: float = 0.0
+
+    def turned(self, v: float, w: float) -> tuple[float, float]:
+        """The speeds for which the wheels turn when they are told these, m/s and rad/s."""
+        v *= self.travel
+        return v, w * self.turning + v * self.veer
+
+    def told(self, v: float, w: float) -> tuple[float, float]:
+        """What the wheels are told when they turn for these speeds: the inverse."""
+        return v / self.travel, (w - v * self.veer) / self.turning
+
+
+LIMITS: dict[str, tuple[float, float]] = {
+    "slip": (0, 0.5),
+    "drift": (0, 1.0),
+    "noise": (0, 0.5),
+    "latency": (0, 2.0),
+    "travel": (0.2, 2.0),
+    "turning": (0.2, 2.0),
+    "veer": (-5.0, 5.0),
+}
+"""Least and most of each."""
 
 
 def read_realism(value: object) -> Realism:
@@ -45,14 +72,14 @@ def read_realism(value: object) -> Realism:
         ArenaError: the first thing that is wrong, with its path.
     """
     fields = object_fields(value, "realism")
-    limits = {"slip": 0.5, "drift": 1.0, "noise": 0.5, "latency": 2.0}
     read: dict[str, float] = {}
     for key, given in fields.items():
-        if key not in limits:
-            raise ArenaError(f"realism.{key}", tr("expected one of {limits}.", limits=list(limits)))
+        if key not in LIMITS:
+            raise ArenaError(f"realism.{key}", tr("expected one of {limits}.", limits=list(LIMITS)))
         read[key] = number(given, f"realism.{key}")
-        if not 0 <= read[key] <= limits[key]:
-            raise ArenaError(f"realism.{key}", tr("it must be between 0 and {most}.", most=limits[key]))
+        least, most = LIMITS[key]
+        if not least <= read[key] <= most:
+            raise ArenaError(f"realism.{key}", tr("it must be between {least} and {most}.", least=least, most=most))
     return Realism(**read)
 
 

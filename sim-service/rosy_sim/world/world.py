@@ -16,7 +16,7 @@ from .events import Command, Lift, Move, Press, Reading, Teleport, UserAction
 from .motor_controller import MotorController
 from .obstacles import Obstacles
 from .range_scanner import AHEAD, SCAN, RangeScanner
-from .realism import CommandLatency, GyroOdometry, WheelSlip
+from .realism import CommandLatency, GyroOdometry, Realism, WheelSlip
 from .robot import Robot, SensorBits
 from .time_step import STEP
 
@@ -71,9 +71,12 @@ class World:
         self._slip: WheelSlip | None = None
         if realism is not None and realism.slip:
             self._slip = WheelSlip(realism.slip, seed, robot.body.wheelbase, robot.limits.angular_speed)
-        # The speeds for which slipping wheels turn, m/s and rad/s; what they rolled in the last step, m.
+        # The speeds that the wheels of a robot which is less than ideal are told, and for which they turn, m/s and
+        # rad/s; what they rolled in the last step, m.
+        self._told_wheels = (0.0, 0.0)
         self._wheels = (0.0, 0.0)
         self._rolled = 0.0
+        self._realism = Realism() if realism is None else realism
         self._latency = CommandLatency(realism.latency) if realism is not None and realism.latency else None
         if obstacles is None:
             obstacles = Obstacles(robot.body)
@@ -286,7 +289,7 @@ class World:
         self.theta = theta
         self._origin = Pose(self.x - (c * px - s * py), self.y - (s * px + c * py), otheta)
         self.v = self.w = 0.0
-        self._wheels = (0.0, 0.0)
+        self._told_wheels = self._wheels = (0.0, 0.0)
         self._update_clearance()
         self._update_floor_contact()
 
@@ -313,15 +316,17 @@ class World:
         """A step in which the wheels may move differently from the robot."""
         x, y, theta = self.x, self.y, self.theta
         before = self._wheels
-        wheels = self._motors.next(dt, *before)
+        told = self._motors.next(dt, *self._told_wheels)
+        wheels = self._realism.turned(*told)
         v, w = self._slip.on_floor(*wheels, dt) if self._slip is not None else wheels
         self._integrate_at(v, w, dt)
         if abs(self.v - v) < _SPEED_TOLERANCE and abs(self.w - w) < _SPEED_TOLERANCE:
-            self._wheels = wheels
+            self._told_wheels, self._wheels = told, wheels
             self._rolled = (before[0] + wheels[0]) / 2 * dt
             return
         # The robot is blocked, and its wheels with it.
         self._wheels = (self.v, self.w)
+        self._told_wheels = self._realism.told(self.v, self.w)
         heading = (theta + self.theta) / 2
         self._rolled = (self.x - x) * math.cos(heading) + (self.y - y) * math.sin(heading)
 

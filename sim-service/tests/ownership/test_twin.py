@@ -95,6 +95,7 @@ def test_the_twin_ends_with_the_run_whatever_ends_it(config: Config, tmp_path: P
             real, twin = 10 * number + 1, 10 * number + 2
             await rig.page.send("run", run=real, twin=twin, source="drive:0.2", seed=1, speed=1)
             await rig.page.op("state", run=twin, state="running")
+            await rig.robot.moves(0.2)
             await rig.page.send(op)
             await both_end(rig, real, twin)
             await rig.page.send("free")

@@ -30,12 +30,12 @@ def base(folder: Path) -> Iterator[tuple[str, subprocess.Popen[str]]]:
             process.kill()
 
 
-def recorded(config: Config, source: str, folder: Path, seconds: float = 60.0) -> Finished:
-    """A program drives a base, and its run is recorded."""
+def recorded(config: Config, source: str, folder: Path, seconds: float = 60.0, told: str = "bump 4") -> Finished:
+    """A program drives a base that was told this, and its run is recorded."""
     with base(folder) as (address, process), BlockingWorker(config) as worker:
         worker.ready()
         assert process.stdin is not None
-        process.stdin.write("bump 4\n")
+        process.stdin.write(f"{told}\n")
         process.stdin.flush()
         details = RunDetails(source, address, "move.hs")
         pending = RecordingFolder(config.recordings).begin(details)

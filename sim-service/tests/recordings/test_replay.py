@@ -81,7 +81,7 @@ def test_a_program_of_the_worker_sends_the_same_commands(tmp_path: Path, capsys:
     changed = tmp_path / "changed.hs"
     changed.write_text(PROGRAM.replace("-0.1", "-0.2"))
     say = partial(print, flush=True)
-    options = argparse.Namespace(file=path, program=changed)
+    options = argparse.Namespace(file=path, program=changed, fit=False, world=None, output=None)
     assert replay_recording(config, options, say, lambda _, __: None) == DIFFERENT
     said = capsys.readouterr().out.splitlines()[-1]
     assert '"x":-0.2' in said

@@ -4,7 +4,7 @@ import type {VNode} from "preact"
 import {useEffect, useRef} from "preact/hooks"
 import {words} from "../../words/index.ts"
 import type {WorldEdit} from "../../worlds/editor_value.ts"
-import type {World, WorldGoal} from "../../worlds/world.ts"
+import {ideal, type World, type WorldGoal} from "../../worlds/world.ts"
 import {isMovable, limitReached, type Part, partsOf, samePart} from "../../worlds/world_parts.ts"
 import {useController, usePageState} from "../app_context.ts"
 import {describePart, nameOfPart} from "../descriptions.ts"
@@ -167,4 +167,4 @@ function RoomFields({
 }
 
 /// The realism of a learner's own room: that of the gallery's slippery one.
-const likeReal = {slip: 0.05, drift: 0.03, noise: 0.01, latency: 0.06} as const
+const likeReal = {...ideal, slip: 0.05, drift: 0.03, noise: 0.01, latency: 0.06}

@@ -1,0 +1,302 @@
+"""
+Fit of the simulated base to a real one: from what a recorded run told the wheels, and what the odometry says of it.
+
+The commands go through the simulator's motor model. The way and the turn that it predicts are compared with those of
+the odometry, in windows of half a second; the parameters of ``world.realism`` that explain them best are the least
+squares. A base may accelerate faster than that of the simulator: this is allowed for, and not part of the result. What
+the odometry does not notice, as a wheel that spins on a smooth floor, cannot be found in it. Pure.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from bisect import bisect_right
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import msgspec
+
+from ..robots import DEFAULT_ROBOT
+from ..world.motor_controller import MotorController
+from ..world.realism import LIMITS
+from ..world.robot import MotorLimits
+from .link_log import LinkLine, publication
+
+__all__ = ["Fit", "Moved", "RecordedDrive", "Told", "fit", "recorded_drive"]
+
+_WINDOW = 0.5
+"""Time whose motion is compared at once, s. Shorter ones are more disturbed by the times of messages."""
+
+_FINE = 0.005
+"""Step of the prediction, s: messages come at any time."""
+
+_LATENCIES = [n / 100 for n in range(51)]
+"""Delays of commands that are tried, s."""
+
+_LONGEST = 600.0
+"""Of a run that is looked at, s: ten minutes tell as much as an hour, and take seconds."""
+
+_LEAST_WAY, _LEAST_TURN = 0.3, 1.0
+"""A way (m) and a turn (rad) in which a few per cent are more than an error of measurement."""
+
+_TWIST = "/mobile_base/commands/velocity"
+_ODOMETRY = "/odom"
+_TOUCHES = {"/mobile_base/events/bumper": "bumper", "/mobile_base/events/wheel_drop": "wheel"}
+"""Topics that say that something holds the robot, and the field with the place."""
+
+
+class Told(NamedTuple):
+    """A velocity for the wheels: when, s; m/s and rad/s."""
+
+    time: float
+    v: float
+    w: float
+
+
+class Moved(NamedTuple):
+    """The odometry: when, s; m, m, rad."""
+
+    time: float
+    x: float
+    y: float
+    theta: float
+
+
+@dataclass(frozen=True, slots=True)
+class RecordedDrive:
+    """A recorded run as far as a fit needs it, in the order of time."""
+
+    told: list[Told]
+    moved: list[Moved]
+    # From when to when something held the robot, s.
+    held: list[tuple[float, float]]
+
+
+@dataclass(frozen=True, slots=True)
+class Fit:
+    """Parameters of ``realism``; None where the robot drove or turned too little to tell."""
+
+    travel: float | None
+    turning: float | None
+    veer: float | None
+    latency: float | None
+    # What the motor model predicts for all that was compared: m and rad, forwards and backwards.
+    way: float
+    turn: float
+
+    def realism(self) -> dict[str, float]:
+        """What was found, as in a world."""
+        found = {"travel": self.travel, "turning": self.turning, "veer": self.veer, "latency": self.latency}
+        return {key: round(value, 4) for key, value in found.items() if value is not None}
+
+
+class _Xyz(msgspec.Struct):
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    w: float = 1.0
+
+
+class _Twist(msgspec.Struct):
+    linear: _Xyz
+    angular: _Xyz
+
+
+class _Pose(msgspec.Struct):
+    position: _Xyz
+    orientation: _Xyz
+
+
+class _PoseWithCovariance(msgspec.Struct):
+    pose: _Pose
+
+
+class _Odometry(msgspec.Struct):
+    pose: _PoseWithCovariance
+
+
+_twist = msgspec.json.Decoder(_Twist)
+_odometry = msgspec.json.Decoder(_Odometry)
+_event = msgspec.json.Decoder(dict[str, msgspec.Raw])
+
+
+def recorded_drive(lines: Iterable[LinkLine]) -> RecordedDrive:
+    """What the lines of a recording tell of wheels and odometry; what cannot be read is left out."""
+    drive = RecordedDrive([], [], [])
+    touched: dict[tuple[str, bytes], float] = {}
+    now = 0.0
+    for line in lines:
+        now = line.time / 1e9
+        published = publication(line.text)
+        if published is None:
+            continue
+        topic, data = published
+        try:
+            if line.source == "to_robot" and topic == _TWIST:
+                twist = _twist.decode(data)
+                drive.told.append(Told(now, twist.linear.x, twist.angular.z))
+            elif line.source == "to_program" and topic == _ODOMETRY:
+                pose = _odometry.decode(data).pose.pose
+                heading = 2 * math.atan2(pose.orientation.z, pose.orientation.w)
+                drive.moved.append(Moved(now, pose.position.x, pose.position.y, heading))
+            elif line.source == "to_program" and topic in _TOUCHES:
+                event = _event.decode(data)
+                key = (topic, bytes(event[_TOUCHES[topic]]))
+                if event["state"] == msgspec.Raw(b"1"):
+                    touched.setdefault(key, now)
+                elif key in touched:
+                    drive.held.append((touched.pop(key), now))
+        except (msgspec.DecodeError, KeyError):
+            continue
+    drive.held.extend((since, now) for since in touched.values())
+    return drive
+
+
+def fit(drive: RecordedDrive) -> Fit:
+    """The parameters with which the simulated base moves most like the recorded one."""
+    real = _real_path(drive.moved)
+    edges = [real.begin + number * _WINDOW for number in range(int(min(real.length, _LONGEST) / _WINDOW) + 1)]
+    windows = [
+        (since, until)
+        for since, until in itertools.pairwise(edges)
+        # What holds it slows it before and after it is felt.
+        if not any(begun < until + _WINDOW and over > since - _WINDOW for begun, over in drive.held)
+    ]
+    moved = [real.between(since, until) for since, until in windows]
+    best: tuple[float, Fit] | None = None
+    usual = DEFAULT_ROBOT.limits
+    prompt = replace(usual, acceleration=math.inf, angular_acceleration=math.inf)
+    for limits in (usual, prompt):
+        predicted = _predicted_path(drive.told, real.begin, edges[-1], limits)
+        for latency in _LATENCIES:
+            told = [predicted.between(since - latency, until - latency) for since, until in windows]
+            error, found = _solve(list(zip(told, moved, strict=True)), latency)
+            if best is None or error < best[0] - 1e-12:
+                best = (error, found)
+    assert best is not None
+    return best[1]
+
+
+_Window = tuple[float, float]
+"""Way (m) and turn (rad) in half a second."""
+
+
+def _solve(pairs: Sequence[tuple[_Window, _Window]], latency: float) -> tuple[float, Fit]:
+    """
+    The squared error that is left, and the parameters with it: the real way is ``travel`` times the predicted one, the
+    real turn is ``turning`` times the predicted one and ``veer`` times the real way.
+    """
+    way, turn = sum(abs(p[0]) for p, _ in pairs), sum(abs(p[1]) for p, _ in pairs)
+    drove, turned = way >= _LEAST_WAY, turn >= _LEAST_TURN
+    travel = _slope([(p[0], r[0]) for p, r in pairs]) if drove else None
+    turning: float | None = None
+    veer: float | None = None
+    if drove and turned:
+        turning, veer = _two_slopes([(p[1], r[0], r[1]) for p, r in pairs])
+    elif turned:
+        turning = _slope([(p[1], r[1]) for p, r in pairs])
+    elif drove:
+        veer = _slope([(r[0], r[1] - p[1]) for p, r in pairs])
+    base = DEFAULT_ROBOT.body.wheelbase / 2
+    error = 0.0
+    for (ahead, left), (real_ahead, real_left) in pairs:
+        error += (real_ahead - ahead * (1.0 if travel is None else travel)) ** 2
+        turn_left = real_left - left * (1.0 if turning is None else turning) - real_ahead * (veer or 0.0)
+        error += (base * turn_left) ** 2
+    found = Fit(
+        _limited("travel", travel),
+        _limited("turning", turning),
+        _limited("veer", veer),
+        latency if drove or turned else None,
+        way,
+        turn,
+    )
+    return error, found
+
+
+def _slope(points: Sequence[tuple[float, float]]) -> float | None:
+    squares = sum(x * x for x, _ in points)
+    return sum(x * y for x, y in points) / squares if squares > 0 else None
+
+
+def _two_slopes(points: Sequence[tuple[float, float, float]]) -> tuple[float | None, float | None]:
+    """a and b of z = a x + b y; b is None where x and y cannot be told apart, as on one arc."""
+    xx = sum(x * x for x, _, _ in points)
+    yy = sum(y * y for _, y, _ in points)
+    xy = sum(x * y for x, y, _ in points)
+    xz = sum(x * z for x, _, z in points)
+    yz = sum(y * z for _, y, z in points)
+    if xx * yy - xy * xy < 0.05 * xx * yy:
+        return _slope([(x, z) for x, _, z in points]), None
+    determinant = xx * yy - xy * xy
+    return (xz * yy - yz * xy) / determinant, (yz * xx - xz * xy) / determinant
+
+
+def _limited(name: str, value: float | None) -> float | None:
+    if value is None:
+        return None
+    least, most = LIMITS[name]
+    return max(least, min(most, value))
+
+
+class _Path:
+    """Way (m) and turn (rad) since a beginning, as functions of time (s)."""
+
+    def __init__(self, begin: float) -> None:
+        self.begin = begin
+        self._times, self._ahead, self._left = [begin], [0.0], [0.0]
+
+    @property
+    def length(self) -> float:
+        """In s."""
+        return self._times[-1] - self.begin
+
+    def add(self, time: float, ahead: float, left: float) -> None:
+        """So far it moved from the time before until now."""
+        self._times.append(time)
+        self._ahead.append(self._ahead[-1] + ahead)
+        self._left.append(self._left[-1] + left)
+
+    def between(self, since: float, until: float) -> _Window:
+        """The motion between two times."""
+        (a, b), (c, d) = self._at(since), self._at(until)
+        return c - a, d - b
+
+    def _at(self, time: float) -> _Window:
+        after = bisect_right(self._times, time)
+        if after == 0:
+            return 0.0, 0.0
+        if after == len(self._times):
+            return self._ahead[-1], self._left[-1]
+        since, until = self._times[after - 1], self._times[after]
+        part = (time - since) / (until - since)
+        return (
+            self._ahead[after - 1] + part * (self._ahead[after] - self._ahead[after - 1]),
+            self._left[after - 1] + part * (self._left[after] - self._left[after - 1]),
+        )
+
+
+def _real_path(moved: Sequence[Moved]) -> _Path:
+    path = _Path(moved[0].time if moved else 0.0)
+    for before, after in itertools.pairwise(moved):
+        left = math.remainder(after.theta - before.theta, 2 * math.pi)
+        heading = before.theta + left / 2
+        ahead = (after.x - before.x) * math.cos(heading) + (after.y - before.y) * math.sin(heading)
+        path.add(after.time, ahead, left)
+    return path
+
+
+def _predicted_path(told: Sequence[Told], begin: float, end: float, limits: MotorLimits) -> _Path:
+    """How the motors of the simulator would move, without a delay of commands."""
+    path, motors, place, v, w = _Path(begin), MotorController(limits), 0, 0.0, 0.0
+    for step in range(round((end - begin) / _FINE)):
+        now = begin + step * _FINE
+        while place < len(told) and told[place].time <= now:
+            motors.command(told[place].v, told[place].w)
+            place += 1
+        before = v, w
+        v, w = motors.next(_FINE, v, w)
+        path.add(now + _FINE, (before[0] + v) / 2 * _FINE, (before[1] + w) / 2 * _FINE)
+    return path

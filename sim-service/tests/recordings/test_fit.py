@@ -1,0 +1,162 @@
+"""The simulated base is fitted to a recorded one: the numbers of a base whose slip is known, what cannot be told."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from rosy_sim.config import Config, discover
+from rosy_sim.errors import BadInput
+from rosy_sim.recordings.command import replay_recording
+from rosy_sim.recordings.fit import Moved, RecordedDrive, Told, fit, recorded_drive
+from rosy_sim.recordings.link_log import LinkLine
+from rosy_sim.robots.kobuki import KOBUKI
+from rosy_sim.world.arena import read_arena
+from rosy_sim.world.events import velocity
+from rosy_sim.world.realism import Realism
+from rosy_sim.world.time_step import STEP
+from rosy_sim.world.world import World
+
+from .stand_in_base import recorded
+
+# Seconds, m/s, rad/s.
+SQUARES = [(2.0, 0.3, 0.0), (1.5, 0.0, 1.0), (2.0, -0.2, 0.0), (1.0, 0.0, -1.5), (2.0, 0.3, 0.5), (1.0, 0.0, 0.0)]
+
+
+def driven(parts: list[tuple[float, float, float]] = SQUARES, **realism: float) -> RecordedDrive:
+    """The simulated robot drives, and its odometry is recorded."""
+    room = {"size": [40, 40], "start": {"x": 20, "y": 20, "theta": 1.0}, "realism": realism}
+    world = World(read_arena(room), KOBUKI, 1)
+    drive, time = RecordedDrive([], [], []), 0.0
+    for seconds, v, w in parts:
+        for _ in range(round(seconds / STEP)):
+            x, y, theta, _, _ = world.odometry()
+            drive.moved.append(Moved(time, x, y, math.remainder(theta, 2 * math.pi)))
+            drive.told.append(Told(time, v, w))
+            world.command(velocity(v, w))
+            world.integrate()
+            time += STEP
+    return drive
+
+
+@pytest.mark.parametrize(
+    ("travel", "turning", "veer", "latency"),
+    [(1.0, 1.0, 0.0, 0.0), (0.8, 0.9, 0.0, 0.1), (1.1, 0.7, 0.3, 0.2), (0.9, 1.2, -0.4, 0.0)],
+)
+def test_the_numbers_of_the_simulated_base_are_found_again(
+    travel: float, turning: float, veer: float, latency: float
+) -> None:
+    found = fit(driven(travel=travel, turning=turning, veer=veer, latency=latency))
+    assert (found.travel, found.turning) == pytest.approx((travel, turning), rel=0.01)
+    assert found.veer == pytest.approx(veer, abs=0.01)
+    assert found.latency == pytest.approx(latency, abs=STEP)
+
+
+def test_noise_of_slipping_wheels_hides_little() -> None:
+    found = fit(driven(SQUARES * 3, travel=0.8, turning=0.9, veer=0.3, drift=0.02))
+    assert (found.travel, found.turning, found.veer) == pytest.approx((0.8, 0.9, 0.3), rel=0.1)
+
+
+def test_what_was_not_driven_is_not_told() -> None:
+    assert fit(RecordedDrive([], [], [])).realism() == {}
+    assert fit(driven([(3.0, 0.0, 0.0)])).realism() == {}
+    ahead = fit(driven([(4.0, 0.3, 0.0)], travel=0.9, veer=0.2))
+    assert ahead.turning is None
+    assert (ahead.travel, ahead.veer) == pytest.approx((0.9, 0.2), rel=0.02)
+    spin = fit(driven([(4.0, 0.0, 1.0)], turning=0.9))
+    assert (spin.travel, spin.veer) == (None, None)
+    assert spin.turning == pytest.approx(0.9, rel=0.02)
+    # On one arc a weak turn and a pull to one side are the same.
+    arc = fit(driven([(6.0, 0.3, 0.5)], travel=0.9, turning=0.9))
+    assert arc.veer is None
+    assert arc.turning == pytest.approx(0.9, rel=0.02)
+
+
+def test_what_holds_the_robot_says_nothing_about_its_wheels() -> None:
+    drive = driven(SQUARES * 2, travel=0.8)
+    # For two seconds it stands before a wall, and its bumper is pressed.
+    stood = [m if not 3.5 <= m.time <= 5.5 else drive.moved[175] for m in drive.moved]
+    held = RecordedDrive(drive.told, stood, [(3.5, 5.5)])
+    assert fit(held).travel == pytest.approx(0.8, rel=0.05)
+
+
+def test_wheels_and_odometry_are_read_from_the_lines_of_a_recording() -> None:
+    def line(time: float, source: str, topic: str, msg: object) -> LinkLine:
+        published = msgspec.json.encode({"op": "publish", "topic": topic, "msg": msg})
+        return msgspec.convert((round(time * 1e9), source, published), LinkLine)
+
+    half = math.sin(0.3)
+    pose = {"position": {"x": 1, "y": 2}, "orientation": {"z": half, "w": math.cos(0.3)}}
+    bumper = "/mobile_base/events/bumper"
+    twist = {"linear": {"x": 0.2}, "angular": {"z": 0.1}}
+    found = recorded_drive(
+        [
+            line(1, "from_program", "/mobile_base/commands/velocity", twist),
+            line(2, "to_robot", "/mobile_base/commands/velocity", twist),
+            line(3, "to_program", "/odom", {"pose": {"pose": pose}}),
+            line(4, "to_program", bumper, {"bumper": 1, "state": 1}),
+            line(5, "to_program", bumper, {"bumper": 1, "state": 0}),
+            line(6, "to_program", bumper, {"bumper": 0, "state": 1}),
+            line(7, "to_program", "/odom", {"pose": 7}),
+            LinkLine(8_000_000_000, "to_program", b"{"),
+        ]
+    )
+    assert found.told == [Told(2, 0.2, 0.1)]
+    [moved] = found.moved
+    assert moved == pytest.approx((3, 1, 2, 0.6))
+    assert found.held == [(4, 5), (6, 8)]
+
+
+def test_the_inverse_of_what_wheels_do_is_what_they_were_told() -> None:
+    realism = Realism(travel=0.8, turning=1.2, veer=0.3)
+    assert realism.told(*realism.turned(0.4, -0.7)) == pytest.approx((0.4, -0.7))
+
+
+SLIP = (0.8, 0.7, 0.3)
+
+
+@pytest.mark.skipif(discover().robot_executable is None, reason="rosy-robot is not built")
+def test_the_slip_of_a_base_is_found_within_ten_per_cent_and_its_room_written(
+    config: Config, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = recorded(config, "tour done@450", tmp_path, told=f"slip {' '.join(map(str, SLIP))}").path
+    room = tmp_path / "fitted.json"
+    options = argparse.Namespace(file=path, program=None, fit=True, world="table", output=room)
+    assert replay_recording(config, options, lambda sentence: print(sentence), lambda _, __: None) == 0
+    written = json.loads(room.read_bytes())
+    found = written["realism"]
+    assert (found["travel"], found["turning"], found["veer"]) == pytest.approx(SLIP, rel=0.1)
+    assert written["name"] == "fitted"
+    said = capsys.readouterr().out
+    assert f"travel {round(found['travel'], 3)}: it drove " in said
+    assert f"{room}: the room table with such a robot" in said
+    # The simulated robot now drives like the real one.
+    world = World(read_arena(written), KOBUKI)
+    assert world.arena.realism is not None
+    assert world.arena.realism.turning == found["turning"]
+
+
+def test_a_run_that_drives_too_little_and_wrong_options_are_refused(config: Config, tmp_path: Path) -> None:
+    if discover().robot_executable is None:
+        pytest.skip("rosy-robot is not built")
+    path = recorded(config, "say:hi@4 done@20", tmp_path).path
+
+    def replayed(**more: object) -> None:
+        options = argparse.Namespace(
+            **{"file": path, "program": None, "fit": True, "world": None, "output": None, **more}
+        )
+        replay_recording(config, options, lambda _: None, lambda _, __: None)
+
+    with pytest.raises(BadInput, match=r"to tell how it drives, it takes 0\.3 m or 60°"):
+        replayed()
+    with pytest.raises(BadInput, match="takes no program"):
+        replayed(program=tmp_path / "my.hs")
+    with pytest.raises(BadInput, match="are for --fit"):
+        replayed(fit=False, world="table")
+    with pytest.raises(BadInput, match="no world called"):
+        replayed(world="nowhere")
