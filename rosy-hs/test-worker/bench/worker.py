@@ -1,10 +1,11 @@
 """
 How long a check and a run take in the worker, beside runghc, ghc -O0 and a warm ghci on the same program in the same run.
 
-In: the built worker and library. Out: a table of medians and 95th percentiles in milliseconds, and memory per run. `to main` is the time from sending a run to
-`main` being about to run, seen from outside; `to first firing` to the answer to its first step; a run that compilers start is timed to the end of a program that ends at
-once. A `prepared` run was compiled before it was asked for, as after a page's check; the time of preparing is in a row of its own. `30 clients` ask once a second each, every time about a changed program, on as many cores as there are. `processor` is what the worker and its children
-computed for one check, whatever else the machine was doing. ROSY_BENCH_ROUNDS=10 is over in a quarter of the minute that it takes otherwise.
+In: the built worker and library. Out: a table of medians and 95th percentiles in milliseconds with their goals, and memory per run. `to first firing`
+is the time from sending a run to the answer to its first step. A `prepared` run was compiled before it was asked for, as after a page's check. A run
+that compilers start is timed to the end of a program that ends at once. `30 clients` ask once a second each, every time about a changed program, on as
+many cores as there are. `processor` is what the worker and its children computed for one check, whatever else the machine was doing. The last column
+tells how many times the worker's median a peer's is. ROSY_BENCH_ROUNDS=10 is over in a third of the time that it takes otherwise.
 """
 
 from __future__ import annotations
@@ -24,6 +25,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
+import peers
+from programs import FIRST_STEP, SMALL, large_program
+
 T = TypeVar("T")
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -31,79 +35,6 @@ ROUNDS = int(os.environ.get("ROSY_BENCH_ROUNDS", "50"))
 SMALL_RUN = "ROSY_BENCH_SMALL" in os.environ
 COLD_ROUNDS = 1 if SMALL_RUN else max(3, ROUNDS // 5)
 AT_ONCE = 3 if SMALL_RUN else 200
-
-SMALL = """main = simulate (accelerate, play)
-
-accelerate :: Velocity -> Velocity
-accelerate (Velocity v w) = Velocity (v + 0.5) w
-
-play :: Bumper -> Maybe Sound
-play (Bumper _ Pressed) = Just ErrorSound
-play _ = Nothing
-"""
-
-
-FIRST_STEP = b"".join(
-    json.dumps(line).encode() + b"\n"
-    for line in (
-        {"op": "start", "protocol": 1, "seed": 1, "trace": False},
-        {
-            "op": "publish",
-            "topic": "/odom",
-            "msg": {
-                "pose": {
-                    "pose": {
-                        "position": {"x": 0, "y": 0},
-                        "orientation": {"z": 0, "w": 1},
-                    }
-                },
-                "twist": {"twist": {"linear": {"x": 0}, "angular": {"z": 0}}},
-            },
-        },
-        {"op": "step", "step": 0, "time": 0},
-    )
-)
-
-
-OWN_TYPES = ("data Mode = Go | Stop | Turn Double Seconds", "data ChgDir = ChgDir")
-
-
-def large_program(functions: int = 12) -> str:
-    """A program with types, memory and arithmetic, as a pupil's larger program has them: eight lines for each function, and five."""
-    parts = [line for own in OWN_TYPES for line in (own, "")]
-    for i in range(functions):
-        parts += [
-            f"step{i} :: Bumper -> Memory Mode -> Seconds -> Either ChgDir (Memory Mode)",
-            f"step{i} (Bumper _ Pressed) _ _ = Left ChgDir",
-            f"step{i} _ (Memory m) now = Right (Memory (after{i} m))",
-            "  where",
-            f"    after{i} (Turn a t) | now > t + {i} = Go",
-            f"                        | otherwise = Turn (a * {i + 1} / 2) t",
-            f"    after{i} other = other",
-            "",
-        ]
-    # The first function fires at the first step.
-    parts = [line.replace("step0 :: Bumper", "step0 :: Velocity").replace("step0 (Bumper _ Pressed)", "step0 (Velocity 9 9)") for line in parts]
-    parts.append("main = simulate (" + ", ".join(f"step{i}" for i in range(9)) + ")")
-    return "\n".join(parts) + "\n"
-
-
-def as_haskell(source: str) -> str:
-    """The same with what the worker adds to the parsed tree."""
-    for own in OWN_TYPES:
-        name = own.split()[1]
-        classes = ("Added.Value", "Default", "Sensor", "Command")
-        source = source.replace(
-            own,
-            "\n".join(
-                [
-                    f"{own} deriving (Generic)",
-                    *(f"instance {c} {name}" for c in classes),
-                ]
-            ),
-        )
-    return "{-# LANGUAGE DeriveGeneric, DeriveAnyClass #-}\nmodule Main (main) where\nimport GHC.Generics (Generic)\nimport Rosy\nimport qualified Rosy.Program as Added\n" + source
-
 
 class Worker:
     """The real worker at the other end of a socket."""
@@ -144,23 +75,15 @@ class Worker:
         self.say({"op": "check", "id": self.next, "source": f"{source}-- {self.next}\n"})
         assert self.hear()["op"] == "checked"
 
-    def clients(self, source: str, clients: int, seconds: float) -> list[float]:
-        """Each asks once a second from a moment of its own on, whether others have been answered or not."""
-        dice = random.Random(1)
-        moments = sorted(dice.random() + second for _ in range(clients) for second in range(round(seconds)))
+    def clients(self, source: str, moments: list[float]) -> list[float]:
+        """How long checks take that are asked for at these moments (s)."""
         began, asked, took = time.perf_counter(), {}, []
         while len(took) < len(moments):
             now = time.perf_counter() - began
             while len(asked) < len(moments) and moments[len(asked)] <= now:
                 self.next += 1
                 asked[self.next] = began + moments[len(asked)]
-                self.say(
-                    {
-                        "op": "check",
-                        "id": self.next,
-                        "source": f"{source}-- {self.next}\n",
-                    }
-                )
+                self.say({"op": "check", "id": self.next, "source": f"{source}-- {self.next}\n"})
             until = moments[len(asked)] - now if len(asked) < len(moments) else 60.0
             if b"\n" in self.unread or select.select([self.socket], [], [], max(0.0, until))[0]:
                 answer = self.hear()
@@ -215,15 +138,6 @@ class Worker:
                     return mine
             time.sleep(0.0005)
 
-    def run(self, source: str, prepared: socket.socket | None = None) -> socket.socket:
-        mine = self.request_run(source, prepared)
-        while True:
-            answer = self.hear()
-            if answer["op"] == "refused":
-                sys.exit(f"bench worker: the program was refused: {answer}")
-            if answer["op"] == "started":
-                return mine
-
 
 def timed(rounds: int, action: Callable[[], object]) -> list[float]:
     return timed_after(rounds, lambda: None, lambda _: action())
@@ -240,11 +154,12 @@ def timed_after(rounds: int, before: Callable[[], T], action: Callable[[T], obje
     return took
 
 
-def row(name: str, took: list[float], beside: float | None = None) -> float:
+def row(name: str, took: list[float], goals: tuple[float, ...] = (), beside: float | None = None) -> float:
+    """A line of the table: the median, the 95th percentile, the goals of both, and how many times the worker's time it is."""
     middle = statistics.median(took)
     late = sorted(took)[max(0, round(len(took) * 0.95) - 1)]
-    ratio = "" if beside is None else f"{middle / beside:9.1f} x"
-    print(f"{name:44}{middle:9.1f}{late:9.1f}{ratio}", flush=True)
+    ratio = "" if beside is None else f"{middle / beside:.1f} x"
+    print(f"{name:44}{middle:9.1f}{late:9.1f}{' / '.join(f'{goal:g}' for goal in goals):>10}{ratio:>9}".rstrip(), flush=True)
     return middle
 
 
@@ -261,44 +176,13 @@ def children(pid: int, *, all_of_them: bool = False) -> list[int]:
     return [child for child in found if all_of_them or Path(f"/proc/{child}/comm").read_text() != "rosy-check\n"]
 
 
-def ghci(folder: Path, packages: list[str]) -> list[float]:
-    """A warm ghci: the file is touched, reloaded, and its main is run."""
-    # A program that finds no robot says so on its standard error, each time.
-    command = ["ghc", "--interactive", "-v0", *packages, str(folder / "Main.hs")]
-    process = subprocess.Popen(
-        command,
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        text=True,
-        cwd=folder,
-    )
-    assert process.stdin and process.stdout
-
-    def reload() -> None:
-        assert process.stdin and process.stdout
-        with (folder / "Main.hs").open("a") as file:
-            file.write("-- again\n")
-        process.stdin.write(':reload\nmain\nputStrLn "done"\n')
-        process.stdin.flush()
-        while (line := process.stdout.readline()).strip() != "done":
-            if not line:
-                sys.exit("bench worker: ghci went away.")
-
-    reload()
-    took = timed(COLD_ROUNDS, reload)
-    process.stdin.close()
-    process.wait()
-    return took
-
-
 def ended(worker: Worker, link: socket.socket) -> None:
     link.close()
     worker.hear()
 
 
-def beside_others(worker: Worker) -> list[tuple[str, list[tuple[int, int]]]]:
-    """Runs beside many others, and the memory of each: of programs that wait, and of programs that run."""
+def beside_others(worker: Worker, large: str) -> list[tuple[str, list[tuple[int, int]]]]:
+    """Checks and runs beside many others, and the memory of each: of programs that wait, and of programs that run."""
     # The worker prepares at most 64.
     waiting = [worker.prepare(SMALL) for _ in range(min(AT_ONCE, 40))]
     first = worker.next - len(waiting) + 1
@@ -308,129 +192,80 @@ def beside_others(worker: Worker) -> list[tuple[str, list[tuple[int, int]]]]:
         ended(worker, link)
     links = [worker.fire(SMALL) for _ in range(AT_ONCE)]
     running = [private_kilobytes(pid) for pid in children(worker.process.pid)]
-    row(
-        f"run: to first firing, beside {AT_ONCE}",
-        timed_after(ROUNDS, lambda: None, lambda _: ended(worker, worker.fire(SMALL))),
-    )
-    row(
-        "   prepared",
-        timed_after(
-            ROUNDS,
-            lambda: worker.prepare(SMALL),
-            lambda link: ended(worker, worker.fire(SMALL, link)),
-        ),
-    )
+    print(f"beside {AT_ONCE} live programs:")
+    check(worker, large)
+    first_firing(worker, SMALL, 10)
     for link in links:
         ended(worker, link)
     return [("prepared programs", prepared), ("programs", running)]
 
 
-def of_one_size(worker: Worker, source: str) -> None:
-    """Runs of one program, beside what else runs Haskell."""
-    lines = f"{len(source.splitlines())} lines"
-    links: list[socket.socket] = []
+def lines_of(source: str) -> str:
+    return f"{len(source.splitlines())} lines"
 
-    def end_all() -> None:
-        while links:
-            ended(worker, links.pop())
 
-    started = row(
-        f"run: to main, {lines}",
-        timed(ROUNDS, lambda: links.append(worker.run(source))),
-    )
-    end_all()
-    row(
-        "   prepared",
-        timed_after(
-            ROUNDS,
-            lambda: worker.prepare(source),
-            lambda link: links.append(worker.run(source, link)),
-        ),
-    )
-    end_all()
-    row(
-        f"run: to first firing, {lines}",
-        timed(ROUNDS, lambda: links.append(worker.fire(source))),
-    )
-    end_all()
-    row(
-        "   prepared",
-        timed_after(
-            ROUNDS,
-            lambda: worker.prepare(source),
-            lambda link: links.append(worker.fire(source, link)),
-        ),
-    )
-    end_all()
-    with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        # The peers get the program as a Haskell file, against the same library.
-        (folder / "Main.hs").write_text(as_haskell(source))
-        databases = sorted(ROOT.glob("dist-newstyle/packagedb/ghc-*"))
-        packages = [f"-package-db={database}" for database in databases] + ["-package=rosy"]
-        row("   ghci, warm: :reload and main", ghci(folder, packages), started)
-        row(
-            "   runghc",
-            timed(
-                COLD_ROUNDS,
-                lambda: subprocess.run(
-                    ["runghc", *packages, "Main.hs"],
-                    cwd=folder,
-                    check=True,
-                    stderr=subprocess.DEVNULL,
-                ),
-            ),
-            started,
-        )
+def check(worker: Worker, source: str) -> None:
+    own = row(f"check: {lines_of(source)}", timed(ROUNDS, lambda: worker.check(source)))
+    with tempfile.TemporaryDirectory() as folder:
+        row("   ghci -fno-code, warm: :reload", peers.reloads(Path(folder), source, COLD_ROUNDS, runs=False), beside=own)
 
-        def compiled() -> None:
-            for old in folder.glob("Main.*o"):
-                old.unlink()
-            (folder / "Main.hi").unlink(missing_ok=True)
-            (folder / "Main").unlink(missing_ok=True)
-            subprocess.run(
-                ["ghc", "-v0", "-O0", "-dynamic", *packages, "Main.hs"],
-                cwd=folder,
-                check=True,
-            )
-            subprocess.run(
-                [str(folder / "Main")],
-                cwd=folder,
-                check=True,
-                stderr=subprocess.DEVNULL,
-            )
 
-        row("   ghc -O0 and the program", timed(COLD_ROUNDS, compiled), started)
+def checks_of_clients(worker: Worker, source: str, clients: int) -> None:
+    """Each client asks once a second from a moment of its own on, whether others have been answered or not; the peer is asked at the same moments."""
+    dice = random.Random(1)
+    moments = sorted(dice.random() + second for _ in range(clients) for second in range(max(2, ROUNDS // 5)))
+    computed = worker.computed()
+    own = row(f"check: {lines_of(source)}, {clients} clients", worker.clients(source, moments), (12, 25))
+    print(f"{'   processor time of each':44}{(worker.computed() - computed) / len(moments) * 1000:9.1f}", flush=True)
+    with tempfile.TemporaryDirectory() as folder:
+        row(f"   {os.cpu_count()} ghci -fno-code, warm: :reload", peers.reloads_of_clients(Path(folder), source, moments), beside=own)
+
+
+def first_firing(worker: Worker, source: str, goal: float) -> None:
+    """Up to the first firing, beside a ghci that loads the program and runs `main`, which ends at once."""
+    own = row(
+        f"run: to first firing, {lines_of(source)}, prepared",
+        timed_after(ROUNDS, lambda: worker.prepare(source), lambda link: ended(worker, worker.fire(source, link))),
+        (goal,),
+    )
+    row("   not prepared", timed(ROUNDS, lambda: ended(worker, worker.fire(source))), beside=own)
+    with tempfile.TemporaryDirectory() as folder:
+        row("   ghci, warm: :reload and main", peers.reloads(Path(folder), source, COLD_ROUNDS, runs=True), beside=own)
+        row("   runghc", timed(COLD_ROUNDS, lambda: peers.runghc(Path(folder))), beside=own)
+        row("   ghc -O0 and the program", timed(COLD_ROUNDS, lambda: peers.ghc(Path(folder))), beside=own)
+
+
+def private_memory(worker: Worker, source: str) -> tuple[float, float]:
+    """Megabytes of a prepared program that waits, and when it has made many steps."""
+    link = worker.prepare(source)
+    waits = private_kilobytes(children(worker.process.pid)[0])[1]
+    worker.fire(source, link)
+    for step in range(1, 100 if SMALL_RUN else 3000):
+        link.sendall(json.dumps({"op": "step", "step": step, "time": step / 50}).encode() + b"\n")
+        said = b""
+        while b'"settled"' not in said:
+            said += link.recv(1 << 16)
+    runs = private_kilobytes(children(worker.process.pid)[0])[1]
+    ended(worker, link)
+    return waits / 1024, runs / 1024
 
 
 def main() -> int:
     worker = Worker()
-    large = large_program()
-    print(f"{'':44}{'median':>9}{'p95':>9}    beside `run: to main`")
+    large, largest = large_program(), large_program(62)
+    print(f"{'':44}{'median':>9}{'p95':>9}{'goal':>10}{'beside':>9}")
     print(f"{'worker: warm after its start':44}{worker.warm * 1000:9.1f}")
     worker.check(large)
-    row(
-        f"check: {len(SMALL.splitlines())} lines",
-        timed(ROUNDS, lambda: worker.check(SMALL)),
-    )
-    row(
-        f"check: {len(large.splitlines())} lines",
-        timed(ROUNDS, lambda: worker.check(large)),
-    )
-
-    computed = worker.computed()
-    row(
-        f"check: {len(large.splitlines())} lines, 30 clients",
-        asked := worker.clients(large, 3 if SMALL_RUN else 30, max(2, ROUNDS // 5)),
-    )
-    print(
-        f"{'   processor time of each':44}{(worker.computed() - computed) / len(asked) * 1000:9.1f}",
-        flush=True,
-    )
-
-    memory = beside_others(worker)
-    for source in (SMALL, large, large_program(62)):
-        of_one_size(worker, source)
+    for source in (SMALL, large):
+        check(worker, source)
+    checks_of_clients(worker, large, 3 if SMALL_RUN else 30)
+    for source, goal in ((SMALL, 10), (large, 20), (largest, 60)):
+        first_firing(worker, source, goal)
+    memory = beside_others(worker, large)
+    print("private memory of a program, MB (goal 5): when it waits, and after 3,000 steps")
+    for source in (SMALL, large, largest):
+        waits, runs = private_memory(worker, source)
+        print(f"   {lines_of(source):41}{waits:9.1f}{runs:9.1f}")
     for name, each in memory:
         print(f"{len(each)} {name} at once: {statistics.median(m[1] for m in each) / 1024:.1f} MB private each, {statistics.median(m[0] for m in each) / 1024:.1f} MB proportional")
     worker.socket.close()
