@@ -11,11 +11,12 @@ module Rosy.Worker.Ghc.DeclarationWarnings
   )
 where
 
+import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
 import GHC.Data.Bag (isEmptyBag)
 import GHC.Hs hiding (Warning)
-import GHC.Types.Name.Occurrence (elemOccSet, mkDataOccFS, occNameFS, occNameString)
+import GHC.Types.Name.Occurrence (mkDataOccFS, occNameFS, occNameString)
 import GHC.Types.Name.Reader (RdrName, mkRdrUnqual, rdrNameOcc)
 import GHC.Types.SrcLoc
 import Rosy.Worker.Ghc.Compat.Syntax
@@ -29,7 +30,7 @@ declarationWarnings located implicitNames parsed = concat [warning s (unLoc l) |
   where
     warning :: Span -> HsDecl GhcPs -> [Problem]
     warning s d = case d of
-      TyClD _ t@DataDecl {} | n <- unLoc (tcdLName t), rdrNameOcc n `elemOccSet` robotTypes implicitNames, not (isConnected (plain n)) -> [(if isCopy t then removing s else asWarning) (hides s (plain n))]
+      TyClD _ t@DataDecl {} | n <- unLoc (tcdLName t), rdrNameOcc n `Set.member` robotTypes implicitNames, not (isConnected (plain n)) -> [(if isCopy t then removing s else asWarning) (hides s (plain n))]
       InstD _ (ClsInstD _ i)
         | isEmptyBag (cid_binds i), (c, t) : _ <- instanceHead d, c `elem` ["Sensor", "Command"] -> [empty s (Text.pack c) (Text.pack t)]
       _ -> []

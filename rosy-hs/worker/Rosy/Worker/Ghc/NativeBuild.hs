@@ -12,12 +12,12 @@ module Rosy.Worker.Ghc.NativeBuild
 where
 
 import Control.Monad.IO.Class (liftIO)
+import qualified Data.Set as Set
 import GHC
 import GHC.Driver.Monad (modifySession)
 import GHC.Driver.Plugins (Plugin)
 import GHC.Driver.Session (defaultFatalMessager, defaultFlushOut, xopt_set)
 import GHC.Types.Name (nameOccName)
-import GHC.Types.Name.Occurrence (emptyOccSet, mkOccSet)
 import Rosy.Worker.Ghc.Compat.Driver
 import Rosy.Worker.Ghc.Session (defaultExtensions)
 import Rosy.Worker.Ghc.TaskAttribution (taskAttribution)
@@ -96,11 +96,11 @@ arguments order =
 
 -- | The names in scope of every program. 'robotTypes' serve warnings only, which a build does not give.
 implicitNamesOf :: Ghc ImplicitNames
-implicitNamesOf = ImplicitNames <$> exportsOf "Rosy" <*> exportsOf "Prelude" <*> pure emptyOccSet
+implicitNamesOf = ImplicitNames <$> exportsOf "Rosy" <*> exportsOf "Prelude" <*> pure Set.empty
   where
     exportsOf m = do
       info <- findModule (mkModuleName m) Nothing >>= getModuleInfo
-      pure (mkOccSet (maybe [] (map nameOccName . modInfoExports) info))
+      pure (Set.fromList (maybe [] (map nameOccName . modInfoExports) info))
 
 adding :: ImplicitNames -> Plugin
 adding names = treePlugin add

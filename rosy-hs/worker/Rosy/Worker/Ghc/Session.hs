@@ -31,7 +31,7 @@ import GHC.Driver.Session
 import GHC.LanguageExtensions.Type (Extension (..))
 import GHC.Types.Avail (availNames)
 import GHC.Types.Name (nameModule_maybe, nameOccName)
-import GHC.Types.Name.Occurrence (emptyOccSet, isTcOcc, mkOccSet, occNameString)
+import GHC.Types.Name.Occurrence (isTcOcc, occNameString)
 import Rosy.Worker.Allowlist (allowedModules)
 import Rosy.Worker.Branch (Branch)
 import Rosy.Worker.Ghc.Compat.Driver
@@ -85,13 +85,13 @@ preload env = do
   forM_ (Set.toList allowedModules) (interfaceOf . Text.unpack)
   ImplicitNames <$> namesOf "Rosy" <*> namesOf "Prelude" <*> typesOf "Rosy"
   where
-    typesOf m = maybe emptyOccSet (mkOccSet . concatMap (types . availNames) . mi_exports) <$> interfaceOf m
+    typesOf m = maybe Set.empty (Set.fromList . concatMap (types . availNames) . mi_exports) <$> interfaceOf m
     -- A type with its constructors, or an abstract one. A synonym has no constructors either. The excluded ones mean nothing to the robot.
     types names = case map nameOccName (filter isRosys names) of
       t : constructors | isTcOcc t, occNameString t `notElem` ["Cancel", "Never", "World", "TaskOptions", "CallOptions"], not (null constructors) || occNameString t `elem` ["Task", "Call"] -> [t]
       _ -> []
     isRosys n = maybe False (("Rosy" `isPrefixOf`) . moduleNameString . moduleName) (nameModule_maybe n)
-    namesOf m = maybe emptyOccSet (mkOccSet . map nameOccName . concatMap availNames . mi_exports) <$> interfaceOf m
+    namesOf m = maybe Set.empty (Set.fromList . map nameOccName . concatMap availNames . mi_exports) <$> interfaceOf m
     interfaceOf m = do
       found <- findModuleNamed env m
       mapM (hscGetModuleInterface env) found

@@ -28,6 +28,8 @@ where
 import Data.Data (Data, gmapQ, gmapT)
 import Data.List (nub)
 import Data.Maybe (fromMaybe, isNothing, listToMaybe, maybeToList)
+import Data.Set (Set)
+import qualified Data.Set as Set
 import Data.Typeable (cast, eqT, (:~:) (..))
 import GHC (mkModuleName, moduleNameString)
 import GHC.Data.Bag (mapBag)
@@ -58,18 +60,19 @@ added = mkRdrQual (mkModuleName generatedQualifier)
 data InstanceBodies = GenericBodies | EmptyBodies
   deriving (Eq)
 
--- | The names in scope of every program: exports of @Rosy@ and of the Prelude.
+-- | The names in scope of every program: exports of @Rosy@ and of the Prelude. Not GHC's @OccSet@, which in 9.10 keeps one of a type and a
+-- constructor of the same name.
 data ImplicitNames = ImplicitNames
-  { fromRosy :: OccSet,
+  { fromRosy :: Set OccName,
     -- | Empty without the implicit Prelude.
-    fromPrelude :: OccSet,
+    fromPrelude :: Set OccName,
     -- | The types among 'fromRosy', without other names for a type.
-    robotTypes :: OccSet
+    robotTypes :: Set OccName
   }
 
 -- | The names in scope with these flags, which may exclude the Prelude.
 implicitNamesWith :: DynFlags -> ImplicitNames -> ImplicitNames
-implicitNamesWith flags implicitNames = if xopt ImplicitPrelude flags then implicitNames else implicitNames {fromPrelude = emptyOccSet}
+implicitNamesWith flags implicitNames = if xopt ImplicitPrelude flags then implicitNames else implicitNames {fromPrelude = Set.empty}
 
 -- | Adds the header, the imports of Rosy and the Prelude without the names that the program defines itself, the instances of the
 -- program's own types, and the names of functions. The predicate selects spans that may contain one of 'controllerFunctions'.
@@ -112,14 +115,14 @@ importsRosy l@(L _ i) = imports' "Rosy" l && ideclQualified i == NotQualified
 
 -- | The Prelude of a program that does not import it itself: nothing to add when there is nothing to leave out. What is left out can
 -- still be had with the module's name before it, and instances can still be made of its classes.
-preludeFor :: OccSet -> [OccName] -> [LImportDecl GhcPs]
+preludeFor :: Set OccName -> [OccName] -> [LImportDecl GhcPs]
 preludeFor exported own
-  | any (`elemOccSet` exported) own = hideDefined exported own (node (implicitImport "Prelude")) ++ [node (implicitImport "Prelude") {ideclQualified = QualifiedPre}]
+  | any (`Set.member` exported) own = hideDefined exported own (node (implicitImport "Prelude")) ++ [node (implicitImport "Prelude") {ideclQualified = QualifiedPre}]
   | otherwise = []
 
--- | An import that leaves out what the program defines. A data constructor and a type may share a name of which the program defines
--- only one: the other stays. A constructor cannot be left out without its type, which is then imported by itself.
-hideDefined :: OccSet -> [OccName] -> LImportDecl GhcPs -> [LImportDecl GhcPs]
+-- | An import that leaves out what the program defines. A data constructor and a type may share a name of
+-- which the program defines only one: the other is then imported by itself.
+hideDefined :: Set OccName -> [OccName] -> LImportDecl GhcPs -> [LImportDecl GhcPs]
 hideDefined exported own l@(L at i)
   | null clashes = [l]
   | otherwise = case importList i of
@@ -127,14 +130,16 @@ hideDefined exported own l@(L at i)
     Just (True, s, items) -> hide s items
     Nothing -> hide noSrcSpan []
   where
-    clashes = filter (`elemOccSet` exported) own
-    hide s items = L at (withImportList True s (items ++ map item clashes) i) : [L at (only t) | o <- clashes, isDataOcc o, let t = typeNamed o, t `elemOccSet` exported, t `notElem` own]
-    only t = withImportList False noSrcSpan [importType (mkRdrUnqual t)] (implicitImport (moduleNameString (unLoc (ideclName i))))
+    clashes = filter (`Set.member` exported) own
+    hide s items = L at (withImportList True s (items ++ map item clashes) i) : [L at (one o) | o <- clashes, not (null (siblings o))]
+    one o = withImportList False noSrcSpan (siblings o) (implicitImport (moduleNameString (unLoc (ideclName i))))
+    siblings o
+      | isTcOcc o, sibling <- mkDataOccFS (occNameFS o), sibling `Set.member` exported, sibling `notElem` own = [importPattern (mkRdrUnqual sibling)]
+      | isDataOcc o, sibling <- mkTcOccFS (occNameFS o), sibling `Set.member` exported, sibling `notElem` own = [importType (mkRdrUnqual sibling)]
+      | otherwise = []
     item o
-      | isTcOcc o = importTypeAlone (mkRdrUnqual o)
-      | isDataOcc o = importType (mkRdrUnqual (typeNamed o))
+      | isTcOcc o || isDataOcc o = importType (mkRdrUnqual (mkTcOccFS (occNameFS o)))
       | otherwise = importValue (mkRdrUnqual o)
-    typeNamed = mkTcOccFS . occNameFS
 
 -- | Every name that the program defines at top level: functions, types, constructors, fields, classes, methods.
 definedNames :: [LHsDecl GhcPs] -> [OccName]

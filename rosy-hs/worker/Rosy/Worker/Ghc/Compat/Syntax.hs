@@ -75,7 +75,7 @@ module Rosy.Worker.Ghc.Compat.Syntax
     withImportList,
     importValue,
     importType,
-    importTypeAlone,
+    importPattern,
 
     -- * The typed tree
     pattern Abstraction,
@@ -553,26 +553,25 @@ importList i = (\(hides, At s items) -> (hides, s, items)) <$> ideclHiding i
 withImportList hides s items i = i {ideclHiding = Just (hides, At s items)}
 #endif
 
-importValue, importType :: RdrName -> LIE GhcPs
-
--- | A type or class without anything in it: where names are left out, @T@ is the constructor of that name too, @T()@ the type only.
-importTypeAlone :: RdrName -> LIE GhcPs
+importValue, importType, importPattern :: RdrName -> LIE GhcPs
 #if __GLASGOW_HASKELL__ >= 910
 importValue n = node (IEVar Nothing (node (IEName noExtField (node n))) Nothing)
 importType n = node (IEThingAbs (Nothing, noAnn) (node (IEName noExtField (node n))) Nothing)
-importTypeAlone n = node (IEThingWith (Nothing, noAnn) (node (IEName noExtField (node n))) NoIEWildcard [] Nothing)
+importPattern n = node (IEVar Nothing (node (IEPattern noAnn (node n))) Nothing)
 #elif __GLASGOW_HASKELL__ >= 906
 importValue n = node (IEVar noExtField (node (IEName noExtField (node n))))
 importType n = node (IEThingAbs noAnn (node (IEName noExtField (node n))))
-importTypeAlone n = node (IEThingWith noAnn (node (IEName noExtField (node n))) NoIEWildcard [])
+importPattern n = node (IEVar noExtField (node (IEPattern noAnchor' (node n))))
+  where
+    noAnchor' = EpaDelta (SameLine 0) []
 #elif __GLASGOW_HASKELL__ >= 904
 importValue n = node (IEVar noExtField (node (IEName (node n))))
 importType n = node (IEThingAbs noAnn (node (IEName (node n))))
-importTypeAlone n = node (IEThingWith noAnn (node (IEName (node n))) NoIEWildcard [])
+importPattern n = node (IEVar noExtField (node (IEPattern (EpaDelta (SameLine 0) []) (node n))))
 #else
 importValue n = node (IEVar noExtField (node (IEName (node n))))
 importType n = node (IEThingAbs noExtField (node (IEName (node n))))
-importTypeAlone n = node (IEThingWith noExtField (node (IEName (node n))) NoIEWildcard [] [])
+importPattern n = node (IEVar noExtField (node (IEPattern (node n))))
 #endif
 
 -- * The typed tree
