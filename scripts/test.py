@@ -54,7 +54,7 @@ class Screen:
         if self._live:
             sys.stdout.write("\r\033[K")
         print(f"── {result.suite.name}: {result.count} ({result.seconds:.0f} s, {result.computing:.0f} s of computing)")
-        if result.count.failed or result.suite.prints:
+        if result.count.failed or result.suite.prints or not result.count.passed:
             sys.stdout.write(result.output.rstrip("\n") + "\n\n" if result.output.strip() else "")
         sys.stdout.flush()
 

@@ -176,9 +176,30 @@ describe("what is printed", () => {
 })
 
 const database = packageDatabase()
-test.skipIf(database === undefined)("the table of modules is not stale", () =>
-  expect(modulesFromGhc(database ?? "")).toEqual(modules),
-)
+test.skipIf(database === undefined)("the table of modules is not stale", () => {
+  const told = modulesFromGhc(database ?? "")
+  // The table is made with GHC 9.0. Later libraries have more names, and types that ask for less of their arguments.
+  if (/ghc-9\.0\.[^/]*$/.test(database ?? "")) expect(told).toEqual(modules)
+  else
+    expect(
+      Object.keys(modules).flatMap(name => {
+        const there = namesOf(told, name)
+        return [...namesOf(modules, name)].filter(n => !there.has(n)).map(n => `${name}.${n}`)
+      }),
+    ).toEqual(["Data.Semigroup.Option", "Data.Semigroup.option"])
+})
+
+/// The names in a table's lines of a module: not those that a package keeps to itself, and of a class only its methods.
+function namesOf(table: {readonly [module: string]: string}, name: string): ReadonlySet<string> {
+  const lines = table[name] ?? ""
+  if (lines.startsWith("=")) return namesOf(table, lines.slice(1))
+  return new Set(
+    lines.split("\n").flatMap(line => {
+      const found = /^(?:(?:data|newtype|type) )?(\S+)/.exec(line)?.[1] ?? ""
+      return found === "class" || /^[\w-]+-[\d.]+:/.test(found) ? [] : [found]
+    }),
+  )
+}
 
 describe("a method has the type that its class gives it", () => {
   test.each([

@@ -7,6 +7,8 @@ file, the command, the tool's version and the files given with `--with` (configu
 
 A file without a record, as all are in a new clone, takes turns: it is judged on one day in seven (ROSY_TEST_SEED), or at once when
 it differs from what passed elsewhere (ROSY_TEST_CHANGED). `whole` as the first word judges all files.
+`only VERSION` before the command leaves everything out where the tool is of another version:
+the releases of a linter and of a formatter have other opinions, and sources follow one of them. What is printed says so.
 """
 
 from __future__ import annotations
@@ -14,16 +16,20 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-__all__ = ["DAYS", "Day", "check"]
+__all__ = ["DAYS", "LEFT_OUT", "Day", "check", "is_other", "main"]
 
 DAYS = 7
 """Days in which each file without a record is judged once."""
+
+LEFT_OUT = 77
+"""Exit status of a check that this machine's tools cannot make, as in Automake's tests."""
 
 
 @dataclass(frozen=True)
@@ -85,9 +91,23 @@ def today() -> Day:
     return Day(None if seed is None else int(seed), frozenset(os.environ.get("ROSY_TEST_CHANGED", "").splitlines()))
 
 
+def is_other(tool: str, version: str) -> bool:
+    """Whether the tool is of another version than this; `1.2` is any 1.2.x."""
+    said = _version(tool).decode()
+    found = re.search(r"\d+(?:\.\d+)+", said)
+    if found is not None and (found[0] + ".").startswith(version + "."):
+        return False
+    print(f"Left out: these sources follow {tool} {version}, and here it is: {(said.splitlines() or [''])[0]}", flush=True)
+    return True
+
+
 def main(arguments: Sequence[str]) -> int:
     whole = arguments[0] == "whole"
     name, *rest = arguments[1:] if whole else arguments
+    if rest[0] == "only":
+        _, version, *rest = rest
+        if is_other(rest[0], version):
+            return LEFT_OUT
     split = rest.index("--")
     command, files = rest[:split], rest[split + 1 :]
     configuration: list[Path] = []

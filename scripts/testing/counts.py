@@ -13,7 +13,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-__all__ = ["Count", "Reader", "by_exit", "json_report", "own_script", "pytest_summary", "tasty_summary"]
+from .changed_files import LEFT_OUT
+
+__all__ = ["Count", "Reader", "by_exit", "by_exit_or_left_out", "json_report", "own_script", "pytest_summary", "tasty_summary"]
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,11 @@ Reader = Callable[[str, int], Count]
 def by_exit(_output: str, status: int) -> Count:
     """A check that either holds or does not."""
     return Count(1, 0) if status == 0 else Count(0, 1)
+
+
+def by_exit_or_left_out(output: str, status: int) -> Count:
+    """A check that holds, does not, or says why it was left out."""
+    return Count(0, 0, 1) if status == LEFT_OUT else by_exit(output, status)
 
 
 def own_script(output: str, status: int) -> Count:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from testing.changed_files import DAYS, Day, check
+from testing.changed_files import DAYS, LEFT_OUT, Day, check, main
 
 # Prints the names of the files that it is given, and finds fault with the word `bad`.
 TOOL = """#!/bin/sh
@@ -88,3 +88,18 @@ def test_a_damaged_record_counts_as_empty(folder: Path, damage: str) -> None:
     checked(folder)
     (folder / "record").write_text(damage)
     assert checked(folder) == (0, ["a", "b"])
+
+
+@pytest.mark.parametrize(
+    ("said", "status"), [("v3.3.6, (C) Somebody 2006-2021", 0), ("3.3", 0), ("3.30.1", LEFT_OUT), ("v3.6.1", LEFT_OUT), ("unknown", LEFT_OUT)]
+)
+def test_a_tool_of_another_version_is_left_out_and_named(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str], said: str, status: int
+) -> None:
+    install(folder, f"'{said}'")
+    (folder / "seen").write_text("")
+    monkeypatch.chdir(folder)
+    monkeypatch.delenv("ROSY_TEST_SEED", raising=False)
+    assert main(["record", "only", "3.3", str(folder / "tool"), "--", "a"]) == status
+    assert ((folder / "seen").read_text() == "") == (status == LEFT_OUT)
+    assert ("Left out" in capfd.readouterr().out) == (status == LEFT_OUT)

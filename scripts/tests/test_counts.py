@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from testing.counts import Count, Reader, by_exit, json_report, own_script, pytest_summary, tasty_summary
+from testing.changed_files import LEFT_OUT
+from testing.counts import Count, Reader, by_exit, by_exit_or_left_out, json_report, own_script, pytest_summary, tasty_summary
 
 
 @pytest.mark.parametrize(
@@ -15,6 +16,10 @@ from testing.counts import Count, Reader, by_exit, json_report, own_script, pyte
     [
         (by_exit, "", 0, Count(1, 0)),
         (by_exit, "", 2, Count(0, 1)),
+        (by_exit, "", LEFT_OUT, Count(0, 1)),
+        (by_exit_or_left_out, "", 0, Count(1, 0)),
+        (by_exit_or_left_out, "", 1, Count(0, 1)),
+        (by_exit_or_left_out, "", LEFT_OUT, Count(0, 0, 1)),
         (own_script, "x\n1864 passed, 0 failed\n", 0, Count(1864, 0)),
         (own_script, "5 passed, 1 failed, 2 skipped\n", 1, Count(5, 1, 2)),
         (own_script, "Traceback", 1, Count(0, 1)),

@@ -3,8 +3,9 @@
 
 export type Dump = string | readonly Dump[]
 
+// A string's own text stands in the dump as it was written, with its gaps.
 const token =
-  /\s*(\{Name: [^}]*\}|\{OccName: [^}]*\}|\{Module: [^}]*\}|\{ModuleName: [^}]*\}|\{FastString: (?:"(?:[^"\\]|\\.)*")\}|"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'|[()[\]{}]|[^\s()[\]{}"]+)/gy
+  /\s*(\{Name: [^}]*\}|\{OccName: [^}]*\}|\{Module: [^}]*\}|\{ModuleName: [^}]*\}|\{FastString: (?:"(?:[^"\\]|\\.)*")\}|"(?:[^"\\]|\\[\s\S])*"|'(?:[^'\\]|\\.)*'|[()[\]{}]|[^\s()[\]{}"]+)/gy
 
 /// The dump's brackets as nested lists, each with its kind of bracket in front.
 export function parseDump(text: string): Dump {
@@ -48,9 +49,14 @@ export function normal(d: Dump): Dump {
     // `({ file:1:2 } X)` is X with its place.
     if (isList(x) && x[0] === "{" && /^(?:\w+\.hs:|<|NameSet:)/.test(String(x[1]))) return []
     if (["SourceText", "NoSourceText"].includes(head(x))) return []
+    // Where tokens and comments stand, of GHC 9.2 and newer.
+    if (head(x) === "EpAnn" || x === "EpAnnNotUsed") return ["EpAnn"]
     if (isList(n) && n[0] === "(" && n.length === 2) return [n[1] as Dump]
-    if (isList(n) && n[0] === "(" && n.includes(",")) return [...n.slice(1)]
+    if (isList(n) && n[0] === "(" && n.includes(",")) return [...n.slice(head(n) === "L" ? 3 : 1)]
     if (isList(n) && head(n) === "ConDeclField") return fieldByField(n)
+    // `deriving Show`, as `deriving (Show)`.
+    if (isList(n) && head(n) === "DctSingle")
+      return [["(", "DctMulti", ...n.slice(2, -1), ["[", ...n.slice(-1)]]]
     // From GHC 9.2 on a place is written around what is there, and brackets of 9.4 to 9.8 are tokens of the tree.
     if (isList(n) && head(n) === "L") return [n[n.length - 1] ?? n]
     const bracketed =
