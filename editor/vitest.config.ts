@@ -2,6 +2,7 @@
 
 import {mergeConfig} from "vite"
 import {defineConfig} from "vitest/config"
+import {dayOf, waiting} from "./test/turns.ts"
 import build from "./vite.config.ts"
 
 // Tests that need a browser.
@@ -27,7 +28,18 @@ export default mergeConfig(
             isolate: false,
           },
         },
-        {extends: true, test: {name: "web", include: [web], globalSetup: "test/blocks/browser_setup.ts"}},
+        {
+          extends: true,
+          // Also one, so that the files of a process share their pages (`test/blocks/browser.ts`).
+          test: {
+            name: "web",
+            include: [web],
+            exclude: waiting(dayOf(process.env)).map(name => `test/${name}.web.test.ts`),
+            globalSetup: "test/blocks/browser_setup.ts",
+            setupFiles: ["../codegen/test/yield_between_tests.ts"],
+            isolate: false,
+          },
+        },
       ],
     },
   }),

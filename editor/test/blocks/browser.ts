@@ -1,11 +1,18 @@
 /// The block view in the system's Chromium, for tests that need hands: a served page and a few gestures.
 
-import {type BrowserContextOptions, type CDPSession, chromium, type Page} from "playwright-core"
+import {
+  type Browser,
+  type BrowserContext,
+  type BrowserContextOptions,
+  type CDPSession,
+  chromium,
+  type Page,
+} from "playwright-core"
 import type {StageAddress} from "./browser_setup.ts"
 
 export interface Stage {
   /// A page with the block view as it is at first; `query` as `dev/blocks.ts` reads it. The same query gets the same
-  /// page, put back to its beginning: opening a page costs more than most stories.
+  /// page, also in other files of the same process, put back to its beginning: opening a page costs more than most stories.
   open(query?: string): Promise<Page>
   /// A page that no other story has.
   openOwn(query?: string): Promise<Page>
@@ -14,11 +21,23 @@ export interface Stage {
   close(): Promise<void>
 }
 
+/// The connection to the shared browser, and the pages that are put back to their beginning, for all test files of this process.
+const shared = new Map<string, {readonly browser: Promise<Browser>; readonly pages: Map<string, Page>}>()
+
+function sharedBrowser(endpoint: string) {
+  const known = shared.get(endpoint)
+  if (known !== undefined) return known
+  const opened = {browser: chromium.connect(endpoint, {timeout: 0}), pages: new Map<string, Page>()}
+  shared.set(endpoint, opened)
+  return opened
+}
+
 /// A test file's own view of the shared page server and browser: `openStage(inject("stage"))`.
 export async function openStage({address, endpoint}: StageAddress): Promise<Stage> {
-  const browser = await chromium.connect(endpoint, {timeout: 0})
+  const {browser, pages} = sharedBrowser(endpoint)
+  const own: BrowserContext[] = []
   const openWith = async (query: string, options: BrowserContextOptions) => {
-    const context = await browser.newContext({
+    const context = await (await browser).newContext({
       viewport: {width: 1100, height: 800},
       reducedMotion: "reduce",
       ...options,
@@ -32,16 +51,19 @@ export async function openStage({address, endpoint}: StageAddress): Promise<Stag
     await page.waitForFunction("window.blocks !== undefined && document.fonts.status === 'loaded'")
     return page
   }
-  const openOwn = (query = "") => openWith(query, {})
-  const pages = new Map<string, Page>()
+  const openForThisFile = async (query: string, options: BrowserContextOptions) => {
+    const page = await openWith(query, options)
+    own.push(page.context())
+    return page
+  }
   return {
-    openOwn,
+    openOwn: (query = "") => openForThisFile(query, {}),
     openForFingers: (query, width) =>
-      openWith(query, {viewport: {width, height: 800}, hasTouch: true, isMobile: true}),
+      openForThisFile(query, {viewport: {width, height: 800}, hasTouch: true, isMobile: true}),
     async open(query = "") {
       const known = pages.get(query)
       if (known === undefined) {
-        const page = await openOwn(query)
+        const page = await openWith(query, {})
         pages.set(query, page)
         return page
       }
@@ -51,7 +73,7 @@ export async function openStage({address, endpoint}: StageAddress): Promise<Stag
       return known
     },
     async close() {
-      await browser.close()
+      await Promise.all(own.map(context => context.close()))
     },
   }
 }
