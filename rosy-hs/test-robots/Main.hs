@@ -23,6 +23,7 @@ import qualified Test.Robots.Target
 import qualified Test.Robots.Telemetry
 import qualified Test.Robots.Wording
 import Test.Tasty
+import Test.Turns (Day, today)
 
 main :: IO ()
 main =
@@ -31,10 +32,10 @@ main =
     ["--drive", url, name] -> either (die . T.unpack . english . explainTargetError) (\t -> runOnRobot t (byName name) >>= exitWith) (readTarget url)
     -- Hours on a bad cable, one for each of these numbers.
     ["--hours", from, to] -> forM_ [read from .. read to] $ \seed -> putStrLn (show seed ++ ": " ++ show (anHour seed) ++ " wrong")
-    _ -> suite
+    _ -> today ["rosy-hs/robots/", "rosy-hs/test-robots/"] >>= suite
 
-suite :: IO ()
-suite =
+suite :: Day -> IO ()
+suite day =
   defaultMain . testGroup "robots" $
     [ Test.Robots.Kobuki.tests,
       Test.Robots.Guard.tests,
@@ -43,5 +44,5 @@ suite =
       Test.Robots.BuiltProgram.tests,
       Test.Robots.Telemetry.tests,
       Test.Robots.Wording.tests,
-      withReady (\ready -> testGroup "robots that are not" [Test.Robots.Links.tests ready, Test.Robots.Same.tests ready, Test.Robots.Motion.tests ready])
+      withReady (\ready -> testGroup "robots that are not" [Test.Robots.Links.tests day ready, Test.Robots.Same.tests ready, Test.Robots.Motion.tests ready])
     ]

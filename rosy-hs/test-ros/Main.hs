@@ -13,6 +13,7 @@ import qualified Test.Ros.Stamped
 import qualified Test.Ros.System
 import qualified Test.Ros.Topic
 import Test.Tasty
+import Test.Turns (Day, today)
 
 main :: IO ()
 main =
@@ -20,10 +21,10 @@ main =
     -- The tests start this program again as nodes of their own.
     "--node" : _ -> Test.Ros.System.aNode
     "--echo" : _ -> Test.Ros.System.anEcho
-    _ -> suite
+    _ -> today ["rosy-hs/ros/", "rosy-hs/test-ros/"] >>= suite
 
-suite :: IO ()
-suite =
+suite :: Day -> IO ()
+suite day =
   defaultMain . testGroup "ros" $
     [ Test.Ros.Generator.tests,
       Test.Ros.Genpy.tests,
@@ -32,6 +33,6 @@ suite =
       Test.Ros.Names.tests,
       Test.Ros.Net.tests,
       Test.Ros.Stamped.tests,
-      Test.Ros.System.tests,
+      Test.Ros.System.tests day,
       Test.Ros.Topic.tests
     ]

@@ -16,11 +16,13 @@ import qualified Test.Rosy.Task
 import qualified Test.Rosy.Value
 import qualified Test.Rosy.Wire
 import Test.Tasty (defaultMain, testGroup)
+import Test.Turns (today)
 
 main :: IO ()
 main = do
   -- All of the random tests run only at night (scripts/test.py).
   isNightly <- (== Just "1") <$> lookupEnv "ROSY_TEST_SHARE"
+  day <- today ["rosy-hs/src/", "rosy-hs/test/"]
   defaultMain $
     testGroup
       "rosy"
@@ -36,5 +38,5 @@ main = do
         Test.Rosy.Problem.tests,
         Test.Rosy.Codec.tests,
         Test.Rosy.Wire.tests,
-        Test.Rosy.Documentation.tests
+        Test.Rosy.Documentation.tests day
       ]

@@ -15,23 +15,27 @@ import Data.IORef (modifyIORef', newIORef, readIORef)
 import Data.List (sort)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import System.Environment (lookupEnv)
 import System.Posix.Signals (sigABRT, sigKILL, signalProcess)
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
+import Test.Turns (Day, rotated)
 import Test.Worker.Client
 
 megabytes :: Int
 megabytes = 1024 * 1024
 
-tests :: IO Worker -> TestTree
-tests borrow =
-  testGroup
-    "Life of a worker"
-    [ testCase "two hundred runs leave no process and no descriptor" $ do
+tests :: Day -> IO Worker -> TestTree
+tests day borrow =
+  testGroup "Life of a worker" $
+    -- One in three of the long ones each day.
+    [ testCase "many runs leave no process and no descriptor" $ do
         worker <- borrow
+        -- Two hundred runs by night, forty by day: one process or descriptor that each leaves would be seen after ten.
+        isNightly <- (== Just "1") <$> lookupEnv "ROSY_TEST_SHARE"
         eventually "nothing is at work" (null <$> childrenOf (processId worker))
         before <- descriptorsOf (processId worker)
-        forM_ [1 .. 20 :: Int] $ \batch -> do
+        forM_ [1 .. if isNightly then 20 else 4 :: Int] $ \batch -> do
           links <- replicateM 10 (run worker (toJSON batch) idle (64 * megabytes))
           answers <- replicateM 20 (hear worker)
           sort (map (text "op") answers) @?= replicate 10 "gone" ++ replicate 10 "started"
@@ -49,19 +53,6 @@ tests borrow =
           assertBool (show (own, whole)) (own * 4 < whole)
           gone <- ask worker (kill "second")
           (text "op" gone, text "id" gone, field "signal" gone) @?= ("gone", "second", Number 9),
-      testCase "a forked worker ends, with its programs, when its socket is closed or its fork server dies" $
-        withWorker [] $ \worker -> do
-          one <- forked worker "one"
-          two <- forked worker "two"
-          withRun one "running" idle (64 * megabytes) $ \_ -> do
-            _ <- hear one
-            [program] <- childrenOf (processId one)
-            closeWorker one
-            gone <- hear worker
-            (text "op" gone, text "id" gone) @?= ("gone", "one")
-            eventually "the program has ended" (not <$> isAlive program)
-          signalProcess sigKILL (fromIntegral (processId worker))
-          eventually "the other one has ended" (not <$> isAlive (processId two)),
       testCase "a run can be ended while it compiles" $ do
         worker <- borrow
         withRun worker "bomb" bomb (64 * megabytes) $ \_ -> do
@@ -89,10 +80,6 @@ tests borrow =
         withWorker ["--check-seconds", "0.4"] $ \worker -> do
           answer <- ask worker (check (Number 1) bomb)
           kinds answer @?= ["too-long"],
-      testCase "what takes too much memory to check is told so" $
-        withWorker ["--check-memory", show (40 * megabytes), "--check-seconds", "60"] $ \worker -> do
-          answer <- ask worker (check (Number 1) bomb)
-          kinds answer @?= ["too-large"],
       testCase "a program that uses up its memory ends with a sentence" $ do
         worker <- borrow
         withRun worker "hungry" hungry (64 * megabytes) $ \link -> do
@@ -113,13 +100,6 @@ tests borrow =
           gone <- hear worker
           let told = field "problem" gone
           (text "firing" gone, text "kind" told, text "function" told, text "message" told) @?= ("forEver", "memory", "forEver", "forEver needed too much memory."),
-      testCase "a program that has computed for too long ends with a sentence" $
-        withWorker ["--run-seconds", "1"] $ \worker ->
-          withRun worker "busy" stuck (64 * megabytes) $ \link -> do
-            _ <- hear worker
-            firstStep link
-            gone <- hear worker
-            (text "op" gone, text "kind" (field "problem" gone), text "firing" gone) @?= ("gone", "time", "forEver"),
       testCase "a program with empty places runs until it needs one, and says what is in scope there" $ do
         worker <- borrow
         answer <- ask worker (check (Number 1) unfinished)
@@ -151,33 +131,6 @@ tests borrow =
         withRun worker "wrong" "main = simulate (_, Velocity True 0)\n" (64 * megabytes) $ \_ -> do
           refused <- hear worker
           (text "op" refused, "type-mismatch" `elem` kinds refused) @?= ("refused", True),
-      testCase "eight programs that need too much memory to compile stay below one ceiling" $
-        withWorker ["--check-memory", show (48 * megabytes), "--total-memory", show (80 * megabytes), "--check-seconds", "600"] $ \worker -> do
-          own <- anonymousMemory (processId worker)
-          links <- forM [1 .. 8 :: Int] (\n -> run worker (toJSON n) (bomb <> "\n-- " <> Text.pack (show n)) (64 * megabytes))
-          peak <- newIORef 0
-          watcher <- forkIO . forever $ do
-            children <- allChildrenOf (processId worker)
-            sizes <- mapM (fmap (\size -> max 0 (size - own)) . anonymousMemory) children
-            modifyIORef' peak (max (sum sizes))
-            threadDelay 1000
-          answers <- replicateM 8 (hear worker)
-          killThread watcher
-          map (text "op") answers @?= replicate 8 "refused"
-          [kinds a | a <- answers] @?= replicate 8 ["too-large"]
-          -- Two compilations at once, each with its own limit, and what is allocated between two looks.
-          most <- readIORef peak
-          assertBool (show (most `div` megabytes) <> " MB") (most < 140 * megabytes)
-          mapM_ closeLink links,
-      testCase "a run that waits to be compiled can be ended" $
-        withWorker ["--check-seconds", "60"] $ \worker -> do
-          links <- forM ["a", "b", "c" :: Text] (\n -> run worker (toJSON n) (bomb <> "\n-- " <> n) (64 * megabytes))
-          answer <- ask worker (kill "c")
-          (text "id" answer, text "op" answer, field "signal" answer) @?= ("c", "gone", Number 9)
-          forM_ ["a", "b"] (tell worker . kill)
-          others <- replicateM 2 (hear worker)
-          sort (map (text "id") others) @?= ["a", "b"]
-          mapM_ closeLink links,
       testCase "the worker's children hold no capability, whichever user started it" $ do
         worker <- borrow
         _ <- ask worker (check (Number 1) idle)
@@ -226,7 +179,6 @@ tests borrow =
         answer <- ask worker (check (Number 9) idle)
         (text "op" answer, kinds answer) @?= ("checked", []),
       testCase "when the service goes, the worker and its programs go" $ leavingNothing closeWorker,
-      testCase "when the worker is killed, its programs go" $ leavingNothing (signalProcess sigKILL . fromIntegral . processId),
       testCase "each run runs its own program" $ do
         worker <- borrow
         forM_ [1 .. 3 :: Int] $ \n -> do
@@ -245,6 +197,62 @@ tests borrow =
           answers <- replicateM 50 (hear worker)
           map kinds answers @?= replicate 50 ["no-main"]
     ]
+      ++ rotated
+        day
+        3
+        [ testCase "a forked worker ends, with its programs, when its socket is closed or its fork server dies" $
+            withWorker [] $ \worker -> do
+              one <- forked worker "one"
+              two <- forked worker "two"
+              withRun one "running" idle (64 * megabytes) $ \_ -> do
+                _ <- hear one
+                [program] <- childrenOf (processId one)
+                closeWorker one
+                gone <- hear worker
+                (text "op" gone, text "id" gone) @?= ("gone", "one")
+                eventually "the program has ended" (not <$> isAlive program)
+              signalProcess sigKILL (fromIntegral (processId worker))
+              eventually "the other one has ended" (not <$> isAlive (processId two)),
+          testCase "what takes too much memory to check is told so" $
+            withWorker ["--check-memory", show (40 * megabytes), "--check-seconds", "60"] $ \worker -> do
+              answer <- ask worker (check (Number 1) bomb)
+              kinds answer @?= ["too-large"],
+          testCase "a program that has computed for too long ends with a sentence" $
+            withWorker ["--run-seconds", "1"] $ \worker ->
+              withRun worker "busy" stuck (64 * megabytes) $ \link -> do
+                _ <- hear worker
+                firstStep link
+                gone <- hear worker
+                (text "op" gone, text "kind" (field "problem" gone), text "firing" gone) @?= ("gone", "time", "forEver"),
+          testCase "eight programs that need too much memory to compile stay below one ceiling" $
+            withWorker ["--check-memory", show (48 * megabytes), "--total-memory", show (80 * megabytes), "--check-seconds", "600"] $ \worker -> do
+              own <- anonymousMemory (processId worker)
+              links <- forM [1 .. 8 :: Int] (\n -> run worker (toJSON n) (bomb <> "\n-- " <> Text.pack (show n)) (64 * megabytes))
+              peak <- newIORef 0
+              watcher <- forkIO . forever $ do
+                children <- allChildrenOf (processId worker)
+                sizes <- mapM (fmap (\size -> max 0 (size - own)) . anonymousMemory) children
+                modifyIORef' peak (max (sum sizes))
+                threadDelay 1000
+              answers <- replicateM 8 (hear worker)
+              killThread watcher
+              map (text "op") answers @?= replicate 8 "refused"
+              [kinds a | a <- answers] @?= replicate 8 ["too-large"]
+              -- Two compilations at once, each with its own limit, and what is allocated between two looks.
+              most <- readIORef peak
+              assertBool (show (most `div` megabytes) <> " MB") (most < 140 * megabytes)
+              mapM_ closeLink links,
+          testCase "a run that waits to be compiled can be ended" $
+            withWorker ["--check-seconds", "60"] $ \worker -> do
+              links <- forM ["a", "b", "c" :: Text] (\n -> run worker (toJSON n) (bomb <> "\n-- " <> n) (64 * megabytes))
+              answer <- ask worker (kill "c")
+              (text "id" answer, text "op" answer, field "signal" answer) @?= ("c", "gone", Number 9)
+              forM_ ["a", "b"] (tell worker . kill)
+              others <- replicateM 2 (hear worker)
+              sort (map (text "id") others) @?= ["a", "b"]
+              mapM_ closeLink links,
+          testCase "when the worker is killed, its programs go" $ leavingNothing (signalProcess sigKILL . fromIntegral . processId)
+        ]
   where
     kinds = ofProblems "kind"
     severities = ofProblems "severity"
