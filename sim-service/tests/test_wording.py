@@ -114,6 +114,8 @@ _ALL_PROPERTIES = "reaches-goal never-falls never-pushes 1 s returns-to-start co
         ["check", "broken.rosy"],
         ["build", "nowhere.hs"],
         ["room", "flat.json"],
+        ["replay", "p.hs", "p.hs", "--fit"],
+        ["replay", "p.hs", "-o", "room.json"],
         ["nonsense"],
         ["run", "p.hs", "--seconds", "many"],
         ["run", "p.hs", "--seconds", "-1"],
