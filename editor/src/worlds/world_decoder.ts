@@ -243,7 +243,9 @@ function goal(fields: Fields, path: string): WorldGoal {
 function readRealism(value: unknown): Realism {
   const read: Record<string, number> = {...ideal}
   for (const [key, given] of Object.entries(record(value, "realism"))) {
-    const range = (limits.realism as Readonly<Record<string, readonly [number, number]>>)[key]
+    const ranges: Readonly<Record<string, readonly [number, number]>> = limits.realism
+    // A file may name what every object has, such as `toString`.
+    const range = Object.hasOwn(ranges, key) ? ranges[key] : undefined
     if (range === undefined)
       throw new Wrong(`realism.${key}`, `expected one of ${Object.keys(limits.realism).join(", ")}.`)
     const amount = number(given, `realism.${key}`)

@@ -31,6 +31,11 @@ describe("a world from a file", () => {
     expect(faultOf(line.world)).toEqual(path === undefined ? null : {path, why})
   })
 
+  it("names a field of its realism that every object has, as any other that is unknown", () => {
+    const realism = JSON.parse('{"toString": 0.06}') as unknown
+    expect(faultOf({name: "a", title: "A", size: [6, 5], realism})?.path).toBe("realism.toString")
+  })
+
   it("is the same world after it was written and read again", () => {
     fc.assert(
       fc.property(anyWorld, world => {
