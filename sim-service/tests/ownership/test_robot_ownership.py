@@ -7,6 +7,7 @@ import contextlib
 import json
 import os
 import signal
+import socket
 import sys
 import time
 from collections.abc import AsyncIterator, Awaitable, Callable
@@ -23,6 +24,7 @@ from rosy_sim.ownership.driver_locks import active_drivers, canonical_address
 from rosy_sim.ownership.robot_configuration import read_robot_configuration
 from rosy_sim.ownership.robot_registry import RobotRegistry
 from rosy_sim.recordings.mcap_file import open_recording
+from rosy_sim.wire.robot_process import CommandsLine, EndedLine
 
 from ..conftest import PATIENCE
 from ..extent import WHOLE
@@ -269,6 +271,41 @@ def test_after_an_emergency_stop_nothing_drives_until_the_robot_is_freed(config:
         await rig.page.send("free")
         await rig.page.op("robot", stopped=False)
         await rig.drives(run=3)
+
+    story(tell, config, tmp_path)
+
+
+class FirstEnd:
+    """A run's listener that keeps how it ended."""
+
+    def __init__(self) -> None:
+        self.ended: asyncio.Future[str] = asyncio.get_running_loop().create_future()
+
+    def on_commands(self, line: CommandsLine) -> None:
+        raise AssertionError(line)
+
+    def on_ended(self, line: EndedLine) -> None:
+        self.ended.set_result(line.how)
+
+    def on_lost(self) -> None:
+        self.ended.set_result("lost")
+
+
+def test_a_stop_that_comes_before_the_run_has_begun_is_not_lost(config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        [session] = rig.service.sessions.values()
+        process = session.ownership.process
+        assert process is not None
+        for _ in range(20):
+            # A program that never answers.
+            program, link = socket.socketpair()
+            listener = FirstEnd()
+            process.run(link, listener)
+            process.stop()
+            assert await listener.ended == "stopped"
+            program.close()
+        await rig.drives()
 
     story(tell, config, tmp_path)
 

@@ -103,8 +103,11 @@ data RobotProcess = RobotProcess
     observed :: TVar Bool,
     -- | file for the next program's run
     recordingFile :: TVar (Maybe FilePath),
-    -- | stop flag of the running program
-    running :: TVar (Maybe (TVar Bool)),
+    -- | whether a program runs
+    isRunning :: TVar Bool,
+    -- | how many runs were requested, and up to which of them runs were stopped: a request to stop may come before the run has begun
+    requestedRuns :: TVar Int,
+    stoppedRuns :: TVar Int,
     lines' :: TBQueue L.ByteString
   }
 
@@ -151,14 +154,19 @@ runRobotProcess limits target recorder plain (Requests asked) nextProgram write 
       <*> newTVarIO 0
       <*> newTVarIO False
       <*> newTVarIO Nothing
-      <*> newTVarIO Nothing
+      <*> newTVarIO False
+      <*> newTVarIO 0
+      <*> newTVarIO 0
       <*> newTBQueueIO maxQueuedLines
   sendSettings h target
   sendLine h (linkLine (IsAwaited unknownReason))
   let requests = do
         r <- atomically (readTQueue asked)
         case r of
-          Run -> atomically (swapTVar (recordingFile h) Nothing >>= writeTQueue runs)
+          Run -> atomically $ do
+            number <- stateTVar (requestedRuns h) (\n -> (n + 1, n + 1))
+            file <- swapTVar (recordingFile h) Nothing
+            writeTQueue runs (number, file)
           Record file -> atomically (writeTVar (recordingFile h) (Just file))
           Stop -> stopRun h >> sendHalt h connection
           EmergencyStop -> emergencyStop h connection
@@ -172,7 +180,7 @@ runRobotProcess limits target recorder plain (Requests asked) nextProgram write 
         next <- atomically ((Left <$> readTQueue runs) `orElse` (Right <$> takeEvents connection))
         case next of
           Right hs -> mapM_ (passEvent h connection) hs
-          Left file -> bracket nextProgram close (\socket -> traverse_ (beginRecording recorder) file >> runProgram (stepLimit limits) target recorder connection h socket)
+          Left (number, file) -> bracket nextProgram close (\socket -> traverse_ (beginRecording recorder) file >> runProgram (stepLimit limits) target recorder connection h number socket)
         programs
       writer = forever (atomically (readTBQueue (lines' h)) >>= write)
   (requests `race_` programs `race_` writer `race_` sendFrames h `race_` superviseOwner (abandonLimit limits) h connection) `finally` sendHalt h connection
@@ -225,15 +233,16 @@ sendHalt h connection = atomically (stateTVar (guarded h) haltWheels) >>= mapM_ 
 reportHeld :: RobotProcess -> IO ()
 reportHeld h = atomically $ do
   emergency <- isJust <$> readTVar (stoppedAt h)
-  runs <- isJust <$> readTVar (running h)
+  runs <- readTVar (isRunning h)
   mayDrive <- isArmed <$> readTVar (guarded h)
   let isHeld = emergency || (runs && not mayDrive)
   was <- readTVar (toldHeld h)
   full <- isFullTBQueue (lines' h)
   when (isHeld /= was && not full) (writeTVar (toldHeld h) isHeld >> writeTBQueue (lines' h) (stoppedLine isHeld))
 
+-- | Stops the program that runs, and those that were requested and have not begun.
 stopRun :: RobotProcess -> IO ()
-stopRun h = atomically (readTVar (running h) >>= mapM_ (`writeTVar` True))
+stopRun h = atomically (readTVar (requestedRuns h) >>= writeTVar (stoppedRuns h))
 
 emergencyStop :: RobotProcess -> Connection -> IO ()
 emergencyStop h connection = do
@@ -243,24 +252,24 @@ emergencyStop h connection = do
   reportHeld h
   stopRun h
 
-runProgram :: Double -> Target -> Recorder -> Connection -> RobotProcess -> Socket -> IO ()
-runProgram stepLimit' target recorder connection h socket = do
-  stop <- newTVarIO False
+-- | The run of this number.
+runProgram :: Double -> Target -> Recorder -> Connection -> RobotProcess -> Int -> Socket -> IO ()
+runProgram stepLimit' target recorder connection h number socket = do
   t <- getMonotonicTime
-  held <- atomically $ do
-    held <- readTVar (stoppedAt h)
-    when (isNothing held) $ do
-      writeTVar (running h) (Just stop)
+  mayBegin <- atomically $ do
+    mayBegin <- (&&) <$> (isNothing <$> readTVar (stoppedAt h)) <*> (not <$> isStopped)
+    when mayBegin $ do
+      writeTVar (isRunning h) True
       recordHeartbeat h t
       writeTVar (began h) t
       modifyTVar' (guarded h) startRun
       modifyTVar' (robotState h) restart
-    pure held
-  case held of
-    Just _ -> endRecording recorder >> sendLine h (endedLine 0 "stopped" Nothing)
-    Nothing -> do
+    pure mayBegin
+  if not mayBegin
+    then endRecording recorder >> sendLine h (endedLine 0 "stopped" Nothing)
+    else do
       pace <- realPace stepLimit'
-      served <- runLockstep pace (observer h) {onLines = recordLines recorder} (readTVar stop) (targetPatience target) (guarded h) connection socket `finally` atomically (writeTVar (running h) Nothing)
+      served <- runLockstep pace (observer h) {onLines = recordLines recorder} isStopped (targetPatience target) (guarded h) connection socket `finally` atomically (writeTVar (isRunning h) False)
       time <- elapsed h
       endRecording recorder
       sendFrame h
@@ -273,6 +282,8 @@ runProgram stepLimit' target recorder connection h socket = do
         Died -> ("died", Nothing)
         RobotLost _ -> ("lost", Nothing)
         RobotRefused _ -> ("lost", Nothing)
+  where
+    isStopped = (number <=) <$> readTVar (stoppedRuns h)
 
 observer :: RobotProcess -> Observer
 observer h =
@@ -315,8 +326,8 @@ superviseOwner abandonLimit' h connection = forever $ do
   t <- getMonotonicTime
   seen <- readTVarIO (aliveAt h)
   silent <- atomically (stateTVar (silentChecks h) (\n -> (n + 1, n + 1)))
-  runs <- readTVarIO (running h)
-  forM_ runs $ \_ -> do
+  runs <- readTVarIO (isRunning h)
+  when runs $ do
     atomically (stateTVar (guarded h) (setWatched (t - seen < watchTimeout))) >>= mapM_ (sendCommand connection)
     when (fromIntegral silent * checkInterval > abandonLimit') (stopRun h >> sendHalt h connection)
   reportHeld h

@@ -15,7 +15,6 @@ where
 import Data.Data (Data, cast, gmapQ)
 import Data.List (nub)
 import qualified Data.Map.Strict as Map
-import Data.Text (Text)
 import qualified Data.Text as Text
 import GHC.Data.Bag (isEmptyBag)
 import GHC.Data.FastString (unpackFS)
