@@ -29,6 +29,7 @@ import peers
 from programs import FIRST_STEP, SMALL, large_program
 
 T = TypeVar("T")
+U = TypeVar("U")
 
 ROOT = Path(__file__).resolve().parents[3]
 ROUNDS = int(os.environ.get("ROSY_BENCH_ROUNDS", "50"))
@@ -140,17 +141,18 @@ class Worker:
 
 
 def timed(rounds: int, action: Callable[[], object]) -> list[float]:
-    return timed_after(rounds, lambda: None, lambda _: action())
+    return timed_between(rounds, lambda: None, lambda _: action(), lambda _: None)
 
 
-def timed_after(rounds: int, before: Callable[[], T], action: Callable[[T], object]) -> list[float]:
-    """The time of an action without that of what goes before it."""
+def timed_between(rounds: int, before: Callable[[], T], action: Callable[[T], U], after: Callable[[U], object]) -> list[float]:
+    """The time of an action without that of what goes before and after it."""
     took = []
     for _ in range(rounds):
         ready = before()
         began = time.perf_counter()
-        action(ready)
+        made = action(ready)
         took.append((time.perf_counter() - began) * 1000)
+        after(made)
     return took
 
 
@@ -225,10 +227,10 @@ def first_firing(worker: Worker, source: str, goal: float) -> None:
     """Up to the first firing, beside a ghci that loads the program and runs `main`, which ends at once."""
     own = row(
         f"run: to first firing, {lines_of(source)}, prepared",
-        timed_after(ROUNDS, lambda: worker.prepare(source), lambda link: ended(worker, worker.fire(source, link))),
+        timed_between(ROUNDS, lambda: worker.prepare(source), lambda link: worker.fire(source, link), lambda link: ended(worker, link)),
         (goal,),
     )
-    row("   not prepared", timed(ROUNDS, lambda: ended(worker, worker.fire(source))), beside=own)
+    row("   not prepared", timed_between(ROUNDS, lambda: None, lambda _: worker.fire(source), lambda link: ended(worker, link)), beside=own)
     with tempfile.TemporaryDirectory() as folder:
         row("   ghci, warm: :reload and main", peers.reloads(Path(folder), source, COLD_ROUNDS, runs=True), beside=own)
         row("   runghc", timed(COLD_ROUNDS, lambda: peers.runghc(Path(folder))), beside=own)
