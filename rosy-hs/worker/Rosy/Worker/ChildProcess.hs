@@ -156,7 +156,8 @@ runProgram settings session beginning answer link page memory source = runToExit
   -- What may never be run has a run's priority from the beginning, also while it is compiled.
   when (beginning == WhenAsked) (lowerPriority runNiceness)
   enterSandbox settings [answer, link]
-  when hasLargeArea (setAllocationArea compileAllocationArea >> keepYoung True)
+  when hasLargeArea (setAllocationArea compileAllocationArea)
+  when (beginning == WhenAsked) (keepYoung True)
   (report, mayRun) <- checkSource settings ForRun session source
   let found = problems report
       uses = usedTypes (parts report)
@@ -173,7 +174,7 @@ runProgram settings session beginning answer link page memory source = runToExit
       let starting = "S" <> line ("problems" .= found <> "compile" .= (now - began) <> "uses" .= uses <> branchFields branches)
       -- These hold the whole checked program until they are computed.
       _ <- evaluate (ByteString.length starting + length (show places))
-      when hasLargeArea giveBack
+      if beginning == WhenAsked then giveBack else when hasLargeArea shrink
       size <- dataSegmentSize
       let on layer = layer (protections settings)
       when (on memoryLimit) $ limitHeap (if hasLargeArea then memory - min memory (compileAllocationArea - runAllocationArea) else memory)
@@ -186,19 +187,21 @@ runProgram settings session beginning answer link page memory source = runToExit
       let Fd fd = link
       launch fd page places
   where
-    -- A program that waits, also for long, gives back what compiling it took. For a small one that begins at once this takes more time than it
-    -- is worth.
+    -- For a small program that begins at once a larger area takes more time than it is worth.
     hasLargeArea = beginning == WhenAsked || Text.length source > largeSourceLength
 
--- | Leaves of what a compilation has allocated only what the program needs. The second collection puts that beside what lives for long.
+-- | Leaves of what a compilation has allocated only what the program needs, which waits, perhaps for long. For one that begins at once this would take
+-- more time than it is worth: a fifth of a run's with 501 lines. The second collection puts that beside what lives for long.
 giveBack :: IO ()
 giveBack = do
   performMinorGC
   keepYoung False
-  performMinorGC
-  shrinkAllocationArea
-  setAllocationArea runAllocationArea
+  shrink
   releaseFreeMemory
+
+-- | From now on a running program's allocation area.
+shrink :: IO ()
+shrink = performMinorGC >> shrinkAllocationArea >> setAllocationArea runAllocationArea
 
 -- | Says that the program is ready, and waits until it is asked for.
 awaitRequest :: Fd -> IO ()
