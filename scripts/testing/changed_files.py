@@ -39,7 +39,7 @@ class Day:
     seed: int | None
     """None: all."""
     changed: Collection[str] = ()
-    """Files that differ from what has passed elsewhere."""
+    """Files that differ from the commit whose tests passed last."""
 
     def judges(self, number: int, file: Path) -> bool:
         return self.seed is None or (number + self.seed) % DAYS == 0 or file.as_posix() in self.changed

@@ -2,8 +2,8 @@
 -- Module      : Test.Turns
 -- Description : Turns of long tests: @./rosy test@ runs a share that changes daily, @./rosy test nightly@ all of them.
 --
--- The main path of each part is in no table that takes turns. All are run while a source of their part differs from what has passed, and when they are
--- started by hand, without a daily seed.
+-- Tests of the main path of each part take no turns and run daily. All tests run while a source file of their part has changed since the last run that
+-- passed, and when they are started by hand, without a daily seed.
 module Test.Turns (Day, today, nextDays, rotated) where
 
 import Data.List (isPrefixOf)

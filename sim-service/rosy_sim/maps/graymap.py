@@ -65,7 +65,7 @@ def read_graymap(path: Path) -> Graymap:
         raise BadInput(
             tr("{path} is cut short: it has {n} of {all} pixels.", path=path, n=len(pixels), all=width * height)
         )
-    # As every reader of images does: white is white, whatever its number.
+    # Scaled to 255, so that the largest value of the file is white.
     return Graymap(width, height, pixels.translate(bytes(min(255, round(v * 255 / most)) for v in range(256))))
 
 

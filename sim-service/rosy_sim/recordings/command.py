@@ -131,6 +131,10 @@ def _fit_sentences(found: Fit) -> list[Sentence]:
         said.append(tr("veer: it needs some way straight ahead to tell."))
     if found.latency is not None:
         said.append(tr("latency {latency}: so many s from a command to the wheels.", latency=round(found.latency, 2)))
+    said.extend(
+        tr("A room cannot have that {name}; the nearest that it can have is written: {limit}.", name=name, limit=limit)
+        for name, limit in found.beyond().items()
+    )
     return said
 
 

@@ -87,9 +87,16 @@ class Fit:
     turn: float
 
     def realism(self) -> dict[str, float]:
-        """What was found, as in a world."""
+        """What was found, as in a world, within its limits."""
+        return {key: round(_limited(key, value), 4) for key, value in self._found().items()}
+
+    def beyond(self) -> dict[str, float]:
+        """The limits of those parameters for which more, or less, was found than a world may have."""
+        return {key: _limited(key, value) for key, value in self._found().items() if _limited(key, value) != value}
+
+    def _found(self) -> dict[str, float]:
         found = {"travel": self.travel, "turning": self.turning, "veer": self.veer, "latency": self.latency}
-        return {key: round(value, 4) for key, value in found.items() if value is not None}
+        return {key: value for key, value in found.items() if value is not None}
 
 
 class _Xyz(msgspec.Struct):
@@ -206,9 +213,9 @@ def _solve(pairs: Sequence[tuple[_Window, _Window]], latency: float) -> tuple[fl
         turn_left = real_left - left * (1.0 if turning is None else turning) - real_ahead * (veer or 0.0)
         error += (base * turn_left) ** 2
     found = Fit(
-        _limited("travel", travel),
-        _limited("turning", turning),
-        _limited("veer", veer),
+        travel,
+        turning,
+        veer,
         latency if drove or turned else None,
         way,
         turn,
@@ -234,9 +241,7 @@ def _two_slopes(points: Sequence[tuple[float, float, float]]) -> tuple[float | N
     return (xz * yy - yz * xy) / determinant, (yz * xx - xz * xy) / determinant
 
 
-def _limited(name: str, value: float | None) -> float | None:
-    if value is None:
-        return None
+def _limited(name: str, value: float) -> float:
     least, most = LIMITS[name]
     return max(least, min(most, value))
 

@@ -84,7 +84,7 @@ class WorkerSession:
         # Set when the worker has accepted the text.
         self._program: RunningProgram | None = None
         # Until the compilation begins: a task that is cancelled before its first step never runs.
-        self._untouched = prepared
+        self._prepared = prepared
         # None when the compilation is over.
         self._compilation: asyncio.Task[None] | None = asyncio.get_running_loop().create_task(self._compile(source))
 
@@ -101,7 +101,7 @@ class WorkerSession:
             self._discard(self._take_prepared())
 
     def _take_prepared(self) -> PreparedRun | None:
-        prepared, self._untouched = self._untouched, None
+        prepared, self._prepared = self._prepared, None
         return prepared
 
     def _discard(self, prepared: PreparedRun | None) -> None:

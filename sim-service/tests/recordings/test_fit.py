@@ -77,6 +77,15 @@ def test_what_was_not_driven_is_not_told() -> None:
     assert arc.turning == pytest.approx(0.9, rel=0.02)
 
 
+def test_what_no_room_can_have_is_limited_and_told() -> None:
+    drive = driven(SQUARES * 3, travel=0.2)
+    slow = fit(RecordedDrive(drive.told, [m._replace(x=m.x / 2, y=m.y / 2) for m in drive.moved], []))
+    assert slow.travel == pytest.approx(0.1, rel=0.1)
+    assert slow.realism()["travel"] == 0.2
+    assert slow.beyond() == {"travel": 0.2}
+    assert fit(driven(SQUARES * 3, travel=0.8)).beyond() == {}
+
+
 def test_what_holds_the_robot_says_nothing_about_its_wheels() -> None:
     drive = driven(SQUARES * 2, travel=0.8)
     # For two seconds it stands before a wall, and its bumper is pressed.
