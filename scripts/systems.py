@@ -29,16 +29,22 @@ import time
 from pathlib import Path
 
 from sizes import APT_DOWNLOADS, APT_ON_DISK, megabytes
-from testing.bare_system import System
+from testing.bare_system import System, keyring
 
 ROOT = Path(__file__).resolve().parent.parent
-RELEASES: list[dict[str, str]] = json.loads((ROOT / "scripts/testing/systems.json").read_text())
+SYSTEMS = json.loads((ROOT / "scripts/testing/systems.json").read_text())
+RELEASES: list[dict[str, str]] = SYSTEMS["releases"]
+KEYRINGS: dict[str, dict[str, str]] = SYSTEMS["keyrings"]
+"""For a distribution whose keys this system may not have: the package that holds them, and its SHA-256."""
 
 USERS = ("root", "sudo", "package")
 
 MINUTES_TO_START = 60
 
 PROGRAM = "move :: Velocity\nmove = Velocity 0.3 0\n\nmain = simulate move\n"
+
+TOO_OLD = "told: too old"
+"""The start of a system whose GHC is older than Rosy needs, and that says so; nothing is installed there."""
 
 Outcome = dict[str, str]
 
@@ -52,11 +58,12 @@ def follow_readme(system: System, user: str, suites: str | None, deb: Path) -> O
     # `start` runs until it says that it is ready; another command then uses what it has set up.
     started = system.text(
         "rm -rf rosy && git clone -q /source rosy && cd rosy && "
-        f"(timeout {MINUTES_TO_START * 60} ./rosy start --no-browser --port 0 & echo $! >pid; wait) | "
+        f"(timeout {MINUTES_TO_START * 60} ./rosy start --no-browser --port 0 2>&1 & echo $! >pid; wait) | "
         "while read -r line; do echo \"$line\"; case $line in *'is ready'*) kill $(cat pid) ;; esac; done",
         account,
     )
-    outcome = {"minutes": f"{(time.monotonic() - began) / 60:.1f}", "start": "ready" if "is ready" in started else "failed"}
+    start = "ready" if "is ready" in started else TOO_OLD if "is older than Rosy needs" in started else "failed"
+    outcome = {"minutes": f"{(time.monotonic() - began) / 60:.1f}", "start": start}
     if outcome["start"] == "ready":
         system.run(f"printf %s {shlex.quote(PROGRAM)} >move.hs", account)
         ran = system.text("cd rosy && ./rosy run ../move.hs --seconds 2 --speed max", account)
@@ -148,7 +155,8 @@ def main(arguments: list[str]) -> int:
             print(f"{system.release['name']}, {user} …", flush=True)
             if not given.keep:
                 system.remove()
-            if not system.folder.exists() and (why := system.make()):
+            distribution = system.release["distribution"]
+            if not system.folder.exists() and (why := system.make(keyring(distribution, place, KEYRINGS.get(distribution)))):
                 rows.append([system.release["name"], user, "", "", "", "not made", *[""] * 7])
                 notes.append(f"{system.release['name']} was not made: {why}")
                 print(notes[-1], flush=True)
@@ -160,8 +168,10 @@ def main(arguments: list[str]) -> int:
             notes += [f"{system.release['name']}, {user}:\n{outcome[what]}" for what in ("sizes", "failures") if outcome.get(what)]
             if not given.keep:
                 system.remove()
+            if outcome["start"] == TOO_OLD:
+                break
     print("", table(rows), *notes, sep="\n\n")
-    return 0 if all(line[5] == "ready" and line[11] in ("", "0") for line in rows) else 1
+    return 0 if all(line[5] in ("ready", TOO_OLD) and line[11] in ("", "0") for line in rows) else 1
 
 
 if __name__ == "__main__":

@@ -72,6 +72,19 @@ check_ghc() {
   esac
 }
 
+# The name of a system whose own GHC and Python are too old, where no newer GHC was put.
+old_system() {
+  local release="${ROSY_OS_RELEASE:-/etc/os-release}" id version oldest
+  if [ ! -r "$release" ] || command -v ghc >/dev/null; then return; fi
+  id=$(sed -n 's/^ID="\?\([a-z]*\)"\?$/\1/p' "$release")
+  version=$(sed -n 's/^VERSION_ID="\?\([0-9.]*\)"\?$/\1/p' "$release")
+  case "$id" in debian) oldest=12 ;; ubuntu) oldest=24.04 ;; *) return ;; esac
+  # Debian testing has no version.
+  if [ -n "$version" ] && [ "$(printf '%s\n' "$version" "$oldest" | sort -V | head -n 1)" != "$oldest" ]; then
+    sed -n 's/^PRETTY_NAME="\?\([^"]*\)"\?$/\1/p' "$release"
+  fi
+}
+
 check_rights() {
   apt_can_install=yes
   [ -n "$apt_pending" ] && [ "$(id -u)" != 0 ] || return 0
@@ -145,7 +158,7 @@ page_can_stay() {
 # preflight STEPS PORT: `apt_pending` holds the Debian packages that are missing.
 preflight() {
   pending=$1
-  local port=$2 seconds=0 download=0 disk=0 s d m step offline
+  local port=$2 seconds=0 download=0 disk=0 s d m step offline old=
   for step in $pending; do
     read -r s d m < <(cost_of "$step")
     seconds=$((seconds + s)) download=$((download + d)) disk=$((disk + m))
@@ -154,8 +167,13 @@ preflight() {
   exec 4< <(if [ "$download" -gt 0 ]; then servers | sort -u | check_network; fi)
   check_system
   check_rights
-  check_python
-  case " $pending " in *" haskell "*) check_ghc ;; esac
+  case " $pending " in *" haskell "*) old=$(old_system) ;; esac
+  if [ -n "$old" ]; then
+    lacks "$(sentence "The GHC of {system} is older than Rosy needs." system "$old")" "$(sentence "Use Debian 12 or Ubuntu 24.04, or a newer one.")"
+  else
+    check_python
+    case " $pending " in *" haskell "*) check_ghc ;; esac
+  fi
   check_disk "$disk"
   [ -z "$port" ] || check_port "$port"
   offline=$(tr '\n' ' ' <&4)

@@ -4,15 +4,17 @@ Bare system in a folder: a Debian or Ubuntu made by mmdebstrap with nothing but 
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
 import shlex
 import shutil
 import subprocess
+import urllib.request
 from dataclasses import dataclass, field
 from pathlib import Path
 
-__all__ = ["System", "first_error"]
+__all__ = ["System", "first_error", "keyring"]
 
 PREREQUISITES = "git curl ca-certificates python3"
 """What the README asks for, and the certificates without which git and curl reach nothing."""
@@ -27,6 +29,28 @@ def first_error(log: str) -> str:
     return errors[0] if errors else ""
 
 
+def keyring(distribution: str, folder: Path, package: dict[str, str] | None) -> Path:
+    """
+    The file with the keys of a distribution's packages: this system's, or else one taken out of ``package`` into ``folder``.
+
+    A package whose SHA-256 is another, or that cannot be fetched, is not used: the file that is returned then does not exist.
+    """
+    name = f"{distribution}-archive-keyring.gpg"
+    of_the_system, fetched = Path("/usr/share/keyrings", name), folder / "keyrings/usr/share/keyrings" / name
+    if of_the_system.exists() or package is None:
+        return of_the_system
+    if not fetched.exists():
+        file = folder / "keyring.deb"
+        try:
+            with urllib.request.urlopen(package["package"], timeout=60) as answer:
+                file.write_bytes(answer.read())
+        except OSError:
+            return of_the_system
+        if hashlib.sha256(file.read_bytes()).hexdigest() == package["sha256"]:
+            subprocess.run(["dpkg-deb", "-x", str(file), str(folder / "keyrings")], check=True)
+    return fetched
+
+
 @dataclass
 class System:
     """A bare system in a folder, in which commands run as root or as a user."""
@@ -36,12 +60,11 @@ class System:
     log: Path
     environment: dict[str, str] = field(default_factory=lambda: {name: value for name, value in os.environ.items() if PASSED_ON.match(name)})
 
-    def make(self) -> str:
-        """Makes the root folder; empty, or why it cannot be made."""
-        keyring = f"/usr/share/keyrings/{self.release['distribution']}-archive-keyring.gpg"
-        if not Path(keyring).exists():
-            return f"the keys of its packages are not here: there is no {keyring}"
-        command = ["mmdebstrap", "--mode=root", "--variant=apt", f"--keyring={keyring}", f"--components={self.release['components']}"]
+    def make(self, keys: Path) -> str:
+        """Makes the root folder from packages that are signed with ``keys``; empty, or why it cannot be made."""
+        if not keys.exists():
+            return f"the keys of its packages are not here: there is no {keys}"
+        command = ["mmdebstrap", "--mode=root", "--variant=apt", f"--keyring={keys}", f"--components={self.release['components']}"]
         # A mirror that is a copy of some day has lists whose time is over; they are signed all the same.
         command += [
             '--aptopt=APT::Install-Recommends "false"',

@@ -21,9 +21,9 @@ def complete(tmp_path: Path) -> Machine:
     return machine(tmp_path)
 
 
-def missing(complete: Machine, *arguments: str) -> list[str]:
+def missing(complete: Machine, *arguments: str, env: dict[str, str] | None = None) -> list[str]:
     """The list that a failed start prints; nothing may have been installed."""
-    done = complete.rosy("start", *arguments)
+    done = complete.rosy("start", *arguments, env=env)
     assert done.returncode == 1, done.stderr
     assert "Traceback" not in done.stderr
     assert complete.called("install -y") == complete.called("-m venv") == complete.called("npm install") == 0
@@ -116,6 +116,28 @@ def test_a_system_without_apt_is_told_which_packages(complete: Machine) -> None:
     told = "\n".join(missing(complete))
     assert "no apt" in told
     assert "libghc-aeson-dev" in told
+
+
+@pytest.mark.parametrize(
+    ("release", "is_old"),
+    [
+        ('ID=ubuntu\nVERSION_ID="22.04"\nPRETTY_NAME="Ubuntu 22.04.5 LTS"\n', True),
+        ('ID=debian\nVERSION_ID="11"\nPRETTY_NAME="Debian GNU/Linux 11 (bullseye)"\n', True),
+        ('ID=ubuntu\nVERSION_ID="24.04"\nPRETTY_NAME="Ubuntu 24.04.4 LTS"\n', False),
+        ('ID=debian\nVERSION_ID="13"\nPRETTY_NAME="Debian GNU/Linux 13 (trixie)"\n', False),
+        ('ID=debian\nPRETTY_NAME="Debian GNU/Linux forky/sid"\n', False),
+    ],
+)
+def test_a_system_that_is_too_old_is_told_so_instead_of_a_newer_python(complete: Machine, release: str, is_old: bool) -> None:
+    """Ubuntu 22.04 has a Python 3.11 to install, but no GHC: who installed the one was then told of the other."""
+    (complete.root / "os-release").write_text(release)
+    complete.lacks("ghc")
+    for name in ("python3", *(f"python3.{minor}" for minor in range(11, 15))):
+        complete.tool(name, "exit 1")
+    told = "\n".join(missing(complete, env={"ROSY_OS_RELEASE": str(complete.root / "os-release")}))
+    assert ("is older than Rosy needs" in told) == is_old
+    assert ("Python 3.11 or newer" in told) != is_old
+    assert (release.split('PRETTY_NAME="')[1].split('"')[0] in told) == is_old
 
 
 def test_another_system_is_named(complete: Machine) -> None:

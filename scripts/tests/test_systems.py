@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
+import subprocess
 from pathlib import Path
 
 import pytest
 
 from sizes import measure, table
 from systems import all_megabytes
-from testing.bare_system import System, first_error
+from testing.bare_system import System, first_error, keyring
 
 from .sandbox import COMPLETE, machine
 
@@ -67,8 +69,24 @@ def test_the_debug_symbols_of_python_packages_are_removed_where_the_system_can(t
 
 def test_a_system_whose_keys_are_not_here_is_not_made_and_the_reason_is_told(tmp_path: Path) -> None:
     system = System({"name": "Nowhere 1", "suite": "first", "distribution": "nowhere", "components": "main"}, tmp_path / "root", tmp_path / "log")
-    assert "nowhere-archive-keyring.gpg" in system.make()
+    assert "nowhere-archive-keyring.gpg" in system.make(keyring("nowhere", tmp_path, None))
     assert not system.folder.exists()
+
+
+def test_keys_come_out_of_a_package_only_where_it_is_the_one_that_is_known(tmp_path: Path) -> None:
+    name = "usr/share/keyrings/nowhere-archive-keyring.gpg"
+    write(tmp_path / "tree" / name, 0).write_text("keys")
+    write(tmp_path / "tree/DEBIAN/control", 0).write_text("Package: keys\nVersion: 1\nArchitecture: all\nMaintainer: a <a@example.org>\nDescription: keys\n")
+    package = tmp_path / "keys.deb"
+    subprocess.run(["dpkg-deb", "--root-owner-group", "-b", tmp_path / "tree", package], check=True, capture_output=True)
+    for known, sha256 in ((True, hashlib.sha256(package.read_bytes()).hexdigest()), (False, "0" * 64)):
+        folder = tmp_path / str(known)
+        folder.mkdir()
+        found = keyring("nowhere", folder, {"package": package.as_uri(), "sha256": sha256})
+        assert found == folder / "keyrings" / name
+        assert found.exists() == known
+    gone = {"package": (tmp_path / "gone.deb").as_uri(), "sha256": "0" * 64}
+    assert not keyring("nowhere", tmp_path, gone).exists()
 
 
 def test_the_reason_is_the_first_error_of_apt() -> None:
