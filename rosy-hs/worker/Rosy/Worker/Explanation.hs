@@ -127,9 +127,14 @@ explain outline raw = case category raw of
 
     hole = problem "hole" (tr "Something is missing here.") (whatFits raw)
 
-    notImported = case finding raw of
-      Just (ModuleNotImported q) -> Just q
+    notImported = case (finding raw, qualifier) of
+      (Just (ModuleNotImported q), _) -> Just q
+      -- GHC 9.4 leaves out the qualifier, and that its module is not imported.
+      (Nothing, Just q) | saying "Variable not in scope", not (imports q) -> Just q
       _ -> Nothing
+    imports q = or [q `elem` ws | "import" : ws <- map Text.words (Text.lines (text outline))]
+    -- Of the unknown name, as the program has it.
+    qualifier = Text.stripSuffix ("." <> nameAlone) =<< snippet (text outline) =<< messageSpan raw
     moduleNotImported q = problem "not-in-scope" (trWith "‘{module}’ is not imported." ["module" =: q]) (importHint q)
 
     notInScope
@@ -139,7 +144,8 @@ explain outline raw = case category raw of
       | Text.isPrefixOf "(" unknownName = problem "operator" (trWith "There is no sign ‘{sign}’." ["sign" =: sign]) (fromMaybe (nearMiss everything sign) (foreignNameHint sign))
       | otherwise = problem "not-in-scope" (trWith "There is nothing called ‘{name}’." ["name" =: unknownName]) (fromMaybe (nearMiss everything unknownName) (foreignNameHint unknownName))
     endsInNumber = maybe False (isDigit . snd) . Text.unsnoc . Text.stripEnd
-    unknownName = Text.takeWhile (/= ' ') (fromMaybe "?" (after "not in scope: " said))
+    nameAlone = Text.takeWhile (/= ' ') (fromMaybe "?" (after "not in scope: " said))
+    unknownName = maybe nameAlone (<> "." <> nameAlone) qualifier
     sign = Text.dropAround (`elem` ("()" :: String)) unknownName
     before = maybe "" (\s -> Text.take (column (start s) - 1) (lineOf s)) (messageSpan raw)
     lineOf s = fromMaybe "" (listToMaybe (drop (line (start s) - 1) (Text.lines (text outline))))
@@ -187,11 +193,11 @@ explain outline raw = case category raw of
 
     undefinedThing rest
       | Just advice <- unitHint firstName, endsInNumber before = problem "unit" (tr "A number stands without its unit.") advice
-      | finding raw == Just ConstructorAsType || "A data constructor of that name" `Text.isInfixOf` said = problem "not-a-type" (trWith "‘{name}’ is a value, not a type." ["name" =: firstName]) (fromMaybe (tr "In a type, write the type that it belongs to.") (typeOfValue firstName))
+      | finding raw == Just ConstructorAsType || "data constructor of that name" `Text.isInfixOf` Text.unwords [said, everything] = problem "not-a-type" (trWith "‘{name}’ is a value, not a type." ["name" =: firstName]) (fromMaybe (tr "In a type, write the type that it belongs to.") (typeOfValue firstName))
       | "type variable" `Text.isPrefixOf` rest = problem "not-in-scope" (trWith "There is no type called ‘{name}’." ["name" =: firstName]) (tr "Types begin with capital letters, for example: Turn Double.")
-      | "No module named" `Text.isInfixOf` everything,
-        qualifier <- fromMaybe "" (listToMaybe (drop 1 names)) =
-        moduleNotImported qualifier
+      | any (`Text.isInfixOf` everything) ["No module named", "no module named"],
+        module_ <- fromMaybe "" (listToMaybe (drop 1 names)) =
+        moduleNotImported module_
       | "type constructor or class" `Text.isPrefixOf` rest = problem "not-in-scope" (trWith "There is no type called ‘{name}’." ["name" =: firstName]) (fromMaybe (if amongValues then tr "If it is one more value of this type, write | in front of it." else nearMiss everything firstName) (foreignNameHint firstName))
       | otherwise = problem "not-in-scope" (trWith "There is nothing called ‘{name}’." ["name" =: firstName]) (fromMaybe (nearMiss everything firstName) (originalOptionsHint before <|> foreignNameHint firstName))
 
