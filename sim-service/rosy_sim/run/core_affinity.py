@@ -13,6 +13,7 @@ import socket
 import struct
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 
@@ -45,7 +46,7 @@ class CoreAffinity:
 
     def __init__(self, link: socket.socket, wanted: bool = True) -> None:
         # Reads the link.
-        self.receive: Callable[[], bytes] = self._receive
+        self.receive: Callable[[], bytes] = partial(link.recv, _CHUNK)
         self._link = link
         # Whether the pair is on one core now.
         self.is_pinned = False
@@ -71,13 +72,10 @@ class CoreAffinity:
             self.is_pinned = False
             _assign(0, self._ours)
 
-    def _receive(self) -> bytes:
-        return self._link.recv(_CHUNK)
-
     def _receive_first(self) -> bytes:
         """Read the first bytes with the credentials of their sender, which the kernel vouches for."""
         data, ancillary, _, _ = self._link.recvmsg(_CHUNK, socket.CMSG_SPACE(_CREDENTIALS.size))
-        self.receive = self._receive
+        self.receive = partial(self._link.recv, _CHUNK)
         self._link.setsockopt(socket.SOL_SOCKET, socket.SO_PASSCRED, 0)
         for level, kind, found in ancillary:
             if level == socket.SOL_SOCKET and kind == socket.SCM_CREDENTIALS:

@@ -6,7 +6,6 @@ The program comes from a worker or from a native executable. Texts go to a callb
 
 from __future__ import annotations
 
-import contextlib
 import select
 import socket
 import struct
@@ -256,30 +255,41 @@ class _Steps:
     def _step(self) -> bool:
         """One step; returns whether the observer ends the run."""
         lockstep = self._lockstep
-        while self._actions and self._actions[0][0] <= lockstep.time + 1e-9:
-            apply_hand(lockstep, self._actions.pop(0)[1])
+        if self._actions:
+            self._apply_hands(self._actions)
         batch = lockstep.sense()
         if batch:
             self._send(batch)
             self._read_while("thinking", self._limits.settle)
-            self._say()
-        if self._output.trace is not None:
-            self._output.trace.write(lockstep.trace_line(self._output.provenance))
+            if lockstep.commands:
+                self._say()
+        output = self._output
+        if output.trace is not None:
+            output.trace.write(lockstep.trace_line(output.provenance))
+        if output.record is not None:
+            self._record(output.record)
+        if lockstep.state == "settled":
+            lockstep.integrate()
+        return output.observe(lockstep) is True and lockstep.state != "ended"
+
+    def _record(self, record: RecordedRun) -> None:
+        lockstep = self._lockstep
         done = lockstep.settled or lockstep.ended
-        if self._output.record is not None and done is not None:
+        if done is not None:
             # A command that was not sent to the robot has no channel.
             channels = chain(lockstep.channels(), repeat(""))
             commands = [ShownCommand(*one) for one in zip(channels, done.commands, strict=False)]
-            self._output.record.add_step(
+            record.add_step(
                 lockstep.time,
                 read_firings(done.firings),
                 done.events,
                 commands,
                 is_overridden=lockstep.is_overridden,
             )
-        if lockstep.state == "settled":
-            lockstep.integrate()
-        return self._output.observe(lockstep) is True and lockstep.state != "ended"
+
+    def _apply_hands(self, actions: list[tuple[float, HandAction]]) -> None:
+        while actions and actions[0][0] <= self._lockstep.time + 1e-9:
+            apply_hand(self._lockstep, actions.pop(0)[1])
 
     def _say(self) -> None:
         for text in self._lockstep.said():
@@ -290,21 +300,25 @@ class _Steps:
         Send to a program that may have ended already, as one without `simulate` does at once. What it said before is
         still to be read.
         """
-        with contextlib.suppress(BrokenPipeError):
+        # `contextlib.suppress` takes as long as the rest of this function, which is called in each step.
+        try:  # noqa: SIM105
             self._link.sendall(data)
+        except BrokenPipeError:
+            pass
 
     def _read_while(self, state: State, limit: float) -> None:
         """Read until the lockstep leaves a state. The deadline covers all reads, so single bytes do not extend it."""
         deadline = time.monotonic() + limit
-        while self._lockstep.state == state:
+        while True:
             try:
                 data = self._core.receive()
             except BlockingIOError as error:
                 raise _Stuck from error
             if not data:
                 raise _Died
-            self._lockstep.feed(data)
-            if self._lockstep.state == state and time.monotonic() > deadline:
+            if self._lockstep.feed(data) != state:
+                return
+            if time.monotonic() > deadline:
                 raise _Stuck
 
     def _stop(self) -> None:

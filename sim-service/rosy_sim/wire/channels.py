@@ -79,7 +79,12 @@ class Channel:
     # The line with a place for each number; None when its message holds something else.
     _template: bytes | None = field(init=False, repr=False, compare=False)
 
+    # Which of its values is an angle that its message has as a quaternion; None when none is.
+    _yaw: int | None = field(init=False, repr=False, compare=False)
+
     def __post_init__(self) -> None:
+        yaws = [i for i, place in enumerate(self.places) if place.yaw]
+        self._yaw = yaws[0] if yaws else None
         self._template = self._line_template()
 
     @property
@@ -140,31 +145,29 @@ class Channel:
         """The ``publish`` line of the robot link."""
         if self._template is not None and len(values) == len(self.places):
             # The encoder writes each number as it does in a message.
-            return self._template % tuple(_encode(self._numbers(values))[1:-1].split(b","))
+            numbers = values if self._yaw is None else self._with_quaternion(values, self._yaw)
+            return self._template % tuple(_encode(numbers)[1:-1].split(b","))
         return _encode({"op": "publish", "topic": self.topic, "msg": self.message(values)}) + b"\n"
 
-    def _numbers(self, values: Values) -> list[float | int | str]:
-        """The numbers of a message without scales and choices, in the order of its places."""
-        numbers: list[float | int | str] = []
-        for place, value in zip(self.places, values, strict=True):
-            if place.yaw:
-                half = float(value) / 2
-                numbers += (math.sin(half), math.cos(half))
-            else:
-                numbers.append(value)
-        return numbers
+    @staticmethod
+    def _with_quaternion(values: Values, yaw: int) -> Values:
+        """The numbers of a message whose value at ``yaw`` is an angle, in the order of its places."""
+        half = float(values[yaw]) / 2
+        return (*values[:yaw], math.sin(half), math.cos(half), *values[yaw + 1 :])
 
     def _line_template(self) -> bytes | None:
         if not self.places or any(
             p.ranges or (not p.yaw and (p.leaf.kind != "Double" or p.scale != 1.0)) for p in self.places
         ):
             return None
+        if sum(p.yaw for p in self.places) > 1:
+            return None
         # Values whose numbers all differ, and occur nowhere else in the line.
         values = tuple(1.0 + (i + 1) / 1024 for i in range(len(self.places)))
         line = msgspec.json.encode({"op": "publish", "topic": self.topic, "msg": self.message(values)}) + b"\n"
         at = 0
         pieces = []
-        for number in self._numbers(values):
+        for number in values if self._yaw is None else self._with_quaternion(values, self._yaw):
             text = msgspec.json.encode(number)
             end = line.find(text, at)
             if end < 0 or line.count(text) != 1:

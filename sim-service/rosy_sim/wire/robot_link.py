@@ -156,14 +156,34 @@ def step_line(step: int, memory: bool = False, firings: bool = False, late: bool
     The end of a step's batch; it may ask what the program remembers, and for its firings with their provenance.
     ``late`` is the batch of a quiet step that is over, which is not answered.
     """
-    asking = (b',"memory":true' if memory else b"") + (b',"firings":true' if firings else b"")
-    asking += b',"late":true' if late else b""
+    asking = b""
+    if memory or firings or late:
+        asking = (b',"memory":true' if memory else b"") + (b',"firings":true' if firings else b"")
+        asking += b',"late":true' if late else b""
     return b'{"op":"step","step":%d,"time":%s%s}\n' % (step, repr(step / STEPS_PER_SECOND).encode(), asking)
 
 
 def stop_line() -> bytes:
     """Asks the program to clean up and end."""
     return b'{"op":"stop"}\n'
+
+
+_commands: dict[bytes, Command] = {}
+"""Commands by their lines. Programs often repeat one, and looking it up takes a tenth of the time of reading it."""
+
+_MAX_REMEMBERED = 4096
+"""Lines that are remembered."""
+
+_SHORT = 300
+"""Lines up to this length are remembered, bytes: that of a velocity has 110."""
+
+
+def _remember(line: bytes, command: Command) -> None:
+    if len(line) > _SHORT:
+        return
+    if len(_commands) >= _MAX_REMEMBERED:
+        _commands.clear()
+    _commands[line] = command
 
 
 class SimulatorLink:
@@ -216,6 +236,11 @@ class SimulatorLink:
             raise LimitExceeded(str(error)) from error
         messages: list[Message] = []
         for line in lines:
+            command = _commands.get(line)
+            if command is not None and not self.ended:
+                self._count_command()
+                messages.append(command)
+                continue
             try:
                 message = _decoder.decode(line)
             except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
@@ -223,15 +248,17 @@ class SimulatorLink:
             understood = self._take(message)
             if understood is not None:
                 messages.append(understood)
+                if type(understood) is Command:
+                    _remember(line, understood)
         return messages
 
     def _take(self, message: _Line) -> Message | None:
         if self.ended:
             raise LinkError("a line follows `ended`")
-        if isinstance(message, Publish):
-            return self._publish(message)
         if isinstance(message, Settled):
             return self._settled(message)
+        if isinstance(message, Publish):
+            return self._publish(message)
         if isinstance(message, Ended):
             self.ended = True
             return message
@@ -246,10 +273,13 @@ class SimulatorLink:
             raise LinkError(f"more than {MAX_TOPICS} topics")
         return None
 
-    def _publish(self, message: Publish) -> Command | TopicMessage:
+    def _count_command(self) -> None:
         self._commands += 1
         if self._commands > MAX_COMMANDS:
             raise LimitExceeded(f"more than {MAX_COMMANDS} commands in one step")
+
+    def _publish(self, message: Publish) -> Command | TopicMessage:
+        self._count_command()
         try:
             if message.topic not in COMMAND_TOPICS and message.topic in self.advertised:
                 return TopicMessage(message.topic, msgspec.json.decode(message.msg))

@@ -16,13 +16,18 @@ _ROUNDING = 1e-9
 
 def clamp(limit: float, value: float) -> float:
     """The nearest number to ``value`` within ``limit`` of zero."""
-    return max(-limit, min(limit, value))
+    nearest = value if value < limit else limit
+    # Comparisons take a third of the time of `min` and `max`.
+    return nearest if nearest > -limit else -limit
 
 
 def approach(dt: float, acceleration: float, target: float, value: float) -> float:
     """Move ``value`` towards ``target`` for ``dt`` seconds, no faster than ``acceleration`` either way."""
     change = acceleration * dt
-    return max(value - change, min(value + change, target))
+    most = value + change
+    nearest = target if target < most else most
+    least = value - change
+    return nearest if nearest > least else least
 
 
 class MotorController:

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import NamedTuple, Protocol, runtime_checkable
 
 from .arena import Arena
 from .events import Reading
 
-__all__ = ["Body", "Device", "MotorLimits", "Robot", "ScannerModel", "SensorBits", "Surroundings"]
+__all__ = ["Body", "Device", "MotorLimits", "Robot", "ScannerModel", "SensorBits", "Surroundings", "TimedDevice"]
 
 
 class SensorBits(NamedTuple):
@@ -83,8 +83,9 @@ class Surroundings(Protocol):
     arena: Arena
     outputs: dict[str, tuple[float | int | str, ...]]
 
-    def odometry(self) -> tuple[float, float, float, float, float]:
-        """x, y (m), heading (rad), speed (m/s) and turn rate (rad/s), as the robot's own sensors estimate them."""
+    @property
+    def turn_rate(self) -> float:
+        """The turn rate that the robot's own sensors estimate, rad/s."""
 
     def free_distance(self, direction: float, farthest: float) -> float:
         """From the robot's centre to the first surface in a direction (rad, in the room), m; at most ``farthest``."""
@@ -96,11 +97,16 @@ class Device(Protocol):
     # Channels whose changes are events; those of the others are states.
     events: frozenset[str]
 
+    def values(self, robot: Surroundings) -> dict[str, tuple[float | int | str, ...]]:
+        """What each of its channels says now. Preferably the same object as last time when nothing has changed."""
+
+
+@runtime_checkable
+class TimedDevice(Device, Protocol):
+    """A device with a state that changes by itself."""
+
     def integrate(self, robot: Surroundings, dt: float) -> None:
         """Let ``dt`` seconds pass."""
-
-    def values(self, robot: Surroundings) -> dict[str, tuple[float | int | str, ...]]:
-        """What each of its channels says now."""
 
 
 @dataclass(frozen=True, slots=True)

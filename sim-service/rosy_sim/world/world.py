@@ -9,15 +9,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
+from itertools import zip_longest
 
 from ..sentence import SentenceError, tr
 from .arena import Arena, ArenaError, Pose
-from .events import Command, Lift, Move, Press, Reading, Teleport, UserAction
+from .events import Command, Lift, Move, Press, Reading, Teleport, UserAction, velocity
 from .motor_controller import MotorController
 from .obstacles import Obstacles
 from .range_scanner import AHEAD, SCAN, RangeScanner
 from .realism import CommandLatency, GyroOdometry, Realism, WheelSlip
-from .robot import Robot, SensorBits
+from .robot import Robot, SensorBits, TimedDevice
 from .time_step import STEP
 
 __all__ = ["ActionRefused", "Odometry", "World"]
@@ -43,6 +44,10 @@ Odometry = tuple[float, float, float, float, float]
 
 
 Values = tuple[float | int | str, ...]
+
+
+def _origin(x: float, y: float, theta: float) -> tuple[float, float, float, float, float]:
+    return x, y, theta, math.cos(theta), math.sin(theta)
 
 
 def _replaced(values: Values, place: int, value: float | str) -> Values:
@@ -88,8 +93,8 @@ class World:
         # Ground truth, in the room: m, m, rad (not wrapped), m/s, rad/s. Changed by integrate() and apply().
         self.x, self.y, self.theta = arena.start
         self.v = self.w = 0.0
-        # The frame of the odometry, as a pose in the room. A teleport moves it along.
-        self._origin = arena.start
+        # The frame of the odometry: a pose in the room, cosine and sine of its angle. A teleport moves it along.
+        self._origin = _origin(*arena.start)
         # How often a hand has put the robot in another place.
         self.placements = 0
         # Buttons that are pressed and wheels that are lifted, as bits.
@@ -101,15 +106,17 @@ class World:
         # The last command on each channel that lasts.
         self.outputs = dict(robot.outputs)
         self._devices = [device(arena) for device in robot.devices]
+        self._timed_devices = [device for device in self._devices if isinstance(device, TimedDevice)]
         scanner = robot.scanner if arena.scanner else None
         self._scanner = RangeScanner(scanner, obstacles) if scanner is not None else None
         # Steps since the start.
         self._steps = 0
-        # What the devices say now; None when that may have changed.
-        self._device_values: dict[str, tuple[float | int | str, ...]] | None = None
+        # What each device says now; None when that may have changed. And what each said when the robot was sensed last.
+        self._device_values: list[dict[str, Values]] | None = None
+        self._sensed_values: list[dict[str, Values]] = []
         self._device_events = frozenset[str]().union(*(device.events for device in self._devices))
-        # What the devices said last; nothing before the first sense().
-        self._told: dict[str, tuple[float | int | str, ...]] = {}
+        # The same by channel; nothing before the first sense().
+        self._told: dict[str, Values] = {}
         self._check_start()
         self._hanging = 0
         # Whether obstacles or the things that it pushes slowed the robot in the last step.
@@ -149,15 +156,19 @@ class World:
 
     def sense(self) -> list[Reading]:
         """The changes since the last call, as the robot reports them in one packet: events, then states."""
-        now = self.sensors
-        found = self.robot.changes(self._sensed, now)
-        self._sensed = now
+        found: list[Reading] = []
+        wheels = self._hanging | self._lifted
+        # The bits without contacts and holes are compared as a plain tuple, which is faster.
+        if self._has_holes or self._clearance.contacts or (self._buttons, 0, 0, wheels) != self._sensed:
+            now = self.sensors
+            found = self.robot.changes(self._sensed, now)
+            self._sensed = now
         first = not self._announced
         self._announced = True
         if self._scanner is not None and self._scanner.heard:
             found = found + self._scanner.readings(self._steps, self.x, self.y, self.theta)
         if self._devices:
-            found = found + self._device_readings(first)
+            found += self._device_readings(first)
         return [self.robot.online, *found] if first else found
 
     def missing_parts(self, uses: Collection[str]) -> list[str]:
@@ -172,30 +183,34 @@ class World:
     def _device_readings(self, first: bool) -> list[Reading]:
         events: list[Reading] = []
         states: list[Reading] = []
-        for channel, values in self._read_devices().items():
-            if self._told.get(channel) == values:
+        now = self._read_devices()
+        for said, said_before in zip_longest(now, self._sensed_values):
+            if said is said_before:
                 continue
-            self._told[channel] = values
-            if channel not in self._device_events:
-                states.append(Reading(channel, values))
-            elif not first:
-                events.append(Reading(channel, values))
+            for channel, values in said.items():
+                if self._told.get(channel) == values:
+                    continue
+                self._told[channel] = values
+                if channel not in self._device_events:
+                    states.append(Reading(channel, values))
+                elif not first:
+                    events.append(Reading(channel, values))
+        self._sensed_values = now
         return events + states
 
-    def _read_devices(self) -> dict[str, tuple[float | int | str, ...]]:
-        """What the devices say; each has channels of its own. A step reads them for the program and for the picture."""
+    def _read_devices(self) -> list[dict[str, Values]]:
+        """What each device says, of channels of its own. A step reads them for the program and for the picture."""
         if self._device_values is None:
-            self._device_values = {}
-            for device in self._devices:
-                self._device_values.update(device.values(self))
+            self._device_values = [device.values(self) for device in self._devices]
         return self._device_values
 
-    def channels(self) -> dict[str, tuple[float | int | str, ...]]:
+    def channels(self) -> dict[str, Values]:
         """What every channel says now, for a picture of the robot; of events the state of each sensor."""
-        shown: dict[str, tuple[float | int | str, ...]] = {"Velocity": (self.v, self.w)}
+        shown: dict[str, Values] = {"Velocity": (self.v, self.w)}
         shown.update(self.robot.states(self.sensors))
         shown.update(self.outputs)
-        shown.update(self._read_devices())
+        for said in self._read_devices():
+            shown.update(said)
         if self._scanner is not None:
             shown.update(self._scanner.latest)
         return shown
@@ -206,23 +221,26 @@ class World:
             return (*self._odometry_model.pose, *self._odometry_model.speeds)
         return self._truth()
 
+    @property
+    def turn_rate(self) -> float:
+        """The robot's own estimate of how fast it turns, rad/s."""
+        return self.w if self._odometry_model is None else self._odometry_model.speeds[1]
+
     def free_distance(self, direction: float, farthest: float) -> float:
         """From the robot's centre to the first surface in a direction (rad, in the room), m; at most ``farthest``."""
         return self.obstacles.distance(self.x, self.y, direction, farthest)
 
     def _truth(self) -> Odometry:
-        ox, oy, otheta = self._origin
+        ox, oy, otheta, c, s = self._origin
         dx, dy = self.x - ox, self.y - oy
-        c, s = math.cos(otheta), math.sin(otheta)
         return c * dx + s * dy, c * dy - s * dx, self.theta - otheta, self.v, self.w
 
     def ghost(self) -> tuple[float, float, float] | None:
         """The odometry as a pose in the room; ``None`` when it is exact."""
         if self._odometry_model is None:
             return None
-        ox, oy, otheta = self._origin
+        ox, oy, otheta, c, s = self._origin
         x, y, theta = self._odometry_model.pose
-        c, s = math.cos(otheta), math.sin(otheta)
         return ox + c * x - s * y, oy + s * x + c * y, otheta + theta
 
     def command(self, command: Command) -> None:
@@ -232,6 +250,13 @@ class World:
             self._latency.send(command)
         else:
             self._obey(command)
+
+    def drive(self, linear: float, angular: float) -> None:
+        """Obey a velocity command (m/s, rad/s), as ``command`` does."""
+        if self._latency is not None:
+            self._latency.send(velocity(linear, angular))
+        elif self._have_power():
+            self._motors.command(linear, angular)
 
     def _obey(self, command: Command) -> None:
         channel, values = command
@@ -287,7 +312,7 @@ class World:
         self.placements += 1
         self.x, self.y = free_position
         self.theta = theta
-        self._origin = Pose(self.x - (c * px - s * py), self.y - (s * px + c * py), otheta)
+        self._origin = _origin(self.x - (c * px - s * py), self.y - (s * px + c * py), otheta)
         self.v = self.w = 0.0
         self._told_wheels = self._wheels = (0.0, 0.0)
         self._update_clearance()
@@ -296,21 +321,25 @@ class World:
     def integrate(self, dt: float = STEP) -> None:
         """Let ``dt`` seconds pass. Long times are cut into steps."""
         self._device_values = None
-        for _ in range(max(1, math.ceil(dt / STEP - 1e-9))):
-            part = min(dt, STEP)
-            dt -= part
-            self._steps += 1
-            if self._latency is not None:
-                for command in self._latency.arrive(part):
-                    self._obey(command)
-            if self._odometry_model is None:
-                self._integrate(part)
-            else:
-                theta = self.theta
-                self._roll_wheels(part)
-                self._odometry_model.moved(self._rolled, self.theta - theta, self._wheels[0], self.w, part)
-            for device in self._devices:
-                device.integrate(self, part)
+        while dt > STEP * (1 + 1e-9):
+            dt -= STEP
+            self._integrate_step(STEP)
+        self._integrate_step(dt)
+
+    def _integrate_step(self, dt: float) -> None:
+        """Let a step's time pass, or less."""
+        self._steps += 1
+        if self._latency is not None:
+            for command in self._latency.arrive(dt):
+                self._obey(command)
+        if self._odometry_model is None:
+            self._integrate_at(*self._motors.next(dt, self.v, self.w), dt)
+        else:
+            theta = self.theta
+            self._roll_wheels(dt)
+            self._odometry_model.moved(self._rolled, self.theta - theta, self._wheels[0], self.w, dt)
+        for device in self._timed_devices:
+            device.integrate(self, dt)
 
     def _roll_wheels(self, dt: float) -> None:
         """A step in which the wheels may move differently from the robot."""
@@ -329,10 +358,6 @@ class World:
         self._told_wheels = self._realism.told(self.v, self.w)
         heading = (theta + self.theta) / 2
         self._rolled = (self.x - x) * math.cos(heading) + (self.y - y) * math.sin(heading)
-
-    def _integrate(self, dt: float) -> None:
-        v, w = self._motors.next(dt, self.v, self.w)
-        self._integrate_at(v, w, dt)
 
     def _integrate_at(self, v: float, w: float, dt: float) -> None:
         """Move for ``dt`` s towards these speeds, as far as obstacles allow."""

@@ -107,6 +107,16 @@ def test_a_flood_of_commands_is_stopped() -> None:
         one.feed(command)
 
 
+def test_a_command_is_refused_after_the_end_also_when_its_line_was_read_before() -> None:
+    command = TALK.splitlines(keepends=True)[2]
+    for _ in range(2):
+        one = link()
+        assert one.feed(READY + command) == [Ready(), velocity(0.5, -1.0)]
+        one.feed(b'{"op":"ended","how":"done"}\n')
+        with pytest.raises(LinkError):
+            one.feed(command)
+
+
 def test_a_line_without_end_is_stopped() -> None:
     one = link()
     one.feed(b"x" * (MAX_LINE - 10))

@@ -7,6 +7,11 @@ from ...world.robot import Surroundings
 
 __all__ = ["Connector"]
 
+_VALUES: dict[str, tuple[float | int | str, ...]] = {
+    "DigitalInput": (0, 0, 0, 0),
+    "AnalogInput": (0.0, 0.0, 0.0, 0.0),
+}
+
 
 class Connector:
     """Four digital inputs, whose changes are events, and four analogue ones."""
@@ -16,10 +21,7 @@ class Connector:
     def __init__(self, arena: Arena) -> None:
         """Needs nothing from the room."""
 
-    def integrate(self, robot: Surroundings, dt: float) -> None:
-        """Has no state of its own."""
-
     def values(self, robot: Surroundings) -> dict[str, tuple[float | int | str, ...]]:
         """``DigitalInput`` as 0 and 1, ``AnalogInput`` in V."""
         del robot
-        return {"DigitalInput": (0, 0, 0, 0), "AnalogInput": (0.0, 0.0, 0.0, 0.0)}
+        return _VALUES

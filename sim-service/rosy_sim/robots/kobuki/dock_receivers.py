@@ -38,6 +38,8 @@ NEAR_FLAGS = (1, 2, 4)
 FAR_FLAGS = (16, 8, 32)
 """Flags of the left, centre and right region. kobuki_msgs, msg/DockInfraRed.msg."""
 
+_NOTHING: dict[str, tuple[float | int | str, ...]] = {"DockInfraRed": (0, 0, 0)}
+
 
 class DockReceivers:
     """What the three receivers see of the dock in the room."""
@@ -47,14 +49,11 @@ class DockReceivers:
     def __init__(self, arena: Arena) -> None:
         """Needs nothing beside the pose of the dock."""
 
-    def integrate(self, robot: Surroundings, dt: float) -> None:
-        """Has no state of its own."""
-
     def values(self, robot: Surroundings) -> dict[str, tuple[float | int | str, ...]]:
         """``DockInfraRed``: the flag of the region that the left, the centre and the right receiver see, or 0."""
         dock = robot.arena.dock
         if dock is None:
-            return {"DockInfraRed": (0, 0, 0)}
+            return _NOTHING
         dx, dy = dock.x - robot.x, dock.y - robot.y
         c, s = math.cos(dock.theta), math.sin(dock.theta)
         flag = _region(dx * c + dy * s, dx * s - dy * c)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from ...world.arena import Arena
 from ...world.robot import Surroundings
 
@@ -15,10 +17,16 @@ class Gyroscope:
 
     def __init__(self, arena: Arena) -> None:
         """Needs nothing from the room."""
-
-    def integrate(self, robot: Surroundings, dt: float) -> None:
-        """Has no state of its own."""
+        del arena
+        # What was told last, and as what.
+        self._rate = math.nan
+        self._values: dict[str, tuple[float | int | str, ...]] = {}
 
     def values(self, robot: Surroundings) -> dict[str, tuple[float | int | str, ...]]:
         """``TurnRate`` in rad/s, to the left."""
-        return {"TurnRate": (robot.odometry()[4],)}
+        rate = robot.turn_rate
+        # A rate that does not change is the same object, and -0.0 is another than 0.0.
+        if rate is not self._rate:
+            self._rate = rate
+            self._values = {"TurnRate": (rate,)}
+        return self._values

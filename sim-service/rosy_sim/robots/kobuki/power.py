@@ -34,6 +34,9 @@ DOCKED_ANGLE = math.radians(20)
 DISCHARGING, CHARGED, CHARGING = 0, 2, 6
 """Codes of the charger. kobuki_msgs, msg/SensorState.msg: DISCHARGING, DOCKING_CHARGED, DOCKING_CHARGING."""
 
+_SAME_VOLTS = 0.0499
+"""Nearer to a multiple of 0.1 V than this a voltage is rounded to it, V."""
+
 
 class Power:
     """The charge of the battery, from 0 to 1."""
@@ -42,19 +45,28 @@ class Power:
 
     def __init__(self, arena: Arena) -> None:
         self._charge = arena.battery
+        self._has_dock = arena.dock is not None
+        # What was said last.
+        self._volts, self._charger = 0.0, DISCHARGING
+        self._values: dict[str, tuple[float | int | str, ...]] = {}
 
     def integrate(self, robot: Surroundings, dt: float) -> None:
         """Drain or charge."""
-        if is_docked(robot):
+        if self._has_dock and is_docked(robot):
             self._charge = min(1.0, self._charge + dt / CHARGING_TIME)
-        else:
+        elif self._charge > 0.0:
             self._charge = max(0.0, self._charge - dt / RUN_TIME)
 
     def values(self, robot: Surroundings) -> dict[str, tuple[float | int | str, ...]]:
         """``Battery`` in V, as the base reports it in steps of 0.1 V, and ``Charger`` as the code of its state."""
         volts = LOW + (self._charge - LOW_LEVEL) * (FULL - LOW) / (1 - LOW_LEVEL)
-        charger = DISCHARGING if not is_docked(robot) else CHARGED if self._charge >= 1.0 else CHARGING
-        return {"Battery": (round(volts, 1),), "Charger": (charger,)}
+        charger = (
+            DISCHARGING if not self._has_dock or not is_docked(robot) else CHARGED if self._charge >= 1.0 else CHARGING
+        )
+        if abs(volts - self._volts) > _SAME_VOLTS or charger != self._charger:
+            self._volts, self._charger = round(volts, 1), charger
+            self._values = {"Battery": (self._volts,), "Charger": (charger,)}
+        return self._values
 
 
 def is_docked(robot: Surroundings) -> bool:

@@ -66,11 +66,11 @@ class CommandConflicts:
         """Conflicts that this step has made certain; ``fired`` and ``sent`` are those of ``settled``."""
         found: list[CommandConflict] = []
         for sender, command in senders(fired, sent, actions):
-            if not isinstance(command, Command) or not _holds(command.channel):
+            if not isinstance(command, Command):
                 continue
             channel = command.channel
             before = self._in_force.get(channel)
-            if before is not None and before.values == command.values:
+            if (before is not None and before.values == command.values) or not _holds(channel):
                 continue
             self._in_force[channel] = _InForce(sender, command.values, step)
             if before is None or before.sender == sender:

@@ -17,6 +17,7 @@ watchdog of the base stops the robot of a dead program.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
 import msgspec
@@ -24,7 +25,7 @@ import msgspec
 from ...wire.channels import Values
 from ...wire.robot_link import NO_FIRINGS, Ended, Ready, Settled, SimulatorLink, start_line, step_line, stop_line
 from ...wire.topics import CHANNELS, ODOMETRY, TopicMessage, on_demand, reading_line, topic_message
-from ...world.events import VELOCITY_CHANNEL, Command, Reading, velocity
+from ...world.events import VELOCITY_CHANNEL, Command, Reading
 from ...world.goals import GoalTracker, Observation
 from ...world.time_step import STEPS_PER_SECOND
 from ...world.world import World
@@ -37,6 +38,8 @@ __all__ = ["Lockstep", "State"]
 State = Literal["opening", "ready", "thinking", "settled", "ended"]
 
 _encoder = msgspec.json.Encoder()
+
+_NO_CONFLICTS: tuple[CommandConflict, ...] = ()
 
 GUARD_STEPS = 5
 """Steps between two ticks of the velocity guard: 10 Hz, as those of ``Rosy.Robots.Guard`` on a real robot."""
@@ -57,6 +60,7 @@ class Lockstep:
         self._link = SimulatorLink()
         # The progress of the goals of the world.
         self.goals = GoalTracker(world.arena.goals)
+        self._has_goals = bool(self.goals)
         # Where the conversation is: opening until `ready`; thinking from sense() to `settled`.
         self.state: State = "opening"
         # Steps integrated so far, and with it the simulated time in units of 20 ms.
@@ -68,7 +72,7 @@ class Lockstep:
         # What it published in the current step on topics of its own.
         self.published: list[TopicMessage] = []
         # Functions that override each other's commands, as far as this step has made it certain.
-        self.conflicts: list[CommandConflict] = []
+        self.conflicts: Sequence[CommandConflict] = _NO_CONFLICTS
         self._commands_in_force = CommandConflicts()
         # Messages on topics of its own that the program gets in the next step.
         self._posted: list[TopicMessage] = []
@@ -82,6 +86,8 @@ class Lockstep:
         self._guard = VelocityGuard(safety)
         # The latest values of the channels on topics that the program takes itself.
         self._latest: dict[str, Values] = {}
+        # What every quiet step has settled with.
+        self._settled_quietly = Settled(0)
         # Ground truth when the current step was sensed.
         self._sensed = (0.0, 0.0, 0.0, 0.0, 0.0)
 
@@ -116,32 +122,40 @@ class Lockstep:
         self.events = events = world.sense()
         for event in events:
             self._guard.hear(event)
-        self.commands = []
-        self._actions = []
-        self.published = []
-        self.conflicts = []
+        if self.commands or self._actions:
+            self.commands = []
+            self._actions = []
+            self.published = []
+        self.conflicts = _NO_CONFLICTS
         self.settled = None
         self.was_quiet = False
         if self._trace:
             self._sensed = (world.x, world.y, world.theta, world.v, world.w)
-        quiet = self._quiet
-        may_skip = quiet is not None and quiet.covers(self.step, memory) and not self._posted and not self.observes
-        if quiet is not None and may_skip and quiet.skip(events, world.odometry()):
-            self.settled = Settled(self.step)
+        step, quiet = self.step, self._quiet
+        may_skip = quiet is not None and quiet.covers(step, memory) and not self._posted and not self.observes
+        if quiet is not None and may_skip and (not events or quiet.skip(events)):
+            quiet.odometry = world.odometry()
+            self.settled = self._settled_quietly
+            self.settled.step = step
             self.was_quiet = True
             self.state = "settled"
             return b""
-        late = self._late_batch()
         asks = memory != "none"
+        late = b""
         if quiet is not None:
+            if quiet.odometry is not None:
+                late = self._late_batch()
             quiet.end(asks)
-        self._link.step = self.step
+        self._link.step = step
         self.state = "thinking"
+        last = step_line(step, asks, self.observes)
+        if not events and not self._posted and not self._link.subscribed:
+            return late + ODOMETRY.line(world.odometry()) + last
         sensed = self._lines([*events, Reading(ODOMETRY.name, world.odometry())])
         # Messages of the program's own topics stand before the odometry.
         sensed[-1:-1] = [message.line() for message in self._posted]
         self._posted = []
-        return late + b"".join(sensed) + step_line(self.step, asks, self.observes)
+        return late + b"".join(sensed) + last
 
     def _late_batch(self) -> bytes:
         """The states of the quiet steps that have passed; empty when there were none."""
@@ -187,14 +201,20 @@ class Lockstep:
             LinkError: the program broke the protocol.
         """
         for message in self._link.feed(data):
-            if isinstance(message, Settled):
+            if isinstance(message, Command):
+                self._actions.append(message)
+                self.commands.append(message)
+                self._carry_out(message)
+            elif isinstance(message, Settled):
                 self.settled = message
                 self.state = "settled"
                 self.world.listen("program", message.listens)
                 # Of a topic that the program takes itself it gets every message.
                 if self._quiet is not None and not self._link.subscribed:
                     self._quiet.begin(self.step, message.quiet)
-                self.conflicts = self._commands_in_force.observe(self.step, message.fired, message.sent, self._actions)
+                if self._actions:
+                    found = self._commands_in_force.observe(self.step, message.fired, message.sent, self._actions)
+                    self.conflicts = found
             elif isinstance(message, Ready):
                 self.world.listen("topics", on_demand(self._link.subscribed))
                 self.state = "ready"
@@ -203,27 +223,23 @@ class Lockstep:
                 self.state = "ended"
                 self.world.listen("program", ())
                 self.world.listen("topics", ())
-            elif isinstance(message, TopicMessage):
+            else:
                 # As in ROS, a program that takes the topic gets its own messages as well.
                 self._actions.append(message)
                 self.published.append(message)
                 self.post(message)
-            else:
-                self._actions.append(message)
-                self.commands.append(message)
-                self._carry_out(message)
         return self.state
 
     def _carry_out(self, command: Command) -> None:
         if command.channel == VELOCITY_CHANNEL:
             linear, angular = command.values
-            self._drive(self._guard.command(self.time, float(linear), float(angular)))
+            self._drive(self._guard.command(self.step / STEPS_PER_SECOND, float(linear), float(angular)))
         else:
             self.world.command(command)
 
     def _drive(self, wanted: Velocity | None) -> None:
         if wanted is not None:
-            self.world.command(velocity(*wanted))
+            self.world.drive(*wanted)
 
     def integrate(self) -> None:
         """Let the step's 20 ms pass."""
@@ -232,7 +248,7 @@ class Lockstep:
             self._drive(self._guard.tick(self.time))
         world.integrate()
         self.step += 1
-        if self.goals:
+        if self._has_goals:
             self.goals.observe(self.observation())
 
     def observation(self) -> Observation:

@@ -28,14 +28,15 @@ _EVENTS = frozenset(channel.name for channel in CHANNELS.values() if channel.kin
 class QuietSteps:
     """Of one run."""
 
-    __slots__ = ("_memory_is_known", "_missed", "_odometry", "_until")
+    __slots__ = ("_memory_is_known", "_missed", "_until", "odometry")
 
     def __init__(self) -> None:
         # The first step that is not quiet.
         self._until = 0
-        # The latest changes of states in the steps that were left out, by channel, and the odometry of the last one.
+        # The latest changes of states in the steps that were left out, by channel.
         self._missed: dict[str, Reading] = {}
-        self._odometry: Odometry | None = None
+        # The odometry of the last step that was left out; None when there is none.
+        self.odometry: Odometry | None = None
         # Whether the program was asked for its memory since it last did something.
         self._memory_is_known = False
 
@@ -49,14 +50,13 @@ class QuietSteps:
             return False
         return memory == "none" or self._memory_is_known or (memory == "soon" and self._until - step <= _SOON)
 
-    def skip(self, readings: Sequence[Reading], odometry: Odometry) -> bool:
-        """Leave out a step with these readings, unless one of them is an event."""
+    def skip(self, readings: Sequence[Reading]) -> bool:
+        """Leave out a step with these readings, unless one of them is an event; its ``odometry`` is to be set then."""
         for reading in readings:
             if reading.channel in _EVENTS:
                 return False
         for reading in readings:
             self._missed[reading.channel] = reading
-        self._odometry = odometry
         return True
 
     def end(self, asks_memory: bool) -> None:
@@ -66,9 +66,9 @@ class QuietSteps:
 
     def take_missed(self) -> list[Reading] | None:
         """What the program has to know of the steps left out since it was asked last; None when there are none."""
-        if self._odometry is None:
+        if self.odometry is None:
             return None
-        missed = [*self._missed.values(), Reading(ODOMETRY.name, self._odometry)]
+        missed = [*self._missed.values(), Reading(ODOMETRY.name, self.odometry)]
         self._missed = {}
-        self._odometry = None
+        self.odometry = None
         return missed

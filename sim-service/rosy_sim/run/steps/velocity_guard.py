@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
 
 from ...robots import DEFAULT_ROBOT
 from ...world.events import Reading
@@ -19,14 +18,10 @@ from ...world.motor_controller import clamp
 __all__ = ["OFF", "SafetySettings", "Velocity", "VelocityGuard"]
 
 
-class Velocity(NamedTuple):
-    """m/s ahead and rad/s to the left."""
+Velocity = tuple[float, float]
+"""m/s ahead and rad/s to the left."""
 
-    linear: float
-    angular: float
-
-
-_STANDSTILL = Velocity(0.0, 0.0)
+_STANDSTILL: Velocity = (0.0, 0.0)
 
 _BACK = 0.1
 """How fast the robot backs off, m/s (safety_controller.hpp: spinOnce)."""
@@ -88,7 +83,7 @@ class VelocityGuard:
         settings = self._settings
         if settings.on:
             linear, angular = _limited(settings.max_speed, linear), _limited(settings.max_turn, angular)
-        self._latest = Velocity(linear, angular)
+        self._latest = (linear, angular)
         if self._overrides_until is not None and time < self._overrides_until - _ROUNDING:
             return None
         return self._latest
@@ -119,11 +114,11 @@ class VelocityGuard:
             return _STANDSTILL
         places = {place for _, place in self._contacts}
         if _CENTER in places:
-            return Velocity(-_BACK, 0.0)
+            return (-_BACK, 0.0)
         if _LEFT in places:
-            return Velocity(-_BACK, -_TURN)
+            return (-_BACK, -_TURN)
         if _RIGHT in places:
-            return Velocity(-_BACK, _TURN)
+            return (-_BACK, _TURN)
         return None
 
 
