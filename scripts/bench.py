@@ -56,6 +56,12 @@ def simulator(*arguments: str) -> list[str]:
     return [sys.executable, "-m", "rosy_sim.bench", *arguments]
 
 
+FIRINGS = Command(
+    ["cabal", "bench", "--offline", "-v0", "--disable-executable-dynamic", "--builddir=.rosy/bench", "language"],
+    small=interpreted("Main.hs"),
+)
+"""How often a compiled program fires, beside reactive-banana."""
+
 BENCHES = {
     "start": Benchmark(
         "the address to a usable page, and click Run to the first frame in which the robot has moved",
@@ -76,10 +82,7 @@ BENCHES = {
     "language": Benchmark(
         "the language beside reactive-banana, compiled and as bytecode",
         [
-            Command(
-                ["cabal", "bench", "--offline", "-v0", "--disable-executable-dynamic", "--builddir=.rosy/bench", "language"],
-                small=interpreted("Main.hs"),
-            ),
+            FIRINGS,
             Command(interpreted("Bytecode.hs")),
         ],
     ),
@@ -104,8 +107,8 @@ BENCHES = {
         ],
     ),
     "simulator": Benchmark(
-        "the world alone, with a program in lockstep, and many pages at once",
-        [Command(simulator("simulator"), small=simulator("simulator", "--pages", "2", "--seconds", "1"))],
+        "firings a second beside reactive-banana, the world alone, with a program in lockstep, and many pages at once",
+        [FIRINGS, Command(simulator("simulator"), small=simulator("simulator", "--pages", "2", "--seconds", "1"))],
     ),
     "class": Benchmark(
         "a class of thirty pupils whose programs drive, without the teacher's board and with it",
