@@ -8,7 +8,7 @@ clock, and all its random numbers come from the seed, so the same calls give the
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from itertools import zip_longest
 
 from ..sentence import SentenceError, tr
@@ -103,7 +103,7 @@ class World:
         # Bits of the last sense(); the first reference is all zero, as in the driver.
         self._sensed = SensorBits()
         self._announced = False
-        # The last command on each channel that lasts.
+        # The last command on each channel that lasts; another object after each command.
         self.outputs = dict(robot.outputs)
         self._devices = [device(arena) for device in robot.devices]
         self._timed_devices = [device for device in self._devices if isinstance(device, TimedDevice)]
@@ -206,14 +206,22 @@ class World:
 
     def channels(self) -> dict[str, Values]:
         """What every channel says now, for a picture of the robot; of events the state of each sensor."""
-        shown: dict[str, Values] = {"Velocity": (self.v, self.w)}
-        shown.update(self.robot.states(self.sensors))
-        shown.update(self.outputs)
-        for said in self._read_devices():
-            shown.update(said)
-        if self._scanner is not None:
-            shown.update(self._scanner.latest)
+        shown: dict[str, Values] = {}
+        for part in self.channel_parts():
+            shown.update(part)
         return shown
+
+    def channel_parts(self) -> list[Mapping[str, Values]]:
+        """The same in parts. None is changed later: a part that is the same object as before says the same."""
+        parts: list[Mapping[str, Values]] = [
+            {"Velocity": (self.v, self.w)},
+            self.robot.states(self.sensors),
+            self.outputs,
+            *self._read_devices(),
+        ]
+        if self._scanner is not None:
+            parts.append(dict(self._scanner.latest))
+        return parts
 
     def odometry(self) -> Odometry:
         """The robot's own estimate of its pose, in the frame of its start pose."""
@@ -266,9 +274,9 @@ class World:
         elif channel in self.outputs:
             before = self.outputs[channel]
             # A command to one of several places says which.
-            self.outputs[channel] = (
-                values if len(values) == len(before) else _replaced(before, int(values[0]), values[1])
-            )
+            after = values if len(values) == len(before) else _replaced(before, int(values[0]), values[1])
+            # A new object, see ``channel_parts``.
+            self.outputs = {**self.outputs, channel: after}
             if not self._have_power():
                 self._motors.command(0.0, 0.0)
 

@@ -222,6 +222,11 @@ def test_an_application_writes_at_once_to_a_client_that_reads_and_to_no_other() 
         before = client.transport.written
         assert write("größer".encode())
         assert client.transport.written == before + Frame(Opcode.TEXT, "größer".encode()).serialize(mask=False)
+        # The length is written in another way from each of these sizes on.
+        for size in (0, 125, 126, 65_535, 65_536, 70_000):
+            before = client.transport.written
+            assert write(b"x" * size)
+            assert client.transport.written == before + Frame(Opcode.TEXT, b"x" * size).serialize(mask=False)
         client.protocol.pause_writing()
         assert not write(b"full")
         client.protocol.resume_writing()

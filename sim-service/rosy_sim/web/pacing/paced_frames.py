@@ -19,9 +19,9 @@ from collections.abc import Callable
 from typing import Any, cast
 
 from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
-from websockets.exceptions import InvalidState
 from websockets.frames import Frame
 from websockets.http11 import Request
+from websockets.protocol import State
 
 from ...token_bucket import TokenBucket
 
@@ -42,11 +42,26 @@ _ITERATION = 0.002
 _FRAGMENTS = 10_000
 """Frames of one message. Browsers send one; empty ones would fill the memory without end."""
 
+_FINAL_TEXT = 0x81
+"""The first byte of a frame that is a whole text."""
+
 _SHORTEST = 0.001
 """Wait for the share of an address, s."""
 
 _UNREADABLE, _TOO_BIG = 0.1, 1009
 """S until the next look at a client that does not read its answers; close code, RFC 6455, section 7.4.1."""
+
+
+def _text_header(size: int) -> bytes:
+    """
+    What stands before a text of so many bytes. RFC 6455, section 5.2. With the frames of ``websockets`` it took two
+    fifths of the time in which a text is written.
+    """
+    if size < 126:
+        return bytes((_FINAL_TEXT, size))
+    if size < 1 << 16:
+        return bytes((_FINAL_TEXT, 126)) + size.to_bytes(2, "big")
+    return bytes((_FINAL_TEXT, 127)) + size.to_bytes(8, "big")
 
 
 class FrameBudgets:
@@ -148,12 +163,10 @@ class PacedFrames(WebSocketsSansIOProtocol):
             return False
         if self.disconnected or not self.writable.is_set() or self.transport.is_closing():
             return False
-        try:
-            self.conn.send_text(text)
-        except InvalidState:
-            # The client closes the connection.
+        if self.conn.state is not State.OPEN or self.conn.extensions:
+            # The client closes the connection, or compresses.
             return False
-        self.transport.write(b"".join(self.conn.data_to_send()))
+        self.transport.write(b"".join((*self.conn.data_to_send(), _text_header(len(text)), text)))
         return True
 
     def handle_cont(self, event: Frame) -> None:

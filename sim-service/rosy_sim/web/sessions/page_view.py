@@ -8,8 +8,9 @@ Implements ``RunView`` and ``RobotView``.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from itertools import zip_longest
 from typing import Any, Literal
 
 from ...run.page_run import Ended
@@ -111,6 +112,8 @@ class PageView:
         self._channels_run = -1
         # The same before it was rounded, of the simulated robot.
         self._values: dict[str, tuple[float | int | str, ...]] = {}
+        # The parts of the world's channels in the last frame: what is the same object is not compared.
+        self._parts: list[Mapping[str, tuple[float | int | str, ...]]] = []
         self._memory: list[MemoryValue] | None = None
         # For the next frame: firings with their provenance, if the page asks for them.
         self._firings: list[page.FiringShown] = []
@@ -156,6 +159,7 @@ class PageView:
         """The next frame tells all."""
         self._channels = {}
         self._values = {}
+        self._parts = []
 
     # States of runs
 
@@ -295,6 +299,7 @@ class PageView:
         self._begin_run()
         # The next frame of the simulated robot is compared with this one.
         self._values = {}
+        self._parts = []
         self._put_frame(line.time, _placed(line.pose, self.origin), line.channels, **self._observations())
 
     def await_robot(self) -> None:
@@ -321,10 +326,15 @@ class PageView:
         self._begin_run()
         changed: dict[str, Shown] = {}
         before = self._values
-        for name, values in world.channels().items():
-            if before.get(name) != values:
-                before[name] = values
-                changed[name] = [round(v, _DIGITS) if isinstance(v, float) else v for v in values]
+        parts = world.channel_parts()
+        for part, told in zip_longest(parts, self._parts[: len(parts)]):
+            if part is told:
+                continue
+            for name, values in part.items():
+                if before.get(name) != values:
+                    before[name] = values
+                    changed[name] = [round(v, _DIGITS) if isinstance(v, float) else v for v in values]
+        self._parts = parts
         return changed
 
     def _observations(self) -> dict[str, Any]:
