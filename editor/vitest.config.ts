@@ -2,7 +2,8 @@
 
 import {mergeConfig} from "vite"
 import {defineConfig} from "vitest/config"
-import {dayOf, waiting} from "./test/turns.ts"
+import {dayOf, waiting} from "../codegen/test/turns.ts"
+import {turns} from "./test/turns.ts"
 import build from "./vite.config.ts"
 
 // Tests that need a browser.
@@ -13,6 +14,8 @@ export default mergeConfig(
   defineConfig({
     test: {
       environment: "node",
+      // Here and not only in the projects: whether a process is kept for the next file is read from the settings of all of them.
+      isolate: false,
       // A limit for tests that hang; a busy machine takes long for the large ones.
       testTimeout: 600_000,
       hookTimeout: 600_000,
@@ -34,7 +37,7 @@ export default mergeConfig(
           test: {
             name: "web",
             include: [web],
-            exclude: waiting(dayOf(process.env)).map(name => `test/${name}.web.test.ts`),
+            exclude: waiting(turns, dayOf(process.env)).map(name => `test/${name}.web.test.ts`),
             globalSetup: "test/blocks/browser_setup.ts",
             setupFiles: ["../codegen/test/yield_between_tests.ts"],
             isolate: false,

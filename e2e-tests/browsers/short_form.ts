@@ -1,6 +1,6 @@
 /// The short form of the first hour for browsers of other engines: a block is dragged and snaps, the robot drives, text becomes blocks.
 ///
-/// Each browser plays one of the three each day, another one than its neighbour; nightly all.
+/// One of the browsers plays one of the three each day, the other one the next day; nightly both play all.
 ///
 /// A browser that is not installed is left out by name, with what to install.
 
@@ -17,8 +17,8 @@ export interface Kind {
   /// The programs that it needs, and the Debian packages that hold them.
   readonly programs: readonly string[]
   readonly packages: string
-  /// The first day of its first story.
-  readonly day: number
+  /// Which of two days it plays on.
+  readonly day: 0 | 1
   start(): Promise<Browser>
 }
 
@@ -29,7 +29,8 @@ const pointers: readonly Pointer[] = ["mouse", "touch"]
 const program = ["turning :: Velocity", "turning = Velocity 0 1", "", "main = simulate turning"]
 
 export function shortForm({name, programs, packages, day, start}: Kind): void {
-  const today = rotated([...ways.slice(day), ...ways.slice(0, day)], ways.length)
+  const days = ways.flatMap(way => (day === 0 ? [way, undefined] : [undefined, way]))
+  const today = rotated(days, days.length)
   const missing = programs.filter(path => !existsSync(path))
   const reason = `left out: no ${missing.join(", no ")} (apt-get install ${packages})`
   test.describe(missing.length === 0 ? name : `${name} ${reason}`, () => {

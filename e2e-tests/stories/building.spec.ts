@@ -79,7 +79,7 @@ const hands = [
 ] as const
 
 // One of the shorter programs when the file has its day: it takes 60 to 90 s of processor time. On every day `every-lesson.spec.ts` follows
-// a lesson in this page, `first-hour.spec.ts` builds a small program, and `editor/test/blocks/building.web.test.ts` builds
+// a lesson in this page, `first-hour.spec.ts` builds a small program; on one day in three `editor/test/blocks/building.web.test.ts` builds
 // whole programs with both hands without the page around the blocks. The random walker takes three minutes by keyboard and is built nightly.
 const stories = programs
   .filter(({example}) => isFull || example !== "randomWalk")

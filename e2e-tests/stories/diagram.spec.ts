@@ -19,37 +19,36 @@ async function showsDiagram(page: Page) {
   await expect(node(page, /^spin: function/)).toBeVisible()
 }
 
-daily(
-  "a node of the random walker leads to its block and its lines, and values travel while it runs",
-  async ({page}) => {
-    const learner = new Learner(page)
-    await learner.opens("randomWalk")
-    await showsDiagram(page)
-    await learner.keeps("diagram")
-    await expect(node(page, /^Bumper: robot event; to bumper$/)).toBeVisible()
-    await node(page, /^chgdir: function/).click()
-    await expect(page.locator(".blocklySelected").first()).toContainText("chgdir")
-    await expect(page.locator(".source-host .hs-linked-line").first()).toContainText("chgdir")
-    await learner.runs()
-    // The default rate is above five a second: the edge shows the rate and what it carries.
-    const carried = diagram(page).locator("text.carried")
-    await expect(carried.filter({hasText: /^\d+\/s · (Go|Turn )/}).first()).toBeAttached()
-    await expect(node(page, /^Memory Mode: memory/).locator(".value")).toHaveText(/Go|Turn|Stop/)
-    await expect(node(page, /^Bumper: robot event/).locator(".value")).toHaveText(
-      /^\w+Bumper (Pressed|Released)$/,
-    )
-    await learner.keeps("diagram-running")
-    // The chosen node has its questions.
-    await diagram(page).getByRole("button", {name: "Why did chgdir not run?"}).click()
-    await expect(page.getByTestId("why-answer")).toContainText(/^chgdir (takes a ChgDir; none came|did run)/)
-    await node(page, /^Led2: command/).click()
-    await diagram(page).getByRole("button", {name: "Why no Led2?"}).click()
-    await expect(page.getByTestId("why").getByRole("heading")).toHaveText("Why no Led2?")
-    await expect(page.getByTestId("why-answer")).toContainText("cliff takes a Cliff; none came")
-    await learner.keeps("diagram-questions")
-    await learner.stops()
-  },
-)
+test("a node of the random walker leads to its block and its lines, and values travel while it runs", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await learner.opens("randomWalk")
+  await showsDiagram(page)
+  await learner.keeps("diagram")
+  await expect(node(page, /^Bumper: robot event; to bumper$/)).toBeVisible()
+  await node(page, /^chgdir: function/).click()
+  await expect(page.locator(".blocklySelected").first()).toContainText("chgdir")
+  await expect(page.locator(".source-host .hs-linked-line").first()).toContainText("chgdir")
+  await learner.runs()
+  // The default rate is above five a second: the edge shows the rate and what it carries.
+  const carried = diagram(page).locator("text.carried")
+  await expect(carried.filter({hasText: /^\d+\/s · (Go|Turn )/}).first()).toBeAttached()
+  await expect(node(page, /^Memory Mode: memory/).locator(".value")).toHaveText(/Go|Turn|Stop/)
+  await expect(node(page, /^Bumper: robot event/).locator(".value")).toHaveText(
+    /^\w+Bumper (Pressed|Released)$/,
+  )
+  await learner.keeps("diagram-running")
+  // The chosen node has its questions.
+  await diagram(page).getByRole("button", {name: "Why did chgdir not run?"}).click()
+  await expect(page.getByTestId("why-answer")).toContainText(/^chgdir (takes a ChgDir; none came|did run)/)
+  await node(page, /^Led2: command/).click()
+  await diagram(page).getByRole("button", {name: "Why no Led2?"}).click()
+  await expect(page.getByTestId("why").getByRole("heading")).toHaveText("Why no Led2?")
+  await expect(page.getByTestId("why-answer")).toContainText("cliff takes a Cliff; none came")
+  await learner.keeps("diagram-questions")
+  await learner.stops()
+})
 
 test("the diagram goes by keyboard, is a list for a screen reader, and becomes a file", async ({page}) => {
   const learner = new Learner(page)

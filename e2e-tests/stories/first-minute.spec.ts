@@ -13,7 +13,7 @@ test.use({
   launchOptions: async ({launchOptions}, use) => use({...launchOptions, executablePath: wholeChromium}),
 })
 
-daily("the page opens with accelerateAndPlay ready to run", async ({page}) => {
+test("the page opens with accelerateAndPlay ready to run", async ({page}) => {
   const learner = new Learner(page)
   await page.goto("/")
   await expect(learner.haskell()).toContainText("play :: Bumper -> Maybe Sound")

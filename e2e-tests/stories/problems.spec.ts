@@ -8,7 +8,7 @@ import {inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
 
-daily("changing a number block changes the Haskell at once, and the next run", async ({page}) => {
+test("changing a number block changes the Haskell at once, and the next run", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("move")
   await learner.changesNumber("0.5", "0.2")

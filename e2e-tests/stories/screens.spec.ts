@@ -105,23 +105,22 @@ for (const size of rotated(sizes, sizes.length))
     }
   })
 
-daily(
-  "the examples of the first level fit into a window of 1440 by 900, and no line of their Haskell is wrapped",
-  async ({page}) => {
-    const learner = new Learner(page)
-    await page.goto("/")
-    await expect(page.locator(".blocklyBlockCanvas > .blocklyDraggable").first()).toBeVisible()
-    await expect.poll(() => cutBlocks(page), "first visit").toEqual([])
-    const all: readonly {readonly name: string; readonly level: string}[] = await (
-      await page.request.get("/api/examples")
-    ).json()
-    const first = all.filter(example => example.level === "start")
-    expect(first.length).toBeGreaterThan(3)
-    for (const {name} of first) {
-      await learner.opens(name)
-      await expect.poll(() => cutBlocks(page), name).toEqual([])
-      // The font of the Haskell may come later than its text.
-      await expect.poll(() => wrappedLines(page), name).toEqual([])
-    }
-  },
-)
+test("the examples of the first level fit into a window of 1440 by 900, and no line of their Haskell is wrapped", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await page.goto("/")
+  await expect(page.locator(".blocklyBlockCanvas > .blocklyDraggable").first()).toBeVisible()
+  await expect.poll(() => cutBlocks(page), "first visit").toEqual([])
+  const all: readonly {readonly name: string; readonly level: string}[] = await (
+    await page.request.get("/api/examples")
+  ).json()
+  const first = all.filter(example => example.level === "start")
+  expect(first.length).toBeGreaterThan(3)
+  for (const {name} of first) {
+    await learner.opens(name)
+    await expect.poll(() => cutBlocks(page), name).toEqual([])
+    // The font of the Haskell may come later than its text.
+    await expect.poll(() => wrappedLines(page), name).toEqual([])
+  }
+})

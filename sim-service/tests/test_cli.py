@@ -94,6 +94,7 @@ def test_a_run_ends_with_its_json(environment: dict[str, str], tmp_path: Path) -
     assert (last(done)["time"], last(done)["ended"], last(done)["steps"]) == (2.0, "time", 100)
 
 
+@pytest.mark.turns
 def test_a_program_cannot_give_orders_to_the_terminal(environment: dict[str, str], tmp_path: Path) -> None:
     program = tmp_path / "p.hs"
     program.write_text("say:\033[2Jhi\u009b31m@3 done@4")
@@ -129,6 +130,7 @@ def test_explain_prints_why_the_last_command_or_that_of_a_time_was_sent(
     assert last(done)["time"] == 1.0
 
 
+@pytest.mark.turns
 def test_explain_speaks_the_language_of_the_terminal(environment: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "p.hs").write_text("tell")
     done = rosy({**environment, "LC_ALL": "de_DE.UTF-8"}, "run", tmp_path / "p.hs", "--seconds", 1, "--explain")
@@ -163,6 +165,7 @@ def test_a_project_brings_its_world_and_inputs_their_hands(environment: dict[str
     assert len(trace.read_text().splitlines()) == 100
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize(("x", "status", "state"), [(2.0, 0, "done"), (9.0, 3, "missed")])
 def test_a_goal_decides_the_exit_status(
     x: float, status: int, state: str, environment: dict[str, str], tmp_path: Path
@@ -278,6 +281,7 @@ def test_no_command_gives_one_sentence(here: Here) -> None:
     one_sentence(here("dance"))
 
 
+@pytest.mark.turns
 def test_a_worker_that_is_missing_or_dies_gives_one_sentence(environment: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "p.hs").write_text("die")
     one_sentence(rosy(environment, "check", tmp_path / "p.hs"), 2)
@@ -293,6 +297,7 @@ def test_a_port_in_use_gives_one_sentence(environment: dict[str, str]) -> None:
     one_sentence(rosy(environment, "serve", "--no-browser", "--host", "192.0.2.1"))
 
 
+@pytest.mark.turns
 def test_without_a_sandbox_only_this_machine_is_served(environment: dict[str, str]) -> None:
     one_sentence(rosy(environment, "serve", "--no-browser", "--host", "0.0.0.0", "--port", 0))
 
@@ -333,6 +338,7 @@ def test_a_signal_ends_the_service_and_its_worker(sent: int, environment: dict[s
     assert not any(Path(f"/proc/{child}").exists() for child in children)
 
 
+@pytest.mark.turns
 def test_who_asks_twice_gets_no_traceback_of_the_service(environment: dict[str, str]) -> None:
     with subprocess.Popen(
         [sys.executable, "-m", "rosy_sim", "serve", "--no-browser", "--port", "0"],

@@ -32,6 +32,7 @@ def test_json_means_the_same_without_control_characters() -> None:
     assert json.loads(text) == value
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize("command", ["check", "run"])
 @pytest.mark.parametrize("script", ["refuse", "done@2", "error@2"])
 def test_the_name_of_a_file_gives_no_orders(

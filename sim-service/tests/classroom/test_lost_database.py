@@ -81,6 +81,7 @@ def test_after_a_restart_the_class_is_locked_again_and_saves_go_on(
     asyncio.run(lesson())
 
 
+@pytest.mark.turns
 def test_a_server_that_stays_away_fails_calls_until_it_is_back(restarted: PostgresqlServer) -> None:
     async def lesson() -> None:
         store = StoreThread(opened(restarted.url, "away"), 0.0)

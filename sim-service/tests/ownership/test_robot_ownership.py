@@ -66,6 +66,7 @@ def test_robots_are_locked_until_the_page_knows_the_code(config: Config, tmp_pat
     story(tell, config, tmp_path)
 
 
+@pytest.mark.turns
 def test_runs_of_a_page_are_recorded_each_in_its_file(
     config: Config, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -163,6 +164,7 @@ def test_a_program_drives_the_robot_and_the_page_sees_it(config: Config, tmp_pat
     story(tell, config, tmp_path)
 
 
+@pytest.mark.turns
 def test_a_run_on_the_robot_is_recorded_and_answers_why_and_why_not(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -197,6 +199,7 @@ def test_a_run_on_the_robot_is_recorded_and_answers_why_and_why_not(config: Conf
     story(tell, config, tmp_path)
 
 
+@pytest.mark.turns
 def test_functions_that_override_each_other_on_the_robot_are_reported(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -291,6 +294,7 @@ class FirstEnd:
         self.ended.set_result("lost")
 
 
+@pytest.mark.turns
 def test_a_stop_that_comes_before_the_run_has_begun_is_not_lost(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -310,6 +314,7 @@ def test_a_stop_that_comes_before_the_run_has_begun_is_not_lost(config: Config, 
     story(tell, config, tmp_path)
 
 
+@pytest.mark.turns
 def test_wheels_turn_again_when_somebody_looks_again(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -501,6 +506,7 @@ RUNS = 50 if WHOLE else 8
 """One descriptor that each leaves would be seen after one of them."""
 
 
+@pytest.mark.turns
 def test_many_runs_leave_no_descriptor_open(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()

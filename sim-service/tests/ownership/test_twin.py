@@ -59,6 +59,7 @@ def test_both_drive_from_the_start_of_the_room_for_the_same_time(config: Config,
     story(tell, config, tmp_path)
 
 
+@pytest.mark.turns
 def test_a_robot_that_slips_stays_behind_its_twin(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -72,6 +73,7 @@ def test_a_robot_that_slips_stays_behind_its_twin(config: Config, tmp_path: Path
     story(tell, config, tmp_path)
 
 
+@pytest.mark.turns
 def test_another_run_without_a_twin_starts_at_the_origin_and_shows_nothing_of_the_run_before(
     config: Config, tmp_path: Path
 ) -> None:
@@ -87,6 +89,7 @@ def test_another_run_without_a_twin_starts_at_the_origin_and_shows_nothing_of_th
     story(tell, config, tmp_path)
 
 
+@pytest.mark.turns
 def test_the_twin_ends_with_the_run_whatever_ends_it(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()

@@ -48,6 +48,7 @@ def test_a_program_that_keeps_the_properties_passes(environment: Environment, tm
     assert not list(tmp_path.glob("*.json"))
 
 
+@pytest.mark.turns
 def test_a_failure_gives_a_table_and_a_room_that_opens(environment: Environment, program: Path, tmp_path: Path) -> None:
     done = rosy(environment, "run", program, "--rooms", 4, "--hold", "never-pushes 0 s", "--seconds", 20)
     assert (done.returncode, done.stderr) == (3, "")
@@ -124,6 +125,7 @@ def test_a_bad_option_gives_one_sentence(options: list[str], here: Here, program
     one_sentence(here("run", program, *options))
 
 
+@pytest.mark.turns
 def test_an_interrupt_leaves_nothing_behind(environment: Environment, tmp_path: Path) -> None:
     (tmp_path / "p.hs").write_text("drive:0.1 hang@100")
     command = [sys.executable, "-m", "rosy_sim", "run", "p.hs", "--rooms", "50", "--processes", "2"]

@@ -41,6 +41,7 @@ def test_a_preview_has_path_pose_and_collisions(config: Config) -> None:
     story(play, config)
 
 
+@pytest.mark.turns
 def test_a_preview_repeats_seed_and_hands_of_the_last_run(config: Config) -> None:
     """Hands come at any moment, also in the middle of a step."""
     source = "drive:0.3 turn:0.4 bump done@400"
@@ -79,6 +80,7 @@ def test_a_preview_repeats_seed_and_hands_of_the_last_run(config: Config) -> Non
     story(play, config)
 
 
+@pytest.mark.turns
 def test_a_run_with_more_hands_than_are_recorded_has_no_preview(
     config: Config, monkeypatch: pytest.MonkeyPatch
 ) -> None:
