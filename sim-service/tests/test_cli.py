@@ -15,7 +15,8 @@ from pathlib import Path
 import httpx
 import pytest
 
-from rosy_sim.cli import _parser, main
+from rosy_sim.cli import main
+from rosy_sim.cli.parser import options_parser
 from rosy_sim.config import Config
 from rosy_sim.web.lan_addresses import is_unspecified, lan_addresses
 from rosy_sim.worker import launcher
@@ -358,7 +359,7 @@ def test_who_asks_twice_gets_no_traceback_of_the_service(environment: dict[str, 
 def test_the_help_of_a_command_names_what_it_takes_and_nothing_else(command: str) -> None:
     text = (ROOT.parent / "scripts" / "help" / "en" / f"{command}.txt").read_text()
     named = {line.split()[0] for line in text.splitlines() if line.startswith("  -")}
-    commands = _parser()._subparsers._group_actions[0].choices  # type: ignore[union-attr]
+    commands = options_parser()._subparsers._group_actions[0].choices  # type: ignore[union-attr]
     parser = commands["serve" if command == "start" else command]  # type: ignore[index]
     taken = set(parser._option_string_actions)
     if command == "start":

@@ -1,0 +1,53 @@
+"""Output of a command: results on standard output, problems on standard error, without orders to the terminal."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from ..errors import OutputFailed, RosyError
+from ..problem_text import format_problem
+from ..sentence import Sentence
+from ..terminal_text import neutralize, neutralize_line
+from ..wire.problem import Problem
+from ..wording import in_terminal
+
+__all__ = [
+    "flush_output",
+    "print_error",
+    "print_problem",
+    "print_sentence",
+    "print_text",
+    "say",
+]
+
+
+def print_text(text: str) -> None:
+    try:
+        print(text)
+    except OSError as error:
+        raise OutputFailed(error) from error
+
+
+def say(text: str) -> None:
+    print_text(neutralize(text))
+    flush_output()
+
+
+def print_sentence(sentence: Sentence) -> None:
+    print_text(neutralize_line(in_terminal(sentence)))
+
+
+def flush_output() -> None:
+    try:
+        sys.stdout.flush()
+    except OSError as error:
+        raise OutputFailed(error) from error
+
+
+def print_error(error: RosyError) -> None:
+    print(f"rosy: {neutralize_line(in_terminal(error.sentence))}", file=sys.stderr)
+
+
+def print_problem(file: Path, found: Problem) -> None:
+    print(format_problem(file, found, sys.stderr.isatty()), file=sys.stderr)
