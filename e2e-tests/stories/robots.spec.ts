@@ -120,6 +120,76 @@ test("sees the simulated robot drive beside the real one, and reads what was dif
   await expect(page.getByTestId("robotbar")).toHaveCount(0)
 })
 
+daily(
+  "looks at a recorded run again, scrubs it and asks why, and opens its file in another page",
+  async ({page, browser}) => {
+    const learner = new Driver(page)
+    await learner.arrives()
+    await learner.takes("Anna")
+    await learner.drives()
+    await until(learner.robot("x"), x => x > 0.3)
+    rig.base.ask("bump 4")
+    await expect(learner.console()).toContainText("Bumper LeftBumper Pressed")
+    rig.base.ask("bump 0")
+    await learner.stops()
+    const again = page.getByTestId("robotbar").getByRole("button", {name: "Look at this run again"})
+    await expect(again).toHaveAttribute("title", /\/recordings\/.*-Kitchen\.mcap$/)
+    const file = /(\/\S+\.mcap)$/.exec((await again.getAttribute("title")) ?? "")?.[1] ?? ""
+    await again.click()
+    await asksOfRecording(learner)
+    await learner.keeps("recording")
+    await page.getByRole("button", {name: "Let go"}).press("Enter")
+
+    // Without a robot, and with another program open.
+    const other = new Driver(await browser.newPage())
+    await other.page.goto(rig.address)
+    await expect(other.haskell()).toContainText("simulate")
+    await other.page.getByRole("button", {name: "More", exact: true}).click()
+    await opensFile(other, file)
+    await expect(other.page.getByText("Run 1 had another program.")).toBeVisible()
+    await other.page.getByRole("button", {name: "Show its program"}).click()
+    await expect(other.haskell()).toContainText("move ::")
+    await asksOfRecording(other)
+    await other.keeps("recording-file")
+    // What is no recording, is said so.
+    await other.page.getByRole("tab", {name: "Runs"}).click()
+    await opensFile(other, join(root, "LICENSE"))
+    await expect(other.page.getByTestId("notice")).toContainText(
+      "LICENSE is no recording of a run, or is damaged.",
+    )
+    await other.page.close()
+  },
+)
+
+async function opensFile(learner: Driver, file: string): Promise<void> {
+  const chosen = learner.page.waitForEvent("filechooser")
+  await learner.page.getByRole("button", {name: "Open a recording…"}).click()
+  await (await chosen).setFiles(file)
+}
+
+/// A recording is shown: its console and path, a moment of it, and why.
+async function asksOfRecording(learner: Driver): Promise<void> {
+  const {page} = learner
+  await page.getByRole("tab", {name: "Runs"}).click()
+  const run = page.getByRole("treeitem", {name: /Run 1, recorded on the robot Kitchen/})
+  await expect(run).toHaveAttribute("aria-selected", "true")
+  await expect(learner.status()).toHaveText("Stopped")
+  await page.getByRole("tab", {name: "Console"}).click()
+  await expect(learner.console()).toContainText("Bumper LeftBumper Pressed")
+  await until(learner.robot("x"), x => x > 0.2)
+  const seek = page.getByRole("slider", {name: "Look back in the run"})
+  await seek.press("Home")
+  await until(learner.robot("x"), x => Math.abs(x) < 2)
+  await expect(page.getByTestId("clock")).toHaveText(/^0\.0\d s$/)
+  await seek.press("End")
+  for (let n = 0; n < 20; n += 1) await seek.press("ArrowLeft")
+  await page.getByRole("button", {name: "Why does the robot move like this?"}).click()
+  const answer = page.getByTestId("why-answer")
+  await expect(answer).toContainText(/^At \d+\.\d\d s move sent Velocity 0\.5 0\.0/)
+  await expect(answer).toContainText("because it runs ten times a second")
+  await expect(page.locator(".rosyWhy")).toHaveCount(1)
+}
+
 test("another page sees who has the robot, and takes it when it is free", async ({page, browser}) => {
   const learner = new Driver(page)
   await learner.arrives()

@@ -15,14 +15,14 @@ export function downloadBlob(name: string, content: Blob): void {
   setTimeout(() => URL.revokeObjectURL(url), 10_000)
 }
 
-/// Asks for a file; nothing happens when the learner changes their mind. `text` is `null` for what is not text.
-export function pickFile(accept: string, picked: (name: string, text: string | null) => void): void {
+/// Asks for a file; nothing happens when the learner changes their mind.
+export function pickFile(accept: string, picked: (file: File) => void): void {
   const input = document.createElement("input")
   input.type = "file"
   input.accept = accept
-  input.onchange = async () => {
+  input.onchange = () => {
     const file = input.files?.[0]
-    if (file !== undefined) picked(file.name, await contentOf(file))
+    if (file !== undefined) picked(file)
   }
   input.click()
 }
@@ -30,7 +30,8 @@ export function pickFile(accept: string, picked: (name: string, text: string | n
 /// Bytes of a file that are read: no program is longer, and the rest is not needed to refuse it.
 const mostBytes = 20_000_000
 
-async function contentOf(file: File): Promise<string | null> {
+/// The text of a file; `null` for what is not text.
+export async function contentOf(file: File): Promise<string | null> {
   // Cut off in the middle of a letter it would not be text.
   return file.size > mostBytes
     ? new TextDecoder().decode(await file.slice(0, mostBytes).arrayBuffer())
@@ -54,15 +55,15 @@ export function fileName(name: string, extension: string): string {
 }
 
 /// Files that are let fall onto the page; what else is dragged over it (blocks, text) is left alone.
-export function watchDrops(dropped: (name: string, text: string | null) => void): void {
+export function watchDrops(dropped: (file: File) => void): void {
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") === true
   window.addEventListener("dragover", event => {
     if (hasFiles(event)) event.preventDefault()
   })
-  window.addEventListener("drop", async event => {
+  window.addEventListener("drop", event => {
     const file = event.dataTransfer?.files[0]
     if (!hasFiles(event) || file === undefined) return
     event.preventDefault()
-    dropped(file.name, await contentOf(file))
+    dropped(file)
   })
 }

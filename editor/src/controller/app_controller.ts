@@ -3,7 +3,6 @@
 import {openClipboard} from "../blocks/interaction/clipboard.ts"
 import {openBrowserStorage, storageInMemory} from "../browser/browser_storage.ts"
 import {isBoardGuest, isEmbedded, takeRunInAddress} from "../browser/browser_window.ts"
-import {pickFile} from "../browser/local_files.ts"
 import {ownName, takeClassCode} from "../browser/preferences.ts"
 import {openProgramStore, type ProgramStore} from "../browser/program_store.ts"
 import {fetchReader, fetchWorlds} from "../browser/remote_resources.ts"
@@ -37,6 +36,7 @@ import {pageCommands} from "./page_commands.ts"
 import {noParts, type PageParts} from "./page_parts.ts"
 import {openProgramLoader, type ProgramLoader} from "./program_loader.ts"
 import {type ProgramRequests, programRequests} from "./program_requests.ts"
+import {fileOpening} from "./recordings.ts"
 import {connectService, effectHandler, runProgram, sendAlive, storeAccess} from "./runs.ts"
 import {mountBlocks, mountRoom, mountSource, mountWorldEditor} from "./view_mounts.ts"
 import {keySections, openViewUpdates} from "./views.ts"
@@ -66,6 +66,7 @@ export function openController(): AppController {
   const diagram = openDiagramMount(store, parts)
   store.onFrame(diagram.update)
 
+  const files = fileOpening(store, loader)
   const mounts = {store, parts, editor, commands, numbers: openNumberDragging(store, editor.flush)}
   const controller: AppController = {
     store,
@@ -82,7 +83,8 @@ export function openController(): AppController {
     openExample: name => void requests.openExample(name),
     ...myProgramCommands(store, loader, programStore),
     newProgram: loader.newProgram,
-    openFile: () => pickFile(".rosy,.json,.hs", loader.openFile),
+    openFile: files.openFile,
+    openRecording: files.openRecording,
     roomTests: openRoomTests(store, editor.flush),
     undo: commands.undo,
     redo: commands.redo,
@@ -97,7 +99,7 @@ export function openController(): AppController {
   storeLessons(store, storage)
   storeDrafts(store, storage)
   restrictToolbox(store, parts)
-  watchWindow(store, loader, requests)
+  watchWindow(store, files.opened, requests)
   watchPrinting(store, parts, editor, colours)
   watchKeys(store, controller)
   sendAlive(store, parts)

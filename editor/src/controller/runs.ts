@@ -1,7 +1,7 @@
 /// Runs of programs: the effects of state changes, the connection to the service, the keep-alive for real robots, and the access code of the robots.
 
 import {pageVisibility, seedInAddress, watchPageVisibility} from "../browser/browser_window.ts"
-import {download, fileName, pickFile} from "../browser/local_files.ts"
+import {contentOf, download, fileName, pickFile} from "../browser/local_files.ts"
 import {openAccessCode, ownName, setOwnName} from "../browser/preferences.ts"
 import {socketAddress} from "../browser/service_address.ts"
 import {openConnection} from "../browser/service_connection.ts"
@@ -32,7 +32,9 @@ export function effectHandler(
   return effect => {
     if (effect.kind === "play") speaker.play(effect.sound)
     else if (effect.kind === "pick-world")
-      pickFile(".json", (name, text) => dispatch({kind: "world-file-read", name, text}))
+      pickFile(".json", async file =>
+        dispatch({kind: "world-file-read", name: file.name, text: await contentOf(file)}),
+      )
     else if (effect.kind === "save-world")
       download(fileName(effect.name, "json"), effect.text, "application/json")
     else if (effect.message.op === "check") {

@@ -11,11 +11,10 @@ import {words} from "../words/index.ts"
 import type {ColourScheme} from "./colour_scheme.ts"
 import type {DocumentEditor} from "./document_editor.ts"
 import type {PageParts} from "./page_parts.ts"
-import type {ProgramLoader} from "./program_loader.ts"
 import type {ProgramRequests} from "./program_requests.ts"
 
-export function watchWindow(store: Store, loader: ProgramLoader, requests: ProgramRequests): void {
-  watchDrops(loader.openFile)
+export function watchWindow(store: Store, openFile: (file: File) => void, requests: ProgramRequests): void {
+  watchDrops(openFile)
   watchFragment(fragment => void requests.openLink(fragment))
   watchSize(size => store.dispatch({kind: "size", size}))
   watchVisibility(() => store.dispatch({kind: "out-of-sight"}))

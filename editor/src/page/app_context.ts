@@ -70,6 +70,8 @@ export interface AppController {
   readonly myPrograms: MyPrograms
   newProgram(): void
   openFile(): void
+  /// Opens the recording of a run on a real robot.
+  openRecording(): void
   saveFile(): void
   saveHaskell(): void
   readonly roomTests: RoomTests

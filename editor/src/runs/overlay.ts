@@ -7,8 +7,8 @@ import {comparedRun, nodeOf, type RunNode} from "./run_tree.ts"
 
 export interface Overlay {
   /// What the learner calls the two runs by.
-  readonly shown: Pick<RunNode, "number" | "twin">
-  readonly compared: Pick<RunNode, "number" | "twin">
+  readonly shown: Pick<RunNode, "number" | "twin" | "recorded">
+  readonly compared: Pick<RunNode, "number" | "twin" | "recorded">
   /// All of the compared path, and until when it is drawn, s; `null` for all of it.
   readonly trail: Trail
   readonly until: number | null

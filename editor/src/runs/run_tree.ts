@@ -20,6 +20,8 @@ export interface RunNode {
   readonly seed: number | null
   /// Of two runs of a program, one on a real robot and one beside it in the simulator, which one it is; absent for any other run.
   readonly twin?: "real" | "simulated"
+  /// Of a recording: what the robot was called that drove then.
+  readonly recorded?: string
   /// `null` for the run that the room shows: the state of the room is newer.
   readonly kept: ShownRun | null
 }
@@ -64,7 +66,7 @@ export function originOf(tree: RunTree, shown: number | null, text: string): Run
 export function beginRun(
   tree: RunTree,
   shown: ShownRun,
-  begun: Pick<RunNode, "run" | "from" | "text" | "seed">,
+  begun: Pick<RunNode, "run" | "from" | "text" | "seed" | "recorded">,
 ): RunTree {
   const {nodes, count, ...rest} = storeShown(tree, shown)
   return bounded(
@@ -100,12 +102,18 @@ export const twinOf = (tree: RunTree, run: number): RunNode | undefined =>
 
 /// What the learner calls a run.
 export function runName(
-  {number, twin}: Pick<RunNode, "number" | "twin">,
+  {number, twin, recorded}: Pick<RunNode, "number" | "twin" | "recorded">,
   {
     runs,
     twin: twins,
-  }: {readonly runs: Pick<Words["runs"], "run">; readonly twin: Pick<Words["twin"], "real" | "simulated">},
+    recordings,
+  }: {
+    readonly runs: Pick<Words["runs"], "run">
+    readonly twin: Pick<Words["twin"], "real" | "simulated">
+    readonly recordings: Pick<Words["recordings"], "run">
+  },
 ): string {
+  if (recorded !== undefined) return recordings.run(number)
   return twin === undefined ? runs.run(number) : twins[twin](number)
 }
 

@@ -11,6 +11,7 @@ import {isActive} from "../state/run_state.ts"
 import {measures, words} from "../words/index.ts"
 import {wordedText} from "../words/worker_sentences.ts"
 import {changeSentence} from "./change_sentence.ts"
+import {mayOpenRecording} from "./recording_reducer.ts"
 import {factsOf, picturePath} from "./run_facts.ts"
 import {comparedRun, nodeOf, type RunRow, runName, runRows} from "./run_tree.ts"
 import {awayRun, mayShowRuns} from "./run_tree_reducer.ts"
@@ -20,13 +21,20 @@ const deepest = 6
 
 export function RunsPanel(): VNode {
   const tree = usePageState(s => s.runTree)
-  if (tree.nodes.length === 0) return <p class="quiet">{words.runs.empty}</p>
+  if (tree.nodes.length === 0)
+    return (
+      <div class="runs">
+        <p class="quiet">{words.runs.empty}</p>
+        <Recordings />
+      </div>
+    )
   return (
     <div class="runs" data-testid="runs">
       <Tree />
       <ProgramOfRun />
       {tree.dropped > 0 && <p class="quiet">{words.runs.dropped(tree.dropped)}</p>}
       {tree.nodes.length > 1 && <Comparison />}
+      <Recordings />
     </div>
   )
 }
@@ -95,6 +103,40 @@ function Tree(): VNode {
   )
 }
 
+/// Where the newest run on a real robot is recorded, and how recordings are opened.
+function Recordings(): VNode {
+  const controller = useController()
+  const recorded = usePageState(s => s.recorded)
+  const mayOpen = usePageState(mayOpenRecording)
+  const w = words.recordings
+  return (
+    <div class="recordings">
+      {recorded !== null && <p class="quiet">{w.where(recorded.file)}</p>}
+      <p>
+        {recorded !== null && (
+          <button
+            type="button"
+            class="plain"
+            disabled={!mayOpen}
+            onClick={() => controller.store.dispatch({kind: "recording-wanted", of: recorded.run})}
+          >
+            {w.again}
+          </button>
+        )}
+        <button
+          type="button"
+          class="plain"
+          title={w.openHint}
+          disabled={!mayOpen}
+          onClick={controller.openRecording}
+        >
+          {w.open}
+        </button>
+      </p>
+    </div>
+  )
+}
+
 /// The offer of the program of the shown run, when the open program is another one.
 function ProgramOfRun(): VNode | null {
   const controller = useController()
@@ -157,6 +199,7 @@ function Row(props: {
         <span>
           <strong>{runName(node, words)}</strong>{" "}
           {continued !== null && w.continued(continued.number, continued.at)}
+          {node.recorded && words.recordings.on(node.recorded)}
         </span>
         {isChanged && <span>{changeSentence(changes, w.changes)}</span>}
         <span class="quiet">

@@ -3,6 +3,7 @@
 import {conflictShown} from "@rosy/codegen"
 import {reduceLesson, watchedNow} from "../lessons/lesson_state.ts"
 import {hearPreview, noPreview} from "../preview/preview.ts"
+import {beginReplay, endReplay} from "../runs/recording_reducer.ts"
 import {nodeOf} from "../runs/run_tree.ts"
 import {inStoredRun, withoutRefusedRun} from "../runs/run_tree_reducer.ts"
 import {check} from "./document_reducer.ts"
@@ -32,6 +33,7 @@ export function loseConnection(state: PageState): PageState {
     // The next session of the service has no last run.
     room: {...lost.room, preview: noPreview},
     robots: {...lost.robots, offered: null},
+    recorded: null,
   }
 }
 
@@ -102,7 +104,9 @@ function reduceMessage(state: PageState, message: ServiceMessage): Transition {
       const name = soundNames[message.sound]
       if (!isShown(state.room, message.run) || name === undefined) return still(state)
       const played = {...state, lines: addLine(state.lines, "sound", name, message.time)}
-      return state.muted ? still(played) : {state: played, effects: [{kind: "play", sound: message.sound}]}
+      // A recording comes faster than it was.
+      const isSilent = state.muted || message.run === state.replay
+      return isSilent ? still(played) : {state: played, effects: [{kind: "play", sound: message.sound}]}
     }
     case "safety": {
       const {on, override} = message
@@ -110,6 +114,10 @@ function reduceMessage(state: PageState, message: ServiceMessage): Transition {
       if (override === null || !isShown(state.room, override.run)) return still(told)
       return still({...told, lines: addLine(state.lines, "safety", "", override.since)})
     }
+    case "recorded":
+      return still({...state, recorded: {run: message.run, file: message.file}})
+    case "replayed":
+      return still(beginReplay(state, message))
     case "because":
       return explain(state, {kind: "answered", answer: message.answer})
     case "conflict":
@@ -161,6 +169,7 @@ function withRunState(state: PageState, message: Message<"state">): PageState {
   if (message.state === "running" && message.branches !== undefined && message.branches.length > 0)
     return {...state, run, room: {...state.room, branches: message.branches}}
   if (message.state !== "ended") return {...state, run}
+  if (message.run === state.replay) return endReplay({...state, run}, message)
   const isRefused = message.ended === "refused"
   const from = isRefused ? "compiler" : "run"
   const found = message.problems.map(p => locateProblem(state.document.program, p, from))
@@ -210,8 +219,9 @@ function withConflict(state: PageState, message: Message<"conflict">): PageState
   return {...state, findings: {...state.findings, run: [...state.findings.run, ...found]}}
 }
 
-/// A refusal about robots is shown in their dialog, any other as a notice.
+/// A refusal about robots, such as of a code that the page gave by itself, is shown in their dialog, any other as a notice.
 function withRefusal(state: PageState, {message, hint}: Message<"refusal">): PageState {
-  if (state.dialog === "robots" || state.robots.offered?.locked) return withRobotRefusal(state, message)
+  const {offered, code} = state.robots
+  if (state.dialog === "robots" || (offered?.locked && code !== null)) return withRobotRefusal(state, message)
   return {...state, notice: {kind: "refusal", message, hint}}
 }

@@ -232,6 +232,10 @@ const serviceMessage: Decoder<ServiceMessage> = (value, path) => {
         const override = since === null ? null : {run: get("run", number), since}
         return {op, on: get("on", boolean), override}
       }
+      case "recorded":
+        return {op, run: get("run", number), file: get("file", string)}
+      case "replayed":
+        return {op, run: get("run", number), program: get("program", string), robot: get("robot", string)}
       case "refusal": {
         const said = get("sentences", optional(problemSentences, untranslated))
         return {

@@ -99,6 +99,12 @@ export interface Suggestion {
   readonly takes: number
 }
 
+/// A run on a real robot, and its recording.
+export interface RecordedFile {
+  readonly run: number
+  readonly file: string
+}
+
 export interface Declared {
   readonly name: string
   readonly type: string
@@ -172,6 +178,10 @@ export type ServiceMessage =
       /// The run and its time at which the rules began to override the program; `null` while they do not.
       readonly override: {readonly run: number; readonly since: number} | null
     }
+  /// A run on a real robot is in this file, on the computer of the service.
+  | ({readonly op: "recorded"} & RecordedFile)
+  /// A recording is shown as this run.
+  | {readonly op: "replayed"; readonly run: number; readonly program: string; readonly robot: string}
   | {readonly op: "refusal"; readonly message: string; readonly hint: string}
 
 /// How many seconds of the run pass in one of the learner's; `"max"` is as fast as it can.
@@ -225,6 +235,8 @@ export type PageMessage =
       /// Beside a real robot, the number of the same run in the simulator.
       readonly twin?: number
     }
+  /// Show the recording of the run `of`, or, without it, of the file that was sent last. `room`: from the start of the drawn room.
+  | {readonly op: "replay"; readonly run: number; readonly of?: number; readonly room: boolean}
   | {readonly op: "preview"; readonly id: number; readonly source: string; readonly seconds: number}
   | {readonly op: "stop"}
   | {readonly op: "reset"}

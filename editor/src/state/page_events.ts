@@ -68,6 +68,12 @@ export type RunEvent =
   /// The pointer or the keyboard came to the diagram, or left it.
   | {readonly kind: "diagram-pointed"; readonly isPointedAt: boolean}
 
+/// The recording of this page's run `of` is looked at; `null` for that of the file that the page has sent.
+export interface RecordingEvent {
+  readonly kind: "recording-wanted"
+  readonly of: number | null
+}
+
 /// Real robots.
 export type RobotEvent =
   /// The learner gave the code of the real robots, or the page remembered it.
@@ -170,6 +176,7 @@ export type PageEvent =
   | ConnectionEvent
   | RunEvent
   | RunTreeEvent
+  | RecordingEvent
   | RobotEvent
   | DocumentEvent
   | WorldEvent

@@ -8,7 +8,7 @@ import type {World, WorldFile} from "../worlds/world.ts"
 import {type Arrangement, firstArrangement, type Region} from "./arrangement.ts"
 import type {BlockComment} from "./block_comments.ts"
 import {type Document, emptyDocument, emptyHistory, type History, type NumberDrag} from "./history.ts"
-import type {Declared, Speed, TypesAtPlaces, WorkerState} from "./messages.ts"
+import type {Declared, RecordedFile, Speed, TypesAtPlaces, WorkerState} from "./messages.ts"
 import type {BlockId, Finding} from "./program.ts"
 import type {OwnTopic, ProgramPart} from "./program_graph.ts"
 import {noRobots, type RobotsState, type SafetyRules} from "./robots.ts"
@@ -135,6 +135,10 @@ export interface PageState {
   /// The runs in this room.
   readonly runTree: RunTree
   readonly robots: RobotsState
+  /// The newest run on a real robot that is recorded, as long as the service knows it.
+  readonly recorded: RecordedFile | null
+  /// The newest run that shows a recording.
+  readonly replay: number | null
   readonly safety: SafetyRules
   readonly lines: readonly ConsoleLine[]
   /// The console also shows the ends of events and the state of the robot's connection.
@@ -239,6 +243,8 @@ export const initialState: PageState = {
   room: emptyRoom,
   runTree: noRuns,
   robots: noRobots,
+  recorded: null,
+  replay: null,
   safety: {on: false, since: null},
   lines: [],
   allEvents: false,

@@ -2,6 +2,7 @@
 
 import {reduceLesson} from "../lessons/lesson_state.ts"
 import {withPreview} from "../preview/preview_requests.ts"
+import {reduceRecording} from "../runs/recording_reducer.ts"
 import {reduceRunTree} from "../runs/run_tree_reducer.ts"
 import {loseConnection, reduceServiceMessage} from "./connection_reducer.ts"
 import {reduceDocumentEvent} from "./document_reducer.ts"
@@ -42,6 +43,8 @@ function next(state: PageState, event: PageEvent): Transition {
     case "run-shown":
     case "run-compared":
       return reduceRunTree(state, event)
+    case "recording-wanted":
+      return reduceRecording(state, event)
     case "robots-unlocked":
     case "robot-taken":
     case "robot-left":

@@ -13,8 +13,8 @@ import {sending, still, type Transition} from "./transition.ts"
 export type RobotMessage = Extract<ServiceMessage, {op: "robots" | "robot"}>
 
 /// A real robot is driving, or is about to.
-export function isDriving(state: Pick<PageState, "robots" | "run">): boolean {
-  return state.robots.held !== null && isActive(state.run)
+export function isDriving({robots, run, replay}: Pick<PageState, "robots" | "run" | "replay">): boolean {
+  return robots.held !== null && isActive(run) && run.run !== replay
 }
 
 export function reduceRobotEvent(state: PageState, event: RobotEvent): Transition {

@@ -149,8 +149,9 @@ function observing(before: PageState, after: PageState): Transition {
 }
 
 /// Whether the shown run can go on from the moment that is looked at.
-export function mayContinue({room, robots, link}: PageState): boolean {
-  return room.lookedAt !== null && room.run !== null && robots.held === null && link === "open"
+export function mayContinue({room, robots, link, runTree}: PageState): boolean {
+  const isRecorded = nodeOf(runTree, room.run)?.recorded !== undefined
+  return room.lookedAt !== null && room.run !== null && !isRecorded && robots.held === null && link === "open"
 }
 
 /// A new run that begins with the shown one up to the moment that is looked at. The service repeats that part at once.

@@ -6,6 +6,8 @@ from __future__ import annotations
 
 import socket
 from collections.abc import Callable
+from functools import partial
+from pathlib import Path
 from typing import Protocol
 
 import msgspec
@@ -68,7 +70,10 @@ class RobotRun(PageRun):
         recorder: RunRecorder | None = None,
         robot_name: str = "",
         on_begun: Callable[[], None] = lambda: None,
+        on_recorded: Callable[[int, Path], None] = lambda _, __: None,
     ) -> None:
+        # Called with the number of the run and its recording, when that is made.
+        self._on_recorded = on_recorded
         # Called when the program is about to drive the robot.
         self._on_begun = on_begun
         self._recorder = recorder
@@ -208,7 +213,7 @@ class RobotRun(PageRun):
     def _finish_recording(self, how: str) -> None:
         recording, self._recording = self._recording, None
         if recording is not None and self._recorder is not None:
-            self._recorder.finish(recording, how)
+            self._recorder.finish(recording, how, partial(self._on_recorded, self._run))
 
 
 def _action(sent: SentCommand) -> Action:

@@ -2,7 +2,7 @@
 Recorder of the runs that pages make on real robots.
 
 ``rosy-robot`` writes the log of a run. Afterwards a process of its own makes the MCAP file, at the lowest priority, and
-says in the service's terminal where it is: only who started Rosy may read the folder, so pages are not told.
+says in the service's terminal where it is. The page of the run is told as well; only the owner may read the folder.
 """
 
 from __future__ import annotations
@@ -41,9 +41,9 @@ class RunRecorder:
             self._tell(error.sentence)
             return None
 
-    def finish(self, pending: PendingRecording, ended: str) -> None:
-        """Make the file of a run that is over; its log is whole."""
-        task = asyncio.get_running_loop().create_task(self._finish(pending, ended))
+    def finish(self, pending: PendingRecording, ended: str, on_made: Callable[[Path], None] = lambda _: None) -> None:
+        """Make the file of a run that is over; its log is whole. ``on_made`` is called when there is one."""
+        task = asyncio.get_running_loop().create_task(self._finish(pending, ended, on_made))
         self._finishing.add(task)
         task.add_done_callback(self._finishing.discard)
 
@@ -52,10 +52,11 @@ class RunRecorder:
         if self._finishing:
             await asyncio.wait(set(self._finishing), timeout=_CLOSE_TIMEOUT)
 
-    async def _finish(self, pending: PendingRecording, ended: str) -> None:
+    async def _finish(self, pending: PendingRecording, ended: str, on_made: Callable[[Path], None]) -> None:
         command = [sys.executable, "-m", "rosy_sim.recordings", str(self._path), pending.log.stem, ended]
         # Ctrl-C in the terminal ends the service and not the recording.
         process = await asyncio.create_subprocess_exec(
             *command, stdin=asyncio.subprocess.DEVNULL, start_new_session=True
         )
-        await process.wait()
+        if await process.wait() == 0 and pending.path.exists():
+            on_made(pending.path)

@@ -12,12 +12,24 @@ from typing import Literal, NamedTuple, get_args
 
 import msgspec
 
-__all__ = ["LinkLine", "LinkMessage", "LogEnd", "Source", "publication", "read_log", "to_line", "to_message"]
+__all__ = [
+    "LinkLine",
+    "LinkMessage",
+    "LogEnd",
+    "Source",
+    "log_line",
+    "publication",
+    "read_log",
+    "to_line",
+    "to_message",
+]
 
 Source = Literal["to_program", "from_program", "to_robot"]
 """``to_robot`` are commands as they were sent to the robot, after limits and safety rules."""
 
 _SIGNS: dict[bytes, Source] = {b">": "to_program", b"<": "from_program", b"!": "to_robot"}
+
+_SIGN_OF = {source: sign for sign, source in _SIGNS.items()}
 
 _OTHER_LINES = "/rosy/"
 """Before a source: the topic of lines that publish nothing."""
@@ -77,6 +89,11 @@ def read_log(lines: Iterable[bytes]) -> Iterator[LinkLine | LogEnd]:
         if source is None or not time.isdigit():
             return
         yield LinkLine(int(time), source, rest[2:])
+
+
+def log_line(line: LinkLine) -> bytes:
+    """A line of a log, with its newline."""
+    return b"%d %s %s\n" % (line.time, _SIGN_OF[line.source], line.text)
 
 
 def publication(line: bytes) -> tuple[str, bytes] | None:

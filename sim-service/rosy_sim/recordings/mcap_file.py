@@ -26,7 +26,7 @@ from ..sentence import tr
 from ..wire.topics import COMMAND_TOPICS, SENSOR_TOPICS
 from .link_log import LinkLine, LinkMessage, LogEnd, Source, read_log, to_line, to_message
 
-__all__ = ["Output", "Recording", "RunDetails", "open_recording", "write_recording"]
+__all__ = ["Output", "Recording", "RunDetails", "open_recording", "read_recording", "write_recording"]
 
 _PROGRAM = "program.hs"
 _DETAILS = "rosy"
@@ -80,6 +80,18 @@ class Recording:
     left_out: int
     _reader: SeekingReader = field(repr=False)
     _name: Path = field(repr=False)
+
+    def seconds(self) -> float:
+        """
+        From the first to the last line, s; 0 when the file does not say.
+
+        Raises:
+            BadInput: the file is damaged.
+        """
+        with _readable(self._name):
+            summary = self._reader.get_summary()
+        told = summary.statistics if summary is not None else None
+        return (told.message_end_time - told.message_start_time) / 1e9 if told is not None else 0.0
 
     def lines(self) -> Iterator[LinkLine]:
         """
@@ -197,21 +209,28 @@ def open_recording(path: Path) -> Iterator[Recording]:
     except OSError as error:
         raise BadInput(tr("{path} cannot be read: {why}.", path=path, why=error.strerror or "")) from error
     with stream:
-        with _readable(path):
-            if stream.seek(0, 2) > MAX_RECORDING:
-                raise BadInput(tr("{path} is too large for a recording of a run.", path=path))
-            stream.seek(0)
-            reader = SeekingReader(stream, record_size_limit=MAX_RECORDING)
-            programs = [found.data for found in reader.iter_attachments() if found.name == _PROGRAM]
-            details = [found.metadata for found in reader.iter_metadata() if found.name == _DETAILS]
-            if not programs or not details:
-                raise BadInput(
-                    tr("{path} is no recording of a run: it lacks the program that was recorded.", path=path)
-                )
-            told = details[0]
-            run = RunDetails(programs[0].decode(), told.get("robot", ""), told.get("name", ""), told.get("ended", ""))
-            recording = Recording(run, told.get("complete") == "yes", int(told.get("left_out", "0")), reader, path)
-        yield recording
+        yield read_recording(stream, path)
+
+
+def read_recording(stream: BinaryIO, path: Path) -> Recording:
+    """
+    A recording in an open file; ``path`` is what messages call it.
+
+    Raises:
+        BadInput: it is no recording of Rosy's.
+    """
+    with _readable(path):
+        if stream.seek(0, 2) > MAX_RECORDING:
+            raise BadInput(tr("{path} is too large for a recording of a run.", path=path))
+        stream.seek(0)
+        reader = SeekingReader(stream, record_size_limit=MAX_RECORDING)
+        programs = [found.data for found in reader.iter_attachments() if found.name == _PROGRAM]
+        details = [found.metadata for found in reader.iter_metadata() if found.name == _DETAILS]
+        if not programs or not details:
+            raise BadInput(tr("{path} is no recording of a run: it lacks the program that was recorded.", path=path))
+        told = details[0]
+        run = RunDetails(programs[0].decode(), told.get("robot", ""), told.get("name", ""), told.get("ended", ""))
+        return Recording(run, told.get("complete") == "yes", int(told.get("left_out", "0")), reader, path)
 
 
 @contextmanager

@@ -8,6 +8,7 @@ step is sent when the one before is answered.
 
 from __future__ import annotations
 
+import itertools
 import socket
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -24,7 +25,17 @@ from ..wire.worker import Refused
 from ..worker.blocking_worker import BlockingWorker
 from .link_log import LinkLine, publication
 
-__all__ = ["Difference", "Exchange", "ReplayResult", "exchanges", "replay", "shown"]
+__all__ = [
+    "Difference",
+    "Exchange",
+    "ExchangeReader",
+    "ReplayResult",
+    "difference_in",
+    "exchanges",
+    "published",
+    "replay",
+    "shown",
+]
 
 _ENDS_BATCH = frozenset({"start", "step", "stop"})
 _ENDS_ANSWER = frozenset({"ready", "settled", "ended"})
@@ -32,6 +43,7 @@ _ENDS_ANSWER = frozenset({"ready", "settled", "ended"})
 
 class _Op(msgspec.Struct):
     op: str
+    step: int = 0
     time: float = 0.0
     how: str = ""
 
@@ -44,8 +56,11 @@ class Exchange:
     """A batch for the program and its answer; ``time`` is in s since the start of the run."""
 
     time: float = 0.0
+    step: int = 0
     batch: list[bytes] = field(default_factory=list)
     answer: list[bytes] = field(default_factory=list)
+    # What was sent to the robot meanwhile, after limits and safety rules.
+    sent: list[bytes] = field(default_factory=list)
     # How the answer ends: ready, settled or ended; empty when the program did not answer.
     end: str = ""
 
@@ -70,33 +85,56 @@ class ReplayResult:
     is_refused: bool = False
 
 
+class ExchangeReader:
+    """Puts the lines of a recorded run together to exchanges."""
+
+    def __init__(self) -> None:
+        self._current = Exchange()
+        # Whether the batch of the current exchange is whole.
+        self._is_sent = False
+
+    def feed(self, line: LinkLine) -> Exchange | None:
+        """Take a line; the exchange that is over with it, if one is."""
+        before = None
+        if line.source == "to_robot":
+            self._current.sent.append(line.text)
+            return None
+        op = _read_op(line.text)
+        if line.source == "to_program":
+            if self._is_sent:
+                before = self._current
+                self._current, self._is_sent = Exchange(before.time, before.step), False
+            self._current.batch.append(line.text)
+            if op.op in _ENDS_BATCH:
+                self._is_sent = True
+                if op.op == "step":
+                    self._current.time, self._current.step = op.time, op.step
+        else:
+            self._current.answer.append(line.text)
+            if op.op in _ENDS_ANSWER:
+                self._current.end = op.op
+        return before
+
+    def last(self) -> Exchange | None:
+        """The exchange that the last line belongs to, if its batch is whole."""
+        return self._current if self._is_sent else None
+
+
 def exchanges(lines: Iterable[LinkLine]) -> Iterator[Exchange]:
     """
     The batches of a recorded run with their answers.
 
     Raises:
-        BadInput: the lines are no conversation of a program and a robot.
+        BadInput: the recording is damaged.
     """
-    current = Exchange()
-    is_sent = False
+    reader = ExchangeReader()
     for line in lines:
-        if line.source == "to_robot":
-            continue
-        op = _read_op(line.text)
-        if line.source == "to_program":
-            if is_sent:
-                yield current
-                current, is_sent = Exchange(current.time), False
-            current.batch.append(line.text)
-            if op.op in _ENDS_BATCH:
-                is_sent = True
-                current.time = op.time if op.op == "step" else current.time
-        else:
-            current.answer.append(line.text)
-            if op.op in _ENDS_ANSWER:
-                current.end = op.op
-    if is_sent:
-        yield current
+        exchange = reader.feed(line)
+        if exchange is not None:
+            yield exchange
+    last = reader.last()
+    if last is not None:
+        yield last
 
 
 def _read_op(line: bytes) -> _Op:
@@ -129,20 +167,27 @@ def _compare(program: _Program, recorded: Iterator[Exchange], problems: list[Pro
             break
         program.send(exchange.batch)
         replayed = program.answer()
-        wanted, sent = _commands(exchange.answer), _commands(replayed.answer)
-        for number in range(max(len(wanted), len(sent))):
-            before = wanted[number] if number < len(wanted) else None
-            now = sent[number] if number < len(sent) else None
-            if before != now:
-                return ReplayResult(commands, time, Difference(time, before, now), problems)
-            commands += 1
+        wanted = published(exchange.answer)
+        difference = difference_in(time, wanted, published(replayed.answer))
+        if difference is not None:
+            return ReplayResult(commands, time, difference, problems)
+        commands += len(wanted)
         if replayed.end != exchange.end:
             return ReplayResult(commands, time, Difference(time, None, None), problems)
     return ReplayResult(commands, time, None, problems)
 
 
-def _commands(answer: list[bytes]) -> list[bytes]:
+def published(answer: list[bytes]) -> list[bytes]:
+    """The commands of an answer."""
     return [line for line in answer if _read_op(line).op == "publish"]
+
+
+def difference_in(time: float, recorded: list[bytes], replayed: list[bytes]) -> Difference | None:
+    """The first difference in the commands of a step; None when they are the same."""
+    for before, now in itertools.zip_longest(recorded, replayed):
+        if before != now:
+            return Difference(time, before, now)
+    return None
 
 
 class _Program:

@@ -15,12 +15,11 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
-import msgspec
 from starlette.applications import Starlette
 from starlette.background import BackgroundTask
 from starlette.middleware import Middleware
 from starlette.middleware.cors import CORSMiddleware
-from starlette.requests import Request
+from starlette.requests import HTTPConnection, Request
 from starlette.responses import JSONResponse, PlainTextResponse, RedirectResponse, Response, StreamingResponse
 from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
@@ -43,7 +42,6 @@ from ..sentence import Sentence, tr
 from ..terminal_text import neutralize_line
 from ..token_bucket import TokenBucket
 from ..wire import page
-from ..wire.problem import to_wire
 from ..wording import in_terminal
 from ..worker.prepared_runs import PreparedRuns
 from ..worker.question_scheduler import QuestionScheduler
@@ -52,10 +50,12 @@ from ..worlds.gallery import named_world, world_names
 from .browser_safety import BrowserSafety
 from .example_paths import ExamplePaths
 from .examples import example_file, examples
+from .http_failure import failure
 from .pacing.loop_scheduler import LoopScheduler, PageTurns
 from .pacing.paced_frames import WRITE
 from .pacing.reading_pace import ReadingPace, message_cost
 from .pacing.request_turns import RequestTurns
+from .recording_upload import receive_recording
 from .sessions.page_session import PageSession
 from .sessions.ros_bridge import RosClient
 from .sockets.address_slots import AddressSlots
@@ -248,7 +248,7 @@ class Service:
             return
         await self._projectors.serve(socket)
 
-    def _is_our_page(self, socket: WebSocket) -> bool:
+    def _is_our_page(self, socket: HTTPConnection) -> bool:
         """Whether a browser reports our own origin, or one of our cluster. Other clients report none."""
         origin = socket.headers.get("origin")
         if origin is None:
@@ -261,10 +261,10 @@ class Service:
     def _class_of_teacher(self, request: Request) -> Classroom | Response:
         """The class for a board that gives the teacher's key; a refusal for others."""
         if self.classroom is None:
-            return _failure(tr("There is no class."), 404)
+            return failure(tr("There is no class."), 404)
         address = request.client.host if request.client is not None else ""
         if not self.classroom.admits_teacher(request.headers.get("x-rosy-key", ""), address):
-            return _failure(tr("This is not the teacher's key."), 403)
+            return failure(tr("This is not the teacher's key."), 403)
         return self.classroom
 
     async def backup(self, request: Request) -> Response:
@@ -275,7 +275,7 @@ class Service:
         try:
             file = await classroom.backup()
         except (StoreError, OSError) as error:
-            return _failure(tr("The class cannot be read or stored: {why}", why=error), 500)
+            return failure(tr("The class cannot be read or stored: {why}", why=error), 500)
         chunks = iter(lambda: file.read(65536), b"")
         return StreamingResponse(
             chunks,
@@ -284,6 +284,13 @@ class Service:
             background=BackgroundTask(file.close),
         )
 
+    async def receive_recording(self, request: Request) -> Response:
+        """Take the file of a recorded run from the page of a session, which looks at it next."""
+        session = self.sessions.get(request.path_params["session"])
+        if session is None or not self._is_our_page(request):
+            return failure(tr("The page is not connected."), 404)
+        return await receive_recording(request, session)
+
     async def hand_ins(self, request: Request) -> Response:
         """What was handed in for a task, as a ZIP file, for a board that gives the teacher's key."""
         classroom = self._class_of_teacher(request)
@@ -291,7 +298,7 @@ class Service:
             return classroom
         found = await classroom.hand_ins_zip(request.path_params["task"])
         if found is None:
-            return _failure(tr("There is no such task."), 404)
+            return failure(tr("There is no such task."), 404)
         return Response(found, media_type="application/zip", headers={"Cache-Control": "no-store"})
 
     async def health(self, _request: Request) -> Response:
@@ -328,7 +335,7 @@ class Service:
         """The project as it stands in its file."""
         found = example_file(self.config.examples, request.path_params["name"])
         if found is None:
-            return _failure(tr("There is no example of that name."), 404)
+            return failure(tr("There is no example of that name."), 404)
         return Response(found.read_bytes(), media_type="application/json")
 
     async def example_path(self, request: Request) -> Response:
@@ -336,9 +343,9 @@ class Service:
         try:
             found = await self.example_paths.path(request.path_params["name"])
         except RosyError as error:
-            return _failure(error.sentence, 503)
+            return failure(error.sentence, 503)
         if found is None:
-            return _failure(tr("There is no example of that name."), 404)
+            return failure(tr("There is no example of that name."), 404)
         return JSONResponse(found)
 
     async def list_lessons(self, _request: Request) -> Response:
@@ -353,9 +360,9 @@ class Service:
         try:
             found = await asyncio.to_thread(read, self.config.examples / "lessons")
         except BadInput as error:
-            return _failure(error.sentence, 500)
+            return failure(error.sentence, 500)
         if found is None:
-            return _failure(tr("There is no lesson of that name."), 404)
+            return failure(tr("There is no lesson of that name."), 404)
         return JSONResponse(found)
 
     async def one_world(self, request: Request) -> Response:
@@ -363,7 +370,7 @@ class Service:
         try:
             return JSONResponse(named_world(request.path_params["name"]))
         except BadInput as error:
-            return _failure(error.sentence, 404)
+            return failure(error.sentence, 404)
 
     async def list_worlds(self, _request: Request) -> Response:
         """Names."""
@@ -441,12 +448,6 @@ async def _send(socket: WebSocket, session: PageSession) -> None:
         return
 
 
-def _failure(said: Sentence, status: int) -> Response:
-    """An answer that a request over HTTP cannot be served: in English, and as a sentence for other languages."""
-    failure = {"message": str(said), "sentence": msgspec.to_builtins(to_wire(said))}
-    return JSONResponse(failure, status_code=status)
-
-
 async def _no_page(_request: Request) -> Response:
     return PlainTextResponse(in_terminal(tr("The page is not built yet; ./rosy start builds it.")), status_code=503)
 
@@ -467,10 +468,15 @@ async def _projector(_request: Request) -> Response:
 
 
 def _for_pages_of(origins: Iterable[str]) -> list[Middleware]:
-    """Lets the boards of other services ask for files, with the teacher's key. Fetch Standard, "CORS protocol"."""
+    """
+    Lets the boards of other services ask for files, with the teacher's key, and their pages send a recording. Fetch
+    Standard, "CORS protocol".
+    """
     allowed = [f"{scheme}://{origin}" for origin in origins for scheme in ("http", "https")]
     headers = ["X-Rosy-Key"]
-    return [Middleware(CORSMiddleware, allow_origins=allowed, allow_headers=headers)] if allowed else []
+    if not allowed:
+        return []
+    return [Middleware(CORSMiddleware, allow_origins=allowed, allow_headers=headers, allow_methods=["GET", "POST"])]
 
 
 def build_app(
@@ -505,6 +511,7 @@ def build_app(
         Route("/api/examples", service.list_examples),
         Route("/api/examples/{name}", service.one_example),
         Route("/api/examples/{name}/path", service.example_path),
+        Route("/api/recordings/{session}", service.receive_recording, methods=["POST"]),
         Route("/api/lessons", service.list_lessons),
         Route("/api/lessons/{name}", service.one_lesson),
         Route("/api/worlds", service.list_worlds),

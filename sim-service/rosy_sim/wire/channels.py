@@ -176,6 +176,10 @@ class Channel:
             at = end + len(text)
         return b"%b".join([*pieces, line[at:].replace(b"%", b"%%")])
 
+    def is_in(self, msg: Any, places: int | None = None) -> bool:
+        """Whether a message has the fields of the channel, or of its first places; one topic may carry several."""
+        return all(_has(msg, place.path) for place in self.places[:places])
+
     def read(self, msg: Any) -> Values:
         """
         The values in a message; a field that is missing is zero, as in ROS.
@@ -278,6 +282,18 @@ def _get(msg: Any, path: tuple[str, ...]) -> Any:
         else:
             return at if at is not _MISSING and not isinstance(at, list) else _MISSING
     return at
+
+
+def _has(msg: Any, path: tuple[str, ...]) -> bool:
+    at: Any = msg
+    for step in path:
+        if isinstance(at, dict) and step in at:
+            at = at[step]
+        elif isinstance(at, list | str) and step.isdigit() and int(step) < len(at):
+            at = at[int(step)]
+        else:
+            return False
+    return True
 
 
 def _leaves(types: Mapping[str, Json], name: str, label: str = "") -> list[Leaf]:

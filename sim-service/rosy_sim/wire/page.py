@@ -49,6 +49,8 @@ __all__ = [
     "Preview",
     "Previewed",
     "Refusal",
+    "Replay",
+    "ReplayBegun",
     "Request",
     "Reset",
     "Resume",
@@ -56,6 +58,7 @@ __all__ = [
     "RobotState",
     "Robots",
     "Run",
+    "RunRecorded",
     "RunState",
     "Safety",
     "Said",
@@ -145,6 +148,17 @@ class Preview(msgspec.Struct, tag="preview", tag_field="op"):
     id: int
     source: str
     seconds: float
+
+
+class Replay(msgspec.Struct, tag="replay", tag_field="op"):
+    """
+    Look at a recorded run, as run number ``run``: of this page's run ``of`` on a real robot, or, without one, from the
+    file that the page sent last. ``room``: the page draws its room, and the run from its start on.
+    """
+
+    run: int
+    of: int | None = None
+    room: bool = False
 
 
 class Stop(msgspec.Struct, tag="stop", tag_field="op"):
@@ -274,6 +288,7 @@ Request = (
     | Check
     | Complete
     | Run
+    | Replay
     | Preview
     | Stop
     | Reset
@@ -482,6 +497,21 @@ class ChecksShown(msgspec.Struct, tag="checks", tag_field="op"):
     checks: list[Any]
 
 
+class RunRecorded(msgspec.Struct, tag="recorded", tag_field="op"):
+    """A run of this page on a real robot is in this file, on the computer of the service."""
+
+    run: int
+    file: str
+
+
+class ReplayBegun(msgspec.Struct, tag="replayed", tag_field="op"):
+    """A recording is shown from now on as this run: its program, and what the robot was called."""
+
+    run: int
+    program: str
+    robot: str
+
+
 class RobotName(msgspec.Struct):
     """A robot, the name of its owner, and whether that is this page."""
 
@@ -557,6 +587,8 @@ Answer = (
     | ChecksShown
     | Robots
     | RobotState
+    | RunRecorded
+    | ReplayBegun
     | Safety
     | Refusal
 )

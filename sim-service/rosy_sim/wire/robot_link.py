@@ -151,16 +151,21 @@ def start_line(seed: int, trace: bool, quiet: bool = False) -> bytes:
     return msgspec.json.encode(line | ({"quiet": True} if quiet else {})) + b"\n"
 
 
-def step_line(step: int, memory: bool = False, firings: bool = False, late: bool = False) -> bytes:
+def step_line(
+    step: int, memory: bool = False, firings: bool = False, late: bool = False, time: float | None = None
+) -> bytes:
     """
     The end of a step's batch; it may ask what the program remembers, and for its firings with their provenance.
-    ``late`` is the batch of a quiet step that is over, which is not answered.
+    ``late`` is the batch of a quiet step that is over, which is not answered. ``time`` (s) is that of the simulator if
+    absent.
     """
     asking = b""
     if memory or firings or late:
         asking = (b',"memory":true' if memory else b"") + (b',"firings":true' if firings else b"")
         asking += b',"late":true' if late else b""
-    return b'{"op":"step","step":%d,"time":%s%s}\n' % (step, repr(step / STEPS_PER_SECOND).encode(), asking)
+    seconds = step / STEPS_PER_SECOND if time is None else time
+    return b'{"op":"step","step":%d,"time":%s%s}
+' % (step, repr(seconds).encode(), asking)
 
 
 def stop_line() -> bytes:

@@ -21,7 +21,7 @@ from .realism import CommandLatency, GyroOdometry, Realism, WheelSlip
 from .robot import Robot, SensorBits, TimedDevice
 from .time_step import STEP
 
-__all__ = ["ActionRefused", "Odometry", "World"]
+__all__ = ["ActionRefused", "Odometry", "World", "held_after"]
 
 _SUBSTEPS = 4
 """Pieces of a step while boxes are being pushed."""
@@ -48,6 +48,11 @@ Values = tuple[float | int | str, ...]
 
 def _origin(x: float, y: float, theta: float) -> tuple[float, float, float, float, float]:
     return x, y, theta, math.cos(theta), math.sin(theta)
+
+
+def held_after(before: Values, values: Values) -> Values:
+    """What an output holds after a command; one to one of several places says which."""
+    return values if len(values) == len(before) else _replaced(before, int(values[0]), values[1])
 
 
 def _replaced(values: Values, place: int, value: float | str) -> Values:
@@ -272,11 +277,8 @@ class World:
             if self._have_power():
                 self._motors.command(float(values[0]), float(values[1]))
         elif channel in self.outputs:
-            before = self.outputs[channel]
-            # A command to one of several places says which.
-            after = values if len(values) == len(before) else _replaced(before, int(values[0]), values[1])
             # A new object, see ``channel_parts``.
-            self.outputs = {**self.outputs, channel: after}
+            self.outputs = {**self.outputs, channel: held_after(self.outputs[channel], values)}
             if not self._have_power():
                 self._motors.command(0.0, 0.0)
 

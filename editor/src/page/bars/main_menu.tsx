@@ -66,6 +66,7 @@ function MenuItems({close}: {close: () => void}): VNode {
       {offered && item(words.robots.choose, () => desk.store.dispatch({kind: "dialog", dialog: "robots"}))}
       {item(words.newProgram, desk.newProgram)}
       {item(words.openFile, desk.openFile)}
+      {item(words.recordings.open, desk.openRecording)}
       {item(words.saveFile, desk.saveFile)}
       {item(words.saveHaskell, desk.saveHaskell)}
       {item(words.share.menu, desk.share)}

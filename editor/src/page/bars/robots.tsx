@@ -45,6 +45,7 @@ export function RobotBar(): VNode | null {
         </p>
       )}
       <TwinSwitch />
+      <RecordedRun />
       <span class="space" />
       {stopped && (
         <button
@@ -102,6 +103,30 @@ function TwinSwitch(): VNode {
       />
       {words.twin.show}
     </label>
+  )
+}
+
+/// Where the newest run on the robot is recorded, and a look at it; not while it drives.
+function RecordedRun(): VNode | null {
+  const {store} = useController()
+  const recorded = usePageState(s => s.recorded)
+  const driving = usePageState(isDriving)
+  if (recorded === null || driving) return null
+  const w = words.recordings
+  return (
+    <>
+      <button
+        type="button"
+        class="plain"
+        title={w.where(recorded.file)}
+        onClick={() => store.dispatch({kind: "recording-wanted", of: recorded.run})}
+      >
+        {w.again}
+      </button>
+      <span class="quiet why" title={w.where(recorded.file)}>
+        {recorded.file.replace(/^.*[\\/]/, "")}
+      </span>
+    </>
   )
 }
 

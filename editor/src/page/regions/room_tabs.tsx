@@ -1,4 +1,4 @@
-/// Tabs below the room: console, charts, runs, sensors, problems. There is something to see in the tree of runs when it has two.
+/// Tabs below the room: console, charts, runs, sensors, problems. There is something to see in the tree of runs when it has two, or a recording.
 
 import type {VNode} from "preact"
 import {RunsPanel} from "../../runs/runs_panel.tsx"
@@ -14,7 +14,9 @@ export function Tabs(): VNode {
   const {store} = useController()
   const tab = usePageState(s => s.tab)
   const count = usePageState(problemCount)
-  const hasRuns = usePageState(s => s.tab === "runs" || s.runTree.nodes.length > 1)
+  const hasRuns = usePageState(
+    s => s.tab === "runs" || s.runTree.nodes.length > 1 || s.recorded !== null || s.replay !== null,
+  )
   const tabs = allTabs.filter(name => name !== "runs" || hasRuns)
   const go = (from: number, by: number) => {
     const name = tabs[(from + by + tabs.length) % tabs.length] ?? "console"

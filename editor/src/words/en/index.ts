@@ -8,6 +8,7 @@ import {lessonEditor} from "./lesson_editor.ts"
 import {lessons} from "./lessons.ts"
 import {page} from "./page.ts"
 import {preview} from "./preview.ts"
+import {recordings} from "./recordings.ts"
 import {roomTests} from "./room_tests.ts"
 import {world} from "./rooms.ts"
 import {runs} from "./runs.ts"
@@ -22,6 +23,7 @@ export const en = {
   diagram,
   roomTests,
   preview,
+  recordings,
   runs,
   keys,
   lessons,

@@ -10,6 +10,7 @@ export const page: Omit<
   | "blocks"
   | "classroom"
   | "world"
+  | "recordings"
   | "diagram"
   | "roomTests"
   | "preview"

@@ -32,6 +32,9 @@ class Outbox:
         self._limit = limit
         self._waiting: deque[Answer] = deque()
         self._not_empty = asyncio.Event()
+        # Set while nothing waits.
+        self._empty = asyncio.Event()
+        self._empty.set()
         # Set when the queue is full, so the page has stopped reading.
         self.overflowed = asyncio.Event()
         # Writes a text at once, or answers that it cannot.
@@ -62,6 +65,7 @@ class Outbox:
             self.overflowed.set()
         else:
             waiting.append(answer)
+            self._empty.clear()
         self._not_empty.set()
 
     def _take_unsent_frame(self, run: int) -> Frame | None:
@@ -77,10 +81,15 @@ class Outbox:
                 return answer
         return None
 
+    async def is_sent(self) -> None:
+        """Return when all answers have been sent: the sender waits for the next one."""
+        await self._empty.wait()
+
     async def get(self) -> Answer:
         """The next answer."""
         while not self._waiting:
             self._not_empty.clear()
+            self._empty.set()
             self._is_drained = True
             await self._not_empty.wait()
         self._is_drained = False

@@ -19,6 +19,8 @@ from ...ownership.robot_ownership import RobotOwnership
 from ...ownership.robot_registry import RobotRegistry
 from ...ownership.robot_run import RobotRun
 from ...previews.preview_pool import PreviewPool
+from ...recordings.recorded_run import RecordedRun
+from ...recordings.recording_stream import RecordingStream
 from ...robots import DEFAULT_ROBOT
 from ...run.page_run import PageRun
 from ...run.simulated_run import SimulatedRun, Simulation
@@ -43,6 +45,7 @@ from .outbox import Outbox
 from .page_hands import PageHands
 from .page_preparation import PagePreparation
 from .page_previews import PagePreviews
+from .page_recordings import PageRecordings
 from .page_twin import PageTwin
 from .page_view import PageView, Room
 from .program_checks import ProgramChecks
@@ -94,6 +97,8 @@ class PageSession:
         self.ownership = RobotOwnership(ident, robots, self._limits, self.outbox.put, self._view, self._safety)
         # The same program in the simulator, beside that robot.
         self._twin = PageTwin(services, self.outbox, self._loop.time)
+        # What the page may look at again.
+        self.recordings = PageRecordings(self.outbox.put)
         # ROS clients of the simulated robot.
         self.bridge = RosBridge()
         # Whether the firings of the page's runs are recorded.
@@ -185,6 +190,8 @@ class PageSession:
                 self._lesson.choose(request.step, self.world.arena)
             case page.Input():
                 self._hands.between_steps(lambda: self._serve_input(request))
+            case page.Replay():
+                self._replay(request)
             case page.Observe():
                 self._observe(request)
             case page.Visibility():
@@ -206,6 +213,8 @@ class PageSession:
             case page.Stop() | page.SetSpeed() | page.Pause() | page.Resume() | page.Forward():
                 if self._run is not None:
                     _control(self._run, request)
+                elif isinstance(request, page.Stop):
+                    self.recordings.cancel()
 
     def _tell_robot(self, request: page.EmergencyStop | page.Free | page.Alive) -> None:
         robot = self.ownership.process
@@ -308,6 +317,7 @@ class PageSession:
                 self.ownership.recorder,
                 self.ownership.name,
                 self._on_robot_begun,
+                self.recordings.add,
             )
             return
         self._explanations.start(request.run, request.source)
@@ -361,6 +371,36 @@ class PageSession:
         room = built.with_robot(seed, replace(DEFAULT_ROBOT, limits=limits))
         self._twin.prepare(request, request.twin, room, seed)
 
+    def _replay(self, request: page.Replay) -> None:
+        self._end_now()
+        self.recordings.open(request, self._begin_replay, self._on_no_replay)
+
+    def _begin_replay(self, request: page.Replay, stream: RecordingStream) -> RecordedRun:
+        details = stream.heading.details
+        self.outbox.put(page.ReplayBegun(request.run, details.program, details.name))
+        self._explanations.start(request.run, details.program)
+        view = PageView(
+            self.outbox, self._room, self._limits.frame_rate, self._loop.time, self._explanations.on_branches
+        )
+        view.run = request.run
+        view.shows_firings = self._view.shows_firings
+        view.origin = self.world.arena.start if request.room else Pose(0.0, 0.0, 0.0)
+        run = RecordedRun(
+            request.run,
+            stream,
+            self._services,
+            view,
+            self._on_run_over,
+            self._explanations.on_robot_step,
+            self.refuse,
+        )
+        self._run = run
+        return run
+
+    def _on_no_replay(self, run: int, why: Sentence) -> None:
+        self.refuse(why)
+        self._view.show_ended(run, "stopped", [])
+
     def _on_robot_begun(self) -> None:
         self._view.begin_robot()
         self._twin.begin(self._safety.settings)
@@ -400,6 +440,7 @@ class PageSession:
         self._previews.cancel()
         if self._run is not None:
             self._run.end_now()
+        self.recordings.cancel()
         self._twin.end_now()
         self.world.command(velocity(0.0, 0.0))
         self._wake_idle()
@@ -479,6 +520,7 @@ class PageSession:
         await self._checks.close()
         await self._previews.close()
         self._twin.close()
+        await self.recordings.close()
         for run in self._unexplained:
             run.cancel_explanation()
         await self.ownership.close()

@@ -21,7 +21,7 @@ from ...wire.firing import Branch, Firing
 from ...wire.problem import Problem
 from ...wire.robot_link import MemoryValue
 from ...wire.robot_process import FrameLine
-from ...wire.telemetry import PoseShown, Shown
+from ...wire.telemetry import PoseShown, Shown, Telemetry
 from ...world.arena import Pose
 from ...world.goals import GoalState
 from ...world.time_step import STEPS_PER_SECOND
@@ -301,6 +301,17 @@ class PageView:
         self._values = {}
         self._parts = []
         self._put_frame(line.time, _placed(line.pose, self.origin), line.channels, **self._observations())
+
+    def show_recorded(self, telemetry: Telemetry) -> None:
+        """Show a robot as it was in a step of a recorded run. No frame is left out."""
+        self._begin_run()
+        self._put_frame(
+            telemetry.time, _placed(telemetry.pose, self.origin), telemetry.channels, **self._observations()
+        )
+
+    async def is_sent(self) -> None:
+        """Return when the page has been sent all that it was shown."""
+        await self._outbox.is_sent()
 
     def await_robot(self) -> None:
         """A run on a real robot is about to begin: what the robot reports until then is not part of it."""

@@ -1,0 +1,102 @@
+"""
+Recordings that one page may look at: those of its own runs on real robots, and the file that it sent last.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections.abc import Callable
+from pathlib import Path
+from typing import BinaryIO
+
+from ...errors import BadInput
+from ...recordings.recorded_run import RecordedRun
+from ...recordings.recording_stream import RecordingStream, open_stream
+from ...sentence import Sentence, tr
+from ...wire import page
+
+__all__ = ["PageRecordings"]
+
+_MOST_RUNS = 20
+"""Runs whose recordings can be looked at again by their number; a page keeps as many."""
+
+
+class PageRecordings:
+    """``send`` puts a message into the page's outbox."""
+
+    def __init__(self, send: Callable[[page.Answer], None]) -> None:
+        self._send = send
+        self._made: dict[int, Path] = {}
+        # The file that the page sent last, and its name there.
+        self._sent: tuple[BinaryIO, str] | None = None
+        self._opening: asyncio.Task[None] | None = None
+
+    def add(self, run: int, path: Path) -> None:
+        """A run of this page is recorded."""
+        self._made[run] = path
+        for oldest in list(self._made)[:-_MOST_RUNS]:
+            del self._made[oldest]
+        self._send(page.RunRecorded(run, str(path)))
+
+    def receive(self, file: BinaryIO, name: str) -> None:
+        """The page has sent a file, which is closed when there is another one."""
+        self._forget_sent()
+        self._sent = file, name
+
+    def open(
+        self,
+        request: page.Replay,
+        begin: Callable[[page.Replay, RecordingStream], RecordedRun],
+        fail: Callable[[int, Sentence], None],
+    ) -> None:
+        """Call ``begin`` when the recording is open, or ``fail`` with the number of the run."""
+        self.cancel()
+        self._opening = asyncio.get_running_loop().create_task(self._open(request, begin, fail))
+
+    def cancel(self) -> None:
+        """Open, or play back, no longer."""
+        if self._opening is not None:
+            self._opening.cancel()
+
+    async def close(self) -> None:
+        """The page is gone."""
+        self.cancel()
+        if self._opening is not None:
+            with contextlib.suppress(asyncio.CancelledError):
+                await self._opening
+        self._forget_sent()
+
+    async def _open(
+        self,
+        request: page.Replay,
+        begin: Callable[[page.Replay, RecordingStream], RecordedRun],
+        fail: Callable[[int, Sentence], None],
+    ) -> None:
+        try:
+            with contextlib.ExitStack() as files:
+                file, name = self._file(request, files)
+                async with open_stream(file, name) as stream:
+                    await begin(request, stream).over.wait()
+        except BadInput as error:
+            fail(request.run, error.sentence)
+
+    def _file(self, request: page.Replay, files: contextlib.ExitStack) -> tuple[BinaryIO, str]:
+        if request.of is None:
+            if self._sent is None:
+                raise BadInput(tr("The recording has not arrived. Open it again."))
+            file, name = self._sent
+            # Another file description: a process that reads the file still has a place of its own in it.
+            return files.enter_context(Path(f"/proc/self/fd/{file.fileno()}").open("rb")), name
+        path = self._made.get(request.of)
+        if path is None:
+            raise BadInput(tr("The recording of this run is not known any more. Open its file."))
+        try:
+            return files.enter_context(path.open("rb")), path.name
+        except OSError as error:
+            raise BadInput(tr("{path} cannot be read: {why}.", path=path, why=error.strerror or "")) from error
+
+    def _forget_sent(self) -> None:
+        if self._sent is not None:
+            self._sent[0].close()
+            self._sent = None
