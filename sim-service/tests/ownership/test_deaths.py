@@ -93,6 +93,14 @@ def children(process: int) -> list[int]:
     return found
 
 
+def name_of(process: int) -> str:
+    """As the process calls itself; empty when it has ended."""
+    try:
+        return Path(f"/proc/{process}/comm").read_text().strip()
+    except OSError:
+        return ""
+
+
 def family(process: int) -> list[int]:
     """A process and all that it has started."""
     return [process, *(p for child in children(process) for p in family(child))]
@@ -136,10 +144,9 @@ async def driving(death: Death, robot: Robot, folder: Path) -> AsyncIterator[dic
             known: Any = SimpleNamespace(robots=SimpleNamespace(code=code))
             rig = Rig(address, known, page, robot)
             await rig.takes()
-            before = set(family(service.pid))
             await rig.drives()
             try:
-                [program] = set(family(service.pid)) - before
+                [program] = [p for p in family(service.pid) if name_of(p) == "program"]
                 guardian = children(rig.driver)
                 yield {
                     "service": [service.pid],
