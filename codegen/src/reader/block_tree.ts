@@ -8,7 +8,7 @@ import {reasons} from "../model/raw_reasons.ts"
 import type {Node} from "../model/syntax_tree.ts"
 import type {BlockId, SavedBlock} from "../serialized_blocks.ts"
 import type {Range} from "../source/lexer.ts"
-import type {Piece} from "./module_reader.ts"
+import type {Piece} from "./module_pieces.ts"
 
 /// A stretch of a definition's text, counted from its start, and the block (or empty socket) it belongs to.
 export interface BlockSpan extends Range {

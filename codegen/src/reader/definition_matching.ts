@@ -1,7 +1,7 @@
 /// Matching of a new text's definitions with those that a view shows.
 
 import {buildBlocks} from "./block_tree.ts"
-import type {Piece} from "./module_reader.ts"
+import type {Piece} from "./module_pieces.ts"
 import {treeSimilarity} from "./tree_matching.ts"
 import type {Shown, View} from "./view.ts"
 

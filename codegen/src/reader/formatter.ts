@@ -4,7 +4,8 @@
 import type {Declaration} from "../model/syntax_tree.ts"
 import {buildBlocks} from "./block_tree.ts"
 import {commentWords} from "./exact_texts.ts"
-import type {Module, Reader} from "./module_reader.ts"
+import type {Module} from "./module_pieces.ts"
+import type {Reader} from "./module_reader.ts"
 import {writeBack} from "./text_patches.ts"
 import {hashTree} from "./tree_matching.ts"
 

@@ -1,7 +1,7 @@
 /// Module reader: the pieces of a file in order: header, definitions, and what stands between them.
 ///
 /// The slices of all pieces, one after the other, are the file, byte for byte. A definition is converted when its text has not been seen in
-/// the reading before; the rest is taken over, node for node.
+/// the reading before; the rest is taken over, node for node. After an edit only the changed definitions are looked at (`incremental_reading.ts`).
 
 import type {Language, Parser, Tree} from "web-tree-sitter"
 import type {Fixities, Fixity} from "../haskell/fixity.ts"
@@ -19,56 +19,13 @@ import {partsOf} from "../source/top_level_sections.ts"
 import {Context} from "./conversion_context.ts"
 import {readTop} from "./declarations.ts"
 import {maskCandidates, masked} from "./error_masking.ts"
+import type {Reading, Section} from "./incremental_reading.ts"
+import {changedPieces, hasSameFixities, replaced} from "./incremental_reading.ts"
+import type {Converted, Module, Piece} from "./module_pieces.ts"
 import type {NodeNames, Parsed, Syntax} from "./parse_tree.ts"
 import {copyTree, namedChildren, nodeNames} from "./parse_tree.ts"
-import type {Word} from "./semantic_tokens.ts"
 import {wordsOf} from "./semantic_tokens.ts"
 import {grammarVariants} from "./source_rewriting.ts"
-
-/// A part of a file. `header` holds `module`, imports, pragmas and directives, which have no blocks; `end` what follows the last definition.
-export interface Piece extends Range {
-  readonly kind: "header" | "declaration" | "end"
-  /// From the end of the piece before to the end of this one: `text.slice(start, end)`.
-  readonly slice: string
-  /// The definition itself, in the file; without the comment above it. Empty for other kinds.
-  readonly core: Range
-  /// The comment directly above the definition.
-  readonly remark: Range | undefined
-  /// The words of that comment; where `declaration.comment` says more, the rest stood inside the definition.
-  readonly remarkText: string
-  /// The names it defines: a function, a type, or all names of a pattern.
-  readonly names: readonly string[]
-  /// What it says. A raw one has the exact text, and the reason why blocks cannot say it. Absent in a header.
-  readonly declaration: Declaration | undefined
-  /// It holds something that is not Haskell, or lacks something.
-  readonly broken: boolean
-  /// Where each node of `declaration` stands, counted from `core.start`.
-  readonly spans: ReadonlyMap<object, Range>
-  /// What its names are there for, in their order, counted from `core.start`; also of a broken one.
-  readonly words: readonly Word[]
-}
-
-export interface Module {
-  readonly text: string
-  readonly pieces: readonly Piece[]
-  /// Operators whose binding the file declares.
-  readonly fixities: ReadonlyMap<string, Fixity>
-}
-
-/// Whether two modules group operators alike. Where not, a definition may say something else though its text is the same.
-export function sameFixities(one: Module, other: Module): boolean {
-  const said = ({fixities}: Module) => [...fixities].map(([op, f]) => `${op} ${f.precedence} ${f.associates}`)
-  return said(one).sort().join("\n") === said(other).sort().join("\n")
-}
-
-interface Converted {
-  readonly declaration: Declaration
-  readonly broken: boolean
-  readonly spans: ReadonlyMap<object, Range>
-  readonly words: readonly Word[]
-  /// Whether the comment behind the definition is that of its last step or local definition.
-  readonly hasTail: boolean
-}
 
 /// Longer definitions are kept as text: they are not shown as blocks, and a broken one would cost the parser seconds.
 const longest = 40_000
@@ -80,7 +37,7 @@ const longestPartly = 4000
 export class Reader {
   private readonly parser: Parser
   private readonly names: NodeNames
-  private known = new Map<string, Converted>()
+  private last: Reading | undefined
 
   /// @internal Use `openReader`.
   constructor(parser: Parser, language: Language) {
@@ -89,29 +46,73 @@ export class Reader {
   }
 
   read(text: string): Module {
+    const reading = (this.last && this.readChange(this.last, text)) ?? this.readAll(text)
+    this.last = reading
+    return reading.module
+  }
+
+  private readAll(text: string): Reading {
     const lexed = lex(text)
     const parts = partsOf(text, lexed)
     const declared = fixitiesOf(text, lexed)
-    const redefined = redefinedOperators(
-      parts.map(p => p.name),
+    const names = parts.map(part => part.name)
+    const fixities = new Map([...redefinedOperators(names, declared), ...declared])
+    const known = convertedByKey(this.last?.sections ?? [])
+    const {pieces, sections} = this.readParts(text, parts, fixities, known)
+    return {
+      module: {text, pieces, fixities},
+      sections,
       declared,
-    )
-    const fixities = new Map([...redefined, ...declared])
-    const key = JSON.stringify([...fixities])
-    const seen = new Map<string, Converted>()
+      margin: lexed.margin,
+      isClosed: lexed.isClosed,
+    }
+  }
+
+  /// The reading of a text that differs from the last one in a few definitions; undefined where all must be read.
+  private readChange(last: Reading, text: string): Reading | undefined {
+    if (text === last.module.text) return last
+    const change = changedPieces(last, text)
+    if (change === undefined) return undefined
+    const window = text.slice(change.start, change.end)
+    const lexed = lex(window, change.margin)
+    const parts = partsOf(window, lexed)
+    if (!hasSameFixities(last, change, window, parts)) return undefined
+    const known = convertedByKey(last.sections.slice(change.first, change.behind))
+    const read = this.readParts(window, parts, last.module.fixities, known)
+    return replaced(last, text, change, {...read, margin: lexed.margin, isClosed: lexed.isClosed})
+  }
+
+  /// The pieces for the parts of a text. What `known` has by its key is taken over, node for node.
+  private readParts(
+    text: string,
+    parts: readonly Part[],
+    fixities: Fixities,
+    known: ReadonlyMap<string, Converted>,
+  ): {pieces: Piece[]; sections: Section[]} {
+    const fixityKey = JSON.stringify([...fixities])
+    const taken = new Set<string>()
     const pieces: Piece[] = []
+    const sections: Section[] = []
     let start = 0
     for (const part of parts) {
       let piece: Omit<Piece, "slice" | "start" | "end" | "kind">
       if (part.kind === "declaration") {
         const tail = part.tail === undefined ? "" : text.slice(part.core.end, part.tail.end)
-        const source = JSON.stringify([key, part.trouble ?? "", part.column, part.comment, part.source, tail])
+        const key = JSON.stringify([
+          fixityKey,
+          part.trouble ?? "",
+          part.column,
+          part.comment,
+          part.source,
+          tail,
+        ])
         // Two equal definitions must not share their nodes.
         const converted =
-          (seen.has(source) ? undefined : this.known.get(source)) ??
+          (taken.has(key) ? undefined : known.get(key)) ??
           this.convertWithTail(part, tail, fixities) ??
           this.convert(part, fixities)
-        seen.set(source, converted)
+        taken.add(key)
+        sections.push({name: part.name, key, converted, isDefinition: part.trouble === undefined})
         piece = {
           ...converted,
           core: converted.hasTail ? {start: part.core.start, end: part.core.end + tail.length} : part.core,
@@ -119,7 +120,8 @@ export class Reader {
           remarkText: part.comment,
           names: namesOf(converted.declaration, part.name),
         }
-      } else
+      } else {
+        sections.push({name: part.name, key: "", converted: undefined, isDefinition: false})
         piece = {
           core: part.core,
           remark: undefined,
@@ -130,11 +132,11 @@ export class Reader {
           spans: new Map(),
           words: [],
         }
+      }
       pieces.push({...piece, kind: part.kind, slice: text.slice(start, part.end), start, end: part.end})
       start = part.end
     }
-    this.known = seen
-    return {text, pieces, fixities}
+    return {pieces, sections}
   }
 
   /// The definition with the comment behind it; undefined when that is not the comment of its last step or local definition.
@@ -241,6 +243,14 @@ export class Reader {
     }
     return first
   }
+}
+
+/// The first of several equal ones.
+function convertedByKey(sections: readonly Section[]): ReadonlyMap<string, Converted> {
+  const known = new Map<string, Converted>()
+  for (const {key, converted} of sections)
+    if (converted !== undefined && !known.has(key)) known.set(key, converted)
+  return known
 }
 
 /// Nested brackets from which on the grammar may find errors that are none: its scanner keeps a bounded stack of contexts.

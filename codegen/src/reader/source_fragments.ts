@@ -4,7 +4,7 @@ import type {Node} from "../model/syntax_tree.ts"
 import type {Range} from "../source/lexer.ts"
 import {lex} from "../source/top_level_items.ts"
 import {asWritten} from "./model_parts.ts"
-import type {Piece} from "./module_reader.ts"
+import type {Piece} from "./module_pieces.ts"
 
 /// The text of a definition without the comment above it, with the spans of its nodes.
 export interface Source {

@@ -3,7 +3,7 @@
 import {printDeclarationAlone} from "../haskell/printer.ts"
 import type {Declaration} from "../model/syntax_tree.ts"
 import {expandTabs} from "../source/tab_expansion.ts"
-import type {Module, Piece} from "./module_reader.ts"
+import type {Module, Piece} from "./module_pieces.ts"
 
 /// What happened to the definitions of a module, by the number of their piece.
 export interface Edits {

@@ -6,7 +6,7 @@ import {hashOf} from "../source/declaration_splitter.ts"
 import {words} from "../words/index.ts"
 import type {Size} from "./block_placement.ts"
 import type {BlockSpan} from "./block_tree.ts"
-import type {Module, Piece} from "./module_reader.ts"
+import type {Module, Piece} from "./module_pieces.ts"
 
 /// One definition, as text and as blocks.
 export interface Shown {

@@ -29,6 +29,10 @@ export interface Lexed {
   readonly comments: readonly Comment[]
   /// Operators that start with two dashes, as `-->`: the grammar takes them for comments.
   readonly dashed: readonly Range[]
+  /// The column at which items start; undefined where no item has set it.
+  readonly margin: number | undefined
+  /// Whether every comment and pragma has its end. The text behind one without an end is read as program text, up to the end of the file.
+  readonly isClosed: boolean
 }
 
 interface LayoutToken extends Range {
@@ -39,7 +43,13 @@ interface LayoutToken extends Range {
 }
 
 /// A token with its place in the layout. Of brackets and other characters that are no Haskell words each one is a token.
-function scan(text: string): {tokens: LayoutToken[]; comments: Comment[]; dashed: Range[]} {
+function scan(text: string): {
+  tokens: LayoutToken[]
+  comments: Comment[]
+  dashed: Range[]
+  isEveryCommentClosed: boolean
+} {
+  let isEveryCommentClosed = true
   const dashed: Range[] = []
   const tokens: LayoutToken[] = []
   const comments: Comment[] = []
@@ -84,10 +94,16 @@ function scan(text: string): {tokens: LayoutToken[]; comments: Comment[]; dashed
       else if (isClosed(text, token)) comments.push({kind: "block", start, end})
       // The text behind a comment that is not closed is read as program text.
       if (text[start] === "-" || isClosed(text, token)) passLines(end)
-      else add("symbol", start + 2)
+      else {
+        isEveryCommentClosed = false
+        add("symbol", start + 2)
+      }
     } else if (kind === "pragma") {
       if (isClosed(text, token)) add("pragma", end)
-      else add("symbol", start + 2)
+      else {
+        isEveryCommentClosed = false
+        add("symbol", start + 2)
+      }
     } else if (text[start] === "#" && start === lineStart && isDirective(text, start)) {
       const newline = text.indexOf("\n", start)
       add("directive", newline === -1 ? text.length : newline)
@@ -99,7 +115,7 @@ function scan(text: string): {tokens: LayoutToken[]; comments: Comment[]; dashed
     }
   }
   addBetween(text.length)
-  return {tokens, comments, dashed}
+  return {tokens, comments, dashed, isEveryCommentClosed}
 }
 
 /// The end of a token at the end of its line, without the `\r` of a Windows line ending.
@@ -125,11 +141,11 @@ function columnOf(text: string, lineStart: number, at: number): number {
 // there; keeping the lines together shows the learner one broken definition instead of two.
 const continues = new Set([")", "]", "}", ",", ";", "=", "|", "->", "then", "else", "of", "in", "where"])
 
-/// The top-level items of a file, and its comments.
-export function lex(text: string): Lexed {
-  const {tokens, comments, dashed} = scan(text)
+/// The top-level items of a file, and its comments. `marginAbove` is the margin of the file when `text` is what follows some of its definitions.
+export function lex(text: string, marginAbove?: number): Lexed {
+  const {tokens, comments, dashed, isEveryCommentClosed} = scan(text)
   const items: Item[] = []
-  let margin: number | undefined
+  let margin = marginAbove
   let open: {start: number; kind: ItemKind; tokens: LayoutToken[]} | undefined
   // Inside `module … where` nothing starts an item.
   let inModule = false
@@ -166,7 +182,7 @@ export function lex(text: string): Lexed {
           type: false,
           trouble: "braces",
         })
-        return {items, comments, dashed}
+        return {items, comments, dashed, margin, isClosed: isEveryCommentClosed}
       }
       margin = t.firstOnLine ? t.column : columnOf(text, lineStartOf(text, t.start), t.start)
       close()
@@ -195,7 +211,7 @@ export function lex(text: string): Lexed {
     if (standing && (tokens[i + 1]?.firstOnLine ?? true)) close()
   }
   close()
-  return {items, comments, dashed}
+  return {items, comments, dashed, margin, isClosed: isEveryCommentClosed}
 }
 
 const keywords = new Set(
