@@ -21,8 +21,8 @@ import Test.Turns (Day, nextDays, rotated)
 tests :: Day -> Ready -> TestTree
 tests day ready = localOption (mkTimeout 300000000) . withResource (newIORef []) printed $ \times ->
   testGroup "links" $
-    -- Daily the first story on each link, and one in four of the others, different ones on each link.
-    [ testGroup name [story ready rig title (act times) | (title, act) <- take 1 stories ++ rotated (nextDays link day) 4 (drop 1 stories)]
+    -- Daily the first story on each link, and one in seven of the others, different ones on each link.
+    [ testGroup name [story ready rig title (act times) | (title, act) <- take 1 stories ++ rotated (nextDays link day) 7 (drop 1 stories)]
       | (link, (name, rig)) <- zip [0 ..] [("rosbridge on ROS 1", rosbridge "1"), ("rosbridge on ROS 2", rosbridge "2"), ("a Create 3", ros2Robot "create3" [] ""), ("ROS 1", rospy), ("serial", serial)]
     ]
       ++ [ testGroup

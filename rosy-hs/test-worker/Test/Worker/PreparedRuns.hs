@@ -26,7 +26,7 @@ runMemory = 64 * megabytes
 tests :: Day -> IO Worker -> TestTree
 tests day borrow =
   testGroup "Prepared runs" $
-    -- One in three of the long ones each day.
+    -- One in seven of the long ones each day.
     [ testCase "a prepared program is the one that runs, and says what one says that was compiled for its run" $ do
         worker <- borrow
         (child, prepared, said) <- do
@@ -141,7 +141,7 @@ tests day borrow =
     ]
       ++ rotated
         day
-        3
+        7
         [ testCase "an id is prepared once, and a worker prepares a bounded number" $
             withWorker [] $ \worker -> do
               robot <- prepare worker "twice" (speaking "no") runMemory

@@ -28,7 +28,7 @@ megabytes = 1024 * 1024
 tests :: Day -> IO Worker -> TestTree
 tests day borrow =
   testGroup "Life of a worker" $
-    -- One in three of the long ones each day.
+    -- One in seven of the long ones each day.
     [ testCase "many runs leave no process and no descriptor" $ do
         worker <- borrow
         -- Two hundred runs by night, forty by day: one process or descriptor that each leaves would be seen after ten.
@@ -199,7 +199,7 @@ tests day borrow =
     ]
       ++ rotated
         day
-        3
+        7
         [ testCase "a forked worker ends, with its programs, when its socket is closed or its fork server dies" $
             withWorker [] $ \worker -> do
               one <- forked worker "one"
