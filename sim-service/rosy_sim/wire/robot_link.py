@@ -164,8 +164,7 @@ def step_line(
         asking = (b',"memory":true' if memory else b"") + (b',"firings":true' if firings else b"")
         asking += b',"late":true' if late else b""
     seconds = step / STEPS_PER_SECOND if time is None else time
-    return b'{"op":"step","step":%d,"time":%s%s}
-' % (step, repr(seconds).encode(), asking)
+    return b'{"op":"step","step":%d,"time":%s%s}\n' % (step, repr(seconds).encode(), asking)
 
 
 def stop_line() -> bytes:
