@@ -14,11 +14,14 @@ import math
 from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import msgspec
 
 from ..robots import DEFAULT_ROBOT
+from ..wire.channels import BadMessage, Channel, Values
+from ..wire.topics import CHANNELS, ODOMETRY
+from ..world.events import VELOCITY_CHANNEL
 from ..world.motor_controller import MotorController
 from ..world.realism import LIMITS
 from ..world.robot import MotorLimits
@@ -40,11 +43,6 @@ _LONGEST = 600.0
 
 _LEAST_WAY, _LEAST_TURN = 0.3, 1.0
 """A way (m) and a turn (rad) in which a few per cent are more than an error of measurement."""
-
-_TWIST = "/mobile_base/commands/velocity"
-_ODOMETRY = "/odom"
-_TOUCHES = {"/mobile_base/events/bumper": "bumper", "/mobile_base/events/wheel_drop": "wheel"}
-"""Topics that say that something holds the robot, and the field with the place."""
 
 
 class Told(NamedTuple):
@@ -99,40 +97,22 @@ class Fit:
         return {key: value for key, value in found.items() if value is not None}
 
 
-class _Xyz(msgspec.Struct):
-    x: float = 0.0
-    y: float = 0.0
-    z: float = 0.0
-    w: float = 1.0
+_VELOCITY = CHANNELS[VELOCITY_CHANNEL]
 
+_TOUCHES = {channel.topic: channel for channel in CHANNELS.values() if channel.name in ("Bumper", "Wheel")}
+"""Events that say that something holds the robot, each with its place and its state."""
 
-class _Twist(msgspec.Struct):
-    linear: _Xyz
-    angular: _Xyz
-
-
-class _Pose(msgspec.Struct):
-    position: _Xyz
-    orientation: _Xyz
-
-
-class _PoseWithCovariance(msgspec.Struct):
-    pose: _Pose
-
-
-class _Odometry(msgspec.Struct):
-    pose: _PoseWithCovariance
-
-
-_twist = msgspec.json.Decoder(_Twist)
-_odometry = msgspec.json.Decoder(_Odometry)
-_event = msgspec.json.Decoder(dict[str, msgspec.Raw])
+_object = msgspec.json.Decoder(dict[str, Any])
 
 
 def recorded_drive(lines: Iterable[LinkLine]) -> RecordedDrive:
-    """What the lines of a recording tell of wheels and odometry; what cannot be read is left out."""
+    """
+    What the lines of a recording tell of wheels and odometry; what cannot be read is left out.
+
+    Topics and fields are those of the robot link, which has the simulated robot's on every robot (protocol, section 2).
+    """
     drive = RecordedDrive([], [], [])
-    touched: dict[tuple[str, bytes], float] = {}
+    touched: dict[tuple[str, Values], float] = {}
     now = 0.0
     for line in lines:
         now = line.time / 1e9
@@ -141,24 +121,27 @@ def recorded_drive(lines: Iterable[LinkLine]) -> RecordedDrive:
             continue
         topic, data = published
         try:
-            if line.source == "to_robot" and topic == _TWIST:
-                twist = _twist.decode(data)
-                drive.told.append(Told(now, twist.linear.x, twist.angular.z))
-            elif line.source == "to_program" and topic == _ODOMETRY:
-                pose = _odometry.decode(data).pose.pose
-                heading = 2 * math.atan2(pose.orientation.z, pose.orientation.w)
-                drive.moved.append(Moved(now, pose.position.x, pose.position.y, heading))
+            if line.source == "to_robot" and topic == _VELOCITY.topic:
+                drive.told.extend(Told(now, v, w) for v, w in _numbers(_VELOCITY, data, 2))
+            elif line.source == "to_program" and topic == ODOMETRY.topic:
+                drive.moved.extend(Moved(now, x, y, theta) for x, y, theta in _numbers(ODOMETRY, data, 3))
             elif line.source == "to_program" and topic in _TOUCHES:
-                event = _event.decode(data)
-                key = (topic, bytes(event[_TOUCHES[topic]]))
-                if event["state"] == msgspec.Raw(b"1"):
+                *place, state = _TOUCHES[topic].read(_object.decode(data))
+                key = (topic, tuple(place))
+                if state:
                     touched.setdefault(key, now)
                 elif key in touched:
                     drive.held.append((touched.pop(key), now))
-        except (msgspec.DecodeError, KeyError):
+        except (msgspec.DecodeError, BadMessage):
             continue
     drive.held.extend((since, now) for since in touched.values())
     return drive
+
+
+def _numbers(channel: Channel, data: bytes, count: int) -> list[list[float]]:
+    """The first values of a message; none of a message without them, which is no measurement."""
+    message = _object.decode(data)
+    return [[float(value) for value in channel.read(message)[:count]]] if channel.is_in(message, count) else []
 
 
 def fit(drive: RecordedDrive) -> Fit:
