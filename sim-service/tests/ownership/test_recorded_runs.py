@@ -91,6 +91,7 @@ def test_a_page_looks_at_its_run_again_and_asks_why(config: Config, tmp_path: Pa
     story(tell, config, tmp_path)
 
 
+@pytest.mark.turns
 def test_a_file_is_shown_in_the_room_of_the_page(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -111,7 +112,7 @@ def test_a_file_is_shown_in_the_room_of_the_page(config: Config, tmp_path: Path)
     story(tell, config, tmp_path)
 
 
-def test_a_recording_whose_end_is_missing_is_shown_up_to_there(config: Config, tmp_path: Path) -> None:
+def test_a_program_that_sends_other_commands_is_shown_up_to_there(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
         data = (await recorded(rig)).read_bytes()
@@ -135,6 +136,7 @@ def foreign(path: Path) -> bytes:
     return path.read_bytes()
 
 
+@pytest.mark.turns
 def test_each_file_that_is_no_recording_gets_one_sentence(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -175,6 +177,7 @@ def test_files_are_taken_from_the_page_itself_and_up_to_a_size(
     story(tell, config, tmp_path)
 
 
+@pytest.mark.turns
 def test_a_long_recording_has_fewer_frames_and_stop_ends_it(
     config: Config, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

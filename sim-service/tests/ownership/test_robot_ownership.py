@@ -11,7 +11,7 @@ import socket
 import sys
 import time
 from collections.abc import AsyncIterator, Awaitable, Callable
-from contextlib import asynccontextmanager
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -39,9 +39,15 @@ HERE = Path(__file__).resolve().parents[2]
 Story = Callable[[Rig], Awaitable[None]]
 
 
-def story(tell: Story, config: Config, folder: Path, options: str | None = None) -> None:
+def story(
+    tell: Story,
+    config: Config,
+    folder: Path,
+    options: str | None = None,
+    link: Callable[[Path], AbstractAsyncContextManager[Robot]] = kobuki,
+) -> None:
     async def play() -> None:
-        async with kobuki(folder) as robot:
+        async with link(folder) as robot:
             if options is not None:
                 robot.address = f"{robot.address.partition('?')[0]}{options}"
             robots = replace(config, robots={"Kitchen": robot.address}, robot_executable=discover().robot_executable)

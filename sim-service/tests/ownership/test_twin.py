@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Callable
+from contextlib import AbstractAsyncContextManager
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +13,7 @@ import pytest
 from rosy_sim.config import Config, discover
 
 from ..conftest import PATIENCE
-from .robot_rig import Rig
+from .robot_rig import Rig, Robot, rosbridge, rospy
 from .test_robot_ownership import story
 
 pytestmark = pytest.mark.skipif(discover().robot_executable is None, reason="rosy-robot is not built")
@@ -60,6 +62,31 @@ def test_both_drive_from_the_start_of_the_room_for_the_same_time(config: Config,
 
 
 @pytest.mark.turns
+@pytest.mark.turns
+@pytest.mark.parametrize("link", [rosbridge, rospy])
+def test_the_twin_drives_beside_a_robot_on_a_network(
+    config: Config, tmp_path: Path, link: Callable[[Path], AbstractAsyncContextManager[Robot]]
+) -> None:
+    """The base of these stand-ins tells that it stands, whatever it is told: only the twin gets ahead."""
+
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        rig.looks()
+        await rig.page.send("run", run=REAL, twin=TWIN, source="drive:0.2", seed=1, speed=1)
+        # Whichever comes first: both are under way at the same time.
+        await rig.page.until(lambda m: m["op"] == "frame" and m["run"] == TWIN and pose(m)[0] > START[0] + 0.1)
+        await rig.robot.moves(0.2)
+        await rig.page.until(lambda m: m["op"] == "frame" and m["run"] == REAL)
+        await rig.page.send("stop")
+        await both_end(rig, REAL, TWIN)
+        real, twin = frames(rig, REAL), frames(rig, TWIN)
+        assert pose(real[-1]) == pytest.approx(START, abs=0.001)
+        assert pose(twin[-1])[0] > START[0] + 0.1
+        assert twin[-1]["time"] <= real[-1]["time"] + 0.1
+
+    story(tell, config, tmp_path, link=link)
+
+
 def test_a_robot_that_slips_stays_behind_its_twin(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
