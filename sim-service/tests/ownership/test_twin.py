@@ -62,6 +62,22 @@ def test_both_drive_from_the_start_of_the_room_for_the_same_time(config: Config,
 
 
 @pytest.mark.turns
+def test_both_answer_why(config: Config, tmp_path: Path) -> None:
+    async def tell(rig: Rig) -> None:
+        await rig.takes()
+        await rig.page.send("observe", on=True)
+        await driven_beside(rig, "drive:0.2 tell done@50")
+        for run in (REAL, TWIN):
+            await rig.page.send("why", id=run, run=run, function="f", time=frames(rig, run)[-1]["time"])
+            answer = await rig.page.op("because", id=run)
+            assert answer["sentences"][0]["said"]["id"] == "gave"
+        # A question without a number is about the robot.
+        await rig.page.send("why", id=3)
+        assert (await rig.page.op("because", id=3))["sentences"][0]["said"]["id"] != "not-recorded"
+
+    story(tell, config, tmp_path)
+
+
 @pytest.mark.turns
 @pytest.mark.parametrize("link", [rosbridge, rospy])
 def test_the_twin_drives_beside_a_robot_on_a_network(

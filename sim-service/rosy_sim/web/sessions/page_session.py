@@ -197,7 +197,8 @@ class PageSession:
             case page.Visibility():
                 self._view.set_visibility(request.state)
             case page.Why() | page.WhyNot():
-                self._explanations.answer(request)
+                is_twin = self._twin.explanations.knows(request.run)
+                (self._twin.explanations if is_twin else self._explanations).answer(request)
             case page.Unlock():
                 self.ownership.unlock(request.code, self._address)
             case page.Take():
@@ -409,6 +410,7 @@ class PageSession:
         self._preparation.on_checked(source, checked.problems)
         self._lesson.on_checked(source, checked, self.world.arena)
         self._explanations.on_checked(source, checked)
+        self._twin.explanations.on_checked(source, checked)
 
     def _observe(self, request: page.Observe) -> None:
         self._observes = request.on
@@ -416,6 +418,7 @@ class PageSession:
         self._view.shows_firings = shows
         if isinstance(self._run, SimulatedRun | RobotRun):
             self._run.observe(request.on)
+        self._twin.observe(request.on)
         simulated = self._simulated_run()
         if shows and not showed and not (simulated is not None and simulated.is_replaying):
             # A page that begins to show values in a run that stands still or is over has those of now, too.

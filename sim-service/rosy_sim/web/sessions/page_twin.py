@@ -19,6 +19,7 @@ from ...run.worker_session import RunServices
 from ...wire import page
 from .outbox import Outbox
 from .page_view import PageView, Room
+from .run_explanations import RunExplanations
 
 __all__ = ["PageTwin"]
 
@@ -30,6 +31,10 @@ class PageTwin:
         self._services = services
         self._outbox = outbox
         self._now = now
+        # Answers questions about the twins' runs.
+        self.explanations = RunExplanations(outbox.put)
+        # Whether the firings of the next twin are recorded.
+        self._observes = False
         # What starts the twin that was prepared; None when there is none.
         self._starts: Callable[[SafetySettings], None] | None = None
         self._run: SimulatedRun | None = None
@@ -49,12 +54,21 @@ class PageTwin:
             seed: of that world.
         """
         self.end_now()
-        view = PageView(self._outbox, room, self._services.limits.frame_rate, self._now)
+        explanations = self.explanations
+        view = PageView(self._outbox, room, self._services.limits.frame_rate, self._now, explanations.on_branches)
         view.run = twin
 
         def start(safety: SafetySettings) -> None:
+            explanations.start(twin, request.source)
             simulation = Simulation(
-                room.world, seed, lambda _: None, lambda _: None, safety, lambda _, __: None, self._on_step
+                room.world,
+                seed,
+                lambda _: None,
+                lambda _: None,
+                safety,
+                lambda _, __: None,
+                self._on_step,
+                observes=self._observes,
             )
             beside = msgspec.structs.replace(request, run=twin, speed=1.0)
             self._until = None
@@ -81,6 +95,12 @@ class PageTwin:
         if self._run is not None:
             self._run.switch_safety(safety)
 
+    def observe(self, on: bool) -> None:
+        """Whether the firings are recorded, from the next step on."""
+        self._observes = on
+        if self._run is not None:
+            self._run.observe(on)
+
     def end_now(self) -> None:
         """End without waiting for anything; the page is told."""
         self._starts = None
@@ -94,6 +114,7 @@ class PageTwin:
             run.cancel_explanation()
 
     def _on_step(self, lockstep: Lockstep) -> None:
+        self.explanations.on_step(lockstep)
         if self._until is not None and lockstep.step >= self._until:
             self.end_now()
 

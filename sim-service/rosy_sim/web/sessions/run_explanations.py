@@ -160,6 +160,10 @@ class RunExplanations:
         record = self._latest.record
         return record.latest_firings() if record is not None and run == self._latest.run else []
 
+    def knows(self, run: int | None) -> bool:
+        """Whether something is known of a run with this number."""
+        return run is not None and (run == self._latest.run or self._earlier.get(run) is not None)
+
     def answer(self, request: page.Why | page.WhyNot) -> None:
         """Answer a question of the page."""
         about = self._about(request.run)
