@@ -54,6 +54,10 @@ class MotorController:
         limits = self._limits
         if self._age >= limits.command_timeout - _ROUNDING:
             self.linear = self.angular = 0.0
+        elif self.linear == v and self.angular == w:
+            # Nothing to approach.
+            self._age += dt
+            return self.linear, self.angular
         self._age += dt
         return (
             approach(dt, limits.acceleration, self.linear, v),

@@ -72,6 +72,17 @@ def test_a_pair_is_reported_once() -> None:
     assert found(both) == [CommandConflict("Velocity", "circle", "drive")]
 
 
+def test_a_command_counts_that_belonged_to_nobody_before() -> None:
+    watch = CommandConflicts()
+    conflicts: list[CommandConflict] = []
+    for step in range(0, 30, 3):
+        # Counts that do not match.
+        conflicts += watch.observe(step, ["f", "g"], [1], [FORWARD])
+        conflicts += watch.observe(step + 1, ["f"], [], [FORWARD])
+        conflicts += watch.observe(step + 2, ["g"], [], [BACK])
+    assert CommandConflict("Velocity", "g", "f") in conflicts
+
+
 def test_lights_conflict_too() -> None:
     red, green = Command("Led1", (3,)), Command("Led1", (1,))
     bumps = [(step, "bumpLamp", red) for step in (33, 133, 233)]

@@ -53,6 +53,8 @@ class CommandConflicts:
 
     def __init__(self) -> None:
         self._in_force: dict[str, _InForce] = {}
+        # The command or message of the latest step with any, if there was exactly one.
+        self._only: Action | None = None
         # By channel, winner and loser: replacements within `REPLACED_WITHIN`.
         self._replaced: Counter[tuple[str, str, str]] = Counter()
         # By channel and function: commands that held longer.
@@ -64,8 +66,13 @@ class CommandConflicts:
         self, step: int, fired: Sequence[str], sent: Sequence[int], actions: Sequence[Action]
     ) -> list[CommandConflict]:
         """Conflicts that this step has made certain; ``fired`` and ``sent`` are those of ``settled``."""
+        if len(actions) == 1 and actions[0] == self._only:
+            # By far the most steps repeat one command, which is in force and changes nothing.
+            return []
         found: list[CommandConflict] = []
-        for sender, command in senders(fired, sent, actions):
+        sent_by = senders(fired, sent, actions)
+        self._only = actions[0] if len(actions) == len(sent_by) == 1 else None
+        for sender, command in sent_by:
             if not isinstance(command, Command):
                 continue
             channel = command.channel
