@@ -78,7 +78,20 @@ function edited(workspace: SavedWorkspace, kind: string, which: number): SavedWo
 
 function expectTheSame(asked: Session, workspace: SavedWorkspace, which: number): void {
   const told = asked.infer(workspace)
-  expect(told).toEqual(infer(workspace))
+  const anew = infer(workspace)
+  for (const block of everyBlock(workspace)) {
+    const id = block.id ?? ""
+    expect([told.blocks.get(id), told.definitions.get(id)]).toEqual([
+      anew.blocks.get(id),
+      anew.definitions.get(id),
+    ])
+  }
+  const whole = (inference: typeof anew) => ({
+    ...inference,
+    blocks: new Map(inference.blocks),
+    sockets: new Map(inference.sockets),
+  })
+  expect(whole(told)).toEqual(whole(anew))
   // Asked again, it tells nothing new.
   for (const [block, stamp] of asked.infer(workspace).stamps) expect(told.stamps.get(block)).toEqual(stamp)
   const all = [...everyBlock(workspace)]

@@ -20,10 +20,7 @@ export function writeBack(module: Module, edits: Edits): string {
   const newline = /\r\n/.test(module.text) ? "\r\n" : "\n"
   const print = (d: Declaration): string => inLines(printDeclarationAlone(d, module.fixities), newline)
   const before = addedBefore(pieces, edits)
-  const margin = pieces
-    .filter(p => p.kind === "declaration")
-    .map(p => indentation(p, module.text))
-    .reduce((least, own) => (own.length < least.length ? own : least), " ".repeat(80))
+  const margin = marginOf(module)
   const hasDefinitions = pieces.some(p => p.kind === "declaration")
   const indented = (text: string) => (hasDefinitions ? text.replace(/^(?=[^\r\n])/gm, margin) : text)
   const added = edits.added.map(d => indented(print(d)))
@@ -40,6 +37,18 @@ export function writeBack(module: Module, edits: Edits): string {
     }
   })
   return before === pieces.length ? withAdded(out, added, newline, false) : out
+}
+
+/// The smallest indentation of a definition.
+function marginOf({pieces, text}: Module): string {
+  let least = " ".repeat(80)
+  for (const piece of pieces) {
+    if (least === "") break
+    if (piece.kind !== "declaration") continue
+    const own = indentation(piece, text)
+    if (own.length < least.length) least = own
+  }
+  return least
 }
 
 function inLines(text: string, newline: string): string {

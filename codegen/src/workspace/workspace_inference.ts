@@ -38,6 +38,7 @@ import {showScheme, showType} from "../types/type.ts"
 import type {TypeProblem} from "../types/type_problems.ts"
 import {words} from "../words/index.ts"
 import {conflictProblems} from "./command_conflicts.ts"
+import {LayeredMap} from "./layered_map.ts"
 import {familyOfType, problemMessage} from "./type_messages.ts"
 
 export interface InferredWorkspace {
@@ -134,12 +135,8 @@ export function inferenceOf(
       rest.flatMap(b => [...partsOf(b)]),
     ),
   )
-  const blocks = new Map<string, TypeInfo>()
-  const sockets = new Map<string, TypeInfo>()
-  for (const part of shown) {
-    for (const [block, info] of part.blocks) blocks.set(block, info)
-    for (const [socket, info] of part.sockets) sockets.set(socket, info)
-  }
+  const blocks = new LayeredMap(shown.map(part => part.blocks))
+  const sockets = new LayeredMap(shown.map(part => part.sockets))
   const definitions = new Map<string, {name: string; type: string; family: TypeInfo["family"]}>()
   for (const [d, scheme] of inference.schemes) {
     if (d.kind !== "function" || d.from === undefined) continue
@@ -226,10 +223,17 @@ export function problemsOf(solved: InferredWorkspace): BlockProblem[] {
 }
 
 function problemOf(problem: TypeProblem): BlockProblem {
+  const known = told.get(problem)
+  if (known?.of === words) return known.as
   const from = originOf(problem.node)
   const said = problemMessage(problem, describeNode(problem.node))
-  return {severity: "error", ...said, block: from?.block, input: from?.input}
+  const as: BlockProblem = {severity: "error", ...said, block: from?.block, input: from?.input}
+  told.set(problem, {of: words, as})
+  return as
 }
+
+/// How problems were told, and in which language: inference remembers those of definitions that stay the same.
+const told = new WeakMap<TypeProblem, {readonly of: typeof words; readonly as: BlockProblem}>()
 
 /// A node's own word, for messages.
 export function describeNode(node: Node): string {

@@ -32,6 +32,7 @@ import {zoomButtons} from "./interaction/zoom_buttons.ts"
 import type {Language} from "./language.ts"
 import {blocklyTheme, openView, register} from "./registration.ts"
 import {viewActions, workspaceHistory} from "./view_actions.ts"
+import {sortOnlyWhenMoved} from "./workspace/connection_order.ts"
 import {openDeferredCreation} from "./workspace/deferred_creation.ts"
 import {canLoad, loadBlocks, saveBlocks} from "./workspace/serialization.ts"
 
@@ -194,5 +195,6 @@ function inject(
     },
   })
   workspace.getInjectionDiv().setAttribute("aria-label", words.blocksPane)
+  sortOnlyWhenMoved(workspace)
   return workspace
 }

@@ -31,8 +31,10 @@ import type {Document} from "../state/history.ts"
 import {
   blockFinding,
   type Definition,
+  type Families,
   type Finding,
   mapRange,
+  noFamilies,
   type Span,
   textRangeOf,
 } from "../state/program.ts"
@@ -159,9 +161,10 @@ export function withText(reader: Reader, document: Document, text: string, chang
 
 /// The document with what type inference tells of its blocks.
 export function analysed(document: Document, inference: Inference): Document {
-  const families = Object.fromEntries(
-    [...inference.blocks, ...inference.definitions].map(([block, {family}]) => [block, family]),
-  )
+  const {blocks, definitions} = inference
+  const families: Families = {
+    get: block => definitions.get(block)?.family ?? blocks.get(block)?.family,
+  }
   const program = {...document.program, families}
   // Problems of blocks that no longer say what the text says are not shown.
   const findings = inference.problems
@@ -209,14 +212,13 @@ function hasMerged(before: View, view: View): boolean {
   return dimmed.size > 0 && view.declarations.some(d => !d.dimmed && dimmed.has(d.block.id))
 }
 
+/// Whether two workspaces have the same definitions and loose blocks, in any order.
 function sameDefinitions(one: SavedWorkspace, other: SavedWorkspace): boolean {
-  const ids = (workspace: SavedWorkspace) =>
-    workspace.blocks.blocks
-      .flatMap(top => stackOf(top))
-      .map(block => block.id)
-      .sort()
-      .join(" ")
-  return ids(one) === ids(other)
+  const ids = ({blocks}: SavedWorkspace) => blocks.blocks.flatMap(top => stackOf(top)).map(block => block.id)
+  const [mine, others] = [ids(one), ids(other)]
+  if (mine.length !== others.length) return false
+  if (mine.every((id, i) => id === others[i])) return true
+  return mine.sort().join(" ") === others.sort().join(" ")
 }
 
 function stackOf(top: SavedBlock): readonly SavedBlock[] {
@@ -243,7 +245,7 @@ function documentOf(view: View, workspace: SavedWorkspace): Document {
   const words = view.module.pieces
     .filter(piece => piece.words.length > 0)
     .map(piece => ({start: piece.core.start, words: piece.words}))
-  const program = {text: view.text, spans, definitions, families: {}, words}
+  const program = {text: view.text, spans, definitions, families: noFamilies, words}
   return {program, workspace, view, dimmed, findings: []}
 }
 

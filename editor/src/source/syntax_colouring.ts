@@ -160,7 +160,7 @@ export const noPalette: Palette = {at: () => nothing}
 
 export function paletteOf(program: Program): Palette {
   const blockAt = smallestAt(program)
-  const definedBy = new Map(program.definitions.map(d => [d.name, program.families[d.block]]))
+  const definedBy = new Map(program.definitions.map(d => [d.name, program.families.get(d.block)]))
   return {
     at(start, word) {
       const role = roleAt(program.words, start)
@@ -177,7 +177,7 @@ export function paletteOf(program: Program): Palette {
 function smallestAt(program: Program): ReadonlyMap<number, Family> {
   const found = new Map<number, {length: number; family: Family}>()
   for (const span of program.spans) {
-    const family = program.families[span.block]
+    const family = program.families.get(span.block)
     const length = span.end - span.start
     const known = found.get(span.start)
     if (family !== undefined && (known === undefined || length < known.length))

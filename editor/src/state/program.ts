@@ -23,17 +23,24 @@ export interface Definition extends Span {
 /// Families of words, each with a colour: the same as those of blocks.
 export type Family = "event" | "state" | "command" | "memory" | "task" | "number" | "choice" | "own"
 
+/// What is known of the families of blocks; asked for, because a program may have thousands of blocks and few of them are of interest after an edit.
+export interface Families {
+  get(block: BlockId): Family | undefined
+}
+
+export const noFamilies: Families = new Map()
+
 export interface Program {
   readonly text: string
   readonly spans: readonly Span[]
   readonly definitions: readonly Definition[]
   /// The family of each block whose type is known.
-  readonly families: {readonly [block: BlockId]: Family}
+  readonly families: Families
   /// What the names in each top-level piece of the text are there for, by the syntax tree: counted from where the piece starts.
   readonly words: readonly {readonly start: number; readonly words: readonly Word[]}[]
 }
 
-export const emptyProgram: Program = {text: "", spans: [], definitions: [], families: {}, words: []}
+export const emptyProgram: Program = {text: "", spans: [], definitions: [], families: noFamilies, words: []}
 
 /// A problem on the page: what it says, and the block and text it is about when it has any.
 export interface Finding {

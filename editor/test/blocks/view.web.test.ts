@@ -59,6 +59,24 @@ describe("by mouse", () => {
     await expect(page.locator(".rosyBinder", {hasText: "vl"}).count()).resolves.toBe(1)
   })
 
+  test("Blockly finds connections by their height also when a block moved past others", async () => {
+    const page = await stage.open("small")
+    const look = await page.evaluate(() => {
+      const workspace = window.Blockly.getMainWorkspace() as import("blockly/core").WorkspaceSvg
+      type Listed = {connections: readonly {readonly y: number; readonly id: string}[]}
+      // Blockly numbers the lists from 1.
+      const all = workspace.connectionDBList.flatMap(list => (list as unknown as Listed | undefined) ?? [])
+      const lists = () => all.map(({connections}) => connections.map(({y, id}) => ({y, id})))
+      const before = lists()
+      workspace.getTopBlocks(true)[0]!.moveBy(0, 2000)
+      return {before, after: lists()}
+    })
+    const ids = (lists: typeof look.before) => lists.map(list => list.map(({id}) => id))
+    expect(ids(look.after)).not.toEqual(ids(look.before))
+    for (const list of [...look.before, ...look.after])
+      expect(list.map(({y}) => y)).toEqual(list.map(({y}) => y).sort((a, b) => a - b))
+  })
+
   test("a block comes out of the toolbox assembled", async () => {
     const page = await stage.open("small&empty")
     await page.locator(".blocklyToolboxCategory", {hasText: "Tell the robot"}).click()

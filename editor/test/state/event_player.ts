@@ -62,7 +62,7 @@ export const program = {
     {name: "accelerate", start: 0, end: 22, block: "def"},
     {name: "main", start: 24, end: 50, block: "main"},
   ],
-  families: {},
+  families: new Map(),
   words: [],
 }
 export const document: Document = {...emptyDocument, program}

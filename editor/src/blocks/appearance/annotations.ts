@@ -221,8 +221,9 @@ export function showInference(
     const stamp = inference.stamps.get(top.id)
     const saved = savedTops.get(top.id)
     const before = painted.get(top)
-    painted.set(top, {stamp, saved})
-    return names !== undefined || stamp === undefined || before?.stamp !== stamp || before.saved !== saved
+    const isSame = before !== undefined && before.stamp === stamp && before.saved === saved
+    if (!isSame) painted.set(top, {stamp, saved})
+    return names !== undefined || stamp === undefined || !isSame
   })
   for (const block of fresh.flatMap(top => top.getDescendants(false))) {
     if (block.isInsertionMarker()) continue

@@ -230,19 +230,21 @@ function look(block: Blockly.Block, looking: SnapshotComparison): void {
   looking.see(block.isCollapsed())
   looking.see(block.data)
   looking.see(block.isOwnDeletable() && block.isOwnMovable() && block.isOwnEditable() && block.isEnabled())
-  for (const icon of block.getIcons())
-    if (icon instanceof Blockly.icons.CommentIcon) lookAtRemark(icon, looking)
+  const remark = block.getIcon(Blockly.icons.CommentIcon.TYPE)
+  if (remark !== undefined) lookAtRemark(remark, looking)
   for (const {connection} of block.inputList) if (connection !== null) lookInto(connection, looking)
   if (block.nextConnection !== null) lookInto(block.nextConnection, looking)
 }
 
 function lookInto(connection: Blockly.Connection, looking: SnapshotComparison): void {
-  const inside = connection.targetBlock()
-  if (inside === null) looking.see(null)
+  const inside = connection.targetConnection?.getSourceBlock()
+  if (inside === undefined) looking.see(null)
   else look(inside, looking)
 }
 
-function lookAtRemark(icon: Blockly.icons.CommentIcon, looking: SnapshotComparison): void {
+type Remark = Pick<Blockly.icons.CommentIcon, "getText" | "bubbleIsVisible" | "getBubbleSize">
+
+function lookAtRemark(icon: Remark, looking: SnapshotComparison): void {
   const size = icon.getBubbleSize()
   looking.see(icon.getText())
   looking.see(icon.bubbleIsVisible())
