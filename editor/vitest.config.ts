@@ -33,7 +33,7 @@ export default mergeConfig(
         },
         {
           extends: true,
-          // Also one, so that the files of a process share their pages (`test/blocks/browser.ts`).
+          // Also one, so that the files share their connection to the browser (`test/blocks/browser.ts`).
           test: {
             name: "web",
             include: [web],

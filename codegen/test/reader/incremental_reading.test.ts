@@ -1,7 +1,7 @@
 /// Reading after an edit: only the definitions around it are looked at, and the pieces are those of a text that was never read before.
 
 import fc from "fast-check"
-import {beforeAll, expect, test, vi} from "vitest"
+import {beforeAll, expect, onTestFinished, test, vi} from "vitest"
 import type {Module, Reader} from "../../src/reader/index.ts"
 import {breathe} from "../process.ts"
 import {mutate, mutations, rareMutations} from "./mutations.ts"
@@ -10,17 +10,6 @@ import {corpus, testReader} from "./open.ts"
 // More to look for what was never seen: `RUNS=20000 npx vitest run test/reader/incremental_reading.test.ts`.
 const runs = Number(process.env.RUNS ?? 60)
 const seeded = process.env.RUNS === undefined ? {seed: 1} : {}
-
-/// Characters that were taken apart since the last look.
-const lexed = vi.hoisted(() => ({characters: 0}))
-vi.mock("../../src/source/top_level_items.ts", async original => {
-  const real = await original<typeof import("../../src/source/top_level_items.ts")>()
-  const lex: typeof real.lex = (text, margin) => {
-    lexed.characters += text.length
-    return real.lex(text, margin)
-  }
-  return {...real, lex}
-})
 
 let reader: Reader
 /// Forgets what it has read.
@@ -99,15 +88,31 @@ test.each([
   expectAsAfresh(before)
 })
 
-test("a number in a long program costs the definitions around it, not the program", () => {
+test("a number in a long program costs the definitions around it, not the program", async () => {
+  const lexed = {characters: 0}
+  // Modules of their own: those that other files share have been loaded with the real lexer.
+  vi.resetModules()
+  vi.doMock("../../src/source/top_level_items.ts", async original => {
+    const real = await original<typeof import("../../src/source/top_level_items.ts")>()
+    const lex: typeof real.lex = (text, margin) => {
+      lexed.characters += text.length
+      return real.lex(text, margin)
+    }
+    return {...real, lex}
+  })
+  onTestFinished(() => {
+    vi.doUnmock("../../src/source/top_level_items.ts")
+    vi.resetModules()
+  })
+  const counted = await (await import("./open.ts")).testReader()
   const one = (i: number) =>
     `-- number ${i}\nmove${i} :: Double -> Double\nmove${i} x\n  | x > 0.${i} = x\n  | otherwise = 1\n\n`
   const text = `import Rosy\n\n${Array.from({length: 200}, (_, i) => one(i)).join("")}main = print move0\n`
   for (const n of [0, 100, 199]) {
-    const before = reader.read(text)
+    const before = counted.read(text)
     const after = text.replace(`x > 0.${n} `, "x > 77 ")
     lexed.characters = 0
-    const module = reader.read(after)
+    const module = counted.read(after)
     expect(lexed.characters).toBeGreaterThan(0)
     expect(lexed.characters).toBeLessThan(600)
     expect(shape(module)).toEqual(shape(readAfresh(after)))

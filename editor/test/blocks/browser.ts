@@ -12,7 +12,7 @@ import type {StageAddress} from "./browser_setup.ts"
 
 export interface Stage {
   /// A page with the block view as it is at first; `query` as `dev/blocks.ts` reads it. The same query gets the same
-  /// page, also in other files of the same process, put back to its beginning: opening a page costs more than most stories.
+  /// page within a test file, put back to its beginning: opening a page costs more than most stories.
   open(query?: string): Promise<Page>
   /// A page that no other story has.
   openOwn(query?: string): Promise<Page>
@@ -21,20 +21,21 @@ export interface Stage {
   close(): Promise<void>
 }
 
-/// The connection to the shared browser, and the pages that are put back to their beginning, for all test files of this process.
-const shared = new Map<string, {readonly browser: Promise<Browser>; readonly pages: Map<string, Page>}>()
+/// The connection to the shared browser, for all test files of this process.
+const shared = new Map<string, Promise<Browser>>()
 
-function sharedBrowser(endpoint: string) {
+function sharedBrowser(endpoint: string): Promise<Browser> {
   const known = shared.get(endpoint)
   if (known !== undefined) return known
-  const opened = {browser: chromium.connect(endpoint, {timeout: 0}), pages: new Map<string, Page>()}
+  const opened = chromium.connect(endpoint, {timeout: 0})
   shared.set(endpoint, opened)
   return opened
 }
 
 /// A test file's own view of the shared page server and browser: `openStage(inject("stage"))`.
 export async function openStage({address, endpoint}: StageAddress): Promise<Stage> {
-  const {browser, pages} = sharedBrowser(endpoint)
+  const browser = sharedBrowser(endpoint)
+  const pages = new Map<string, Page>()
   const own: BrowserContext[] = []
   const openWith = async (query: string, options: BrowserContextOptions) => {
     const context = await (await browser).newContext({
@@ -43,6 +44,7 @@ export async function openStage({address, endpoint}: StageAddress): Promise<Stag
       ...options,
     })
     context.setDefaultTimeout(0)
+    own.push(context)
     const page = await context.newPage()
     page.on("pageerror", error => {
       throw error
@@ -51,15 +53,10 @@ export async function openStage({address, endpoint}: StageAddress): Promise<Stag
     await page.waitForFunction("window.blocks !== undefined && document.fonts.status === 'loaded'")
     return page
   }
-  const openForThisFile = async (query: string, options: BrowserContextOptions) => {
-    const page = await openWith(query, options)
-    own.push(page.context())
-    return page
-  }
   return {
-    openOwn: (query = "") => openForThisFile(query, {}),
+    openOwn: (query = "") => openWith(query, {}),
     openForFingers: (query, width) =>
-      openForThisFile(query, {viewport: {width, height: 800}, hasTouch: true, isMobile: true}),
+      openWith(query, {viewport: {width, height: 800}, hasTouch: true, isMobile: true}),
     async open(query = "") {
       const known = pages.get(query)
       if (known === undefined) {

@@ -264,6 +264,9 @@ test("a move that is taken back leaves everything as it was, and the next one is
   await page.evaluate(() => window.blocks.select("half"))
   await press(page, "m", "ArrowRight", "Escape")
   expect(await page.evaluate(() => JSON.stringify(window.blocks.save()))).toBe(before)
+  // The bin, which stands where the buttons are, has gone.
+  await page.getByRole("button", {name: "Show all blocks"}).waitFor()
+  await page.locator(".rosyBin").waitFor({state: "hidden"})
   // A paste is not a move: what was copied comes back whole, whatever the last move was refused.
   await page.evaluate(() => window.blocks.select("velocity"))
   await press(page, "Control+c", "Control+v")

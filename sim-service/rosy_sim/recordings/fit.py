@@ -3,14 +3,16 @@ Fit of the simulated base to a real one: from what a recorded run told the wheel
 
 The commands go through the simulator's motor model. The way and the turn that it predicts are compared with those of
 the odometry, in windows of half a second; the parameters of ``world.realism`` that explain them best are the least
-squares. A base may accelerate faster than that of the simulator: this is allowed for, and not part of the result. What
-the odometry does not notice, as a wheel that spins on a smooth floor, cannot be found in it. Pure.
+squares, without the windows that fit far worse than most: there a message was late, or a wheel caught. A base may
+accelerate faster than that of the simulator: this is allowed for, and not part of the result. What the odometry does
+not notice, as a wheel that spins on a smooth floor, cannot be found in it. Pure.
 """
 
 from __future__ import annotations
 
 import itertools
 import math
+import statistics
 from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -40,6 +42,12 @@ _LATENCIES = [n / 100 for n in range(51)]
 
 _LONGEST = 600.0
 """Of a run that is looked at, s: ten minutes tell as much as an hour, and take seconds."""
+
+_TIMES_MEDIAN, _EXACT = 3.0, 0.003
+"""A window whose error is more times the median one than this, and more than this (m), is left out."""
+
+_ROUNDS = 5
+"""Of leaving out windows: each is judged by the fit without those of the round before."""
 
 _LEAST_WAY, _LEAST_TURN = 0.3, 1.0
 """A way (m) and a turn (rad) in which a few per cent are more than an error of measurement."""
@@ -155,28 +163,45 @@ def fit(drive: RecordedDrive) -> Fit:
         if not any(begun < until + _WINDOW and over > since - _WINDOW for begun, over in drive.held)
     ]
     moved = [real.between(since, until) for since, until in windows]
-    best: tuple[float, Fit] | None = None
+    best: tuple[float, Fit, list[tuple[_Window, _Window]]] | None = None
     usual = DEFAULT_ROBOT.limits
     prompt = replace(usual, acceleration=math.inf, angular_acceleration=math.inf)
     for limits in (usual, prompt):
         predicted = _predicted_path(drive.told, real.begin, edges[-1], limits)
         for latency in _LATENCIES:
             told = [predicted.between(since - latency, until - latency) for since, until in windows]
-            error, found = _solve(list(zip(told, moved, strict=True)), latency)
+            pairs = list(zip(told, moved, strict=True))
+            found = _solve(pairs, latency)
+            error = sum(_squared_errors(pairs, found))
             if best is None or error < best[0] - 1e-12:
-                best = (error, found)
+                best = (error, found, pairs)
     assert best is not None
-    return best[1]
+    return _without_outliers(best[2], best[1])
+
+
+def _without_outliers(pairs: Sequence[tuple[_Window, _Window]], found: Fit) -> Fit:
+    """The fit to those windows that it explains about as well as most; as it was where the others tell too little."""
+    if not pairs:
+        return found
+    for _ in range(_ROUNDS):
+        errors = [math.sqrt(error) for error in _squared_errors(pairs, found)]
+        most = max(_EXACT, _TIMES_MEDIAN * statistics.median(errors))
+        kept = [pair for pair, error in zip(pairs, errors, strict=True) if error <= most]
+        better = _solve(kept, found.latency or 0.0)
+        if better.realism().keys() != found.realism().keys():
+            return found
+        found = better
+    return found
 
 
 _Window = tuple[float, float]
 """Way (m) and turn (rad) in half a second."""
 
 
-def _solve(pairs: Sequence[tuple[_Window, _Window]], latency: float) -> tuple[float, Fit]:
+def _solve(pairs: Sequence[tuple[_Window, _Window]], latency: float) -> Fit:
     """
-    The squared error that is left, and the parameters with it: the real way is ``travel`` times the predicted one, the
-    real turn is ``turning`` times the predicted one and ``veer`` times the real way.
+    The least squares: the real way is ``travel`` times the predicted one, the real turn is ``turning`` times the
+    predicted one and ``veer`` times the real way.
     """
     way, turn = sum(abs(p[0]) for p, _ in pairs), sum(abs(p[1]) for p, _ in pairs)
     drove, turned = way >= _LEAST_WAY, turn >= _LEAST_TURN
@@ -189,21 +214,18 @@ def _solve(pairs: Sequence[tuple[_Window, _Window]], latency: float) -> tuple[fl
         turning = _slope([(p[1], r[1]) for p, r in pairs])
     elif drove:
         veer = _slope([(r[0], r[1] - p[1]) for p, r in pairs])
+    return Fit(travel, turning, veer, latency if drove or turned else None, way, turn)
+
+
+def _squared_errors(pairs: Sequence[tuple[_Window, _Window]], found: Fit) -> list[float]:
+    """What the parameters leave unexplained in each window, m²: of the way, and of the turn as that of a wheel."""
     base = DEFAULT_ROBOT.body.wheelbase / 2
-    error = 0.0
-    for (ahead, left), (real_ahead, real_left) in pairs:
-        error += (real_ahead - ahead * (1.0 if travel is None else travel)) ** 2
-        turn_left = real_left - left * (1.0 if turning is None else turning) - real_ahead * (veer or 0.0)
-        error += (base * turn_left) ** 2
-    found = Fit(
-        travel,
-        turning,
-        veer,
-        latency if drove or turned else None,
-        way,
-        turn,
-    )
-    return error, found
+    travel, turning = (1.0 if value is None else value for value in (found.travel, found.turning))
+    veer = found.veer or 0.0
+    return [
+        (real_ahead - ahead * travel) ** 2 + (base * (real_left - left * turning - real_ahead * veer)) ** 2
+        for (ahead, left), (real_ahead, real_left) in pairs
+    ]
 
 
 def _slope(points: Sequence[tuple[float, float]]) -> float | None:

@@ -65,6 +65,18 @@ def test_noise_of_slipping_wheels_hides_little() -> None:
     assert (found.travel, found.turning, found.veer) == pytest.approx((0.8, 0.9, 0.3), rel=0.1)
 
 
+def test_a_command_or_odometry_that_comes_late_now_and_then_changes_little() -> None:
+    drive = driven(SQUARES * 3, travel=0.8, turning=0.7, veer=0.3)
+    # Of eight changes of the velocity two reach the wheels a quarter of a second later than they are recorded.
+    changes = [i for i in range(1, len(drive.told)) if drive.told[i][1:] != drive.told[i - 1][1:]]
+    told = list(drive.told)
+    for change in changes[::4]:
+        for i in range(change - 12, change):
+            told[i] = told[i]._replace(v=told[change].v, w=told[change].w)
+    found = fit(RecordedDrive(told, drive.moved, []))
+    assert (found.travel, found.turning, found.veer) == pytest.approx((0.8, 0.7, 0.3), rel=0.03)
+
+
 def test_what_was_not_driven_is_not_told() -> None:
     assert fit(RecordedDrive([], [], [])).realism() == {}
     assert fit(driven([(3.0, 0.0, 0.0)])).realism() == {}

@@ -140,6 +140,8 @@ class RosyDragStrategy extends Blockly.dragging.BlockDragStrategy {
     try {
       super.revertDrag()
     } finally {
+      // Blockly tells only of the beginning of a move by keys that is taken back, and the bin would stay.
+      Blockly.Events.fire(new Blockly.Events.BlockDrag(this.moved, false))
       this.aim(undefined)
       this.host.refusal.hide()
       endMovement(this.moved.workspace)
