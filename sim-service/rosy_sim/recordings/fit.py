@@ -43,7 +43,13 @@ _LATENCIES = [n / 100 for n in range(51)]
 _LONGEST = 600.0
 """Of a run that is looked at, s: ten minutes tell as much as an hour, and take seconds."""
 
-_TIMES_MEDIAN, _EXACT = 3.0, 0.003
+_SETTLED = 0.25
+"""After a change of the velocity the base has come near to it, s."""
+
+_LATE = 0.3
+"""How late a measurement that comes at a fixed rate may be read, s."""
+
+_TIMES_MEDIAN, _EXACT = 3.0, 0.001
 """A window whose error is more times the median one than this, and more than this (m), is left out."""
 
 _ROUNDS = 5
@@ -154,29 +160,59 @@ def _numbers(channel: Channel, data: bytes, count: int) -> list[list[float]]:
 
 def fit(drive: RecordedDrive) -> Fit:
     """The parameters with which the simulated base moves most like the recorded one."""
-    real = _real_path(drive.moved)
-    edges = [real.begin + number * _WINDOW for number in range(int(min(real.length, _LONGEST) / _WINDOW) + 1)]
-    windows = [
-        (since, until)
-        for since, until in itertools.pairwise(edges)
-        # What holds it slows it before and after it is felt.
-        if not any(begun < until + _WINDOW and over > since - _WINDOW for begun, over in drive.held)
-    ]
+    real = _real_path(_evenly_timed(drive.moved))
+    end = real.begin + min(real.length, _LONGEST)
+    windows = _not_held(drive, _pieces(real.begin, end, int((end - real.begin) / _WINDOW)))
     moved = [real.between(since, until) for since, until in windows]
-    best: tuple[float, Fit, list[tuple[_Window, _Window]]] | None = None
+    best: tuple[float, float, Fit, _Path] | None = None
     usual = DEFAULT_ROBOT.limits
     prompt = replace(usual, acceleration=math.inf, angular_acceleration=math.inf)
     for limits in (usual, prompt):
-        predicted = _predicted_path(drive.told, real.begin, edges[-1], limits)
+        predicted = _predicted_path(drive.told, real.begin, end, limits)
         for latency in _LATENCIES:
             told = [predicted.between(since - latency, until - latency) for since, until in windows]
             pairs = list(zip(told, moved, strict=True))
             found = _solve(pairs, latency)
             error = sum(_squared_errors(pairs, found))
             if best is None or error < best[0] - 1e-12:
-                best = (error, found, pairs)
+                best = (error, latency, found, predicted)
     assert best is not None
-    return _without_outliers(best[2], best[1])
+    _, latency, found, predicted = best
+    # When a command arrived is less certain than how long the base kept to it.
+    steady = _not_held(drive, _steady(drive.told, end, latency))
+    for these in (steady, windows):
+        pairs = [(predicted.between(a - latency, b - latency), real.between(a, b)) for a, b in these]
+        better = _without_outliers(pairs, _solve(pairs, latency))
+        if better.realism().keys() == found.realism().keys():
+            return better
+    return found
+
+
+def _pieces(since: float, until: float, count: int) -> list[tuple[float, float]]:
+    """A time in so many equal parts."""
+    edges = [since + (until - since) * number / max(count, 1) for number in range(count + 1)]
+    return list(itertools.pairwise(edges))
+
+
+def _not_held(drive: RecordedDrive, windows: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Without those near a time in which something held it: that slows it before and after it is felt."""
+    return [
+        (since, until)
+        for since, until in windows
+        if not any(begun < until + _WINDOW and over > since - _WINDOW for begun, over in drive.held)
+    ]
+
+
+def _steady(told: Sequence[Told], end: float, latency: float) -> list[tuple[float, float]]:
+    """Windows in which the base had kept to one velocity for a while."""
+    changes = [now for before, now in itertools.pairwise(told) if now[1:] != before[1:]]
+    times = [*(t.time for t in (*told[:1], *changes)), end]
+    windows: list[tuple[float, float]] = []
+    for change, following in itertools.pairwise(times):
+        since, until = change + latency + _SETTLED, min(following + latency, end)
+        if until - since >= _SETTLED:
+            windows += _pieces(since, until, max(1, int((until - since) / _WINDOW)))
+    return windows
 
 
 def _without_outliers(pairs: Sequence[tuple[_Window, _Window]], found: Fit) -> Fit:
@@ -286,6 +322,20 @@ class _Path:
             self._ahead[after - 1] + part * (self._ahead[after] - self._ahead[after - 1]),
             self._left[after - 1] + part * (self._left[after] - self._left[after - 1]),
         )
+
+
+def _evenly_timed(moved: Sequence[Moved]) -> Sequence[Moved]:
+    """
+    The same at even times, where its times are nearly so: a base measures at a fixed rate, and what a busy computer
+    reads late it reads in one go.
+    """
+    if len(moved) < 2:
+        return moved
+    begin = moved[0].time
+    period = (moved[-1].time - begin) / (len(moved) - 1)
+    if any(abs(one.time - begin - number * period) > _LATE for number, one in enumerate(moved)):
+        return moved
+    return [one._replace(time=begin + number * period) for number, one in enumerate(moved)]
 
 
 def _real_path(moved: Sequence[Moved]) -> _Path:
