@@ -1,6 +1,6 @@
 /// Recordings of runs on real robots: asking for one, its run, its end, and what is sent to the service.
 
-import {describe, expect, it, vi} from "vitest"
+import {afterEach, beforeEach, describe, expect, it, vi} from "vitest"
 import {mostRecordingBytes, sendRecording} from "../../src/controller/recordings.ts"
 import {mayOpenRecording} from "../../src/runs/recording_reducer.ts"
 import {nodeOf} from "../../src/runs/run_tree.ts"
@@ -112,7 +112,13 @@ describe("a file", () => {
       name: {value: "a b.mcap"},
       size: {value: size},
     }) as Blob & {name: string}
-  vi.stubGlobal("window", {location: {href: "http://rosy:8000/"}})
+  // Only for these tests: the files of a process share its globals.
+  beforeEach(() => {
+    vi.stubGlobal("window", {location: {href: "http://rosy:8000/"}})
+  })
+  afterEach(() => {
+    vi.unstubAllGlobals()
+  })
 
   async function sent(size: number, answer: () => Promise<{ok: boolean; text(): Promise<string>}>) {
     const events: PageEvent[] = []
