@@ -39,6 +39,7 @@ class Worker:
         self.children: dict[int, int] = {}
         # Prepared runs: the robot link by id.
         self.prepared: dict[int, int] = {}
+        self.compiling: set[int] = set()
         # The socket, and a descriptor of each child with its id.
         self.selector = selectors.DefaultSelector()
         # What has been received and is not a whole request yet.
@@ -109,6 +110,9 @@ class Worker:
             case "kill" if ident in self.prepared:
                 os.close(self.prepared.pop(ident))
                 self.send(op="gone", id=ident, signal=signal.SIGKILL)
+            case "kill" if ident in self.compiling:
+                self.compiling.discard(ident)
+                self.send(op="gone", id=ident, signal=signal.SIGKILL)
             case "kill":
                 with contextlib.suppress(KeyError, ProcessLookupError):
                     os.kill(self.children[ident], signal.SIGKILL)
@@ -139,6 +143,8 @@ class Worker:
             os._exit(1)
         if script.has("refuse") or script.has("slow"):
             os.close(descriptor)
+            if script.has("slow"):
+                self.compiling.add(ident)
             if script.has("refuse"):
                 self.send(op="refused", id=ident, problems=[PROBLEM])
             return

@@ -50,8 +50,9 @@ class _Input:
     """Lines of standard input, read by a thread."""
 
     def __init__(self) -> None:
-        self.tasks: queue.SimpleQueue[bytes] = queue.SimpleQueue()
-        self.cancelled = threading.Event()
+        # Each with whether it is cancelled, which may be so before it is taken.
+        self.tasks: queue.SimpleQueue[tuple[bytes, threading.Event]] = queue.SimpleQueue()
+        self._cancelled = threading.Event()
         # Ends the program at work; set while there is one.
         self.worker: BlockingWorker | None = None
         threading.Thread(target=self._read, daemon=True).start()
@@ -61,14 +62,15 @@ class _Input:
         with open(sys.stdin.fileno(), "rb", buffering=0, closefd=False) as file:
             for line in file:
                 if line.strip():
-                    self.tasks.put(line)
+                    self._cancelled = threading.Event()
+                    self.tasks.put((line, self._cancelled))
                 else:
                     self._cancel()
         # The owner is gone or wants no more. The sandbox of the worker dies with this process.
         os._exit(0)
 
     def _cancel(self) -> None:
-        self.cancelled.set()
+        self._cancelled.set()
         if self.worker is not None:
             # A worker that is lost is noticed by the other thread.
             with contextlib.suppress(WorkerLost):
@@ -78,7 +80,7 @@ class _Input:
 def main() -> int:
     """Serve standard input until it ends."""
     lines = _Input()
-    setup = msgspec.json.decode(lines.tasks.get(), type=Setup)
+    setup = msgspec.json.decode(lines.tasks.get()[0], type=Setup)
     os.nice(_LOWEST_PRIORITY)
     with contextlib.suppress(BrokenPipeError):
         try:
@@ -87,9 +89,9 @@ def main() -> int:
                 lines.worker = worker
                 _say(b"")
                 while True:
-                    task = msgspec.json.decode(lines.tasks.get(), type=PreviewTask)
-                    lines.cancelled.clear()
-                    _say(msgspec.json.encode(_preview(worker, task, setup.limits, lines.cancelled)))
+                    line, cancelled = lines.tasks.get()
+                    task = msgspec.json.decode(line, type=PreviewTask)
+                    _say(msgspec.json.encode(_preview(worker, task, setup.limits, cancelled)))
         except RosyError as error:
             sys.stderr.write(f"rosy: a preview process ends: {error}\n")
             return error.exit_status
@@ -104,7 +106,7 @@ def _say(line: bytes) -> None:
 def _preview(worker: BlockingWorker, task: PreviewTask, limits: Limits, cancelled: threading.Event) -> Previewed:
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
     with ours:
-        started = worker.run(task.source, theirs)
+        started = worker.run(task.source, theirs, cancelled.is_set)
         if isinstance(started, Refused):
             return refused_preview(task.id, started.problems)
         found = preview_over_link(task, ours, worker, limits, cancelled.is_set)

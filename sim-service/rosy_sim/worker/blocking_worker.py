@@ -12,6 +12,7 @@ import select
 import socket
 import threading
 import time
+from collections.abc import Callable
 from types import TracebackType
 
 import msgspec
@@ -78,12 +79,21 @@ class BlockingWorker:
         assert isinstance(answer, Checked)
         return answer
 
-    def run(self, source: str, link: socket.socket) -> Started | Refused:
-        """Start a program on a link; our copy of its end is closed."""
+    def run(
+        self, source: str, link: socket.socket, is_cancelled: Callable[[], bool] = lambda: False
+    ) -> Started | Refused:
+        """
+        Start a program on a link; our copy of its end is closed.
+
+        Another thread that cancels it sees to it that ``is_cancelled`` before it calls ``kill``, which ends only a
+        program that has been sent.
+        """
         self._next += 1
         self._gone = None
         self._send(run_request(self._next, source, self.limits.memory), (link.fileno(),))
         link.close()
+        if is_cancelled():
+            self.kill()
         answer = self._wait(self.limits.compile, Started, Refused, Gone)
         if isinstance(answer, Gone):
             self._gone = answer
