@@ -1,4 +1,4 @@
-/// A map of maps answers as the one map would that has all their entries, whatever is asked first and however often.
+/// Layered map: compared with a plain map of all entries, for any order and number of lookups.
 
 import fc from "fast-check"
 import {expect, test} from "vitest"

@@ -76,7 +76,7 @@ def test_a_page_looks_at_its_run_again_and_asks_why(config: Config, tmp_path: Pa
         # Its safety rules back off from what it touches.
         furthest = max(frame["pose"]["x"] for frame in frames)
         assert frames[-1]["pose"]["x"] < furthest - 0.02
-        # A frame tells what has changed.
+        # A frame holds only the channels that have changed.
         last = {name: value for frame in frames for name, value in frame["channels"].items()}
         assert (last["Bumper"], last["Led1"]) == ([1, 0, 0], [2])
         assert {"Velocity", "TurnRate", "ExternalPower"} <= last.keys()

@@ -83,7 +83,7 @@ def test_both_answer_why(config: Config, tmp_path: Path) -> None:
 def test_the_twin_drives_beside_a_robot_on_a_network(
     config: Config, tmp_path: Path, link: Callable[[Path], AbstractAsyncContextManager[Robot]]
 ) -> None:
-    """The base of these stand-ins tells that it stands, whatever it is told: only the twin gets ahead."""
+    """These stand-ins report no motion, so only the simulated robot moves."""
 
     async def tell(rig: Rig) -> None:
         await rig.takes()

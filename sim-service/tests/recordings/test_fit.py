@@ -149,7 +149,7 @@ def odometry(x: float, theta: float) -> str:
 @pytest.mark.skipif(discover().robot_executable is None, reason="rosy-robot is not built")
 @pytest.mark.parametrize("robot", ["create3", "turtlebot3"])
 def test_a_recording_of_a_ros_2_robot_tells_the_same(config: Config, robot: str) -> None:
-    """The lines of the robot link are the same on every robot, whatever its own topics and messages are."""
+    """The robot link uses the same topics and messages for every robot, independent of those of the robot itself."""
 
     drove: list[str] = []
 
