@@ -122,13 +122,16 @@ async def _measure(config: Config, drivers: Drivers, profiler: cProfile.Profile 
         await asyncio.sleep(drivers.seconds)
         if profiler is not None:
             profiler.disable()
-        # Proportional set size: the bytes of a shared page are divided by the number of processes that map it.
-        memory = [process.memory_full_info().pss for process in driving.programs]
-        frames, received = await driving.received()
+        took = time.perf_counter() - began
+        lateness = driving.service.lateness.summary()
         after, theirs_after = driving.processor_time()
+        frames, received = await driving.received()
+        # Proportional set size: the bytes of a shared page are divided by the number of processes that map it. Reading
+        # it takes milliseconds for each process, in which no step begins: outside of what is measured.
+        memory = [process.memory_full_info().pss for process in driving.programs]
         return Cost(
-            lateness=driving.service.lateness.summary(),
-            took=time.perf_counter() - began,
+            lateness=lateness,
+            took=took,
             service=after - before,
             programs=theirs_after - theirs_before,
             frames=frames,
