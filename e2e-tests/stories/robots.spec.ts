@@ -155,7 +155,7 @@ daily(
     await other.page.getByRole("tab", {name: "Runs"}).click()
     await opensFile(other, join(root, "LICENSE"))
     await expect(other.page.getByTestId("notice")).toContainText(
-      "LICENSE is no recording of a run, or is damaged.",
+      "LICENSE is no recording of a run, or is damaged. Choose an .mcap file that Rosy has stored.",
     )
     await other.page.close()
   },

@@ -238,6 +238,8 @@ def _readable(path: Path) -> Iterator[None]:
     try:
         yield
     except _BROKEN as error:
-        raise BadInput(tr("{path} is no recording of a run, or is damaged.", path=path)) from error
+        raise BadInput(
+            tr("{path} is no recording of a run, or is damaged. Choose an .mcap file that Rosy has stored.", path=path)
+        ) from error
     except OSError as error:
         raise BadInput(tr("{path} cannot be read: {why}.", path=path, why=error.strerror or "")) from error

@@ -88,7 +88,9 @@ def _heading(line: bytes, name: str) -> Heading:
         found: Heading | Unreadable = _first.decode(line)
     except msgspec.DecodeError as error:
         # The process has ended: the file takes more than it may.
-        raise BadInput(tr("{path} is no recording of a run, or is damaged.", path=name)) from error
+        raise BadInput(
+            tr("{path} is no recording of a run, or is damaged. Choose an .mcap file that Rosy has stored.", path=name)
+        ) from error
     if isinstance(found, Unreadable):
         said = found.sentence
         raise BadInput(verbatim(found.message) if said is None else Sentence(said.id, said.arguments))
