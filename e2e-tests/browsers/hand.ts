@@ -1,6 +1,7 @@
 /// Pointer and keys in a browser, by what the page shows: words, labels and blocks.
 
 import {expect} from "@playwright/test"
+import {whileFingerMoves} from "../../editor/test/long_press.ts"
 import type {Browser, KeyAction, PointerAction, PointerMove} from "./browser.ts"
 
 export interface Spot {
@@ -43,14 +44,16 @@ export class Hand {
 
   /// Takes something up and carries it to a place; `lit` says when the place shows that it takes it.
   async drags(from: Spot, place: Spot, lit: () => Promise<boolean>): Promise<void> {
-    await this.acts([
+    const carries: readonly PointerAction[] = [
       to(from),
       {type: "pointerDown", button: 0},
-      // Without a pause: a finger that rests on a block opens its menu.
       to({x: from.x + 40, y: from.y}),
       to({x: place.x + 60, y: place.y + 40}, 200),
       to({x: place.x + grip.x, y: place.y}, 200),
-    ])
+    ]
+    // Without a rest: a finger that rests on a block opens its menu.
+    const page = {evaluate: this.browser.asks.bind(this.browser)}
+    await whileFingerMoves(page, () => this.acts(carries))
     await expect.poll(lit).toBe(true)
     await this.acts([{type: "pointerUp", button: 0}])
   }

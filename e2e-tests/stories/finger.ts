@@ -1,6 +1,7 @@
 /// One finger on the glass, as Chromium hears a touch screen.
 
 import type {CDPSession, Page} from "@playwright/test"
+import {whileFingerMoves} from "../../editor/test/long_press.ts"
 import {drawn} from "./at_rest.ts"
 
 export interface Spot {
@@ -24,13 +25,14 @@ export class Finger {
     return new Finger(page, await page.context().newCDPSession(page))
   }
 
-  /// Takes something up and moves it a little. A finger that rests on a block opens its menu, so the first movements are sent with the touch.
+  /// Takes something up and moves it a little, without a rest: a finger that rests on a block opens its menu.
   async takesUp(from: Spot): Promise<void> {
-    const touches = [this.sends("touchStart", from)]
-    for (let step = 1; step <= movements; step++)
-      touches.push(this.sends("touchMove", {x: from.x + 4 * step, y: from.y + 4 * step}))
-    await Promise.all(touches)
-    await drawn(this.page)
+    await whileFingerMoves(this.page, async () => {
+      await this.sends("touchStart", from)
+      for (let step = 1; step <= movements; step++)
+        await this.sends("touchMove", {x: from.x + 4 * step, y: from.y + 4 * step})
+      await drawn(this.page)
+    })
   }
 
   async movesTo(spot: Spot): Promise<void> {

@@ -4,6 +4,7 @@ import {readFileSync, writeFileSync} from "node:fs"
 import {expect, type Page} from "@playwright/test"
 import {boxAtRest, drawn} from "./at_rest.ts"
 import {isFull} from "./extent.ts"
+import {Finger} from "./finger.ts"
 import {Learner} from "./learner.ts"
 import {test as daily} from "./story.ts"
 import {inTurn} from "./turns.ts"
@@ -225,27 +226,21 @@ test.describe("a block of the toolbox that is let fall on the text", () => {
     const found = page.locator(".blocklyFlyout .blocklyDraggable > .blocklyPath").first()
     const box = await boxAtRest(found)
     const from = {x: box.x + 9, y: box.y + Math.min(box.height / 2, 12)}
-    const path = [from, {x: from.x + 30, y: from.y}, {x: (from.x + to.x) / 2, y: to.y}, to]
-    const client = await page.context().newCDPSession(page)
-    let begun: Promise<unknown> = Promise.resolve()
-    for (const [i, {x, y}] of path.entries()) {
-      if (by === "touch") {
-        const sent = client.send("Input.dispatchTouchEvent", {
-          type: i === 0 ? "touchStart" : "touchMove",
-          touchPoints: [{x, y}],
-        })
-        // A finger that rests on a block opens its menu, so the first movement follows without a pause.
-        if (i === 0) begun = sent
-        else await Promise.all([begun, sent])
-      } else {
+    const path = [{x: (from.x + to.x) / 2, y: to.y}, to]
+    const finger = by === "touch" ? await Finger.on(page) : null
+    if (finger !== null) {
+      await finger.takesUp(from)
+      for (const spot of path) await finger.movesTo(spot)
+    } else {
+      await page.mouse.move(from.x, from.y)
+      await page.mouse.down()
+      for (const {x, y} of [{x: from.x + 30, y: from.y}, ...path]) {
         await page.mouse.move(x, y)
-        if (i === 0) await page.mouse.down()
+        await drawn(page)
       }
-      if (i > 0) await drawn(page)
     }
     await expect(page.locator(".hs-carried")).toBeVisible()
-    if (by === "touch") await client.send("Input.dispatchTouchEvent", {type: "touchEnd", touchPoints: []})
-    else await page.mouse.up()
+    await (finger?.letsGo() ?? page.mouse.up())
     await expect(page.locator(".hs-carried")).toBeHidden()
   }
   for (const by of ["mouse", "touch"] as const)

@@ -8,6 +8,7 @@ import {
   chromium,
   type Page,
 } from "playwright-core"
+import {whileFingerMoves} from "../long_press.ts"
 import type {StageAddress} from "./browser_setup.ts"
 
 export interface Stage {
@@ -131,14 +132,16 @@ export async function drag(page: Page, from: Spot, to: Spot, hold = false): Prom
 
 /// One finger on the glass.
 export class Finger {
+  private readonly page: Page
   private readonly session: CDPSession
 
-  private constructor(session: CDPSession) {
+  private constructor(page: Page, session: CDPSession) {
+    this.page = page
     this.session = session
   }
 
   static async on(page: Page): Promise<Finger> {
-    return new Finger(await page.context().newCDPSession(page))
+    return new Finger(page, await page.context().newCDPSession(page))
   }
 
   async down(at: Spot): Promise<void> {
@@ -153,15 +156,20 @@ export class Finger {
     await this.session.send("Input.dispatchTouchEvent", {type: "touchEnd", touchPoints: []})
   }
 
+  /// Takes something and carries it there, without a rest: a finger that rests on a block opens its menu.
+  async carry(from: Spot, to: Spot): Promise<void> {
+    await whileFingerMoves(this.page, async () => {
+      await this.down(from)
+      for (let step = 1; step <= fingerSteps; step++) {
+        const part = step / fingerSteps
+        await this.move({x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part})
+        await this.page.evaluate(() => new Promise(requestAnimationFrame))
+      }
+    })
+  }
+
   async drag(from: Spot, to: Spot): Promise<void> {
-    // A finger that rests on a block opens its menu, so the first movement follows without a pause.
-    let begun: Promise<void> = this.down(from)
-    for (let step = 1; step <= fingerSteps; step++) {
-      const part = step / fingerSteps
-      const moved = this.move({x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part})
-      await Promise.all([begun, moved])
-      begun = moved
-    }
+    await this.carry(from, to)
     await this.up()
   }
 }

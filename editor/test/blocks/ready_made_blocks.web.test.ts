@@ -1,7 +1,7 @@
 /// Ready-made pieces from the toolbox drop in whole, by mouse, by keyboard and by finger: with the name in `simulate` it is a program.
 
 import {afterAll, beforeAll, expect, inject, test} from "vitest"
-import {drag, nameOf, openStage, type Spot, type Stage, settled, simulateSocket} from "./browser.ts"
+import {drag, Finger, nameOf, openStage, type Spot, type Stage, settled, simulateSocket} from "./browser.ts"
 import {Keys} from "./keyboard_user.ts"
 
 let stage: Stage
@@ -69,23 +69,10 @@ test.each(pieces)("$called by keyboard", async ({found, called, text}) => {
 test.each(pieces)("$called by finger", async ({found, called, text}) => {
   const keys = await Keys.onEmpty(stage)
   const {page} = keys
-  const fingers = await page.context().newCDPSession(page)
-  const touch = (type: "touchStart" | "touchMove" | "touchEnd", at?: Spot) =>
-    fingers.send("Input.dispatchTouchEvent", {type, touchPoints: at === undefined ? [] : [at]})
-  const drags = async (from: Spot, to: Spot) => {
-    await touch("touchStart", from)
-    for (let step = 1; step <= 8; step++) {
-      const part = step / 8
-      await touch("touchMove", {
-        x: from.x + (to.x - from.x) * part,
-        y: from.y + (to.y - from.y) * part,
-      })
-      await page.evaluate(() => new Promise(requestAnimationFrame))
-    }
-    await touch("touchEnd")
-    await settled(page)
-  }
-  await drags(await finds(keys, found), free)
-  await drags(await nameOf(page, called), await simulateSocket(page))
+  const finger = await Finger.on(page)
+  await finger.drag(await finds(keys, found), free)
+  await settled(page)
+  await finger.drag(await nameOf(page, called), await simulateSocket(page))
+  await settled(page)
   expect(await keys.haskell()).toBe(text)
 })

@@ -2,7 +2,7 @@
 /// language.
 
 import {afterAll, beforeAll, expect, inject, test} from "vitest"
-import {drag, grip, openStage, type Stage, settled, socket, told} from "./browser.ts"
+import {drag, Finger, grip, openStage, type Stage, settled, socket, told} from "./browser.ts"
 
 let stage: Stage
 beforeAll(async () => {
@@ -70,17 +70,10 @@ test("a finger is told, too", async () => {
   const page = await start()
   const to = await socket(page, "go", "E0_0")
   const from = await grip(page, "light")
-  const fingers = await page.context().newCDPSession(page)
-  const touch = (type: "touchStart" | "touchMove" | "touchEnd", x: number, y: number) =>
-    fingers.send("Input.dispatchTouchEvent", {type, touchPoints: type === "touchEnd" ? [] : [{x, y}]})
-  await touch("touchStart", from.x, from.y)
-  for (let step = 1; step <= 8; step++) {
-    const part = step / 8
-    await touch("touchMove", from.x + (to.x + 12 - from.x) * part, from.y + (to.y + 8 - from.y) * part)
-    await page.evaluate(() => new Promise(requestAnimationFrame))
-  }
+  const finger = await Finger.on(page)
+  await finger.carry(from, {x: to.x + 12, y: to.y + 8})
   expect(await said(page)).toMatch(/^This socket wants a Velocity/)
-  await touch("touchEnd", 0, 0)
+  await finger.up()
   await settled(page)
   expect(
     await page.evaluate(() => window.Blockly.getMainWorkspace().getBlockById("light")?.getParent()),
