@@ -1,24 +1,42 @@
 """
 Process that runs a command and adopts the processes that the command leaves behind, so that their processor time is counted.
 
-In: the command as arguments. Out: its exit status, 128 + N when signal N ended it. A browser or a service that is started
-detached belongs to no process that waits for it: its time would be in no account. As a "child subreaper" (prctl(2)) this
-process becomes the parent of such processes and waits for them, and the kernel adds their time to its own. Processes that
-still run when the command ends are neither waited for nor counted.
+In: the command as arguments, `--background` before it gives it only the processor time that others leave. Out: its exit status,
+128 + N when signal N ended it. A browser or a service that is started detached belongs to no process that waits for it: its time would
+be in no account. As a "child subreaper" (prctl(2)) this process becomes the parent of such processes and waits for them, and the kernel
+adds their time to its own. Processes that still run when the command ends are neither waited for nor counted.
 """
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import os
 import signal
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
-__all__ = ["run"]
+__all__ = ["BACKGROUND", "give_way", "run"]
+
+BACKGROUND = "--background"
 
 PR_SET_CHILD_SUBREAPER = 36
 """linux/prctl.h."""
+
+
+LOWEST = 19
+"""Nice value of the lowest priority."""
+
+
+def give_way() -> None:
+    """
+    Gives this process and all that it starts the lowest priority. Linux shares a processor out between sessions first, where
+    it forms a group of each (sched(7), autogroups), and only within them by nice values: both are set.
+    """
+    os.nice(LOWEST)
+    with contextlib.suppress(OSError):
+        Path("/proc/self/autogroup").write_text(str(LOWEST))
 
 
 def run(command: Sequence[str]) -> int:
@@ -46,8 +64,12 @@ def _reaps() -> bool:
 
 
 if __name__ == "__main__":
+    words = sys.argv[1:]
+    if words[0] == BACKGROUND:
+        words = words[1:]
+        give_way()
     try:
-        sys.exit(run(sys.argv[1:]))
+        sys.exit(run(words))
     except OSError as error:
-        print(f"{sys.argv[1]}: {error.strerror}", file=sys.stderr)
+        print(f"{words[0]}: {error.strerror}", file=sys.stderr)
         sys.exit(127)

@@ -4,9 +4,10 @@ Scheduler that runs suites side by side on a fixed number of processor cores.
 In: suites in the order of their importance, each with the number of cores it keeps busy. Out: one result per suite, in the
 order in which they end, handed to `on_end`. A suite starts as soon as the cores it needs are free; a later one that needs
 fewer cores may start first. A suite that needs more cores than there are runs alone. Half a core is for a suite that waits
-for half of its time. Each suite writes to its own log file;
-nothing is printed here. A suite that takes longer than its limit is ended and has failed: what it has said until then is in its result. When
-the caller is interrupted, every process that was started is ended.
+for half of its time. A suite in the background has the lowest priority: it takes only the processor time that the others leave, so one
+of them runs at any time beside any others, and more where cores are free. Each suite writes to its own log file; nothing is printed here.
+A suite that takes longer than its limit is ended and has failed: what it has said until then is in its result. When the caller is
+interrupted, every process that was started is ended.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from .adoption import BACKGROUND
 from .counts import Count, Reader
 
 __all__ = ["Result", "Suite", "run_all"]
@@ -39,6 +41,8 @@ class Suite:
     read: Reader
     cores: float = 1
     """Processor time that it takes while it runs, s per s."""
+    background: bool = False
+    """Whether it only computes: nothing in it depends on how soon something is answered."""
     report: Path | None = None
     """Removed before the suite starts, so that an old report is never read."""
     after: frozenset[str] = frozenset()
@@ -127,7 +131,11 @@ def _may_start(suite: Suite, waiting: Sequence[Suite], running: Mapping[str, _Ru
     pending = {s.name for s in waiting} | set(running)
     if suite.after & pending:
         return False
-    busy = sum(min(r.suite.cores, cores) for r in running.values())
+    beside = [r.suite for r in running.values()]
+    if suite.background and not any(other.background for other in beside):
+        return True
+    # A suite in the background gives way to one that is not.
+    busy = sum(min(other.cores, cores) for other in beside if suite.background or not other.background)
     return busy + min(suite.cores, cores) <= cores
 
 
@@ -138,7 +146,7 @@ def _start(suite: Suite, folder: Path, logs: Path, environment: Mapping[str, str
     log = logs / f"test-{suite.name}.log"
     with log.open("wb") as output:
         process = subprocess.Popen(
-            [sys.executable, str(ADOPTION), *suite.command],
+            [sys.executable, str(ADOPTION), *([BACKGROUND] if suite.background else []), *suite.command],
             cwd=folder,
             env=environment,
             stdin=subprocess.DEVNULL,

@@ -1,7 +1,8 @@
 """
 All suites of the repository: static checks, unit tests and browser stories, in the order in which they should start.
 
-Long suites come first, so that short ones fill the remaining cores. `cores` is what a suite keeps busy, not what it may use.
+Suites with browsers, robots and limits of time come first and share the cores. What only computes runs in the background all the while: compilers, linters
+and tests that wait for nothing take the processor time which stories and robots leave. `cores` is what a suite keeps busy, not what it may use.
 """
 
 from __future__ import annotations
@@ -45,19 +46,19 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
     """All suites; those of Haskell's linter and formatter look at `whole` sources, or at what changed since it passed."""
     haskell = haskell_sources(root)
 
-    def vitest(name: str) -> Suite:
+    def vitest(name: str, background: bool = False) -> Suite:
         report = reports / f"{name}.json"
         reporters = ["--reporter=default", "--reporter=json", f"--outputFile.json={report}"]
         # With CI a snapshot that is not committed fails; without, Vitest writes it and passes.
         command = ["env", "CI=1", "npx", "vitest", "run", *reporters, "--root", name]
-        return Suite(name, command, json_report(report), report=report)
+        return Suite(name, command, json_report(report), report=report, background=background)
 
     def check(name: str, *command: str) -> Suite:
-        return Suite(name, command, by_exit, prints=False)
+        return Suite(name, command, by_exit, prints=False, background=True)
 
     def changed(name: str, version: str, *command: str) -> Suite:
         words = [PYTHON, "scripts/testing/changed_files.py", *(["whole"] if whole else []), name, "only", version, *command]
-        return Suite(name, words, by_exit_or_left_out, prints=False)
+        return Suite(name, words, by_exit_or_left_out, prints=False, background=True)
 
     stories = reports / "e2e.json"
     short = reports / "browsers.json"
@@ -68,9 +69,9 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
         # processes than cores. No other suite runs beside both: stories take more than one core, and a drag needs processor time.
         Suite("e2e", ["npx", "playwright", "test", "-c", "e2e-tests"], json_report(stories), report=stories),
         Suite("python", [PYTHON, "-m", "pytest", "sim-service", "-n", "4", "--dist", "worksteal", *hangs], pytest_summary, cores=0.5),
-        Suite("haskell", [PYTHON, "scripts/testing/haskell.py"], tasty_summary),
+        # Builds what is not built, so that the suite can also be run alone.
+        Suite("haskell", [PYTHON, "scripts/testing/haskell.py"], tasty_summary, cores=0.5, after=frozenset({"build-hs"})),
         vitest("editor"),
-        vitest("codegen"),
         # A finger that rests opens a menu, so a drag by touch needs a machine that is not fully busy.
         Suite(
             "browsers",
@@ -79,11 +80,14 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
             report=short,
             after=frozenset({"e2e"}),
         ),
+        check("build-hs", PYTHON, "scripts/testing/haskell.py", "build"),
+        vitest("codegen", background=True),
+        Suite("scripts", [PYTHON, "-m", "pytest", "-q", "scripts/tests"], pytest_summary, prints=False, background=True),
         check("types-py", PYTHON, "-m", "mypy", "--config-file", "sim-service/pyproject.toml", "sim-service/rosy_sim", "sim-service/tests"),
         # All that may use the names of a browser is one program: as four, the compiler read the sources of codegen and of the page four times.
         check("types-ts", "npx", "tsc", "-b", "codegen", "tsconfig.check.json"),
-        # The haskell suite may still change the library.
-        Suite("types-bench", ["bash", "-c", TYPES_OF_BENCHMARKS], by_exit, prints=False, after=frozenset({"haskell"})),
+        # The build may still change the library.
+        replace(check("types-bench", "bash", "-c", TYPES_OF_BENCHMARKS), after=frozenset({"build-hs"})),
         # The versions of Debian 12. Later ones find other things, and write the same program in another way.
         changed("lint-hs", "3.3", "hlint", "--", *haskell),
         # Ormolu reads the language extensions of the package.
@@ -92,9 +96,8 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
         check("format-py", PYTHON, "-m", "ruff", "format", "--check", "sim-service", "scripts"),
         check("lint-py", PYTHON, "-m", "ruff", "check", "sim-service", "scripts"),
         check("shell", "shellcheck", "-x", *SHELL_SCRIPTS),
-        Suite("borders", [PYTHON, "scripts/borders.py"], own_script, prints=False),
-        # The haskell suite may still change the library.
+        Suite("borders", [PYTHON, "scripts/borders.py"], own_script, prints=False, background=True),
+        # The build may still change the library.
         Suite("bench", [PYTHON, "scripts/bench.py", "--small" if whole else "--rotating"], own_script, after=frozenset({"haskell"})),
-        Suite("scripts", [PYTHON, "-m", "pytest", "-q", "scripts/tests"], pytest_summary, prints=False),
     ]
     return [replace(suite, limit=math.inf if whole else SUITE_LIMIT) for suite in listed]

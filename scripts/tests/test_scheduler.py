@@ -32,6 +32,10 @@ def python(name: str, program: str, cores: float = 1, after: Sequence[str] = ())
     return Suite(name, [sys.executable, "-c", program], by_exit, cores=cores, after=frozenset(after))
 
 
+def in_background(name: str, program: str) -> Suite:
+    return replace(python(name, program), background=True)
+
+
 def test_two_suites_run_at_once_on_two_cores(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "fifo")
     watch = Watch()
@@ -68,6 +72,54 @@ def test_a_suite_that_wants_more_cores_than_there_are_runs_alone(tmp_path: Path)
     watch.run([python("a", ""), python("large", "", cores=8)], 1, tmp_path)
     assert max(len(names) for names in watch.together) == 1
     assert len(watch.results) == 2
+
+
+def test_one_suite_runs_in_the_background_of_busy_cores(tmp_path: Path) -> None:
+    for fifo in ("started", "first"):
+        os.mkfifo(tmp_path / fifo)
+    watch = Watch()
+    # The one that needs all cores goes on once the first in the background has started, which ends once the other has answered.
+    suites = [
+        python("busy", "open('started').read(); open('first', 'w').write('hello')", cores=2),
+        in_background("a", "open('started', 'w').write('hello'); assert open('first').read() == 'hello'"),
+        in_background("b", ""),
+        in_background("c", ""),
+    ]
+    watch.run(suites, 2, tmp_path)
+    assert sum(result.count.passed for result in watch.results) == 4
+    assert frozenset({"busy", "a"}) in watch.together
+    assert all(len(names - {"busy"}) <= 1 for names in watch.together if "busy" in names)
+
+
+def test_no_suite_waits_for_one_in_the_background(tmp_path: Path) -> None:
+    for fifo in ("a", "b"):
+        os.mkfifo(tmp_path / fifo)
+    watch = Watch()
+    watch.run(
+        [
+            in_background("a", "open('a', 'w').write('hello')"),
+            in_background("b", "open('b', 'w').write('hello')"),
+            python("both", "assert open('a').read() + open('b').read() == 'hellohello'"),
+        ],
+        1,
+        tmp_path,
+    )
+    assert sum(result.count.passed for result in watch.results) == 3
+
+
+def test_a_suite_in_the_background_has_the_lowest_priority(tmp_path: Path) -> None:
+    watch = Watch()
+    tells = """
+import os, pathlib
+group = pathlib.Path("/proc/self/autogroup")
+print(os.nice(0), group.read_text() if group.exists() else "none")
+"""
+    watch.run([in_background("patient", tells), python("prompt", tells)], 1, tmp_path)
+    patient, prompt = (next(r.output.split() for r in watch.results if r.suite.name == name) for name in ("patient", "prompt"))
+    assert int(patient[0]) == 19
+    # That of this process, which may itself be in the background.
+    assert int(prompt[0]) == os.nice(0)
+    assert patient[-1] in ("19", "none")
 
 
 def test_a_suite_waits_for_those_it_comes_after(tmp_path: Path) -> None:
