@@ -1,4 +1,4 @@
-/// Turns of the stories: most files are played on one day in seven, and nightly.
+/// Turns of the stories: most files are played on one day in thirteen, and nightly.
 ///
 /// In: the daily seed. Out: Playwright's function for stories, or one that declares none. A file that has changed since all suites last passed
 /// (`ROSY_TEST_CHANGED`, set by `scripts/test.py`) is played as well, and so is every file where there is no daily seed: stories started by hand. A file that is in no turn, and what a file declares with `daily`, is played each day: the
@@ -8,16 +8,22 @@ import {basename} from "node:path"
 import {fileURLToPath} from "node:url"
 import {isFull, seed} from "./extent.ts"
 
-/// Files that take turns, by day, without `.spec.ts`: each day's take as long as another's. Tables of rows within them (`rotated`) have a number of
-/// parts that seven does not divide, so that each row meets the day of its file.
+/// Files that take turns, by day, without `.spec.ts`: each day's take as long as another's. The number of days is prime, so that each row of
+/// a table within a file (`rotated`), which has fewer parts, meets the day of its file.
 export const turns: readonly (readonly string[])[] = [
-  ["building", "continue", "ros", "runs", "safety", "worker"],
-  ["class-of-thirty", "diagram", "haste", "text", "touch"],
-  ["class-together", "leaving", "looks", "own-lessons", "room", "why"],
-  ["class", "lessons", "screens", "values"],
-  ["arrange", "careless", "class-sharing", "first-minute", "my-programs", "preview"],
-  ["class-hostile", "lesson-editor", "many-rooms", "mixed-steps", "robots", "sharing", "values-in-place"],
-  ["language", "problems", "sight", "why-questions", "words"],
+  ["text", "ros", "values-in-place"],
+  ["diagram", "touch", "haste", "language"],
+  ["building", "continue"],
+  ["class-of-thirty", "runs", "safety", "worker"],
+  ["class-together", "room", "why"],
+  ["leaving", "looks", "own-lessons"],
+  ["class", "lessons"],
+  ["preview", "screens", "values"],
+  ["arrange", "careless", "sharing"],
+  ["class-sharing", "first-minute", "my-programs", "problems"],
+  ["class-hostile", "lesson-editor", "many-rooms"],
+  ["mixed-steps", "robots", "words"],
+  ["sight", "why-questions"],
 ]
 
 /// Part of a run that decides which files are played.

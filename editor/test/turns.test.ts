@@ -1,4 +1,4 @@
-/// Turns of the test files that need a browser: each is run once in three days, nightly, and while what it tests has changed.
+/// Turns of the test files that need a browser: each is run once in seven days, nightly, and while what it tests has changed.
 
 import {readdirSync} from "node:fs"
 import {expect, test} from "vitest"
@@ -11,7 +11,7 @@ const files = ["blocks", "source"].flatMap(folder =>
     .map(name => `${folder}/${name.replace(".web.test.ts", "")}`),
 )
 
-test.each([0, 20_783, 20_784])("three days from %s run each file that takes turns once", first => {
+test.each([0, 20_783, 20_784])("seven days from %s run each file that takes turns once", first => {
   expect(turns.days.flat().filter(name => !files.includes(name))).toEqual([])
   for (const name of turns.days.flat()) {
     const days = turns.days.filter(

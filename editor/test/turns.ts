@@ -1,4 +1,4 @@
-/// Turns of the test files that need a browser: a part of them is run on one day in three (`codegen/test/turns.ts`). Files that are
+/// Turns of the test files that need a browser: a part of them is run on one day in seven (`codegen/test/turns.ts`). Files that are
 /// not listed are run each day: the block view as a whole. Stories build a small program each day (`e2e-tests/stories/first-hour.spec.ts`).
 
 import type {Turns} from "../../codegen/test/turns.ts"
@@ -6,17 +6,13 @@ import type {Turns} from "../../codegen/test/turns.ts"
 /// The names are without `.web.test.ts`.
 export const turns: Turns = {
   days: [
-    ["blocks/interaction", "blocks/bin"],
+    ["blocks/interaction"],
     ["blocks/building"],
-    [
-      "blocks/ready_made_blocks",
-      "blocks/reference_drop",
-      "blocks/refusals",
-      "blocks/touch",
-      "blocks/screen_reader",
-      "blocks/scroll_bars",
-      "source/cursor",
-    ],
+    ["blocks/bin", "blocks/scroll_bars"],
+    ["blocks/ready_made_blocks"],
+    ["blocks/reference_drop", "blocks/refusals"],
+    ["blocks/screen_reader", "blocks/touch"],
+    ["source/cursor"],
   ],
   tested: ["editor/src/blocks/", "editor/src/source/", "editor/test/blocks/", "editor/test/source/"],
 }

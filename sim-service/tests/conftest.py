@@ -95,8 +95,8 @@ REPOSITORY = Path(__file__).resolve().parents[2]
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """
-    Tests that take turns are left out on six days of seven. Long tests start first: a process that gets one last keeps
-    the others waiting.
+    Tests that take turns are left out on twelve days of thirteen. Long tests start first: a process that gets one last
+    keeps the others waiting.
     """
     turns = [item for item in items if item.get_closest_marker("turns") is not None]
     today = TODAY.share((item.nodeid, item.path.relative_to(REPOSITORY).as_posix()) for item in turns)

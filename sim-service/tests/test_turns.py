@@ -1,4 +1,4 @@
-"""Tests that take turns: each is run once in seven days, nightly, and while its file has changed."""
+"""Tests that take turns: each is run once in thirteen days, nightly, and while its file has changed."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ NAMES = sorted(name for name, _ in TESTS)
 
 
 @pytest.mark.parametrize("first", [0, 20783, 20784, 20785])
-def test_seven_days_run_each_test_once(first: int) -> None:
+def test_thirteen_days_run_each_test_once(first: int) -> None:
     shares = [Day(first + day, whole=False).share(TESTS) for day in range(DAYS)]
     assert sorted(name for share in shares for name in share) == NAMES
     assert all(abs(len(share) - len(TESTS) / DAYS) < 1 for share in shares)
