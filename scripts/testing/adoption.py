@@ -9,11 +9,11 @@ adds their time to its own. Processes that still run when the command ends are n
 
 from __future__ import annotations
 
-import contextlib
 import ctypes
 import os
 import signal
 import sys
+import time
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -35,8 +35,17 @@ def give_way() -> None:
     it forms a group of each (sched(7), autogroups), and only within them by nice values: both are set.
     """
     os.nice(LOWEST)
-    with contextlib.suppress(OSError):
-        Path("/proc/self/autogroup").write_text(str(LOWEST))
+    while True:
+        try:
+            Path("/proc/self/autogroup").write_text(str(LOWEST))
+        except BlockingIOError:
+            # Linux takes ten such requests of users per second.
+            time.sleep(0.1)
+        except OSError:
+            # It forms no groups.
+            return
+        else:
+            return
 
 
 def run(command: Sequence[str]) -> int:

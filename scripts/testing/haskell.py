@@ -30,21 +30,24 @@ def build() -> int:
         return subprocess.run(["cabal", "build", "--offline", "-j2", "all"], cwd=ROOT, check=False).returncode
 
 
-def location(target: str) -> str:
-    listed = subprocess.run(["cabal", "list-bin", "-v0", "--offline", target], cwd=ROOT, capture_output=True, check=True, text=True)
-    return listed.stdout.strip()
+def folder() -> str:
+    """Where cabal puts the program of a component: the path of one, with `{kind}` (x: executable, t: test suite) and `{name}`."""
+    known = TOOLS[-1]
+    asked = ["cabal", "list-bin", "-v0", "--offline", f"exe:{known}"]
+    # Asked once: an answer takes a second of processor time.
+    listed = subprocess.run(asked, cwd=ROOT, capture_output=True, check=True, text=True).stdout.strip()
+    before, after = listed.rsplit("/x/", 1)
+    return f"{before}/{{kind}}/{after.replace(known, '{name}')}"
 
 
-def environment() -> dict[str, str]:
-    folders = [str(Path(location(f"exe:{tool}")).parent) for tool in TOOLS]
+def environment(programs: str) -> dict[str, str]:
+    folders = [str(Path(programs.format(kind="x", name=tool)).parent) for tool in TOOLS]
     return {**os.environ, "PATH": os.pathsep.join([*folders, os.environ.get("PATH", "")])}
 
 
-def run(program: str, env: dict[str, str]) -> tuple[str, int, str, float]:
+def run(program: str, path: str, env: dict[str, str]) -> tuple[str, int, str, float]:
     began = time.monotonic()
-    done = subprocess.run(
-        [location(f"test:{program}")], cwd=ROOT, env=env, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False
-    )
+    done = subprocess.run([path], cwd=ROOT, env=env, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     return program, done.returncode, done.stdout.decode(errors="replace"), time.monotonic() - began
 
 
@@ -54,9 +57,10 @@ def main(arguments: Sequence[str]) -> int:
     if list(arguments) == ["build"]:
         return 0
     worst = 0
-    env = environment()
+    programs = folder()
+    env = environment(programs)
     with ThreadPoolExecutor(len(PROGRAMS)) as pool:
-        for ended in as_completed([pool.submit(run, program, env) for program in PROGRAMS]):
+        for ended in as_completed([pool.submit(run, program, programs.format(kind="t", name=program), env) for program in PROGRAMS]):
             program, status, output, seconds = ended.result()
             worst = max(worst, abs(status))
             print(f"{program} ({seconds:.0f} s, exit {status})\n{output}", flush=True)
