@@ -5,9 +5,9 @@ import {dayOf, turns, waiting} from "./test/turns.ts"
 
 export default defineConfig({
   test: {
-    // A limit for tests that hang; a busy machine takes long for the large ones.
-    testTimeout: 600_000,
-    hookTimeout: 600_000,
+    // A limit for tests that hang; in the background of others the large ones take long.
+    testTimeout: 1_800_000,
+    hookTimeout: 1_800_000,
     include: ["test/**/*.test.ts"],
     exclude: waiting(turns, dayOf(process.env)).map(name => `test/${name}.test.ts`),
     setupFiles: ["test/yield_between_tests.ts"],

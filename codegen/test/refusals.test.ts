@@ -88,7 +88,7 @@ const others = [
 
 test.each([english, ...rotated(others, others.length)])(
   "what is said of blocks that do not fit, in %s",
-  {timeout: 1_200_000},
+  {timeout: 1_800_000},
   async (language, words, frame) => {
     speak(words)
     try {

@@ -17,7 +17,7 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-__all__ = ["BACKGROUND", "give_way", "run"]
+__all__ = ["BACKGROUND", "PATIENT", "give_way", "run"]
 
 BACKGROUND = "--background"
 
@@ -25,19 +25,19 @@ PR_SET_CHILD_SUBREAPER = 36
 """linux/prctl.h."""
 
 
-LOWEST = 19
-"""Nice value of the lowest priority."""
+PATIENT = 10
+"""Nice value of the background: a tenth of the share of others where they want all of a processor, so that no test in it waits for its limit of time."""
 
 
 def give_way() -> None:
     """
-    Gives this process and all that it starts the lowest priority. Linux shares a processor out between sessions first, where
+    Gives this process and all that it starts a low priority. Linux shares a processor out between sessions first, where
     it forms a group of each (sched(7), autogroups), and only within them by nice values: both are set.
     """
-    os.nice(LOWEST)
+    os.nice(PATIENT)
     while True:
         try:
-            Path("/proc/self/autogroup").write_text(str(LOWEST))
+            Path("/proc/self/autogroup").write_text(str(PATIENT))
         except BlockingIOError:
             # Linux takes ten such requests of users per second.
             time.sleep(0.1)

@@ -4,7 +4,7 @@ Scheduler that runs suites side by side on a fixed number of processor cores.
 In: suites in the order of their importance, each with the number of cores it keeps busy. Out: one result per suite, in the
 order in which they end, handed to `on_end`. A suite starts as soon as the cores it needs are free; a later one that needs
 fewer cores may start first. A suite that needs more cores than there are runs alone. Half a core is for a suite that waits
-for half of its time. A suite in the background has the lowest priority: it takes only the processor time that the others leave, so one
+for half of its time. A suite in the background has a low priority: it takes the processor time that the others leave, so one
 of them runs at any time beside any others, and more where cores are free. Each suite writes to its own log file; nothing is printed here.
 A suite that takes longer than its limit is ended and has failed: what it has said until then is in its result. When the caller is
 interrupted, every process that was started is ended.
