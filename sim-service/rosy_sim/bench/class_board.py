@@ -21,7 +21,7 @@ import uvloop
 from ..classroom.store.class_folder import open_class
 from ..classroom.store.class_store import ClassStore
 from ..config import Config
-from ..web.app import Service
+from ..web.service import Service
 from .class_pupils import PROGRAM, run_class
 from .serving import serving
 

@@ -29,8 +29,9 @@ import uvicorn
 import uvloop
 
 from ..config import Config
-from ..web.app import Service, build_app
+from ..web.app import build_app
 from ..web.pacing.paced_frames import paced_frames
+from ..web.service import Service
 from ..world.time_step import STEP
 from .processor_time import exact_time
 

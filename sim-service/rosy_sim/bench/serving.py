@@ -12,10 +12,11 @@ import uvicorn
 
 from ..classroom.store.class_store import ClassStore
 from ..config import Config
-from ..web.app import Service, build_app
+from ..web.app import build_app
 from ..web.garbage_collection import keep_what_is_loaded
 from ..web.pacing.paced_frames import paced_frames
 from ..web.pacing.request_deadline import RequestDeadline
+from ..web.service import Service
 
 __all__ = ["serving"]
 

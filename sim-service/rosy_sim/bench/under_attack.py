@@ -22,8 +22,8 @@ from typing import Any
 import uvloop
 
 from ..config import Config
-from ..web.app import Service
 from ..web.server import raise_priority
+from ..web.service import Service
 from .attacks import ATTACKS, Attack
 from .loop_monitor import LoopMonitor
 from .page_client import PageClient, opened

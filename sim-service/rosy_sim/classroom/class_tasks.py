@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import msgspec
 
-from ..wire.room_tests import TestedRoom
+from ..wire.page.room_tests import TestedRoom
 from .messages import board_messages as b
 from .messages import pupil_messages as p
 from .messages.check_messages import CheckAll, CheckResult

@@ -23,7 +23,7 @@ from ..rooms.room_test import Report, RoomTest, check_goals, worst_first
 from ..rooms.tested_room import tested_room
 from ..run.run_queue import RunQueue
 from ..sentence import tr
-from ..wire.room_tests import TestedRoom
+from ..wire.page.room_tests import TestedRoom
 from ..wording import in_terminal
 from ..world.properties import BadProperty, read_properties
 from ..worlds.gallery import DEFAULT_WORLD, named_world

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from ..wire.room_tests import TestedRoom
+from ..wire.page.room_tests import TestedRoom
 from .messages.check_messages import CheckResult
 from .store.task_store import HandInGraded
 

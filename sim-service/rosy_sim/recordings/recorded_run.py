@@ -1,10 +1,10 @@
 """
-Recorded run: a recording that a page looks at. The counterpart of ``run.simulated_run`` and ``ownership.robot_run``.
+Playback of a recorded run for a page. The counterpart of ``run.simulated_run`` and ``ownership.robot_run``.
 
-What the program heard on the robot is sent to the recorded program again, step by step and as fast as it answers, and
-the page is shown both: the robot as it was recorded, the functions and their firings as the program tells them now.
-A program is a function of what it hears (language rule R13), so these are those of the run; its commands are compared
-with the recorded ones, and where they differ the run ends.
+The recorded input is sent to the recorded program again, step by step and as fast as it answers. The page is shown the
+recorded poses and channels of the robot, and the functions and firings that the program reports during playback. A
+program is a function of its input (language rule R13), so these firings are those of the run. Its commands are compared
+with the recorded ones; playback ends at the first difference.
 """
 
 from __future__ import annotations
@@ -50,14 +50,14 @@ from .robot_state import RobotState
 __all__ = ["MOST_FRAMES", "OnRecordedStep", "RecordedRun", "RecordedView"]
 
 MOST_FRAMES = 20_000
-"""Of a recording that is shown: seven minutes at 50 a second; a longer run has fewer of each second. A page keeps twice
-as many of all its runs."""
+"""Frames of a recording: seven minutes at 50 a second; a longer run has fewer per second. A page keeps twice as many of
+all its runs."""
 
 _CURVE = 1e-6
 """Rounding of velocities, (m/s)²."""
 
 _MEMORY_STEPS = 5
-"""Steps between two questions what the program remembers: 10 Hz, as on a robot."""
+"""Steps between two reports of the program's memory: 10 Hz, as on a robot."""
 
 
 class _StepOp(msgspec.Struct):
@@ -71,7 +71,7 @@ _step = msgspec.json.Decoder(_StepOp)
 
 @dataclass(slots=True)
 class _Answer:
-    """What a program answers to a batch."""
+    """Answer of a program to a batch."""
 
     lines: list[bytes] = field(default_factory=list)
     commands: list[Command] = field(default_factory=list)
@@ -80,10 +80,10 @@ class _Answer:
 
 
 class RecordedView(RunView, Protocol):
-    """Receives what a page is shown of a recorded run. ``web.sessions.page_view`` implements it."""
+    """Page view of a recorded run. ``web.sessions.page_view`` implements it."""
 
     def show_recorded(self, telemetry: Telemetry) -> None:
-        """Show the robot as it was then. No frame is left out."""
+        """Show a recorded state of the robot. No frame is left out."""
 
     def show_text(self, time: float, text: str) -> None:
         """Show a line on the console."""
@@ -92,7 +92,7 @@ class RecordedView(RunView, Protocol):
         """Show that a sound was played."""
 
     async def is_sent(self) -> None:
-        """Return when the page has been sent all that it was shown."""
+        """Wait until all messages to the page are sent."""
 
 
 class OnRecordedStep(Protocol):
@@ -121,7 +121,7 @@ class RecordedRun(PageRun):
         view: of this run alone.
         on_over: called once.
         on_step: records the firings.
-        on_note: called with what a person should know of the recording.
+        on_note: called with notes about the recording for its user.
     """
 
     def __init__(
@@ -150,7 +150,7 @@ class RecordedRun(PageRun):
         self._messages = SimulatorLink()
         # Lines of the program that no exchange has taken yet.
         self._unread: list[bytes] = []
-        # When the run was last, s.
+        # Time of the current step, s.
         self._time = 0.0
         self._is_first = True
         # The velocity that the program wants, and whether the robot was told another one.
@@ -172,18 +172,18 @@ class RecordedRun(PageRun):
         self._end("stopped", [])
 
     def set_speed(self, speed: page.Speed) -> None:
-        """A recording comes as fast as it can."""
+        """Playback has one speed."""
 
     def pause(self) -> None:
         """Stop the playback."""
         self._may_go_on.clear()
 
     def resume(self) -> None:
-        """Go on."""
+        """Continue the playback."""
         self._may_go_on.set()
 
     def forward(self) -> None:
-        """A recording has no single steps: the page looks back at them."""
+        """Playback has no single steps; the page shows past ones."""
 
     def _finish(self, run: PageRun) -> None:
         self.over.set()
@@ -327,8 +327,8 @@ class RecordedRun(PageRun):
 
     def _follow(self, sent: list[bytes]) -> None:
         """
-        What the robot was told in a step. Limits make a velocity smaller and keep its curve; what is another curve, or
-        backwards, is of the safety rules.
+        Find out from the commands sent to the robot whether the safety rules override the program. Limits scale a
+        velocity and keep its curve; another curve, or the opposite direction, comes from the safety rules.
         """
         for line in sent:
             command = _command(line)

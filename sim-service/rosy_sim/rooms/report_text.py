@@ -9,8 +9,8 @@ import msgspec
 
 from ..sentence import Sentence, tr
 from ..terminal_text import neutralize_line
+from ..wire.page.room_tests import FindingShown
 from ..wire.problem import Problem, to_wire, worded
-from ..wire.room_tests import FindingShown
 from ..wording import in_terminal, machine_wording
 from .room_test import Report, worst_first
 from .trial import Finding, Outcome

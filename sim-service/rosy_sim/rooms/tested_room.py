@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..wire.room_tests import FindingShown, TestedRoom
+from ..wire.page.room_tests import FindingShown, TestedRoom
 from .trial import Finding, Outcome
 
 __all__ = ["tested_room"]

@@ -7,7 +7,7 @@ import msgspec
 from rosy_sim.classroom.messages.check_messages import CheckResult
 from rosy_sim.classroom.rooms_tried import pack_rooms, rooms_of
 from rosy_sim.classroom.store.task_store import HandInGraded
-from rosy_sim.wire import room_tests as wire
+from rosy_sim.wire.page import room_tests as wire
 
 
 def tried(room: int) -> wire.TestedRoom:

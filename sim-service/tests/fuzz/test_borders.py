@@ -29,10 +29,12 @@ from rosy_sim.rooms.generation.families import read_family
 from rosy_sim.run.input_file import read_inputs
 from rosy_sim.run.program_file import read_program
 from rosy_sim.run.steps.hands import Hand, read_hands
-from rosy_sim.web.sessions.ros_bridge import RosBridge
-from rosy_sim.wire import lesson_rehearsals, page, robot_process, room_tests, worker
+from rosy_sim.web.sessions.simulator.ros_bridge import RosBridge
+from rosy_sim.wire import page, robot_process, worker
 from rosy_sim.wire.channels import BadMessage
 from rosy_sim.wire.line_splitter import LineTooLong
+from rosy_sim.wire.page import lesson_rehearsals, room_tests
+from rosy_sim.wire.page.jobs import BadJob
 from rosy_sim.wire.robot_link import LinkError, SimulatorLink, _Line
 from rosy_sim.wire.topics import COMMAND_TOPICS, TopicMessage, read_message
 from rosy_sim.wire.user_input import TimedInput, published, user_actions
@@ -143,11 +145,11 @@ BORDERS = [
     Border("pupil", read_pupil_request, (BadRequest,), PupilRequest),
     Border("board", read_board_request, (BadRequest,), BoardRequest),
     Border("projector", read_projector_request, (BadRequest,), UnlockProjector),
-    Border("room test", room_tests.read_test, (room_tests.BadTest,), room_tests.RoomTestRequest),
+    Border("room test", room_tests.read_test, (BadJob,), room_tests.RoomTestRequest),
     Border(
         "rehearsal",
         lesson_rehearsals.read_request,
-        (lesson_rehearsals.BadRehearsal,),
+        (BadJob,),
         lesson_rehearsals.RehearsalRequest,
     ),
     Border("user input", of_user, (*JSON, BadMessage), TimedInput),

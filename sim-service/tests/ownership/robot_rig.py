@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 
 from rosy_sim.ownership.driver_locks import active_drivers
-from rosy_sim.web.app import Service
+from rosy_sim.web.service import Service
 
 from ..conftest import PATIENCE
 from ..ports import kept_port

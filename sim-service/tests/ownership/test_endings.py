@@ -143,7 +143,7 @@ class Simulated:
     @property
     def time(self) -> float:
         """Seconds that its world has moved on."""
-        return self.session._steps / 50
+        return self.session.simulator.steps / 50
 
     async def drives(self) -> None:
         await self.page.until(lambda m: m["op"] == "frame" and m["channels"]["Velocity"][0] > 0.19)

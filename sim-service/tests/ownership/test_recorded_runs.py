@@ -11,7 +11,7 @@ from mcap.writer import Writer
 
 from rosy_sim.config import Config, discover
 from rosy_sim.recordings import recorded_run
-from rosy_sim.web import recording_upload
+from rosy_sim.web.routes import recordings
 
 from ..conftest import PATIENCE
 from ..web.test_app import opened
@@ -165,7 +165,7 @@ def test_each_file_that_is_no_recording_gets_one_sentence(config: Config, tmp_pa
 def test_files_are_taken_from_the_page_itself_and_up_to_a_size(
     config: Config, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(recording_upload, "MOST_BYTES", 1000)
+    monkeypatch.setattr(recordings, "MOST_BYTES", 1000)
 
     async def tell(rig: Rig) -> None:
         await rig.page.send("replay", run=1)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from rosy_sim.config import Config
 from rosy_sim.run.run_queue import RunQueue
-from rosy_sim.web.app import Service
+from rosy_sim.web.service import Service
 
 from ..conftest import PATIENCE
 from ..web.test_app import Page, opened, serving

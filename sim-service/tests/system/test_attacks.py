@@ -27,7 +27,7 @@ from typing import Any
 import pytest
 
 from rosy_sim.config import Config, Limits, discover
-from rosy_sim.web.app import Service
+from rosy_sim.web.service import Service
 from rosy_sim.worker.launcher import uses_sandbox
 from rosy_sim.worker.prepared_runs import PreparedRun, PreparedRuns
 

@@ -21,8 +21,9 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from rosy_sim.classroom.store.class_store import ClassStore
 from rosy_sim.config import Config, Limits
-from rosy_sim.web.app import Service, build_app
+from rosy_sim.web.app import build_app
 from rosy_sim.web.pacing.paced_frames import paced_frames
+from rosy_sim.web.service import Service
 from rosy_sim.web.sessions.outbox import Outbox
 from rosy_sim.wire.firing import Cause
 from rosy_sim.wire.page import FiringShown, Frame, Said
@@ -482,7 +483,7 @@ def test_a_room_of_too_many_movable_things_is_refused_before_it_is_built(
         rounds = [{"x": x, "y": y, "r": 0.15, "movable": True} for x, y in places]
         start = {"x": 0.9, "y": 41, "theta": 0}
         monkeypatch.setattr(
-            "rosy_sim.web.sessions.room_building.Obstacles", lambda *_: pytest.fail("the room was built")
+            "rosy_sim.web.sessions.simulator.room_building.Obstacles", lambda *_: pytest.fail("the room was built")
         )
         await page.send("world", world={"name": "posts", "size": [42, 42], "start": start, "rounds": rounds})
         assert "at most 200 things that can be pushed" in (await page.op("refusal"))["message"]

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from rosy_sim.config import Config
 from rosy_sim.run.steps.lockstep import Lockstep
-from rosy_sim.web.app import Service
+from rosy_sim.web.service import Service
 
 from .test_app import Message, Page, story
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 import pytest
 
 from rosy_sim.config import Config
-from rosy_sim.web.app import Service
+from rosy_sim.web.service import Service
 from rosy_sim.worker.supervisor import RunningProgram, WorkerSupervisor
 
 from ..conftest import PATIENCE

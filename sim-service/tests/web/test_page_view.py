@@ -7,7 +7,7 @@ import math
 import pytest
 
 from rosy_sim.config import Config
-from rosy_sim.web.app import Service
+from rosy_sim.web.service import Service
 from rosy_sim.web.sessions.outbox import Outbox
 from rosy_sim.web.sessions.page_view import PageView, Room
 from rosy_sim.wire import page

@@ -7,7 +7,7 @@ import os
 import pytest
 
 from rosy_sim.config import Config, Limits
-from rosy_sim.web.app import Service
+from rosy_sim.web.service import Service
 
 from ..conftest import PATIENCE
 from ..processes import await_end, below

@@ -19,7 +19,7 @@ from websockets.asyncio.client import connect
 from websockets.exceptions import InvalidStatus
 
 from rosy_sim.config import Config
-from rosy_sim.web.sessions.ros_bridge import MAX_CLIENTS
+from rosy_sim.web.sessions.simulator.ros_bridge import MAX_CLIENTS
 from rosy_sim.wire.ros.rosbridge import MAX_SUBSCRIPTIONS, RosbridgeClient
 from rosy_sim.world.events import Command, velocity
 
@@ -216,7 +216,7 @@ def test_a_crowd_of_hostile_clients_harms_nobody(config: Config, seed: int) -> N
                 await asyncio.gather(*[pester(address, session, 100 * seed + i) for i in range(4)])
                 # Theirs is closed on this side; on the other it may still be on its way.
                 async with asyncio.timeout(PATIENCE):
-                    while len(service.sessions[session].bridge) > 2:
+                    while len(service.sessions[session].simulator.bridge) > 2:
                         await asyncio.sleep(0.01)
                 for _ in range(MAX_CLIENTS - 2):
                     await stack.enter_async_context(connect(path, close_timeout=1, **UNHURRIED))

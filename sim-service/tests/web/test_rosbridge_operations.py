@@ -14,7 +14,7 @@ from typing import Any
 import cbor2
 import pytest
 
-from rosy_sim.web.sessions.ros_bridge import RosBridge, RosClient
+from rosy_sim.web.sessions.simulator.ros_bridge import RosBridge, RosClient
 from rosy_sim.wire.ros.rosbridge import MAX_SUBSCRIPTIONS
 from rosy_sim.world.events import Command, velocity
 

@@ -9,7 +9,8 @@ from typing import Any
 import msgspec
 import pytest
 
-from rosy_sim.wire import lesson_rehearsals, page, room_tests
+from rosy_sim.wire import page
+from rosy_sim.wire.page import jobs, lesson_rehearsals, room_tests
 from rosy_sim.wire.robot_link import Ended, Settled, SimulatorLink, start_line, step_line, stop_line
 from rosy_sim.wire.robot_process import decode_line, encode_request, encode_switch
 from rosy_sim.wire.topics import CHANNELS, COMMAND_TOPICS, ODOMETRY, SENSOR_TOPICS, odometry_line, reading_line
@@ -145,14 +146,12 @@ def test_there_are_goldens_for_each_border_of_the_service() -> None:
 def test_the_service_reads_and_answers_each_test_in_many_rooms(path: Path) -> None:
     for end, line in conversation(path):
         if end == "service":
-            answer = msgspec.convert(
-                line, room_tests.Queued | room_tests.Progress | room_tests.Reported | room_tests.Failed
-            )
-            assert json.loads(room_tests.encode_answer(answer)) == line
+            answer = msgspec.convert(line, jobs.Queued | room_tests.Progress | room_tests.Reported | jobs.Failed)
+            assert json.loads(jobs.encode_answer(answer)) == line
         elif line["rooms"]:
             assert msgspec.to_builtins(room_tests.read_test(json.dumps(line))) == {**line, "world": None}
         else:
-            with pytest.raises(room_tests.BadTest):
+            with pytest.raises(jobs.BadJob):
                 room_tests.read_test(json.dumps(line))
 
 
@@ -160,14 +159,12 @@ def test_the_service_reads_and_answers_each_test_in_many_rooms(path: Path) -> No
 def test_the_service_reads_and_answers_the_rehearsals_of_a_lesson(path: Path) -> None:
     for end, line in conversation(path):
         if end == "service":
-            answer = msgspec.convert(
-                line, lesson_rehearsals.Queued | lesson_rehearsals.AttemptJudged | lesson_rehearsals.Failed
-            )
-            assert json.loads(lesson_rehearsals.encode_answer(answer)) == line
+            answer = msgspec.convert(line, jobs.Queued | lesson_rehearsals.AttemptJudged | jobs.Failed)
+            assert json.loads(jobs.encode_answer(answer)) == line
         elif line["attempts"]:
             request = lesson_rehearsals.read_request(json.dumps(line))
             assert [attempt.source for attempt in request.attempts] == [one["source"] for one in line["attempts"]]
             assert request.world == line["world"]
         else:
-            with pytest.raises(lesson_rehearsals.BadRehearsal):
+            with pytest.raises(jobs.BadJob):
                 lesson_rehearsals.read_request(json.dumps(line))

@@ -9,8 +9,8 @@ from typing import Annotated, Any, Literal
 
 import msgspec
 
+from ...wire.page.room_tests import MAX_ROOMS, MAX_SECONDS, TestedRoom
 from ...wire.problem import Problem
-from ...wire.room_tests import MAX_ROOMS, MAX_SECONDS, TestedRoom
 
 __all__ = [
     "ROOMS_OF_A_MESSAGE",

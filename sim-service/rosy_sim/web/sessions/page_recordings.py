@@ -1,5 +1,5 @@
 """
-Recordings that one page may look at: those of its own runs on real robots, and the file that it sent last.
+Recordings that one page may open: those of its own runs on real robots, and the file that it uploaded last.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from ...wire import page
 __all__ = ["PageRecordings"]
 
 _MOST_RUNS = 20
-"""Runs whose recordings can be looked at again by their number; a page keeps as many."""
+"""Runs whose recordings can be opened by their number; a page keeps as many."""
 
 
 class PageRecordings:
@@ -28,19 +28,19 @@ class PageRecordings:
     def __init__(self, send: Callable[[page.Answer], None]) -> None:
         self._send = send
         self._made: dict[int, Path] = {}
-        # The file that the page sent last, and its name there.
+        # The file that the page uploaded last, and its name there.
         self._sent: tuple[BinaryIO, str] | None = None
         self._opening: asyncio.Task[None] | None = None
 
     def add(self, run: int, path: Path) -> None:
-        """A run of this page is recorded."""
+        """Add the recording of a run of this page."""
         self._made[run] = path
         for oldest in list(self._made)[:-_MOST_RUNS]:
             del self._made[oldest]
         self._send(page.RunRecorded(run, str(path)))
 
     def receive(self, file: BinaryIO, name: str) -> None:
-        """The page has sent a file, which is closed when there is another one."""
+        """Keep an uploaded file in place of the one before, which is closed."""
         self._forget_sent()
         self._sent = file, name
 
@@ -55,12 +55,12 @@ class PageRecordings:
         self._opening = asyncio.get_running_loop().create_task(self._open(request, begin, fail))
 
     def cancel(self) -> None:
-        """Open, or play back, no longer."""
+        """Cancel opening and playback."""
         if self._opening is not None:
             self._opening.cancel()
 
     async def close(self) -> None:
-        """The page is gone."""
+        """Cancel everything and close the uploaded file."""
         self.cancel()
         if self._opening is not None:
             with contextlib.suppress(asyncio.CancelledError):

@@ -6,18 +6,22 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import Callable, Coroutine
+from collections.abc import AsyncIterator, Callable, Coroutine
 from typing import Any
 
 import msgspec
+from starlette.status import WS_1013_TRY_AGAIN_LATER
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from ...classroom.classroom import Classroom
 from ...classroom.messages.board_messages import ProgramShown
 from ...classroom.messages.message_fields import BadRequest, Refused, encode
 from ...token_bucket import TokenBucket
 from ..pacing.loop_scheduler import LoopScheduler, PageTurns
+from .address_slots import AddressSlots
+from .first_completed import first_completed
 
-__all__ = ["ClassConnection"]
+__all__ = ["ClassConnection", "connected"]
 
 _RATE, _BURST = 20.0, 400.0
 """Messages that a page may send, a second and at once."""
@@ -39,7 +43,9 @@ class ClassConnection:
         self._socket = socket
         self._turns = PageTurns(scheduler, self.address)
         self._queue: asyncio.Queue[str] = asyncio.Queue(_QUEUE)
-        self.overflowed = asyncio.Event()
+        self._overflowed = asyncio.Event()
+        # Set when the page has given the teacher's key.
+        self._unlocked = asyncio.Event()
         # The task whose results a board shows.
         self.results_of: int | None = None
         # The program that a board opened last, as it was told.
@@ -60,9 +66,36 @@ class ClassConnection:
         try:
             self._queue.put_nowait(encode(answer))
         except asyncio.QueueFull:
-            self.overflowed.set()
+            self._overflowed.set()
 
-    async def receive(self, serve: Callable[[str | bytes], Coroutine[Any, Any, None]]) -> None:
+    @property
+    def is_unlocked(self) -> bool:
+        """Whether the page has given the teacher's key."""
+        return self._unlocked.is_set()
+
+    def unlock(self, classroom: Classroom, key: str) -> bool:
+        """Whether this is the teacher's key; if not, the page is refused."""
+        admitted = classroom.admits_teacher(key, self.address)
+        if admitted:
+            self._unlocked.set()
+            return True
+        self.put(Refused("attempts" if admitted is None else "key"))
+        return False
+
+    async def complete(
+        self,
+        serve: Callable[[str | bytes], Coroutine[Any, Any, None]],
+        watch: Callable[[ClassConnection], Coroutine[Any, Any, None]] | None = None,
+    ) -> None:
+        """Serve requests until the page disconnects or stops reading; ``watch`` begins with the teacher's key."""
+        works = [] if watch is None else [self._watch(watch)]
+        await first_completed(self._receive(serve), self._send(), self._overflowed.wait(), *works)
+
+    async def _watch(self, watch: Callable[[ClassConnection], Coroutine[Any, Any, None]]) -> None:
+        await self._unlocked.wait()
+        await watch(self)
+
+    async def _receive(self, serve: Callable[[str | bytes], Coroutine[Any, Any, None]]) -> None:
         """Serve requests until the page disconnects; one that exceeds its rate is read more slowly."""
         now = asyncio.get_running_loop().time
         limit = TokenBucket(_RATE, _BURST, now())
@@ -78,8 +111,25 @@ class ClassConnection:
             if wait := limit.overdraw(1 + len(text) / _CHARACTERS_PER_MESSAGE, now()):
                 await asyncio.sleep(wait)
 
-    async def send(self) -> None:
+    async def _send(self) -> None:
         with contextlib.suppress(WebSocketDisconnect, RuntimeError):
             # The page may disconnect during a send; the receiver notices as well.
             while True:
                 await self._socket.send_text(await self._queue.get())
+
+
+@contextlib.asynccontextmanager
+async def connected(
+    socket: WebSocket, scheduler: LoopScheduler, slots: AddressSlots
+) -> AsyncIterator[ClassConnection | None]:
+    """Accept a socket, with a slot of its address; ``None`` when there is none left: the socket is closed then."""
+    await socket.accept()
+    connection = ClassConnection(socket, scheduler)
+    if not slots.take(connection.address):
+        await socket.close(WS_1013_TRY_AGAIN_LATER)
+        yield None
+        return
+    try:
+        yield connection
+    finally:
+        slots.free(connection.address)

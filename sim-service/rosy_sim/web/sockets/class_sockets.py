@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import Mapping
 
 import msgspec
 from starlette.websockets import WebSocket
@@ -37,14 +37,11 @@ from ...wording import in_terminal
 from ..pacing.loop_scheduler import LoopScheduler
 from ..sessions.page_session import PageSession
 from .address_slots import AddressSlots
-from .class_connection import ClassConnection
+from .class_connection import ClassConnection, connected
 
 __all__ = ["ClassSockets"]
 
 _log = logging.getLogger(__name__)
-
-_TRY_AGAIN = 1013
-"""WebSocket close code of a full service. Registry of RFC 6455, section 11.7."""
 
 _MAX_PAGES, _ADDRESS_PAGES = 500, 250
 """Pupils' pages, of all addresses and of one."""
@@ -67,7 +64,6 @@ class ClassSockets:
         classroom: the class.
         checks: the checks of hand-ins.
         sessions: the page sessions by their random names.
-        first_completed: waits until one of several works is done and cancels the others.
         scheduler: of the event loop.
     """
 
@@ -76,84 +72,61 @@ class ClassSockets:
         classroom: Classroom,
         checks: HandInChecks,
         sessions: Mapping[str, PageSession],
-        first_completed: Callable[..., Awaitable[None]],
         scheduler: LoopScheduler,
     ) -> None:
         self._scheduler = scheduler
         self._classroom = classroom
         self._checks = checks
         self._sessions = sessions
-        self._first_completed = first_completed
         self._pages = AddressSlots(_MAX_PAGES, _ADDRESS_PAGES)
         self._boards = AddressSlots(_MAX_BOARDS, _ADDRESS_BOARDS)
 
     async def serve_pupil(self, socket: WebSocket) -> None:
         """Serve a pupil's page until it disconnects."""
-        await socket.accept()
-        connection = ClassConnection(socket, self._scheduler)
-        if not self._pages.take(connection.address):
-            await socket.close(_TRY_AGAIN)
-            return
-        page = PupilPage(connection.address, connection.put)
+        async with connected(socket, self._scheduler, self._pages) as connection:
+            if connection is None:
+                return
+            page = PupilPage(connection.address, connection.put)
 
-        async def serve(text: str | bytes) -> None:
+            async def serve(text: str | bytes) -> None:
+                try:
+                    request = p.read_pupil_request(text)
+                except BadRequest as error:
+                    if page.pupil is not None and error.op in SHARING_OPS:
+                        self._classroom.sharing.page_unreadable(page.pupil.id, page)
+                    raise
+                await self._classroom.serve(page, request)
+
             try:
-                request = p.read_pupil_request(text)
-            except BadRequest as error:
-                if page.pupil is not None and error.op in SHARING_OPS:
-                    self._classroom.sharing.page_unreadable(page.pupil.id, page)
-                raise
-            await self._classroom.serve(page, request)
-
-        try:
-            await self._first_completed(connection.receive(serve), connection.send(), connection.overflowed.wait())
-        finally:
-            self._pages.free(connection.address)
-            self._classroom.leave(page)
+                await connection.complete(serve)
+            finally:
+                self._classroom.leave(page)
 
     async def serve_board(self, socket: WebSocket) -> None:
         """Serve a board until it disconnects; it is told nothing before it has given the key."""
-        await socket.accept()
-        connection = ClassConnection(socket, self._scheduler)
-        if not self._boards.take(connection.address):
-            await socket.close(_TRY_AGAIN)
-            return
-        unlocked = asyncio.Event()
+        async with connected(socket, self._scheduler, self._boards) as connection:
+            if connection is None:
+                return
 
-        async def serve(text: str | bytes) -> None:
+            async def serve(text: str | bytes) -> None:
+                try:
+                    request = b.read_board_request(text)
+                except BadRequest as error:
+                    if error.op in SHARING_OPS:
+                        self._classroom.sharing.board_left(connection)
+                    raise
+                if connection.is_unlocked:
+                    await self._try_to_serve(connection, request)
+                elif not isinstance(request, b.Unlock):
+                    connection.put(Refused("key"))
+                elif connection.unlock(self._classroom, request.key):
+                    room = self._classroom
+                    connection.put(b.BoardShown(room.admission.code, room.addresses(), room.attention))
+
             try:
-                request = b.read_board_request(text)
-            except BadRequest as error:
-                if error.op in SHARING_OPS:
-                    self._classroom.sharing.board_left(connection)
-                raise
-            if unlocked.is_set():
-                await self._try_to_serve(connection, request)
-            elif not isinstance(request, b.Unlock):
-                connection.put(Refused("key"))
-            elif self._try_key(connection, request.key):
-                unlocked.set()
-
-        async def watch() -> None:
-            await unlocked.wait()
-            await self._watch(connection)
-
-        try:
-            await self._first_completed(
-                connection.receive(serve), connection.send(), watch(), connection.overflowed.wait()
-            )
-        finally:
-            self._boards.free(connection.address)
-            self._classroom.sharing.board_left(connection)
-
-    def _try_key(self, connection: ClassConnection, key: str) -> bool:
-        classroom = self._classroom
-        admitted = classroom.admits_teacher(key, connection.address)
-        if not admitted:
-            connection.put(Refused("attempts" if admitted is None else "key"))
-            return False
-        connection.put(b.BoardShown(classroom.admission.code, classroom.addresses(), classroom.attention))
-        return True
+                await connection.complete(serve, self._watch)
+            finally:
+                self._classroom.sharing.board_left(connection)
 
     async def _try_to_serve(self, connection: ClassConnection, request: b.BoardRequest) -> None:
         try:

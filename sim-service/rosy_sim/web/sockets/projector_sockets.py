@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import Mapping
 
 from starlette.websockets import WebSocket
 
@@ -22,14 +22,11 @@ from ...wording import in_terminal
 from ..pacing.loop_scheduler import LoopScheduler
 from ..sessions.page_session import PageSession
 from .address_slots import AddressSlots
-from .class_connection import ClassConnection
+from .class_connection import ClassConnection, connected
 
 __all__ = ["ProjectorSockets"]
 
 _log = logging.getLogger(__name__)
-
-_TRY_AGAIN = 1013
-"""WebSocket close code of a full service. Registry of RFC 6455, section 11.7."""
 
 _MAX_PROJECTORS, _ADDRESS_PROJECTORS = 20, 10
 """Projectors with and without the key, of all addresses and of one."""
@@ -45,7 +42,6 @@ class ProjectorSockets:
     Args:
         classroom: the class.
         sessions: the page sessions by their random names.
-        first_completed: waits until one of several works is done and cancels the others.
         scheduler: of the event loop.
     """
 
@@ -53,42 +49,23 @@ class ProjectorSockets:
         self,
         classroom: Classroom,
         sessions: Mapping[str, PageSession],
-        first_completed: Callable[..., Awaitable[None]],
         scheduler: LoopScheduler,
     ) -> None:
         self._scheduler = scheduler
         self._classroom = classroom
         self._sessions = sessions
-        self._first_completed = first_completed
         self._slots = AddressSlots(_MAX_PROJECTORS, _ADDRESS_PROJECTORS)
 
     async def serve(self, socket: WebSocket) -> None:
         """Serve a projector until it disconnects."""
-        await socket.accept()
-        connection = ClassConnection(socket, self._scheduler)
-        if not self._slots.take(connection.address):
-            await socket.close(_TRY_AGAIN)
-            return
-        unlocked = asyncio.Event()
+        async with connected(socket, self._scheduler, self._slots) as connection:
+            if connection is None:
+                return
 
-        async def serve(text: str | bytes) -> None:
-            request = read_projector_request(text)
-            admitted = self._classroom.admits_teacher(request.key, connection.address)
-            if admitted:
-                unlocked.set()
-            else:
-                connection.put(Refused("attempts" if admitted is None else "key"))
+            async def serve(text: str | bytes) -> None:
+                connection.unlock(self._classroom, read_projector_request(text).key)
 
-        async def watch() -> None:
-            await unlocked.wait()
-            await self._watch(connection)
-
-        try:
-            await self._first_completed(
-                connection.receive(serve), connection.send(), watch(), connection.overflowed.wait()
-            )
-        finally:
-            self._slots.free(connection.address)
+            await connection.complete(serve, self._watch)
 
     async def _watch(self, connection: ClassConnection) -> None:
         """Tell the projector what it shows. One that reads slowly misses frames, nothing else."""

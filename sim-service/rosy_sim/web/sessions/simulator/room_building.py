@@ -6,15 +6,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...robots import DEFAULT_ROBOT
-from ...sentence import tr
-from ...world.arena import Arena, read_arena
-from ...world.obstacles import Obstacles
-from ...world.robot import Robot
-from ...world.world import World
-from ...worlds.gallery import named_world, refusing_worlds
-from ..pacing.loop_scheduler import PageTurns
-from .page_view import Room
+from ....robots import DEFAULT_ROBOT
+from ....sentence import tr
+from ....world.arena import Arena, read_arena
+from ....world.obstacles import Obstacles
+from ....world.robot import Robot
+from ....world.world import World
+from ....worlds.gallery import named_world, refusing_worlds
+from ...pacing.loop_scheduler import PageTurns
+from ..page_view import Room
 
 __all__ = ["BuiltRoom", "build_room", "rebuild_room"]
 

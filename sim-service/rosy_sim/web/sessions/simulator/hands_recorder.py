@@ -1,30 +1,30 @@
 """
-Hands on the simulated robot of a page: applied between two steps of a run, and recorded with it.
+Recorder of the hands on the simulated robot of a page: they are applied between two steps of a run, and kept with it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from ...errors import BadInput
-from ...previews.preview import PreviewTask
-from ...run.simulated_run import SimulatedRun
-from ...run.steps.hands import HandAction, RecordedHands, write_hands
-from ...run.steps.lockstep import Lockstep
-from ...run.steps.replay import CommandLog, Replay
-from ...run.steps.velocity_guard import SafetySettings
-from ...sentence import tr
-from ...wire import page
-from .run_history import RunHistory
+from ....errors import BadInput
+from ....previews.preview import PreviewTask
+from ....run.simulated_run import SimulatedRun
+from ....run.steps.hands import HandAction, RecordedHands, write_hands
+from ....run.steps.lockstep import Lockstep
+from ....run.steps.replay import CommandLog, Replay
+from ....run.steps.velocity_guard import SafetySettings
+from ....sentence import tr
+from ....wire import page
+from ..run_history import RunHistory
 
-__all__ = ["PageHands"]
+__all__ = ["HandsRecorder"]
 
 
 _MAX_KEPT_STEPS = 60_000
 """Steps of the runs before the last one whose commands are kept, together: 20 minutes."""
 
 
-class PageHands:
+class HandsRecorder:
     """``current_run`` returns the simulated run of the page, if there is one."""
 
     def __init__(self, current_run: Callable[[], SimulatedRun | None]) -> None:

@@ -14,17 +14,17 @@ from typing import Any
 
 import msgspec
 
-from ..config import Limits
-from ..errors import BadInput, RosyError
-from ..robots import DEFAULT_ROBOT
-from ..run.headless_run import RunOutput, RunSettings, run_over_link
-from ..run.program_file import read_program
-from ..run.run_queue import RunQueue
-from ..sentence import tr
-from ..wire.worker import Started
-from ..worker.supervisor import RunningProgram, WorkerSupervisor
-from ..world.world import World
-from ..worlds.gallery import DEFAULT_WORLD, named_world, usable_arena
+from ...config import Limits
+from ...errors import BadInput, RosyError
+from ...robots import DEFAULT_ROBOT
+from ...run.headless_run import RunOutput, RunSettings, run_over_link
+from ...run.program_file import read_program
+from ...run.run_queue import RunQueue
+from ...sentence import tr
+from ...wire.worker import Started
+from ...worker.supervisor import RunningProgram, WorkerSupervisor
+from ...world.world import World
+from ...worlds.gallery import DEFAULT_WORLD, named_world, usable_arena
 from .examples import example_file
 
 __all__ = ["ExamplePaths", "PathRecorder"]

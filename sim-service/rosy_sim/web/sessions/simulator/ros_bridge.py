@@ -10,12 +10,12 @@ import asyncio
 from collections import deque
 from collections.abc import Iterable
 
-from ...wire.channels import Values
-from ...wire.ros.ros_messages import completed
-from ...wire.ros.rosbridge import Frame, Reply, RosbridgeClient, RosbridgeGraph
-from ...wire.topics import CHANNELS, COMMAND_TOPICS, LATCHED, ODOMETRY, TopicMessage, on_demand, topic_message
-from ...world.events import Command, Reading
-from ...world.world import Odometry
+from ....wire.channels import Values
+from ....wire.ros.ros_messages import completed
+from ....wire.ros.rosbridge import Frame, Reply, RosbridgeClient, RosbridgeGraph
+from ....wire.topics import CHANNELS, COMMAND_TOPICS, LATCHED, ODOMETRY, TopicMessage, on_demand, topic_message
+from ....world.events import Command, Reading
+from ....world.world import Odometry
 
 __all__ = ["MAX_CLIENTS", "RosBridge", "RosClient"]
 

@@ -1,7 +1,7 @@
 """
 Messages of the rehearsals of a lesson that is being written. ``protocol/README.md``, section 9.1.
 
-The page sends one ``RehearsalRequest``; the service answers about each attempt. A closed socket cancels.
+The page sends one ``RehearsalRequest``; the service answers about each attempt.
 """
 
 from __future__ import annotations
@@ -11,19 +11,14 @@ from typing import Annotated, Any
 import msgspec
 from msgspec import Meta
 
-from .. import sentence
-from ..sentence import SentenceError, verbatim
-from .problem import Problem, Sentence, to_wire
-from .user_input import TimedInput
+from ..problem import Problem
+from ..user_input import TimedInput
+from .jobs import decode_request
 
-__all__ = ["AttemptJudged", "BadRehearsal", "Failed", "Queued", "RehearsalRequest", "encode_answer", "read_request"]
+__all__ = ["AttemptAsked", "AttemptJudged", "RehearsalRequest", "read_request"]
 
 _MAX_ATTEMPTS = 64
 """Of one request. A lesson has at most twelve steps."""
-
-
-class BadRehearsal(SentenceError):
-    """A message is no request for rehearsals; the text says why."""
 
 
 class AttemptAsked(msgspec.Struct, frozen=True):
@@ -41,12 +36,6 @@ class RehearsalRequest(msgspec.Struct, tag="rehearse", tag_field="op", frozen=Tr
     attempts: Annotated[list[AttemptAsked], Meta(min_length=1, max_length=_MAX_ATTEMPTS)]
 
 
-class Queued(msgspec.Struct, tag="queued", tag_field="op"):
-    """Tests and rehearsals of other pages are running; 1 is the next."""
-
-    place: int
-
-
 class AttemptJudged(msgspec.Struct, tag="attempt", tag_field="op"):
     """
     How an attempt did; ``number`` is its place in the request, from 0. After the last one the service sends nothing
@@ -60,20 +49,7 @@ class AttemptJudged(msgspec.Struct, tag="attempt", tag_field="op"):
     problems: list[Problem]
 
 
-class Failed(msgspec.Struct, tag="failed", tag_field="op", omit_defaults=True):
-    """The rehearsals could not be made or went on for too long."""
-
-    message: str
-    sentence: Sentence | None = None
-
-
-def failed(why: sentence.Sentence) -> Failed:
-    """The failure in English with its sentence for other languages."""
-    return Failed(str(why), to_wire(why))
-
-
 _decoder = msgspec.json.Decoder(RehearsalRequest)
-_encoder = msgspec.json.Encoder()
 
 
 def read_request(text: str | bytes) -> RehearsalRequest:
@@ -81,14 +57,6 @@ def read_request(text: str | bytes) -> RehearsalRequest:
     A page's request as a value.
 
     Raises:
-        BadRehearsal: it is none, or asks for too much.
+        BadJob: it is none, or asks for too much.
     """
-    try:
-        return _decoder.decode(text)
-    except (msgspec.DecodeError, RecursionError, UnicodeError) as error:
-        raise BadRehearsal(verbatim(str(error))) from error
-
-
-def encode_answer(answer: Queued | AttemptJudged | Failed) -> str:
-    """The text of a message to the page."""
-    return _encoder.encode(answer).decode()
+    return decode_request(_decoder, text)

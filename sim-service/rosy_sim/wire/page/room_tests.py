@@ -1,7 +1,7 @@
 """
 Messages of a test in many rooms between a page and the service. ``protocol/README.md``, section 4.1.
 
-The page sends one ``RoomTestRequest``; the service answers with progress and one last message. A closed socket cancels.
+The page sends one ``RoomTestRequest``; the service answers with progress and, unless the job fails, one ``Reported``.
 """
 
 from __future__ import annotations
@@ -11,32 +11,17 @@ from typing import Any, Literal
 
 import msgspec
 
-from .. import sentence
-from ..sentence import SentenceError, tr, verbatim
-from .problem import Problem, Sentence, to_wire
+from ...sentence import tr
+from ..problem import Problem
+from .jobs import BadJob, decode_request
 
-__all__ = [
-    "BadTest",
-    "Failed",
-    "Progress",
-    "Queued",
-    "Reported",
-    "RoomTestRequest",
-    "SmallestRoom",
-    "TestedRoom",
-    "encode_answer",
-    "read_test",
-]
+__all__ = ["FindingShown", "Progress", "Reported", "RoomTestRequest", "SmallestRoom", "TestedRoom", "read_test"]
 
 MAX_ROOMS, MAX_SECONDS = 200, 120.0
 """Most rooms, and the longest run in each (s, simulated), that a page may ask for."""
 
 _MAX_SOURCE, _MAX_WORDS = 200_000, 1000
 """Characters of a program and of the properties."""
-
-
-class BadTest(SentenceError):
-    """A message is no request for a test; the text says why."""
 
 
 class RoomTestRequest(msgspec.Struct, tag="test", tag_field="op", frozen=True):
@@ -49,12 +34,6 @@ class RoomTestRequest(msgspec.Struct, tag="test", tag_field="op", frozen=True):
     seconds: float
     properties: str
     world: Any = None
-
-
-class Queued(msgspec.Struct, tag="queued", tag_field="op"):
-    """Tests of other pages are running; 1 is the next."""
-
-    place: int
 
 
 class Progress(msgspec.Struct, tag="progress", tag_field="op"):
@@ -106,20 +85,7 @@ class Reported(msgspec.Struct, tag="report", tag_field="op"):
     problems: list[Problem]
 
 
-class Failed(msgspec.Struct, tag="failed", tag_field="op", omit_defaults=True):
-    """The test could not be made or went on for too long."""
-
-    message: str
-    sentence: Sentence | None = None
-
-
-def failed(why: sentence.Sentence) -> Failed:
-    """The failure in English with its sentence for other languages."""
-    return Failed(str(why), to_wire(why))
-
-
 _decoder = msgspec.json.Decoder(RoomTestRequest)
-_encoder = msgspec.json.Encoder()
 
 
 def read_test(text: str | bytes) -> RoomTestRequest:
@@ -127,21 +93,13 @@ def read_test(text: str | bytes) -> RoomTestRequest:
     A page's request as a value.
 
     Raises:
-        BadTest: it is none, or asks for too much.
+        BadJob: it is none, or asks for too much.
     """
-    try:
-        request = _decoder.decode(text)
-    except (msgspec.DecodeError, RecursionError, UnicodeError) as error:
-        raise BadTest(verbatim(str(error))) from error
+    request = decode_request(_decoder, text)
     if not 1 <= request.rooms <= MAX_ROOMS:
-        raise BadTest(tr("the number of rooms must be between 1 and {most}", most=MAX_ROOMS))
+        raise BadJob(tr("the number of rooms must be between 1 and {most}", most=MAX_ROOMS))
     if not (math.isfinite(request.seconds) and 0 < request.seconds <= MAX_SECONDS):
-        raise BadTest(tr("the time must be more than 0 and at most {most} s", most=MAX_SECONDS))
+        raise BadJob(tr("the time must be more than 0 and at most {most} s", most=MAX_SECONDS))
     if len(request.source) > _MAX_SOURCE or len(request.properties) > _MAX_WORDS:
-        raise BadTest(tr("the program or the list of properties is too long"))
+        raise BadJob(tr("the program or the list of properties is too long"))
     return request
-
-
-def encode_answer(answer: Queued | Progress | Reported | Failed) -> str:
-    """The text of a message to the page."""
-    return _encoder.encode(answer).decode()

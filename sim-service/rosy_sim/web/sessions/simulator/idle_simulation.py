@@ -7,10 +7,10 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 
-from ...world.events import Reading
-from ...world.time_step import STEP
-from ...world.world import World
-from .page_view import PageView
+from ....world.events import Reading
+from ....world.time_step import STEP
+from ....world.world import World
+from ..page_view import PageView
 from .ros_bridge import RosBridge
 
 __all__ = ["IdleSimulation"]

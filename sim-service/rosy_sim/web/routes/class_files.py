@@ -1,0 +1,72 @@
+"""Routes of class mode: its pages, and files that a board downloads with the teacher's key."""
+
+from __future__ import annotations
+
+from starlette.background import BackgroundTask
+from starlette.requests import Request
+from starlette.responses import RedirectResponse, Response, StreamingResponse
+from starlette.routing import BaseRoute, Route
+
+from ...classroom.classroom import Classroom
+from ...classroom.store.database import StoreError
+from ...sentence import tr
+from .http_failure import failure
+
+__all__ = ["ClassFiles"]
+
+
+class ClassFiles:
+    """Of a running class."""
+
+    def __init__(self, classroom: Classroom) -> None:
+        self._classroom = classroom
+
+    def routes(self) -> list[BaseRoute]:
+        """The pages, and the files below ``/api``."""
+        return [
+            Route("/board", _board),
+            Route("/projector", _projector),
+            Route("/api/hand-ins/{task:int}", self._hand_ins),
+            Route("/api/class-backup", self._backup),
+        ]
+
+    async def _hand_ins(self, request: Request) -> Response:
+        """What was handed in for a task, as a ZIP file."""
+        if refused := self._refusal(request):
+            return refused
+        found = await self._classroom.hand_ins_zip(request.path_params["task"])
+        if found is None:
+            return failure(tr("There is no such task."), 404)
+        return Response(found, media_type="application/zip", headers={"Cache-Control": "no-store"})
+
+    async def _backup(self, request: Request) -> Response:
+        """Everything that the class stores, as a ZIP file."""
+        if refused := self._refusal(request):
+            return refused
+        try:
+            file = await self._classroom.backup()
+        except (StoreError, OSError) as error:
+            return failure(tr("The class cannot be read or stored: {why}", why=error), 500)
+        return StreamingResponse(
+            iter(lambda: file.read(65536), b""),
+            media_type="application/zip",
+            headers={"Cache-Control": "no-store"},
+            background=BackgroundTask(file.close),
+        )
+
+    def _refusal(self, request: Request) -> Response | None:
+        """For all but boards that give the teacher's key."""
+        address = request.client.host if request.client is not None else ""
+        if self._classroom.admits_teacher(request.headers.get("x-rosy-key", ""), address):
+            return None
+        return failure(tr("This is not the teacher's key."), 403)
+
+
+async def _board(_request: Request) -> Response:
+    """The teacher's board. A browser keeps the key behind the ``#`` when it is redirected."""
+    return RedirectResponse("./board.html")
+
+
+async def _projector(_request: Request) -> Response:
+    """The page for the projector, which the board opens."""
+    return RedirectResponse("./projector.html")

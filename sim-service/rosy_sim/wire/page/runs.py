@@ -1,0 +1,168 @@
+"""Messages of a page about a run: its start and clock, hands, and what the page is shown of it."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import msgspec
+
+from ..firing import Branch
+from ..problem import Problem
+from ..robot_link import MemoryValue
+from ..telemetry import PlayedSound, Speech, Telemetry
+from ..user_input import UserInput
+from .explanations import FiringShown
+
+__all__ = [
+    "MAX_SPEED",
+    "MIN_SPEED",
+    "ConflictShown",
+    "Diverged",
+    "Forward",
+    "Frame",
+    "Goal",
+    "GoalsShown",
+    "Input",
+    "Pause",
+    "Reset",
+    "Resume",
+    "Run",
+    "RunState",
+    "Said",
+    "SetSpeed",
+    "SoundPlayed",
+    "Speed",
+    "Stop",
+    "Uncompared",
+]
+
+Speed = float | Literal["max"]
+
+MIN_SPEED, MAX_SPEED = 0.05, 64.0
+"""Slowest and fastest clock a page may ask for, times real time."""
+
+
+class Run(msgspec.Struct, tag="run", tag_field="op"):
+    """
+    Compile and drive.
+
+    ``after``: repeat so many steps of the run ``of``, without one the last run, with its seed and hands, and go on
+    from there. ``twin``: on a real robot, the number of a run of the same program in the simulator beside it.
+    """
+
+    run: int
+    source: str
+    seed: int | None = None
+    speed: Speed = 1.0
+    after: int | None = None
+    of: int | None = None
+    twin: int | None = None
+
+
+class Stop(msgspec.Struct, tag="stop", tag_field="op"):
+    """End the run."""
+
+
+class Reset(msgspec.Struct, tag="reset", tag_field="op"):
+    """End the run and put everything back."""
+
+
+class SetSpeed(msgspec.Struct, tag="speed", tag_field="op"):
+    """Change the clock."""
+
+    speed: Speed
+
+
+class Pause(msgspec.Struct, tag="pause", tag_field="op"):
+    """Stop the clock."""
+
+
+class Resume(msgspec.Struct, tag="resume", tag_field="op"):
+    """Restart the clock."""
+
+
+class Forward(msgspec.Struct, tag="forward", tag_field="op"):
+    """Make one step while paused."""
+
+
+class Input(UserInput, tag="input", tag_field="op", kw_only=True):
+    """Actions of the user on the robot."""
+
+
+class RunState(msgspec.Struct, tag="state", tag_field="op", omit_defaults=True):
+    """Where a run is. ``problems`` is always sent."""
+
+    run: int
+    state: Literal["queued", "compiling", "running", "ended"]
+    problems: list[Problem]
+    ended: Literal["done", "error", "stuck", "stopped", "time", "refused"] | None = None
+    # In the queue, while the state is `queued`: 1 is the next.
+    place: int | None = None
+    # Between which the functions of a program that begins to run choose.
+    branches: list[Branch] = []
+
+
+class Frame(Telemetry, tag="frame", tag_field="op", omit_defaults=True, kw_only=True):
+    """Ground truth for drawing. ``boxes`` only when movable things have moved since the last
+    frame with them; ``ghost`` only when odometry is not the truth; ``memory`` only when it has changed; ``firings``
+    only while the page observes the run."""
+
+    run: int
+    step: int
+    boxes: list[tuple[float, float, float]] | None = None
+    ghost: tuple[float, float, float] | None = None
+    memory: list[MemoryValue] | None = None
+    firings: list[FiringShown] | None = None
+
+
+class Said(Speech, tag="said", tag_field="op", kw_only=True):
+    """A line for the console."""
+
+    run: int
+
+
+class SoundPlayed(PlayedSound, tag="sound", tag_field="op", kw_only=True):
+    """A sound to play."""
+
+    run: int
+
+
+class ConflictShown(msgspec.Struct, tag="conflict", tag_field="op"):
+    """``winner`` keeps replacing the commands of ``loser`` on a channel."""
+
+    run: int
+    time: float
+    command: str
+    winner: str
+    loser: str
+
+
+class Goal(msgspec.Struct):
+    """How far a goal of the world is: ``progress`` from 0 to 1, ``time`` when it was done or missed."""
+
+    kind: str
+    title: str
+    state: Literal["open", "done", "missed"]
+    progress: float
+    time: float | None
+
+
+class GoalsShown(msgspec.Struct, tag="goals", tag_field="op"):
+    """All goals of the world, in its order, when one of them has changed."""
+
+    run: int
+    goals: list[Goal]
+
+
+class Diverged(msgspec.Struct, tag="diverged", tag_field="op"):
+    """At this time (s) a program that repeats the last run gave other commands for the first time."""
+
+    run: int
+    time: float
+
+
+class Uncompared(msgspec.Struct, tag="uncompared", tag_field="op"):
+    """From this time (s) on, it is not known whether a program that repeats the last run gave other commands."""
+
+    run: int
+    time: float
