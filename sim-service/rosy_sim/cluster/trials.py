@@ -26,8 +26,9 @@ from ray.exceptions import RayError, TaskCancelledError
 from ..config import discover
 from ..errors import RosyError
 from ..rooms.trial_pool import PoolClosed, ProgramLost, TrialPool, Trials
-from ..rooms.trial_process import Answer, Setup, Task, Trial
+from ..rooms.trial_process import Answer, Task, Trial
 from ..sentence import Sentence, tr
+from ..worker.background_process import WorkerSetup
 from .connection import ClusterError, connect
 from .version import version_resource
 
@@ -180,7 +181,7 @@ def _try_batch(task: Task, trials: list[Trial]) -> _Batch:
     """The task: trials of a program, one after another, with the worker of this node."""
     global _of_process
     if _of_process is None:
-        _of_process = TrialPool(Setup.of(discover()), 1)
+        _of_process = TrialPool(WorkerSetup.of(discover()), 1)
     try:
         return _Batch(_of_process.program(task).run(trials))
     except ProgramLost as error:

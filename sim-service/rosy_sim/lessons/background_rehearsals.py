@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
-import sys
 from collections.abc import Callable
 from typing import Any
 
@@ -12,18 +10,13 @@ import msgspec
 from ..config import Config
 from ..errors import RosyError, WorkerLost
 from ..sentence import Sentence
+from ..worker.background_process import LOWEST_PRIORITY, WorkerSetup, start_process
 from .rehearsal_process import Rehearsals, Rehearsed, RehearsedAttempt
 
 __all__ = ["rehearse_in_background"]
 
-_LOWEST_PRIORITY = 19
-"""Of a process; ``nice``(2)."""
-
 _PATIENCE = 5.0
 """How many times longer rehearsals may take than runs: at the lowest priority they wait for everything else."""
-
-_MAX_LINE = 16 * 1024 * 1024
-"""Of an answer, bytes: the problems of a program quote it."""
 
 
 async def rehearse_in_background(
@@ -35,19 +28,9 @@ async def rehearse_in_background(
     Raises:
         RosyError: the process or its worker died, or could not start.
     """
-    patient = config.limits.stretched(_PATIENCE)
-    visible = [str(folder) for folder in config.visible]
-    task = Rehearsals(world, attempts, config.worker, config.sandbox, visible, patient, _LOWEST_PRIORITY)
-    process = await asyncio.create_subprocess_exec(
-        sys.executable,
-        "-m",
-        "rosy_sim.lessons",
-        stdin=asyncio.subprocess.PIPE,
-        stdout=asyncio.subprocess.PIPE,
-        # In a session of its own: Ctrl-C in a terminal reaches only the service, which ends it.
-        start_new_session=True,
-        limit=_MAX_LINE,
-    )
+    patient = config.with_limits(config.limits.stretched(_PATIENCE))
+    task = Rehearsals(world, attempts, WorkerSetup.of(patient, LOWEST_PRIORITY))
+    process = await start_process("rosy_sim.lessons")
     assert process.stdin is not None
     assert process.stdout is not None
     try:

@@ -10,17 +10,14 @@ from __future__ import annotations
 import contextlib
 import os
 import queue
-import sys
-import threading
-from pathlib import Path
 from typing import Any, Literal
 
 import msgspec
 
-from ..config import Config, Limits
 from ..errors import RosyError
 from ..wire.problem import Problem, Sentence, to_wire
 from ..wire.user_input import TimedInput
+from ..worker.background_process import WorkerSetup, begin_reading, write_line
 from ..worker.blocking_worker import BlockingWorker
 from ..world.arena import read_arena
 from .lesson_watch import CheckedStep
@@ -42,16 +39,11 @@ class RehearsedAttempt(msgspec.Struct, frozen=True):
 
 
 class Rehearsals(msgspec.Struct, frozen=True):
-    """All attempts in a room, and how the worker is started, as in ``Config``."""
+    """All attempts in a room, and how the worker is started."""
 
     world: dict[str, Any]
     attempts: list[RehearsedAttempt]
-    worker: tuple[str, ...]
-    sandbox: bool
-    visible: list[str]
-    limits: Limits
-    # Added to the priority of the process; 19 is the lowest there is.
-    nice: int = 0
+    setup: WorkerSetup
 
 
 class Rehearsed(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -67,38 +59,21 @@ class Rehearsed(msgspec.Struct, frozen=True, omit_defaults=True):
 def main() -> int:
     """Serve one line of standard input."""
     lines: queue.SimpleQueue[bytes] = queue.SimpleQueue()
-    threading.Thread(target=_read_input, args=(lines,), daemon=True).start()
+    begin_reading(lines.put)
     task = msgspec.json.decode(lines.get(), type=Rehearsals)
-    os.nice(task.nice)
-    nowhere = Path("/")
-    visible = tuple(Path(folder) for folder in task.visible)
-    config = Config(nowhere, nowhere, nowhere, task.worker, task.sandbox, visible, limits=task.limits)
+    os.nice(task.setup.nice)
     with contextlib.suppress(BrokenPipeError):
         try:
-            with BlockingWorker(config) as worker:
+            with BlockingWorker(task.setup.config()) as worker:
                 worker.ready()
                 for one in task.attempts:
-                    _answer(_rehearsed(worker, task, one))
+                    write_line(msgspec.json.encode(_rehearsed(worker, task, one)))
         except RosyError as error:
-            _answer(Rehearsed(failure=to_wire(error.sentence)))
+            write_line(msgspec.json.encode(Rehearsed(failure=to_wire(error.sentence))))
             return error.exit_status
     return 0
 
 
-def _read_input(lines: queue.SimpleQueue[bytes]) -> None:
-    # Unbuffered: the interpreter cannot end while a thread holds the lock of a buffer.
-    with open(sys.stdin.fileno(), "rb", buffering=0, closefd=False) as file:
-        for line in file:
-            lines.put(line)
-    # The owner is gone or wants no more. The sandbox of the worker dies with this process.
-    os._exit(0)
-
-
-def _answer(answer: Rehearsed) -> None:
-    sys.stdout.buffer.write(msgspec.json.encode(answer) + b"\n")
-    sys.stdout.buffer.flush()
-
-
 def _rehearsed(worker: BlockingWorker, task: Rehearsals, one: RehearsedAttempt) -> Rehearsed:
-    did = attempt(worker, one.source, one.step, one.hands, read_arena(task.world), _SEED, task.limits)
+    did = attempt(worker, one.source, one.step, one.hands, read_arena(task.world), _SEED, task.setup.limits)
     return Rehearsed(did.run.ended, did.is_passed, did.verdicts, did.run.problems)

@@ -8,18 +8,17 @@ import socket
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import Protocol
 
 import msgspec
 
 from ..recordings.mcap_file import RunDetails
 from ..recordings.recording_folder import PendingRecording
-from ..run.page_run import PageRun, RunView
+from ..run.page_run import OnObservedStep, PageRun, RunView
 from ..run.problems import broken_link, died, lost_robot
 from ..run.steps.command_conflicts import Action, CommandConflicts
 from ..run.worker_session import RunServices
 from ..wire import page
-from ..wire.robot_process import CommandsLine, EndedLine, ObservedStep, SentCommand, read_observed
+from ..wire.robot_process import CommandsLine, EndedLine, SentCommand, read_observed
 from ..wire.topics import CHANNELS, TopicMessage
 from ..wire.worker import Started
 from ..worker.prepared_runs import PreparedRun
@@ -29,25 +28,7 @@ from .robot_parts import missing_parts_problem
 from .robot_process import RobotProcess
 from .run_recorder import RunRecorder
 
-__all__ = ["OnRobotStep", "RobotRun"]
-
-
-class OnRobotStep(Protocol):
-    """Called for each step with commands, and for each observed one."""
-
-    def __call__(
-        self,
-        time: float,
-        observed: ObservedStep | None,
-        commands: list[Command],
-        *,
-        is_first: bool,
-        is_overridden: bool,
-    ) -> None:
-        """
-        Without ``observed`` the step was not observed. ``is_first``: it is the first of the run. ``is_overridden``: the
-        safety rules owned the wheels.
-        """
+__all__ = ["RobotRun"]
 
 
 class RobotRun(PageRun):
@@ -63,7 +44,7 @@ class RobotRun(PageRun):
         services: RunServices,
         view: RunView,
         on_over: Callable[[PageRun], None],
-        on_step: OnRobotStep,
+        on_step: OnObservedStep,
         on_unobserved: Callable[[], None],
         observes: bool = False,
         prepared: PreparedRun | None = None,

@@ -10,7 +10,6 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import os
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -22,9 +21,9 @@ from ..errors import RosyError, WorkerLost, WorkerMissing
 from ..run.run_queue import RunQueue
 from ..sentence import tr
 from ..wire.page import Previewed
+from ..worker.background_process import WorkerSetup, start_process
 from .computing_budget import PATIENCE
 from .preview import PreviewTask
-from .preview_process import Setup
 
 __all__ = ["PreviewPool"]
 
@@ -33,9 +32,6 @@ _IDLE = 120.0
 
 _MARGIN = 10.0
 """Beyond the limits of the process itself, after which it is ended, s."""
-
-_MAX_LINE = 8 * 1024 * 1024
-"""Of an answer, bytes."""
 
 
 class _Process:
@@ -185,24 +181,14 @@ class PreviewPool:
         if self._closed or not config.worker:
             raise WorkerMissing
         limits = config.limits
-        started = await asyncio.create_subprocess_exec(
-            sys.executable,
-            "-m",
-            "rosy_sim.previews",
-            stdin=asyncio.subprocess.PIPE,
-            stdout=asyncio.subprocess.PIPE,
-            limit=_MAX_LINE,
-            # In a session of its own: Ctrl-C in a terminal reaches only the service, which ends the others.
-            start_new_session=True,
-        )
+        started = await start_process("rosy_sim.previews")
         longest = limits.compile + limits.ready + PATIENCE * limits.preview + limits.settle + limits.gone + _MARGIN
         process = _Process(started, longest)
         self._all.add(process)
-        setup = Setup(config.worker, config.sandbox, [str(folder) for folder in config.visible], limits)
         assert started.stdin is not None
         assert started.stdout is not None
         try:
-            started.stdin.write(msgspec.json.encode(setup) + b"\n")
+            started.stdin.write(msgspec.json.encode(WorkerSetup.of(config)) + b"\n")
             async with asyncio.timeout(limits.worker_ready + _MARGIN):
                 if not await started.stdout.readline():
                     raise WorkerLost(tr("a preview process ended before it was ready"))

@@ -1,9 +1,8 @@
 """
 Preview process: computes one preview after the other at the lowest priority, with a worker of its own.
 
-In: lines of JSON, the first a ``Setup``, each other one a ``PreviewTask``; an empty line cancels the task at work.
-Out: an empty line when the worker is warm, and one line per task: its ``Previewed``. It ends when its input ends, also
-in the middle of a run, so nothing is left of it when its owner is gone.
+In: lines of JSON, the first a ``WorkerSetup``, each other one a ``PreviewTask``; an empty line cancels the task that is
+computed. Out: an empty line when the worker is warm, and one line per task: its ``Previewed``.
 """
 
 from __future__ import annotations
@@ -14,36 +13,18 @@ import queue
 import socket
 import sys
 import threading
-from pathlib import Path
 
 import msgspec
 
-from ..config import Config, Limits
+from ..config import Limits
 from ..errors import RosyError, WorkerLost
 from ..wire.page import Previewed
 from ..wire.worker import Refused
+from ..worker.background_process import LOWEST_PRIORITY, WorkerSetup, begin_reading, write_line
 from ..worker.blocking_worker import BlockingWorker
 from .preview import PreviewTask, preview_over_link, refused_preview
 
-__all__ = ["Setup", "main"]
-
-_LOWEST_PRIORITY = 19
-"""Of a process; ``nice``(2)."""
-
-
-class Setup(msgspec.Struct, frozen=True):
-    """How the worker is started, as in ``Config``."""
-
-    worker: tuple[str, ...]
-    sandbox: bool
-    visible: list[str]
-    limits: Limits
-
-    def config(self) -> Config:
-        """A configuration for workers only."""
-        nowhere = Path("/")
-        visible = tuple(Path(folder) for folder in self.visible)
-        return Config(nowhere, nowhere, nowhere, self.worker, self.sandbox, visible, limits=self.limits)
+__all__ = ["main"]
 
 
 class _Input:
@@ -55,19 +36,14 @@ class _Input:
         self._cancelled = threading.Event()
         # Ends the program at work; set while there is one.
         self.worker: BlockingWorker | None = None
-        threading.Thread(target=self._read, daemon=True).start()
+        begin_reading(self._on_line)
 
-    def _read(self) -> None:
-        # Unbuffered: the interpreter cannot end while a thread holds the lock of a buffer.
-        with open(sys.stdin.fileno(), "rb", buffering=0, closefd=False) as file:
-            for line in file:
-                if line.strip():
-                    self._cancelled = threading.Event()
-                    self.tasks.put((line, self._cancelled))
-                else:
-                    self._cancel()
-        # The owner is gone or wants no more. The sandbox of the worker dies with this process.
-        os._exit(0)
+    def _on_line(self, line: bytes) -> None:
+        if line.strip():
+            self._cancelled = threading.Event()
+            self.tasks.put((line, self._cancelled))
+        else:
+            self._cancel()
 
     def _cancel(self) -> None:
         self._cancelled.set()
@@ -80,27 +56,22 @@ class _Input:
 def main() -> int:
     """Serve standard input until it ends."""
     lines = _Input()
-    setup = msgspec.json.decode(lines.tasks.get()[0], type=Setup)
-    os.nice(_LOWEST_PRIORITY)
+    setup = msgspec.json.decode(lines.tasks.get()[0], type=WorkerSetup)
+    os.nice(LOWEST_PRIORITY)
     with contextlib.suppress(BrokenPipeError):
         try:
             with BlockingWorker(setup.config()) as worker:
                 worker.ready()
                 lines.worker = worker
-                _say(b"")
+                write_line(b"")
                 while True:
                     line, cancelled = lines.tasks.get()
                     task = msgspec.json.decode(line, type=PreviewTask)
-                    _say(msgspec.json.encode(_preview(worker, task, setup.limits, cancelled)))
+                    write_line(msgspec.json.encode(_preview(worker, task, setup.limits, cancelled)))
         except RosyError as error:
             sys.stderr.write(f"rosy: a preview process ends: {error}\n")
             return error.exit_status
     return 0
-
-
-def _say(line: bytes) -> None:
-    sys.stdout.buffer.write(line + b"\n")
-    sys.stdout.buffer.flush()
 
 
 def _preview(worker: BlockingWorker, task: PreviewTask, limits: Limits, cancelled: threading.Event) -> Previewed:

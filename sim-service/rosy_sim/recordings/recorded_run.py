@@ -18,7 +18,7 @@ from typing import Literal, Protocol
 
 import msgspec
 
-from ..run.page_run import PageRun, RunView
+from ..run.page_run import OnObservedStep, PageRun, RunView
 from ..run.problems import broken_link, died, too_much_output
 from ..run.worker_session import RunServices
 from ..sentence import Sentence, tr
@@ -47,7 +47,7 @@ from .recording_stream import RecordingStream
 from .replay import Exchange, ExchangeReader, difference_in, published
 from .robot_state import RobotState
 
-__all__ = ["MOST_FRAMES", "OnRecordedStep", "RecordedRun", "RecordedView"]
+__all__ = ["MOST_FRAMES", "RecordedRun", "RecordedView"]
 
 MOST_FRAMES = 20_000
 """Frames of a recording: seven minutes at 50 a second; a longer run has fewer per second. A page keeps twice as many of
@@ -95,21 +95,6 @@ class RecordedView(RunView, Protocol):
         """Wait until all messages to the page are sent."""
 
 
-class OnRecordedStep(Protocol):
-    """Called for each step."""
-
-    def __call__(
-        self,
-        time: float,
-        observed: ObservedStep | None,
-        commands: list[Command],
-        *,
-        is_first: bool,
-        is_overridden: bool,
-    ) -> None:
-        """``is_overridden``: the robot was told something else than the program said."""
-
-
 class RecordedRun(PageRun):
     """
     Ends by itself, by stop(), or at once by end_now().
@@ -131,7 +116,7 @@ class RecordedRun(PageRun):
         services: RunServices,
         view: RecordedView,
         on_over: Callable[[PageRun], None],
-        on_step: OnRecordedStep,
+        on_step: OnObservedStep,
         on_note: Callable[[Sentence], None],
     ) -> None:
         self.over = asyncio.Event()

@@ -12,18 +12,15 @@ from collections.abc import Callable
 from ..config import Config
 from ..errors import RosyError
 from ..sentence import tr
+from ..worker.background_process import LOWEST_PRIORITY, WorkerSetup
 from .room_test import Report, RoomTest, shrunk_report, try_rooms
 from .trial import Outcome
 from .trial_pool import PoolClosed, TrialPool, Trials
-from .trial_process import Setup
 
 __all__ = ["BUDGET", "try_in_background"]
 
 BUDGET = 900.0
 """Longest test of one program for a page or a board, s. On an idle machine the largest takes a minute or two."""
-
-_LOWEST_PRIORITY = 19
-"""Of a process; ``nice``(2)."""
 
 _PATIENCE = 5.0
 """How many times longer trials may take than runs: at the lowest priority they wait for everything else."""
@@ -45,7 +42,7 @@ async def try_in_background(
     """
     loop = asyncio.get_running_loop()
     patient = config.with_limits(config.limits.stretched(_PATIENCE))
-    pool = TrialPool(Setup.of(patient, _LOWEST_PRIORITY), 1)
+    pool = TrialPool(WorkerSetup.of(patient, LOWEST_PRIORITY), 1)
 
     def outcome_in_loop(outcome: Outcome) -> None:
         loop.call_soon_threadsafe(on_outcome, outcome)

@@ -26,6 +26,7 @@ from ..sentence import tr
 from ..terminal_text import escape_json, neutralize_line
 from ..wire.problem import worded
 from ..wording import in_terminal, machine_wording
+from ..worker.background_process import WorkerSetup
 from ..worker.native_build import is_native
 from ..world.properties import BadProperty, read_properties
 from .generation.families import read_family
@@ -33,7 +34,6 @@ from .programs import Pool, Progress, Tested, test_programs
 from .report_text import format_report, report_values, worst_status
 from .room_test import MAX_ROOMS, Report, RoomTest, check_goals
 from .trial_pool import TrialPool
-from .trial_process import Setup
 
 __all__ = ["add_options", "check_options", "test_in_rooms"]
 
@@ -117,7 +117,7 @@ def test_in_rooms(
     reports: list[Report] = []
     values: list[dict[str, object]] = []
     local = min(processes, test.rooms * len(files))
-    with TrialPool(Setup.of(config), local) if options.cluster is None else connect(options.cluster) as pool:
+    with TrialPool(WorkerSetup.of(config), local) if options.cluster is None else connect(options.cluster) as pool:
         progress = Progress(partial(_show_progress, output, test.rooms * len(files)))
         for file, tested in zip(files, test_programs(test, sources, pool, progress), strict=True):
             output.progress("")

@@ -23,7 +23,8 @@ import msgspec
 from ..errors import RosyError, WorkerLost
 from ..sentence import Sentence, verbatim
 from ..wire.problem import to_wire
-from .trial_process import Answer, Request, Setup, Task, Trial
+from ..worker.background_process import WorkerSetup
+from .trial_process import Answer, Request, Task, Trial
 
 __all__ = ["PoolClosed", "ProgramLost", "TrialPool", "Trials"]
 
@@ -63,7 +64,7 @@ class Trials(Protocol):
 class _Process:
     """A trial process and the task that it has."""
 
-    def __init__(self, setup: Setup) -> None:
+    def __init__(self, setup: WorkerSetup) -> None:
         # In a session of its own: Ctrl-C in a terminal reaches only this process, which ends the others.
         self.popen = subprocess.Popen(
             [sys.executable, "-m", "rosy_sim.rooms"],
@@ -102,7 +103,7 @@ class _Process:
 class TrialPool:
     """Starts a process when all others are busy, up to ``processes``; each serves the trials of any program."""
 
-    def __init__(self, setup: Setup, processes: int) -> None:
+    def __init__(self, setup: WorkerSetup, processes: int) -> None:
         self._setup = setup
         self.processes = processes
         self._threads = ThreadPoolExecutor(max_workers=processes)

@@ -1,8 +1,7 @@
 """
 Trial process: runs programs in one room after another, with a worker of its own that stays warm.
 
-In: lines of JSON, the first a ``Setup``, each other one a ``Request``. Out: one line per request, an ``Answer``. It
-ends when its input ends, also in the middle of a run, so nothing is left of it when its owner is gone.
+In: lines of JSON, the first a ``WorkerSetup``, each other one a ``Request``. Out: one line per request, an ``Answer``.
 """
 
 from __future__ import annotations
@@ -11,40 +10,22 @@ import contextlib
 import os
 import queue
 import socket
-import sys
-import threading
-from pathlib import Path
 from typing import Any
 
 import msgspec
 
-from ..config import Config, Limits
+from ..config import Limits
 from ..errors import RosyError
 from ..run.steps.velocity_guard import OFF, SafetySettings
 from ..wire.problem import Sentence, to_wire
 from ..wire.worker import Refused
+from ..worker.background_process import WorkerSetup, begin_reading, write_line
 from ..worker.blocking_worker import BlockingWorker
 from ..world.properties import read_properties
 from .generation.families import Family, generate_room
 from .trial import Outcome, judge_run, refused
 
-__all__ = ["Answer", "Request", "Setup", "Task", "Trial", "main"]
-
-
-class Setup(msgspec.Struct, frozen=True):
-    """How the worker of a process is started, as in ``Config``."""
-
-    worker: tuple[str, ...]
-    sandbox: bool
-    visible: list[str]
-    limits: Limits
-    # Added to the priority of the process; 19 is the lowest there is.
-    nice: int = 0
-
-    @staticmethod
-    def of(config: Config, nice: int = 0) -> Setup:
-        """The worker of this machine."""
-        return Setup(config.worker, config.sandbox, [str(folder) for folder in config.visible], config.limits, nice)
+__all__ = ["Answer", "Request", "Task", "Trial", "main"]
 
 
 class Task(msgspec.Struct, frozen=True):
@@ -91,19 +72,19 @@ class Answer(msgspec.Struct, frozen=True, omit_defaults=True):
 def main() -> int:
     """Serve standard input until it ends."""
     lines: queue.SimpleQueue[bytes] = queue.SimpleQueue()
-    threading.Thread(target=_read_lines, args=(lines,), daemon=True).start()
-    setup = msgspec.json.decode(lines.get(), type=Setup)
+    begin_reading(lines.put)
+    setup = msgspec.json.decode(lines.get(), type=WorkerSetup)
     os.nice(setup.nice)
     is_ready = False
     with contextlib.suppress(BrokenPipeError):
         try:
-            with BlockingWorker(_config(setup)) as worker:
+            with BlockingWorker(setup.config()) as worker:
                 worker.ready()
                 is_ready = True
                 _serve(worker, setup.limits, lines)
         except RosyError as error:
             failure = to_wire(error.sentence)
-            _answer(Answer(was_ready=is_ready, failure=str(error), failure_sentence=failure))
+            write_line(msgspec.json.encode(Answer(was_ready=is_ready, failure=str(error), failure_sentence=failure)))
             return error.exit_status
     return 0
 
@@ -114,27 +95,7 @@ def _serve(worker: BlockingWorker, limits: Limits, lines: queue.SimpleQueue[byte
         request = msgspec.json.decode(lines.get(), type=Request)
         task = request.task if request.task is not None else task
         assert task is not None
-        _answer(_try(worker, limits, task, request.trial))
-
-
-def _read_lines(lines: queue.SimpleQueue[bytes]) -> None:
-    # Unbuffered: the interpreter cannot end while a thread holds the lock of a buffer.
-    with open(sys.stdin.fileno(), "rb", buffering=0, closefd=False) as file:
-        for line in file:
-            lines.put(line)
-    # The owner is gone or wants no more. The sandbox of the worker dies with this process.
-    os._exit(0)
-
-
-def _answer(answer: Answer) -> None:
-    sys.stdout.buffer.write(msgspec.json.encode(answer) + b"\n")
-    sys.stdout.buffer.flush()
-
-
-def _config(setup: Setup) -> Config:
-    nowhere = Path("/")
-    visible = tuple(Path(folder) for folder in setup.visible)
-    return Config(nowhere, nowhere, nowhere, setup.worker, setup.sandbox, visible, limits=setup.limits)
+        write_line(msgspec.json.encode(_try(worker, limits, task, request.trial)))
 
 
 def _try(worker: BlockingWorker, limits: Limits, task: Task, trial: Trial) -> Answer:

@@ -17,13 +17,15 @@ from ..wire import page
 from ..wire.firing import Branch, Firing
 from ..wire.problem import Problem
 from ..wire.robot_link import MemoryValue
+from ..wire.robot_process import ObservedStep
 from ..wire.worker import Started
 from ..worker.prepared_runs import PreparedRun
+from ..world.events import Command
 from ..world.goals import GoalState
 from .steps.command_conflicts import CommandConflict
 from .worker_session import RunServices, Silence, WorkerSession
 
-__all__ = ["Ended", "PageRun", "RunView"]
+__all__ = ["Ended", "OnObservedStep", "PageRun", "RunView"]
 
 Ended = Literal["done", "error", "stuck", "stopped", "time", "refused"]
 
@@ -77,6 +79,24 @@ class RunView(Protocol):
 
     def show_frame(self, force: bool = False) -> None:
         """Show the simulated robot as it is now, unless the last frame was too recent."""
+
+
+class OnObservedStep(Protocol):
+    """Called for each step of a robot with commands, and for each observed one."""
+
+    def __call__(
+        self,
+        time: float,
+        observed: ObservedStep | None,
+        commands: list[Command],
+        *,
+        is_first: bool,
+        is_overridden: bool,
+    ) -> None:
+        """
+        Without ``observed`` the step was not observed. ``is_first``: it is the first of the run. ``is_overridden``: the
+        robot was sent another velocity than the program's.
+        """
 
 
 class PageRun(ABC):

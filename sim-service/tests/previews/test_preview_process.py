@@ -9,9 +9,9 @@ import msgspec
 
 from rosy_sim.config import Config
 from rosy_sim.previews.preview import PreviewTask
-from rosy_sim.previews.preview_process import Setup
 from rosy_sim.run.steps.velocity_guard import OFF
 from rosy_sim.wire.page import Previewed
+from rosy_sim.worker.background_process import WorkerSetup
 
 ROOM = {"size": [5, 4], "start": {"x": 1, "y": 2, "theta": 0}}
 
@@ -21,7 +21,7 @@ def task(ident: int, source: str) -> bytes:
 
 
 def test_a_task_that_is_cancelled_in_the_same_breath_ends_and_the_next_is_computed(config: Config) -> None:
-    setup = msgspec.json.encode(Setup(config.worker, False, [], config.limits)) + b"\n"
+    setup = msgspec.json.encode(WorkerSetup(config.worker, False, [], config.limits)) + b"\n"
     command = [sys.executable, "-m", "rosy_sim.previews"]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         assert process.stdin is not None

@@ -15,7 +15,8 @@ import msgspec
 import pytest
 
 from rosy_sim.config import Limits
-from rosy_sim.rooms.trial_process import Answer, Request, Setup, Task, Trial
+from rosy_sim.rooms.trial_process import Answer, Request, Task, Trial
+from rosy_sim.worker.background_process import WorkerSetup
 from rosy_sim.worlds.gallery import load_world, usable_arena
 
 from ..conftest import PATIENCE
@@ -147,7 +148,7 @@ def test_an_interrupt_leaves_nothing_behind(environment: Environment, tmp_path: 
 
 
 def test_a_trial_process_without_a_worker_says_so() -> None:
-    setup = Setup(("/nowhere",), False, [], Limits())
+    setup = WorkerSetup(("/nowhere",), False, [], Limits())
     request = Request(Trial(1), Task("", "never-falls", 1.0, "maze", None, 1))
     lines = b"".join(msgspec.json.encode(message) + b"\n" for message in (setup, request))
     command = [sys.executable, "-m", "rosy_sim.rooms"]

@@ -18,7 +18,7 @@ from rosy_sim.config import Config
 from rosy_sim.rooms.generation.families import Family
 from rosy_sim.rooms.room_test import RoomTest, try_rooms, worst_first
 from rosy_sim.rooms.trial_pool import TrialPool
-from rosy_sim.rooms.trial_process import Setup
+from rosy_sim.worker.background_process import WorkerSetup
 from rosy_sim.world.properties import read_properties
 
 from ..conftest import PATIENCE
@@ -316,7 +316,7 @@ def test_a_check_is_the_report_of_the_command_line(config: Config) -> None:
         found = (await results(board, 3))[first]
 
         test = RoomTest(Family("obstacles"), 4, 3, 20.0, read_properties("never-pushes 1 s"))
-        with TrialPool(Setup.of(config), 2) as pool:
+        with TrialPool(WorkerSetup.of(config), 2) as pool:
             trials = pool.program(test.task("drive:0.5"))
             report = await asyncio.to_thread(try_rooms, test, trials, lambda _: None)
         worst = worst_first(report.outcomes)[0]
