@@ -41,6 +41,12 @@ test("what is left of the visible area and may reach into it is made at once", (
   expect(ids(program.filter(block => !later.has(block)))).toEqual(["d0", "d20", "d21", "d22", "d23", "d99"])
 })
 
+test("of what is loaded again, others than before do not become the outermost ones", () => {
+  const program = programOf(100)
+  const later = [...deferrable(program, program, view)]
+  expect(ids(deferrable(later, program, view))).toEqual(ids(later))
+})
+
 test("blocks without a place are made at once", () => {
   const program = programOf(100).map(({x: _, y: __, ...block}) => block)
   expect(deferrable(program, program, view).size).toBe(0)

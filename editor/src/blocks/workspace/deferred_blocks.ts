@@ -35,19 +35,21 @@ export interface VisibleArea {
   readonly height: number
 }
 
-/// Which of the `fresh` blocks of a program can be made later. The outermost ones are made at once: they say how far the workspace can be scrolled.
+/// Which of the `fresh` blocks of a program can be made later. The outermost ones of the program are made at once: they say how far the workspace can be scrolled.
 export function deferrable(
   fresh: readonly SavedBlock[],
   all: readonly SavedBlock[],
   view: VisibleArea,
 ): ReadonlySet<SavedBlock> {
   if (all.length < few) return new Set()
-  const placed = fresh.filter(block => block.id !== undefined && (block.x ?? block.y) !== undefined)
+  const placed = (blocks: readonly SavedBlock[]) =>
+    blocks.filter(block => block.id !== undefined && (block.x ?? block.y) !== undefined)
+  // Of the whole program: of the fresh ones, which are fewer with each load, others would be outermost each time.
   const outermost = (["x", "y"] as const).flatMap(axis => {
-    const along = [...placed].sort((one, other) => (one[axis] ?? 0) - (other[axis] ?? 0))
+    const along = placed(all).sort((one, other) => (one[axis] ?? 0) - (other[axis] ?? 0))
     return [along[0], along.at(-1)]
   })
-  return new Set(placed.filter(block => !outermost.includes(block) && isFarFrom(view, block)))
+  return new Set(placed(fresh).filter(block => !outermost.includes(block) && isFarFrom(view, block)))
 }
 
 /// Whether a saved block is surely more than half a view away from the visible area. How large it is, is not known before it is made.

@@ -1,5 +1,5 @@
 /// Creation of deferred blocks: those that come near the visible area at once, all of them as soon as the block view is used by pointer or keyboard, and the rest
-/// one by one while the page has nothing else to do.
+/// one by one while the page has nothing else to do and no key is pressed.
 
 import type {BlockId, SavedBlock} from "@rosy/codegen"
 import type * as Blockly from "blockly/core"
@@ -21,6 +21,9 @@ export interface DeferredCreation {
 /// Made at a time while the page has nothing else to do: some 30 ms of work.
 const atOnce = 2
 
+/// Milliseconds after a key press in which none is made: in fluent typing the next key would wait for it.
+const typingPause = 500
+
 /// `made` is called when further blocks stand on the workspace.
 export function openDeferredCreation(
   workspace: Blockly.WorkspaceSvg,
@@ -29,6 +32,8 @@ export function openDeferredCreation(
 ): DeferredCreation {
   let isScheduled = false
   let isDisposed = false
+  let lastKey = Number.NEGATIVE_INFINITY
+  let timer: ReturnType<typeof setTimeout> | undefined
 
   const make = (chosen: (block: SavedBlock) => boolean) => {
     const blocks = [...deferredBlocks(workspace).values()].filter(chosen)
@@ -46,6 +51,7 @@ export function openDeferredCreation(
   const makeNext = () => {
     isScheduled = false
     if (isDisposed) return
+    if (performance.now() - lastKey < typingPause) return begin()
     const {left, top} = view()
     const distance = ({x = 0, y = 0}: SavedBlock) => Math.abs(x - left) + Math.abs(y - top)
     const blocks = [...deferredBlocks(workspace).values()].sort(
@@ -58,7 +64,9 @@ export function openDeferredCreation(
   const begin = () => {
     if (isScheduled || deferredBlocks(workspace).size === 0) return
     isScheduled = true
-    whenIdle(makeNext)
+    const pause = Math.max(0, lastKey + typingPause - performance.now())
+    if (pause > 0) timer = setTimeout(() => whenIdle(makeNext), pause)
+    else whenIdle(makeNext)
   }
 
   const moved = (event: Blockly.Events.Abstract) => {
@@ -68,6 +76,10 @@ export function openDeferredCreation(
   const stop = new AbortController()
   for (const kind of ["pointerdown", "keydown", "focusin", "dragenter"])
     host.addEventListener(kind, makeAll, {capture: true, signal: stop.signal})
+  const keyPressed = () => {
+    lastKey = performance.now()
+  }
+  window.addEventListener("keydown", keyPressed, {capture: true, signal: stop.signal})
   return {
     begin,
     makeNear,
@@ -76,6 +88,7 @@ export function openDeferredCreation(
     dispose() {
       isDisposed = true
       stop.abort()
+      clearTimeout(timer)
       workspace.removeChangeListener(moved)
     },
   }
