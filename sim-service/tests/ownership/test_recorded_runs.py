@@ -141,12 +141,11 @@ def test_each_file_that_is_no_recording_gets_one_sentence(config: Config, tmp_pa
     async def tell(rig: Rig) -> None:
         await rig.takes()
         data = (await recorded(rig)).read_bytes()
+        damaged = "x.mcap is no recording of a run, or is damaged. Choose an .mcap file that Rosy has stored."
         refusals = {
-            b"no such thing": "x.mcap is no recording of a run, or is damaged. Choose an .mcap file that Rosy has stored.",
-            b"": "x.mcap is no recording of a run, or is damaged. Choose an .mcap file that Rosy has stored.",
-            data[
-                : len(data) // 2
-            ]: "x.mcap is no recording of a run, or is damaged. Choose an .mcap file that Rosy has stored.",
+            b"no such thing": damaged,
+            b"": damaged,
+            data[: len(data) // 2]: damaged,
             foreign(tmp_path / "foreign"): "x.mcap is no recording of a run: it lacks the program that was recorded.",
         }
         for number, (content, said) in enumerate(refusals.items(), 10):
