@@ -9,7 +9,7 @@ import type {BlockId, Extra, SavedBlock, SavedInput} from "../serialized_blocks.
 import {words} from "../words/index.ts"
 
 /// Steps or definitions of one stack that are drawn.
-export const shownSteps = 200
+const shownSteps = 200
 
 type Folded = {readonly [input: string]: SavedBlock}
 
@@ -22,7 +22,7 @@ export function foldedIn(extra: Extra | undefined): Folded {
 }
 
 /// The name of the input that holds the step of a stack at a place.
-export function stepInput(stack: string, place: number): string {
+function stepInput(stack: string, place: number): string {
   return `${stack}+${place}`
 }
 

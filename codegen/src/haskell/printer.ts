@@ -5,7 +5,7 @@
 /// here are declarations, and what a whole program is.
 
 import type {PrintedProgram} from "../api.ts"
-import {namesBoundBy, namesBoundInside, namesDefinedBy, textsInside} from "../model/bound_names.ts"
+import {namesBoundInside, namesDefinedBy, textsInside} from "../model/bound_names.ts"
 import type {
   Alternative,
   Clause,
@@ -210,15 +210,4 @@ function isGuards(body: RightSide["body"]): body is Exclude<RightSide["body"], {
 function printWhere(where: readonly Declaration[], context: Context): Doc {
   if (where.length === 0) return ""
   return nest([hardline, "where", nest([hardline, context.declarations(where)])])
-}
-
-/// The names a program's top level defines, in order; used to keep layout and text together.
-export function topNames(program: Program): string[] {
-  return program.declarations.map(d =>
-    d.kind === "binding"
-      ? (namesBoundBy(d.pattern)[0] ?? "_")
-      : d.kind === "raw-declaration" || d.kind === "instance"
-        ? "_"
-        : d.name,
-  )
 }

@@ -23,7 +23,7 @@ function clean(text: string): string {
   return oneLine === "" ? "_" : oneLine
 }
 
-export function isAtomic(text: string): boolean {
+function isAtomic(text: string): boolean {
   if (!text.includes(" ") && !text.includes("->")) return true
   if (!/^[([]/.test(text)) return false
   let depth = 0

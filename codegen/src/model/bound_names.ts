@@ -1,7 +1,7 @@
 /// Which names a part of the tree brings into scope, and small facts about names.
 
 import {everyNode} from "./child_nodes.ts"
-import type {Declaration, Node, Pattern, Statement} from "./syntax_tree.ts"
+import type {Declaration, Node, Pattern} from "./syntax_tree.ts"
 import {unreachable} from "./syntax_tree.ts"
 
 /// The names a pattern binds, left to right.
@@ -49,20 +49,6 @@ export function namesDefinedBy(declaration: Declaration): string[] {
       return []
     default:
       return unreachable(declaration)
-  }
-}
-
-/// The names that a statement brings into scope for the statements after it.
-export function namesBoundByStatement(statement: Statement): string[] {
-  switch (statement.kind) {
-    case "bind":
-      return namesBoundBy(statement.pattern)
-    case "let-statement":
-      return statement.declarations.flatMap(namesDefinedBy)
-    case "statement":
-      return []
-    default:
-      return unreachable(statement)
   }
 }
 

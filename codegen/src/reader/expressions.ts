@@ -8,9 +8,10 @@ import {maximumDepth} from "./conversion_context.ts"
 import {readLiteral} from "./literals.ts"
 import type {Syntax} from "./parse_tree.ts"
 import {child, childrenIn, hasToken, namedChildren, onlyNamed} from "./parse_tree.ts"
-import {isFieldWildcard, readPattern} from "./patterns.ts"
+import {readPattern} from "./patterns.ts"
 import type {Reading} from "./reading.ts"
 import {rawExpr} from "./reading.ts"
+import {writtenFields} from "./record_fields.ts"
 import {readStatements} from "./statements.ts"
 
 export function readExpr(node: Syntax, r: Reading): Expr {
@@ -198,26 +199,15 @@ function readComprehension(node: Syntax, r: Reading): Expr | Cause {
 function readRecord(node: Syntax, r: Reading): Expr | Cause {
   const of = child(node, "expression") ?? child(node, "constructor")
   if (of === undefined) return "expression"
-  const fields: FieldValue[] = []
-  let rest = false
-  for (const field of childrenIn(node, "field")) {
-    if (rest) return "wildcards"
-    if (isFieldWildcard(field)) {
-      rest = true
-      continue
-    }
-    const label = child(field, "field")
-    const value = child(field, "expression")
-    if (label === undefined || label.type === "field_path" || !isVariableName(r.context.of(label)))
-      return "name"
-    const name = r.context.of(label)
-    if (value === undefined && name.includes(".")) return "puns"
-    fields.push(
+  const written = writtenFields(node, "expression", r.context)
+  if (typeof written === "string") return written
+  const {rest} = written
+  const fields = written.fields.map(
+    ({name, label, value}): FieldValue =>
       value === undefined
         ? {name, value: r.context.at(label, {kind: "variable", name}), pun: true}
         : {name, value: readExpr(value, r)},
-    )
-  }
+  )
   const made = r.context.of(of)
   if (isConstructorName(made))
     return r.context.at(node, {kind: "record", name: made, fields, ...(rest ? {rest} : {})})

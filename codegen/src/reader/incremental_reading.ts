@@ -157,6 +157,6 @@ function moved(piece: Piece, by: number): Piece {
   }
 }
 
-export function movedRange({start, end}: Range, by: number): Range {
+function movedRange({start, end}: Range, by: number): Range {
   return {start: start + by, end: end + by}
 }

@@ -26,7 +26,7 @@ const escapes = new RegExp(
 )
 
 /// The value of a literal in quotes, or `undefined` when it is malformed or holds what is no character.
-export function literalValue(text: string): string | undefined {
+function literalValue(text: string): string | undefined {
   const quote = text[0]
   if (text.length < 2 || (quote !== '"' && quote !== "'") || !text.endsWith(quote)) return undefined
   let value = ""

@@ -1,7 +1,7 @@
-/// Module reader: the pieces of a file in order: header, definitions, and what stands between them.
+/// Incremental reader of a Haskell file: its pieces in order, which are the header, the definitions, and the text between them.
 ///
-/// The slices of all pieces, one after the other, are the file, byte for byte. A definition is converted when its text has not been seen in
-/// the reading before; the rest is taken over, node for node. After an edit only the changed definitions are looked at (`incremental_reading.ts`).
+/// The slices of all pieces, concatenated, are the file, byte for byte. A definition is converted if the previous reading has none with the
+/// same text; otherwise its nodes are reused. After an edit only the changed definitions are read (`incremental_reading.ts`).
 
 import type {Language, Parser, Tree} from "web-tree-sitter"
 import type {Fixities, Fixity} from "../haskell/fixity.ts"
@@ -33,7 +33,7 @@ const longest = 40_000
 /// Longer definitions that are broken are kept as text as a whole, so that a key press stays fast.
 const longestPartly = 4000
 
-/// Reads Haskell; remembers the last reading so that the next one costs only what changed.
+/// Reads Haskell; keeps the last reading, so that the next one reads only what changed.
 export class Reader {
   private readonly parser: Parser
   private readonly names: NodeNames

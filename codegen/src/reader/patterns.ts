@@ -15,7 +15,8 @@ import {readLiteral} from "./literals.ts"
 import type {Link} from "./operator_resolution.ts"
 import {resolve} from "./operator_resolution.ts"
 import type {Syntax} from "./parse_tree.ts"
-import {child, childrenIn, namedChildren, onlyNamed} from "./parse_tree.ts"
+import {child, childrenIn, onlyNamed} from "./parse_tree.ts"
+import {writtenFields} from "./record_fields.ts"
 
 export function readPattern(node: Syntax, context: Context): Pattern {
   const made = make(node, context)
@@ -195,29 +196,14 @@ function infix(node: Syntax, context: Context): Pattern | Cause {
 function record(node: Syntax, context: Context): Pattern | Cause {
   const name = context.of(child(node, "constructor") ?? node)
   if (!isConstructorName(name)) return "name"
-  const fields: FieldPattern[] = []
-  let rest = false
-  for (const field of childrenIn(node, "field")) {
-    if (rest) return "wildcards"
-    if (isFieldWildcard(field)) {
-      rest = true
-      continue
-    }
-    const label = child(field, "field")
-    const pattern = child(field, "pattern")
-    if (label === undefined || !isVariableName(context.of(label))) return "name"
-    const name = context.of(label)
-    if (pattern === undefined && name.includes(".")) return "puns"
-    fields.push(
-      pattern === undefined
+  const written = writtenFields(node, "pattern", context)
+  if (typeof written === "string") return written
+  const {rest} = written
+  const fields = written.fields.map(
+    ({name, label, value}): FieldPattern =>
+      value === undefined
         ? {name, pattern: context.at(label, {kind: "name-pattern", name}), pun: true}
-        : {name, pattern: readPattern(pattern, context)},
-    )
-  }
+        : {name, pattern: readPattern(value, context)},
+  )
   return context.at(node, {kind: "record-pattern", name, fields, ...(rest ? {rest} : {})})
-}
-
-/// The two dots for all other fields, in a pattern or an expression.
-export function isFieldWildcard(field: Syntax): boolean {
-  return namedChildren(field).some(c => c.type === "wildcard" && c.field === undefined)
 }

@@ -6,7 +6,7 @@
 import type {BlockId, Extra, Json, SavedBlock} from "../serialized_blocks.ts"
 
 /// Keys of `extraState` that change how a block looks, not what it says.
-export const presentationKeys: ReadonlySet<string> = new Set(["as", "fn", "what"])
+const presentationKeys: ReadonlySet<string> = new Set(["as", "fn", "what"])
 
 /// Those, and the reason why something is raw.
 const unsaid: ReadonlySet<string> = new Set([...presentationKeys, "reason"])
@@ -79,7 +79,7 @@ function canonical(value: Json): string {
 }
 
 /// For each block of `now` the block of `before` that it is, as far as there is one. Roots go together when their types allow.
-export function matchTrees(before: SavedBlock, now: SavedBlock): Map<SavedBlock, SavedBlock> {
+function matchTrees(before: SavedBlock, now: SavedBlock): Map<SavedBlock, SavedBlock> {
   const old = nodeOf(before, "", undefined, false)
   const fresh = nodeOf(now, "", undefined, false)
   const matched = new Map<Node, Node>()

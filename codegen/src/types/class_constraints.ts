@@ -43,7 +43,7 @@ export function deferConstraints(
 }
 
 /// Decides unknown number types as Haskell does; complains about what nothing decides. (Haskell 2010 report §4.3.4)
-export function applyDefaults(s: InferenceState, constraints: readonly Wanted[], constants: boolean): void {
+function applyDefaults(s: InferenceState, constraints: readonly Wanted[], constants: boolean): void {
   const holes = new Set<Meta>()
   for (const h of s.holes) metasIn(h, holes)
   const groups = new Map<Meta, Wanted[]>()

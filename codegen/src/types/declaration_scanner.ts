@@ -50,20 +50,6 @@ export interface ScannedDeclarations {
   readonly overloadedStrings: boolean
 }
 
-export const emptyScan: ScannedDeclarations = {
-  imports: [],
-  values: new Map(),
-  types: [],
-  classes: [],
-  instances: [],
-  superclasses: new Map(),
-  hasAllInstances: true,
-  moduleName: undefined,
-  ownQualified: new Set(),
-  families: [],
-  overloadedStrings: false,
-}
-
 const word = String.raw`[\p{Ll}_][\p{L}\p{N}_']*`
 const symbol = String.raw`[!#$%&*+./<=>?@\\^|~:-]+`
 

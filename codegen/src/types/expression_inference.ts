@@ -207,7 +207,7 @@ function inferAlternatives(
   }
 }
 
-export function inferApplication(
+function inferApplication(
   s: InferenceState,
   fn: Type,
   args: readonly Expr[],
@@ -232,7 +232,7 @@ export function inferApplication(
   for (const [i, a] of args.entries()) checkExpression(s, a, wanted[i] ?? freshMeta(s), scope)
 }
 
-export function inferRecord(s: InferenceState, e: Expr & {kind: "record"}, type: Type, scope: Scope): void {
+function inferRecord(s: InferenceState, e: Expr & {kind: "record"}, type: Type, scope: Scope): void {
   const info = s.env.constructors.get(e.name)
   if (info === undefined || info.scheme.unknown === true) {
     if (info === undefined && !isPossiblyImported(s, e.name))
@@ -251,7 +251,7 @@ export function inferRecord(s: InferenceState, e: Expr & {kind: "record"}, type:
 }
 
 /// A changed copy may have another type: all that no kept part is made of is open again. (Haskell 2010 report §3.15.3)
-export function inferUpdate(s: InferenceState, e: Expr & {kind: "update"}, type: Type, scope: Scope): void {
+function inferUpdate(s: InferenceState, e: Expr & {kind: "update"}, type: Type, scope: Scope): void {
   const names = e.fields.map(f => f.name)
   const of = findRecordType(s, names)
   if (of === undefined) {
@@ -302,7 +302,7 @@ function findRecordType(s: InferenceState, names: readonly string[]) {
   return constructors.length === 0 ? undefined : {name: name.name, parameters: entry.parameters, constructors}
 }
 
-export function inferComprehension(
+function inferComprehension(
   s: InferenceState,
   e: Expr & {kind: "comprehension"},
   type: Type,

@@ -128,7 +128,7 @@ export function inferPattern(s: InferenceState, p: Pattern, type: Type, scope: S
   }
 }
 
-export function inferConstructorPattern(
+function inferConstructorPattern(
   s: InferenceState,
   p: Pattern & {kind: "constructor-pattern"},
   type: Type,

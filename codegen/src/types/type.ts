@@ -148,10 +148,7 @@ export function showScheme(scheme: Scheme): string {
   return context + showType(scheme.type)
 }
 
-export function showConstraints(
-  constraints: readonly Constraint[],
-  names: Map<Meta, string> = new Map(),
-): string {
+function showConstraints(constraints: readonly Constraint[], names: Map<Meta, string> = new Map()): string {
   if (constraints.length === 0) return ""
   const shown = [...new Set(constraints.map(c => `${c.name} ${show(c.type, 2, names)}`))].sort()
   return shown.length === 1 ? `${shown[0]} => ` : `(${shown.join(", ")}) => `

@@ -9,9 +9,9 @@ export const lightMs = 150
 /// Values and rates stay this long, in ms of the learner's time, so that they can be read.
 export const textMs = 200
 /// From this many firings a second on, an edge shows its rate and does not pulse.
-export const rateFrom = 5
+const rateFrom = 5
 /// Longest value on an edge, in characters.
-export const longestValue = 24
+const longestValue = 24
 /// A task is at work for this long after a function in it has fired, in seconds of the run: two ticks of the default rate.
 const workSeconds = 0.2
 /// The firings of this many seconds of the run make the rate.

@@ -80,7 +80,7 @@ export function shortened(text: string, longest: number): string {
 }
 
 /// Nodes from which on a diagram opens with its containers folded.
-export const foldedFrom = 40
+const foldedFrom = 40
 
 /// The network without what is inside of the given containers.
 export function fold(network: Network, folded: ReadonlySet<string>): Network {

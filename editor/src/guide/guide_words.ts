@@ -8,7 +8,7 @@ import {guide as pt} from "../words/pt/guide.ts"
 
 export type {GuideWords}
 
-export const guideLanguages: Readonly<Record<string, GuideWords>> = {en, de, es, fr, pt}
+const guideLanguages: Readonly<Record<string, GuideWords>> = {en, de, es, fr, pt}
 
 /// English for a language without a table.
 export const guideWords = (language: string): GuideWords => guideLanguages[language] ?? en

@@ -65,7 +65,7 @@ const shortest = 0.02
 const event = pattern("event", "Bumper _ Pressed")
 const command = pattern("command", "Sound _")
 
-export const checkArguments: {
+const checkArguments: {
   readonly [kind in CheckKind]: {readonly [name in ArgumentName]?: ArgumentSpec}
 } = {
   at: {time: seconds(0, 5), goal: place},

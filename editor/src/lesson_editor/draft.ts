@@ -60,7 +60,7 @@ export interface LessonDraft {
   readonly steps: readonly DraftStep[]
 }
 
-export const hintCount = 3
+const hintCount = 3
 /// Of the format (`lesson_file.py`).
 export const mostSteps = 12
 export const mostChecks = 20

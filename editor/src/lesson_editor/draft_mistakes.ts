@@ -44,7 +44,7 @@ export function mistakesOf(draft: LessonDraft): readonly DraftMistake[] {
 }
 
 /// The goals of the draft's room that have a place.
-export function placeCount({room}: LessonDraft): number {
+function placeCount({room}: LessonDraft): number {
   const read = readWorld(room)
   if (read.kind === "fault") return 0
   return read.world.goals.filter(goal => goal.kind === "reach" || goal.kind === "touch").length

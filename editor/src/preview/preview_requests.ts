@@ -6,7 +6,7 @@ import type {Effect, Transition} from "../state/transition.ts"
 import {noPreview, previewSeconds} from "./preview.ts"
 
 /// Whether the page shows previews now.
-export function mayPreview(state: PageState): boolean {
+function mayPreview(state: PageState): boolean {
   const {run, clock, link, robots, worldEditor, previewing, room} = state
   const stands = !isActive(run) || (run.kind === "running" && clock === "standing")
   return (

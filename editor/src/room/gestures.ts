@@ -55,7 +55,7 @@ type RoomKey = keyof typeof roomKeys
 type Acts = Partial<Record<RoomKey, (key: string) => void>>
 
 /// From the robot's middle to the handle that turns it, m.
-export const handleReach = 0.32
+const handleReach = 0.32
 /// The robot's radius, m (see `robot_drawing.ts`); taking hold is a little easier than that.
 const reach = 0.22
 /// The handle shows while the pointer is so near to the robot, m.

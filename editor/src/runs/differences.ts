@@ -5,7 +5,7 @@ import type {Frame} from "../state/messages.ts"
 import {frameAt, framesBetween, type Recording, spanOfTime} from "../state/recording.ts"
 
 /// Channels that tell that the robot touched or felt something, in the order in which differences are told.
-export const feltChannels = ["Bumper", "Cliff", "Wheel"] as const
+const feltChannels = ["Bumper", "Cliff", "Wheel"] as const
 export type FeltChannel = (typeof feltChannels)[number]
 
 export interface Differences {

@@ -36,7 +36,7 @@ export const compilerInfo = StateField.define<CompilerInfo>({
   },
 })
 
-export const allKnownNames: readonly KnownName[] = knownNames()
+const allKnownNames: readonly KnownName[] = knownNames()
 const byName = new Map<string, KnownName[]>()
 for (const n of allKnownNames) byName.set(n.name, [...(byName.get(n.name) ?? []), n])
 

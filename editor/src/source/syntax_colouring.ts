@@ -156,7 +156,7 @@ export interface Palette {
   at(start: number, word: string): WordInfo
 }
 
-export const noPalette: Palette = {at: () => nothing}
+const noPalette: Palette = {at: () => nothing}
 
 export function paletteOf(program: Program): Palette {
   const blockAt = smallestAt(program)

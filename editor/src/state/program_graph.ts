@@ -44,7 +44,7 @@ export interface OwnTopic extends TopicName {
   readonly fields: readonly string[]
 }
 
-export const chartKinds = ["sequence", "repeat", "parallel", "race", "choice"] as const
+const chartKinds = ["sequence", "repeat", "parallel", "race", "choice"] as const
 export type ChartKind = (typeof chartKinds)[number]
 
 interface Named {

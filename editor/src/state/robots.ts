@@ -63,7 +63,7 @@ export function floorOf(robots: RobotsState, name: string): World {
 const floor = 40
 
 /// What is drawn below a real robot: open floor, with the start of the run in the middle.
-export function openFloor(name: string): World {
+function openFloor(name: string): World {
   return {
     name,
     title: "",

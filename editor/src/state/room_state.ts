@@ -138,7 +138,7 @@ export function roomUntil(room: RoomState, time: number): RoomState {
 }
 
 /// A bubble stays this long, in seconds of the run.
-export const speechSeconds = 3
+const speechSeconds = 3
 
 /// Words kept for looking back; the oldest go first.
 const maxWords = 1000

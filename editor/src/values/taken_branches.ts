@@ -33,7 +33,7 @@ export function takenBranches(state: Pick<PageState, "document" | "room" | "valu
 }
 
 /// The branches of the function itself and of its local definitions; all of a function without a name.
-export function ownBranches({function: name, branches}: Firing): readonly FiringBranch[] {
+function ownBranches({function: name, branches}: Firing): readonly FiringBranch[] {
   const own = branches.filter(branch => branch.in.includes(name))
   return own.length > 0 ? own : branches
 }

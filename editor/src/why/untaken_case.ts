@@ -30,7 +30,7 @@ function questionIn({document, room}: Shown, range: {start: number; end: number}
 }
 
 /// What the case is told by; `else` has the condition of its `if`.
-export const shownCase = ({kind, text}: FiringBranch): string => (kind === "else" ? `else (${text})` : text)
+const shownCase = ({kind, text}: FiringBranch): string => (kind === "else" ? `else (${text})` : text)
 
 function innermostBranch(
   branches: readonly FiringBranch[],

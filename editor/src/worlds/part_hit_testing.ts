@@ -5,7 +5,7 @@ import {robotRadius, type Spot, type World, type WorldGoal, wallThickness} from 
 import {type Part, partsOf} from "./world_parts.ts"
 
 /// Distance from a point to a part, m; 0 on the part, `null` for a part without a position.
-export function distanceToPart(world: World, part: Part, at: Spot): number | null {
+function distanceToPart(world: World, part: Part, at: Spot): number | null {
   switch (part.kind) {
     case "start":
       return Math.max(0, distance([world.start.x, world.start.y], at) - robotRadius)

@@ -50,7 +50,6 @@ export type WorldGoal = {readonly title: string; readonly within: number | null}
   | {readonly kind: "lap"; readonly from: Spot; readonly to: Spot; readonly laps: number}
   | {readonly kind: "draw"; readonly points: readonly Spot[]; readonly tolerance: number}
 )
-export type GoalKind = WorldGoal["kind"]
 
 /// How the robot differs from an ideal one: see protocol §6.
 export interface Realism {

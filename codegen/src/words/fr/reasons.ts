@@ -26,9 +26,7 @@ export const reasons: Words["reasons"] = {
   localFixity: "Un opérateur reçoit sa propre priorité dans cette définition.",
   lambdaCase:
     "Une fonction qui regarde tout de suite son entrée (\\case). Utilise plutôt « regarder » dans une fonction.",
-  multiWayIf: "Un if à plusieurs branches. Utilise plutôt les conditions d'une définition.",
   typeApplication: "Un type est donné à la main à une fonction, avec @.",
-  tupleSection: "Un tuple avec un trou. Écris plutôt une petite fonction.",
   wildcards:
     "Deux points remplacent toutes les parties d'un enregistrement. Nomme les parties dont tu as besoin.",
   puns: "Une partie d'un enregistrement est utilisée sous son propre nom. Écris nom = nom.",

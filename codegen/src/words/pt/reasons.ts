@@ -24,9 +24,7 @@ export const reasons: Words["reasons"] = {
   displaced: "Estas linhas têm um recuo que os blocos estragariam.",
   localFixity: "Um operador liga de um jeito próprio dentro desta definição.",
   lambdaCase: "Uma função que olha direto para a sua entrada (\\case). Use “olhe para” dentro de uma função.",
-  multiWayIf: "Um if com muitos ramos. Use as condições de uma definição.",
   typeApplication: "Um tipo é dado à mão a uma função, com @.",
-  tupleSection: "Uma tupla com uma lacuna. Escreva uma pequena função no lugar dela.",
   wildcards:
     "Dois pontos finais (..) valem por todas as partes de um registro. Escreva as partes de que você precisa.",
   puns: "Uma parte de um registro é usada com o próprio nome. Escreva name = name.",

@@ -259,6 +259,6 @@ export function showInference(
 
 /// Problems that a block wears as an icon with a sentence. A hole is shown by its socket and a loose block by its
 /// outline: while a program is being built, both are normal, and an icon would come and go at every step.
-export function problemsWithIcon(problems: readonly BlockProblem[]): readonly BlockProblem[] {
+function problemsWithIcon(problems: readonly BlockProblem[]): readonly BlockProblem[] {
   return problems.filter(problem => problem.kind !== "hole" && problem.kind !== "loose")
 }

@@ -20,7 +20,7 @@ export function setScrollBarThickness(): void {
 }
 
 /// Whether a point is near an edge at which a bar stands: the lower one, or the one where lines end. Pure; exported for its test.
-export function isNearBars(
+function isNearBars(
   point: {readonly x: number; readonly y: number},
   box: {readonly left: number; readonly right: number; readonly bottom: number},
   rightToLeft: boolean,

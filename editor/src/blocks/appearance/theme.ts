@@ -47,18 +47,6 @@ export const fills: Readonly<Record<Tone, Readonly<Record<Family, string>>>> = {
 /// Words on blocks.
 export const ink: Readonly<Record<Tone, string>> = {light: "#ffffff", dark: "#11151b"}
 
-/// The words a screen reader and a tooltip use for a family.
-export const familyWords: Readonly<Record<Family, string>> = {
-  event: "event",
-  state: "state",
-  command: "command",
-  memory: "memory or maybe",
-  task: "task",
-  number: "number",
-  choice: "choice",
-  own: "value",
-}
-
 /// `colour` with a share of `other` mixed in; both `#rrggbb`.
 export function mix(colour: string, other: string, share: number): string {
   const channel = (at: number) => {

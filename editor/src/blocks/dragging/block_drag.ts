@@ -234,7 +234,7 @@ function below(block: Blockly.BlockSvg): {clientX: number; clientY: number} {
 }
 
 /// Words in backquotes are code.
-export function withInlineCode(sentence: string): Node[] {
+function withInlineCode(sentence: string): Node[] {
   return sentence.split("`").map((part, at) => {
     if (at % 2 === 0) return document.createTextNode(part)
     const code = document.createElement("code")

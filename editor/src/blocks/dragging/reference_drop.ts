@@ -18,7 +18,7 @@ export interface Point {
 }
 
 /// How far a point is from a rectangle; 0 inside. Pure.
-export function distanceToSocket(point: Point, socket: Point, rightToLeft = false): number {
+function distanceToSocket(point: Point, socket: Point, rightToLeft = false): number {
   const left = rightToLeft ? socket.x - socketSize.width : socket.x
   const beside = Math.max(left - point.x, 0, point.x - left - socketSize.width)
   const above = Math.max(socket.y - point.y, 0, point.y - socket.y - socketSize.height)

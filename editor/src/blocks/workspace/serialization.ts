@@ -177,7 +177,7 @@ interface Snapshot {
 const snapshots = new WeakMap<Blockly.Block, Snapshot>()
 
 /// A top-level block as Blockly writes it down.
-export function savedTop(block: Blockly.Block): SavedBlock | undefined {
+function savedTop(block: Blockly.Block): SavedBlock | undefined {
   const known = snapshots.get(block)
   const snapshot: Snapshot = known ?? {seen: [], saved: undefined}
   const looking = new SnapshotComparison(snapshot.seen)
@@ -193,7 +193,7 @@ export function savedTop(block: Blockly.Block): SavedBlock | undefined {
 }
 
 /// `block` was made from `saved`: that is its value from now on, if it says the same.
-export function adoptSaved(block: Blockly.Block, saved: SavedBlock): void {
+function adoptSaved(block: Blockly.Block, saved: SavedBlock): void {
   const snapshot = snapshots.get(block)
   if (snapshot !== undefined && sameBlock(snapshot.saved, saved)) snapshot.saved = saved
 }

@@ -10,7 +10,6 @@ export const diagram: typeof english = {
   empty: "Das Programm simuliert noch nichts.",
   failed: "Das Diagramm konnte nicht gezeichnet werden. Lade die Seite neu, um es noch einmal zu versuchen.",
   asList: "Als Liste",
-  asDrawing: "Als Zeichnung",
   whole: "Alles zeigen",
   tidy: "Aufräumen",
   tidyHint: "Ordnet alles neu an",

@@ -19,6 +19,5 @@ export const guide: GuideWords = {
   nothingAbout: query => `Nichts zu „${query}“. Versuche ein anderes Wort oder nur seinen Anfang.`,
   places: count => (count === 1 ? "1 Stelle" : `${count} Stellen`),
   inEnglish: "auf Englisch",
-  thisLanguage: "Deutsch",
   readHere: "Diese Seite auf Deutsch",
 }

@@ -227,7 +227,6 @@ export const page: Omit<
   haskellPane: "Das Programm in Haskell",
   haskellKeys: "Escape und dann Tab verlässt den Text. F8 geht zum nächsten Problem.",
   blocksPane: "Das Programm in Blöcken",
-  emptyHaskell: "Hier erscheint das Haskell deiner Blöcke.",
   link: {
     connecting: "Der Roboter wird gesucht …",
     lost: "Die Verbindung zu Rosy ist weg. Sie kommt von selbst wieder; dein Programm bleibt erhalten.",

@@ -31,7 +31,6 @@ export const why: typeof english = {
   notTaken: "Warum nicht dieser Fall?",
   value: "Warum hat es diesen Wert?",
   noCommand: command => `Warum kein ${command}?`,
-  lookThere: time => `Sieh dir ${time} an`,
   marks: "Zeitpunkte der Antwort",
   values: "Werte im Programm zeigen",
   valuesHint: "Zeigt in Blöcken und Haskell, was jede Funktion zuletzt bekam und gab",

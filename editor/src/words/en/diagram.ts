@@ -8,7 +8,6 @@ export const diagram = {
   empty: "The program simulates nothing yet.",
   failed: "The diagram could not be drawn. Reload the page to try again.",
   asList: "As a list",
-  asDrawing: "As a drawing",
   whole: "Show all of it",
   tidy: "Tidy up",
   tidyHint: "Place everything anew",

@@ -19,8 +19,6 @@ export const guide = {
   places: (count: number) => (count === 1 ? "1 place" : `${count} places`),
   /// Behind a page that is not translated.
   inEnglish: "in English",
-  /// The language, in its own words.
-  thisLanguage: "English",
   /// Link to this language from the same page in another one.
   readHere: "This page in English",
 }

@@ -216,7 +216,6 @@ export const page = {
   haskellPane: "The program in Haskell",
   haskellKeys: "Escape, then Tab leaves the text. F8 goes to the next problem.",
   blocksPane: "The program in blocks",
-  emptyHaskell: "The Haskell of your blocks appears here.",
   link: {
     connecting: "Looking for the robot…",
     lost: "The connection to Rosy is lost. It comes back by itself; your program is kept.",

@@ -30,7 +30,6 @@ export const why = {
   notTaken: "Why not this case?",
   value: "Why does it have this value?",
   noCommand: (command: string) => `Why no ${command}?`,
-  lookThere: (time: string) => `Look at ${time}`,
   marks: "Moments of the answer",
   values: "Show values in the program",
   valuesHint: "Show in blocks and Haskell what each function got last and what it gave",

@@ -13,7 +13,6 @@ export const diagram: Words["diagram"] = {
   empty: "El programa todavía no simula nada.",
   failed: "No se ha podido dibujar el diagrama. Vuelve a cargar la página para probar otra vez.",
   asList: "Como lista",
-  asDrawing: "Como dibujo",
   whole: "Mostrarlo todo",
   tidy: "Ordenar",
   tidyHint: "Coloca todo de nuevo",

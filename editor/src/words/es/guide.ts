@@ -19,6 +19,5 @@ export const guide: GuideWords = {
   nothingAbout: query => `Nada sobre «${query}». Prueba con otra palabra, o solo con su comienzo.`,
   places: count => (count === 1 ? "1 lugar" : `${count} lugares`),
   inEnglish: "en inglés",
-  thisLanguage: "Español",
   readHere: "Esta página en español",
 }

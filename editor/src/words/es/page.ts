@@ -233,7 +233,6 @@ export const page: Omit<
   haskellPane: "El programa en Haskell",
   haskellKeys: "Escape y después Tab sale del texto. F8 va al problema siguiente.",
   blocksPane: "El programa en bloques",
-  emptyHaskell: "Aquí aparece el Haskell de tus bloques.",
   link: {
     connecting: "Buscando el robot…",
     lost: "Se ha perdido la conexión con Rosy. Vuelve por sí sola; tu programa se conserva.",

@@ -31,7 +31,6 @@ export const why: Words["why"] = {
   notTaken: "¿Por qué no este caso?",
   value: "¿Por qué tiene este valor?",
   noCommand: command => `¿Por qué no hay ningún ${command}?`,
-  lookThere: time => `Mirar qué pasó a los ${time}`,
   marks: "Momentos de la respuesta",
   values: "Mostrar valores en el programa",
   valuesHint: "Muestra en los bloques y en Haskell lo último que cada función recibió y dio",

@@ -10,7 +10,6 @@ export const diagram: typeof english = {
   empty: "Le programme ne simule encore rien.",
   failed: "Le schéma n'a pas pu être dessiné. Recharge la page pour réessayer.",
   asList: "En liste",
-  asDrawing: "En dessin",
   whole: "Tout montrer",
   tidy: "Ranger",
   tidyHint: "Tout placer à nouveau",

@@ -19,6 +19,5 @@ export const guide: GuideWords = {
   nothingAbout: query => `Rien sur « ${query} ». Essaie un autre mot, ou seulement son début.`,
   places: count => (count === 1 ? "1 endroit" : `${count} endroits`),
   inEnglish: "en anglais",
-  thisLanguage: "Français",
   readHere: "Cette page en français",
 }

@@ -237,7 +237,6 @@ export const page: Omit<
   haskellPane: "Le programme en Haskell",
   haskellKeys: "Échap puis Tab sort du texte. F8 va au problème suivant.",
   blocksPane: "Le programme en blocs",
-  emptyHaskell: "Le Haskell de tes blocs apparaît ici.",
   link: {
     connecting: "Recherche du robot…",
     lost: "La connexion avec Rosy est perdue. Elle revient toute seule ; ton programme est gardé.",

@@ -31,7 +31,6 @@ export const why: typeof english = {
   notTaken: "Pourquoi pas ce cas ?",
   value: "Pourquoi a-t-il cette valeur ?",
   noCommand: command => `Pourquoi aucun ${command} ?`,
-  lookThere: time => `Regarder à ${time}`,
   marks: "Moments de la réponse",
   values: "Montrer les valeurs dans le programme",
   valuesHint: "Montrer dans les blocs et le Haskell ce que chaque fonction a reçu et donné en dernier",

@@ -10,7 +10,6 @@ export const diagram: typeof english = {
   empty: "O programa ainda não simula nada.",
   failed: "Não deu para desenhar o diagrama. Recarregue a página para tentar de novo.",
   asList: "Como lista",
-  asDrawing: "Como desenho",
   whole: "Mostrar tudo",
   tidy: "Arrumar",
   tidyHint: "Põe tudo em ordem de novo",

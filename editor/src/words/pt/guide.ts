@@ -19,6 +19,5 @@ export const guide: GuideWords = {
   nothingAbout: query => `Nada sobre “${query}”. Tente outra palavra, ou só o começo dela.`,
   places: count => (count === 1 ? "1 lugar" : `${count} lugares`),
   inEnglish: "em inglês",
-  thisLanguage: "Português",
   readHere: "Esta página em português",
 }

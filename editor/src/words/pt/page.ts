@@ -227,7 +227,6 @@ export const page: Omit<
   haskellPane: "O programa em Haskell",
   haskellKeys: "Esc e depois Tab saem do texto. F8 vai ao próximo problema.",
   blocksPane: "O programa em blocos",
-  emptyHaskell: "Aqui aparece o Haskell dos seus blocos.",
   link: {
     connecting: "Procurando o robô…",
     lost: "A conexão com o Rosy caiu. Ela volta sozinha; o seu programa está guardado.",

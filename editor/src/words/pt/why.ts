@@ -32,7 +32,6 @@ export const why: typeof english = {
   notTaken: "Por que não este caso?",
   value: "Por que tem este valor?",
   noCommand: command => `Por que nenhum ${command}?`,
-  lookThere: time => `Veja aos ${time}`,
   marks: "Momentos da resposta",
   values: "Mostrar valores no programa",
   valuesHint: "Mostra nos blocos e no Haskell o que cada função recebeu por último e o que ela deu",
