@@ -47,6 +47,7 @@ PARTS = [
     Part("Ray", (".rosy/venv-cluster",), ("venv-cluster",)),
     Part("Node", (".rosy/node",), ("node",)),
     Part("Node's packages", NODE_MODULES, ("npm", "npm-tools"), NPM_DOWNLOADS),
+    Part("Chromium", (".rosy/chromium",), ("chromium",), NPM_DOWNLOADS),
     Part("Haskell builds", ("dist-newstyle",)),
     Part("page", ("editor/dist", "codegen/dist", ".rosy/api-docs")),
 ]

@@ -66,6 +66,7 @@ cost_of() {
     node) echo 10 58 207 ;;
     npm) echo 20 62 147 ;;
     npm-tools) echo 25 100 291 ;;
+    chromium) echo 15 69 210 ;;
     haskell) echo 100 0 45 ;;
     robot) echo 60 0 50 ;;
     builder) echo 15 0 5 ;;

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import subprocess
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -23,7 +24,7 @@ PEERS = Path(__file__).resolve().parents[3] / "rosy-hs" / "test-robots" / "peers
 @contextmanager
 def base(folder: Path) -> Iterator[tuple[str, subprocess.Popen[str]]]:
     """Address and process of a base; words to its standard input touch it."""
-    command = ["/usr/bin/python3", str(PEERS / "kobuki.py"), str(folder / "kobuki")]
+    command = [sys.executable, str(PEERS / "kobuki.py"), str(folder / "kobuki")]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         try:
@@ -56,7 +57,7 @@ def recorded_at(address: str, config: Config, source: str, seconds: float = 60.0
 @contextmanager
 def ros2_robot(name: str, act: Callable[[str, Callable[[str], None]], None]) -> Iterator[str]:
     """Address of a ROS 2 robot behind a rosbridge server; ``act`` is told each of its lines, and may speak to it."""
-    command = ["/usr/bin/python3", str(PEERS / "ros2_robot.py"), name]
+    command = [sys.executable, str(PEERS / "ros2_robot.py"), name]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdin is not None
         assert process.stdout is not None

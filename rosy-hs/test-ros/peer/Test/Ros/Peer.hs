@@ -99,7 +99,7 @@ stop :: ProcessHandle -> IO ()
 stop p = terminateProcess p >> timeout 2000000 (waitForProcess p) >>= maybe (killHard p) (const (pure ()))
 
 killHard :: ProcessHandle -> IO ()
-killHard p = getPid p >>= mapM_ (\n -> callProcess "kill" ["-9", show n]) >> void (waitForProcess p)
+killHard p = getPid p >>= mapM_ (sendSignal "KILL" . show) >> void (waitForProcess p)
 
 -- | A rospy node of this name, ready to be told what to do.
 withPeer :: Ros -> String -> (Peer -> IO a) -> IO a
@@ -152,11 +152,15 @@ killPeer = killHard . peerProcess
 
 -- | A signal by its name.
 signal :: Peer -> String -> IO ()
-signal p name = getPid (peerProcess p) >>= mapM_ (\n -> callProcess "kill" ["-" ++ name, show n])
+signal p name = getPid (peerProcess p) >>= mapM_ (sendSignal name . show)
 
 -- | The same for the processes that it has started.
 signalChildren :: Peer -> String -> IO ()
-signalChildren p name = getPid (peerProcess p) >>= mapM_ (\n -> callProcess "sh" ["-c", "kill -" ++ name ++ " $(cat /proc/" ++ show n ++ "/task/*/children)"])
+signalChildren p name = getPid (peerProcess p) >>= mapM_ (\n -> sendSignal name ("$(cat /proc/" ++ show n ++ "/task/*/children)"))
+
+-- | A signal to the processes with these numbers, by the shell: a bare Ubuntu has no program @kill@.
+sendSignal :: String -> String -> IO ()
+sendSignal name processes = callProcess "sh" ["-c", "kill -" ++ name ++ " " ++ processes]
 
 -- | How it ends.
 exitOf :: Peer -> IO ExitCode

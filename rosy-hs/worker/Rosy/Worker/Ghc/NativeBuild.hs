@@ -80,6 +80,11 @@ compile order = defaultErrorHandler defaultFatalMessager defaultFlushOut . runGh
       liftIO (writeFile launcher (launcherText order))
       start <- sourceTarget launcher
       setTargets [program', start]
+      -- Only now: from 9.4 on GHC also refuses to read a program alone whose main module is another one.
+      env <- getSession
+      current <- getSessionDynFlags
+      linked <- parseArguments env current (linking order)
+      _ <- setSessionDynFlags linked
       done <- load LoadAllTargets
       pure (if succeeded done then Built else NotBuilt)
 
@@ -92,7 +97,11 @@ arguments order =
     ++ ["-O1", "-threaded", "-fno-omit-yields", "-rtsopts=ignoreAll", "-w"]
     ++ ["-optl-s"]
     ++ ["-optl-static" | static order]
-    ++ ["-main-is", launcherName, "-L" ++ scratch order, "-outputdir", scratch order, "-o", binary order]
+    ++ ["-L" ++ scratch order, "-outputdir", scratch order]
+
+-- | The main module of the executable, and its name.
+linking :: BuildRequest -> [String]
+linking order = ["-main-is", launcherName, "-o", binary order]
 
 -- | The names in scope of every program. 'robotTypes' serve warnings only, which a build does not give.
 implicitNamesOf :: Ghc ImplicitNames
