@@ -6,6 +6,7 @@ The program must have passed the worker's check. Intermediate files go into a fo
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 import tempfile
@@ -21,8 +22,11 @@ __all__ = ["build_program", "is_native"]
 _ARCHIVES = ("libgmp.a", "libffi.a", "libz.a")
 """Libraries that a robot's computer need not have, also where the C library cannot become a part of the file."""
 
-_LINKER_ADVICE = ": warning: Using 'getaddrinfo'"
-"""The linker's warning of host lookups, which ``Ros.Net.HostLookup`` heeds: it loads no library of the machine."""
+_LINKER_ADVICE = re.compile(r": warning: Using '\w+' in statically linked applications requires|: in function `\w+':$")
+"""
+Warnings of the linker about functions that load a library of the machine. Of host lookups, which ``Ros.Net.HostLookup``
+heeds; the others are of functions of GHC's libraries that no built program calls (users, groups, loading code).
+"""
 
 
 def build_program(root: Path, source: str, output: Path) -> int:
@@ -54,7 +58,9 @@ def build_program(root: Path, source: str, output: Path) -> int:
         units = f"{robots.stem.removesuffix('-robots')},{robots.stem}"
         request = [_libdir(), robots.parent, units, scratch, program, root, binary, "static" if static else "dynamic"]
         finished = subprocess.run([builder, *map(str, request)], stderr=subprocess.PIPE, text=True, check=False)
-        sys.stderr.writelines(line for line in finished.stderr.splitlines(keepends=True) if _LINKER_ADVICE not in line)
+        sys.stderr.writelines(
+            line for line in finished.stderr.splitlines(keepends=True) if not _LINKER_ADVICE.search(line)
+        )
         if finished.returncode == 0:
             _install(binary, output)
     return finished.returncode
