@@ -1,8 +1,9 @@
 """
 All suites of the repository: static checks, unit tests and browser stories, in the order in which they should start.
 
-Suites with browsers, robots and limits of time come first and share the cores. What only computes runs in the background all the while: compilers, linters
-and tests that wait for nothing take the processor time which stories and robots leave. `cores` is what a suite keeps busy, not what it may use.
+Suites with browsers, robots and limits of time come first and share the cores, with the build that those of Haskell wait for. What only computes runs in
+the background all the while: compilers, linters and tests that wait for nothing take the processor time which stories and robots leave. `cores` is what a
+suite keeps busy, not what it may use.
 """
 
 from __future__ import annotations
@@ -65,6 +66,8 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
     # pytest then ends the process with the stacks of all its threads, and pytest-xdist names the test and goes on with the others.
     hangs = [] if whole else ["-o", f"faulthandler_timeout={TEST_LIMIT}", "-o", "faulthandler_exit_on_timeout=true"]
     listed = [
+        # First and not in the background: the longest chain of suites waits for it. Half of it is one compiler.
+        replace(check("build-hs", PYTHON, "scripts/testing/haskell.py", "build"), background=False, cores=0.5),
         # Stories and Python tests wait for simulated robots and for limits of time during about half of their time, so they have more
         # processes than cores. No other suite runs beside both: stories take more than one core, and a drag needs processor time.
         Suite("e2e", ["npx", "playwright", "test", "-c", "e2e-tests"], json_report(stories), report=stories),
@@ -80,7 +83,6 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
             report=short,
             after=frozenset({"e2e"}),
         ),
-        check("build-hs", PYTHON, "scripts/testing/haskell.py", "build"),
         vitest("codegen", background=True),
         Suite("scripts", [PYTHON, "-m", "pytest", "-q", "scripts/tests"], pytest_summary, prints=False, background=True),
         check("types-py", PYTHON, "-m", "mypy", "--config-file", "sim-service/pyproject.toml", "sim-service/rosy_sim", "sim-service/tests"),
