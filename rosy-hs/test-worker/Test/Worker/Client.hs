@@ -242,9 +242,9 @@ allChildrenOf pid = do
 descriptorsOf :: Int -> IO Int
 descriptorsOf pid = length <$> listDirectory ("/proc/" ++ show pid ++ "/fd")
 
--- | A field of each thread of a process. proc(5), @/proc/pid/task/tid/status@.
+-- | A field of each thread of a process; none when it has ended. proc(5), @/proc/pid/task/tid/status@.
 threadStatus :: String -> Int -> IO [String]
-threadStatus name pid = listDirectory tasks >>= fmap concat . mapM ofThread
+threadStatus name pid = (try (listDirectory tasks) :: IO (Either IOException [FilePath])) >>= fmap concat . mapM ofThread . fromRight []
   where
     tasks = "/proc/" ++ show pid ++ "/task"
     ofThread thread = do
