@@ -47,7 +47,11 @@ APT_TOOLS="chromium hlint ormolu shellcheck
   libghc-quickcheck2-dev libghc-tasty-dev libghc-tasty-hunit-dev libghc-tasty-quickcheck-dev libghc-reactive-banana-dev"
 
 # Ubuntu has Chromium as a snap only. Tests there take the headless shell out of an npm package (Debian's own on other machines).
-takes_npm_chromium() { [ "$(uname -m)" = x86_64 ] && [ ! -x /usr/bin/chromium ] && grep -qs '^ID=ubuntu$' /etc/os-release; }
+# ROSY_CHROMIUM names another browser.
+takes_npm_chromium() {
+  [ "${ROSY_CHROMIUM:-$ROSY_STATE/chromium/chromium}" = "$ROSY_STATE/chromium/chromium" ] && [ "$(uname -m)" = x86_64 ] &&
+    [ ! -x /usr/bin/chromium ] && grep -qs '^ID=ubuntu$' /etc/os-release
+}
 if takes_npm_chromium; then
   APT_TOOLS=${APT_TOOLS/chromium/libnss3 fontconfig}
   export ROSY_CHROMIUM=${ROSY_CHROMIUM:-$ROSY_STATE/chromium/chromium}

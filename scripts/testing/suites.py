@@ -65,15 +65,16 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
     short = reports / "browsers.json"
     # pytest then ends the process with the stacks of all its threads, and pytest-xdist names the test and goes on with the others.
     hangs = [] if whole else ["-o", f"faulthandler_timeout={TEST_LIMIT}", "-o", "faulthandler_exit_on_timeout=true"]
+    built = frozenset({"build-hs"})
     listed = [
-        # First and not in the background: the longest chain of suites waits for it. Half of it is one compiler.
-        replace(check("build-hs", PYTHON, "scripts/testing/haskell.py", "build"), background=False, cores=0.5),
+        # First and not in the background: after `start` it also links the worker and the robot program again, which other suites run.
+        replace(check("build-hs", PYTHON, "scripts/testing/haskell.py", "build"), background=False),
         # Stories and Python tests wait for simulated robots and for limits of time during about half of their time, so they have more
         # processes than cores. No other suite runs beside both: stories take more than one core, and a drag needs processor time.
-        Suite("e2e", ["npx", "playwright", "test", "-c", "e2e-tests"], json_report(stories), report=stories),
-        Suite("python", [PYTHON, "-m", "pytest", "sim-service", "-n", "4", "--dist", "worksteal", *hangs], pytest_summary, cores=0.5),
+        Suite("e2e", ["npx", "playwright", "test", "-c", "e2e-tests"], json_report(stories), report=stories, after=built),
+        Suite("python", [PYTHON, "-m", "pytest", "sim-service", "-n", "4", "--dist", "worksteal", *hangs], pytest_summary, cores=0.5, after=built),
         # Builds what is not built, so that the suite can also be run alone.
-        Suite("haskell", [PYTHON, "scripts/testing/haskell.py"], tasty_summary, cores=0.5, after=frozenset({"build-hs"})),
+        Suite("haskell", [PYTHON, "scripts/testing/haskell.py"], tasty_summary, cores=0.5, after=built),
         vitest("editor"),
         # A finger that rests opens a menu, so a drag by touch needs a machine that is not fully busy.
         Suite(
@@ -83,13 +84,13 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
             report=short,
             after=frozenset({"e2e"}),
         ),
-        vitest("codegen", background=True),
+        replace(vitest("codegen", background=True), after=built),
         Suite("scripts", [PYTHON, "-m", "pytest", "-q", "scripts/tests"], pytest_summary, prints=False, background=True),
         check("types-py", PYTHON, "-m", "mypy", "--config-file", "sim-service/pyproject.toml", "sim-service/rosy_sim", "sim-service/tests"),
         # All that may use the names of a browser is one program: as four, the compiler read the sources of codegen and of the page four times.
         check("types-ts", "npx", "tsc", "-b", "codegen", "tsconfig.check.json"),
         # The build may still change the library.
-        replace(check("types-bench", "bash", "-c", TYPES_OF_BENCHMARKS), after=frozenset({"build-hs"})),
+        replace(check("types-bench", "bash", "-c", TYPES_OF_BENCHMARKS), after=built),
         # The versions of Debian 12. Later ones find other things, and write the same program in another way.
         changed("lint-hs", "3.3", "hlint", "--", *haskell),
         # Ormolu reads the language extensions of the package.
