@@ -75,7 +75,8 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
         Suite("python", [PYTHON, "-m", "pytest", "sim-service", "-n", "4", "--dist", "worksteal", *hangs], pytest_summary, cores=0.5, after=built),
         # Builds what is not built, so that the suite can also be run alone.
         Suite("haskell", [PYTHON, "scripts/testing/haskell.py"], tasty_summary, cores=0.5, after=built),
-        vitest("editor"),
+        # Only so that the two before it, which take longer, start first.
+        replace(vitest("editor"), after=built),
         # A finger that rests opens a menu, so a drag by touch needs a machine that is not fully busy.
         Suite(
             "browsers",
