@@ -86,7 +86,8 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
             after=frozenset({"e2e"}),
         ),
         replace(vitest("codegen", background=True), after=built),
-        Suite("scripts", [PYTHON, "-m", "pytest", "-q", "scripts/tests"], pytest_summary, prints=False, background=True),
+        # Not before the suite above, which takes longer.
+        Suite("scripts", [PYTHON, "-m", "pytest", "-q", "scripts/tests"], pytest_summary, prints=False, background=True, after=built),
         check("types-py", PYTHON, "-m", "mypy", "--config-file", "sim-service/pyproject.toml", "sim-service/rosy_sim", "sim-service/tests"),
         # All that may use the names of a browser is one program: as four, the compiler read the sources of codegen and of the page four times.
         check("types-ts", "npx", "tsc", "-b", "codegen", "tsconfig.check.json"),
