@@ -46,16 +46,13 @@ APT_RUNTIME="ghc cabal-install gcc libc6-dev libgmp-dev pkg-config
 APT_TOOLS="chromium hlint ormolu shellcheck
   libghc-quickcheck2-dev libghc-tasty-dev libghc-tasty-hunit-dev libghc-tasty-quickcheck-dev libghc-reactive-banana-dev"
 
-# Ubuntu has Chromium as a snap only. Tests there take the headless shell out of an npm package (Debian's own on other machines).
-# ROSY_CHROMIUM names another browser.
-takes_npm_chromium() {
-  [ "${ROSY_CHROMIUM:-$ROSY_STATE/chromium/chromium}" = "$ROSY_STATE/chromium/chromium" ] && [ "$(uname -m)" = x86_64 ] &&
-    [ ! -x /usr/bin/chromium ] && grep -qs '^ID=ubuntu$' /etc/os-release
-}
-if takes_npm_chromium; then
-  APT_TOOLS=${APT_TOOLS/chromium/libnss3 fontconfig}
-  export ROSY_CHROMIUM=${ROSY_CHROMIUM:-$ROSY_STATE/chromium/chromium}
-fi
+# Ubuntu has Chromium as a snap only, which neither a container nor a bare system runs: apt has nothing but a stub.
+has_chromium_as_snap() { [ ! -x /usr/bin/chromium ] && grep -qs '^ID=ubuntu$' /etc/os-release; }
+! has_chromium_as_snap || APT_TOOLS=${APT_TOOLS/chromium/libnss3 fontconfig}
+# There the tests take the headless shell of an npm package, which has it for x86-64, unless ROSY_CHROMIUM names a browser.
+CHROMIUM="$ROSY_STATE/chromium/chromium"
+takes_npm_chromium() { has_chromium_as_snap && [ "$(uname -m)" = x86_64 ] && [ "${ROSY_CHROMIUM:-$CHROMIUM}" = "$CHROMIUM" ]; }
+! takes_npm_chromium || export ROSY_CHROMIUM="$CHROMIUM"
 NPM_CHROMIUM=@sparticuz/chromium@153.0.0
 NPM_CHROMIUM_SHA512=8e2196a92bcf31dbb8f8ff538a562a011ef21063c41c8371fa50af13f36a34efc41d8cc5ff1d615222394fa8a8548b7b744cbb9fcf1bcb24f4be4f9d9ec810c0
 
@@ -76,7 +73,7 @@ made() {
     node) [ -x "$NODE_FOLDER/bin/node" ] ;;
     npm) [ -d "$ROSY_ROOT/node_modules/vite" ] ;;
     npm-tools) [ -d "$ROSY_ROOT/node_modules/vitest" ] ;;
-    chromium) [ -x "$ROSY_STATE/chromium/chromium" ] ;;
+    chromium) [ -x "$CHROMIUM" ] ;;
     haskell) built rosy-worker ;;
     robot) built rosy-robot ;;
     builder) built rosy-build ;;
@@ -100,7 +97,7 @@ print_of() {
     venv-tools) checksum "$ROSY_ROOT/sim-service/requirements.lock" "$ROSY_ROOT/sim-service/requirements-test.lock" ;;
     node) checksum "$ROSY_ROOT/sim-service/requirements-node.lock" ;;
     npm | npm-tools) checksum "$ROSY_ROOT/package-lock.json" ;;
-    chromium) echo "$NPM_CHROMIUM" ;;
+    chromium) echo "$NPM_CHROMIUM $NPM_CHROMIUM_SHA512" ;;
     haskell) fingerprint rosy.cabal cabal.project rosy-hs/src rosy-hs/worker rosy-hs/app ;;
     robot) fingerprint rosy.cabal cabal.project rosy-hs/src rosy-hs/ros rosy-hs/robots rosy-hs/app ;;
     builder) fingerprint rosy.cabal cabal.project rosy-hs/builder rosy-hs/worker ;;
@@ -187,14 +184,14 @@ do_npm() { npm_install --omit=dev --include-workspace-root --workspace @rosy/cod
 do_npm-tools() { npm_install; }
 do_chromium() {
   local part="$ROSY_STATE/chromium.part"
-  rm -rf "$part" "$ROSY_STATE/chromium"
+  rm -rf "$part" "${CHROMIUM%/*}"
   mkdir "$part" &&
     (cd "$part" && npm pack --silent --fetch-retries=5 --cache "$part/cache" "$NPM_CHROMIUM" && mv ./*.tgz package.tgz) &&
     echo "npm downloaded $(du -sm "$part/package.tgz" | cut -f1) MB" &&
     echo "$NPM_CHROMIUM_SHA512  $part/package.tgz" | sha512sum -c &&
     tar -xzf "$part/package.tgz" -C "$part" package/bin/chromium.br &&
     node -e 'fs.writeFileSync(process.argv[2], zlib.brotliDecompressSync(fs.readFileSync(process.argv[1])), {mode: 0o755})' "$part/package/bin/chromium.br" "$part/chromium" &&
-    mkdir "$ROSY_STATE/chromium" && mv "$part/chromium" "$ROSY_STATE/chromium" && rm -rf "$part"
+    mkdir "${CHROMIUM%/*}" && mv "$part/chromium" "$CHROMIUM" && rm -rf "$part"
 }
 
 # A linker that is killed leaves a part of a library, which looks newer than its objects; the next build would take it for whole.

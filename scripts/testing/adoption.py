@@ -17,7 +17,7 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-__all__ = ["BACKGROUND", "PATIENT", "give_way", "run"]
+__all__ = ["BACKGROUND", "BACKGROUND_NICE", "lower_priority", "run"]
 
 BACKGROUND = "--background"
 
@@ -25,19 +25,19 @@ PR_SET_CHILD_SUBREAPER = 36
 """linux/prctl.h."""
 
 
-PATIENT = 10
+BACKGROUND_NICE = 10
 """Nice value of the background: a tenth of the share of others where they want all of a processor, so that no test in it waits for its limit of time."""
 
 
-def give_way() -> None:
+def lower_priority() -> None:
     """
     Gives this process and all that it starts a low priority. Linux shares a processor out between sessions first, where
     it forms a group of each (sched(7), autogroups), and only within them by nice values: both are set.
     """
-    os.nice(PATIENT)
+    os.nice(BACKGROUND_NICE)
     while True:
         try:
-            Path("/proc/self/autogroup").write_text(str(PATIENT))
+            Path("/proc/self/autogroup").write_text(str(BACKGROUND_NICE))
         except BlockingIOError:
             # Linux takes ten such requests of users per second.
             time.sleep(0.1)
@@ -76,7 +76,7 @@ if __name__ == "__main__":
     words = sys.argv[1:]
     if words[0] == BACKGROUND:
         words = words[1:]
-        give_way()
+        lower_priority()
     try:
         sys.exit(run(words))
     except OSError as error:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from testing.adoption import PATIENT
+from testing.adoption import BACKGROUND_NICE
 from testing.counts import by_exit
 from testing.scheduler import Result, Suite, run_all
 
@@ -119,8 +119,8 @@ print(os.nice(0), group.read_text() if group.exists() else "none")
     patient, prompt = (next(r.output.split() for r in watch.results if r.suite.name == name) for name in ("patient", "prompt"))
     # This process may itself be in the background.
     assert int(prompt[0]) == os.nice(0)
-    assert int(patient[0]) == min(os.nice(0) + PATIENT, 19)
-    assert patient[-1] in (str(PATIENT), "none")
+    assert int(patient[0]) == min(os.nice(0) + BACKGROUND_NICE, 19)
+    assert patient[-1] in (str(BACKGROUND_NICE), "none")
 
 
 def test_a_suite_waits_for_those_it_comes_after(tmp_path: Path) -> None:

@@ -58,11 +58,12 @@ def build_program(root: Path, source: str, output: Path) -> int:
         units = f"{robots.stem.removesuffix('-robots')},{robots.stem}"
         request = [_libdir(), robots.parent, units, scratch, program, root, binary, "static" if static else "dynamic"]
         finished = subprocess.run([builder, *map(str, request)], stderr=subprocess.PIPE, text=True, check=False)
-        sys.stderr.writelines(
-            line for line in finished.stderr.splitlines(keepends=True) if not _LINKER_ADVICE.search(line)
-        )
+        said = finished.stderr.splitlines(keepends=True)
         if finished.returncode == 0:
+            said = [line for line in said if not _LINKER_ADVICE.search(line)]
             _install(binary, output)
+        # Of a build that failed all is told: such a line may say where the fault is.
+        sys.stderr.writelines(said)
     return finished.returncode
 
 

@@ -26,7 +26,7 @@ from ..extent import WHOLE
 from ..ports import kept_port
 from ..postgresql_server import needs_postgresql, postgresql_server
 from ..test_cli import environment
-from ..web.test_app import Page
+from ..web.page_client import Page
 from .ray_nodes import CLUSTER_PYTHON, Node, needs_ray
 
 __all__ = ["environment"]

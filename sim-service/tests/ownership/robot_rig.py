@@ -22,7 +22,7 @@ from rosy_sim.web.service import Service
 
 from ..conftest import PATIENCE
 from ..ports import kept_port
-from ..web.test_app import Page
+from ..web.page_client import Page
 
 __all__ = ["LIMIT", "Rig", "Robot", "kobuki", "looking", "rosbridge", "rospy"]
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from rosy_sim.config import Config, Limits, discover
 
 from ..conftest import FAKE_WORKER, PATIENCE
-from ..web.test_app import serving
+from ..web.page_client import serving
 
 
 async def main(robot: str, folder: Path) -> None:

@@ -26,7 +26,7 @@ from rosy_sim.config import discover
 from rosy_sim.ownership.driver_locks import active_drivers
 
 from ..extent import rotated
-from ..web.test_app import opened
+from ..web.page_client import opened
 from .robot_rig import Rig, Robot, kobuki, rosbridge, rospy
 
 HERE = Path(__file__).resolve().parents[2]

@@ -23,7 +23,7 @@ from rosy_sim.ownership.driver_locks import emergency_stop
 from rosy_sim.web.sessions.page_session import PageSession
 
 from ..conftest import PATIENCE, UNHURRIED
-from ..web.test_app import Page, opened, serving
+from ..web.page_client import Page, opened, serving
 from .robot_rig import LIMIT, Rig, Robot, kobuki, rosbridge, rospy
 
 Times = dict[str, dict[str, float]]

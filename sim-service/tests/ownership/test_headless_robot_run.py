@@ -18,7 +18,7 @@ from rosy_sim.ownership.headless_robot_run import run_on_robot
 from rosy_sim.worker.blocking_worker import BlockingWorker
 
 from ..conftest import PATIENCE
-from ..web.test_app import Page, opened, serving
+from ..web.page_client import Page, opened, serving
 
 SPEAKER = discover().robot_executable
 

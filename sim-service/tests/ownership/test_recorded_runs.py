@@ -14,7 +14,7 @@ from rosy_sim.recordings import recorded_run
 from rosy_sim.web.routes import recordings
 
 from ..conftest import PATIENCE
-from ..web.test_app import opened
+from ..web.page_client import opened
 from .robot_rig import Rig
 from .test_robot_ownership import story
 

@@ -29,7 +29,7 @@ from rosy_sim.wire.robot_process import CommandsLine, EndedLine
 from ..conftest import PATIENCE
 from ..extent import WHOLE
 from ..processes import descriptors
-from ..web.test_app import Page, opened, serving
+from ..web.page_client import Page, opened, serving
 from .robot_rig import LIMIT, Rig, Robot, kobuki, looking
 
 pytestmark = pytest.mark.skipif(discover().robot_executable is None, reason="rosy-robot is not built")

@@ -14,7 +14,7 @@ from rosy_sim.run.run_queue import RunQueue
 from rosy_sim.web.service import Service
 
 from ..conftest import PATIENCE
-from ..web.test_app import Page, opened, serving
+from ..web.page_client import Page, opened, serving
 
 DRIVE = "drive:0.5"
 

@@ -34,7 +34,7 @@ from rosy_sim.worker.prepared_runs import PreparedRun, PreparedRuns
 from ..conftest import PATIENCE as HANG
 from ..extent import SEED, WHOLE, rotated
 from ..processes import below
-from ..web.test_app import Page, opened, serving
+from ..web.page_client import Page, opened, serving
 
 pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]
 

@@ -35,7 +35,7 @@ from ..conftest import PATIENCE
 from ..extent import WHOLE
 from ..ports import kept_port
 from ..processes import await_end, below, called, descriptors, named, resident
-from ..web.test_app import Page, opened
+from ..web.page_client import Page, opened
 from .mutants import texts
 
 pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]

@@ -15,7 +15,7 @@ import pytest
 
 from rosy_sim.config import discover
 
-from ..web.test_app import Page, opened, serving
+from ..web.page_client import Page, opened, serving
 
 pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]
 

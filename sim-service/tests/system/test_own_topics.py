@@ -17,7 +17,7 @@ from rosy_sim.worker.blocking_worker import BlockingWorker
 from rosy_sim.world.events import Press
 
 from ..conftest import PATIENCE
-from ..web.test_app import opened, serving
+from ..web.page_client import opened, serving
 from .real_runs import LIMITS, ran, worker_started
 
 pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]

@@ -12,7 +12,7 @@ import pytest
 from rosy_sim.config import discover
 
 from ..ownership.robot_rig import Rig, Robot, rospy
-from ..web.test_app import opened, serving
+from ..web.page_client import opened, serving
 from .real_runs import LIMITS, program
 
 pytestmark = [

@@ -25,7 +25,7 @@ from rosy_sim.worlds.gallery import named_world, usable_arena
 
 from ..conftest import PATIENCE
 from ..processes import below
-from ..web.test_app import opened, serving
+from ..web.page_client import opened, serving
 
 pytestmark = [pytest.mark.real, pytest.mark.skipif(not discover().worker, reason="the worker is not built")]
 

@@ -19,7 +19,7 @@ from rosy_sim.classroom.store.class_folder import open_class
 from rosy_sim.config import Config
 
 from ..conftest import PATIENCE, UNHURRIED
-from .test_app import serving
+from .page_client import serving
 
 Message = dict[str, Any]
 

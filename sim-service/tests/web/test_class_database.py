@@ -17,7 +17,7 @@ from rosy_sim.config import Config
 
 from ..classroom.conftest import server
 from ..postgresql_server import PostgresqlServer, needs_postgresql, restartable_server
-from .test_app import serving
+from .page_client import serving
 from .test_class import Class, save
 
 __all__ = ["server"]

@@ -20,7 +20,7 @@ from websockets.typing import Origin
 from rosy_sim.config import Config
 
 from ..conftest import PATIENCE, UNHURRIED
-from .test_app import opened, serving
+from .page_client import opened, serving
 from .test_class import teaching
 
 

@@ -13,7 +13,7 @@ from rosy_sim.config import Config
 from rosy_sim.run.steps.lockstep import Lockstep
 from rosy_sim.web.service import Service
 
-from .test_app import Message, Page, story
+from .page_client import Message, Page, story
 
 STEPS = 60
 """Steps of the runs that are continued."""

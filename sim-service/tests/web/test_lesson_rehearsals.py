@@ -14,7 +14,7 @@ from rosy_sim.config import Config
 
 from ..conftest import PATIENCE, UNHURRIED
 from ..processes import await_end, below, command_of
-from .test_app import opened, serving
+from .page_client import opened, serving
 from .test_room_tests import Message, session_of, wait_for
 
 ROOM: Message = {"size": [6, 4], "start": {"x": 1, "y": 2}}

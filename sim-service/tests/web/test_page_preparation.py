@@ -13,7 +13,7 @@ from rosy_sim.web.service import Service
 from rosy_sim.worker.supervisor import RunningProgram, WorkerSupervisor
 
 from ..conftest import PATIENCE
-from .test_app import Page, opened, serving, story
+from .page_client import Page, opened, serving, story
 
 
 async def becomes(condition: Callable[[], bool]) -> None:

@@ -17,7 +17,7 @@ from rosy_sim.world.arena import Pose
 from rosy_sim.world.events import Command
 
 from ..conftest import hall
-from .test_app import Page, story
+from .page_client import Page, story
 
 
 class Clock:

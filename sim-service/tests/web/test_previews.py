@@ -11,7 +11,7 @@ from rosy_sim.web.service import Service
 
 from ..conftest import PATIENCE
 from ..processes import await_end, below
-from .test_app import Message, Page, story
+from .page_client import Message, Page, story
 
 SECONDS = 8.0
 

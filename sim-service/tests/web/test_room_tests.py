@@ -18,7 +18,7 @@ from rosy_sim.worlds.gallery import named_world
 
 from ..conftest import PATIENCE, UNHURRIED
 from ..processes import await_end, below, command_of
-from .test_app import Page, opened, serving
+from .page_client import Page, opened, serving
 
 Message = dict[str, Any]
 

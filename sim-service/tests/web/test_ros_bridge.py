@@ -24,7 +24,7 @@ from rosy_sim.wire.ros.rosbridge import MAX_SUBSCRIPTIONS, RosbridgeClient
 from rosy_sim.world.events import Command, velocity
 
 from ..conftest import PATIENCE, UNHURRIED
-from .test_app import opened, serving
+from .page_client import opened, serving
 
 BUMPER = "/mobile_base/events/bumper"
 

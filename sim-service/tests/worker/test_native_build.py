@@ -22,7 +22,7 @@ from rosy_sim.worker import native_build
 from rosy_sim.worker.native_build import _newest
 
 from ..extent import rotated
-from ..web.test_app import opened, serving
+from ..web.page_client import opened, serving
 
 ROOT = discover().root
 

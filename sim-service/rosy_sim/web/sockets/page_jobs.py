@@ -23,13 +23,14 @@ from ...run.run_queue import RunQueue
 from ...sentence import Sentence, SentenceError, tr
 from ...wire.page.jobs import Queued, encode_answer, failed
 from ..sessions.page_session import PageSession
+from .first_completed import first_completed
 
 __all__ = ["PageJobs", "Say"]
 
 Say = Callable[[msgspec.Struct], None]
 """Sends a message to the page; never blocks."""
 
-_Outbox = asyncio.Queue[msgspec.Struct | None]
+_Answers = asyncio.Queue[msgspec.Struct | None]
 """``None``: the last message has been sent."""
 
 _Job = TypeVar("_Job")
@@ -94,23 +95,17 @@ class PageJobs(ABC, Generic[_Job]):
     async def _serve(self, socket: WebSocket, session: PageSession, text: str) -> None:
         """Work and send until the last message is sent, the socket is closed, or the page has left."""
         self._busy.add(session.id)
-        outbox: _Outbox = asyncio.Queue()
-        work = asyncio.create_task(self._complete(text, session, outbox))
-        ends = [
-            asyncio.create_task(_send(socket, outbox)),
-            asyncio.create_task(_wait_for_end(socket)),
-            asyncio.create_task(session.closed.wait()),
-        ]
+        answers: _Answers = asyncio.Queue()
+        work = asyncio.create_task(self._complete(text, session, answers))
         try:
-            await asyncio.wait(ends, return_when=asyncio.FIRST_COMPLETED)
+            await first_completed(_send(socket, answers), _wait_for_end(socket), session.closed.wait())
         finally:
-            for task in (work, *ends):
-                task.cancel()
-            await asyncio.gather(work, *ends, return_exceptions=True)
+            work.cancel()
+            await asyncio.gather(work, return_exceptions=True)
             self._busy.discard(session.id)
 
-    async def _complete(self, text: str, session: PageSession, outbox: _Outbox) -> None:
-        say = outbox.put_nowait
+    async def _complete(self, text: str, session: PageSession, answers: _Answers) -> None:
+        say = answers.put_nowait
         try:
             job = await self.read(text, session)
             await self._queue.acquire(lambda place: say(Queued(place)))
@@ -127,10 +122,10 @@ class PageJobs(ABC, Generic[_Job]):
             say(None)
 
 
-async def _send(socket: WebSocket, outbox: _Outbox) -> None:
+async def _send(socket: WebSocket, answers: _Answers) -> None:
     """Send until the last message, or until the page has closed the socket."""
     with contextlib.suppress(WebSocketDisconnect, RuntimeError):
-        while (answer := await outbox.get()) is not None:
+        while (answer := await answers.get()) is not None:
             await socket.send_text(encode_answer(answer))
 
 

@@ -1,0 +1,126 @@
+"""Server and page of a test: a real server on a free port, and a page that remembers all it was told."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import socket
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager
+from typing import Any
+
+import uvicorn
+from websockets.asyncio.client import ClientConnection, connect
+
+from rosy_sim.classroom.store.class_store import ClassStore
+from rosy_sim.config import Config
+from rosy_sim.web.app import build_app
+from rosy_sim.web.pacing.paced_frames import paced_frames
+from rosy_sim.web.service import Service
+
+from ..conftest import PATIENCE, UNHURRIED
+
+__all__ = ["Message", "Page", "opened", "serving", "story"]
+
+Message = dict[str, Any]
+
+
+class Page:
+    """A page that remembers all it was told."""
+
+    def __init__(self, socket: ClientConnection) -> None:
+        self.run = -1
+        self.channels: Message = {}
+        self.socket = socket
+        self.seen: list[Message] = []
+
+    async def send(self, op: str, **fields: Any) -> None:
+        await self.socket.send(json.dumps({"op": op, **fields}))
+
+    async def until(self, wanted: Callable[[Message], bool]) -> Message:
+        """The next message that fits."""
+        async with asyncio.timeout(PATIENCE):
+            while True:
+                message: Message = json.loads(await self.socket.recv())
+                if message["op"] == "frame":
+                    # What has not changed is not told again.
+                    if message["run"] != self.run:
+                        self.run, self.channels = message["run"], {}
+                    self.channels = {**self.channels, **message["channels"]}
+                    message = {**message, "channels": self.channels}
+                self.seen.append(message)
+                if wanted(message):
+                    return message
+
+    async def op(self, op: str, **fields: Any) -> Message:
+        return await self.until(_like({"op": op, **fields}))
+
+    async def all_of(self, *wanted: Message) -> list[Message]:
+        """One message for each of these, in whatever order they come: of what happens at the same time."""
+        found: list[Message | None] = [None] * len(wanted)
+        while None in found:
+            message = await self.until(lambda _: True)
+            fits = [_like(one)(message) and found[i] is None for i, one in enumerate(wanted)]
+            if True in fits:
+                found[fits.index(True)] = message
+        return [message for message in found if message is not None]
+
+    async def ended(self, run: int) -> Message:
+        return await self.op("state", run=run, state="ended")
+
+
+def _like(wanted: Message) -> Callable[[Message], bool]:
+    """Whether a message has these fields."""
+    return lambda message: all(message.get(key) == value for key, value in wanted.items())
+
+
+class _Server(uvicorn.Server):
+    """Sets an event when it listens."""
+
+    def __init__(self, config: uvicorn.Config) -> None:
+        super().__init__(config)
+        self.listening = asyncio.Event()
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        await super().startup(sockets)
+        self.listening.set()
+
+
+@asynccontextmanager
+async def serving(config: Config, class_store: ClassStore | None = None) -> AsyncIterator[tuple[str, Service]]:
+    """A server on a free port of this machine."""
+    app = build_app(config, class_store)
+    server = _Server(uvicorn.Config(app, port=0, log_level="error", ws=paced_frames(), timeout_graceful_shutdown=1))
+    task = asyncio.create_task(server.serve())
+    async with asyncio.timeout(PATIENCE):
+        await server.listening.wait()
+    port = server.servers[0].sockets[0].getsockname()[1]
+    try:
+        yield f"127.0.0.1:{port}", app.state.service
+    finally:
+        server.should_exit = True
+        await task
+
+
+@asynccontextmanager
+async def opened(address: str, **options: Any) -> AsyncIterator[Page]:
+    # A page that has stopped reading cannot say goodbye; the wait for it is short.
+    socket = await connect(f"ws://{address}/api/session", **{**UNHURRIED, "close_timeout": 1, **options})
+    try:
+        yield Page(socket)
+    finally:
+        try:
+            await socket.close()
+        finally:
+            # A cancellation during the goodbye would leave the connection open.
+            socket.transport.abort()
+
+
+def story(play: Callable[[Page, Service], Awaitable[None]], config: Config) -> None:
+    """Tell a story of one page."""
+
+    async def tell() -> None:
+        async with serving(config) as (address, service), opened(address) as page:
+            await play(page, service)
+
+    asyncio.run(tell())
