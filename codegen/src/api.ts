@@ -40,19 +40,23 @@ export interface TypeInfo {
   readonly family: Family
 }
 
-/// What type inference knows about a workspace.
-export interface Inference {
+/// The types in a group of definitions that were inferred together, or in the whole program.
+export interface InferredTypes {
   readonly blocks: ReadonlyMap<BlockId, TypeInfo>
   /// Keyed by `socketKey(block, input)`.
   readonly sockets: ReadonlyMap<string, TypeInfo>
+}
+
+/// What type inference knows about a workspace.
+export interface Inference extends InferredTypes {
   /// Per definition block: its name and the type for its header.
   readonly definitions: ReadonlyMap<
     BlockId,
     {readonly name: string; readonly type: string; readonly family: Family}
   >
   readonly problems: readonly BlockProblem[]
-  /// Per definition block a value that a session's next answer has again when nothing is told of that definition that was not told before.
-  readonly stamps: ReadonlyMap<BlockId, object>
+  /// Per definition block the types of its group. A session's next answer has the same value again when nothing is told of that definition that was not told before.
+  readonly stamps: ReadonlyMap<BlockId, InferredTypes>
 }
 
 export function socketKey(block: BlockId, input: string): string {

@@ -1,6 +1,6 @@
 /// Types and problems of a workspace: of each block, socket and definition.
 
-import type {BlockProblem, Inference, TypeInfo} from "../api.ts"
+import type {BlockProblem, Inference, InferredTypes, TypeInfo} from "../api.ts"
 import {socketKey} from "../api.ts"
 import type {ReadWorkspace} from "../blocks/block_reader.ts"
 import {chain, readWorkspace} from "../blocks/block_reader.ts"
@@ -100,14 +100,8 @@ export function infer(workspace: SavedWorkspace): Inference {
   return inferenceOf(workspace, inferWorkspace(workspace))
 }
 
-/// What is shown of the types in a group of definitions, or in loose blocks.
-interface Shown {
-  readonly blocks: ReadonlyMap<string, TypeInfo>
-  readonly sockets: ReadonlyMap<string, TypeInfo>
-}
-
 /// What was shown of groups that inference remembers; theirs does not change.
-export type KnownGroups = WeakMap<InferredGroup, Shown>
+export type KnownGroups = WeakMap<InferredGroup, InferredTypes>
 
 export function inferenceOf(
   workspace: SavedWorkspace,
@@ -155,13 +149,15 @@ export function inferenceOf(
   }
   const stamps = new Map(
     inference.groups.flatMap((part, i) =>
-      part.members.flatMap(d => (d.from === undefined ? [] : [[d.from.block, shown[i] as Shown] as const])),
+      part.members.flatMap(d =>
+        d.from === undefined ? [] : [[d.from.block, shown[i] as InferredTypes] as const],
+      ),
     ),
   )
   return {blocks, sockets, definitions, problems: problemsOf(solved), stamps}
 }
 
-function shownOf(types: ReadonlyMap<Node, Type>, within: readonly SavedBlock[]): Shown {
+function shownOf(types: ReadonlyMap<Node, Type>, within: readonly SavedBlock[]): InferredTypes {
   const byId = new Map(within.map(block => [block.id, block]))
   const letters = new Map<Meta, string>()
   const blocks = new Map<string, TypeInfo>()

@@ -12,7 +12,7 @@ import type {FitChecker} from "./dragging/connection_checker.ts"
 import {boxesOf, spacingMoves} from "./dragging/placement.ts"
 import {selectedPlace} from "./interaction/insertion_points.ts"
 import type {Language} from "./language.ts"
-import {saveBlocks} from "./workspace/serialization.ts"
+import {saveBlocks, savedAsLoaded} from "./workspace/serialization.ts"
 import {sameBlocks} from "./workspace/workspace_merge.ts"
 
 export class ChangeTracking {
@@ -72,7 +72,7 @@ export class ChangeTracking {
 
   /// Other blocks were loaded: they are no edit.
   loaded(): void {
-    this.told = saveBlocks(this.workspace)
+    this.told = savedAsLoaded(this.workspace)
     this.infer(this.told)
     Blockly.renderManagement.triggerQueuedRenders(this.workspace)
     this.boxes = boxesOf(this.workspace)

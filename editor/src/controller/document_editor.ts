@@ -30,7 +30,11 @@ export interface DocumentEditor {
 export function openDocumentEditor(store: Store, parts: PageParts): DocumentEditor {
   /// The blocks as the block view has them.
   let shown: SavedWorkspace | null = null
-  const typing = openEditDebounce(() => flush())
+  // Behind the frame that shows the key: the next one is not waited for.
+  const typing = openEditDebounce(() => {
+    flush()
+    store.drawNow()
+  })
 
   const showText = (changes?: ChangeSet) => parts.source?.setProgram(store.now.document.program, changes)
   const showBlocks = () => {

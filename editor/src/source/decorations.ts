@@ -3,7 +3,9 @@
 
 import {
   type Text as DocumentText,
+  type EditorState,
   type Extension,
+  RangeSet,
   RangeSetBuilder,
   StateEffect,
   StateField,
@@ -52,6 +54,12 @@ function linked(doc: DocumentText, range: Range): DecorationSet {
   const line = doc.lineAt(start)
   const whole = start === line.from && end >= line.to
   return whole || start === end ? set : set.update({add: [linkedText.range(start, end)], sort: true})
+}
+
+/// Whether the range is already the linked one.
+export function isLinked(state: EditorState, range: Range | null): boolean {
+  const now = state.field(linkedField)
+  return range === null ? now.size === 0 : RangeSet.eq([now], [linked(state.doc, range)])
 }
 
 const linkedField = StateField.define<DecorationSet>({

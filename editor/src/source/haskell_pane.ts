@@ -7,13 +7,19 @@ import {bracketMatching} from "@codemirror/language"
 import {lintGutter, lintKeymap, openLintPanel, setDiagnostics} from "@codemirror/lint"
 import {highlightSelectionMatches, search, searchKeymap} from "@codemirror/search"
 import {Annotation, Compartment, EditorState, Transaction} from "@codemirror/state"
-import {drawSelection, EditorView, keymap} from "@codemirror/view"
+import {EditorView, keymap} from "@codemirror/view"
 import type {Finding} from "../state/program.ts"
 import {changesBetween} from "../state/text_changes.ts"
 import {commentLines, setComments} from "./comment_lines.ts"
 import {compilerInfoField, completion, setCompilerInfo} from "./completion.ts"
-import {cursorBlink} from "./cursor_blink.ts"
-import {cursorCorrection, lineDecorations, setExplained, setGlowing, setLinked} from "./decorations.ts"
+import {
+  cursorCorrection,
+  isLinked,
+  lineDecorations,
+  setExplained,
+  setGlowing,
+  setLinked,
+} from "./decorations.ts"
 import {diagnosticsOf, saidBy, standThere} from "./diagnostics.ts"
 import {openDropPreview} from "./drop_preview.ts"
 import type {HaskellPane, SourceOptions} from "./haskell_pane_types.ts"
@@ -64,8 +70,6 @@ export function openHaskellPane(host: HTMLElement, options: SourceOptions): Hask
           spellcheck: "false",
         }),
         EditorView.lineWrapping,
-        drawSelection(),
-        cursorBlink,
         bracketMatching(),
         closeBrackets(),
         highlightSelectionMatches(),
@@ -141,7 +145,7 @@ export function openHaskellPane(host: HTMLElement, options: SourceOptions): Hask
       view.dispatch({effects: setCompilerInfo.of(told)})
     },
     link(range) {
-      view.dispatch({effects: setLinked.of(range)})
+      if (!isLinked(view.state, range)) view.dispatch({effects: setLinked.of(range)})
       if (range !== null && !view.hasFocus && range.start <= view.state.doc.length)
         view.dispatch({effects: EditorView.scrollIntoView(range.start, {y: "nearest", yMargin: 40})})
     },

@@ -164,7 +164,7 @@ export function paletteOf(program: Program): Palette {
   return {
     at(start, word) {
       const role = roleAt(program.words, start)
-      const family = blockAt.get(start)
+      const family = blockAt(start)
       if (role !== "definition" || family !== undefined) return {role, family}
       // Each clause of a definition begins with its name, the block with the first.
       const atMargin = start === 0 || program.text[start - 1] === "\n"
@@ -173,17 +173,34 @@ export function paletteOf(program: Program): Palette {
   }
 }
 
-/// The family of the block whose text begins at each offset: that of the smallest one.
-function smallestAt(program: Program): ReadonlyMap<number, Family> {
-  const found = new Map<number, {length: number; family: Family}>()
-  for (const span of program.spans) {
-    const family = program.families.get(span.block)
-    const length = span.end - span.start
-    const known = found.get(span.start)
-    if (family !== undefined && (known === undefined || length < known.length))
-      found.set(span.start, {length, family})
+/// Characters of text for which families are looked up together: only what is in sight is asked for.
+const stretch = 1024
+
+/// The family of the block whose text begins at an offset: that of the smallest one.
+function smallestAt(program: Program): (start: number) => Family | undefined {
+  const stretches = new Map<number, ReadonlyMap<number, Family>>()
+  return start => {
+    const index = Math.floor(start / stretch)
+    let families = stretches.get(index)
+    if (families === undefined) {
+      families = familiesIn(program, index * stretch, (index + 1) * stretch)
+      stretches.set(index, families)
+    }
+    return families.get(start)
   }
-  return new Map([...found].map(([at, {family}]) => [at, family]))
+}
+
+function familiesIn(program: Program, from: number, to: number): ReadonlyMap<number, Family> {
+  const found = new Map<number, Family>()
+  const lengths = new Map<number, number>()
+  for (const {block, start, end} of program.spans) {
+    if (start < from || start >= to) continue
+    const family = program.families.get(block)
+    if (family === undefined || end - start >= (lengths.get(start) ?? Number.POSITIVE_INFINITY)) continue
+    lengths.set(start, end - start)
+    found.set(start, family)
+  }
+  return found
 }
 
 function roleAt(pieces: Program["words"], start: number): WordRole | undefined {

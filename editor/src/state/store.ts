@@ -17,6 +17,8 @@ export interface Store {
   /// Called once per frame after something changed, or was asked for by `redraw`.
   onFrame(draw: (state: PageState, now: number) => void): void
   redraw(): void
+  /// Draws what the next frame would, without waiting for it.
+  drawNow(): void
 }
 
 export function createStore(perform: (order: Effect) => void, first: Partial<PageState>): Store {
@@ -24,16 +26,15 @@ export function createStore(perform: (order: Effect) => void, first: Partial<Pag
   const drawn = signal(state)
   const drawers: ((state: PageState, now: number) => void)[] = []
   const listeners: ((state: PageState) => void)[] = []
-  let asked = false
+  let frame: number | null = null
 
+  const draw = (now: number) => {
+    frame = null
+    drawn.value = state
+    for (const drawer of drawers) drawer(state, now)
+  }
   const redraw = () => {
-    if (asked) return
-    asked = true
-    requestAnimationFrame(now => {
-      asked = false
-      drawn.value = state
-      for (const draw of drawers) draw(state, now)
-    })
+    frame ??= requestAnimationFrame(draw)
   }
 
   return {
@@ -55,5 +56,10 @@ export function createStore(perform: (order: Effect) => void, first: Partial<Pag
       drawers.push(draw)
     },
     redraw,
+    drawNow() {
+      if (frame === null) return
+      cancelAnimationFrame(frame)
+      draw(performance.now())
+    },
   }
 }

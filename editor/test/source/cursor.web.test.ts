@@ -1,4 +1,4 @@
-/// What is typed stands where it is typed, also when marks change around it between two letters; and the cursor blinks.
+/// What is typed stands where it is typed, also when marks change around it between two letters; and the cursor is the browser's own.
 
 import type {Page} from "playwright-core"
 import {afterAll, beforeAll, expect, inject, test} from "vitest"
@@ -74,17 +74,20 @@ test("a letter follows the one before it when the marks on that change twice in 
   expect(await page.getByRole("textbox", {name: "Haskell"}).textContent()).toBe("type Side = Either Degrees")
 })
 
-test("the cursor blinks without an animation, for which the browser would make frames all the time", async () => {
+test("the browser draws the cursor: a drawing of the page's own would cost each key a layer and a frame", async () => {
   const page = await openPane()
-  const isSeen = (seen: boolean) =>
-    page.waitForFunction(
-      seen => document.querySelector(".cm-cursor")?.checkVisibility({visibilityProperty: true}) === seen,
-      seen,
-    )
-  await isSeen(false)
-  await isSeen(true)
-  await isSeen(false)
   await page.keyboard.type("x")
-  expect(await page.evaluate(() => document.getAnimations().length)).toBe(0)
-  await isSeen(true)
+  const drawn = await page.evaluate(() => {
+    const content = document.querySelector(".cm-content")
+    return {
+      own: document.querySelectorAll(".cm-cursorLayer, .cm-selectionLayer").length,
+      colour: content === null ? "" : getComputedStyle(content).caretColor,
+      animations: document.getAnimations().length,
+    }
+  })
+  expect(drawn).toEqual({
+    own: 0,
+    colour: expect.stringMatching(/^(?!rgba\(0, 0, 0, 0\)|transparent).+/),
+    animations: 0,
+  })
 })

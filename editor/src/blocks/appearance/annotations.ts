@@ -225,13 +225,19 @@ export function showInference(
     if (!isSame) painted.set(top, {stamp, saved})
     return names !== undefined || stamp === undefined || !isSame
   })
-  for (const block of fresh.flatMap(top => top.getDescendants(false))) {
+  const parts = fresh.flatMap(top => {
+    const own = inference.stamps.get(top.id)
+    return top.getDescendants(false).map(block => ({block, own}))
+  })
+  for (const {block, own} of parts) {
     if (block.isInsertionMarker()) continue
     const shape = shapeOf(block)
     if (shape === undefined) continue
     const definition = inference.definitions.get(block.id)
     const called = names?.get(String(extraOf(block).name ?? ""))
-    const family = called ?? definition?.family ?? inference.blocks.get(block.id)?.family ?? shape.family
+    // What its own group does not know, another one may: a definition below it in the same stack.
+    const type = own?.blocks.get(block.id) ?? inference.blocks.get(block.id)
+    const family = called ?? definition?.family ?? type?.family ?? shape.family
     const style = styleName(family, shape.connects.as === "pattern")
     if (block.getStyleName() !== style) block.setStyle(style)
     let changed = false
@@ -245,7 +251,8 @@ export function showInference(
       const connection = input.connection
       if (connection === null || input.type !== Blockly.inputs.inputTypes.VALUE) continue
       const key = socketKey(block.id, input.name)
-      const wanted = inference.sockets.get(key)?.family ?? connectionStyleOf(connection).family
+      const taken = own?.sockets.get(key) ?? inference.sockets.get(key)
+      const wanted = taken?.family ?? connectionStyleOf(connection).family
       const look = {
         family: wanted,
         hint: connectionStyleOf(connection).hint,

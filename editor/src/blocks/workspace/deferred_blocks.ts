@@ -54,26 +54,44 @@ export function deferrable(
 
 /// Whether a saved block is surely more than half a view away from the visible area. How large it is, is not known before it is made.
 export function isFarFrom(view: VisibleArea, block: SavedBlock): boolean {
-  const count = countOf(block)
   return (
-    isOutside(block.x ?? 0, count * widthOfOne, view.left, view.width) ||
-    isOutside(block.y ?? 0, count * heightOfOne, view.top, view.height)
+    isOutside(block.x ?? 0, view.left, view.width, () => contentsOf(block).count * widthOfOne) ||
+    isOutside(block.y ?? 0, view.top, view.height, () => contentsOf(block).count * heightOfOne)
   )
 }
 
-function isOutside(start: number, size: number, from: number, length: number): boolean {
-  return start > from + 1.5 * length || start + size < from - 0.5 * length
-}
-
-function countOf(block: SavedBlock): number {
-  return 1 + blocksIn(block).reduce((sum, inner) => sum + countOf(inner), 0)
+function isOutside(start: number, from: number, length: number, size: () => number): boolean {
+  return start > from + 1.5 * length || start + size() < from - 0.5 * length
 }
 
 /// Whether a saved block is or holds the one with this id.
 export function holdsBlock(block: SavedBlock, id: BlockId): boolean {
-  return block.id === id || blocksIn(block).some(inner => holdsBlock(inner, id))
+  return contentsOf(block).ids.has(id)
 }
 
-function blocksIn({inputs = {}, next}: SavedBlock): readonly SavedBlock[] {
-  return [...Object.values(inputs).map(input => input.block), next?.block].flatMap(block => block ?? [])
+/// What a saved block is and holds: how many blocks, and their ids.
+interface Contents {
+  readonly count: number
+  readonly ids: ReadonlySet<BlockId>
+}
+
+/// Saved blocks do not change, and each key in a large program asks about all that are deferred.
+const contents = new WeakMap<SavedBlock, Contents>()
+
+function contentsOf(block: SavedBlock): Contents {
+  const known = contents.get(block)
+  if (known !== undefined) return known
+  const ids: BlockId[] = []
+  const count = collect(block, ids)
+  const made = {count, ids: new Set(ids)}
+  contents.set(block, made)
+  return made
+}
+
+function collect({id, inputs = {}, next}: SavedBlock, ids: BlockId[]): number {
+  if (id !== undefined) ids.push(id)
+  let count = 1
+  for (const {block} of [...Object.values(inputs), ...(next === undefined ? [] : [next])])
+    if (block !== undefined) count += collect(block, ids)
+  return count
 }

@@ -15,8 +15,20 @@ const headers = new WeakMap<Blockly.Workspace, string>()
 
 /// The blocks as Blockly and codegen know them, with ids and positions. A top-level block that has not changed is the same value as the last time.
 export function saveBlocks(workspace: Blockly.Workspace): SavedWorkspace {
+  return savedWith(workspace, savedTop)
+}
+
+/// The same directly after loading, which has looked at all blocks: what it saw of each is not looked at again.
+export function savedAsLoaded(workspace: Blockly.Workspace): SavedWorkspace {
+  return savedWith(workspace, block => snapshots.get(block)?.saved)
+}
+
+function savedWith(
+  workspace: Blockly.Workspace,
+  saved: (block: Blockly.Block) => SavedBlock | undefined,
+): SavedWorkspace {
   const header = headers.get(workspace)
-  const made = workspace.getTopBlocks(false).flatMap(block => savedTop(block) ?? [])
+  const made = workspace.getTopBlocks(false).flatMap(block => saved(block) ?? [])
   const blocks = [...made, ...deferredBlocks(workspace).values()]
   return {...(header === undefined ? {} : {header}), blocks: {languageVersion: 0, blocks}}
 }
@@ -99,6 +111,7 @@ function appendAll(workspace: Blockly.Workspace, blocks: readonly SavedBlock[]):
     else if (block.x === undefined && block.y === undefined) homeless.push(made)
   }
   placeBelow(workspace, homeless)
+  for (const block of homeless) savedTop(block)
   return left
 }
 
