@@ -9,19 +9,21 @@ import {tokens} from "../source/lexer.ts"
 /// Each candidate costs a run of the parser.
 const maximumCandidates = 12
 
+/// A guard, a `where` or a further field stands for no expression, although a name in its place may be read as one: as an argument of what is above it.
+const noExpression = /^(?:[|,;)\]}]|(?:where|of|then|else|in|deriving)\b)/
+
 export function maskCandidates(source: string): readonly Range[] {
   const regions = regionsOf(source)
   const suspicious = regions.filter(r => !isBalanced(source.slice(r.start, r.end)))
   const ordered = [...suspicious, ...regions.filter(r => !suspicious.includes(r))]
   const found = new Map<string, Range>()
-  // A guard stands for no expression, although a name in its place may be read as one.
   for (const region of ordered)
     for (const range of [
       withoutWhere(source, behindSign(source, region)),
       behindSign(source, region),
       region,
     ])
-      if (range !== undefined && range.end > range.start && source[range.start] !== "|")
+      if (range !== undefined && range.end > range.start && !noExpression.test(source.slice(range.start)))
         found.set(`${range.start} ${range.end}`, range)
   return [...found.values()].slice(0, maximumCandidates)
 }

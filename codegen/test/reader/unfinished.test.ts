@@ -127,6 +127,11 @@ describe("a field that is empty for a moment, or ends in a blank, keeps its bloc
 
 const endings = ["(1 +", " = = ", " if x then", "[1,, 2]", ")", ' "open', "\\ ->", " case", "1 +* 2 )"]
 
+test("a where inside a record is no argument of the line above it: printed afresh, the blocks say what they say", () => {
+  const text = "start = Robot\n  { speed = 0.3\n  , goal = \\v -> Velocity v 0\n  where z = 3\n\n  }\n"
+  expect(disagreements(openView(reader, text), other)).toEqual([])
+})
+
 test("no random edit of blocks loses unfinished text", () => {
   const programs = corpus.filter(({text}) => text.split("\n").length < 60)
   const walks = Number(process.env.UNFINISHED_WALKS ?? 25)
