@@ -11,11 +11,13 @@ interface Partner {
   readonly same: boolean
 }
 
-/// For each definition of the new text the one that it was: by its text, then by its name, then by its place among the others.
+/// For each definition of the new text the one that it was: by its text, then by its name, then by its place among the others. Of several with one
+/// text, where the view was saved beside this very text (`isInOrder`), the one at the same place.
 export function partnersOf(
   pieces: readonly Piece[],
   view: View,
   unchanged: (shown: Shown, piece: Piece) => boolean,
+  isInOrder: boolean,
 ): {partners: readonly (Partner | undefined)[]; left: readonly Shown[]} {
   const free = new Set([...view.declarations, ...view.gone])
   const partners: (Partner | undefined)[] = pieces.map(() => undefined)
@@ -26,7 +28,13 @@ export function partnersOf(
     partners[i] = {shown, same}
   }
   const named = (piece: Piece): Shown[] => byName.get(piece.names[0] ?? "_")?.filter(s => free.has(s)) ?? []
+  if (isInOrder)
+    pieces.forEach((piece, i) => {
+      const found = view.declarations[i]
+      if (found !== undefined && unchanged(found, piece)) take(i, found, true)
+    })
   pieces.forEach((piece, i) => {
+    if (partners[i] !== undefined) return
     const found = named(piece).find(s => unchanged(s, piece))
     if (found !== undefined) take(i, found, true)
   })

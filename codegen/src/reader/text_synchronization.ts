@@ -57,6 +57,7 @@ export function openView(
     text,
     options,
     (shown, piece) => hashes.get(shown) === hashOf(pieceText(piece)),
+    true,
   )
 }
 
@@ -79,6 +80,7 @@ export function advance(
   text: string,
   options: ViewOptions,
   unchanged: (shown: Shown, piece: Piece) => boolean,
+  isInOrder = false,
 ): View {
   const module = reader.read(text)
   const pieces = module.pieces.flatMap((piece, i) => (piece.declaration === undefined ? [] : [{piece, i}]))
@@ -86,6 +88,7 @@ export function advance(
     pieces.map(p => p.piece),
     view,
     unchanged,
+    isInOrder,
   )
   let nextId = view.nextId
   const newId = (): BlockId => `t${nextId++}`

@@ -243,6 +243,15 @@ describe("typing text", () => {
     expect(view.declarations.some(s => s.dimmed)).toBe(false)
   })
 
+  test("is open again as it was, also when another has the same broken text", () => {
+    const broken = "side = {\n"
+    const whole = `one = 1\n\nside = 2\n\ntwo = 2\n`
+    // The one above had blocks before it broke, the one below never had.
+    const saved = syncText(reader, openView(reader, whole), `one = 1\n\n${broken}\ntwo = 2\n\n${broken}`)
+    const opened = openView(reader, saved.text, layoutOf(saved))
+    expect(layoutOf(opened)).toEqual(layoutOf(saved))
+  })
+
   test("a definition that comes back finds its blocks", () => {
     const view = openView(reader, square)
     const without = syncText(reader, view, square.replace(/drive ::[\s\S]*side 1\n\n/, ""))
