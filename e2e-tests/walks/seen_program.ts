@@ -59,6 +59,9 @@ export async function openReaders(): Promise<readonly [Reader, Reader]> {
   return [await openReader(wasm), await openReader(wasm)]
 }
 
+/// Definitions that agreed when they were asked about before.
+const agreed = new Set<string>()
+
 /// Why the page is not at rest, or what in it disagrees; nothing when all is well.
 export function faultsOf(seen: SeenProgram, [reader, other]: readonly [Reader, Reader]): readonly string[] {
   if (seen.saved !== "saved") return [`the page says “${seen.saved}”, not “saved”`]
@@ -73,7 +76,7 @@ export function faultsOf(seen: SeenProgram, [reader, other]: readonly [Reader, R
   return [
     ...(view.contradicted ?? []).map(name => `the kept blocks of ${name} say something else than its text`),
     ...anew(view, layout),
-    ...disagreements(view, other),
+    ...disagreements(view, other, agreed),
     ...undrawn(view, seen.blocks),
   ]
 }

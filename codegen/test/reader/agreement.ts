@@ -58,7 +58,12 @@ function difference(blocks: string, text: string): string {
 }
 
 /// Where the text and the blocks of a view say different things; none when they agree. `reader` is not the view's own, which remembers the text.
-export function disagreements(view: View, reader: Reader): readonly string[] {
+/// `agreed` remembers definitions that did agree, for a program that is asked about again and again.
+export function disagreements(
+  view: View,
+  reader: Reader,
+  agreed: Set<string> = new Set(),
+): readonly string[] {
   const found: string[] = []
   if (view.module.pieces.map(p => p.slice).join("") !== view.text)
     found.push("the pieces of the text are not the text")
@@ -74,6 +79,8 @@ export function disagreements(view: View, reader: Reader): readonly string[] {
     const piece = view.module.pieces[shown.piece]
     if (piece?.declaration === undefined) found.push(`${shown.name} has blocks and no declaration`)
     if (shown.dimmed || piece === undefined) continue
+    const asked = JSON.stringify([operators, piece.slice, shown.block])
+    if (agreed.has(asked)) continue
     const [own] = readTree(shown.block).declarations
     if (own === undefined) {
       found.push(`the blocks of ${shown.name} say nothing`)
@@ -93,8 +100,8 @@ export function disagreements(view: View, reader: Reader): readonly string[] {
     const has = (d: Declaration | undefined) => d?.kind !== "function" || d.signature !== undefined
     const signed = has(own) && has(piece.declaration)
     const [blocks, text] = [said(again, signed), said(piece.declaration, signed)]
-    if (!isDeepStrictEqual(blocks, text))
-      found.push(`${printed}\n${shown.name}: ${difference(JSON.stringify(blocks), JSON.stringify(text))}`)
+    if (isDeepStrictEqual(blocks, text)) agreed.add(asked)
+    else found.push(`${printed}\n${shown.name}: ${difference(JSON.stringify(blocks), JSON.stringify(text))}`)
   }
   return found
 }
