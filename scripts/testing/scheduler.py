@@ -5,7 +5,7 @@ In: suites in the order of their importance, each with the number of cores it ke
 order in which they end, handed to `on_end`. A suite starts as soon as the cores it needs are free; a later one that needs
 fewer cores may start first. A suite that needs more cores than there are runs alone. Half a core is for a suite that waits
 for half of its time. A suite in the background has a low priority: it takes the processor time that the others leave, so one
-of them runs at any time beside any others, and more where cores are free. Each suite writes to its own log file; nothing is printed here.
+of them per core runs at any time beside any others. Each suite writes to its own log file; nothing is printed here.
 A suite that takes longer than its limit is ended and has failed: what it has said until then is in its result. When the caller is
 interrupted, every process that was started is ended.
 """
@@ -132,7 +132,8 @@ def _may_start(suite: Suite, waiting: Sequence[Suite], running: Mapping[str, _Ru
     if suite.after & pending:
         return False
     beside = [r.suite for r in running.values()]
-    if suite.background and not any(other.background for other in beside):
+    behind = sum(other.cores for other in beside if other.background)
+    if suite.background and (behind == 0 or behind + suite.cores <= cores):
         return True
     # A suite in the background gives way to one that is not.
     busy = sum(min(other.cores, cores) for other in beside if suite.background or not other.background)

@@ -75,21 +75,23 @@ def test_a_suite_that_wants_more_cores_than_there_are_runs_alone(tmp_path: Path)
     assert len(watch.results) == 2
 
 
-def test_one_suite_runs_in_the_background_of_busy_cores(tmp_path: Path) -> None:
-    for fifo in ("started", "first"):
+def test_a_suite_per_core_runs_in_the_background_of_busy_cores(tmp_path: Path) -> None:
+    for fifo in ("a", "b", "go a", "go b"):
         os.mkfifo(tmp_path / fifo)
     watch = Watch()
-    # The one that needs all cores goes on once the first in the background has started, which ends once the other has answered.
+    # The one that needs all cores goes on once two in the background have started, which end once it has answered.
+    answers = "assert open('{0}', 'w').write('hello'); assert open('go {0}').read() == 'hello'"
     suites = [
-        python("busy", "open('started').read(); open('first', 'w').write('hello')", cores=2),
-        in_background("a", "open('started', 'w').write('hello'); assert open('first').read() == 'hello'"),
-        in_background("b", ""),
+        python("busy", "[(open(n).read(), open('go ' + n, 'w').write('hello')) for n in 'ab']", cores=2),
+        in_background("a", answers.format("a")),
+        in_background("b", answers.format("b")),
         in_background("c", ""),
+        in_background("d", ""),
     ]
     watch.run(suites, 2, tmp_path)
-    assert sum(result.count.passed for result in watch.results) == 4
-    assert frozenset({"busy", "a"}) in watch.together
-    assert all(len(names - {"busy"}) <= 1 for names in watch.together if "busy" in names)
+    assert sum(result.count.passed for result in watch.results) == 5
+    assert frozenset({"busy", "a", "b"}) in watch.together
+    assert all(len(names - {"busy"}) <= 2 for names in watch.together if "busy" in names)
 
 
 def test_no_suite_waits_for_one_in_the_background(tmp_path: Path) -> None:
