@@ -9,8 +9,8 @@ import {tokens} from "../source/lexer.ts"
 /// Each candidate costs a run of the parser.
 const maximumCandidates = 12
 
-/// A guard, a `where` or a further field stands for no expression, although a name in its place may be read as one: as an argument of what is above it.
-const noExpression = /^(?:[|,;)\]}]|(?:where|of|then|else|in|deriving)\b)/
+/// A guard, a `where`, a further field or an operator begins no expression, although a name in its place may be read as one: as an argument of what is above it.
+const noExpression = /^(?:[,;)\]}:*/&%.?#@]|\p{S}|->|(?:where|of|then|else|in|deriving)\b)/u
 
 export function maskCandidates(source: string): readonly Range[] {
   const regions = regionsOf(source)

@@ -127,8 +127,13 @@ describe("a field that is empty for a moment, or ends in a blank, keeps its bloc
 
 const endings = ["(1 +", " = = ", " if x then", "[1,, 2]", ")", ' "open', "\\ ->", " case", "1 +* 2 )"]
 
-test("a where inside a record is no argument of the line above it: printed afresh, the blocks say what they say", () => {
-  const text = "start = Robot\n  { speed = 0.3\n  , goal = \\v -> Velocity v 0\n  where z = 3\n\n  }\n"
+test.each([
+  [
+    "a where inside a record",
+    "start = Robot\n  { speed = 0.3\n  , goal = \\v -> Velocity v 0\n  where z = 3\n\n  }\n",
+  ],
+  ["an operator", "main = simulate move\n  = =\n"],
+])("%s is no argument of the line above it: printed afresh, the blocks say what they say", (_, text) => {
   expect(disagreements(openView(reader, text), other)).toEqual([])
 })
 
