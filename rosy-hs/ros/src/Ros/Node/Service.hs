@@ -76,9 +76,10 @@ offered s act =
     }
   where
     failed :: SomeException -> IO (Either String B.ByteString)
-    failed e = case fromException e of
+    failed e@(SomeException thrown) = case fromException e of
       Just asynchronous -> throwIO (asynchronous :: SomeAsyncException)
-      Nothing -> pure (Left (displayException e))
+      -- Not the text of SomeException, to which GHC 9.10 adds a backtrace.
+      Nothing -> pure (Left (displayException thrown))
 
 -- | Tells the master. When it cannot be told now, "Ros.Node.Run" tells it later.
 registerOffered :: Core -> String -> IO ()
