@@ -17,8 +17,8 @@ import GHC
 import GHC.Driver.Monad (modifySession)
 import GHC.Driver.Plugins (Plugin)
 import GHC.Driver.Session (defaultFatalMessager, defaultFlushOut, xopt_set)
-import GHC.Types.Name (nameOccName)
 import Rosy.Worker.Ghc.Compat.Driver
+import Rosy.Worker.Ghc.Compat.Types (exportedName)
 import Rosy.Worker.Ghc.Session (defaultExtensions)
 import Rosy.Worker.Ghc.TaskAttribution (taskAttribution)
 import Rosy.Worker.Ghc.TreeRewrite (ImplicitNames (..), InstanceBodies (..), Rewritten (..), implicitNamesWith, rewriteProgram)
@@ -109,7 +109,7 @@ implicitNamesOf = ImplicitNames <$> exportsOf "Rosy" <*> exportsOf "Prelude" <*>
   where
     exportsOf m = do
       info <- findModule (mkModuleName m) Nothing >>= getModuleInfo
-      pure (Set.fromList (maybe [] (map nameOccName . modInfoExports) info))
+      pure (Set.fromList (maybe [] (map exportedName . modInfoExports) info))
 
 adding :: ImplicitNames -> Plugin
 adding names = treePlugin add

@@ -35,6 +35,7 @@ import GHC.Types.Name.Occurrence (isTcOcc, occNameString)
 import Rosy.Worker.Allowlist (allowedModules)
 import Rosy.Worker.Branch (Branch)
 import Rosy.Worker.Ghc.Compat.Driver
+import Rosy.Worker.Ghc.Compat.Types (exportedName)
 import Rosy.Worker.Ghc.TreeRewrite (ImplicitNames (..))
 import Unsafe.Coerce (unsafeCoerce)
 
@@ -91,7 +92,7 @@ preload env = do
       t : constructors | isTcOcc t, occNameString t `notElem` ["Cancel", "Never", "World", "TaskOptions", "CallOptions"], not (null constructors) || occNameString t `elem` ["Task", "Call"] -> [t]
       _ -> []
     isRosys n = maybe False (("Rosy" `isPrefixOf`) . moduleNameString . moduleName) (nameModule_maybe n)
-    namesOf m = maybe Set.empty (Set.fromList . map nameOccName . concatMap availNames . mi_exports) <$> interfaceOf m
+    namesOf m = maybe Set.empty (Set.fromList . map exportedName . concatMap availNames . mi_exports) <$> interfaceOf m
     interfaceOf m = do
       found <- findModuleNamed env m
       mapM (hscGetModuleInterface env) found

@@ -35,6 +35,7 @@ module Rosy.Worker.Ghc.Compat.Types
     renderForUser,
 
     -- * Names in scope
+    exportedName,
     holeNameOf,
     elementName,
     elementImports,
@@ -213,6 +214,16 @@ renderForUser flags = renderWithStyle (initSDocContext flags (mkUserStyle neverQ
 #endif
 
 -- * Names in scope
+
+-- | A name as a program writes it. From GHC 9.8 on an interface has the fields of records apart from the variables.
+exportedName :: Name -> OccName
+#if __GLASGOW_HASKELL__ >= 908
+exportedName n = if isFieldOcc o then recFieldToVarOcc o else o
+  where
+    o = nameOccName n
+#else
+exportedName = nameOccName
+#endif
 
 holeNameOf :: Hole -> OccName
 elementName :: GlobalRdrElt -> Name
