@@ -49,6 +49,12 @@ tests borrow =
             spans = [((l, c), (negate l', negate c')) | l : c : l' : c' : _ <- places]
         assertBool "in order" (and (zipWith (<=) spans (drop 1 spans)))
         assertBool "the derived code of Stop" (null [() | l : _ <- places, l == 1]),
+      testCase "the name has the function's type in each equation, also where it stands between its patterns first" $ do
+        worker <- borrow
+        pieces <- typesOf worker "main = pure ()\n\npick :: Int -> Bool\npick 1 = True\npick 2 = False\npick\n  _ = True\n\nlater :: Int -> Int -> Char -> Bool\nlater 1 _ _ = True\n(_ `later` 2) _ = False\n(  3 `later` _) _ = False\nlater _ _ _ = True\n"
+        [piece | (piece, "Int -> Bool") <- pieces] @?= replicate 3 "pick"
+        let named = [piece | (piece, "Int -> Int -> Char -> Bool") <- pieces]
+        assertBool (show named) (take 1 named == ["later"] && drop (length named - 1) named == ["later"] && all (`elem` ["later", "`later`"]) named),
       testCase "a program of a hundred lines has types of some ten kilobytes" $ do
         worker <- borrow
         answer <- ask worker (check (Number 2) (Text.unlines (driving : [Text.replace "N" (Text.pack (show n)) "stepN :: Bumper -> Memory Hit -> Either Stop Velocity\nstepN (Bumper _ Pressed) (Memory hit) = if hit then Left Stop else Right (Velocity (1 + N) 0)\nstepN _ _ = Left Stop" | n <- [1 .. 30 :: Int]])))

@@ -18,6 +18,7 @@ module Rosy.Worker.Ghc.SpanTypes
   )
 where
 
+import Data.Char (isAlpha)
 import Data.Data (Data, gmapQ)
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (sortOn)
@@ -37,6 +38,7 @@ import GHC.Tc.Types (TcGblEnv (..))
 import GHC.Tc.Types.Evidence
 import GHC.Types.Basic (Boxity (Boxed))
 import GHC.Types.Id (Id, idType)
+import GHC.Types.Name (getOccString)
 import GHC.Types.SrcLoc
 import GHC.Types.Unique (Uniquable (..))
 import Rosy.Worker.Ghc.Compat.Syntax
@@ -91,8 +93,21 @@ binding outer (L _ b) = case b of
   where
     equation :: Type -> LMatch GhcTc (LHsExpr GhcTc) -> [Piece]
     equation t l@(At whole m) = case m_ctxt m of
-      FunRhs {mc_fun = At s _} -> concat [piece s t | s /= whole] ++ match l
+      FunRhs {mc_fun = At s n} -> concat [piece at t | Just at <- [nameOfEquation whole s (getOccString n) (m_pats m)], at /= whole] ++ match l
       _ -> match l
+
+-- | The place of the function's name in an equation, from the span of the equation, the place that the typed tree has for the name, the name,
+-- and the patterns. Before GHC 9.10 the tree has the name's place in the first equation for all of them; in the others the name is what they start
+-- with, unless it is an operator or stands between two patterns.
+nameOfEquation :: SrcSpan -> SrcSpan -> String -> [LPat GhcTc] -> Maybe SrcSpan
+nameOfEquation whole known name patterns
+  | known `isSubspanOf` whole = Just known
+  | isIdentifier, RealSrcSpan s _ <- whole, and [realSrcSpanStart p >= end s | RealSrcSpan p _ <- map spanOf (take 1 patterns)] = Just (mkSrcSpan (srcSpanStart whole) (realLocation (end s)))
+  | otherwise = Nothing
+  where
+    isIdentifier = all (\c -> isAlpha c || c == '_') (take 1 name)
+    end s = mkRealSrcLoc (srcSpanFile s) (srcSpanStartLine s) (srcSpanStartCol s + length name)
+    realLocation l = mkSrcLoc (srcLocFile l) (srcLocLine l) (srcLocCol l)
 
 matches :: MatchGroup GhcTc (LHsExpr GhcTc) -> [Piece]
 matches m = concatMap match (unLoc (mg_alts m))
