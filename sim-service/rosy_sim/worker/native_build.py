@@ -22,10 +22,14 @@ __all__ = ["build_program", "is_native"]
 _ARCHIVES = ("libgmp.a", "libffi.a", "libz.a")
 """Libraries that a robot's computer need not have, also where the C library cannot become a part of the file."""
 
-_LINKER_ADVICE = re.compile(r": warning: Using '\w+' in statically linked applications requires|: in function `\w+':$")
+_LINKER_ADVICE = re.compile(
+    r": warning: Using '\w+' in statically linked applications requires|: in function `\w+':$"
+    r"|: note: the message above does not take linker garbage collection into account$"
+)
 """
 Warnings of the linker about functions that load a library of the machine. Of host lookups, which ``Ros.Net.HostLookup``
-heeds; the others are of functions of GHC's libraries that no built program calls (users, groups, loading code).
+heeds; the others are of functions of GHC's libraries that no built program calls (users, groups, loading code). The
+note follows each of them in newer versions of the linker.
 """
 
 
