@@ -10,7 +10,7 @@ import msgspec
 from ..config import Config
 from ..errors import RosyError, WorkerLost
 from ..sentence import Sentence
-from ..worker.background_process import LOWEST_PRIORITY, WorkerSetup, start_process
+from ..worker.background_process import LOWEST_PRIORITY, WorkerSetup, reap, start_process
 from .rehearsal_process import Rehearsals, Rehearsed, RehearsedAttempt
 
 __all__ = ["rehearse_in_background"]
@@ -45,4 +45,4 @@ async def rehearse_in_background(
             on_answer(answer)
     finally:
         process.stdin.close()
-        await process.wait()
+        await reap(process)

@@ -18,6 +18,7 @@ import msgspec
 from ..errors import RosyError
 from ..sentence import Sentence, tr, verbatim
 from ..wire.problem import Edit, Place
+from ..worker.background_process import reap
 from .hover import KnownName
 
 __all__ = ["Formatted", "Renamed", "Signature", "TextService", "TextServiceMissing", "Token"]
@@ -146,7 +147,7 @@ class TextService:
         if process is not None:
             with contextlib.suppress(ProcessLookupError):
                 process.kill()
-            await process.wait()
+            await reap(process)
 
     async def _ask(self, kind: type[_T], **request: object) -> _T:
         async with self._turn:

@@ -26,6 +26,7 @@ from ..wire.robot_process import (
     encode_request,
     encode_switch,
 )
+from ..worker.background_process import reap
 
 __all__ = ["RobotListener", "RobotProcess", "RunListener"]
 
@@ -197,8 +198,8 @@ async def _reap(process: asyncio.subprocess.Process) -> None:
     process.stdin.close()
     try:
         async with asyncio.timeout(_SHUTDOWN_TIMEOUT):
-            await process.wait()
+            await reap(process)
     except (TimeoutError, asyncio.CancelledError):
         with contextlib.suppress(ProcessLookupError):
             process.kill()
-        await process.wait()
+        await reap(process)

@@ -21,7 +21,7 @@ from ..errors import RosyError, WorkerLost, WorkerMissing
 from ..run.run_queue import RunQueue
 from ..sentence import tr
 from ..wire.page import Previewed
-from ..worker.background_process import WorkerSetup, start_process
+from ..worker.background_process import WorkerSetup, reap, start_process
 from .computing_budget import PATIENCE
 from .preview import PreviewTask
 
@@ -74,7 +74,7 @@ class _Process:
             self.idle.cancel()
         with contextlib.suppress(ProcessLookupError):
             self._process.kill()
-        await self._process.wait()
+        await reap(self._process)
 
 
 @dataclass(slots=True)

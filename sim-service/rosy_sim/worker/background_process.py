@@ -18,7 +18,7 @@ import msgspec
 
 from ..config import Config, Limits
 
-__all__ = ["LOWEST_PRIORITY", "WorkerSetup", "begin_reading", "start_process", "write_line"]
+__all__ = ["LOWEST_PRIORITY", "WorkerSetup", "begin_reading", "reap", "start_process", "write_line"]
 
 LOWEST_PRIORITY = 19
 """Of a process; ``nice``(2)."""
@@ -63,6 +63,14 @@ async def start_process(module: str) -> asyncio.subprocess.Process:
         start_new_session=True,
         limit=_MAX_LINE,
     )
+
+
+async def reap(process: asyncio.subprocess.Process) -> int:
+    """Wait for the end of a process that is to say no more, and close its pipes; returns its status."""
+    status = await process.wait()
+    # Newer versions of Python wait for the process only, and its descendants may have its output open.
+    process._transport.close()
+    return status
 
 
 def begin_reading(on_line: Callable[[bytes], None]) -> None:
