@@ -121,11 +121,15 @@ class SqliteDatabase:
         with _as_store_error():
             # Autocommit: transactions are explicit. One thread at a time uses it (`store_thread.py`).
             self._connection = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
-        self.execute("PRAGMA journal_mode = WAL")
-        self.execute("PRAGMA synchronous = FULL")
-        self.execute("PRAGMA foreign_keys = ON")
-        # What is deleted is overwritten.
-        self.execute("PRAGMA secure_delete = ON")
+        try:
+            self.execute("PRAGMA journal_mode = WAL")
+            self.execute("PRAGMA synchronous = FULL")
+            self.execute("PRAGMA foreign_keys = ON")
+            # What is deleted is overwritten.
+            self.execute("PRAGMA secure_delete = ON")
+        except StoreError:
+            self.close()
+            raise
 
     def execute(self, statement: str, values: Sequence[object] = ()) -> Rows:
         """``Database.execute``."""
