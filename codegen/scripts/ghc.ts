@@ -16,9 +16,9 @@ export function packageDatabase(): string | undefined {
   return found === undefined ? undefined : `${all}${found}`
 }
 
-/// Options that make the library visible to `ghc`.
+/// Options that make the library visible to `ghc`: all packages of a database are. `-package rosy` would be one of its three libraries to GHC 9.10.
 export function withRosy(database: string): string[] {
-  return ["-package-env", "-", "-package-db", database, "-package", "rosy", "-package", "random"]
+  return ["-package-env", "-", "-package-db", database, "-package", "random"]
 }
 
 const classes =

@@ -21,8 +21,8 @@ ROOT = Path(__file__).resolve().parents[3]
 
 
 def packages() -> list[str]:
-    databases = sorted(ROOT.glob("dist-newstyle/packagedb/ghc-*"))
-    return [f"-package-db={database}" for database in databases] + ["-package=rosy"]
+    """Options of GHC. All packages of a database are visible; `-package=rosy` would be one of its three libraries to GHC 9.10."""
+    return [f"-package-db={database}" for database in sorted(ROOT.glob("dist-newstyle/packagedb/ghc-*"))]
 
 
 class WarmGhci:
