@@ -49,6 +49,8 @@ export function normal(d: Dump): Dump {
     // `({ file:1:2 } X)` is X with its place.
     if (isList(x) && x[0] === "{" && /^(?:\w+\.hs:|<|NameSet:)/.test(String(x[1]))) return []
     if (["SourceText", "NoSourceText"].includes(head(x))) return []
+    // A set, in GHC 9.10 that of the constructors that have an updated field.
+    if (head(x) === "UFM") return [normal(withoutKeys(x))]
     // Where tokens and comments stand, of GHC 9.2 and newer.
     if (head(x) === "EpAnn" || x === "EpAnnNotUsed") return ["EpAnn"]
     if (isList(n) && n[0] === "(" && n.length === 2) return [n[1] as Dump]
@@ -70,9 +72,16 @@ export function normal(d: Dump): Dump {
   return all.map(x => (x === "Infix" ? "Prefix" : x))
 }
 
+/// A set without the keys of its members, numbers that differ from run to run.
+function withoutKeys(d: Dump): Dump {
+  if (!isList(d)) return d
+  return d.filter(x => !(isList(x) && x.length === 2 && /^\d+$/.test(String(x[1])))).map(withoutKeys)
+}
+
 /// `{x, y :: T}` as `{x :: T, y :: T}`.
 function fieldByField(field: readonly Dump[]): Dump[] {
-  const at = field.findIndex(x => isList(x) && x[0] === "[")
+  // Before the names GHC 9.10 has a list of tokens, which is empty here.
+  const at = field.findIndex(x => isList(x) && x[0] === "[" && x.length > 1)
   const names = field[at] as readonly Dump[]
   return names
     .slice(1)
