@@ -68,7 +68,8 @@ async def start_process(module: str) -> asyncio.subprocess.Process:
 async def reap(process: asyncio.subprocess.Process) -> int:
     """Wait for the end of a process that is to say no more, and close its pipes; returns its status."""
     status = await process.wait()
-    # Newer versions of Python wait for the process only, and its descendants may have its output open. No public name closes the pipes.
+    # Newer versions of Python wait for the process only, and its descendants may have its output open.
+    # No public name closes the pipes.
     process._transport.close()  # type: ignore[attr-defined]
     return status
 
