@@ -93,7 +93,12 @@ async function answers(address: string, child: ChildProcess): Promise<void> {
 }
 
 async function send<R>(method: string, address: string, body?: object): Promise<R> {
-  const answer = await fetch(address, {method, body: body === undefined ? null : JSON.stringify(body)})
+  const answer = await fetch(address, {
+    method,
+    // Newer drivers take nothing else.
+    headers: {"content-type": "application/json"},
+    body: body === undefined ? null : JSON.stringify(body),
+  })
   const {value} = (await answer.json()) as {value: R & {error?: string; message?: string}}
   if (!answer.ok) throw new Error(`${value.error}: ${value.message}`)
   return value
