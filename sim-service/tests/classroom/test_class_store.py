@@ -110,6 +110,7 @@ def test_tokens_are_not_in_the_database(tmp_path: Path) -> None:
     store = ClassStore(SqliteDatabase(tmp_path / "c"), ADMISSION, 0.0)
     join(store, token="the-secret-of-a-device")
     assert all(b"the-secret-of-a-device" not in file.read_bytes() for file in tmp_path.iterdir())
+    store.close()
 
 
 def test_only_so_many_devices_of_a_pupil_are_remembered(store: ClassStore) -> None:
