@@ -9,8 +9,9 @@ import {showScheme} from "../src/types/type.ts"
 
 const database = packageDatabase()
 
-/// What the Prelude of GHC 9.6 has and that of 9.0, which the environment is made with, has not. Blocks offer what all versions have.
+/// What the Prelude of GHC 9.6 or 9.10 has and that of 9.0, which the environment is made with, has not. Blocks offer what all versions have.
 const newer = new Set([
+  "foldl' :: Foldable t => (b -> a -> b) -> b -> t a -> b",
   "liftA2 :: Applicative f => (a -> b -> c) -> f a -> f b -> f c",
   "class (a ~ b) => (~) a b",
   "instance Functor ((,,,,) a b c d)",
