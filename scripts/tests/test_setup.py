@@ -288,9 +288,11 @@ def test_a_library_that_a_killed_build_left_unfinished_is_linked_again(complete:
 def test_a_cabal_that_builds_here_is_waited_for(complete: Machine, tmp_path: Path) -> None:
     other = tmp_path / "elsewhere" / "cabal"
     other.parent.mkdir()
-    shutil.copy2(shutil.which("sleep") or "", other)
+    # The name of a script is the name of its process. A copy of `sleep` would not do: on Ubuntu it is one program with all others, which asks for its name.
+    other.write_text("#!/bin/sh\nread -r _\n")
+    other.chmod(0o755)
     with (
-        subprocess.Popen([other, "600"], cwd=complete.root) as building,
+        subprocess.Popen([other], cwd=complete.root, stdin=subprocess.PIPE) as building,
         subprocess.Popen([complete.root / "rosy", "start"], env=complete.env, stderr=subprocess.PIPE, text=True) as start,
     ):
         told = next((line for line in start.stderr or () if "A cabal of another command" in line), "")

@@ -25,7 +25,6 @@ import Data.Word (Word32)
 import Foreign.C.Types (CInt)
 import Foreign.Ptr (Ptr)
 import GHC hiding (Warning)
-import qualified GHC.Data.EnumSet as EnumSet
 import GHC.Driver.Main (hscGetModuleInterface)
 import GHC.Driver.Session
 import GHC.LanguageExtensions.Type (Extension (..))
@@ -105,7 +104,8 @@ programFlags flags =
     . flip (foldl xopt_set) defaultExtensions
     . flip (foldl gopt_set) [Opt_DeferTypeErrors, Opt_DeferTypedHoles, Opt_DeferOutOfScopeVariables]
     . flip (foldl gopt_unset) [Opt_ShowValidHoleFits]
-    $ flags {warningFlags = EnumSet.fromList warnings, safeHaskell = Sf_Safe, useUnicode = True, pprCols = 100}
+    . onlyWarnings warnings
+    $ flags {safeHaskell = Sf_Safe, useUnicode = True, pprCols = 100}
   where
     warnings =
       [ Opt_WarnIncompletePatterns,

@@ -20,6 +20,7 @@ module Rosy.Worker.Ghc.Compat.Driver
     interpretedCode,
     nativeCode,
     recordPuns,
+    onlyWarnings,
     SafeHaskellMode (..),
 
     -- * Stages
@@ -74,6 +75,7 @@ import GHC (Ghc, Target, guessTarget, parseDynamicFlags)
 import GHC.Core.Opt.Monad
 import GHC.Core.TyCo.Rep (Type)
 import GHC.Data.Bag (Bag, bagToList, listToBag)
+import qualified GHC.Data.EnumSet as EnumSet
 import GHC.Data.FastString (mkFastString)
 import GHC.Data.StringBuffer (StringBuffer)
 import GHC.Driver.Main hiding (getHscEnv)
@@ -240,6 +242,14 @@ withCodeGenerator flags = flags {backend = NCG}
 #else
 withInterpreter flags = flags {hscTarget = HscInterpreted, ways = hostFullWays}
 withCodeGenerator flags = flags {hscTarget = HscAsm}
+#endif
+
+-- | These warnings and no others. From GHC 9.8 on there are also categories, which are on: that of functions such as @head@, and deprecations.
+onlyWarnings :: [WarningFlag] -> DynFlags -> DynFlags
+#if __GLASGOW_HASKELL__ >= 908
+onlyWarnings warnings flags = wopt_unset_all_custom flags {warningFlags = EnumSet.fromList warnings}
+#else
+onlyWarnings warnings flags = flags {warningFlags = EnumSet.fromList warnings}
 #endif
 
 -- | The extension NamedFieldPuns.
