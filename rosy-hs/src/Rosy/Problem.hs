@@ -75,7 +75,7 @@ problemFrom function inputs time exception =
       problemFunction = function,
       problemMessage = message,
       problemHint = hint,
-      problemOriginal = takeWhile (/= '\0') (readable (wordsOf exception)),
+      problemOriginal = takeWhile (/= '\0') (readable (exceptionMessage exception)),
       problemTime = time,
       problemInputs = inputs,
       problemPlace = Nothing
@@ -83,9 +83,9 @@ problemFrom function inputs time exception =
   where
     (kind, message, hint) = sentence (named function) exception
 
--- | What an exception says of itself. From GHC 9.10 on 'displayException' of 'SomeException' adds a backtrace through GHC's own libraries.
-wordsOf :: SomeException -> String
-wordsOf (SomeException exception) = displayException exception
+-- | The message of an exception. From GHC 9.10 on 'displayException' of 'SomeException' adds a backtrace through GHC's own libraries.
+exceptionMessage :: SomeException -> String
+exceptionMessage (SomeException exception) = displayException exception
 
 -- | How sentences call a function, or the program when no function was at work.
 named :: Maybe String -> Sentence
@@ -111,7 +111,7 @@ sentence who exception
   | Just (TypeError _) <- fromException exception = ("hole", trWith "{who} came to an empty place." ["who" =@ who], tr "Put a value in it.")
   | Just (RecConError _) <- fromException exception = ("exception", trWith "{who} used a field that was never given a value." ["who" =@ who], tr "Give it one where the value is made.")
   | Just (ErrorCall text) <- fromException exception = errorSentence who (readable text)
-  | otherwise = ("exception", trWith "{who} failed." ["who" =@ who], quoted (firstLine (readable (wordsOf exception))))
+  | otherwise = ("exception", trWith "{who} failed." ["who" =@ who], quoted (firstLine (readable (exceptionMessage exception))))
 
 -- | The words of Haskell, or of the program.
 quoted :: String -> Sentence

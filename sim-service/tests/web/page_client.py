@@ -56,7 +56,7 @@ class Page:
         return await self.until(_like({"op": op, **fields}))
 
     async def all_of(self, *wanted: Message) -> list[Message]:
-        """One message for each of these, in whatever order they come: of what happens at the same time."""
+        """The next message that matches each of ``wanted``; they may arrive in any order."""
         found: list[Message | None] = [None] * len(wanted)
         while None in found:
             message = await self.until(lambda _: True)
