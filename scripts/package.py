@@ -12,8 +12,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from rosy_sim.sentence import sentence_of, tr
-from rosy_sim.wording import in_terminal
+from rosy_sim.sentences.sentence import sentence_of, tr
+from rosy_sim.sentences.wording import in_terminal
 
 from installation.debian import make_deb
 from installation.installed_tree import TreeError

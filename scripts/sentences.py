@@ -3,7 +3,7 @@ Translations of sentences, as a check: every template of the source text stands 
 
 In: calls of ``tr`` and ``trWith`` in ``rosy-hs/worker``, ``rosy-hs/src``, ``rosy-hs/robots``, ``rosy-hs/app`` (``Rosy.Sentence``),
 calls of ``tr`` in ``sim-service/rosy_sim``
-(``rosy_sim.sentence``) and in what packs Rosy, sentences of ``./rosy`` itself (``shell_sentences.py``), titles of rooms and examples, the tables
+(``rosy_sim.sentences.sentence``) and in what packs Rosy, sentences of ``./rosy`` itself (``shell_sentences.py``), titles of rooms and examples, the tables
 ``protocol/sentences/*.json`` and the help pages. Out: one sentence per breach. ``python3 scripts/sentences.py`` prints the templates as a table without
 translations, to begin a language with; with the name of a table, those that it lacks.
 """
@@ -53,7 +53,7 @@ _EXEMPT = {
     "lessons/checks.py": "documentation of a schema",
     "lessons/lesson_file.py": "patterns of msgspec's messages, and documentation of a schema",
     "previews/preview_process.py": "log of a process of its own",
-    "usage_errors.py": "patterns of argparse's messages",
+    "sentences/usage_errors.py": "patterns of argparse's messages",
     "wire/line_splitter.py": "technical: a broken protocol",
     "wire/ros/ros_messages.py": "answers to ROS clients",
     "wire/ros/rosbridge.py": "answers to ROS clients",

@@ -1,4 +1,4 @@
-/// Language of the command line: that of the machine's locale, as `sim-service/rosy_sim/wording.py` reads it.
+/// Language of the command line: that of the machine's locale, as `sim-service/rosy_sim/sentences/wording.py` reads it.
 
 import {de} from "./words/de/index.ts"
 import {es} from "./words/es/index.ts"

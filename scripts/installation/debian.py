@@ -16,7 +16,7 @@ import time
 from collections.abc import Iterable
 from pathlib import Path
 
-from rosy_sim.sentence import tr
+from rosy_sim.sentences.sentence import tr
 
 from .installed_tree import TreeError, copy_tree, haskell_build, is_elf
 

@@ -17,7 +17,7 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from rosy_sim.sentence import SentenceError, tr
+from rosy_sim.sentences.sentence import SentenceError, tr
 
 __all__ = ["TreeError", "copy_tree", "haskell_build", "is_elf", "package_versions"]
 

@@ -17,8 +17,8 @@ import sys
 import sysconfig
 from pathlib import Path
 
-from rosy_sim.sentence import tr
-from rosy_sim.wording import in_terminal
+from rosy_sim.sentences.sentence import tr
+from rosy_sim.sentences.wording import in_terminal
 
 from .installed_tree import TreeError, copy_tree, is_elf
 

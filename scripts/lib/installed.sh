@@ -4,7 +4,7 @@
 # A folder on a stick also holds Python, GHC's libraries and bubblewrap; a Debian package uses those of the system.
 
 if [ "$(locale charmap 2>/dev/null)" != UTF-8 ]; then
-  # A locale that is not installed, or has another encoding, still names the language (sim-service/rosy_sim/wording.py).
+  # A locale that is not installed, or has another encoding, still names the language (sim-service/rosy_sim/sentences/wording.py).
   export ROSY_LOCALE="${LC_ALL:-${LC_MESSAGES:-${LANG:-}}}" LC_ALL=C.UTF-8
 fi
 export PYTHONPATH="$ROSY_ROOT/sim-service:$ROSY_ROOT/python"

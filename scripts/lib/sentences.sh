@@ -2,7 +2,7 @@
 # Sourced by ./rosy: sentences in the language of the machine's locale, before anything is installed.
 #
 # In: an English template with values for its placeholders. Out: the sentence of `protocol/sentences/<language>.json`, the same
-# tables that the service reads (sim-service/rosy_sim/wording.py), or English for a language without a table. Bash alone reads the
+# tables that the service reads (sim-service/rosy_sim/sentences/wording.py), or English for a language without a table. Bash alone reads the
 # tables, which works because they hold one sentence a line; scripts/sentences.py checks both.
 
 # The first variable that is set names the language. POSIX.1-2017, Base Definitions, section 8.2.
@@ -59,7 +59,7 @@ translation() {
   fi
 }
 
-# accented TEMPLATE: English with accents outside of the placeholders, for tests (`PSEUDO` in sim-service/rosy_sim/wording.py).
+# accented TEMPLATE: English with accents outside of the placeholders, for tests (`PSEUDO` in sim-service/rosy_sim/sentences/wording.py).
 accented() {
   local rest=$1 said=
   while [[ "$rest" == *"{"*"}"* ]]; do

@@ -23,7 +23,7 @@ export PYTHONPATH="$ROSY_ROOT/sim-service${PYTHONPATH:+:$PYTHONPATH}"
 export CABAL_DIR="$ROSY_STATE/cabal"
 # Programs, messages and tests are UTF-8, also where no locale is set.
 if [ "$(locale charmap 2>/dev/null)" != UTF-8 ]; then
-  # A locale that is not installed, or has another encoding, still names the language (sim-service/rosy_sim/wording.py).
+  # A locale that is not installed, or has another encoding, still names the language (sim-service/rosy_sim/sentences/wording.py).
   export ROSY_LOCALE="${LC_ALL:-${LC_MESSAGES:-${LANG:-}}}" LC_ALL=C.UTF-8
 fi
 # shellcheck source=scripts/lib/steps.sh

@@ -18,7 +18,7 @@ from types import TracebackType
 from typing import BinaryIO
 
 from .errors import BadInput
-from .sentence import tr
+from .sentences.sentence import tr
 
 __all__ = ["AtomicFile"]
 

@@ -15,7 +15,7 @@ room is ``world.arena.ArenaError``; a program that breaks the link is ``wire.lin
 
 from __future__ import annotations
 
-from .sentence import Sentence, SentenceError, tr
+from .sentences.sentence import Sentence, SentenceError, tr
 
 __all__ = ["BadInput", "OutputFailed", "RobotMissing", "RosyError", "WorkerLost", "WorkerMissing", "WorkerRefused"]
 

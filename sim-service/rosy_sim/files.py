@@ -8,7 +8,7 @@ from pathlib import Path
 import msgspec
 
 from .errors import BadInput
-from .sentence import Sentence, tr
+from .sentences.sentence import Sentence, tr
 
 __all__ = ["read_json", "read_text"]
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rosy_sim.bench.postgresql_server import SERVERS, PostgresqlServer, postgresql_server, restartable_server
+from rosy_sim.bench.cluster.postgresql_server import SERVERS, PostgresqlServer, postgresql_server, restartable_server
 
 __all__ = ["PostgresqlServer", "needs_postgresql", "postgresql_server", "restartable_server"]
 

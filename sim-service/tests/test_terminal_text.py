@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from rosy_sim.terminal_text import escape_json, neutralize, neutralize_line
+from rosy_sim.sentences.terminal_text import escape_json, neutralize, neutralize_line
 
 from .test_cli import environment, here, rosy
 

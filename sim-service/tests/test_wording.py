@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from rosy_sim.problem_text import format_problem
-from rosy_sim.sentence import Sentence, tr, verbatim
+from rosy_sim.cli.problem_text import format_problem
+from rosy_sim.sentences.sentence import Sentence, tr, verbatim
+from rosy_sim.sentences.wording import ENGLISH, PSEUDO, language_of, terminal_language, wording
 from rosy_sim.wire.problem import Problem, problem, to_wire
-from rosy_sim.wording import ENGLISH, PSEUDO, language_of, terminal_language, wording
 from rosy_sim.worlds.gallery import world_names
 
 from .test_cli import Here, environment, here

@@ -13,6 +13,7 @@ import {
   workspaceOf,
 } from "../../src/reader/index.ts"
 import type {SavedBlock, SavedWorkspace} from "../../src/serialized_blocks.ts"
+import {rotated} from "../extent.ts"
 import {corpus, testReader} from "./open.ts"
 
 let reader: Reader
@@ -125,7 +126,10 @@ describe.each(corpus.map(p => [p.name, p.text] as const))("%s", (_, text) => {
           a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height,
         ).toBe(false)
   })
+})
 
+// One edit of each definition; random edits are in `edit_law.test.ts`.
+describe.each(rotated(corpus, 4).map(p => [p.name, p.text] as const))("%s", (_, text) => {
   test("an edit of one definition leaves every other character", () => {
     const view = openView(reader, text)
     for (const shown of view.declarations) {

@@ -13,7 +13,9 @@ import sys
 
 from ..config import discover
 from ..errors import RosyError
-from . import class_board, cluster, lockstep, pages, previews, recording, recovery, resting, under_attack, world
+from . import class_board, lockstep, pages, previews, recording, recovery, resting, world
+from .attacks import under_attack
+from .cluster import report as cluster
 
 __all__ = ["main"]
 

@@ -18,8 +18,8 @@ from dataclasses import dataclass, field
 from typing import IO
 
 from ..attempts import Attempts, Rate
-from ..sentence import Sentence, tr
-from ..wording import in_terminal
+from ..sentences.sentence import Sentence, tr
+from ..sentences.wording import in_terminal
 from .class_comments import ClassComments
 from .class_export import write_export
 from .class_tasks import ClassTasks

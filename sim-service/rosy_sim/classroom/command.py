@@ -10,9 +10,9 @@ from pathlib import Path
 
 from ..atomic_file import AtomicFile
 from ..errors import BadInput
-from ..sentence import tr
-from ..terminal_text import neutralize_line
-from ..wording import in_terminal
+from ..sentences.sentence import tr
+from ..sentences.terminal_text import neutralize_line
+from ..sentences.wording import in_terminal
 from .class_export import write_export
 from .store.class_places import ClassPlace
 

@@ -22,9 +22,9 @@ from ..rooms.generation.families import Family, family_like
 from ..rooms.room_test import Report, RoomTest, check_goals, worst_first
 from ..rooms.tested_room import tested_room
 from ..run.run_queue import RunQueue
-from ..sentence import tr
+from ..sentences.sentence import tr
+from ..sentences.wording import in_terminal
 from ..wire.page.room_tests import TestedRoom
-from ..wording import in_terminal
 from ..world.properties import BadProperty, read_properties
 from ..worlds.gallery import DEFAULT_WORLD, named_world
 from .class_tasks import ClassTasks

@@ -14,8 +14,8 @@ from datetime import datetime
 import msgspec
 
 from ..rooms.report_text import describe_failure
-from ..sentence import Sentence, tr
-from ..wording import in_terminal
+from ..sentences.sentence import Sentence, tr
+from ..sentences.wording import in_terminal
 from .class_export import safe_name
 from .messages.check_messages import CheckResult, Fault
 from .store.task_store import HandInKept

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 
 from ..config import Config
-from ..wording import in_terminal
+from ..sentences.wording import in_terminal
 from ..worker.blocking_worker import BlockingWorker
 from ..worker.launcher import missing_sandbox, sandbox_warning
 

@@ -21,17 +21,17 @@ from ..config import Config, discover
 from ..errors import BadInput, OutputFailed, RosyError
 from ..maps.command import make_room
 from ..ownership.robot_configuration import read_robot_configuration
-from ..problem_text import format_problem
 from ..recordings.command import replay_recording
 from ..run.program_file import read_program
-from ..sentence import tr
-from ..terminal_text import escape_json, neutralize_line
+from ..sentences.sentence import tr
+from ..sentences.terminal_text import escape_json, neutralize_line
+from ..sentences.wording import in_terminal
 from ..wire.problem import is_complete
-from ..wording import in_terminal
 from ..worker.native_build import build_program
 from .checked_worker import started_worker, warn_without_sandbox
 from .output import flush_output, print_error, print_problem, print_sentence, print_text
 from .parser import options_parser
+from .problem_text import format_problem
 from .run_command import run_command
 
 __all__ = ["main"]

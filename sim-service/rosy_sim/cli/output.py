@@ -6,11 +6,11 @@ import sys
 from pathlib import Path
 
 from ..errors import OutputFailed, RosyError
-from ..problem_text import format_problem
-from ..sentence import Sentence
-from ..terminal_text import neutralize, neutralize_line
+from ..sentences.sentence import Sentence
+from ..sentences.terminal_text import neutralize, neutralize_line
+from ..sentences.wording import in_terminal
 from ..wire.problem import Problem
-from ..wording import in_terminal
+from .problem_text import format_problem
 
 __all__ = [
     "flush_output",

@@ -12,8 +12,8 @@ from ..errors import BadInput
 from ..maps.command import add_room_options
 from ..recordings.command import add_replay_options
 from ..rooms.command import add_options
-from ..sentence import tr
-from ..usage_errors import usage_error
+from ..sentences.sentence import tr
+from ..sentences.usage_errors import usage_error
 
 __all__ = ["options_parser"]
 

@@ -17,7 +17,6 @@ from ..explain.causal_chain import explain
 from ..explain.recorded_run import RecordedRun
 from ..explain.why_not import RobotLimits
 from ..explain.wording import words_of
-from ..problem_text import format_problem
 from ..recordings.mcap_file import RunDetails
 from ..recordings.recording_folder import RecordingFolder, named_recording, recorded_sentence
 from ..robots import DEFAULT_ROBOT
@@ -27,15 +26,16 @@ from ..run.grading import format_table, grade_programs, programs_in
 from ..run.headless_run import RunOutput, RunResult, RunSettings, run_native, run_program
 from ..run.input_file import read_inputs
 from ..run.program_file import ProgramFile, read_program
-from ..sentence import tr
-from ..terminal_text import escape_json, neutralize, neutralize_line
-from ..wording import in_terminal, machine_wording
+from ..sentences.sentence import tr
+from ..sentences.terminal_text import escape_json, neutralize, neutralize_line
+from ..sentences.wording import in_terminal, machine_wording
 from ..worker.native_build import is_native
 from ..world.time_step import STEPS_PER_SECOND
 from ..world.world import World
 from ..worlds.gallery import load_world, usable_arena
 from .checked_worker import started_worker, warn_without_sandbox
 from .output import flush_output, print_problem, print_text, say
+from .problem_text import format_problem
 from .run_options import (
     MAX_SECONDS,
     arena_of,

@@ -9,7 +9,7 @@ import random
 from ..errors import BadInput
 from ..run.program_file import ProgramFile
 from ..run.steps.velocity_guard import SafetySettings
-from ..sentence import tr
+from ..sentences.sentence import tr
 from ..world.arena import Arena
 from ..worlds.gallery import DEFAULT_WORLD, load_world, named_world, usable_arena
 

@@ -20,10 +20,10 @@ from starlette.routing import Route
 from ..classroom.store.class_folder import check_name
 from ..config import Config
 from ..errors import BadInput
-from ..sentence import tr
+from ..sentences.sentence import tr
+from ..sentences.wording import in_terminal
 from ..web.lan_addresses import lan_addresses
 from ..web.server import serve
-from ..wording import in_terminal
 from .class_service import Failed, Ready
 from .classes import directory
 from .connection import reached

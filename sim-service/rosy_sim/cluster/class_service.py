@@ -20,7 +20,7 @@ import msgspec
 from ..classroom.store.class_store import Admission
 from ..config import discover
 from ..errors import RosyError
-from ..sentence import Sentence
+from ..sentences.sentence import Sentence
 from ..web.server import serve
 
 __all__ = ["PORTS", "Failed", "Ready", "Started", "main"]

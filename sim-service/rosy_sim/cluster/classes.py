@@ -21,7 +21,7 @@ import ray
 from ray._private.state import available_resources_per_node
 from ray.exceptions import RayError
 
-from ..sentence import tr
+from ..sentences.sentence import tr
 from .class_service import Failed, Ready, Started
 from .connection import NAMESPACE, connect, reached
 from .node import PAGES

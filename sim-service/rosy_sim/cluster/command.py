@@ -10,7 +10,7 @@ from urllib.parse import urlsplit
 
 from ..config import Config
 from ..errors import BadInput
-from ..sentence import tr
+from ..sentences.sentence import tr
 from .node import start_node, use_token
 
 __all__ = ["add_cluster_options", "run_cluster_command"]

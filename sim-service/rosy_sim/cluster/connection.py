@@ -11,7 +11,7 @@ from contextlib import contextmanager
 import ray
 from ray.exceptions import RayError
 
-from ..sentence import tr
+from ..sentences.sentence import tr
 from .node import SECRET_REFUSED, ClusterError, other_secret, reach
 
 __all__ = ["NAMESPACE", "ClusterError", "connect", "reached"]

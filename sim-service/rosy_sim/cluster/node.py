@@ -28,9 +28,9 @@ from pathlib import Path
 
 from ..config import Config
 from ..errors import BadInput, RosyError, WorkerMissing
-from ..sentence import tr
+from ..sentences.sentence import tr
+from ..sentences.wording import in_terminal
 from ..web.lan_addresses import lan_addresses
-from ..wording import in_terminal
 from ..worker.launcher import missing_sandbox
 from .version import version_resource
 

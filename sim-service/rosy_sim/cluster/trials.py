@@ -27,7 +27,7 @@ from ..config import discover
 from ..errors import RosyError
 from ..rooms.trial_pool import PoolClosed, ProgramLost, TrialPool, Trials
 from ..rooms.trial_process import Answer, Task, Trial
-from ..sentence import Sentence, tr
+from ..sentences.sentence import Sentence, tr
 from ..worker.background_process import WorkerSetup
 from .connection import ClusterError, connect
 from .version import version_resource

@@ -11,8 +11,8 @@ import re
 from collections.abc import Callable, Sequence
 from decimal import ROUND_HALF_UP, Decimal
 
-from ..sentence import Argument, tr
-from ..sentence import Sentence as Words
+from ..sentences.sentence import Argument, tr
+from ..sentences.sentence import Sentence as Words
 from ..wire.explanation import Sentence, SentenceId
 from ..wire.firing import Given
 

@@ -9,7 +9,7 @@ import msgspec
 
 from ..config import Config
 from ..errors import RosyError, WorkerLost
-from ..sentence import Sentence
+from ..sentences.sentence import Sentence
 from ..worker.background_process import LOWEST_PRIORITY, WorkerSetup, reap, start_process
 from .rehearsal_process import Rehearsals, Rehearsed, RehearsedAttempt
 

@@ -11,7 +11,7 @@ from functools import cache
 from typing import Any
 
 from ..robot_description import simulated
-from ..sentence import SentenceError, tr
+from ..sentences.sentence import SentenceError, tr
 
 __all__ = ["BadPattern", "ChannelPattern", "channel_pattern"]
 

@@ -17,7 +17,7 @@ from msgspec import Meta
 
 from ..errors import BadInput
 from ..files import read_json, read_text
-from ..sentence import Sentence, tr, verbatim
+from ..sentences.sentence import Sentence, tr, verbatim
 from ..wire.user_input import TimedInput
 from ..world.arena import Arena
 from ..worlds.gallery import named_world, usable_arena

@@ -14,7 +14,7 @@ from msgspec import Meta
 
 from ..robots import DEFAULT_ROBOT
 from ..run.steps.lockstep import Lockstep
-from ..sentence import Sentence, SentenceError, tr
+from ..sentences.sentence import Sentence, SentenceError, tr
 from ..world.arena import Arena
 from ..world.properties import BadProperty, PropertyTracker, read_properties
 from .channel_patterns import BadPattern, channel_pattern

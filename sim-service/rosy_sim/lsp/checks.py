@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import msgspec
 
 from ..errors import RosyError, WorkerLost
-from ..sentence import Sentence, sentence_of, tr
+from ..sentences.sentence import Sentence, sentence_of, tr
 from ..wire.problem import Problem
 from ..wire.worker import Checked
 from ..worker.supervisor import WorkerSupervisor

@@ -10,9 +10,9 @@ from collections.abc import Iterable, Sequence
 
 from lsprotocol import types
 
-from ..terminal_text import neutralize
+from ..sentences.terminal_text import neutralize
+from ..sentences.wording import Wording
 from ..wire.problem import Place, Problem, failure_context, worded
-from ..wording import Wording
 from .document import Document
 from .hover import Declaration
 

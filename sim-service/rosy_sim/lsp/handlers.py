@@ -17,8 +17,8 @@ from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 
 from ..errors import RosyError
-from ..sentence import tr
-from ..terminal_text import neutralize
+from ..sentences.sentence import tr
+from ..sentences.terminal_text import neutralize
 from .diagnostics import code_actions, workspace_edit
 from .document import Document
 from .hover import lines_about

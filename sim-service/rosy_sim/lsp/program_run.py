@@ -22,10 +22,10 @@ from ..robots import DEFAULT_ROBOT
 from ..run.headless_run import RunOutput, RunResult, RunSettings, run_over_link
 from ..run.problems import worker_lost
 from ..run.steps.lockstep import Lockstep
-from ..sentence import Sentence, tr
+from ..sentences.sentence import Sentence, tr
+from ..sentences.wording import Wording
 from ..wire.problem import Problem, failure_context, worded
 from ..wire.worker import Gone, Refused
-from ..wording import Wording
 from ..worker.supervisor import RunningProgram, WorkerSupervisor
 from ..world.arena import Arena
 from ..world.time_step import STEPS_PER_SECOND

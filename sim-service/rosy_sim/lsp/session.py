@@ -15,10 +15,10 @@ from pygls.lsp.server import LanguageServer
 
 from ..config import Config
 from ..errors import BadInput
-from ..sentence import Sentence, tr
-from ..terminal_text import neutralize
+from ..sentences.sentence import Sentence, tr
+from ..sentences.terminal_text import neutralize
+from ..sentences.wording import language_of, machine_wording, wording
 from ..wire.problem import Problem
-from ..wording import language_of, machine_wording, wording
 from ..worker.supervisor import WorkerStatus, WorkerSupervisor
 from ..worlds.gallery import DEFAULT_WORLD, named_world, usable_arena
 from .checks import CheckedDocument, DocumentChecks

@@ -16,7 +16,7 @@ from typing import TypeVar
 import msgspec
 
 from ..errors import RosyError
-from ..sentence import Sentence, tr, verbatim
+from ..sentences.sentence import Sentence, tr, verbatim
 from ..wire.problem import Edit, Place
 from ..worker.background_process import reap
 from .hover import KnownName

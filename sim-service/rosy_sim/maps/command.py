@@ -9,7 +9,7 @@ from pathlib import Path
 import msgspec
 
 from ..atomic_file import AtomicFile
-from ..sentence import Sentence, tr
+from ..sentences.sentence import Sentence, tr
 from ..worlds.gallery import usable_arena
 from .scanned_room import SMALLEST, room_of_map
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import BadInput
-from ..sentence import tr
+from ..sentences.sentence import tr
 
 __all__ = ["MAX_PIXELS", "Graymap", "read_graymap"]
 

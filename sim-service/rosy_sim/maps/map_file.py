@@ -14,7 +14,7 @@ from pathlib import Path
 
 from ..errors import BadInput
 from ..files import read_text
-from ..sentence import tr
+from ..sentences.sentence import tr
 
 __all__ = ["MapFile", "read_map_file"]
 

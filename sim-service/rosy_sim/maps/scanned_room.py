@@ -13,7 +13,7 @@ from pathlib import Path
 
 from ..errors import BadInput
 from ..robots import DEFAULT_ROBOT
-from ..sentence import tr
+from ..sentences.sentence import tr
 from ..world.arena import MAX_SHAPES, WALL_THICKNESS
 from ..world.field_readers import MAX_SIDE
 from .graymap import read_graymap

@@ -16,7 +16,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from ..errors import BadInput
-from ..sentence import tr
+from ..sentences.sentence import tr
 
 __all__ = ["PORTS", "Driver", "active_drivers", "canonical_address", "emergency_stop"]
 

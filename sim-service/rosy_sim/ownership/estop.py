@@ -10,9 +10,9 @@ import sys
 from collections.abc import Sequence
 
 from ..errors import RosyError
-from ..sentence import tr
-from ..terminal_text import neutralize_line
-from ..wording import in_terminal
+from ..sentences.sentence import tr
+from ..sentences.terminal_text import neutralize_line
+from ..sentences.wording import in_terminal
 from .driver_locks import emergency_stop
 
 __all__ = ["main"]

@@ -18,10 +18,10 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from ..errors import BadInput, RobotMissing
-from ..sentence import tr
+from ..sentences.sentence import tr
+from ..sentences.wording import in_terminal
 from ..wire.problem import Problem
 from ..wire.worker import Refused
-from ..wording import in_terminal
 from ..worker.blocking_worker import BlockingWorker
 from .driver_locks import PORTS, active_drivers, canonical_address
 from .robot_configuration import check_address

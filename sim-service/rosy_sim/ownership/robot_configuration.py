@@ -10,7 +10,7 @@ from pathlib import Path
 import msgspec
 
 from ..errors import BadInput
-from ..sentence import tr, verbatim
+from ..sentences.sentence import tr, verbatim
 from .driver_locks import canonical_address
 
 __all__ = ["check_address", "read_robot_configuration"]

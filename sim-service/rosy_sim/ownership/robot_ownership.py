@@ -15,7 +15,7 @@ from ..errors import BadInput
 from ..explain.why_not import RobotLimits
 from ..run.page_run import RunView
 from ..run.steps.velocity_guard import SafetySettings
-from ..sentence import Sentence, tr
+from ..sentences.sentence import Sentence, tr
 from ..wire import page
 from ..wire.problem import to_wire
 from ..wire.robot_process import DriveSettingsLine, FrameLine, Line, LinkLine, SaidLine, SoundLine, StoppedLine

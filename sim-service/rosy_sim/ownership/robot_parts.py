@@ -15,7 +15,7 @@ from urllib.parse import parse_qs
 import msgspec
 
 from ..robot_description import description, known_robots
-from ..sentence import tr
+from ..sentences.sentence import tr
 from ..wire.problem import Problem, problem
 
 __all__ = ["missing_parts", "missing_parts_problem"]

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from ..attempts import Attempts, Rate
 from ..errors import BadInput
-from ..sentence import tr
+from ..sentences.sentence import tr
 from ..wire import page
 from .driver_locks import active_drivers, canonical_address
 from .run_recorder import RunRecorder

@@ -15,7 +15,7 @@ from pathlib import Path
 from ..errors import BadInput
 from ..recordings.mcap_file import RunDetails
 from ..recordings.recording_folder import PendingRecording, RecordingFolder
-from ..sentence import Sentence
+from ..sentences.sentence import Sentence
 
 __all__ = ["RunRecorder"]
 

@@ -19,7 +19,7 @@ import msgspec
 from ..config import Config
 from ..errors import RosyError, WorkerLost, WorkerMissing
 from ..run.run_queue import RunQueue
-from ..sentence import tr
+from ..sentences.sentence import tr
 from ..wire.page import Previewed
 from ..worker.background_process import WorkerSetup, reap, start_process
 from .computing_budget import PATIENCE

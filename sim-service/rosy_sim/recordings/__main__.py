@@ -10,9 +10,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from ..errors import BadInput
-from ..sentence import Sentence
-from ..terminal_text import neutralize_line
-from ..wording import in_terminal
+from ..sentences.sentence import Sentence
+from ..sentences.terminal_text import neutralize_line
+from ..sentences.wording import in_terminal
 from .recording_folder import RecordingFolder, recorded_sentence
 
 _LOWEST_PRIORITY = 19

@@ -16,7 +16,7 @@ from ..atomic_file import AtomicFile
 from ..config import Config
 from ..errors import BadInput
 from ..run.program_file import read_program
-from ..sentence import Sentence, tr
+from ..sentences.sentence import Sentence, tr
 from ..wire.problem import Problem
 from ..worker.blocking_worker import BlockingWorker
 from ..worlds.gallery import DEFAULT_WORLD, load_world, usable_arena

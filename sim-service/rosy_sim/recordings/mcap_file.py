@@ -22,7 +22,7 @@ from mcap.writer import Writer
 from zstandard import ZstdError
 
 from ..errors import BadInput
-from ..sentence import tr
+from ..sentences.sentence import tr
 from ..wire.topics import COMMAND_TOPICS, SENSOR_TOPICS
 from .link_log import LinkLine, LinkMessage, LogEnd, Source, read_log, to_line, to_message
 

@@ -21,7 +21,7 @@ import msgspec
 from ..run.page_run import OnObservedStep, PageRun, RunView
 from ..run.problems import broken_link, died, too_much_output
 from ..run.worker_session import RunServices
-from ..sentence import Sentence, tr
+from ..sentences.sentence import Sentence, tr
 from ..wire import page
 from ..wire.firing import read_firings
 from ..wire.line_splitter import LineSplitter, LineTooLong

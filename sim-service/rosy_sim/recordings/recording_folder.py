@@ -18,7 +18,7 @@ import msgspec
 
 from ..atomic_file import AtomicFile
 from ..errors import BadInput
-from ..sentence import Sentence, tr
+from ..sentences.sentence import Sentence, tr
 from .mcap_file import RunDetails, write_recording
 
 __all__ = ["MAX_FOLDER", "Finished", "PendingRecording", "RecordingFolder", "named_recording", "recorded_sentence"]

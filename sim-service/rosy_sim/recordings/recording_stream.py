@@ -15,7 +15,7 @@ from typing import BinaryIO
 import msgspec
 
 from ..errors import BadInput
-from ..sentence import Sentence, tr, verbatim
+from ..sentences.sentence import Sentence, tr, verbatim
 from .link_log import LinkLine, LogEnd, read_log
 from .reading_process import Heading, Unreadable
 

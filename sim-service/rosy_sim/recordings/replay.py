@@ -17,7 +17,7 @@ import msgspec
 
 from ..config import Limits
 from ..errors import BadInput
-from ..sentence import tr
+from ..sentences.sentence import tr
 from ..wire.line_splitter import LineSplitter, LineTooLong
 from ..wire.problem import Problem
 from ..wire.robot_link import MAX_LINE

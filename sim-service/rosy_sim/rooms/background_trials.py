@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from ..config import Config
 from ..errors import RosyError
-from ..sentence import tr
+from ..sentences.sentence import tr
 from ..worker.background_process import LOWEST_PRIORITY, WorkerSetup
 from .room_test import Report, RoomTest, shrunk_report, try_rooms
 from .trial import Outcome

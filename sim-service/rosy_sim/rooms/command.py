@@ -22,10 +22,10 @@ from ..errors import BadInput
 from ..run.grading import programs_in
 from ..run.program_file import read_program
 from ..run.steps.velocity_guard import SafetySettings
-from ..sentence import tr
-from ..terminal_text import escape_json, neutralize_line
+from ..sentences.sentence import tr
+from ..sentences.terminal_text import escape_json, neutralize_line
+from ..sentences.wording import in_terminal, machine_wording
 from ..wire.problem import worded
-from ..wording import in_terminal, machine_wording
 from ..worker.background_process import WorkerSetup
 from ..worker.native_build import is_native
 from ..world.properties import BadProperty, read_properties

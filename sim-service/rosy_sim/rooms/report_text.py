@@ -7,11 +7,11 @@ from typing import Any
 
 import msgspec
 
-from ..sentence import Sentence, tr
-from ..terminal_text import neutralize_line
+from ..sentences.sentence import Sentence, tr
+from ..sentences.terminal_text import neutralize_line
+from ..sentences.wording import in_terminal, machine_wording
 from ..wire.page.room_tests import FindingShown
 from ..wire.problem import Problem, to_wire, worded
-from ..wording import in_terminal, machine_wording
 from .room_test import Report, worst_first
 from .trial import Finding, Outcome
 

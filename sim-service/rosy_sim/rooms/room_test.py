@@ -12,7 +12,7 @@ from typing import Any
 
 from ..errors import BadInput
 from ..run.steps.velocity_guard import OFF, SafetySettings
-from ..sentence import Sentence, tr
+from ..sentences.sentence import Sentence, tr
 from ..wire.problem import Problem
 from ..world.properties import Property
 from .generation.families import Family

@@ -21,7 +21,7 @@ from typing import Protocol
 import msgspec
 
 from ..errors import RosyError, WorkerLost
-from ..sentence import Sentence, verbatim
+from ..sentences.sentence import Sentence, verbatim
 from ..wire.problem import to_wire
 from ..worker.background_process import WorkerSetup
 from .trial_process import Answer, Request, Task, Trial

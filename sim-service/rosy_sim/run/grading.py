@@ -18,9 +18,9 @@ from pathlib import Path
 
 from ..errors import BadInput
 from ..interruptible import results
-from ..sentence import tr, verbatim
-from ..terminal_text import neutralize_line
-from ..wording import in_terminal
+from ..sentences.sentence import tr, verbatim
+from ..sentences.terminal_text import neutralize_line
+from ..sentences.wording import in_terminal
 from ..worker.launcher import sandbox_warning
 
 __all__ = ["Grade", "format_table", "grade_programs", "programs_in"]

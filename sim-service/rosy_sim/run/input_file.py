@@ -9,7 +9,7 @@ import msgspec
 
 from ..errors import BadInput
 from ..files import read_text
-from ..sentence import tr
+from ..sentences.sentence import tr
 from ..wire.topics import BadMessage
 from ..wire.user_input import Published, TimedInput, published, user_actions
 from ..world.events import UserAction

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from ..sentence import tr
+from ..sentences.sentence import tr
 from ..wire.problem import Problem, problem
 from ..wire.worker import Gone
 from ..world.world import World

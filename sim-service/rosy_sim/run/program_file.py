@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ..errors import BadInput
 from ..files import read_json, read_text
-from ..sentence import tr
+from ..sentences.sentence import tr
 
 __all__ = ["VERSION", "ProgramFile", "read_program"]
 

@@ -18,8 +18,8 @@ from starlette.websockets import WebSocket
 from ..classroom.classroom import Classroom
 from ..classroom.store.class_store import ClassStore
 from ..config import Config
-from ..sentence import tr
-from ..wording import in_terminal
+from ..sentences.sentence import tr
+from ..sentences.wording import in_terminal
 from .browser_safety import BrowserSafety
 from .pacing.request_turns import RequestTurns
 from .page_origins import PageOrigins

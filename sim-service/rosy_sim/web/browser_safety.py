@@ -17,8 +17,8 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from ..sentence import tr
-from ..wording import in_terminal
+from ..sentences.sentence import tr
+from ..sentences.wording import in_terminal
 
 __all__ = ["BrowserSafety", "own_names"]
 

@@ -29,8 +29,8 @@ from ..classroom.store.class_places import class_place
 from ..classroom.store.class_store import Admission
 from ..config import Config
 from ..errors import BadInput, WorkerMissing
-from ..sentence import Argument, Sentence, tr
-from ..wording import in_terminal
+from ..sentences.sentence import Argument, Sentence, tr
+from ..sentences.wording import in_terminal
 from ..worker.launcher import missing_sandbox, sandbox_warning
 from .app import build_app
 from .browser_safety import own_names

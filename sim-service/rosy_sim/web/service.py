@@ -22,10 +22,10 @@ from ..previews.preview_pool import PreviewPool
 from ..run.lateness import Lateness
 from ..run.run_queue import RunQueue
 from ..run.worker_session import RunServices
-from ..sentence import Sentence
-from ..terminal_text import neutralize_line
+from ..sentences.sentence import Sentence
+from ..sentences.terminal_text import neutralize_line
+from ..sentences.wording import in_terminal
 from ..wire import page
-from ..wording import in_terminal
 from ..worker.prepared_runs import PreparedRuns
 from ..worker.question_scheduler import QuestionScheduler
 from ..worker.supervisor import WorkerStatus, WorkerSupervisor

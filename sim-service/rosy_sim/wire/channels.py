@@ -18,7 +18,7 @@ from typing import Any
 import msgspec
 
 from ..robot_description import simulated
-from ..sentence import SentenceError, tr
+from ..sentences.sentence import SentenceError, tr
 
 __all__ = ["BadMessage", "Channel", "Values", "simulated_channels"]
 

@@ -7,8 +7,8 @@ from typing import Literal
 
 import msgspec
 
-from .. import sentence
-from ..wording import Wording
+from ..sentences import sentence
+from ..sentences.wording import Wording
 
 __all__ = [
     "Edit",

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import msgspec
 
-from ..sentence import tr
+from ..sentences.sentence import tr
 from ..world.events import Command, Reading
 from ..world.world import Odometry
 from .channels import BadMessage, Channel, Values, simulated_channels

@@ -19,7 +19,7 @@ import msgspec
 
 from ..config import Config
 from ..errors import WorkerLost, WorkerRefused
-from ..sentence import tr
+from ..sentences.sentence import tr
 from ..wire.line_splitter import LineTooLong
 from ..wire.worker import (
     Answer,

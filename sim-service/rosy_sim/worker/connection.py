@@ -15,10 +15,10 @@ from collections.abc import Callable
 
 import msgspec
 
-from ..sentence import tr
+from ..sentences.sentence import tr
+from ..sentences.wording import in_terminal
 from ..wire.line_splitter import LineTooLong
 from ..wire.worker import Answer, WorkerReady, WorkerStream, ping_request
-from ..wording import in_terminal
 from .launcher import ForkedWorker, WorkerProcess
 from .liveness import PROBE_INTERVAL, LivenessMonitor
 

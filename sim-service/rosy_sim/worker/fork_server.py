@@ -15,9 +15,9 @@ from pathlib import Path
 
 from ..config import Config
 from ..errors import WorkerMissing
-from ..sentence import tr
+from ..sentences.sentence import tr
+from ..sentences.wording import in_terminal
 from ..wire.worker import Answer, Failed, Forked, fork_request
-from ..wording import in_terminal
 from .connection import Connection
 from .launcher import ForkedWorker, launch
 from .liveness import sandboxed_pid

@@ -22,7 +22,7 @@ from pathlib import Path
 from ..config import Config
 from ..errors import WorkerMissing
 from ..memory_ceiling import memory_ceiling
-from ..sentence import Sentence, tr, verbatim
+from ..sentences.sentence import Sentence, tr, verbatim
 from .memory_group import MemoryGroup, create_memory_group
 
 __all__ = ["ForkedWorker", "WorkerProcess", "launch", "missing_sandbox", "sandbox_fault", "sandbox_warning"]

@@ -14,8 +14,8 @@ from pathlib import Path
 
 from ..atomic_file import AtomicFile
 from ..errors import BadInput, WorkerMissing
-from ..sentence import tr
-from ..wording import in_terminal
+from ..sentences.sentence import tr
+from ..sentences.wording import in_terminal
 
 __all__ = ["build_program", "is_native"]
 

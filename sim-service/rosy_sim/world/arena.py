@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..sentence import tr
+from ..sentences.sentence import tr
 from .field_readers import MAX_SIDE, ArenaError, Pose, flag, items, number, object_fields, point, positive, required
 from .goals import Goal, read_goals
 from .realism import Realism, read_realism

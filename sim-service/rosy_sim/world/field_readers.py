@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from ..sentence import Sentence, SentenceError, tr
+from ..sentences.sentence import Sentence, SentenceError, tr
 
 __all__ = [
     "MAX_SIDE",

@@ -12,7 +12,7 @@ import math
 from dataclasses import dataclass
 from typing import Literal, NamedTuple, Protocol
 
-from ..sentence import tr
+from ..sentences.sentence import tr
 from .field_readers import ArenaError, items, number, object_fields, point, positive
 
 __all__ = [

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import pymunk
 
-from ..sentence import tr
+from ..sentences.sentence import tr
 from .arena import WALL_THICKNESS, Arena, Box, Round
 from .field_readers import ArenaError
 from .robot import Body

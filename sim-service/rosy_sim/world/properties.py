@@ -14,7 +14,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple, Protocol
 
-from ..sentence import SentenceError, tr
+from ..sentences.sentence import SentenceError, tr
 from .arena import Arena
 from .floor_grid import FloorGrid
 from .goals import Goal, GoalTracker, Observation, Reach

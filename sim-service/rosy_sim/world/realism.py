@@ -14,7 +14,7 @@ import random
 from collections import deque
 from dataclasses import dataclass
 
-from ..sentence import tr
+from ..sentences.sentence import tr
 from .events import Command
 from .field_readers import ArenaError, number, object_fields
 

@@ -11,7 +11,7 @@ import math
 from collections.abc import Collection, Mapping
 from itertools import zip_longest
 
-from ..sentence import SentenceError, tr
+from ..sentences.sentence import SentenceError, tr
 from .arena import Arena, ArenaError, Pose
 from .events import Command, Lift, Move, Press, Reading, Teleport, UserAction, velocity
 from .motor_controller import MotorController

@@ -13,7 +13,7 @@ import msgspec
 from ..errors import BadInput
 from ..files import read_json
 from ..robots import DEFAULT_ROBOT
-from ..sentence import Sentence, tr
+from ..sentences.sentence import Sentence, tr
 from ..world.arena import Arena, ArenaError, read_arena
 from ..world.world import World
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rosy_sim.bench.local_nodes import CLUSTER_PYTHON, Node
+from rosy_sim.bench.cluster.local_nodes import CLUSTER_PYTHON, Node
 
 __all__ = ["CLUSTER_PYTHON", "Node", "needs_ray"]
 

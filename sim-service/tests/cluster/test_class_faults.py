@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from rosy_sim.bench.local_nodes import cluster_command
+from rosy_sim.bench.cluster.local_nodes import cluster_command
 from rosy_sim.classroom.store.class_folder import open_class
 from rosy_sim.classroom.store.database import SqliteDatabase
 

@@ -15,8 +15,8 @@ from typing import Any
 
 import pytest
 
-from rosy_sim.bench.cluster_rooms import Grading, programs
-from rosy_sim.bench.local_nodes import cluster_command
+from rosy_sim.bench.cluster.local_nodes import cluster_command
+from rosy_sim.bench.cluster.rooms import Grading, programs
 from rosy_sim.cluster.node import use_token
 from rosy_sim.config import discover
 from rosy_sim.errors import BadInput

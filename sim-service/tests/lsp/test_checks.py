@@ -10,7 +10,7 @@ import msgspec
 from rosy_sim.errors import WorkerLost, WorkerRefused
 from rosy_sim.lsp.checks import CheckedDocument, DocumentChecks
 from rosy_sim.lsp.document import Document
-from rosy_sim.sentence import verbatim
+from rosy_sim.sentences.sentence import verbatim
 from rosy_sim.wire.problem import problem
 from rosy_sim.wire.worker import Checked
 

@@ -13,7 +13,7 @@ import pytest
 
 from rosy_sim.config import Config, discover
 from rosy_sim.errors import BadInput
-from rosy_sim.sentence import verbatim
+from rosy_sim.sentences.sentence import verbatim
 from rosy_sim.web import server as serving
 from rosy_sim.worker import launcher
 from rosy_sim.worker.launcher import _sandbox, sandbox_fault

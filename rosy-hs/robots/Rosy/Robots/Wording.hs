@@ -6,7 +6,7 @@
 --
 -- In: a sentence, and the variables of the locale. Out: its text. The tables are in the executable ("Rosy.Robots.Translations"): a built program
 -- runs on computers without Rosy. English has no table; @en_XA@ is English with accents, for tests: what still reads as English in it is in no
--- table. The service does the same with all sentences ("sim-service/rosy_sim/wording.py").
+-- table. The service does the same with all sentences ("sim-service/rosy_sim/sentences/wording.py").
 module Rosy.Robots.Wording
   ( -- * Terminal
     inTerminal,

@@ -17,7 +17,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ...errors import BadInput
-from ...sentence import tr
+from ...sentences.sentence import tr
 from .class_store import Admission, ClassStore
 from .database import SqliteDatabase, StoreError
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Protocol
 
 from ...errors import BadInput
-from ...sentence import tr
+from ...sentences.sentence import tr
 from . import class_folder
 from .class_folder import check_name, new_admission
 from .class_store import ClassStore

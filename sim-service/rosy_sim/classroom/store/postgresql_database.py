@@ -26,7 +26,7 @@ from psycopg.conninfo import make_conninfo
 from psycopg.pq import PGconn, Ping
 
 from ...errors import BadInput
-from ...sentence import tr
+from ...sentences.sentence import tr
 from .database import ClassTaken, Rows, StoreAway, StoreError, StoreRefused
 
 __all__ = ["PostgresqlDatabase", "class_names", "delete_class"]

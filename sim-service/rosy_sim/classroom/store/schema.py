@@ -7,7 +7,7 @@ A migration that was released is never changed; a change of the schema is a furt
 from __future__ import annotations
 
 from ...errors import BadInput
-from ...sentence import tr
+from ...sentences.sentence import tr
 from .database import Database
 
 __all__ = ["MIGRATIONS", "migrate"]

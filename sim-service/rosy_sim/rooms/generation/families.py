@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...errors import BadInput
-from ...sentence import tr
+from ...sentences.sentence import tr
 from ...worlds.gallery import load_world, usable_arena
 from .dice import Dice
 from .fairness import far_place, is_fair

@@ -12,7 +12,7 @@ from starlette.routing import BaseRoute, Route
 
 from ...errors import BadInput, RosyError
 from ...lessons.catalogue import lesson_json, lesson_list
-from ...sentence import tr
+from ...sentences.sentence import tr
 from ...worlds.gallery import named_world, world_names
 from .example_paths import ExamplePaths
 from .examples import example_file, examples

@@ -9,7 +9,7 @@ from starlette.routing import BaseRoute, Route
 
 from ...classroom.classroom import Classroom
 from ...classroom.store.database import StoreError
-from ...sentence import tr
+from ...sentences.sentence import tr
 from .http_failure import failure
 
 __all__ = ["ClassFiles"]

@@ -20,7 +20,7 @@ from ...robots import DEFAULT_ROBOT
 from ...run.headless_run import RunOutput, RunSettings, run_over_link
 from ...run.program_file import read_program
 from ...run.run_queue import RunQueue
-from ...sentence import tr
+from ...sentences.sentence import tr
 from ...wire.worker import Started
 from ...worker.supervisor import RunningProgram, WorkerSupervisor
 from ...world.world import World

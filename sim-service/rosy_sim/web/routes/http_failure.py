@@ -5,7 +5,7 @@ from __future__ import annotations
 import msgspec
 from starlette.responses import JSONResponse, Response
 
-from ...sentence import Sentence
+from ...sentences.sentence import Sentence
 from ...wire.problem import to_wire
 
 __all__ = ["failure"]

@@ -11,7 +11,7 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import BaseRoute, Route
 
-from ...sentence import tr
+from ...sentences.sentence import tr
 from ..page_origins import PageOrigins
 from ..sessions.page_session import PageSession
 from .http_failure import failure

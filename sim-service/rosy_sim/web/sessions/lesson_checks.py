@@ -12,7 +12,7 @@ from ...errors import BadInput
 from ...lessons.lesson_watch import BadStep, CheckedStep, LessonWatch, examine_step
 from ...lessons.program_graph import ProgramGraph, read_graph
 from ...run.steps.lockstep import Lockstep
-from ...sentence import tr
+from ...sentences.sentence import tr
 from ...wire import page
 from ...wire.problem import is_complete
 from ...wire.worker import Checked

@@ -13,7 +13,7 @@ from typing import BinaryIO
 from ...errors import BadInput
 from ...recordings.recorded_run import RecordedRun
 from ...recordings.recording_stream import RecordingStream, open_stream
-from ...sentence import Sentence, tr
+from ...sentences.sentence import Sentence, tr
 from ...wire import page
 
 __all__ = ["PageRecordings"]

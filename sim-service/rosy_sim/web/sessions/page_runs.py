@@ -22,7 +22,7 @@ from ...run.simulated_run import SimulatedRun, Simulation
 from ...run.steps.lockstep import Lockstep
 from ...run.steps.replay import NO_REPLAY
 from ...run.worker_session import RunServices
-from ...sentence import Sentence, tr
+from ...sentences.sentence import Sentence, tr
 from ...wire import page
 from ...world.arena import Pose
 from ...world.events import velocity

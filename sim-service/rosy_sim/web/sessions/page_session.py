@@ -19,7 +19,7 @@ from ...ownership.robot_registry import RobotRegistry
 from ...previews.preview_pool import PreviewPool
 from ...run.steps.velocity_guard import SafetySettings
 from ...run.worker_session import RunServices
-from ...sentence import tr, verbatim
+from ...sentences.sentence import tr, verbatim
 from ...wire import page
 from ...worker.prepared_runs import PreparedRuns
 from ...world.world import ActionRefused, World

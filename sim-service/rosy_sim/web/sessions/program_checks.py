@@ -14,7 +14,7 @@ from collections.abc import Callable
 import msgspec
 
 from ...errors import RosyError, WorkerLost
-from ...sentence import sentence_of, tr
+from ...sentences.sentence import sentence_of, tr
 from ...wire import page
 from ...worker.question_scheduler import QuestionScheduler
 from ...worker.supervisor import WorkerSupervisor

@@ -32,8 +32,8 @@ from ...classroom.messages.projector_messages import Project, Projecting
 from ...classroom.messages.shared_messages import SHARING_OPS, AskToShare, Cursor, EndSharing, Push
 from ...classroom.shared_editing import Participant
 from ...classroom.store.database import StoreError, StoreFault, fault_of
-from ...sentence import tr
-from ...wording import in_terminal
+from ...sentences.sentence import tr
+from ...sentences.wording import in_terminal
 from ..pacing.loop_scheduler import LoopScheduler
 from ..sessions.page_session import PageSession
 from .address_slots import AddressSlots

@@ -17,7 +17,7 @@ from ...lessons.background_rehearsals import rehearse_in_background
 from ...lessons.lesson_watch import CheckedStep, examine_step
 from ...lessons.rehearsal_process import Rehearsed, RehearsedAttempt
 from ...run.run_queue import RunQueue
-from ...sentence import tr
+from ...sentences.sentence import tr
 from ...wire.page.lesson_rehearsals import AttemptJudged, RehearsalRequest, read_request
 from ...worlds.gallery import usable_arena
 from ..sessions.page_session import PageSession

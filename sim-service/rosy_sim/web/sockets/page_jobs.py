@@ -20,7 +20,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from ...rooms.background_trials import BUDGET
 from ...run.run_queue import RunQueue
-from ...sentence import Sentence, SentenceError, tr
+from ...sentences.sentence import Sentence, SentenceError, tr
 from ...wire.page.jobs import Queued, encode_answer, failed
 from ..sessions.page_session import PageSession
 from .first_completed import first_completed

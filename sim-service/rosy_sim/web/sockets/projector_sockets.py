@@ -17,8 +17,8 @@ from ...classroom.classroom import Classroom
 from ...classroom.messages.message_fields import Refused
 from ...classroom.messages.projector_messages import Invitation, Projected, RoomProjected, read_projector_request
 from ...classroom.store.database import StoreError, fault_of
-from ...sentence import tr
-from ...wording import in_terminal
+from ...sentences.sentence import tr
+from ...sentences.wording import in_terminal
 from ..pacing.loop_scheduler import LoopScheduler
 from ..sessions.page_session import PageSession
 from .address_slots import AddressSlots

@@ -14,7 +14,7 @@ from ...rooms.generation.families import Family, family_like
 from ...rooms.room_test import Report, RoomTest, check_goals, worst_first
 from ...rooms.tested_room import tested_room
 from ...run.run_queue import RunQueue
-from ...sentence import tr
+from ...sentences.sentence import tr
 from ...wire.page.room_tests import Progress, Reported, RoomTestRequest, SmallestRoom, read_test
 from ...world.properties import read_properties
 from ..sessions.page_session import PageSession

@@ -11,8 +11,8 @@ from typing import TypeVar
 
 import msgspec
 
-from ... import sentence
-from ...sentence import SentenceError, verbatim
+from ...sentences import sentence
+from ...sentences.sentence import SentenceError, verbatim
 from ..problem import Sentence, to_wire
 
 __all__ = ["BadJob", "Failed", "Queued", "decode_request", "encode_answer", "failed"]

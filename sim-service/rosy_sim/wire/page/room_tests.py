@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 import msgspec
 
-from ...sentence import tr
+from ...sentences.sentence import tr
 from ..problem import Problem
 from .jobs import BadJob, decode_request
 

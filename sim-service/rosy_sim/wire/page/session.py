@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 import msgspec
 
-from ... import sentence
+from ...sentences import sentence
 from ..problem import Sentences, sentences
 
 __all__ = [

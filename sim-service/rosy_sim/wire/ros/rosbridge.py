@@ -17,7 +17,7 @@ from typing import Any
 
 import msgspec
 
-from ...sentence import tr
+from ...sentences.sentence import tr
 from ...world.events import Command
 from ..topics import COMMAND_TOPICS, LATCHED, SENSOR_TOPICS, BadMessage, TopicMessage, read_message
 from .ros_messages import message_fault

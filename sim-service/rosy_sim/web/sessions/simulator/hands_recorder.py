@@ -13,7 +13,7 @@ from ....run.steps.hands import HandAction, RecordedHands, write_hands
 from ....run.steps.lockstep import Lockstep
 from ....run.steps.replay import CommandLog, Replay
 from ....run.steps.velocity_guard import SafetySettings
-from ....sentence import tr
+from ....sentences.sentence import tr
 from ....wire import page
 from ..run_history import RunHistory
 

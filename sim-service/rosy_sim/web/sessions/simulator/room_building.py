@@ -7,7 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ....robots import DEFAULT_ROBOT
-from ....sentence import tr
+from ....sentences.sentence import tr
 from ....world.arena import Arena, read_arena
 from ....world.obstacles import Obstacles
 from ....world.robot import Robot

@@ -11,7 +11,7 @@ from functools import partial
 from ....run.page_run import PageRun
 from ....run.simulated_run import SimulatedRun
 from ....run.steps.lockstep import Lockstep
-from ....sentence import Sentence, tr
+from ....sentences.sentence import Sentence, tr
 from ....wire import page
 from ....wire.topics import BadMessage, TopicMessage
 from ....wire.user_input import published, user_actions

@@ -19,7 +19,7 @@ import psutil
 
 __all__ = ["CLUSTER_PYTHON", "Node", "cluster_command"]
 
-CLUSTER_PYTHON = Path(__file__).resolve().parents[3] / ".rosy" / "venv-cluster" / "bin" / "python"
+CLUSTER_PYTHON = Path(__file__).resolve().parents[4] / ".rosy" / "venv-cluster" / "bin" / "python"
 
 _PORTS = range(20_000, 32_000)
 """Of heads: Ray keeps 10002 to 19999 for the processes of its tasks, and outgoing connections are given higher ones."""

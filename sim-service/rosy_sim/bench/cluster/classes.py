@@ -21,10 +21,10 @@ from multiprocessing.connection import Connection
 
 import psutil
 
-from .class_pupils import PROGRAM, Counted, run_class
+from ..class_pupils import PROGRAM, Counted, run_class
+from ..processor_time import exact_time
 from .local_nodes import Node, cluster_command
 from .postgresql_server import postgresql_server
-from .processor_time import exact_time
 
 __all__ = ["MOST", "report"]
 

@@ -18,8 +18,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
+from ..processor_time import ProcessTimes, TimeMeter
 from .local_nodes import Node, cluster_command
-from .processor_time import ProcessTimes, TimeMeter
 
 __all__ = ["Graded", "Grading", "programs", "report"]
 

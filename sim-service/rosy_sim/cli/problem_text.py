@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from .sentence import tr
-from .terminal_text import neutralize, neutralize_line
-from .wire.problem import Problem, failure_context, worded
-from .wording import in_terminal, machine_wording
+from ..sentences.sentence import tr
+from ..sentences.terminal_text import neutralize, neutralize_line
+from ..sentences.wording import in_terminal, machine_wording
+from ..wire.problem import Problem, failure_context, worded
 
 __all__ = ["format_problem"]
 

@@ -21,13 +21,13 @@ from typing import Any
 
 import uvloop
 
-from ..config import Config
-from ..web.server import raise_priority
-from ..web.service import Service
+from ...config import Config
+from ...web.server import raise_priority
+from ...web.service import Service
+from ..serving import serving
 from .attacks import ATTACKS, Attack
 from .loop_monitor import LoopMonitor
 from .page_client import PageClient, opened
-from .serving import serving
 
 __all__ = ["report"]
 

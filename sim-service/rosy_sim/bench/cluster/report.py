@@ -7,7 +7,7 @@ from __future__ import annotations
 import argparse
 import os
 
-from . import cluster_class, cluster_rooms
+from . import classes, rooms
 from .local_nodes import CLUSTER_PYTHON
 from .postgresql_server import SERVERS
 
@@ -21,9 +21,9 @@ def report(options: argparse.Namespace) -> int:
         return 0
     # What the commands say is read.
     environment = {**os.environ, "LC_ALL": "C.UTF-8"}
-    agree = cluster_rooms.report(environment, options.programs, options.rooms, 1.0)
+    agree = rooms.report(environment, options.programs, options.rooms, 1.0)
     if SERVERS:
-        cluster_class.report(environment, options.pupils, options.seconds, options.rounds)
+        classes.report(environment, options.pupils, options.seconds, options.rounds)
     else:
         print("  the class is skipped: Debian's package postgresql is not installed", flush=True)
     return 0 if agree else 1

@@ -34,7 +34,7 @@ __all__ = [
 PSEUDO = "en-XA"
 """English with accents, as Unicode's CLDR names the pseudo-locale."""
 
-_TABLES = Path(__file__).resolve().parents[2] / "protocol" / "sentences"
+_TABLES = Path(__file__).resolve().parents[3] / "protocol" / "sentences"
 
 _LOCALE_VARIABLES = ("ROSY_LOCALE", "LC_ALL", "LC_MESSAGES", "LANG")
 """
