@@ -103,7 +103,7 @@ def preview_over_link(
         return is_over() or budget.is_used_up()
 
     hands = tuple((step * STEP, action) for step, action in read_hands(task.hands))
-    settings = RunSettings(task.seconds, task.seed, None, hands, limits, task.safety)
+    settings = RunSettings(task.seconds, task.seed, None, hands, limits, task.safety, polls=True)
     result = run_over_link(link, world, settings, RunOutput(observe=observe), program)
     return _previewed(task.id, result, world, recorder)
 

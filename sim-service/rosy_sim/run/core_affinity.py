@@ -1,9 +1,11 @@
 """
-Core affinity of a lockstep: keeps the thread of a run and the process of its program on one core.
+Core affinity of a lockstep: where the thread of a run and the process of its program compute, and how this one waits.
 
-Of the two one computes while the other waits, so a second core does not make them faster, and waking a process on the
-same core costs least. While other work keeps the core busy the pair is free to move, as the scheduler decides. The
-affinity that this thread and the program were given is never exceeded, and is restored at the end.
+The pair shares one core: of the two one computes while the other waits, and waking a process on the same core costs
+least. A program that is asked in most steps is put on a core of its own, and both poll the link for a while before they
+sleep: then neither has to be woken, and each keeps its cache. That takes two cores for the work of one. While other
+work keeps their cores busy the pair is free to move, as the scheduler decides. The affinity that this thread and the
+program were given is never exceeded, and is restored at the end.
 """
 
 from __future__ import annotations
@@ -13,9 +15,9 @@ import socket
 import struct
 import time
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from types import TracebackType
+from typing import Literal
 
 __all__ = ["CoreAffinity"]
 
@@ -35,6 +37,15 @@ BUSY = 1 / 3
 """A core is busy when the pair waited for it for a larger share of the time. Choice of ours: alone, one of both waits
 for the last microseconds of the other's turn, some tenth; beside one busy process they wait half of the time."""
 
+POLLS = 150
+"""Looks at an empty link before this thread sleeps: some 0.1 ms, several times what a program takes for a step."""
+
+FIRST_PAUSE = 0.5
+"""Until the pair that could not use two cores tries them again, s; the next pauses are twice as long each."""
+
+Placement = Literal["free", "together", "apart"]
+"""On any core, on one core, or each on its own and polling."""
+
 
 class CoreAffinity:
     """
@@ -44,12 +55,18 @@ class CoreAffinity:
     reads.
     """
 
-    def __init__(self, link: socket.socket, wanted: bool = True) -> None:
+    def __init__(self, link: socket.socket, wanted: bool = True, polls: bool = False) -> None:
         # Reads the link.
-        self.receive: Callable[[], bytes] = partial(link.recv, _CHUNK)
+        self.receive: Callable[[], bytes] = self._sleep
         self._link = link
-        # Whether the pair is on one core now.
-        self.is_pinned = False
+        self.placement: Placement = "free"
+        # Whether the pair may use two cores for the work of one.
+        self._polls = polls
+        # Since the last review: reads, and those of them that polled in vain.
+        self._reads = self._slept = 0
+        # When two cores are tried again, and the pause after that, s.
+        self._apart_from = 0.0
+        self._pause = FIRST_PAUSE
         # The process of the program; 0 when it is not known or there is nothing to pin.
         self._program = 0
         # The cores that this thread and the program were given.
@@ -68,14 +85,14 @@ class CoreAffinity:
         self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
     ) -> None:
         # The program ends with the run.
-        if self.is_pinned:
-            self.is_pinned = False
+        if self.placement != "free":
+            self.placement = "free"
             _assign(0, self._ours)
 
     def _receive_first(self) -> bytes:
         """Read the first bytes with the credentials of their sender, which the kernel vouches for."""
         data, ancillary, _, _ = self._link.recvmsg(_CHUNK, socket.CMSG_SPACE(_CREDENTIALS.size))
-        self.receive = partial(self._link.recv, _CHUNK)
+        self.receive = self._sleep
         self._link.setsockopt(socket.SOL_SOCKET, socket.SO_PASSCRED, 0)
         for level, kind, found in ancillary:
             if level == socket.SOL_SOCKET and kind == socket.SCM_CREDENTIALS:
@@ -92,37 +109,64 @@ class CoreAffinity:
             return
         self._program = program
         self._reviewed, self._waited = time.perf_counter(), self._waiting_time()
-        self._pin()
+        self._place("together")
 
     def review(self) -> None:
-        """Free the pair from a busy core, and pin it again where it has one for itself. Call now and then."""
+        """Give up cores that others keep busy, and take them again later. Call every ``REVIEW_STEPS`` steps."""
+        reads, slept = self._reads, self._slept
+        self._reads = self._slept = 0
         now = time.perf_counter()
-        if not self._program or now - self._reviewed < REVIEW_INTERVAL:
+        parts = self._polls and self.placement != "apart" and 2 * reads > REVIEW_STEPS and now >= self._apart_from
+        # A short run gains nothing from waiting for the first interval.
+        is_early = now - self._reviewed < REVIEW_INTERVAL and not (parts and self._apart_from == 0)
+        if not self._program or is_early:
             return
         waited = self._waiting_time()
         is_busy = waited - self._waited > BUSY * (now - self._reviewed)
         self._reviewed, self._waited = now, waited
-        if is_busy:
-            self._release()
-        elif not self.is_pinned:
-            self._pin()
+        if self.placement == "apart" and (is_busy or 2 * slept > reads):
+            self._apart_from, self._pause = now + self._pause, 2 * self._pause
+            self._place("together")
+        elif self.placement != "apart":
+            self._place("free" if is_busy else "apart" if parts else "together")
 
-    def _pin(self) -> None:
-        """To the core on which this thread is, unless the program may not run there."""
-        common = self._ours & self._theirs
-        if not common:
+    def _place(self, placement: Placement) -> None:
+        """Give both their cores: this thread stays where it is if it can."""
+        if placement == self.placement:
             return
+        common = self._ours & self._theirs
         here = _current_core()
-        core = here if here in common else min(common)
-        self.is_pinned = True
-        if not (_assign(0, {core}) and _assign(self._program, {core})):
-            self._release()
+        core = here if here in common else min(common, default=-1)
+        others = self._theirs - {core}
+        if placement == "free" or not common:
+            self._assign_both("free", self._ours, self._theirs)
+        elif placement == "apart" and others:
+            self._assign_both("apart", {core}, others)
+        else:
+            self._assign_both("together", {core}, {core})
 
-    def _release(self) -> None:
-        if self.is_pinned:
-            self.is_pinned = False
-            _assign(0, self._ours)
-            _assign(self._program, self._theirs)
+    def _assign_both(self, placement: Placement, ours: set[int], theirs: set[int]) -> None:
+        if not (_assign(0, ours) and _assign(self._program, theirs)) and placement != "free":
+            self._assign_both("free", self._ours, self._theirs)
+            return
+        self.placement = placement
+        self.receive = self._poll if placement == "apart" else self._sleep
+
+    def _sleep(self) -> bytes:
+        self._reads += 1
+        return self._link.recv(_CHUNK)
+
+    def _poll(self) -> bytes:
+        """Read as soon as there is something, without sleeping at first."""
+        receive = self._link.recv
+        self._reads += 1
+        for _ in range(POLLS):
+            try:
+                return receive(_CHUNK, socket.MSG_DONTWAIT)
+            except BlockingIOError:
+                pass
+        self._slept += 1
+        return receive(_CHUNK)
 
     def _waiting_time(self) -> float:
         """How long this thread and the program were ready and waited for a core, s; 0 where that is not known."""

@@ -76,8 +76,10 @@ class RunSettings:
     safety: SafetySettings = OFF
     # Whether steps in which nothing can fire are left out; False only for comparison.
     skips_quiet: bool = True
-    # Whether the program and this thread share a core; False only for comparison.
+    # Whether the program and this thread are given their cores; False only for comparison.
     pins: bool = True
+    # Whether both may poll, each on a core of its own: for one run, for which a person waits.
+    polls: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -178,7 +180,7 @@ def run_over_link(
     ended: Ended = "error"
     try:
         # A run that waits for the clock gains nothing.
-        with CoreAffinity(link, settings.pins and settings.speed is None) as core:
+        with CoreAffinity(link, settings.pins and settings.speed is None, settings.polls) as core:
             ended, problems = _Steps(link, lockstep, settings, output, core).run()
     except _Stuck:
         program.kill()
@@ -223,7 +225,7 @@ class _Steps:
         lockstep = self._lockstep
         last = round(self._settings.seconds / STEP)
         _limit_waiting(self._link, self._limits.ready)
-        self._send(lockstep.begin())
+        self._send(lockstep.begin(self._settings.polls and self._settings.speed is None))
         self._read_while("opening", self._limits.ready)
         if lockstep.state == "ended":
             # A program without `simulate` may have printed.

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 import pytest
 
 from rosy_sim.run import core_affinity
-from rosy_sim.run.core_affinity import CoreAffinity
+from rosy_sim.run.core_affinity import REVIEW_STEPS, CoreAffinity
 
 pytestmark = pytest.mark.skipif(
     not hasattr(os, "sched_setaffinity") or len(os.sched_getaffinity(0)) < 2, reason="needs two cores"
@@ -96,12 +96,66 @@ def test_a_pair_leaves_a_busy_core_and_has_one_core_again_when_it_is_quiet(
         answer(link, core)
         waited[:] = [1.0, 0.5]
         core.review()
-        assert not core.is_pinned
+        was = core.placement
+        assert was == "free"
         assert os.sched_getaffinity(0) == os.sched_getaffinity(child) == given
         waited[:] = [2.0, 0.6]
         core.review()
-        assert core.is_pinned
+        assert core.placement == "together"
         assert len(os.sched_getaffinity(0) | os.sched_getaffinity(child)) == 1
+
+
+def ask(link: socket.socket, core: CoreAffinity, steps: int = REVIEW_STEPS) -> None:
+    """Steps in which the program is asked, and a review."""
+    for _ in range(steps):
+        assert answer(link, core) == b"answer"
+    core.review()
+
+
+def test_a_program_that_is_asked_in_each_step_is_put_on_another_core(given: set[int]) -> None:
+    with program() as (link, child), CoreAffinity(link, polls=True) as core:
+        ask(link, core)
+        assert core.placement == "apart"
+        mine, others = os.sched_getaffinity(0), os.sched_getaffinity(child)
+        assert len(mine) == 1
+        assert mine | others == given
+        assert not mine & others
+        assert answer(link, core) == b"answer"
+    assert os.sched_getaffinity(0) == given
+
+
+def test_a_program_that_is_asked_now_and_then_shares_the_core() -> None:
+    with program() as (link, _), CoreAffinity(link, polls=True) as core:
+        ask(link, core, REVIEW_STEPS // 4)
+        assert core.placement == "together"
+
+
+def test_a_pair_that_finds_its_two_cores_busy_shares_one_and_tries_again_after_longer_and_longer_pauses(
+    waited: list[float],
+) -> None:
+    with program() as (link, _), CoreAffinity(link, polls=True) as core:
+        ask(link, core)
+        for time, waiting, placement in [
+            (1.0, 1.0, "together"),
+            (1.2, 1.0, "together"),
+            (1.5, 1.0, "apart"),
+            (2.0, 2.0, "together"),
+            (2.9, 2.0, "together"),
+            (3.0, 2.0, "apart"),
+        ]:
+            waited[:] = [time, waiting]
+            ask(link, core)
+            assert core.placement == placement
+
+
+def test_a_pair_whose_program_takes_long_shares_one_core(waited: list[float], monkeypatch: pytest.MonkeyPatch) -> None:
+    with program() as (link, _), CoreAffinity(link, polls=True) as core:
+        ask(link, core)
+        # Every look at the link is in vain.
+        monkeypatch.setattr(core_affinity, "POLLS", 0)
+        waited[:] = [1.0, 0.0]
+        ask(link, core)
+        assert core.placement == "together"
 
 
 def test_a_pair_whose_program_has_ended_is_free(given: set[int], waited: list[float]) -> None:
@@ -122,7 +176,7 @@ def test_a_program_in_a_thread_of_this_process_is_not_pinned(given: set[int]) ->
     with ours, theirs, CoreAffinity(ours) as core:
         theirs.sendall(b"ready")
         assert core.receive() == b"ready"
-        assert not core.is_pinned
+        assert core.placement == "free"
         assert os.sched_getaffinity(0) == given
 
 

@@ -13,7 +13,7 @@ module Rosy.Link.Pipe
 where
 
 import Control.Exception
-import Control.Monad (unless, when)
+import Control.Monad (unless, when, (>=>))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Builder as Builder
@@ -22,9 +22,11 @@ import qualified Data.ByteString.Internal as Internal
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Unsafe as Unsafe
 import Data.IORef
+import Data.Int (Int16)
 import Data.Word (Word32, Word8)
 import Foreign.C.Error (throwErrnoIfMinus1Retry)
-import Foreign.C.Types (CInt (..), CSize (..))
+import Foreign.C.Types (CInt (..), CSize (..), CULong (..))
+import Foreign.Marshal.Alloc (allocaBytes)
 import Foreign.Marshal.Utils (copyBytes)
 import Foreign.Ptr (Ptr, castPtr, nullPtr, plusPtr)
 import Foreign.Storable (peek, poke)
@@ -37,6 +39,8 @@ import System.Posix.Types (CSsize (..))
 
 foreign import ccall safe "read" c_read :: CInt -> Ptr Word8 -> CSize -> IO CSsize
 
+foreign import ccall unsafe "poll" c_poll :: Ptr () -> CULong -> CInt -> IO CInt
+
 foreign import ccall safe "write" c_write :: CInt -> Ptr Word8 -> CSize -> IO CSsize
 
 -- | A link over a stream descriptor, used in both directions, and a page for the name of the function at work (see 'Rosy.Launch.onPipe').
@@ -45,8 +49,9 @@ pipeLink descriptor page = do
   rest <- newIORef ByteString.empty
   telling <- newIORef (Telling False False)
   taken <- newIORef []
+  patience <- newIORef Nothing
   let heard = do
-        bytes <- readLineFrom descriptor rest
+        bytes <- readLineFrom descriptor patience rest
         names <- readIORef taken
         case readLineTaking names bytes of
           Right l -> pure l
@@ -56,8 +61,9 @@ pipeLink descriptor page = do
       { open = \topics -> do
           l <- heard
           case l of
-            StartLine 1 seed clock trace quiet -> do
+            StartLine 1 seed clock trace quiet polls -> do
               writeIORef telling (Telling trace quiet)
+              when polls (writeIORef patience (Just (Patience 0 0)))
               writeIORef taken [topicName t | t <- topics, topicUse t == Taken]
               send descriptor (writeOpening topics)
               pure (Opening seed clock)
@@ -84,8 +90,8 @@ batch heard messages = do
     StartLine {} -> throwIO (Malformed "a second start")
 
 -- | The next line without its end. The reference keeps what was read beyond it.
-readLineFrom :: CInt -> IORef ByteString -> IO ByteString
-readLineFrom descriptor rest = readIORef rest >>= go []
+readLineFrom :: CInt -> IORef (Maybe Patience) -> IORef ByteString -> IO ByteString
+readLineFrom descriptor patience rest = readIORef rest >>= go []
   where
     -- Pieces without a line end, newest first.
     go pieces bytes = case ByteString.elemIndex 10 bytes of
@@ -94,9 +100,41 @@ readLineFrom descriptor rest = readIORef rest >>= go []
         let lastPiece = Unsafe.unsafeTake i bytes
         pure (if null pieces then lastPiece else ByteString.concat (reverse (lastPiece : pieces)))
       Nothing -> do
+        readIORef patience >>= mapM_ (pollPatiently descriptor >=> writeIORef patience . Just)
         more <- lost (Internal.createAndTrim pieceSize (\p -> fromIntegral <$> throwErrnoIfMinus1Retry "read" (c_read descriptor p (fromIntegral pieceSize))))
         when (ByteString.null more) (throwIO (LinkLost "closed"))
         go (if ByteString.null bytes then pieces else bytes : pieces) more
+
+-- | How a program waits that polls: for how many reads it still sleeps at once, and how many there were after the last poll in vain. Where
+-- polling does not help, because the simulator takes long or there is no second core, it soon sleeps almost always.
+data Patience = Patience !Int !Int
+
+-- | Waits for bytes without sleeping, up to a limit.
+pollPatiently :: CInt -> Patience -> IO Patience
+pollPatiently descriptor (Patience pause longest)
+  | pause > 0 = pure (Patience (pause - 1) longest)
+  | otherwise = do
+    found <- allocaBytes 8 $ \entry -> do
+      -- `struct pollfd`: descriptor, events asked for (POLLIN), events found. poll(2).
+      poke (castPtr entry) descriptor
+      poke (castPtr (entry `plusPtr` 4)) (1 :: Int16)
+      pollTimes pollLimit entry
+    let longer = min longestPause (2 * longest + 1)
+    pure (if found then Patience 0 0 else Patience longer longer)
+  where
+    pollTimes :: Int -> Ptr () -> IO Bool
+    pollTimes 0 _ = pure False
+    pollTimes left entry = do
+      ready <- c_poll entry 1 0
+      if ready > 0 then pure True else pollTimes (left - 1) entry
+
+-- | Looks at an empty descriptor before the program sleeps: some 0.2 ms, several times what the simulator takes for a step.
+pollLimit :: Int
+pollLimit = 300
+
+-- | The most reads without polling between two attempts.
+longestPause :: Int
+longestPause = 1000
 
 -- | How much is read at once, bytes: several times a batch, which is below 1 kB, and less than what GHC gives a block of memory of its own.
 pieceSize :: Int
