@@ -17,35 +17,27 @@ from contextlib import ExitStack, closing
 from dataclasses import dataclass, field
 from typing import IO
 
-from ..attempts import Attempts, Rate
 from ..sentences.sentence import Sentence, tr
 from ..sentences.wording import in_terminal
 from .class_comments import ClassComments
 from .class_export import write_export
 from .class_tasks import ClassTasks
+from .entrance import Entrance
 from .hand_in_export import hand_ins_zip
 from .messages import board_messages as b
 from .messages import pupil_messages as p
 from .messages.check_messages import ROOMS_OF_A_MESSAGE, OpenRun, RoomsShown, RunShown, ShowRooms
 from .messages.message_fields import Refused
-from .messages.nickname import BadNickname, read_nickname
 from .messages.projector_messages import Project, Projected
 from .messages.shared_messages import AskToShare, Cursor, Decline, EndSharing, Push, Share
 from .projection import Projection
 from .pupil_state import PupilState
 from .shared_editing import Participant, SharedEditing
-from .store.class_store import ClassStore, Conflict, NicknameTaken, Pupil, Saved, StoreFull, Version
+from .store.class_store import ClassStore, Conflict, Pupil, Saved, StoreFull, Version
 from .store.database import ClassTaken, StoreAway, StoreError, StoreFault, fault_of
 from .store.store_thread import StoreThread
-from .word_list import draw_words, read_words
 
 __all__ = ["Classroom", "PupilPage"]
-
-ADDRESS_ATTEMPTS = Rate(0.2, 10.0)
-"""Wrong codes, words, tokens and keys from one address."""
-
-ALL_ATTEMPTS = Rate(5.0, 300.0)
-"""From all addresses together: a class of thirty mistypes without being locked out."""
 
 _PAUSE, _PAUSE_AWAY = 5.0, 1.0
 """Between looks whether the database server is there, and when it was not, s."""
@@ -92,11 +84,8 @@ class Classroom:
         self.addresses = addresses
         self.now = now
         self.attention: str | None = None
-        self.attempts = Attempts([ADDRESS_ATTEMPTS], ALL_ATTEMPTS, now())
-        # Held while a request to be let in is decided: the right ones of a class behind one address, sent at the same
-        # time, would count as wrong attempts until each is decided.
-        self._admitting = asyncio.Lock()
         self._store = StoreThread(store)
+        self.entrance = Entrance(self.admission, self._store, now)
         # The last save found the disk full or broken.
         self._disk_fault = False
         self.tasks = ClassTasks(store, self._store, time.time)
@@ -180,60 +169,12 @@ class Classroom:
                 page.put(Refused(fault))
 
     async def _admit(self, page: PupilPage, request: p.PupilRequest) -> None:
-        if not isinstance(request, p.Join | p.Resume | p.Enter):
-            page.put(Refused("token"))
-            return
-        async with self._admitting:
-            admitted = await self._decide(page, request)
+        admitted = await self.entrance.admit(page.address, request)
         if isinstance(admitted, Refused):
             page.put(admitted)
-        else:
-            await self._enter(page, admitted, None if isinstance(request, p.Enter) else page.token)
-
-    async def _decide(self, page: PupilPage, request: p.Join | p.Resume | p.Enter) -> Pupil | Refused:
-        if not self.attempts.begin([page.address], self.now()):
-            return Refused("attempts")
-        admitted = await self._find(page, request)
-        is_wrong = isinstance(admitted, Refused) and admitted.reason in ("code", "words", "token")
-        if not is_wrong:
-            self.attempts.succeeded([page.address], self.now())
-        return admitted
-
-    async def _find(self, page: PupilPage, request: p.Join | p.Resume | p.Enter) -> Pupil | Refused:
-        if isinstance(request, p.Enter):
-            page.token = request.token
-            found = await self._store.call(ClassStore.pupil_of, request.token)
-            return found or Refused("token")
-        if not self._is_code(request.code):
-            return Refused("code")
-        page.token = secrets.token_urlsafe(24)
-        if isinstance(request, p.Resume):
-            resumed = await self._store.call(ClassStore.resume, read_words(request.words), page.token, time.time())
-            return resumed or Refused("words")
-        nickname = read_nickname(request.nickname)
-        if isinstance(nickname, BadNickname):
-            return Refused(nickname.fault)
-        language = request.language
-        joined = await self._store.call(
-            ClassStore.join, nickname, lambda: draw_words(language), page.token, time.time()
-        )
-        if isinstance(joined, NicknameTaken):
-            return Refused("taken")
-        return Refused("full") if isinstance(joined, StoreFull) else joined
-
-    def _is_code(self, typed: str) -> bool:
-        """Capitals, spaces and dashes do not matter."""
-        tried = "".join(c for c in typed.lower() if c.isalnum())
-        return secrets.compare_digest(tried.encode(), self.admission.code.encode())
-
-    def admits_teacher(self, typed: str, address: str) -> bool | None:
-        """Whether this is the teacher's key; ``None`` for an address that has tried too many wrong ones."""
-        if not self.attempts.begin([address], self.now()):
-            return None
-        if not secrets.compare_digest(typed.strip().encode(), self.admission.teacher_key.encode()):
-            return False
-        self.attempts.succeeded([address], self.now())
-        return True
+            return
+        page.token = admitted.token
+        await self._enter(page, admitted.pupil, admitted.token if admitted.is_new else None)
 
     async def _enter(self, page: PupilPage, pupil: Pupil, token: str | None) -> None:
         programs = await self._store.call(ClassStore.programs, pupil.id)
