@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rosy_sim.attempts import Attempts, Rate
-from rosy_sim.classroom.entrance import ADDRESS_ATTEMPTS, ALL_ATTEMPTS
+from rosy_sim.classroom.authentication import ADDRESS_ATTEMPTS, ALL_ATTEMPTS
 
 
 def attempts(total: float = 1000.0) -> Attempts:

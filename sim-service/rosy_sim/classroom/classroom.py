@@ -19,10 +19,10 @@ from typing import IO
 
 from ..sentences.sentence import Sentence, tr
 from ..sentences.wording import in_terminal
+from .authentication import Authenticator
 from .class_comments import ClassComments
 from .class_export import write_export
 from .class_tasks import ClassTasks
-from .entrance import Entrance
 from .hand_in_export import hand_ins_zip
 from .messages import board_messages as b
 from .messages import pupil_messages as p
@@ -85,7 +85,7 @@ class Classroom:
         self.now = now
         self.attention: str | None = None
         self._store = StoreThread(store)
-        self.entrance = Entrance(self.admission, self._store, now)
+        self.authenticator = Authenticator(self.admission, self._store, now)
         # The last save found the disk full or broken.
         self._disk_fault = False
         self.tasks = ClassTasks(store, self._store, time.time)
@@ -169,7 +169,7 @@ class Classroom:
                 page.put(Refused(fault))
 
     async def _admit(self, page: PupilPage, request: p.PupilRequest) -> None:
-        admitted = await self.entrance.admit(page.address, request)
+        admitted = await self.authenticator.admit(page.address, request)
         if isinstance(admitted, Refused):
             page.put(admitted)
             return

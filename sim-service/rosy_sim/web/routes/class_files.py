@@ -57,7 +57,7 @@ class ClassFiles:
     def _refusal(self, request: Request) -> Response | None:
         """For all but boards that give the teacher's key."""
         address = request.client.host if request.client is not None else ""
-        if self._classroom.entrance.admits_teacher(request.headers.get("x-rosy-key", ""), address):
+        if self._classroom.authenticator.admits_teacher(request.headers.get("x-rosy-key", ""), address):
             return None
         return failure(tr("This is not the teacher's key."), 403)
 

@@ -75,7 +75,7 @@ class ClassConnection:
 
     def unlock(self, classroom: Classroom, key: str) -> bool:
         """Whether this is the teacher's key; if not, the page is refused."""
-        admitted = classroom.entrance.admits_teacher(key, self.address)
+        admitted = classroom.authenticator.admits_teacher(key, self.address)
         if admitted:
             self._unlocked.set()
             return True

@@ -1,5 +1,5 @@
 """
-Entrance of a class: whose request lets a page in as a pupil, and whose key opens the board.
+Authentication in a class: of pupils, by code, words or token, and of the teacher, by a key.
 
 A pupil gives the code of the class with a new nickname or with the words of an earlier lesson, or the device's token.
 Wrong ones are counted for each client address and for all together.
@@ -21,7 +21,7 @@ from .store.class_store import Admission, ClassStore, NicknameTaken, Pupil, Stor
 from .store.store_thread import StoreThread
 from .word_list import draw_words, read_words
 
-__all__ = ["ADDRESS_ATTEMPTS", "ALL_ATTEMPTS", "Admitted", "Entrance"]
+__all__ = ["ADDRESS_ATTEMPTS", "ALL_ATTEMPTS", "Admitted", "Authenticator"]
 
 ADDRESS_ATTEMPTS = Rate(0.2, 10.0)
 """Wrong codes, words, tokens and keys from one address."""
@@ -39,7 +39,7 @@ class Admitted:
     is_new: bool
 
 
-class Entrance:
+class Authenticator:
     """Of one class. ``now`` is a clock in s that only goes forward."""
 
     def __init__(self, admission: Admission, store: StoreThread, now: Callable[[], float]) -> None:
