@@ -8,7 +8,7 @@ import {flatten, isTypeArgument, operatorOf} from "./operator_chains.ts"
 import type {Link} from "./operator_resolution.ts"
 import {resolve} from "./operator_resolution.ts"
 import type {Syntax} from "./parse_tree.ts"
-import {child, onlyNamed} from "./parse_tree.ts"
+import {child, onlyNamed, withoutParens} from "./parse_tree.ts"
 import type {Reading} from "./reading.ts"
 import {rawExpr} from "./reading.ts"
 
@@ -94,7 +94,7 @@ function readTypeApplication(
   const [head] = parts
   const written = argument?.type === "type_application" ? onlyNamed(argument) : undefined
   if (head === undefined || written === undefined) return undefined
-  const type = written.type === "parens" ? (onlyNamed(written) ?? written) : written
+  const type = withoutParens(written)
   const fn = readApplication(parts, r)
   if (typeof fn === "string") return undefined
   return r.context.at({start: head.start, end: written.end}, {

@@ -103,6 +103,12 @@ export function onlyNamed(node: Syntax): Syntax | undefined {
   return others.length === 0 ? only : undefined
 }
 
+/// What stands in brackets, however many there are.
+export function withoutParens(node: Syntax): Syntax {
+  const inner = node.type === "parens" ? onlyNamed(node) : undefined
+  return inner === undefined ? node : withoutParens(inner)
+}
+
 export function hasToken(node: Syntax, token: string): boolean {
   return node.children.some(c => !c.named && c.type === token)
 }

@@ -6,7 +6,7 @@ import type {Constructor, Declaration, Field, TypeText} from "../model/syntax_tr
 import type {Context} from "./conversion_context.ts"
 import {plainName} from "./equation_groups.ts"
 import type {Syntax} from "./parse_tree.ts"
-import {child, childrenIn, hasToken, namedChildren, onlyNamed} from "./parse_tree.ts"
+import {child, childrenIn, hasToken, namedChildren, onlyNamed, withoutParens} from "./parse_tree.ts"
 
 export function readType(node: Syntax, context: Context): TypeText {
   return context.at(node, {kind: "type", text: context.typeText(node)} as const)
@@ -117,7 +117,7 @@ function readField(node: Syntax, context: Context): Field | Cause {
   const strict = node.type === "strict_field"
   const inner = strict ? onlyNamed(node) : node
   if (inner === undefined || inner.type === "lazy_field" || inner.type === "strict_field") return "strict"
-  const type = readType(inner.type === "parens" ? (onlyNamed(inner) ?? inner) : inner, context)
+  const type = readType(withoutParens(inner), context)
   return strict ? {type, strict} : {type}
 }
 

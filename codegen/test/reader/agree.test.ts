@@ -51,6 +51,16 @@ describe("printing and reading a program of the corpus gives the same tree", () 
   })
 })
 
+test.each(["data T a = T ((a)) !((Maybe a))", "x = show @((Int)) 1"])(
+  "a type in brackets within brackets is read without them: %s",
+  text => {
+    const once = readProgram(text)
+    const printed = printProgram(once).text
+    expect(printed).not.toContain("((")
+    expect(plain(readProgram(printed))).toEqual(plain(once))
+  },
+)
+
 test(
   "any program prints and reads back as it was",
   async () => {
