@@ -8,7 +8,7 @@ import {basename} from "node:path"
 import {fileURLToPath} from "node:url"
 import {isFull, seed} from "./extent.ts"
 
-/// Files that take turns, by day, without `.spec.ts`: none takes half as long as what is played daily. The number of days is prime, so that each row of
+/// Files that take turns, by day, without `.spec.ts`. The number of days is prime, so that each row of
 /// a table within a file (`rotated`), which has fewer parts, meets the day of its file.
 export const turns: readonly (readonly string[])[] = [
   ["text"],

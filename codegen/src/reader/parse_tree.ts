@@ -105,8 +105,12 @@ export function onlyNamed(node: Syntax): Syntax | undefined {
 
 /// What stands in brackets, however many there are.
 export function withoutParens(node: Syntax): Syntax {
-  const inner = node.type === "parens" ? onlyNamed(node) : undefined
-  return inner === undefined ? node : withoutParens(inner)
+  let held = node
+  for (let inner: Syntax | undefined = node; inner?.type === "parens"; ) {
+    inner = onlyNamed(inner)
+    held = inner ?? held
+  }
+  return held
 }
 
 export function hasToken(node: Syntax, token: string): boolean {

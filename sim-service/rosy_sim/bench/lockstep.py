@@ -1,6 +1,6 @@
 """
 Real programs in lockstep at ``max``: times real time, the Haskell process included, beside the machine's bare round
-trip, which a step costs at least in which the program is asked.
+trip, which a step costs at least in which the program is asked and both share a core.
 """
 
 from __future__ import annotations

@@ -43,7 +43,7 @@ POLLS = 150
 FIRST_PAUSE = 0.5
 """Until the pair that could not use two cores tries them again, s; the next pauses are twice as long each."""
 
-Placement = Literal["free", "together", "apart"]
+Placement = Literal["free", "shared", "separate"]
 """On any core, on one core, or each on its own and polling."""
 
 
@@ -60,12 +60,12 @@ class CoreAffinity:
         self.receive: Callable[[], bytes] = self._sleep
         self._link = link
         self.placement: Placement = "free"
-        # Whether the pair may use two cores for the work of one.
-        self._polls = polls
+        # Whether the pair may use two cores for the work of one; the program then polls as well.
+        self.polls = False
         # Since the last review: reads, and those of them that polled in vain.
         self._reads = self._slept = 0
         # When two cores are tried again, and the pause after that, s.
-        self._apart_from = 0.0
+        self._separate_from = 0.0
         self._pause = FIRST_PAUSE
         # The process of the program; 0 when it is not known or there is nothing to pin.
         self._program = 0
@@ -77,6 +77,7 @@ class CoreAffinity:
         if wanted and hasattr(os, "sched_setaffinity") and len(os.sched_getaffinity(0)) > 1:
             link.setsockopt(socket.SOL_SOCKET, socket.SO_PASSCRED, 1)
             self.receive = self._receive_first
+            self.polls = polls
 
     def __enter__(self) -> CoreAffinity:
         return self
@@ -109,26 +110,28 @@ class CoreAffinity:
             return
         self._program = program
         self._reviewed, self._waited = time.perf_counter(), self._waiting_time()
-        self._place("together")
+        self._place("shared")
 
     def review(self) -> None:
         """Give up cores that others keep busy, and take them again later. Call every ``REVIEW_STEPS`` steps."""
         reads, slept = self._reads, self._slept
         self._reads = self._slept = 0
         now = time.perf_counter()
-        parts = self._polls and self.placement != "apart" and 2 * reads > REVIEW_STEPS and now >= self._apart_from
+        goes_separate = (
+            self.polls and self.placement != "separate" and 2 * reads > REVIEW_STEPS and now >= self._separate_from
+        )
         # A short run gains nothing from waiting for the first interval.
-        is_early = now - self._reviewed < REVIEW_INTERVAL and not (parts and self._apart_from == 0)
+        is_early = now - self._reviewed < REVIEW_INTERVAL and not (goes_separate and self._separate_from == 0)
         if not self._program or is_early:
             return
         waited = self._waiting_time()
         is_busy = waited - self._waited > BUSY * (now - self._reviewed)
         self._reviewed, self._waited = now, waited
-        if self.placement == "apart" and (is_busy or 2 * slept > reads):
-            self._apart_from, self._pause = now + self._pause, 2 * self._pause
-            self._place("together")
-        elif self.placement != "apart":
-            self._place("free" if is_busy else "apart" if parts else "together")
+        if self.placement == "separate" and (is_busy or 2 * slept > reads):
+            self._separate_from, self._pause = now + self._pause, 2 * self._pause
+            self._place("shared")
+        elif self.placement != "separate":
+            self._place("free" if is_busy else "separate" if goes_separate else "shared")
 
     def _place(self, placement: Placement) -> None:
         """Give both their cores: this thread stays where it is if it can."""
@@ -140,17 +143,17 @@ class CoreAffinity:
         others = self._theirs - {core}
         if placement == "free" or not common:
             self._assign_both("free", self._ours, self._theirs)
-        elif placement == "apart" and others:
-            self._assign_both("apart", {core}, others)
+        elif placement == "separate" and others:
+            self._assign_both("separate", {core}, others)
         else:
-            self._assign_both("together", {core}, {core})
+            self._assign_both("shared", {core}, {core})
 
     def _assign_both(self, placement: Placement, ours: set[int], theirs: set[int]) -> None:
         if not (_assign(0, ours) and _assign(self._program, theirs)) and placement != "free":
             self._assign_both("free", self._ours, self._theirs)
             return
         self.placement = placement
-        self.receive = self._poll if placement == "apart" else self._sleep
+        self.receive = self._poll if placement == "separate" else self._sleep
 
     def _sleep(self) -> bytes:
         self._reads += 1

@@ -225,7 +225,7 @@ class _Steps:
         lockstep = self._lockstep
         last = round(self._settings.seconds / STEP)
         _limit_waiting(self._link, self._limits.ready)
-        self._send(lockstep.begin(self._settings.polls and self._settings.speed is None))
+        self._send(lockstep.begin(self._core.polls))
         self._read_while("opening", self._limits.ready)
         if lockstep.state == "ended":
             # A program without `simulate` may have printed.

@@ -101,7 +101,7 @@ def test_a_pair_leaves_a_busy_core_and_has_one_core_again_when_it_is_quiet(
         assert os.sched_getaffinity(0) == os.sched_getaffinity(child) == given
         waited[:] = [2.0, 0.6]
         core.review()
-        assert core.placement == "together"
+        assert core.placement == "shared"
         assert len(os.sched_getaffinity(0) | os.sched_getaffinity(child)) == 1
 
 
@@ -115,7 +115,7 @@ def ask(link: socket.socket, core: CoreAffinity, steps: int = REVIEW_STEPS) -> N
 def test_a_program_that_is_asked_in_each_step_is_put_on_another_core(given: set[int]) -> None:
     with program() as (link, child), CoreAffinity(link, polls=True) as core:
         ask(link, core)
-        assert core.placement == "apart"
+        assert core.placement == "separate"
         mine, others = os.sched_getaffinity(0), os.sched_getaffinity(child)
         assert len(mine) == 1
         assert mine | others == given
@@ -127,7 +127,7 @@ def test_a_program_that_is_asked_in_each_step_is_put_on_another_core(given: set[
 def test_a_program_that_is_asked_now_and_then_shares_the_core() -> None:
     with program() as (link, _), CoreAffinity(link, polls=True) as core:
         ask(link, core, REVIEW_STEPS // 4)
-        assert core.placement == "together"
+        assert core.placement == "shared"
 
 
 def test_a_pair_that_finds_its_two_cores_busy_shares_one_and_tries_again_after_longer_and_longer_pauses(
@@ -136,12 +136,12 @@ def test_a_pair_that_finds_its_two_cores_busy_shares_one_and_tries_again_after_l
     with program() as (link, _), CoreAffinity(link, polls=True) as core:
         ask(link, core)
         for time, waiting, placement in [
-            (1.0, 1.0, "together"),
-            (1.2, 1.0, "together"),
-            (1.5, 1.0, "apart"),
-            (2.0, 2.0, "together"),
-            (2.9, 2.0, "together"),
-            (3.0, 2.0, "apart"),
+            (1.0, 1.0, "shared"),
+            (1.2, 1.0, "shared"),
+            (1.5, 1.0, "separate"),
+            (2.0, 2.0, "shared"),
+            (2.9, 2.0, "shared"),
+            (3.0, 2.0, "separate"),
         ]:
             waited[:] = [time, waiting]
             ask(link, core)
@@ -155,7 +155,7 @@ def test_a_pair_whose_program_takes_long_shares_one_core(waited: list[float], mo
         monkeypatch.setattr(core_affinity, "POLLS", 0)
         waited[:] = [1.0, 0.0]
         ask(link, core)
-        assert core.placement == "together"
+        assert core.placement == "shared"
 
 
 def test_a_pair_whose_program_has_ended_is_free(given: set[int], waited: list[float]) -> None:

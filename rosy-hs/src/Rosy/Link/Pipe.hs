@@ -49,9 +49,9 @@ pipeLink descriptor page = do
   rest <- newIORef ByteString.empty
   telling <- newIORef (Telling False False)
   taken <- newIORef []
-  patience <- newIORef Nothing
+  backoff <- newIORef Nothing
   let heard = do
-        bytes <- readLineFrom descriptor patience rest
+        bytes <- readLineFrom descriptor backoff rest
         names <- readIORef taken
         case readLineTaking names bytes of
           Right l -> pure l
@@ -63,7 +63,7 @@ pipeLink descriptor page = do
           case l of
             StartLine 1 seed clock trace quiet polls -> do
               writeIORef telling (Telling trace quiet)
-              when polls (writeIORef patience (Just (Patience 0 0)))
+              when polls (writeIORef backoff (Just (Backoff 0 0)))
               writeIORef taken [topicName t | t <- topics, topicUse t == Taken]
               send descriptor (writeOpening topics)
               pure (Opening seed clock)
@@ -90,8 +90,8 @@ batch heard messages = do
     StartLine {} -> throwIO (Malformed "a second start")
 
 -- | The next line without its end. The reference keeps what was read beyond it.
-readLineFrom :: CInt -> IORef (Maybe Patience) -> IORef ByteString -> IO ByteString
-readLineFrom descriptor patience rest = readIORef rest >>= go []
+readLineFrom :: CInt -> IORef (Maybe Backoff) -> IORef ByteString -> IO ByteString
+readLineFrom descriptor backoff rest = readIORef rest >>= go []
   where
     -- Pieces without a line end, newest first.
     go pieces bytes = case ByteString.elemIndex 10 bytes of
@@ -100,27 +100,27 @@ readLineFrom descriptor patience rest = readIORef rest >>= go []
         let lastPiece = Unsafe.unsafeTake i bytes
         pure (if null pieces then lastPiece else ByteString.concat (reverse (lastPiece : pieces)))
       Nothing -> do
-        readIORef patience >>= mapM_ (pollPatiently descriptor >=> writeIORef patience . Just)
+        readIORef backoff >>= mapM_ (pollWithBackoff descriptor >=> writeIORef backoff . Just)
         more <- lost (Internal.createAndTrim pieceSize (\p -> fromIntegral <$> throwErrnoIfMinus1Retry "read" (c_read descriptor p (fromIntegral pieceSize))))
         when (ByteString.null more) (throwIO (LinkLost "closed"))
         go (if ByteString.null bytes then pieces else bytes : pieces) more
 
--- | How a program waits that polls: for how many reads it still sleeps at once, and how many there were after the last poll in vain. Where
--- polling does not help, because the simulator takes long or there is no second core, it soon sleeps almost always.
-data Patience = Patience !Int !Int
+-- | Exponential backoff of polling: for how many reads the program still sleeps at once, and how many there were after the last poll in vain.
+-- Where polling does not help, because the simulator takes long or both are on one core, it soon sleeps almost always.
+data Backoff = Backoff !Int !Int
 
 -- | Waits for bytes without sleeping, up to a limit.
-pollPatiently :: CInt -> Patience -> IO Patience
-pollPatiently descriptor (Patience pause longest)
-  | pause > 0 = pure (Patience (pause - 1) longest)
+pollWithBackoff :: CInt -> Backoff -> IO Backoff
+pollWithBackoff descriptor (Backoff pause lastPause)
+  | pause > 0 = pure (Backoff (pause - 1) lastPause)
   | otherwise = do
     found <- allocaBytes 8 $ \entry -> do
       -- `struct pollfd`: descriptor, events asked for (POLLIN), events found. poll(2).
       poke (castPtr entry) descriptor
       poke (castPtr (entry `plusPtr` 4)) (1 :: Int16)
       pollTimes pollLimit entry
-    let longer = min longestPause (2 * longest + 1)
-    pure (if found then Patience 0 0 else Patience longer longer)
+    let longer = min longestPause (2 * lastPause + 1)
+    pure (if found then Backoff 0 0 else Backoff longer longer)
   where
     pollTimes :: Int -> Ptr () -> IO Bool
     pollTimes 0 _ = pure False
