@@ -41,8 +41,8 @@ function said(d: Declaration | undefined, signed: boolean): unknown {
   )
 }
 
-/// Whether a part of a definition is kept as text because it does not parse.
-function isBroken(d: Declaration): boolean {
+/// Whether an expression in a definition is kept as text: it does not parse, or no blocks show it.
+function hasRawExpression(d: Declaration): boolean {
   return JSON.stringify(d).includes('"kind":"raw"')
 }
 
@@ -98,7 +98,7 @@ export function disagreements(
       continue
     }
     // What does not parse is found by its lines: in another layout more of the definition may be text.
-    if (isBroken(own) && isDeepStrictEqual(said(own, false), said(piece.declaration, false))) continue
+    if (hasRawExpression(own) && isDeepStrictEqual(said(own, false), said(piece.declaration, false))) continue
     const printed = printDeclarationAlone({...own, comment: undefined}, view.module.fixities)
     const again = reader
       .read(`${operators}\n${printed}`)
