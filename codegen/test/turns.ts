@@ -11,16 +11,16 @@ export interface Turns {
   readonly tested: readonly string[]
 }
 
-/// Random suites and suites that ask GHC. Daily: all programs of the corpus and the goldens, walks of edits, moves, sessions and what blocks refuse.
+/// Random suites, suites that ask GHC, and others that take seconds. Daily: the goldens, what is printed and read, mistakes and what is said of them.
 export const turns: Turns = {
   days: [
     ["soundness"],
-    ["reader/edit_law"],
-    ["reader/agree"],
-    ["refusals"],
-    ["reader/limits"],
-    ["reader/lossless"],
-    ["reader/unfinished", "rename"],
+    ["reader/edit_law", "session"],
+    ["reader/agree", "reader/walk"],
+    ["moves", "reader/page_walk", "refusals"],
+    ["reader/incremental_reading", "reader/limits"],
+    ["environment", "reader/lossless"],
+    ["command_conflicts", "reader/unfinished", "rename", "type_parser"],
   ],
   tested: ["codegen/src/", "codegen/test/", "rosy-hs/src/"],
 }
@@ -39,8 +39,14 @@ export function dayOf(environment: Readonly<Record<string, string | undefined>>)
   return {seed: isFull ? undefined : Number(seed), changed: changed.split("\n")}
 }
 
+/// Whether tests take turns on a day: not in full runs, and not while what they test has changed.
+export function areTakingTurns({tested}: Turns, {seed, changed}: Day): boolean {
+  return seed !== undefined && !changed.some(path => tested.some(folder => path.startsWith(folder)))
+}
+
 /// The files that wait for their day, without `.test.ts`.
-export function waiting({days, tested}: Turns, {seed, changed}: Day): readonly string[] {
-  if (seed === undefined || changed.some(path => tested.some(folder => path.startsWith(folder)))) return []
-  return days.filter((_, day) => day !== seed % days.length).flat()
+export function waiting(turns: Turns, day: Day): readonly string[] {
+  if (!areTakingTurns(turns, day) || day.seed === undefined) return []
+  const own = day.seed % turns.days.length
+  return turns.days.filter((_, of) => of !== own).flat()
 }

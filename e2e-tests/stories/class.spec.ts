@@ -5,9 +5,10 @@ import {type Browser, expect, type Page} from "@playwright/test"
 import {Learner, screenshot} from "./learner.ts"
 import {device, RunningClass, savedIn} from "./running_class.ts"
 import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
+import {everyOtherDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
+const alternately = everyOtherDay("even", daily, import.meta.url)
 
 let running: RunningClass
 
@@ -95,7 +96,7 @@ async function faults(page: Page, part = "body"): Promise<unknown[]> {
   return violations.map(violation => [violation.id, violation.nodes.map(node => node.html)])
 }
 
-daily(
+alternately(
   "the board shows two pupils live, their programs and a raised hand, and every page looks up",
   async ({browser}) => {
     const teacher = await device(browser)

@@ -3,11 +3,12 @@
 import {expect} from "@playwright/test"
 import {Learner} from "./learner.ts"
 import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
+import {everyOtherDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
+const alternately = everyOtherDay("even", daily, import.meta.url)
 
-daily("a reload in the middle of a word loses nothing", async ({page}) => {
+alternately("a reload in the middle of a word loses nothing", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("accelerateAndPlay")
   await learner.findsInHaskell("Velocity (vl + 0.5) va")

@@ -5,9 +5,10 @@ import {expect, type Page} from "@playwright/test"
 import {boxAtRest} from "./at_rest.ts"
 import {Learner, screenshot} from "./learner.ts"
 import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
+import {everyOtherDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
+const alternately = everyOtherDay("even", daily, import.meta.url)
 
 const spoken = (page: Page) => page.getByTestId("preview-spoken")
 
@@ -80,7 +81,7 @@ async function dragsNumber(page: Page, right: number, lets = true): Promise<void
   if (lets) await page.mouse.up()
 }
 
-daily(
+alternately(
   "a number is dragged in its block and in the text, the path follows, and each drag is one step back",
   async ({page}) => {
     const learner = await ranIntoTheWall(page)

@@ -7,9 +7,10 @@ import {Learner, until} from "./learner.ts"
 import {openRig, type Rig} from "./robot.ts"
 import {root} from "./service.ts"
 import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
+import {everyOtherDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
+const alternately = everyOtherDay("odd", daily, import.meta.url)
 
 const rosy = join(root, "rosy")
 
@@ -120,7 +121,7 @@ test("sees the simulated robot drive beside the real one, and reads what was dif
   await expect(page.getByTestId("robotbar")).toHaveCount(0)
 })
 
-daily(
+alternately(
   "looks at a recorded run again, scrubs it and asks why, and opens its file in another page",
   async ({page, browser}) => {
     const learner = new Driver(page)

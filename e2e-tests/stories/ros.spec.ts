@@ -4,9 +4,10 @@ import {expect, type Page} from "@playwright/test"
 import {Ros, Topic} from "roslib"
 import {Learner, screenshot, until} from "./learner.ts"
 import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
+import {everyOtherDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
+const alternately = everyOtherDay("even", daily, import.meta.url)
 
 /// The link in the menu names the session.
 async function handLink(page: Page): Promise<string> {
@@ -16,7 +17,7 @@ async function handLink(page: Page): Promise<string> {
   return href ?? ""
 }
 
-daily(
+alternately(
   "roslib lists the topics, hears the robot, drives it into the wall and sees the bump",
   async ({page}) => {
     const learner = new Learner(page)

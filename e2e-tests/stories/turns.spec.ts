@@ -3,7 +3,7 @@
 import {readdirSync, readFileSync} from "node:fs"
 import {expect} from "@playwright/test"
 import {test} from "./story.ts"
-import {isPlayed, turns} from "./turns.ts"
+import {isPlayed, isPlayedEveryOther, turns} from "./turns.ts"
 
 const folder = new URL(".", import.meta.url)
 const takesTurns = (name: string) => readFileSync(new URL(name, folder), "utf8").includes("= inTurn(")
@@ -31,4 +31,18 @@ test("nightly plays every file, and so does a day after a change of it", () => {
     const changed = ["README.md", `e2e-tests/stories/${name}.spec.ts`]
     expect(days.filter(day => isPlayed(name, {...day, changed})).length).toBe(turns.length)
   }
+})
+
+test("what is played every other day is missing on one of two days at most, and never after a change of the page", () => {
+  for (const name of names)
+    for (const kind of ["even", "odd"] as const) {
+      for (const seed of [0, 1, 18, 19, 20_785])
+        expect([seed, seed + 1].some(day => isPlayedEveryOther(kind, name, {...ordinary, seed: day}))).toBe(
+          true,
+        )
+      const odd = {...ordinary, seed: kind === "even" ? 1 : 0}
+      expect(isPlayedEveryOther(kind, name, {...odd, changed: ["editor/src/index.ts"]})).toBe(true)
+      expect(isPlayedEveryOther(kind, name, {...odd, isFull: true})).toBe(true)
+      expect(isPlayedEveryOther(kind, name, odd)).toBe(isPlayed(name, odd))
+    }
 })

@@ -2,7 +2,7 @@
 ///
 /// In: the daily seed. Out: Playwright's function for stories, or one that declares none. A file that has changed since all suites last passed
 /// (`ROSY_TEST_CHANGED`, set by `scripts/test.py`) is played as well, and so is every file where there is no daily seed: stories started by hand. A file that is in no turn, and what a file declares with `daily`, is played each day: the
-/// main path of each part.
+/// first minutes, and the main paths of text, blocks and robots. The main paths of the other parts are played every other day, and after any change of the page.
 
 import {basename} from "node:path"
 import {fileURLToPath} from "node:url"
@@ -55,8 +55,29 @@ export function isPlayed(name: string, day: Day): boolean {
   )
 }
 
+/// Whether what is played every other day, on even or odd ones, is played on a day. It is played with the whole of its file as well.
+export function isPlayedEveryOther(kind: "even" | "odd", name: string, day: Day): boolean {
+  const isItsDay = day.seed % 2 === (kind === "even" ? 0 : 1)
+  return isItsDay || isPlayed(name, day) || day.changed.some(path => path.startsWith("editor/src/"))
+}
+
+/// The function for main paths that are played every other day.
+export function everyOtherDay<Story extends (...story: never[]) => void>(
+  kind: "even" | "odd",
+  story: Story,
+  url: string,
+): Story {
+  return isPlayedEveryOther(kind, nameOf(url), today) ? story : without(story)
+}
+
 /// The function `test` for the file at `url`, if that is played today; else the same with its hooks and groups, but without stories.
 export function inTurn<Story extends (...story: never[]) => void>(story: Story, url: string): Story {
-  if (isPlayed(basename(fileURLToPath(url), ".spec.ts"), today)) return story
+  return isPlayed(nameOf(url), today) ? story : without(story)
+}
+
+const nameOf = (url: string): string => basename(fileURLToPath(url), ".spec.ts")
+
+/// With its hooks and groups.
+function without<Story extends (...story: never[]) => void>(story: Story): Story {
   return Object.assign((() => undefined) as unknown as Story, story)
 }

@@ -4,47 +4,51 @@ import {readFileSync} from "node:fs"
 import {expect} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
 import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
+import {everyOtherDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
+const alternately = everyOtherDay("odd", daily, import.meta.url)
 
-daily("several values are drawn at once, one cursor reads them, and the table is saved", async ({page}) => {
-  const learner = new Learner(page)
-  await learner.opens("forwardBackward")
-  const backs = until(learner.robot("speed"), v => v < -0.2)
-  await learner.runs()
-  await page.getByRole("tab", {name: "Charts"}).click()
-  const chips = page.getByRole("group", {name: "Values to draw"})
-  await chips.getByRole("button", {name: "x", exact: true}).click()
-  await backs
-  // While the clock goes on, the chart of all the run has less and less room for its beginning.
-  await page.getByRole("button", {name: "Pause", exact: true}).click()
-  await chips.getByRole("button", {name: "Memory Bool"}).click()
-  const strip = (name: string) => page.getByRole("img", {name: new RegExp(`^${name}:`)})
-  for (const name of ["Speed", "Centre bumper", "x", "Memory Bool"]) await expect(strip(name)).toBeVisible()
-  await learner.keeps("charts")
-  // From the start on, however long it took to come here.
-  await page.getByRole("button", {name: "All", exact: true}).click()
-  await learner.keeps("charts-all")
-  // The cursor of one strip reads all of them.
-  await strip("Speed").hover({position: {x: 30, y: 20}})
-  await expect(page.getByTestId("cursor")).toHaveText(/^at \d+\.\d\d s$/)
-  await expect(strip("Memory Bool")).toHaveAttribute("aria-label", "Memory Bool: ")
-  // A click looks back at that moment, and the room and the program's memory are as they were.
-  await strip("Speed").click({position: {x: 30, y: 20}})
-  await expect(learner.status()).toHaveText("Looking back")
-  await until(learner.robot("speed"), v => v >= 0)
-  const download = page.waitForEvent("download")
-  await page.getByRole("button", {name: /Save as a table/}).click()
-  const rows = readFileSync(await (await download).path(), "utf8")
-    .trim()
-    .split("\n")
-  expect(rows[0]).toContain("time,speed,turning,x,y,heading")
-  expect(rows[0]).toContain("Memory Bool")
-  expect(rows.length).toBeGreaterThan(100)
-  expect(new Set(rows.map(row => row.split(",").length)).size).toBe(1)
-  await learner.stops()
-})
+alternately(
+  "several values are drawn at once, one cursor reads them, and the table is saved",
+  async ({page}) => {
+    const learner = new Learner(page)
+    await learner.opens("forwardBackward")
+    const backs = until(learner.robot("speed"), v => v < -0.2)
+    await learner.runs()
+    await page.getByRole("tab", {name: "Charts"}).click()
+    const chips = page.getByRole("group", {name: "Values to draw"})
+    await chips.getByRole("button", {name: "x", exact: true}).click()
+    await backs
+    // While the clock goes on, the chart of all the run has less and less room for its beginning.
+    await page.getByRole("button", {name: "Pause", exact: true}).click()
+    await chips.getByRole("button", {name: "Memory Bool"}).click()
+    const strip = (name: string) => page.getByRole("img", {name: new RegExp(`^${name}:`)})
+    for (const name of ["Speed", "Centre bumper", "x", "Memory Bool"]) await expect(strip(name)).toBeVisible()
+    await learner.keeps("charts")
+    // From the start on, however long it took to come here.
+    await page.getByRole("button", {name: "All", exact: true}).click()
+    await learner.keeps("charts-all")
+    // The cursor of one strip reads all of them.
+    await strip("Speed").hover({position: {x: 30, y: 20}})
+    await expect(page.getByTestId("cursor")).toHaveText(/^at \d+\.\d\d s$/)
+    await expect(strip("Memory Bool")).toHaveAttribute("aria-label", "Memory Bool: ")
+    // A click looks back at that moment, and the room and the program's memory are as they were.
+    await strip("Speed").click({position: {x: 30, y: 20}})
+    await expect(learner.status()).toHaveText("Looking back")
+    await until(learner.robot("speed"), v => v >= 0)
+    const download = page.waitForEvent("download")
+    await page.getByRole("button", {name: /Save as a table/}).click()
+    const rows = readFileSync(await (await download).path(), "utf8")
+      .trim()
+      .split("\n")
+    expect(rows[0]).toContain("time,speed,turning,x,y,heading")
+    expect(rows[0]).toContain("Memory Bool")
+    expect(rows.length).toBeGreaterThan(100)
+    expect(new Set(rows.map(row => row.split(",").length)).size).toBe(1)
+    await learner.stops()
+  },
+)
 
 test("the table shows what the program remembers, now and when the learner looks back", async ({page}) => {
   const learner = new Learner(page)

@@ -5,9 +5,10 @@ import {expect, type Page} from "@playwright/test"
 import {Floor} from "./floor.ts"
 import {Learner} from "./learner.ts"
 import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
+import {everyOtherDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
+const alternately = everyOtherDay("odd", daily, import.meta.url)
 
 const answer = (page: Page) => page.getByTestId("why-answer")
 /// A coordinate of the robot, as its readout says it.
@@ -15,7 +16,7 @@ const metres = async (learner: Learner, what: "x" | "y") =>
   Number.parseFloat((await learner.robot(what).textContent()) ?? "")
 const time = String.raw`\d+\.\d\d s`
 
-daily("the robot backs off from a wall: why, and one step back to the bumper", async ({page}) => {
+alternately("the robot backs off from a wall: why, and one step back to the bumper", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("forwardBackward")
   await page.getByRole("button", {name: "Diagram", exact: true}).click()

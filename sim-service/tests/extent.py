@@ -44,12 +44,19 @@ class Day:
     """Names of files, from the root of the repository, that differ from what has passed."""
 
     def share(self, tests: Iterable[tuple[str, str]]) -> set[str]:
-        """Those of the tests (name, file) that are run: one in thirteen by their order, and those of changed files."""
+        """
+        Those of the tests (name, file) that are run: one in thirteen by their order, those of changed files, and those
+        of the folders that are named like a changed package.
+        """
         ordered = sorted(tests)
+        packages = {name.split("/")[2] for name in self.changed if name.startswith("sim-service/rosy_sim/")}
         return {
             name
             for number, (name, file) in enumerate(ordered)
-            if self.whole or (number + self.seed) % DAYS == 0 or file in self.changed
+            if self.whole
+            or (number + self.seed) % DAYS == 0
+            or file in self.changed
+            or any(file.startswith(f"sim-service/tests/{package}/") for package in packages)
         }
 
 

@@ -322,6 +322,7 @@ def test_nothing_is_said_about_a_sandbox_that_is_there(config: Config, monkeypat
     assert missing_sandbox(replace(config, sandbox=True)) is None
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize("sent", [signal.SIGTERM, signal.SIGINT])
 def test_a_signal_ends_the_service_and_its_worker(sent: int, environment: dict[str, str]) -> None:
     with subprocess.Popen(

@@ -1,4 +1,4 @@
-"""Tests that take turns: each is run once in thirteen days, nightly, and while its file has changed."""
+"""Tests that take turns: each is run once in thirteen days, nightly, and while its file or package has changed."""
 
 from __future__ import annotations
 
@@ -26,3 +26,14 @@ def test_nightly_runs_all_and_a_changed_file_runs_all_of_its_own() -> None:
     today = Day(0, whole=False).share(TESTS)
     changed = Day(0, whole=False, changed=frozenset({"b.py"})).share(TESTS)
     assert changed == today | {name for name, file in TESTS if file == "b.py"}
+
+
+def test_a_changed_package_runs_all_of_its_own() -> None:
+    tests = [
+        (f"sim-service/tests/{folder}/test_a.py::test_{n}", f"sim-service/tests/{folder}/test_a.py")
+        for folder in ("run", "web")
+        for n in range(9)
+    ]
+    today = Day(0, whole=False).share(tests)
+    changed = Day(0, whole=False, changed=frozenset({"sim-service/rosy_sim/run/steps/lockstep.py"})).share(tests)
+    assert changed == today | {name for name, file in tests if "/run/" in file}

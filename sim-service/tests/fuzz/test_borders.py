@@ -227,6 +227,7 @@ class Case:
         return True
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize("border", BORDERS, ids=lambda border: border.name)
 def test_every_case_is_a_value_or_a_refusal(border: Border) -> None:
     rng = random.Random(f"{border.name} {SEED}")
@@ -272,6 +273,7 @@ def test_the_name_of_a_room_with_a_null_byte_is_refused() -> None:
         read_family("like:/x\x00")
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize(
     "border", [border for border in BORDERS if border.kind is not None], ids=lambda border: border.name
 )

@@ -227,6 +227,7 @@ async def test_a_closed_document_has_no_diagnostics(client: Client) -> None:
     assert not (await editor.publication(None)).diagnostics
 
 
+@pytest.mark.turns
 async def test_a_killed_worker_is_one_sentence_and_the_next_text_is_checked_again(client: Client) -> None:
     editor = Editor(client, PROGRAM)
     await editor.diagnostics()

@@ -25,6 +25,7 @@ SPEAKER = discover().robot_executable
 pytestmark = pytest.mark.skipif(SPEAKER is None, reason="rosy-robot is not built")
 
 
+@pytest.mark.turns
 def test_a_program_drives_a_robot_until_it_bumps_and_is_done(config: Config, capfd: pytest.CaptureFixture[str]) -> None:
     """The service has a thread of its own: signals, which stop the robot, come to the main one."""
     robots: queue.Queue[str] = queue.Queue()

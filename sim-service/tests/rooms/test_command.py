@@ -83,6 +83,7 @@ def test_the_answer_does_not_depend_on_the_number_of_processes(environment: Envi
     assert tested["passed"] == sum(passed) < 6
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize(("script", "status"), [("refuse", 1), ("error@4", 2), ("close@4", 2)])
 def test_the_exit_status_tells_what_is_wrong(
     script: str, status: int, environment: Environment, tmp_path: Path

@@ -40,6 +40,7 @@ def test_the_same_seed_gives_the_same_rooms_on_every_machine(name: str) -> None:
     assert hashlib.sha256(text.encode()).hexdigest()[:16] == DIGESTS[name]
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize("name", ALL)
 def test_rooms_are_fair_and_differ(name: str) -> None:
     family = read_family(name)

@@ -5,8 +5,8 @@ Programs that mean harm, each from a page's Run to its end, with every layer of 
 the columns may one of them read the secret file, leave a file, hit another process, or outlive its run.
 ``UPDATE_GOLDENS=1`` writes the table of what became of each.
 
-``./rosy test`` runs each program once a day, every other day with all layers, and else in one of the other columns;
-``./rosy test nightly`` runs each in every column.
+``./rosy test`` runs each program on two days of four, on one of them with all layers, and on one in another column;
+after a change of the worker or of its launcher on each day. ``./rosy test nightly`` runs each in every column.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from rosy_sim.worker.launcher import uses_sandbox
 from rosy_sim.worker.prepared_runs import PreparedRun, PreparedRuns
 
 from ..conftest import PATIENCE as HANG
-from ..extent import SEED, WHOLE, rotated
+from ..extent import SEED, TODAY, WHOLE, rotated
 from ..processes import below
 from ..web.page_client import Page, opened, serving
 
@@ -47,6 +47,9 @@ RECORDS = bool(os.environ.get("UPDATE_GOLDENS"))
 
 EVERYWHERE = RECORDS or WHOLE
 """Whether each program runs in every column."""
+
+SANDBOX_CHANGED = any(name.startswith(("rosy-hs/worker/", "sim-service/rosy_sim/worker/")) for name in TODAY.changed)
+"""Whether what protects a machine may have changed since all tests passed."""
 
 PATIENCE = 30.0 if EVERYWHERE else 10.0
 """How long a program may do its worst where no limit of the service ends it, s."""
@@ -258,30 +261,33 @@ def children(before: set[int]) -> bool:
     return len(below(os.getpid())) <= len(before) + 6
 
 
-def programs_of(column: int, programs: dict[str, str], seed: int = SEED) -> dict[str, str]:
+def programs_of(
+    column: int, programs: dict[str, str], seed: int = SEED, days: int = 2 if SANDBOX_CHANGED else 4
+) -> dict[str, str]:
     """
-    The programs that run in a column: with one seed half of them in the first, with all layers on, and the other half
-    in one of the others each. With the next seed the halves change places, and after two the others take turns.
+    The programs that run in a column today. Within ``days`` each program runs once in the first column, with all layers
+    on, and once in one of the others, which take turns.
     """
     names = list(programs)
-    protected = rotated(names, 2, seed=seed, whole=EVERYWHERE)
     if column == 0:
-        today = protected
+        today = rotated(names, days, seed=seed, whole=EVERYWHERE)
     else:
-        one_off = rotated(names, len(COLUMNS) - 1, seed=seed // 2 + column, whole=EVERYWHERE)
-        today = one_off if EVERYWHERE else [name for name in one_off if name not in protected]
+        one_off = rotated(names, len(COLUMNS) - 1, seed=seed // days + column, whole=EVERYWHERE)
+        today = [name for name in one_off if EVERYWHERE or name in rotated(names, days, seed=seed + 1, whole=False)]
     return {name: programs[name] for name in today}
 
 
 @pytest.mark.skipif(EVERYWHERE, reason="each program runs in every column")
-def test_each_program_runs_daily_and_meets_every_column_within_twelve_days() -> None:
-    programs = dict.fromkeys("abcdefg", "")
+@pytest.mark.parametrize("days", [2, 4])
+@pytest.mark.parametrize("first", [0, 3, 20_785])
+def test_each_program_meets_every_column_in_its_turn(days: int, first: int) -> None:
+    programs = dict.fromkeys("abcdefghijk", "")
     met: set[tuple[str, int]] = set()
-    for seed in range(2 * (len(COLUMNS) - 1)):
-        today = [(name, column) for column in range(len(COLUMNS)) for name in programs_of(column, programs, seed)]
-        assert sorted(name for name, _ in today) == sorted(programs)
-        met |= set(today)
+    for seed in range(first, first + days * len(COLUMNS)):
+        met |= {(name, column) for column in range(len(COLUMNS)) for name in programs_of(column, programs, seed, days)}
     assert len(met) == len(programs) * len(COLUMNS)
+    period = [[*programs_of(0, programs, first + day, days)] for day in range(days)]
+    assert sorted(name for day in period for name in day) == sorted(programs)
 
 
 def harmless(number: int, column: Column) -> dict[str, str]:

@@ -84,6 +84,7 @@ def diverged(page: Page, run: int) -> list[float]:
     return [m["time"] for m in page.seen if m["op"] == "diverged" and m["run"] == run]
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize("seed", range(4))
 def test_an_unchanged_program_with_the_same_hands_goes_on_exactly_as_before(seed: int, config: Config) -> None:
     source, hands = generated(seed)

@@ -119,6 +119,7 @@ def test_an_unknown_service_fails() -> None:
     assert "id" not in answer
 
 
+@pytest.mark.turns
 @settings(max_examples=50)
 @given(st.recursive(st.none() | st.booleans() | st.floats() | st.text(), lambda x: st.lists(x) | st.dictionaries(
     st.sampled_from(["op", "topic", "msg", "id", "service", "args", "throttle_rate", "queue_length", "level"])
@@ -198,6 +199,7 @@ async def pester(address: str, session: str, seed: int) -> None:
             await ros.send(whole if dice.random() < 0.8 else whole.encode() + b"\xff")
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize("seed", range(2))
 def test_a_crowd_of_hostile_clients_harms_nobody(config: Config, seed: int) -> None:
     """Nonsense, a client that never reads, more connections than there are: page, program and a good client go on."""

@@ -57,6 +57,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
     return build
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize("name", ["accelerateAndPlay", *rotated(["randomWalk"], 7)])
 def test_a_built_program_drives_a_robot(name: str, built: Callable[[str], Path], config: Config) -> None:
     binary = built(name)

@@ -159,6 +159,7 @@ def test_a_worker_that_is_stopped_before_it_is_warm_is_replaced(config: Config) 
     keeping(play, config)
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize("how", ["stopped", "running in circles"])
 def test_a_wedged_worker_is_replaced(config: Config, how: str) -> None:
     async def play(worker: WorkerSupervisor, states: States) -> None:
