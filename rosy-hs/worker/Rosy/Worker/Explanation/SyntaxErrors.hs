@@ -1,4 +1,5 @@
 {-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE RecordWildCards #-}
 
 -- |
 -- Module      : Rosy.Worker.Explanation.SyntaxErrors
@@ -11,236 +12,296 @@ module Rosy.Worker.Explanation.SyntaxErrors
   )
 where
 
-import Data.Char (isAlpha, isDigit, isLower, isSpace)
-import Data.List (find)
+import Data.Char (isDigit, isLower)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Rosy.Worker.Explanation.CommonSyntaxErrors
 import Rosy.Worker.Explanation.MessageText
+import Rosy.Worker.Explanation.SurroundingTokens
 import Rosy.Worker.Explanation.Tokenizer
 import Rosy.Worker.Problem
 import Rosy.Worker.Sentence
 
--- | Explains a syntax error. Takes the program, GHC's code (from GHC 9.6 on), its message and its span.
-explainSyntax :: Text -> Maybe Int -> Text -> Maybe Span -> Problem
-explainSyntax source code said spot = fromMaybe fallback (listToMaybe (concat findings))
+-- | The program where GHC could not go on.
+data Failure = Failure
+  { source :: Text,
+    -- | GHC's code, from GHC 9.6 on.
+    code :: Maybe Int,
+    -- | GHC's message.
+    said :: Text,
+    -- | All tokens of the program.
+    found :: [Token],
+    -- | Where parsing failed.
+    at :: Position,
+    -- | The token there.
+    here :: Maybe Token,
+    -- | Its word.
+    given :: Maybe Text,
+    -- | The tokens of the current definition before the error.
+    current :: [Token],
+    -- | Their words.
+    words' :: [Text],
+    -- | The tokens on the line of the error.
+    onLine :: [Token]
+  }
+
+failureOf :: Text -> Maybe Int -> Text -> Maybe Span -> Failure
+failureOf source code said spot = Failure {..}
   where
     found = tokenize source
     at = maybe (Position 1 1) start spot
-    before = takeWhile ((< at) . from) found
     here = listToMaybe (dropWhile ((< at) . from) found)
     given = word <$> here
-    -- The tokens of the current definition before the error.
-    current = reverse (takeDefinition (reverse before))
+    current = reverse (takeDefinition (reverse (takeWhile ((< at) . from) found)))
     words' = map word current
     onLine = [t | t <- found, line (from t) == line at]
-    firstOnLine = listToMaybe onLine
-    endsWith w = fmap word (listToMaybe (reverse current)) == Just w
-    isBefore p = p <= at || line p == line at && column at > 1
-    -- Brackets that are open.
-    missing ws = filter (`elem` ["(", "[", "{"]) (foldl (\open w -> if w `elem` [")", "]", "}"] then drop 1 open else [w | w `elem` ["(", "[", "{"]] ++ open) [] ws)
-    missingAfter opener closer = unbalanced opener closer words'
 
-    findings =
-      [ [unclosedText s | "string/character literal" `Text.isInfixOf` said, s <- maybe [] pure (lastQuote source at)],
-        [problemAt (widen at) "syntax" (tr "This comment is never closed.") (tr "End it with -} or start it with -- instead.") | "unterminated" `Text.isInfixOf` said],
-        [ problemAt (widen at) "character" (trWith "The character ‘{character}’ has no meaning here." ["character" =: c]) (curly c)
-          | maybe ("lexical error" `Text.isInfixOf` said) (`elem` [21231, 31623]) code,
-            Just c <- [Text.take 1 <$> textFrom source at],
-            not (Text.null c)
-        ],
-        -- GHC has read nothing behind the place that it reports, but the bracket that the line lacks may be missed only at its end.
-        filter (maybe True (isBefore . start) . place) (brackets found),
-        commonSyntaxErrors source found current at,
-        [ problemAt (tokenSpan t) "capital" (trWith "‘{word}’ is written with a small letter." ["word" =: word t]) (trWith "Write: {code}." ["code" =: Text.toLower (word t)])
-          | t : _ <- [current],
-            Text.toLower (word t) `elem` reserved,
-            word t /= Text.toLower (word t)
-        ],
-        [ problemAt (Span (from x) (tokenEnd z)) "number" (tr "A number has a point, not a comma.") (trWith "Write {code}." ["code" =: word x <> "." <> word z])
-          | given == Just ",",
-            Just x <- [listToMaybe (reverse current)],
-            comma : z : _ <- [dropWhile ((< at) . from) found],
-            (tokenEnd x, tokenEnd comma) == (from comma, from z),
-            all (Text.all isDigit . word) [x, z]
-        ],
-        [ problemAt (Span (from s) (tokenEnd (last onLine))) "too-many-arguments" (tr "‘simulate’ takes one thing only.") (tr "Put what belongs together into brackets, for example: simulate (Velocity 0.5 0).")
-          | given == Just ",",
-            s : _ <- [[t | t <- onLine, word t == "simulate"]],
-            from s < at
-        ],
-        [ problemAt (tokenSpan t) "missing-colon" (tr "Two colons stand between a name and its type.") (trWith "Write: {name} :: …" ["name" =: word f])
-          | (f, t) <- take 1 (zip current (drop 1 current)) ++ [(f, t) | f : _ <- [reverse current], Just t <- [here]],
-            word t == ":"
-        ],
-        [ problemAt (tokenSpan t) "comparison" (tr "A single = gives a name to something.") (tr "To compare two values, write ==.")
-          | given == Just "=",
-            fmap word firstOnLine == Just "|",
-            t : _ : _ <- [[x | x <- onLine, word x == "="]]
-        ],
-        [ problemAt (tokenSpan t) "guard" (tr "No equals sign stands before the first guard.") (tr "Remove it: each guard has its own.")
-          | given == Just "|",
-            endsWith "=",
-            take 1 words' /= ["data"],
-            t : _ <- [reverse current]
-        ],
-        [ problemAt (tokenSpan t) "missing-equals" (tr "Between a function and its value stands an equals sign.") (tr "Replace -> by =.")
-          | given == Just "->",
-            all (`notElem` words') ["::", "case", "\\", "=", "of", "if"],
-            not (afterOf source at),
-            Just t <- [here]
-        ],
-        [ problemAt (tokenSpan t) "word" (tr "The last guard is called ‘otherwise’.") (tr "Write: | otherwise = …")
-          | given == Just "else",
-            endsWith "|",
-            Just t <- [here]
-        ],
-        [ problemAt (tokenSpan t) "word" (trWith "Haskell has no loop called ‘{word}’." ["word" =: word t]) (tr "To repeat tasks, write: replicateM_ 4 (do …), or forever.")
-          | Just t <- [firstOnLine],
-            word t `elem` ["for", "while", "repeat", "loop"]
-        ],
-        [ problemAt (tokenSpan t) "word" (trWith "Before ‘{word}’ a dollar sign is missing." ["word" =: word t]) (if word t == "do" then trWith "Write it between the two: {code}." ["code" =: applied <> " $ do"] else trWith "Write it between the two: {code} …" ["code" =: applied <> " $ " <> word t])
-          | Just t <- [here],
-            word t == "do" || "in function application" `Text.isInfixOf` said && word t `elem` ["\\", "case", "if", "let"],
-            applied <- [applicationBefore source (takeWhile ((< at) . from) onLine)],
-            not (Text.null applied)
-        ],
-        [ problemAt (tokenSpan t) "missing-let" (tr "In a ‘do’ block, ‘let’ gives a name to something.") (trWith "Write: let {name} = …" ["name" =: maybe "x" word firstOnLine])
-          | given == Just "=",
-            inBlock "do" source at,
-            Just t <- [firstOnLine]
-        ],
-        [ problemAt (tokenSpan t) "missing-equals" (tr "After ‘let’ and a name comes an equals sign.") (trWith "To name what a task ends with, leave out the let: {code}." ["code" =: Text.strip (shortened (Text.drop (column (tokenEnd l) - 1) (lineOf source (line at))))])
-          | given == Just "<-",
-            l : _ <- [filter ((== "let") . word) onLine],
-            Just t <- [here]
-        ],
-        [ problemAt (tokenSpan t) "capital" (tr "The values of a type begin with a capital letter.") (trWith "Write {code}." ["code" =: Text.toTitle (Text.take 1 (word t)) <> Text.drop 1 (word t)])
-          | take 1 words' `elem` [["data"], ["newtype"]],
-            Just t <- [if given `elem` [Just "|", Nothing] then listToMaybe (reverse current) else here],
-            Text.all isLower (Text.take 1 (word t)),
-            fmap word (listToMaybe (reverse (takeWhile ((< from t) . from) current))) `elem` [Just "=", Just "|"]
-        ],
-        [ problemAt (tokenSpan t) "syntax" (tr "The values of a type have | between them.") (tr "Write: data Mode = Go | Stop.")
-          | take 1 words' == ["data"],
-            given == Just ",",
-            null (missing words'),
-            Just t <- [here]
-        ],
-        [ problemAt (tokenSpan t) "syntax" (tr "The parts of a list or a pair have commas between them.") (tr "Replace the semicolon by a comma.")
-          | given == Just ";",
-            not (null (missing words')),
-            Just t <- [here]
-        ],
-        [ problemAt (tokenSpan t) "missing-brackets" (tr "Several things together need brackets around them.") (tr "Write: (first, second).")
-          | given == Just ",",
-            null (missing words'),
-            Just t <- [here]
-        ],
-        [ problemAt (tokenSpan t) "syntax" (tr "‘type’ gives a type another name, and no values.") (tr "For a type with values of its own, write data.")
-          | take 1 words' == ["type"],
-            given == Just "|",
-            Just t <- take 1 (map Just current)
-        ],
-        [ problemAt (tokenSpan t) "capital" (tr "The names of modules begin with capital letters.") (tr "Write for example: import Data.List.")
-          | "import" : _ <- [map word onLine],
-            Just t <- [listToMaybe (drop 1 onLine)],
-            Text.all isLower (Text.take 1 (word t)),
-            word t `notElem` ["qualified", "safe"]
-        ],
-        [ problemAt (tokenSpan t) "comparison" (tr "A single = gives a name to something.") (tr "To compare two values, write ==.")
-          | given == Just "=",
-            lastOf ["if", "|", "then", "else", "="] words' `elem` [Just "if", Just "|"],
-            Just t <- [here]
-        ],
-        [ problemAt (tokenSpan t) "missing-arrow" (tr "In a case, an arrow -> stands between a pattern and its value.") (tr "Replace the = by ->.")
-          | given == Just "=",
-            inCases source at,
-            Just t <- [here]
-        ],
-        [ problemAt (tokenSpan t) "indentation" (tr "The cases after ‘of’ stand too far to the left.") (tr "Indent them by two spaces more than the line with ‘case’.")
-          | given == Just "->",
-            afterOf source at,
-            Just t <- [firstOnLine]
-        ],
-        [ problemAt (Span (from t) (tokenEnd (last condition))) "missing-equals" (tr "This case has no equals sign.") (tr "Write = between its condition and its value.")
-          | given == Just "|",
-            condition@(t : _) <- [filter ((== line at - 1) . line . from) current],
-            word t == "|",
-            all ((`notElem` ["=", "->"]) . word) condition
-        ],
-        [ problemAt (tokenSpan t) "indentation" (tr "This line stands too far to the right.") (tr "A definition begins at the left edge of its block.")
-          | given `elem` [Just "=", Just "::", Just "|"],
-            Just t <- [firstOnLine],
-            column (from t) > 1,
-            given /= Just "=" || not (inBlock "do" source at),
-            not (endsWith "=")
-        ],
-        [ problemAt (maybe (widen at) tokenSpan here) "missing-then" (tr "After ‘if’ and its condition comes ‘then’.") (tr "Write: if condition then one value else another.")
-          | given == Just "else" || missingAfter "if" "then",
-            "if" `elem` words',
-            "then" `notElem` dropWhile (/= "if") words'
-        ],
-        [ problemAt (maybe (widen at) tokenSpan (lastToken "if" current)) "missing-else" (tr "This ‘if’ has no ‘else’.") (tr "Say what to do otherwise: if condition then one value else another.")
-          | missingAfter "if" "else"
-        ],
-        [ problemAt (maybe (widen at) tokenSpan (lastToken "let" current)) "missing-in" (tr "After ‘let’ and its names comes ‘in’ and a value.") (trWith "Write: let {name} = … in …" ["name" =: maybe "x" word (listToMaybe (drop 1 (dropWhile ((/= "let") . word) current)))])
-          | missingAfter "let" "in",
-            "do" `notElem` words'
-        ],
-        [ problemAt (tokenSpan t) "incomplete" (trWith "Something is missing after ‘{word}’." ["word" =: word t]) (tr "Write the value that belongs there.")
-          | Just t <- [listToMaybe (reverse current)],
-            word t `elem` ["=", "->", "then", "else", "+", "*", "/", "$", "++", "&&", "||", "==", "<-", "::", "of", "in", ","]
-        ],
-        [ problemAt (tokenSpan t) "word" (trWith "‘{word}’ is a word of Haskell itself and cannot be a name." ["word" =: word t]) (tr "Choose another name.")
-          | Just t <- [here],
-            word t `elem` ["=", "::"],
-            Just p <- [listToMaybe (reverse current)],
-            word p `elem` reserved
-        ],
-        [ problemAt (tokenSpan t) "word" (trWith "‘{word}’ is a word of Haskell itself and cannot stand here." ["word" =: word t]) (tr "If it was meant as a name, choose another one.")
-          | Just t <- [here],
-            word t `elem` reserved,
-            word t `notElem` ["then", "else", "of", "in", "where", "import"]
-        ],
-        [ problemAt (tokenSpan t) "syntax" (tr "An import stands too late.") (tr "Move all imports to the top of the program.")
-          | Just t <- [here],
-            word t == "import"
-        ],
-        [ problemAt (tokenSpan t) "syntax" (trWith "‘{word}’ has nothing that it belongs to." ["word" =: word t]) (trWith "Check the lines before it for the ‘{partner}’." ["partner" =: partner (word t)])
-          | Just t <- [here],
-            word t `elem` ["then", "else", "of", "in"]
-        ],
-        fallbackSyntaxErrors found at
-      ]
-    fallback = case here of
+-- | Explains a syntax error. Takes the program, GHC's code (from GHC 9.6 on), its message and its span.
+explainSyntax :: Text -> Maybe Int -> Text -> Maybe Span -> Problem
+explainSyntax source code said spot = fromMaybe fallback (listToMaybe (concatMap ($ failure) causes ++ fallbackSyntaxErrors (found failure) (at failure)))
+  where
+    failure = failureOf source code said spot
+    fallback = case here failure of
       Just t -> problemAt (tokenSpan t) "syntax" (trWith "The program cannot be understood from ‘{word}’ on." ["word" =: word t]) (tr "Something before it is missing, too much, or in the wrong column.")
       Nothing -> Problem Error "syntax" spot Nothing (tr "The program ends too early.") (tr "The last line is not finished.") "" []
-    partner w = case w of
-      "of" -> "case"
-      "in" -> "let"
-      _ -> "if"
 
--- | The application at the end of these tokens of a line, as written: @replicateM_ 4@ of @x = replicateM_ 4@.
-applicationBefore :: Text -> [Token] -> Text
-applicationBefore source before = case (application, before) of
-  (first : _, _ : _) -> textAt source (Span (from first) (endOf (last before)))
-  _ -> ""
-  where
-    application = reverse (go (0 :: Int) (reverse before))
-    go _ [] = []
-    go n (t : ts)
-      | word t `elem` [")", "]", "}"] = t : go (n + 1) ts
-      | word t `elem` ["(", "[", "{"] = if n == 0 then [] else t : go (n - 1) ts
-      | n == 0, word t `elem` ["=", "->", "<-", "$", "then", "else", "do", "of", "in", ",", ">>", ">>=", "\\"] = []
-      | otherwise = t : go n ts
-    -- A text is one token, its quotation mark.
-    endOf t
-      | word t == "\"" = (from t) {column = column (from t) + 2 + Text.length (Text.takeWhile (/= '"') (Text.drop (column (from t)) (lineOf source (line (from t)))))}
-      | otherwise = tokenEnd t
+-- | The most specific first.
+causes :: [Failure -> [Problem]]
+causes = [unreadableText, misspelling, mistakeInGuards, mistakeInTasks, mistakeInDeclarations, mistakeInCases, missingPart, misplacedWord]
 
--- | Text for a hint, cut where it would be too long.
+-- | Characters, texts, comments and brackets that cannot be read, and mistakes that are found without the place of the error.
+unreadableText :: Failure -> [Problem]
+unreadableText Failure {..} =
+  concat
+    [ [unclosedText s | "string/character literal" `Text.isInfixOf` said, s <- maybe [] pure (lastQuote source at)],
+      [problemAt (widen at) "syntax" (tr "This comment is never closed.") (tr "End it with -} or start it with -- instead.") | "unterminated" `Text.isInfixOf` said],
+      [ problemAt (widen at) "character" (trWith "The character ‘{character}’ has no meaning here." ["character" =: c]) (curly c)
+        | maybe ("lexical error" `Text.isInfixOf` said) (`elem` [21231, 31623]) code,
+          Just c <- [Text.take 1 <$> textFrom source at],
+          not (Text.null c)
+      ],
+      -- GHC has read nothing behind the place that it reports, but the bracket that the line lacks may be missed only at its end.
+      filter (maybe True ((\p -> p <= at || line p == line at && column at > 1) . start) . place) (brackets found),
+      commonSyntaxErrors source found current at
+    ]
+
+-- | Capital letters, points and colons.
+misspelling :: Failure -> [Problem]
+misspelling Failure {..} =
+  concat
+    [ [ problemAt (tokenSpan t) "capital" (trWith "‘{word}’ is written with a small letter." ["word" =: word t]) (trWith "Write: {code}." ["code" =: Text.toLower (word t)])
+        | t : _ <- [current],
+          Text.toLower (word t) `elem` reserved,
+          word t /= Text.toLower (word t)
+      ],
+      [ problemAt (Span (from x) (tokenEnd z)) "number" (tr "A number has a point, not a comma.") (trWith "Write {code}." ["code" =: word x <> "." <> word z])
+        | given == Just ",",
+          Just x <- [listToMaybe (reverse current)],
+          comma : z : _ <- [dropWhile ((< at) . from) found],
+          (tokenEnd x, tokenEnd comma) == (from comma, from z),
+          all (Text.all isDigit . word) [x, z]
+      ],
+      [ problemAt (Span (from s) (tokenEnd (last onLine))) "too-many-arguments" (tr "‘simulate’ takes one thing only.") (tr "Put what belongs together into brackets, for example: simulate (Velocity 0.5 0).")
+        | given == Just ",",
+          s : _ <- [[t | t <- onLine, word t == "simulate"]],
+          from s < at
+      ],
+      [ problemAt (tokenSpan t) "missing-colon" (tr "Two colons stand between a name and its type.") (trWith "Write: {name} :: …" ["name" =: word f])
+        | (f, t) <- take 1 (zip current (drop 1 current)) ++ [(f, t) | f : _ <- [reverse current], Just t <- [here]],
+          word t == ":"
+      ]
+    ]
+
+-- | Signs of functions and their guards.
+mistakeInGuards :: Failure -> [Problem]
+mistakeInGuards failure@Failure {..} =
+  concat
+    [ [ problemAt (tokenSpan t) "comparison" (tr "A single = gives a name to something.") (tr "To compare two values, write ==.")
+        | given == Just "=",
+          fmap word (listToMaybe onLine) == Just "|",
+          t : _ : _ <- [[x | x <- onLine, word x == "="]]
+      ],
+      [ problemAt (tokenSpan t) "guard" (tr "No equals sign stands before the first guard.") (tr "Remove it: each guard has its own.")
+        | given == Just "|",
+          endsWith "=" failure,
+          take 1 words' /= ["data"],
+          t : _ <- [reverse current]
+      ],
+      [ problemAt (tokenSpan t) "missing-equals" (tr "Between a function and its value stands an equals sign.") (tr "Replace -> by =.")
+        | given == Just "->",
+          all (`notElem` words') ["::", "case", "\\", "=", "of", "if"],
+          not (afterOf source at),
+          Just t <- [here]
+      ],
+      [ problemAt (tokenSpan t) "word" (tr "The last guard is called ‘otherwise’.") (tr "Write: | otherwise = …")
+        | given == Just "else",
+          endsWith "|" failure,
+          Just t <- [here]
+      ]
+    ]
+
+-- | Loops, blocks of tasks, and names within them.
+mistakeInTasks :: Failure -> [Problem]
+mistakeInTasks Failure {..} =
+  concat
+    [ [ problemAt (tokenSpan t) "word" (trWith "Haskell has no loop called ‘{word}’." ["word" =: word t]) (tr "To repeat tasks, write: replicateM_ 4 (do …), or forever.")
+        | Just t <- [listToMaybe onLine],
+          word t `elem` ["for", "while", "repeat", "loop"]
+      ],
+      [ problemAt (tokenSpan t) "word" (trWith "Before ‘{word}’ a dollar sign is missing." ["word" =: word t]) (if word t == "do" then trWith "Write it between the two: {code}." ["code" =: applied <> " $ do"] else trWith "Write it between the two: {code} …" ["code" =: applied <> " $ " <> word t])
+        | Just t <- [here],
+          word t == "do" || "in function application" `Text.isInfixOf` said && word t `elem` ["\\", "case", "if", "let"],
+          applied <- [applicationBefore source (takeWhile ((< at) . from) onLine)],
+          not (Text.null applied)
+      ],
+      [ problemAt (tokenSpan t) "missing-let" (tr "In a ‘do’ block, ‘let’ gives a name to something.") (trWith "Write: let {name} = …" ["name" =: maybe "x" word (listToMaybe onLine)])
+        | given == Just "=",
+          inBlock "do" source at,
+          Just t <- [listToMaybe onLine]
+      ],
+      [ problemAt (tokenSpan t) "missing-equals" (tr "After ‘let’ and a name comes an equals sign.") (trWith "To name what a task ends with, leave out the let: {code}." ["code" =: Text.strip (shortened (Text.drop (column (tokenEnd l) - 1) (lineOf source (line at))))])
+        | given == Just "<-",
+          l : _ <- [filter ((== "let") . word) onLine],
+          Just t <- [here]
+      ]
+    ]
+
+-- | Types with their values, lists, pairs and imports.
+mistakeInDeclarations :: Failure -> [Problem]
+mistakeInDeclarations Failure {..} =
+  concat
+    [ [ problemAt (tokenSpan t) "capital" (tr "The values of a type begin with a capital letter.") (trWith "Write {code}." ["code" =: Text.toTitle (Text.take 1 (word t)) <> Text.drop 1 (word t)])
+        | take 1 words' `elem` [["data"], ["newtype"]],
+          Just t <- [if given `elem` [Just "|", Nothing] then listToMaybe (reverse current) else here],
+          Text.all isLower (Text.take 1 (word t)),
+          fmap word (listToMaybe (reverse (takeWhile ((< from t) . from) current))) `elem` [Just "=", Just "|"]
+      ],
+      [ problemAt (tokenSpan t) "syntax" (tr "The values of a type have | between them.") (tr "Write: data Mode = Go | Stop.")
+        | take 1 words' == ["data"],
+          given == Just ",",
+          null (missing words'),
+          Just t <- [here]
+      ],
+      [ problemAt (tokenSpan t) "syntax" (tr "The parts of a list or a pair have commas between them.") (tr "Replace the semicolon by a comma.")
+        | given == Just ";",
+          not (null (missing words')),
+          Just t <- [here]
+      ],
+      [ problemAt (tokenSpan t) "missing-brackets" (tr "Several things together need brackets around them.") (tr "Write: (first, second).")
+        | given == Just ",",
+          null (missing words'),
+          Just t <- [here]
+      ],
+      [ problemAt (tokenSpan t) "syntax" (tr "‘type’ gives a type another name, and no values.") (tr "For a type with values of its own, write data.")
+        | take 1 words' == ["type"],
+          given == Just "|",
+          Just t <- take 1 (map Just current)
+      ],
+      [ problemAt (tokenSpan t) "capital" (tr "The names of modules begin with capital letters.") (tr "Write for example: import Data.List.")
+        | "import" : _ <- [map word onLine],
+          Just t <- [listToMaybe (drop 1 onLine)],
+          Text.all isLower (Text.take 1 (word t)),
+          word t `notElem` ["qualified", "safe"]
+      ]
+    ]
+
+-- | Conditions and cases, and the column of a definition.
+mistakeInCases :: Failure -> [Problem]
+mistakeInCases failure@Failure {..} =
+  concat
+    [ [ problemAt (tokenSpan t) "comparison" (tr "A single = gives a name to something.") (tr "To compare two values, write ==.")
+        | given == Just "=",
+          lastOf ["if", "|", "then", "else", "="] words' `elem` [Just "if", Just "|"],
+          Just t <- [here]
+      ],
+      [ problemAt (tokenSpan t) "missing-arrow" (tr "In a case, an arrow -> stands between a pattern and its value.") (tr "Replace the = by ->.")
+        | given == Just "=",
+          inCases source at,
+          Just t <- [here]
+      ],
+      [ problemAt (tokenSpan t) "indentation" (tr "The cases after ‘of’ stand too far to the left.") (tr "Indent them by two spaces more than the line with ‘case’.")
+        | given == Just "->",
+          afterOf source at,
+          Just t <- [listToMaybe onLine]
+      ],
+      [ problemAt (Span (from t) (tokenEnd (last condition))) "missing-equals" (tr "This case has no equals sign.") (tr "Write = between its condition and its value.")
+        | given == Just "|",
+          condition@(t : _) <- [filter ((== line at - 1) . line . from) current],
+          word t == "|",
+          all ((`notElem` ["=", "->"]) . word) condition
+      ],
+      [ problemAt (tokenSpan t) "indentation" (tr "This line stands too far to the right.") (tr "A definition begins at the left edge of its block.")
+        | given `elem` [Just "=", Just "::", Just "|"],
+          Just t <- [listToMaybe onLine],
+          column (from t) > 1,
+          given /= Just "=" || not (inBlock "do" source at),
+          not (endsWith "=" failure)
+      ]
+    ]
+
+-- | Words that belong together, of which one is missing.
+missingPart :: Failure -> [Problem]
+missingPart failure@Failure {..} =
+  concat
+    [ [ problemAt (maybe (widen at) tokenSpan here) "missing-then" (tr "After ‘if’ and its condition comes ‘then’.") (tr "Write: if condition then one value else another.")
+        | given == Just "else" || missingAfter "if" "then" failure,
+          "if" `elem` words',
+          "then" `notElem` dropWhile (/= "if") words'
+      ],
+      [ problemAt (maybe (widen at) tokenSpan (lastToken "if" current)) "missing-else" (tr "This ‘if’ has no ‘else’.") (tr "Say what to do otherwise: if condition then one value else another.")
+        | missingAfter "if" "else" failure
+      ],
+      [ problemAt (maybe (widen at) tokenSpan (lastToken "let" current)) "missing-in" (tr "After ‘let’ and its names comes ‘in’ and a value.") (trWith "Write: let {name} = … in …" ["name" =: maybe "x" word (listToMaybe (drop 1 (dropWhile ((/= "let") . word) current)))])
+        | missingAfter "let" "in" failure,
+          "do" `notElem` words'
+      ],
+      [ problemAt (tokenSpan t) "incomplete" (trWith "Something is missing after ‘{word}’." ["word" =: word t]) (tr "Write the value that belongs there.")
+        | Just t <- [listToMaybe (reverse current)],
+          word t `elem` ["=", "->", "then", "else", "+", "*", "/", "$", "++", "&&", "||", "==", "<-", "::", "of", "in", ","]
+      ]
+    ]
+
+-- | Words of Haskell that cannot stand here.
+misplacedWord :: Failure -> [Problem]
+misplacedWord Failure {..} =
+  concat
+    [ [ problemAt (tokenSpan t) "word" (trWith "‘{word}’ is a word of Haskell itself and cannot be a name." ["word" =: word t]) (tr "Choose another name.")
+        | Just t <- [here],
+          word t `elem` ["=", "::"],
+          Just p <- [listToMaybe (reverse current)],
+          word p `elem` reserved
+      ],
+      [ problemAt (tokenSpan t) "word" (trWith "‘{word}’ is a word of Haskell itself and cannot stand here." ["word" =: word t]) (tr "If it was meant as a name, choose another one.")
+        | Just t <- [here],
+          word t `elem` reserved,
+          word t `notElem` ["then", "else", "of", "in", "where", "import"]
+      ],
+      [ problemAt (tokenSpan t) "syntax" (tr "An import stands too late.") (tr "Move all imports to the top of the program.")
+        | Just t <- [here],
+          word t == "import"
+      ],
+      [ problemAt (tokenSpan t) "syntax" (trWith "‘{word}’ has nothing that it belongs to." ["word" =: word t]) (trWith "Check the lines before it for the ‘{partner}’." ["partner" =: partner (word t)])
+        | Just t <- [here],
+          word t `elem` ["then", "else", "of", "in"]
+      ]
+    ]
+
+-- | Whether the part of the definition before the error ends with this word.
+endsWith :: Text -> Failure -> Bool
+endsWith w failure = fmap word (listToMaybe (reverse (current failure))) == Just w
+
+-- | Whether the current definition has more of the first word than of the second before the error.
+missingAfter :: Text -> Text -> Failure -> Bool
+missingAfter opener closer = unbalanced opener closer . words'
+
+-- | The word that one belongs to.
+partner :: Text -> Text
+partner w = case w of
+  "of" -> "case"
+  "in" -> "let"
+  _ -> "if"
+
 shortened :: Text -> Text
 shortened t = if Text.length t > 40 then Text.take 38 t <> " …" else t
 
@@ -255,17 +316,6 @@ curly c
 
 widen :: Position -> Span
 widen p = Span p p {column = column p + 1}
-
--- | The rest of the line from a place on.
-textFrom :: Text -> Position -> Maybe Text
-textFrom source p = Text.drop (column p - 1) <$> listToMaybe (drop (line p - 1) (Text.splitOn "\n" source))
-
--- | The quotation mark before a place on its line, to the end of the line.
-lastQuote :: Text -> Position -> Maybe Span
-lastQuote source at = do
-  l <- listToMaybe (drop (line at - 1) (Text.splitOn "\n" source))
-  let opening = Text.length (fst (Text.breakOnEnd "\"" l))
-  if opening == 0 then Nothing else Just (Span at {column = opening} at {column = Text.length l + 1})
 
 unclosedText :: Span -> Problem
 unclosedText s = problemAt s "missing-quote" (tr "This text is not closed.") (tr "End it with a quotation mark \" on the same line.")
@@ -293,41 +343,3 @@ brackets = go []
       ")" -> "("
       "]" -> "["
       _ -> "{"
-
--- | The last occurrence of any of these words.
-lastOf :: [Text] -> [Text] -> Maybe Text
-lastOf wanted = find (`elem` wanted) . reverse
-
-lastToken :: Text -> [Token] -> Maybe Token
-lastToken w = find ((== w) . word) . reverse
-
-unbalanced :: Text -> Text -> [Text] -> Bool
-unbalanced opener closer ws = length (filter (== opener) ws) > length (filter (== closer) ws)
-
--- | From a reversed list: back to the token that starts at the left edge.
-takeDefinition :: [Token] -> [Token]
-takeDefinition ts = case break ((== 1) . column . from) ts of
-  (inside, first : _) -> inside ++ [first]
-  (inside, []) -> inside
-
--- | Whether a place is in one of the cases of an @of@.
-inCases :: Text -> Position -> Bool
-inCases = inBlock "of"
-
--- | Whether a place is in a block that began with this word: the nearest line before it that stands further left ends so.
-inBlock :: Text -> Text -> Position -> Bool
-inBlock opener source at = case dropWhile ((>= indent here) . indent) (filter (not . Text.null . Text.strip) above) of
-  l : _ -> lastWord l == Just opener
-  [] -> False
-  where
-    ls = Text.splitOn "\n" source
-    above = reverse (take (line at - 1) ls)
-    here = fromMaybe "" (listToMaybe (drop (line at - 1) ls))
-    indent = Text.length . Text.takeWhile isSpace
-    lastWord = fmap (Text.takeWhileEnd isAlpha) . listToMaybe . reverse . Text.words
-
--- | Whether the line before ends with @of@.
-afterOf :: Text -> Position -> Bool
-afterOf source at = case reverse (filter (not . Text.null . Text.strip) (take (line at - 1) (Text.splitOn "\n" source))) of
-  l : _ -> listToMaybe (reverse (Text.words l)) == Just "of"
-  [] -> False
