@@ -189,9 +189,8 @@ export class ControlledRuns {
     this.#step = 0
     this.#requested = 0
     this.#isRunning = false
-    // The run message goes first.
-    queueMicrotask(() => this.#send({op: "pause"}))
-    return JSON.stringify({...message, seed: 1})
+    // A message that stops the clock could come after the first step.
+    return JSON.stringify({...message, seed: 1, paused: true})
   }
 
   #fromService(text: string): void {

@@ -231,6 +231,8 @@ export type PageMessage =
       readonly speed: Speed
       /// Repeat so many steps of the run `of`, and go on from there.
       readonly after?: number
+      /// In the simulator: the clock is stopped before the first step.
+      readonly paused?: boolean
       readonly of?: number
       /// Beside a real robot, the number of the same run in the simulator.
       readonly twin?: number

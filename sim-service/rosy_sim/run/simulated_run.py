@@ -72,7 +72,7 @@ class SimulatedRun(PageRun):
         self._simulation = simulation
         self._safety = simulation.safety
         self._speed: page.Speed = request.speed
-        self._paused = False
+        self._paused = request.paused
         # Whether the page was told that the run waits for a place.
         self._is_waiting = False
         # The problems of a program that runs.

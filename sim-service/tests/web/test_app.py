@@ -173,6 +173,22 @@ def test_pause_forward_and_resume(config: Config) -> None:
     story(play, config)
 
 
+def test_a_run_starts_paused_and_makes_the_steps_that_are_asked_for(config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="drive:0.5", speed="max", paused=True)
+        await page.op("state", state="running")
+        for _step in range(3):
+            await page.send("forward")
+        assert (await page.op("frame", step=3))["time"] == 0.06
+        # Each step has a frame while the clock is stopped: one that was not asked for would come before the answer.
+        await page.send("check", id=1, source="drive:0.5")
+        assert (await page.until(lambda m: m["op"] in ("checked", "frame")))["op"] == "checked"
+        await page.send("forward")
+        assert (await page.op("frame"))["step"] == 4
+
+    story(play, config)
+
+
 def test_hands_reach_the_robot_and_a_hand_in_a_wall_is_refused(config: Config) -> None:
     async def play(page: Page, _: Service) -> None:
         await page.send("input", press="Button1")

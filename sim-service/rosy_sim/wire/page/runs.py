@@ -47,7 +47,7 @@ class Run(msgspec.Struct, tag="run", tag_field="op"):
     Compile and drive.
 
     ``after``: repeat so many steps of the run ``of``, without one the last run, with its seed and hands, and go on
-    from there. ``twin``: on a real robot, the number of a run of the same program in the simulator beside it.
+    from there. ``paused``: in the simulator, start with the clock stopped, before the first step. ``twin``: on a real robot, the number of a run of the same program in the simulator beside it.
     """
 
     run: int
@@ -57,6 +57,7 @@ class Run(msgspec.Struct, tag="run", tag_field="op"):
     after: int | None = None
     of: int | None = None
     twin: int | None = None
+    paused: bool = False
 
 
 class Stop(msgspec.Struct, tag="stop", tag_field="op"):
