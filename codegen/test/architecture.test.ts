@@ -19,13 +19,30 @@ function importsOf(file: string, text: string): string[] {
 }
 
 /// Folders, lowest first: each imports only itself and those before it. The types in the root belong to the lowest level.
-const layers = ["robot", "words", "model", "source", "haskell", "types", "blocks", "workspace", "reader"]
+const layers = [
+  "robot",
+  "words",
+  "model",
+  "source",
+  "haskell",
+  "types",
+  "blocks",
+  "workspace",
+  "reader/conversion",
+  "reader/module",
+  "reader/printing",
+  "reader/view",
+  "reader",
+]
 const sharedTypes = ["api.ts", "serialized_blocks.ts", "block_shape.ts"]
 
 function layerOf(file: string): number {
-  const [folder = ""] = file.split("/")
+  const [folder = "", within = ""] = file.split("/")
   if (sharedTypes.includes(file)) return -1
-  return folder === file ? layers.length : layers.indexOf(folder)
+  if (folder === file) return layers.length
+  return layers.includes(`${folder}/${within}`)
+    ? layers.indexOf(`${folder}/${within}`)
+    : layers.indexOf(folder)
 }
 
 it("every import names a file of the package", () => {
@@ -34,7 +51,9 @@ it("every import names a file of the package", () => {
 })
 
 it("every folder has its place among the layers", () => {
-  const folders = new Set(files.filter(f => f.includes("/")).map(f => f.split("/")[0]))
+  const folders = new Set(files.map(layerOf).map(layer => layers[layer] ?? ""))
+  expect(files.filter(f => f.includes("/") && layerOf(f) < 0)).toEqual([])
+  folders.delete("")
   expect([...folders].sort()).toEqual([...layers].sort())
 })
 

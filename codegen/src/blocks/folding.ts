@@ -117,7 +117,7 @@ export function unfold(block: SavedBlock): SavedBlock {
   return result
 }
 
-/// Nesting of blocks that a layout may have. What is made from text stays far below (`reader/conversion_context.ts`).
+/// Nesting of blocks that a layout may have. What is made from text stays far below (`reader/conversion/conversion_context.ts`).
 const maximumNesting = 300
 
 /// Whether a block tree can be drawn: bounded nesting, and every input exists in the shape of its block.

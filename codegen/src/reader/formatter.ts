@@ -2,12 +2,12 @@
 /// that blocks cannot say, and one whose comments would not all come back.
 
 import type {Declaration} from "../model/syntax_tree.ts"
-import {buildBlocks} from "./block_tree.ts"
-import {commentWords} from "./exact_texts.ts"
-import type {Module} from "./module_pieces.ts"
-import type {Reader} from "./module_reader.ts"
-import {writeBack} from "./text_patches.ts"
-import {hashTree} from "./tree_matching.ts"
+import type {Module} from "./module/module_pieces.ts"
+import type {Reader} from "./module/module_reader.ts"
+import {commentWords} from "./printing/exact_texts.ts"
+import {writeBack} from "./printing/text_patches.ts"
+import {buildBlocks} from "./view/block_tree.ts"
+import {hashTree} from "./view/tree_matching.ts"
 
 export interface Formatted {
   readonly text: string

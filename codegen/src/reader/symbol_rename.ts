@@ -8,11 +8,11 @@ import {tokens} from "../source/lexer.ts"
 import {words} from "../words/index.ts"
 import {knownNames} from "../workspace/name_catalog.ts"
 import {renameNamed} from "../workspace/renaming.ts"
-import type {Module, Piece} from "./module_pieces.ts"
-import type {Reader} from "./module_reader.ts"
-import type {Word, WordRole} from "./semantic_tokens.ts"
-import {openView} from "./text_synchronization.ts"
-import {spansOf, workspaceOf} from "./view.ts"
+import type {Module, Piece} from "./module/module_pieces.ts"
+import type {Reader} from "./module/module_reader.ts"
+import type {Word, WordRole} from "./module/semantic_tokens.ts"
+import {openView} from "./view/text_synchronization.ts"
+import {spansOf, workspaceOf} from "./view/view.ts"
 
 /// Offsets in UTF-16 units; `end` is exclusive.
 interface Span {

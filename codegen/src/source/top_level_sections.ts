@@ -1,6 +1,6 @@
 /// Top-level sections of a file, by layout alone: header, definitions with the comments above them, and the rest.
 ///
-/// The parts' ends, one after the other, cover the file. `reader/module_reader.ts` parses what a section says.
+/// The parts' ends, one after the other, cover the file. `reader/module/module_reader.ts` parses what a section says.
 
 import type {Cause} from "../model/raw_reasons.ts"
 import type {Range} from "./lexer.ts"

@@ -2,7 +2,7 @@
 
 import {beforeAll, describe, expect, it} from "vitest"
 import {formatted, openView, type Reader, workspaceOf} from "../../src/reader/index.ts"
-import {hashTree} from "../../src/reader/tree_matching.ts"
+import {hashTree} from "../../src/reader/view/tree_matching.ts"
 import {rotated} from "../extent.ts"
 import {corpus, testReader} from "./open.ts"
 

@@ -1,7 +1,7 @@
 /// Source rewriting: each replacement keeps the length, and the result parses although the source does not.
 
 import {describe, expect, it} from "vitest"
-import {grammarVariants} from "../../src/reader/source_rewriting.ts"
+import {grammarVariants} from "../../src/reader/module/source_rewriting.ts"
 
 const variants = (source: string) => grammarVariants(source, []).map(v => v.text)
 
