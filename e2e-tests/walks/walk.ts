@@ -1,8 +1,8 @@
 /// One walk: random steps in the blocks and in the text of one page. After each the page comes to rest, its views agree, and nothing is lost.
 
 import {expect, type Page} from "@playwright/test"
-import {commentWords} from "../../codegen/src/reader/printing/exact_texts.ts"
 import type {Reader} from "../../codegen/src/reader/index.ts"
+import {commentWords} from "../../codegen/src/reader/printing/exact_texts.ts"
 import {Dice} from "../../codegen/test/generate/random.ts"
 import {Learner} from "../stories/learner.ts"
 import {faultsOf, look, type SeenProgram} from "./seen_program.ts"

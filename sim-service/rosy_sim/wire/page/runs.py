@@ -47,7 +47,8 @@ class Run(msgspec.Struct, tag="run", tag_field="op"):
     Compile and drive.
 
     ``after``: repeat so many steps of the run ``of``, without one the last run, with its seed and hands, and go on
-    from there. ``paused``: in the simulator, start with the clock stopped, before the first step. ``twin``: on a real robot, the number of a run of the same program in the simulator beside it.
+    from there. ``paused``: in the simulator, start with the clock stopped, before the first step. ``twin``: on a real
+    robot, the number of a run of the same program in the simulator beside it.
     """
 
     run: int
