@@ -44,6 +44,7 @@ module Rosy.Worker.SystemCalls
     limitData,
     limitProcess,
     limitHeap,
+    roomyHeap,
     compactHeap,
     limitCpu,
     dataSegmentSize,
@@ -123,6 +124,8 @@ foreign import ccall unsafe rosy_limit_process :: Word64 -> CInt -> IO CInt
 foreign import ccall unsafe rosy_limit_cpu :: Word64 -> IO CInt
 
 foreign import ccall unsafe rosy_limit_heap :: Word64 -> IO ()
+
+foreign import ccall unsafe rosy_heap_roomy :: Word64 -> Word64 -> IO ()
 
 foreign import ccall unsafe rosy_compact_begin :: IO ()
 
@@ -318,6 +321,12 @@ limitCpu seconds = void $ orThrow "setrlimit" (rosy_limit_cpu seconds)
 
 limitHeap :: Word64 -> IO ()
 limitHeap = rosy_limit_heap
+
+-- | Collects seldom until the heap is compacted, for work whose results almost all stay.
+roomyHeap :: IO ()
+roomyHeap = rosy_heap_roomy (32 * megabyte) (70 * megabyte) >> performMinorGC
+  where
+    megabyte = 1024 * 1024
 
 -- | A major collection after which the heap takes as little memory as it can. Children that are forked later share what is left.
 compactHeap :: IO ()
