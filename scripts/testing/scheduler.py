@@ -7,7 +7,7 @@ fewer cores may start first. A suite that needs more cores than there are runs a
 for half of its time. A suite in the background has a low priority: it takes the processor time that the others leave, so one
 of them per core runs at any time beside any others. Each suite writes to its own log file; nothing is printed here.
 A suite that takes longer than its limit is ended and has failed: what it has said until then is in its result. When the caller is
-interrupted, every process that was started is ended.
+interrupted or told to terminate, every process that was started is ended.
 """
 
 from __future__ import annotations
@@ -102,10 +102,14 @@ def run_all(
     on_change: Callable[[Sequence[str]], None],
     on_end: Callable[[Result], None],
 ) -> None:
-    """Runs all suites. `on_change` gets the names of the running suites once per second and after every start or end."""
+    """
+    Runs all suites; in the main thread. `on_change` gets the names of the running suites once per second and after every start or end.
+    SIGTERM raises KeyboardInterrupt, as SIGINT does.
+    """
     waiting = list(suites)
     running: dict[str, _Running] = {}
     ended: queue.SimpleQueue[tuple[str, _Ended]] = queue.SimpleQueue()
+    terminate = signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         while waiting or running:
             for suite in [s for s in waiting if _may_start(s, waiting, running, cores)]:
@@ -125,6 +129,7 @@ def run_all(
     finally:
         for left in running.values():
             _end(left.process)
+        signal.signal(signal.SIGTERM, terminate)
 
 
 def _may_start(suite: Suite, waiting: Sequence[Suite], running: Mapping[str, _Running], cores: float) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
 from collections.abc import Sequence
 from dataclasses import replace
@@ -176,14 +177,15 @@ with contextlib.suppress(ProcessLookupError):
     assert result.computing >= 0.5
 
 
-def test_an_interruption_ends_what_was_started(tmp_path: Path) -> None:
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_what_was_started(tmp_path: Path, number: signal.Signals) -> None:
     os.mkfifo(tmp_path / "alive")
     # Holds the pipe open until it ends, and so do its children.
     suite = python("endless", "import subprocess, sys; f = open('alive', 'w'); subprocess.run(['sleep', '1000'], pass_fds=[f.fileno()])")
     reader = os.open(tmp_path / "alive", os.O_RDONLY | os.O_NONBLOCK)
 
     def interrupt(_names: Sequence[str]) -> None:
-        raise KeyboardInterrupt
+        signal.raise_signal(number)
 
     with pytest.raises(KeyboardInterrupt):
         run_all([suite], 1, tmp_path, tmp_path, dict(os.environ), interrupt, lambda _result: None)

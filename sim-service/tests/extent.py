@@ -46,10 +46,13 @@ class Day:
     def share(self, tests: Iterable[tuple[str, str]]) -> set[str]:
         """
         Those of the tests (name, file) that are run: one in thirteen by their order, those of changed files, and those
-        of the folders that are named like a changed package.
+        of the folders that are named like a changed package. Those in ``system`` are about the language and its
+        programs.
         """
         ordered = sorted(tests)
         packages = {name.split("/")[2] for name in self.changed if name.startswith("sim-service/rosy_sim/")}
+        if any(name.startswith(("docs/", "examples/", "rosy-hs/src/")) for name in self.changed):
+            packages.add("system")
         return {
             name
             for number, (name, file) in enumerate(ordered)

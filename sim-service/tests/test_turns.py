@@ -37,3 +37,12 @@ def test_a_changed_package_runs_all_of_its_own() -> None:
     today = Day(0, whole=False).share(tests)
     changed = Day(0, whole=False, changed=frozenset({"sim-service/rosy_sim/run/steps/lockstep.py"})).share(tests)
     assert changed == today | {name for name, file in tests if "/run/" in file}
+
+
+def test_a_changed_program_of_the_guide_runs_those_of_the_language() -> None:
+    tests = [
+        (f"sim-service/tests/system/test_guide.py::test_{n}", "sim-service/tests/system/test_guide.py")
+        for n in range(20)
+    ]
+    assert len(Day(0, whole=False, changed=frozenset({"docs/first.md"})).share(tests)) == 20
+    assert len(Day(0, whole=False, changed=frozenset({"README.md"})).share(tests)) < 3

@@ -81,6 +81,7 @@ def test_no_block_is_left_out() -> None:
         assert text.count("```says") == sum(block.page == page and block.said is not None for block in BLOCKS), page
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize("block", BLOCKS, ids=lambda block: f"{block.page}:{block.line}")
 def test_a_program_of_the_guide_does_what_its_page_says(block: Block, worker: BlockingWorker, tmp_path: Path) -> None:
     if "package" in block.words:
