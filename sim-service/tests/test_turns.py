@@ -44,5 +44,5 @@ def test_a_changed_program_of_the_guide_runs_those_of_the_language() -> None:
         (f"sim-service/tests/system/test_guide.py::test_{n}", "sim-service/tests/system/test_guide.py")
         for n in range(20)
     ]
-    assert len(Day(0, whole=False, changed=frozenset({"docs/first.md"})).share(tests)) == 20
+    assert len(Day(0, whole=False, changed=frozenset({"docs/class.md"})).share(tests)) == 20
     assert len(Day(0, whole=False, changed=frozenset({"README.md"})).share(tests)) < 3
