@@ -33,16 +33,17 @@ test("nightly plays every file, and so does a day after a change of it", () => {
   }
 })
 
-test("what is played every other day is missing on one of two days at most, and never after a change of the page", () => {
+test("what is played every other day is missing on one of two days at most, and never after a change of the page or of the service", () => {
   for (const name of names)
-    for (const kind of ["even", "odd"] as const) {
+    for (const parity of ["even", "odd"] as const) {
       for (const seed of [0, 1, 18, 19, 20_785])
-        expect([seed, seed + 1].some(day => isPlayedEveryOther(kind, name, {...ordinary, seed: day}))).toBe(
+        expect([seed, seed + 1].some(day => isPlayedEveryOther(parity, name, {...ordinary, seed: day}))).toBe(
           true,
         )
-      const odd = {...ordinary, seed: kind === "even" ? 1 : 0}
-      expect(isPlayedEveryOther(kind, name, {...odd, changed: ["editor/src/index.ts"]})).toBe(true)
-      expect(isPlayedEveryOther(kind, name, {...odd, isFull: true})).toBe(true)
-      expect(isPlayedEveryOther(kind, name, odd)).toBe(isPlayed(name, odd))
+      const otherDay = {...ordinary, seed: parity === "even" ? 1 : 0}
+      for (const source of ["editor/src/index.ts", "codegen/src/index.ts", "sim-service/rosy_sim/config.py"])
+        expect(isPlayedEveryOther(parity, name, {...otherDay, changed: [source]})).toBe(true)
+      expect(isPlayedEveryOther(parity, name, {...otherDay, isFull: true})).toBe(true)
+      expect(isPlayedEveryOther(parity, name, otherDay)).toBe(isPlayed(name, otherDay))
     }
 })

@@ -2,7 +2,7 @@
 ///
 /// In: the daily seed. Out: Playwright's function for stories, or one that declares none. A file that has changed since all suites last passed
 /// (`ROSY_TEST_CHANGED`, set by `scripts/test.py`) is played as well, and so is every file where there is no daily seed: stories started by hand. A file that is in no turn, and what a file declares with `daily`, is played each day: the
-/// first minutes, and the main paths of text, blocks and robots. The main paths of the other parts are played every other day, and after any change of the page.
+/// first minutes, and the main paths of text, blocks and robots. The main paths of the other parts are played every other day, and after any change of the page or of the service.
 
 import {basename} from "node:path"
 import {fileURLToPath} from "node:url"
@@ -55,19 +55,26 @@ export function isPlayed(name: string, day: Day): boolean {
   )
 }
 
+/// Sources of the page and of its service.
+const sources = ["codegen/src/", "editor/src/", "sim-service/rosy_sim/"]
+
 /// Whether what is played every other day, on even or odd ones, is played on a day. It is played with the whole of its file as well.
-export function isPlayedEveryOther(kind: "even" | "odd", name: string, day: Day): boolean {
-  const isItsDay = day.seed % 2 === (kind === "even" ? 0 : 1)
-  return isItsDay || isPlayed(name, day) || day.changed.some(path => path.startsWith("editor/src/"))
+export function isPlayedEveryOther(parity: "even" | "odd", name: string, day: Day): boolean {
+  const isItsDay = day.seed % 2 === (parity === "even" ? 0 : 1)
+  return (
+    isItsDay ||
+    isPlayed(name, day) ||
+    day.changed.some(path => sources.some(folder => path.startsWith(folder)))
+  )
 }
 
 /// The function for main paths that are played every other day.
 export function everyOtherDay<Story extends (...story: never[]) => void>(
-  kind: "even" | "odd",
+  parity: "even" | "odd",
   story: Story,
   url: string,
 ): Story {
-  return isPlayedEveryOther(kind, nameOf(url), today) ? story : without(story)
+  return isPlayedEveryOther(parity, nameOf(url), today) ? story : without(story)
 }
 
 /// The function `test` for the file at `url`, if that is played today; else the same with its hooks and groups, but without stories.

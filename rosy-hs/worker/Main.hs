@@ -10,7 +10,7 @@ import Rosy.Worker.ChildProcess (Settings (..))
 import Rosy.Worker.Ghc (start)
 import Rosy.Worker.Options (Options (..), findLibrary, parseOptions)
 import Rosy.Worker.Server (Config (..), serve)
-import Rosy.Worker.SystemCalls (dropCapabilities, machineMemory, roomyHeap)
+import Rosy.Worker.SystemCalls (deferCollections, dropCapabilities, machineMemory)
 import System.Environment (getArgs)
 import System.Exit (die)
 import System.IO (IOMode (ReadWriteMode), openFile)
@@ -21,7 +21,7 @@ main = do
   arguments <- getArgs
   options <- either die pure (parseOptions arguments)
   library <- findLibrary options >>= either die pure
-  roomyHeap
+  deferCollections
   session <- start library
   empty <- openFile "/dev/null" ReadWriteMode >>= handleToFd
   dropCapabilities

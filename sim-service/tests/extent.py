@@ -27,6 +27,8 @@ def rotated(rows: Sequence[Row], parts: int, *, seed: int = SEED, whole: bool = 
     return [row for number, row in enumerate(rows) if whole or (number + seed) % parts == 0]
 
 
+TESTS = "sim-service/tests"
+
 DAYS = 13
 """
 Days in which each test that takes turns is run once. Prime: each row of a table with fewer parts meets the day of its
@@ -46,11 +48,12 @@ class Day:
     def share(self, tests: Iterable[tuple[str, str]]) -> set[str]:
         """
         Those of the tests (name, file) that are run: one in thirteen by their order, those of changed files, and those
-        of the folders that are named like a changed package. Those in ``system`` are about the language and its
-        programs.
+        of the folders and files that are named like a changed package or module. Those in ``system`` are about the
+        language and its programs.
         """
         ordered = sorted(tests)
-        packages = {name.split("/")[2] for name in self.changed if name.startswith("sim-service/rosy_sim/")}
+        sources = [name for name in self.changed if name.startswith("sim-service/rosy_sim/")]
+        packages = {name.split("/")[2].removesuffix(".py") for name in sources}
         if any(name.startswith(("docs/", "examples/", "rosy-hs/src/")) for name in self.changed):
             packages.add("system")
         return {
@@ -59,7 +62,7 @@ class Day:
             if self.whole
             or (number + self.seed) % DAYS == 0
             or file in self.changed
-            or any(file.startswith(f"sim-service/tests/{package}/") for package in packages)
+            or any(file.startswith((f"{TESTS}/{package}/", f"{TESTS}/test_{package}.py")) for package in packages)
         }
 
 

@@ -39,6 +39,12 @@ def test_a_changed_package_runs_all_of_its_own() -> None:
     assert changed == today | {name for name, file in tests if "/run/" in file}
 
 
+@pytest.mark.parametrize("source", ["cli/parser.py", "cli.py"])
+def test_a_changed_module_runs_the_file_that_is_named_like_it(source: str) -> None:
+    tests = [(f"sim-service/tests/test_cli.py::test_{n}", "sim-service/tests/test_cli.py") for n in range(20)]
+    assert len(Day(0, whole=False, changed=frozenset({f"sim-service/rosy_sim/{source}"})).share(tests)) == 20
+
+
 def test_a_changed_program_of_the_guide_runs_those_of_the_language() -> None:
     tests = [
         (f"sim-service/tests/system/test_guide.py::test_{n}", "sim-service/tests/system/test_guide.py")

@@ -35,16 +35,12 @@ import {setTaken, setValues, valueWidgets} from "./value_widgets.ts"
 /// Marks changes that come from the page and not from the learner.
 const fromPage = Annotation.define<true>()
 
-/// What the text of the pane takes from its surroundings, and what it tells them.
-interface TextHooks {
-  readonly options: SourceOptions
-  /// Applies the fix at the cursor; false if there is none.
-  readonly mendHere: (view: EditorView) => boolean
-  readonly editable: Compartment
-  readonly sharing: Compartment
-}
-
-function extensionsOf({options, mendHere, editable, sharing}: TextHooks): Extension[] {
+function extensionsOf(
+  options: SourceOptions,
+  marks: ProblemMarks,
+  editable: Compartment,
+  sharing: Compartment,
+): Extension[] {
   // Tab indents after typing; in a walk through the page by keyboard it goes on to the next
   // part (WCAG 2.2 §2.1.2: no keyboard trap).
   let writing = false
@@ -68,7 +64,7 @@ function extensionsOf({options, mendHere, editable, sharing}: TextHooks): Extens
     renamePanel(options.renamer),
     EditorState.phrases.of(options.phrases),
     keymap.of([
-      {key: ownKeys.mend, run: mendHere},
+      {key: ownKeys.mend, run: v => marks.mendAtCursor(v)},
       renameShortcut,
       {key: ownKeys.format, run: () => (options.format(), true)},
       {key: ownKeys.why, run: v => (options.asked(v.state.selection.main.head), true)},
@@ -158,10 +154,8 @@ class ProblemMarks {
   }
 }
 
-type CursorMethods = "cursor" | "reveal" | "position" | "goTo" | "select"
-
 /// Where the cursor and the text in sight are, and how they get elsewhere.
-function cursorOf(view: EditorView): Pick<HaskellPane, CursorMethods> {
+function cursorOf(view: EditorView): Pick<HaskellPane, "cursor" | "reveal" | "position" | "goTo" | "select"> {
   return {
     cursor: () => view.state.selection.main.head,
     reveal(range) {
@@ -195,9 +189,10 @@ function cursorOf(view: EditorView): Pick<HaskellPane, CursorMethods> {
   }
 }
 
-type SharingMethods = "share" | "shared" | "endSharing"
-
-function sharingOf(view: EditorView, sharing: Compartment): Pick<HaskellPane, SharingMethods> {
+function sharingOf(
+  view: EditorView,
+  sharing: Compartment,
+): Pick<HaskellPane, "share" | "shared" | "endSharing"> {
   let shared: SharedText | null = null
   return {
     share(side, name, changed) {
@@ -220,8 +215,7 @@ export function openHaskellPane(host: HTMLElement, options: SourceOptions): Hask
   const editable = new Compartment()
   const sharing = new Compartment()
   const marks = new ProblemMarks(options)
-  const mendHere = (v: EditorView) => marks.mendAtCursor(v)
-  const extensions = extensionsOf({options, mendHere, editable, sharing})
+  const extensions = extensionsOf(options, marks, editable, sharing)
   const view = new EditorView({parent: host, state: EditorState.create({extensions})})
   const carrying = openDropPreview(view)
   return {

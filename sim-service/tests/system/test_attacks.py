@@ -48,7 +48,10 @@ RECORDS = bool(os.environ.get("UPDATE_GOLDENS"))
 EVERYWHERE = RECORDS or WHOLE
 """Whether each program runs in every column."""
 
-SANDBOX_CHANGED = any(name.startswith(("rosy-hs/worker/", "sim-service/rosy_sim/worker/")) for name in TODAY.changed)
+PROTECTION = ("rosy-hs/worker/", "rosy-hs/test-worker/attacks/", "sim-service/rosy_sim/worker/")
+"""Sources of what protects a machine, and of the programs that attack it."""
+
+SANDBOX_CHANGED = any(name.startswith(PROTECTION) for name in TODAY.changed)
 """Whether what protects a machine may have changed since all tests passed."""
 
 PATIENCE = 30.0 if EVERYWHERE else 10.0

@@ -44,7 +44,7 @@ module Rosy.Worker.SystemCalls
     limitData,
     limitProcess,
     limitHeap,
-    roomyHeap,
+    deferCollections,
     compactHeap,
     limitCpu,
     dataSegmentSize,
@@ -125,7 +125,7 @@ foreign import ccall unsafe rosy_limit_cpu :: Word64 -> IO CInt
 
 foreign import ccall unsafe rosy_limit_heap :: Word64 -> IO ()
 
-foreign import ccall unsafe rosy_heap_roomy :: Word64 -> Word64 -> IO ()
+foreign import ccall unsafe rosy_defer_collections :: Word64 -> Word64 -> IO ()
 
 foreign import ccall unsafe rosy_compact_begin :: IO ()
 
@@ -322,9 +322,9 @@ limitCpu seconds = void $ orThrow "setrlimit" (rosy_limit_cpu seconds)
 limitHeap :: Word64 -> IO ()
 limitHeap = rosy_limit_heap
 
--- | Collects seldom until the heap is compacted, for work whose results almost all stay.
-roomyHeap :: IO ()
-roomyHeap = rosy_heap_roomy (32 * megabyte) (70 * megabyte) >> performMinorGC
+-- | Makes garbage collections rare until the heap is compacted, for work of which almost all results stay.
+deferCollections :: IO ()
+deferCollections = rosy_defer_collections (32 * megabyte) (70 * megabyte) >> performMinorGC
   where
     megabyte = 1024 * 1024
 

@@ -12,7 +12,7 @@ module Rosy.Worker.Explanation.SurroundingTokens
     lastOf,
     lastToken,
     unbalanced,
-    missing,
+    openBrackets,
 
     -- * Lines
     textFrom,
@@ -68,8 +68,8 @@ takeDefinition ts = case break ((== 1) . column . from) ts of
   (inside, []) -> inside
 
 -- | The brackets that are open.
-missing :: [Text] -> [Text]
-missing = foldl (\open w -> if w `elem` [")", "]", "}"] then drop 1 open else [w | w `elem` ["(", "[", "{"]] ++ open) []
+openBrackets :: [Text] -> [Text]
+openBrackets = foldl (\open w -> if w `elem` [")", "]", "}"] then drop 1 open else [w | w `elem` ["(", "[", "{"]] ++ open) []
 
 -- | The rest of the line from a place on.
 textFrom :: Text -> Position -> Maybe Text

@@ -24,7 +24,7 @@ import Rosy.Worker.Problem
 import Rosy.Worker.Sentence
 
 -- | The program where GHC could not go on.
-data Failure = Failure
+data ParseFailure = ParseFailure
   { source :: Text,
     -- | GHC's code, from GHC 9.6 on.
     code :: Maybe Int,
@@ -46,8 +46,8 @@ data Failure = Failure
     onLine :: [Token]
   }
 
-failureOf :: Text -> Maybe Int -> Text -> Maybe Span -> Failure
-failureOf source code said spot = Failure {..}
+failureOf :: Text -> Maybe Int -> Text -> Maybe Span -> ParseFailure
+failureOf source code said spot = ParseFailure {..}
   where
     found = tokenize source
     at = maybe (Position 1 1) start spot
@@ -67,12 +67,12 @@ explainSyntax source code said spot = fromMaybe fallback (listToMaybe (concatMap
       Nothing -> Problem Error "syntax" spot Nothing (tr "The program ends too early.") (tr "The last line is not finished.") "" []
 
 -- | The most specific first.
-causes :: [Failure -> [Problem]]
+causes :: [ParseFailure -> [Problem]]
 causes = [unreadableText, misspelling, mistakeInGuards, mistakeInTasks, mistakeInDeclarations, mistakeInCases, missingPart, misplacedWord]
 
 -- | Characters, texts, comments and brackets that cannot be read, and mistakes that are found without the place of the error.
-unreadableText :: Failure -> [Problem]
-unreadableText Failure {..} =
+unreadableText :: ParseFailure -> [Problem]
+unreadableText ParseFailure {..} =
   concat
     [ [unclosedText s | "string/character literal" `Text.isInfixOf` said, s <- maybe [] pure (lastQuote source at)],
       [problemAt (widen at) "syntax" (tr "This comment is never closed.") (tr "End it with -} or start it with -- instead.") | "unterminated" `Text.isInfixOf` said],
@@ -82,13 +82,15 @@ unreadableText Failure {..} =
           not (Text.null c)
       ],
       -- GHC has read nothing behind the place that it reports, but the bracket that the line lacks may be missed only at its end.
-      filter (maybe True ((\p -> p <= at || line p == line at && column at > 1) . start) . place) (brackets found),
+      filter (maybe True (isBefore . start) . place) (brackets found),
       commonSyntaxErrors source found current at
     ]
+  where
+    isBefore p = p <= at || line p == line at && column at > 1
 
 -- | Capital letters, points and colons.
-misspelling :: Failure -> [Problem]
-misspelling Failure {..} =
+misspelling :: ParseFailure -> [Problem]
+misspelling ParseFailure {..} =
   concat
     [ [ problemAt (tokenSpan t) "capital" (trWith "‘{word}’ is written with a small letter." ["word" =: word t]) (trWith "Write: {code}." ["code" =: Text.toLower (word t)])
         | t : _ <- [current],
@@ -114,8 +116,8 @@ misspelling Failure {..} =
     ]
 
 -- | Signs of functions and their guards.
-mistakeInGuards :: Failure -> [Problem]
-mistakeInGuards failure@Failure {..} =
+mistakeInGuards :: ParseFailure -> [Problem]
+mistakeInGuards failure@ParseFailure {..} =
   concat
     [ [ problemAt (tokenSpan t) "comparison" (tr "A single = gives a name to something.") (tr "To compare two values, write ==.")
         | given == Just "=",
@@ -142,8 +144,8 @@ mistakeInGuards failure@Failure {..} =
     ]
 
 -- | Loops, blocks of tasks, and names within them.
-mistakeInTasks :: Failure -> [Problem]
-mistakeInTasks Failure {..} =
+mistakeInTasks :: ParseFailure -> [Problem]
+mistakeInTasks ParseFailure {..} =
   concat
     [ [ problemAt (tokenSpan t) "word" (trWith "Haskell has no loop called ‘{word}’." ["word" =: word t]) (tr "To repeat tasks, write: replicateM_ 4 (do …), or forever.")
         | Just t <- [listToMaybe onLine],
@@ -168,8 +170,8 @@ mistakeInTasks Failure {..} =
     ]
 
 -- | Types with their values, lists, pairs and imports.
-mistakeInDeclarations :: Failure -> [Problem]
-mistakeInDeclarations Failure {..} =
+mistakeInDeclarations :: ParseFailure -> [Problem]
+mistakeInDeclarations ParseFailure {..} =
   concat
     [ [ problemAt (tokenSpan t) "capital" (tr "The values of a type begin with a capital letter.") (trWith "Write {code}." ["code" =: Text.toTitle (Text.take 1 (word t)) <> Text.drop 1 (word t)])
         | take 1 words' `elem` [["data"], ["newtype"]],
@@ -180,17 +182,17 @@ mistakeInDeclarations Failure {..} =
       [ problemAt (tokenSpan t) "syntax" (tr "The values of a type have | between them.") (tr "Write: data Mode = Go | Stop.")
         | take 1 words' == ["data"],
           given == Just ",",
-          null (missing words'),
+          null (openBrackets words'),
           Just t <- [here]
       ],
       [ problemAt (tokenSpan t) "syntax" (tr "The parts of a list or a pair have commas between them.") (tr "Replace the semicolon by a comma.")
         | given == Just ";",
-          not (null (missing words')),
+          not (null (openBrackets words')),
           Just t <- [here]
       ],
       [ problemAt (tokenSpan t) "missing-brackets" (tr "Several things together need brackets around them.") (tr "Write: (first, second).")
         | given == Just ",",
-          null (missing words'),
+          null (openBrackets words'),
           Just t <- [here]
       ],
       [ problemAt (tokenSpan t) "syntax" (tr "‘type’ gives a type another name, and no values.") (tr "For a type with values of its own, write data.")
@@ -207,8 +209,8 @@ mistakeInDeclarations Failure {..} =
     ]
 
 -- | Conditions and cases, and the column of a definition.
-mistakeInCases :: Failure -> [Problem]
-mistakeInCases failure@Failure {..} =
+mistakeInCases :: ParseFailure -> [Problem]
+mistakeInCases failure@ParseFailure {..} =
   concat
     [ [ problemAt (tokenSpan t) "comparison" (tr "A single = gives a name to something.") (tr "To compare two values, write ==.")
         | given == Just "=",
@@ -241,8 +243,8 @@ mistakeInCases failure@Failure {..} =
     ]
 
 -- | Words that belong together, of which one is missing.
-missingPart :: Failure -> [Problem]
-missingPart failure@Failure {..} =
+missingPart :: ParseFailure -> [Problem]
+missingPart failure@ParseFailure {..} =
   concat
     [ [ problemAt (maybe (widen at) tokenSpan here) "missing-then" (tr "After ‘if’ and its condition comes ‘then’.") (tr "Write: if condition then one value else another.")
         | given == Just "else" || missingAfter "if" "then" failure,
@@ -263,8 +265,8 @@ missingPart failure@Failure {..} =
     ]
 
 -- | Words of Haskell that cannot stand here.
-misplacedWord :: Failure -> [Problem]
-misplacedWord Failure {..} =
+misplacedWord :: ParseFailure -> [Problem]
+misplacedWord ParseFailure {..} =
   concat
     [ [ problemAt (tokenSpan t) "word" (trWith "‘{word}’ is a word of Haskell itself and cannot be a name." ["word" =: word t]) (tr "Choose another name.")
         | Just t <- [here],
@@ -288,11 +290,11 @@ misplacedWord Failure {..} =
     ]
 
 -- | Whether the part of the definition before the error ends with this word.
-endsWith :: Text -> Failure -> Bool
+endsWith :: Text -> ParseFailure -> Bool
 endsWith w failure = fmap word (listToMaybe (reverse (current failure))) == Just w
 
 -- | Whether the current definition has more of the first word than of the second before the error.
-missingAfter :: Text -> Text -> Failure -> Bool
+missingAfter :: Text -> Text -> ParseFailure -> Bool
 missingAfter opener closer = unbalanced opener closer . words'
 
 -- | The word that one belongs to.
