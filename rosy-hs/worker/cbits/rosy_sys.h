@@ -42,5 +42,7 @@ void rosy_area(uint64_t bytes);
 void rosy_area_clear(void);
 void rosy_stay_young(int stay);
 void rosy_free_clear(void);
+void rosy_fresh_begin(uint64_t area);
+void rosy_fresh_end(void);
 void rosy_exit(int code);
 #endif

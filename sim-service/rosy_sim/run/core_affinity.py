@@ -110,7 +110,7 @@ class CoreAffinity:
             return
         self._program = program
         self._reviewed, self._waited = time.perf_counter(), self._waiting_time()
-        self._place("shared")
+        self._place("separate" if self.polls else "shared")
 
     def review(self) -> None:
         """Give up cores that others keep busy, and take them again later. Call every ``REVIEW_STEPS`` steps."""

@@ -156,7 +156,7 @@ runProgram settings session beginning answer link page memory source = runToExit
   -- What may never be run has a run's priority from the beginning, also while it is compiled.
   when (beginning == WhenAsked) (lowerPriority runNiceness)
   enterSandbox settings [answer, link]
-  when hasLargeArea (setAllocationArea compileAllocationArea)
+  when hasLargeArea ((if beginning == AtOnce then setLargeAllocationArea else setAllocationArea) compileAllocationArea)
   when (beginning == WhenAsked) (keepYoung True)
   (report, mayRun) <- checkSource settings ForRun session source
   let found = problems report

@@ -114,6 +114,23 @@ warmUpProgram =
       "play :: Bumper -> Maybe Sound",
       "play (Bumper _ Pressed) = Just ErrorSound",
       "play _ = Nothing",
+      "data Turned = Turned",
+      "edge :: Cliff -> (Led2, Maybe Turned)",
+      "edge (Cliff side Hole) = (Led2 (if side == LeftCliff then Orange else Red), Just Turned)",
+      "edge _ = (Led2 Black, Nothing)",
+      "lifted :: Wheel -> (Led1, Led2, Memory Mode)",
+      "lifted (Wheel _ Air) = (Led1 Red, Led2 Red, Memory Stop)",
+      "lifted _ = (Led1 Black, Led2 Black, Memory Go)",
+      "turned :: Turned -> StdGen -> Seconds -> Memory Mode",
+      "turned Turned gen now = Memory (Turn (if left then 1 else -1) (now + doubleToSeconds angle))",
+      "  where",
+      "    (angle, more) = randomR (0, pi) gen",
+      "    (left, _) = random more",
+      "spin :: Memory Mode -> Seconds -> Either Velocity (Memory Mode)",
+      "spin (Memory (Turn speed end)) now",
+      "  | now < end = Left (Velocity 0 speed)",
+      "  | otherwise = Right (Memory Go)",
+      "spin _ _ = Left (Velocity 0 0)",
       "hits :: Either (Either Bumper Cliff) Wheel -> (Led1, Memory Hit)",
       "hits _ = (Led1 Orange, Memory True)",
       "walk :: Mode -> StdGen -> Seconds -> Memory Mode",
@@ -130,7 +147,7 @@ warmUpProgram =
       "square = do { replicateM_ 4 (turn (pi / 2)); say (concatMap show (Map.toList table)); wait 1 }",
       "loose :: Step -> [M1 Int]",
       "loose s = [M1 (count s) | even (count s), let _ = mapM_ print (name s)]",
-      "main = if length (show Go) > 3 then simulate (accelerate, play, hits, walk) else simulate square"
+      "main = if length (show Go) > 3 then simulate (accelerate, play, hits, walk) else if length (show Stop) > 3 then simulate (edge, lifted, turned, spin, play) else simulate square"
     ]
 
 -- | Result of parsing and type checking.

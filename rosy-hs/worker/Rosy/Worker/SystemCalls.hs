@@ -51,6 +51,7 @@ module Rosy.Worker.SystemCalls
     anonymousMemory,
     machineMemory,
     setAllocationArea,
+    setLargeAllocationArea,
     shrinkAllocationArea,
     keepYoung,
     releaseFreeMemory,
@@ -144,6 +145,10 @@ foreign import ccall unsafe rosy_area_clear :: IO ()
 foreign import ccall unsafe rosy_stay_young :: CInt -> IO ()
 
 foreign import ccall unsafe rosy_free_clear :: IO ()
+
+foreign import ccall unsafe rosy_fresh_begin :: Word64 -> IO ()
+
+foreign import ccall unsafe rosy_fresh_end :: IO ()
 
 foreign import ccall unsafe rosy_exit :: CInt -> IO ()
 
@@ -328,9 +333,10 @@ deferCollections = rosy_defer_collections (32 * megabyte) (70 * megabyte) >> per
   where
     megabyte = 1024 * 1024
 
--- | A major collection after which the heap takes as little memory as it can. Children that are forked later share what is left.
+-- | A major collection after which the heap takes as little memory as it can. Children that are forked later share what is left. A minor one
+-- before it makes all that lives old enough for the oldest generation: what is left among the young each child would copy, for 10 ms.
 compactHeap :: IO ()
-compactHeap = rosy_compact_begin >> performMajorGC >> rosy_compact_end
+compactHeap = performMinorGC >> rosy_compact_begin >> performMajorGC >> rosy_compact_end
 
 dataSegmentSize :: IO Word64
 dataSegmentSize = rosy_data_size
@@ -346,6 +352,10 @@ machineMemory = rosy_machine_memory
 -- | Sets the bytes that are allocated between two collections.
 setAllocationArea :: Word64 -> IO ()
 setAllocationArea bytes = rosy_area bytes >> performMinorGC
+
+-- | The same for an area of many megabytes that is used at once, in fresh memory of large pages.
+setLargeAllocationArea :: Word64 -> IO ()
+setLargeAllocationArea bytes = rosy_fresh_begin bytes >> setAllocationArea bytes >> rosy_fresh_end
 
 -- | Returns unused blocks of the allocation area to the system: most of it after a collection.
 shrinkAllocationArea :: IO ()

@@ -127,10 +127,10 @@ import GHC.Unit.Module.ModSummary (ModSummary (..))
 import GHC.Utils.Logger (pushLogHook)
 #else
 import GHC.Driver.Finder (findImportedModule)
-import GHC.Driver.Pipeline (compileOne')
 import GHC.Driver.Types
 import GHC.Driver.Ways (hostFullWays, wayGeneralFlags, wayUnsetGeneralFlags)
 import GHC.Iface.Env (lookupOrigIO)
+import GHC.Iface.Tidy (tidyProgram)
 import GHC.Parser.Annotation (ApiAnns (..))
 import GHC.Runtime.Linker (getHValue, unload)
 import GHC.Utils.Error (ErrMsg)
@@ -404,10 +404,13 @@ desugarDiagnostics env checked binds = do
   ((doubts, failures), _) <- initDs env checked (dsTopLHsBinds (listToBag binds))
   pure (bagToList failures ++ bagToList doubts)
 
-compileAndLink env plain checked name = do
-  let summary = plain {ms_hspp_opts = (ms_hspp_opts plain) {staticPlugins = staticPlugins (hsc_dflags env)}}
-  compiled <- compileOne' (Just checked) Nothing env summary 1 1 Nothing Nothing SourceModified
-  getHValue env {hsc_HPT = addToHpt (hsc_HPT env) (mkModuleName "Main") compiled} name
+compileAndLink env summary checked name = do
+  guts <- hscDesugar env summary checked >>= hscSimplify env []
+  (tidy, details) <- tidyProgram env guts
+  (_, bytecode, _) <- hscInteractive env tidy (ms_location summary)
+  let code = LM (UTCTime (fromGregorian 2000 1 1) 0) (ms_mod summary) [BCOs bytecode []]
+      interface = (emptyFullModIface (ms_mod summary)) {mi_deps = mg_deps guts}
+  getHValue env {hsc_HPT = addToHpt (hsc_HPT env) (mkModuleName "Main") (HomeModInfo interface details (Just code))} name
 
 unloadAll env = unload env []
 #endif
