@@ -12,16 +12,24 @@
 -- [Instances] For each @data@ or @newtype@ declaration @T a b@ with Haskell 98 constructors, also in GADT syntax (no
 --   refined results, no existential variables):
 --
---   > deriving stock instance Generic (T a b)            -- unless the program derives Generic itself
---   > instance (Value a, Value b) => Value   (T a b)
+--   > instance (Value a, Value b) => Value   (T a b) where …
 --   > instance (Value a, Value b) => Default (T a b)
 --   > instance (Value a, Value b) => Sensor  (T a b)
 --   > instance (Value a, Value b) => Command (T a b)
 --
---   All instances are empty. A type variable that is applied to something in a field (@f@ in @T (f Int)@) has the context
---   @Typeable f@ in place of @Value f@. For any other declaration leave out the first and the third, give 'Value' the methods
+--   All instances but that of 'Value' are empty. It says what the constructors are, here of @data T a b = Go | Turn { by :: a, at :: b }@:
+--
+--   > parts x = case x of { Go -> Parts "Go" [] []; Turn a1 a2 -> Parts "Turn" ["by", "at"] [Field a1, Field a2] }
+--   > display = displayParts
+--   > settle = settleParts
+--   > initial = initialFrom [construct Go, withField (withField (construct Turn))]
+--
+--   A constructor between its fields, @Int :+ a@, is @Around 9 ":+" (Field a1) (Field a2)@ with its precedence. GHC compiles this in a third
+--   of the time of a 'GHC.Generics.Generic' instance. A type variable that is applied to something in a field (@f@ in @T (f Int)@) has the context
+--   @Typeable f@ in place of @Value f@. For any other declaration, also one without constructors or with a field that has type variables of its
+--   own, leave out the second, give 'Value' the methods
 --   'displayOpaque', 'settleOpaque' and 'initialOpaque', and put @Typeable a@ for every variable into the context.
---   Needs @StandaloneDeriving@, @DeriveGeneric@, @FlexibleContexts@ and @UndecidableInstances@ (on 9.0, for the derived contexts).
+--   Needs @StandaloneDeriving@, @FlexibleContexts@ and @UndecidableInstances@ (on 9.0, for the derived contexts).
 --   A field of a type without instances, such as a function, never makes this fail: it is shown as @_@.
 --
 -- [Names] A call of one of these functions becomes a call of its named form, with the names of the functions in the arguments:
@@ -51,12 +59,20 @@
 --   loop of tasks that never lets time pass is blamed on the definition in which it stands.
 module Rosy.Program
   ( -- * Instances
-    Generic,
     Value (..),
     Default (..),
     Sensor (..),
     Command (..),
     Typeable,
+
+    -- * Structure of values
+    Parts (..),
+    Field (..),
+    displayParts,
+    settleParts,
+    initialFrom,
+    construct,
+    withField,
 
     -- * Values without a known structure
     displayOpaque,
@@ -83,7 +99,6 @@ module Rosy.Program
 where
 
 import Data.Typeable (Typeable)
-import GHC.Generics (Generic)
 import Rosy.Command (Command (..))
 import Rosy.Controller (Names (..))
 import Rosy.Core (Plan, Sense)
@@ -91,7 +106,7 @@ import Rosy.Launch (simulateNamed, withTopics)
 import Rosy.Sensor (Sensor (..))
 import Rosy.Task (callNamed, onceNamed, taskNamed, taskWithNamed, within)
 import Rosy.Topic (commandTopics, sensorTopics, typeNamed)
-import Rosy.Value (Default (..), Pending, Value (..))
+import Rosy.Value (Default (..), Field (..), Parts (..), Pending, Value (..), construct, displayParts, initialFrom, settleParts, withField)
 
 -- | Shows a value whose parts are not known as @_@.
 displayOpaque :: Int -> a -> ShowS

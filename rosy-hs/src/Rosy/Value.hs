@@ -1,6 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DefaultSignatures #-}
 {-# LANGUAGE DerivingVia #-}
+{-# LANGUAGE ExistentialQuantification #-}
 {-# LANGUAGE FlexibleContexts #-}
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE ScopedTypeVariables #-}
@@ -14,7 +15,8 @@
 -- Description : Class of values that can be shown, evaluated and given a default, for every declared type.
 --
 -- Traces and error messages show values of types that the learner declared without a single instance.
--- The worker gives each declared type an empty instance of 'Value', whose methods come from "GHC.Generics".
+-- The worker gives each declared type an instance of 'Value' that only says what its constructors are ('Parts'). Rosy's own types have empty
+-- instances, whose methods come from "GHC.Generics": quicker to run, and slower to compile.
 -- A type that has no instance, such as a function, still works: it is shown as @_@.
 -- This module does not depend on the robot. "Rosy.Model.Default" states the rule for defaults (rule R7) without generics.
 --
@@ -30,6 +32,15 @@ module Rosy.Value
     Pending,
     nonePending,
 
+    -- * Structure of a declared type
+    Parts (..),
+    Field (..),
+    displayParts,
+    settleParts,
+    initialFrom,
+    construct,
+    withField,
+
     -- * Internals
     GValue,
   )
@@ -38,6 +49,7 @@ where
 import Control.Applicative ((<|>))
 import Control.Exception (throw)
 import Data.Char (isAlpha)
+import Data.Foldable (asum)
 import Data.Int (Int16, Int32, Int64, Int8)
 import qualified Data.IntMap as IntMap
 import qualified Data.IntSet as IntSet
@@ -73,6 +85,19 @@ class Typeable a => Value a where
   initial :: Pending -> Maybe a
   default initial :: (Generic a, GValue (Rep a)) => Pending -> Maybe a
   initial pending = enter (typeRep (Proxy @a)) pending >>= fmap to . gInitial
+
+  -- | The constructor and the fields of a value, of a type whose other methods are 'displayParts', 'settleParts' and 'initialFrom'.
+  parts :: a -> Parts
+  parts _ = Parts "_" [] []
+
+-- | A value taken apart.
+data Parts
+  = -- | the name of its constructor, the labels of the fields if it has any, and the fields
+    Parts String [String] [Field]
+  | -- | the precedence and the name of a constructor between its two fields
+    Around Int String Field Field
+
+data Field = forall a. Value a => Field a
 
 -- | Types that a 'Rosy.Memory' may hold: those with a value to start from.
 class Value a => Default a where
@@ -311,7 +336,7 @@ instance Default IntSet.IntSet
 -- Tuples (the Generic instances of GHC 9.0 stop at seven)
 
 tupled :: [ShowS] -> ShowS
-tupled parts = showChar '(' . foldr1 (\a b -> a . showChar ',' . b) parts . showChar ')'
+tupled shownParts = showChar '(' . foldr1 (\a b -> a . showChar ',' . b) shownParts . showChar ')'
 
 instance (Value a, Value b) => Value (a, b) where
   display _ (a, b) = tupled [display 0 a, display 0 b]
@@ -370,6 +395,68 @@ instance (Value a, Value b, Value c, Value d, Value e, Value f, Value g, Value h
 instance (Default a, Default b, Default c, Default d, Default e, Default f, Default g, Default h, Default i) => Default (a, b, c, d, e, f, g, h, i)
 
 -- ---------------------------------------------------------------------------------------------
+-- Declared types
+
+-- | 'display' of a type with 'parts'.
+displayParts :: Value a => Int -> a -> ShowS
+displayParts d x = case parts x of
+  Parts name [] fs -> applied d (prefixed name) [display 11 y | Field y <- fs]
+  Parts name labels fs -> labelled d (prefixed name) (zip labels [display 0 y | Field y <- fs])
+  Around precedence name (Field a) (Field b) -> between d precedence name (display (precedence + 1) a) (display (precedence + 1) b)
+
+-- | The name of a constructor before its fields.
+prefixed :: String -> ShowS
+prefixed name = showParen (isOperator name) (showString name)
+
+isOperator :: String -> Bool
+isOperator name = take 1 name == ":"
+
+-- | A constructor of this precedence between its fields.
+between :: Int -> Int -> String -> ShowS -> ShowS -> ShowS
+between d precedence name a b = showParen (d > precedence) (a . showChar ' ' . infixed . showChar ' ' . b)
+  where
+    infixed = if isOperator name then showString name else showChar '`' . showString name . showChar '`'
+
+-- | A constructor without labels.
+applied :: Int -> ShowS -> [ShowS] -> ShowS
+applied _ name [] = name
+applied d name fs = showParen (d > 10) (foldl (\before part -> before . showChar ' ' . part) name fs)
+
+-- | A constructor with labels.
+labelled :: Int -> ShowS -> [(String, ShowS)] -> ShowS
+labelled d name fs = showParen (d > 10) (name . showString " {" . commas (map field fs) . showChar '}')
+  where
+    field (label, part) = showParen (isSymbol label) (showString label) . showString " = " . part
+    isSymbol label = not (any (\c -> isAlpha c || c == '_') (take 1 label))
+    commas [] = id
+    commas ps = foldr1 (\a b -> a . showString ", " . b) ps
+
+-- | 'settle' of a type with 'parts'.
+settleParts :: Value a => Int -> a -> Int
+settleParts budget x
+  | budget <= 0 = budget
+  | otherwise = case parts x of
+    Parts _ _ fs -> finish (budget - 1) fs
+    Around _ _ a b -> finish (budget - 1) [a, b]
+  where
+    finish :: Int -> [Field] -> Int
+    finish left fs = case fs of
+      Field y : more | left > 0 -> finish (settle left y) more
+      _ -> left
+
+-- | 'initial' of a type with these constructors, in the order of the declaration.
+initialFrom :: forall a. Value a => [Pending -> Maybe a] -> Pending -> Maybe a
+initialFrom constructors pending = enter (typeRep (Proxy @a)) pending >>= \inside -> asum (map ($ inside) constructors)
+
+-- | A constructor whose fields are to follow.
+construct :: a -> Pending -> Maybe a
+construct constructor _ = Just constructor
+
+-- | Gives a constructor the default of its next field.
+withField :: Value a => (Pending -> Maybe (a -> b)) -> Pending -> Maybe b
+withField constructor pending = constructor pending <*> initial pending
+
+-- ---------------------------------------------------------------------------------------------
 -- Generics
 
 -- | How a declared type is shown, settled and begun, from its structure.
@@ -398,23 +485,10 @@ instance (GValue f, GValue g) => GValue (f :+: g) where
 
 instance (Constructor c, GFields f) => GValue (C1 c f) where
   gDisplay d m@(M1 x)
-    | conIsRecord m = showParen (d > 10) (name . showString " {" . commas (map field (fields 0 x)) . showChar '}')
+    | conIsRecord m = labelled d (prefixed (conName m)) (fields 0 x)
     | otherwise = case conFixity m of
-      Infix _ precedence
-        | [(_, a), (_, b)] <- fields (precedence + 1) x ->
-          showParen (d > precedence) (a . showChar ' ' . infixName . showChar ' ' . b)
-      _ -> case fields 11 x of
-        [] -> name
-        parts -> showParen (d > 10) (foldl (\acc (_, part) -> acc . showChar ' ' . part) name parts)
-    where
-      text = conName m
-      isOperator = take 1 text == ":"
-      name = if isOperator then showParen True (showString text) else showString text
-      infixName = if isOperator then showString text else showChar '`' . showString text . showChar '`'
-      field (label, part) = showParen (isSymbol label) (showString label) . showString " = " . part
-      isSymbol label = not (any (\c -> isAlpha c || c == '_') (take 1 label))
-      commas [] = id
-      commas ps = foldr1 (\a b -> a . showString ", " . b) ps
+      Infix _ precedence | [(_, a), (_, b)] <- fields (precedence + 1) x -> between d precedence (conName m) a b
+      _ -> applied d (prefixed (conName m)) (map snd (fields 11 x))
   gSettle budget (M1 x)
     | budget <= 0 = budget
     | otherwise = settleFields (budget - 1) x

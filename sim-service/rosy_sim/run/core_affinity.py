@@ -2,8 +2,9 @@
 Core affinity of a lockstep: where the thread of a run and the process of its program compute, and how this one waits.
 
 The pair shares one core: of the two one computes while the other waits, and waking a process on the same core costs
-least. A program that is asked in most steps is put on a core of its own, and both poll the link for a while before they
-sleep: then neither has to be woken, and each keeps its cache. That takes two cores for the work of one. While other
+least. A program that is asked in most steps, or has just begun, is put on a core of its own, and both poll the link
+for a while before they sleep: then neither has to be woken, and each keeps its cache. That takes two cores for the
+work of one. While other
 work keeps their cores busy the pair is free to move, as the scheduler decides. The affinity that this thread and the
 program were given is never exceeded, and is restored at the end.
 """
@@ -129,6 +130,8 @@ class CoreAffinity:
         self._reviewed, self._waited = now, waited
         if self.placement == "separate" and (is_busy or 2 * slept > reads):
             self._separate_from, self._pause = now + self._pause, 2 * self._pause
+            self._place("shared")
+        elif self.placement == "separate" and 2 * reads <= REVIEW_STEPS:
             self._place("shared")
         elif self.placement != "separate":
             self._place("free" if is_busy else "separate" if goes_separate else "shared")

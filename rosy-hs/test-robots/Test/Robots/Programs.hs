@@ -5,8 +5,9 @@
 -- Description : Programs that the tests drive robots with.
 module Test.Robots.Programs (byName, functions, remembering, afterOneAnother) where
 
+import GHC.Generics (Generic)
 import Rosy
-import Rosy.Program (Generic, Plan, Sense, Value, commandTopics, sensorTopics, withTopics)
+import Rosy.Program (Value, commandTopics, sensorTopics, withTopics)
 
 -- | A program by its name on the command line.
 byName :: String -> IO ()

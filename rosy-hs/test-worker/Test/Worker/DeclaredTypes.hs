@@ -44,6 +44,23 @@ tests borrow =
           "a constructor: Rosy's type stays" `says` "Velocity 0.3" $ ["data Speed = Velocity Double deriving Show", "main = simulate (Say (show (Velocity 0.3)), keep)", "keep :: Velocity -> Velocity", "keep v = v"]
         ],
       testGroup
+        "an event is shown as its derived Show would"
+        [ "a constructor with fields" `isEvent` "Hit (-1) (Just 2.5)" $ ["data Hit = Miss | Hit Int (Maybe Double)", sends "Hit" "Hit (-1) (Just 2.5)"],
+          "labels" `isEvent` "Hit {force = -1.0, from = [Hit {force = 2.0, from = []}]}" $ ["data Hit = Hit {force :: Double, from :: [Hit]}", sends "Hit" "Hit (-1) [Hit 2 []]"],
+          "GADT syntax" `isEvent` "Hit 'x' Miss" $ ["data Hit where { Hit, Near :: Char -> Hit -> Hit; Miss :: Hit }", sends "Hit" "Hit 'x' Miss"],
+          "parameters" `isEvent` "Pair (Pair 1 True) \"\"" $ ["data Pair a b = Pair a !b", sends "Pair (Pair Int Bool) String" "Pair (Pair 1 True) []"],
+          "an operator" `isEvent` "1 :+ (2 :+ End)" $ ["data Sum' = Int :+ Sum' | End", sends "Sum'" "1 :+ (2 :+ End)"],
+          "operators with their precedence" `isEvent` "Of (One 1 :+ (2 :* 3 :+ End))" $ ["infixr 5 :+", "infixl 7 :*", "data Sum' = Product :+ Sum' | End | Of Sum'", "data Product = Int :* Int | One Int", sends "Sum'" "Of (One 1 :+ (2 :* 3) :+ End)"],
+          "an operator before its fields" `isEvent` "(:+) 1 2" $ ["data Sum' = (:+) Int Int", sends "Sum'" "1 :+ 2"],
+          "an operator in GADT syntax" `isEvent` "1 :+ 2" $ ["infix 4 :+", "data Sum' where (:+) :: Int -> Int -> Sum'", sends "Sum'" "1 :+ 2"],
+          "an operator in GADT syntax without a precedence" `isEvent` "(:+) 1 2" $ ["data Sum' where (:+) :: Int -> Int -> Sum'", sends "Sum'" "1 :+ 2"],
+          "a constructor between its fields" `isEvent` "1 `And` 2" $ ["data Both = Int `And` Int", sends "Both" "1 `And` 2"],
+          "a parameter of a higher kind" `isEvent` "Wrapped _" $ ["newtype Wrapped f = Wrapped (f Int)", sends "Wrapped Maybe" "Wrapped (Just 1)"],
+          "a function" `isEvent` "Does _ 1" $ ["data Does = Does (Int -> Int) Int", sends "Does" "Does (+ 1) 1"],
+          "a type of its own inside" `isEvent` "_" $ ["{-# LANGUAGE RankNTypes #-}", "newtype Same = Same (forall a. a -> a)", sends "Same" "Same id"],
+          "texts that are literals of another type" `isEvent` "Hit \"a\"" $ ["{-# LANGUAGE OverloadedStrings #-}", "data Hit = Hit String", sends "Hit" "Hit \"a\""]
+        ],
+      testGroup
         "a memory starts with a finite default"
         [ "the first constructor that has one" `says` "Empty" $ ["data Stack = Push Int Stack | Empty deriving Show", remembers "Stack"],
           "through containers" `says` "Rose 0 []" $ ["data Rose a = Rose a [Rose a] deriving Show", remembers "(Rose Int)"],
@@ -57,6 +74,14 @@ tests borrow =
     ]
   where
     says name wanted source = testCase name $ do
+      answered <- firstStep name source
+      [text "data" (field "msg" l) | l <- answered, text "topic" l == "/rosy/say"] @?= [wanted]
+    isEvent name wanted source = testCase name $ do
+      answered <- firstStep name source
+      [e | l <- answered, text "op" l == "settled", String e <- elements (field "events" l)] @?= [wanted]
+    -- What a program answers to the first step.
+    firstStep :: String -> [Text] -> IO [Value]
+    firstStep name source = do
       worker <- borrow
       withRun worker (toJSON name) (Text.unlines source) (64 * 1024 * 1024) $ \link -> do
         started <- hear worker
@@ -66,11 +91,11 @@ tests borrow =
         say link odometry
         say link (object ["op" .= ("step" :: Text), "step" .= (0 :: Int), "time" .= (0 :: Int)])
         answered <- linesUntil "settled" link
-        [text "data" (field "msg" l) | l <- answered, text "topic" l == "/rosy/say"] @?= [wanted]
         say link (object ["op" .= ("stop" :: Text)])
         _ <- linesUntil "ended" link
         gone <- hear worker
         text "op" gone @?= "gone"
+        pure answered
     isRefused name kinds source = testCase name $ do
       worker <- borrow
       tell worker (check (toJSON name) (Text.unlines source))
@@ -80,6 +105,7 @@ tests borrow =
       Array xs -> toList xs
       _ -> []
     shows' expression = "main = simulate (Say (show (" <> expression <> ")))"
+    sends t value = "main = simulate f\nf :: Seconds -> " <> t <> "\nf _ = " <> value
     stand = "main = simulate (Velocity 0 0)"
     remembers t = "main = simulate f\nf :: Memory " <> t <> " -> Say\nf (Memory m) = Say (show m)"
     odometry =

@@ -5,6 +5,7 @@
 -- Description : The shapes of rules R14 to R17 and the execution rules R1 to R9, as stories.
 module Test.Rosy.Controller (tests) where
 
+import GHC.Generics (Generic)
 import Rosy
 import Rosy.Loop (What)
 import Rosy.Program

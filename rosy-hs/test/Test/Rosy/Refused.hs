@@ -10,6 +10,7 @@ module Test.Rosy.Refused (tests) where
 
 import Control.Exception (TypeError (..), evaluate, try)
 import Data.List (isInfixOf)
+import GHC.Generics (Generic)
 import Rosy
 import Rosy.Program
 import Support.Story

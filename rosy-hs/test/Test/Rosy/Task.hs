@@ -5,6 +5,7 @@
 -- Description : Rule R10 as stories: one thing after another, beside each other, on call.
 module Test.Rosy.Task (tests) where
 
+import GHC.Generics (Generic)
 import Rosy
 import Rosy.Loop (What)
 import Rosy.Program

@@ -13,6 +13,7 @@ import Data.Either (isLeft)
 import qualified Data.Map as Map
 import Data.Maybe (fromMaybe, isJust)
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
+import GHC.Generics (Generic)
 import Rosy.Model (Built (..), Declarations, defaultOf)
 import Rosy.Problem (Fault (NoDefault))
 import Rosy.Program
@@ -55,6 +56,43 @@ fractions = do
   where
     -- A few representable numbers away.
     near xs = (\x n -> castWord64ToDouble (castDoubleToWord64 x + fromIntegral (n :: Int))) <$> xs <*> choose (-3, 3)
+
+-- | One whose instance is what "Rosy.Program" adds to a program.
+data Declared a
+  = Silent
+  | Spoken Int a
+  | Named {volume :: Double, (<->) :: Maybe a}
+  | Choir [Declared a]
+  | a :~ Declared a
+  deriving (Eq, Show)
+
+infixr 3 :~
+
+instance Value a => Value (Declared a) where
+  parts x = case x of
+    Silent -> Parts "Silent" [] []
+    Spoken a b -> Parts "Spoken" [] [Field a, Field b]
+    Named a b -> Parts "Named" ["volume", "<->"] [Field a, Field b]
+    Choir a -> Parts "Choir" [] [Field a]
+    a :~ b -> Around 3 ":~" (Field a) (Field b)
+  display = displayParts
+  settle = settleParts
+  initial = initialFrom [construct Silent, withField (withField (construct Spoken)), withField (withField (construct Named)), withField (construct Choir), withField (withField (construct (:~)))]
+
+instance Value a => Default (Declared a)
+
+instance Arbitrary a => Arbitrary (Declared a) where
+  arbitrary = sized $ \n ->
+    oneof ([pure Silent, Spoken <$> arbitrary <*> arbitrary, Named <$> arbitrary <*> arbitrary] ++ [Choir <$> (choose (0, 3) >>= flip vectorOf (resize (n `div` 3) arbitrary)) | n > 0] ++ [(:~) <$> arbitrary <*> resize (n `div` 2) arbitrary | n > 0])
+
+-- | No finite value, written in the same way.
+newtype Endless = Endless Endless
+
+instance Value Endless where
+  parts (Endless x) = Parts "Endless" [] [Field x]
+  display = displayParts
+  settle = settleParts
+  initial = initialFrom [withField (construct Endless)]
 
 -- | What cannot be shown.
 data Opaque = Opaque (Int -> Int) (IO ()) Int
@@ -189,6 +227,7 @@ tests =
         "shows"
         [ testProperty "any declared type as its derived Show does" $ \(x :: Thing Int) -> shown x === show x,
           testProperty "types with parameters as well" $ \(x :: Thing (Thing (Either Bool String))) -> shown x === show x,
+          testProperty "a type whose constructors are written down as well" $ \(x :: Declared (Declared (Either Int String))) -> shown x === show x,
           testProperty "the Prelude's types as their Show does" $
             \(x :: (Int, Double, [Maybe Char], String, Either () (Bool, Ordering))) -> shown x === show x,
           testProperty "negative numbers in brackets where Haskell needs them" $ \(n :: Int) -> shown (Just n) === show (Just n),
@@ -212,6 +251,8 @@ tests =
               begins "Odd" (defaultValue :: Odd) (Built "Even1" [Built "Zero" []]),
               begins "Tree" (defaultValue :: Tree) (Built "Node" [Built "0" [], Built "[]" [], Built "Nothing" []])
             ],
+          testCase "the first constructor that is written down" $ (defaultValue, defaultValue) @?= (Silent :: Declared Int, Left Silent :: Either (Declared Int) Int),
+          testCase "nothing, where the constructors that are written down need each other" $ fmap (const ()) (initial nonePending :: Maybe Endless) @?= Nothing,
           testCase "a smaller application of its own type" $ (defaultValue :: Either (Either Int Bool) Int) @?= Left (Left 0),
           testCase "never a larger application of its own type" $ (defaultValue :: Nest Int) @?= Flat 0,
           testCase "nothing, where every value is infinite" $ do
@@ -225,8 +266,11 @@ tests =
         "finishes"
         [ testCase "fields, so that an error in them comes at once" $ do
             result <- try (evaluate (settled (Thing 1 (errorWithoutStackTrace "inside" :: Int))))
-            assertBool "throws" (isLeft (result :: Either ErrorCall (Thing Int))),
+            assertBool "throws" (isLeft (result :: Either ErrorCall (Thing Int)))
+            written <- try (evaluate (settled (Choir [Silent, Spoken 1 (errorWithoutStackTrace "inside" :: Int)])))
+            assertBool "throws" (isLeft (written :: Either ErrorCall (Declared Int))),
           testCase "endless lists within its budget" $ take 3 (settled [1 :: Int ..]) @?= [1, 2, 3],
-          testCase "endless trees within its budget" $ let tree = () :*: [tree, tree] in settle 1000 tree < 1 @?= True
+          testCase "endless trees within its budget" $ let tree = () :*: [tree, tree] in settle 1000 tree < 1 @?= True,
+          testCase "endless trees that are written down as well" $ let tree = Choir [tree, tree] :: Declared () in settle 1000 tree < 1 @?= True
         ]
     ]

@@ -58,6 +58,7 @@ import Rosy.Worker.Ghc.Completion
 import Rosy.Worker.Ghc.ConnectionChecks
 import Rosy.Worker.Ghc.DeclarationWarnings
 import Rosy.Worker.Ghc.Declarations
+import Rosy.Worker.Ghc.DeclaredTypes (InstanceBodies (..), ownDefaults)
 import Rosy.Worker.Ghc.Diagnostics
 import Rosy.Worker.Ghc.DuplicateSimulate
 import Rosy.Worker.Ghc.FiniteDefault
@@ -69,7 +70,7 @@ import Rosy.Worker.Ghc.Session
 import Rosy.Worker.Ghc.SpanTypes
 import Rosy.Worker.Ghc.TaskAttribution
 import Rosy.Worker.Ghc.TopicConnections (topicConnections)
-import Rosy.Worker.Ghc.TreeRewrite hiding (added)
+import Rosy.Worker.Ghc.TreeRewrite
 import Rosy.Worker.Graph (Connection, Part)
 import Rosy.Worker.Problem (Declaration (..), Function, Position (..), Problem (kind, place, severity), Severity (..), Typed, isError, problemAt, problemNowhere)
 import qualified Rosy.Worker.Problem as Placed (Span (end, start))
@@ -265,7 +266,7 @@ check restriction purpose session flags columns source (L at parsed) warnings = 
   where
     readyWith tcg env summary = (\name -> Ready env summary tcg name source (\s -> if isWritten s then spanAt columns s else Nothing)) <$> mainOf tcg
     -- A program that mentions Generic may use the real instances.
-    instances = if purpose == ForCheck && not ("Generic" `Text.isInfixOf` source) then EmptyBodies else GenericBodies
+    instances = if purpose == ForCheck && not ("Generic" `Text.isInfixOf` source) then EmptyBodies else WholeBodies
     isWritten = not . isInside (derivedSpans parsed)
     -- An instance without methods fails when it is used. Written by hand it may be on purpose, derived it is not.
     completeDerivations m

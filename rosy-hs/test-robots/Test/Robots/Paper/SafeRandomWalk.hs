@@ -6,6 +6,7 @@
 -- Description : The example of this name, from its file, with what its learner may leave out.
 module Test.Robots.Paper.SafeRandomWalk (main) where
 
+import GHC.Generics (Generic)
 import Rosy
 import Rosy.Program
 

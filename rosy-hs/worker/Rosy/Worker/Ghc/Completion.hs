@@ -48,11 +48,12 @@ import Rosy.Worker.Ghc.Compat.Driver
 import Rosy.Worker.Ghc.Compat.Syntax
 import Rosy.Worker.Ghc.Compat.Types
 import Rosy.Worker.Ghc.Declarations (showType)
+import Rosy.Worker.Ghc.DeclaredTypes (InstanceBodies (..), generatedQualifier)
 import Rosy.Worker.Ghc.Diagnostics (spanAt)
 import Rosy.Worker.Ghc.Parsing
 import Rosy.Worker.Ghc.Session (Session (..))
 import Rosy.Worker.Ghc.SpanTypes (typedSpans)
-import Rosy.Worker.Ghc.TreeRewrite (InstanceBodies (..), Rewritten (..), controllerFunctions, generatedQualifier, implicitNamesWith, rewriteProgram)
+import Rosy.Worker.Ghc.TreeRewrite (Rewritten (..), controllerFunctions, implicitNamesWith, rewriteProgram)
 import Rosy.Worker.Problem (Candidate (..), Completion (..), Position, Span (..))
 import Rosy.Worker.Refusals (refuseName)
 import Rosy.Worker.TabStops (tabStopsOf)

@@ -19,7 +19,7 @@ import GHC.Types.Name.Reader (mkRdrUnqual, rdrNameOcc)
 import GHC.Types.SrcLoc (unLoc)
 import Rosy.Worker.CompilerMessage (CompilerMessage (..))
 import Rosy.Worker.Ghc.Compat.Syntax
-import Rosy.Worker.Ghc.TreeRewrite (added)
+import Rosy.Worker.Ghc.DeclaredTypes (added)
 
 -- | Whether a message is about a type that is no input or no output.
 isConnectionError :: CompilerMessage -> Bool

@@ -20,7 +20,8 @@ import GHC.Types.Name.Occurrence (mkDataOccFS, occNameFS, occNameString)
 import GHC.Types.Name.Reader (RdrName, mkRdrUnqual, rdrNameOcc)
 import GHC.Types.SrcLoc
 import Rosy.Worker.Ghc.Compat.Syntax
-import Rosy.Worker.Ghc.TreeRewrite (ImplicitNames (..), instanceHead)
+import Rosy.Worker.Ghc.DeclaredTypes (instanceHead)
+import Rosy.Worker.Ghc.TreeRewrite (ImplicitNames (..))
 import Rosy.Worker.Problem hiding (Declaration)
 import Rosy.Worker.Sentence
 

@@ -19,9 +19,10 @@ import GHC.Driver.Plugins (Plugin)
 import GHC.Driver.Session (defaultFatalMessager, defaultFlushOut, xopt_set)
 import Rosy.Worker.Ghc.Compat.Driver
 import Rosy.Worker.Ghc.Compat.Types (exportedName)
+import Rosy.Worker.Ghc.DeclaredTypes (InstanceBodies (..))
 import Rosy.Worker.Ghc.Session (defaultExtensions)
 import Rosy.Worker.Ghc.TaskAttribution (taskAttribution)
-import Rosy.Worker.Ghc.TreeRewrite (ImplicitNames (..), InstanceBodies (..), Rewritten (..), implicitNamesWith, rewriteProgram)
+import Rosy.Worker.Ghc.TreeRewrite (ImplicitNames (..), Rewritten (..), implicitNamesWith, rewriteProgram)
 
 data BuildRequest = BuildRequest
   { -- | GHC's own directory
@@ -115,5 +116,5 @@ adding :: ImplicitNames -> Plugin
 adding names = treePlugin add
   where
     add summary tree
-      | moduleNameString (ms_mod_name summary) == "Main" = program (rewriteProgram GenericBodies (const True) (implicitNamesWith (ms_hspp_opts summary) names) tree)
+      | moduleNameString (ms_mod_name summary) == "Main" = program (rewriteProgram WholeBodies (const True) (implicitNamesWith (ms_hspp_opts summary) names) tree)
       | otherwise = tree

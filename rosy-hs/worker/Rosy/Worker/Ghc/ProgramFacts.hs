@@ -22,7 +22,7 @@ import GHC.Types.Name.Occurrence (isDataOcc, occNameString)
 import GHC.Types.Name.Reader (RdrName, isRdrTyVar, isUnqual, rdrNameOcc)
 import GHC.Types.SrcLoc
 import Rosy.Worker.Ghc.Compat.Syntax
-import Rosy.Worker.Ghc.TreeRewrite (instanceHead)
+import Rosy.Worker.Ghc.DeclaredTypes (instanceHead)
 import Rosy.Worker.Problem (Span)
 import Rosy.Worker.StaticAdvice
 

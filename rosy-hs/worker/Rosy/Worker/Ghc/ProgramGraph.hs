@@ -31,8 +31,8 @@ import GHC.Types.SrcLoc
 import GHC.Types.Unique (hasKey)
 import Rosy.Worker.Ghc.Compat.Syntax
 import Rosy.Worker.Ghc.Compat.Types
+import Rosy.Worker.Ghc.DeclaredTypes (instanceHead)
 import Rosy.Worker.Ghc.FunctionNames (bindingsOf, functionNames, namesOf, withLocals)
-import Rosy.Worker.Ghc.TreeRewrite (instanceHead)
 import Rosy.Worker.Graph
 import Rosy.Worker.Problem (Span)
 

@@ -23,7 +23,7 @@ import GHC.Types.Name.Occurrence (occNameString)
 import GHC.Types.Name.Reader (RdrName, rdrNameOcc)
 import GHC.Types.SrcLoc
 import Rosy.Worker.Ghc.Compat.Syntax
-import Rosy.Worker.Ghc.TreeRewrite (instanceHead)
+import Rosy.Worker.Ghc.DeclaredTypes (instanceHead)
 import Rosy.Worker.Graph (Connection (..), ConnectionUse (..))
 
 -- | In the order of the text: one for each instance of @Sensor@ or @Command@ that has methods.

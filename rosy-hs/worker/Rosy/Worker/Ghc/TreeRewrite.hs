@@ -11,23 +11,16 @@
 -- and never to the text, so every span the compiler reports is a span of the learner's text.
 module Rosy.Worker.Ghc.TreeRewrite
   ( Rewritten (..),
-    InstanceBodies (..),
     ImplicitNames (..),
     implicitNamesWith,
     rewriteProgram,
     controllerFunctions,
-    generatedQualifier,
-    ownDefaults,
-
-    -- * Parts of the tree
-    added,
-    instanceHead,
   )
 where
 
 import Data.Data (Data, gmapQ, gmapT)
 import Data.List (nub)
-import Data.Maybe (fromMaybe, isNothing, listToMaybe, maybeToList)
+import Data.Maybe (fromMaybe, listToMaybe, maybeToList)
 import Data.Set (Set)
 import qualified Data.Set as Set
 import Data.Typeable (cast, eqT, (:~:) (..))
@@ -37,9 +30,10 @@ import GHC.Driver.Session (DynFlags, xopt)
 import GHC.Hs
 import GHC.LanguageExtensions.Type (Extension (ImplicitPrelude))
 import GHC.Types.Name.Occurrence
-import GHC.Types.Name.Reader (RdrName, isUnqual, mkRdrQual, mkRdrUnqual, rdrNameOcc)
+import GHC.Types.Name.Reader (RdrName, isUnqual, mkRdrUnqual, rdrNameOcc)
 import GHC.Types.SrcLoc
 import Rosy.Worker.Ghc.Compat.Syntax
+import Rosy.Worker.Ghc.DeclaredTypes
 import Rosy.Worker.Ghc.FunctionNames
 
 -- | The program as it is compiled, and the names of the functions given to the robot.
@@ -47,18 +41,6 @@ data Rewritten = Rewritten
   { program :: SyntaxTree,
     controllers :: [Names]
   }
-
--- | Qualifier of generated names; not a valid module name in source text.
-generatedQualifier :: String
-generatedQualifier = "$rosy"
-
-added :: OccName -> RdrName
-added = mkRdrQual (mkModuleName generatedQualifier)
-
--- | Bodies of generated instances: from the type's generic structure, or empty. Empty bodies suffice for type checking and take a tenth of
--- the time; code compiled with them never runs.
-data InstanceBodies = GenericBodies | EmptyBodies
-  deriving (Eq)
 
 -- | The names in scope of every program: exports of @Rosy@ and of the Prelude. Not GHC's @OccSet@, which in 9.10 keeps one of a type and a
 -- constructor of the same name.
@@ -84,7 +66,7 @@ rewriteProgram instances mayName implicitNames parsed =
           { hsmodName = Just (node (mkModuleName "Main")),
             hsmodExports = Nothing,
             hsmodImports = imports,
-            hsmodDecls = map (if instances == GenericBodies then withTypeName . withTopics (ownTopics derivations) else id) decls ++ concatMap (instancesFor instances derivations) derivations
+            hsmodDecls = map (if instances == WholeBodies then withTypeName . withTopics (ownTopics derivations) else id) decls ++ concatMap (instancesFor instances derivations) derivations
           },
       controllers = concatMap snd named
     }
@@ -157,123 +139,6 @@ definedNames = nub . concatMap (names . unLoc)
       SynDecl {} -> [unLoc (tcdLName t)]
       FamDecl {} -> [unLoc (fdLName (tcdFam t))]
 
--- * Deriving
-
--- | States how each class without a strategy is derived. Of GHC's choices for a newtype, @anyclass@ takes precedence where it is enabled, and leaves
--- @Num@ without methods; here the representation's instance does. The classes of Rosy need no deriving: 'instancesFor' adds them.
-withStrategies :: [LHsDecl GhcPs] -> [LHsDecl GhcPs]
-withStrategies everything = [L at (decided d) | L at d <- everything]
-  where
-    decided :: HsDecl GhcPs -> HsDecl GhcPs
-    decided d = case d of
-      TyClD x t@DataDecl {tcdDataDefn = defn} -> TyClD x t {tcdDataDefn = decideDerivations (clause (isNewtype defn)) defn}
-      DerivD x s -> DerivD x (decideStandalone standalone s)
-      _ -> d
-    newtypes = [plainName (unLoc (tcdLName t)) | L _ (TyClD _ t@DataDecl {tcdDataDefn = defn}) <- everything, isNewtype defn]
-    clause ofNewtype stated c
-      | stated `elem` [Unstated, ByClassDefaults], name `elem` addedClasses = Nothing
-      | stated == Unstated, ofNewtype = Just (ofRepresentation name)
-      | otherwise = Just stated
-      where
-        name = maybe "" plainName (headOf c)
-    standalone stated t
-      | stated == Unstated, (c, n) : _ <- classAndType t, n `elem` newtypes = ofRepresentation c
-      | otherwise = stated
-    -- What GHC derives from the structure, or from the representation, without being told.
-    ofRepresentation name
-      | name `elem` ["Eq", "Ord", "Ix", "Bounded", "Show", "Read", "Data", "Lift", "Typeable", "Generic", "Generic1", "Functor", "Foldable", "Traversable"] = Unstated
-      | otherwise = ByRepresentation
-    headOf :: LHsType GhcPs -> Maybe RdrName
-    headOf (L _ t) = case t of
-      HsTyVar _ _ (L _ n) -> Just n
-      HsAppTy _ f _ -> headOf f
-      HsParTy _ x -> headOf x
-      _ -> Nothing
-
--- | The classes whose instances are added to every declared type.
-addedClasses :: [String]
-addedClasses = map fst addedMethods
-
-addedMethods :: [(String, [String])]
-addedMethods = [("Value", ["display", "settle", "initial"]), ("Default", ["defaultValue"]), ("Sensor", ["sensor"]), ("Command", ["command"])]
-
--- * Instances
-
--- | The instances that make a declared type an event of its own ("Rosy.Program" says which). They stand at the place of the
--- declaration, so that whatever is wrong with them is wrong with it.
-instancesFor :: InstanceBodies -> [LHsDecl GhcPs] -> LHsDecl GhcPs -> [LHsDecl GhcPs]
-instancesFor instances everything (At at d) = case d of
-  TyClD _ t@DataDecl {tcdDataDefn = defn}
-    | all (isPlainConstructor . unLoc) (dataConstructors defn) ->
-      [stockDeriving at (headOf "Generic" t) | not promised, not (derives "Generic" defn), not (has "Generic" t)]
-        ++ concatMap (instance' t) [i | i@(c, _) <- addedMethods, not (derives c defn)]
-    | isNothing (dd_kindSig defn) ->
-      -- GHC derives no structure of constructors with types of their own. Their values can be sent, but have no default.
-      concatMap (\(c, methods) -> with [method m f | (m, f) <- methods] t c) [("Value", opaqueMethods), ("Sensor", sameWhenChecked "sensor"), ("Command", sameWhenChecked "command")]
-    where
-      -- What has a structure of its own kind may have none of the usual one, and must be tried.
-      promised = instances == EmptyBodies && not (any hasInnerTypes (dataConstructors defn))
-      instance' = if promised then whole else empty
-      opaqueMethods = [("display", "displayOpaque"), ("settle", "settleOpaque"), ("initial", "initialOpaque")]
-      sameWhenChecked m = [(m, m) | instances == EmptyBodies]
-  _ -> []
-  where
-    derives :: String -> HsDataDefn GhcPs -> Bool
-    derives wanted defn = wanted `elem` map plainName (derivedClasses defn)
-    -- The program's own instance is the better one.
-    has :: String -> TyClDecl GhcPs -> Bool
-    has wanted t = (wanted, plainName (unLoc (tcdLName t))) `elem` concatMap (instanceHead . unLoc) everything
-    empty, whole :: TyClDecl GhcPs -> (String, [String]) -> [LHsDecl GhcPs]
-    empty t (c, _) = with [] t c
-    whole t (c, methods) = with [method m m | m <- methods] t c
-    method m f = mkSimpleGeneratedFunBind at (mkRdrUnqual (mkVarOcc m)) [] (nlHsVar (added (mkVarOcc f)))
-    with binds t c = [classInstance at (headOf c t) binds | not (has c t)]
-    headOf :: String -> TyClDecl GhcPs -> LHsSigType GhcPs
-    headOf c t = sigType (inContext t (At at (HsAppTy noExtField (name (added (mkTcOcc c))) (applied t))))
-    inContext :: TyClDecl GhcPs -> LHsType GhcPs -> LHsType GhcPs
-    inContext t body
-      | null (parameters t) = body
-      | otherwise = At at (HsQualTy noExtField (At at [At at (HsAppTy noExtField (name (added (mkTcOcc (classFor t v)))) (name v)) | v <- parameters t]) body)
-    -- What a parameter must be: something to hold, or something that holds others.
-    classFor :: TyClDecl GhcPs -> RdrName -> String
-    classFor t v = if plainName v `elem` appliedVariables (tcdDataDefn t) || not (all (isPlainConstructor . unLoc) (dataConstructors (tcdDataDefn t))) then "Typeable" else "Value"
-    parameters :: TyClDecl GhcPs -> [RdrName]
-    parameters t = map hsLTyVarName (hsQTvExplicit (tcdTyVars t))
-    applied :: TyClDecl GhcPs -> LHsType GhcPs
-    applied t = case parameters t of
-      [] -> name (unLoc (tcdLName t))
-      vs -> parenType at (foldl (\f v -> At at (HsAppTy noExtField f (name v))) (name (unLoc (tcdLName t))) vs)
-    name :: RdrName -> LHsType GhcPs
-    name = typeVariable at
-
--- | Whether there are types with variables of their own inside.
-hasInnerTypes :: Data a => a -> Bool
-hasInnerTypes x = case cast x of
-  Just (HsForAllTy {} :: HsType GhcPs) -> True
-  Just HsQualTy {} -> True
-  _ -> or (gmapQ hasInnerTypes x)
-
-instanceHead :: HsDecl GhcPs -> [(String, String)]
-instanceHead d = case d of
-  InstD _ (ClsInstD _ i) -> classAndType (sigBody (cid_poly_ty i))
-  DerivD _ i -> classAndType (sigBody (hswc_body (deriv_type i)))
-  _ -> []
-
--- | The class and the type constructor of an instance head.
-classAndType :: LHsType GhcPs -> [(String, String)]
-classAndType = of'
-  where
-    of' (L _ t) = case t of
-      HsQualTy _ _ inner -> of' inner
-      HsForAllTy _ _ inner -> of' inner
-      HsAppTy _ (L _ (HsTyVar _ _ (L _ c))) x -> [(plainName c, n) | Just n <- [constructorOf x]]
-      _ -> []
-    constructorOf (L _ t) = case t of
-      HsParTy _ x -> constructorOf x
-      HsAppTy _ f _ -> constructorOf f
-      HsTyVar _ _ (L _ n) -> Just (plainName n)
-      _ -> Nothing
-
 -- * Topics
 
 -- | The topics of each instance of @Sensor@ and @Command@ that the program writes itself: an expression of type @[Topic]@.
@@ -324,25 +189,6 @@ rightSide :: forall a. Data a => a -> Maybe (GRHS GhcPs (LHsExpr GhcPs), GRHS Gh
 rightSide x = case eqT :: Maybe (a :~: GRHS GhcPs (LHsExpr GhcPs)) of
   Just Refl -> Just (x, id)
   Nothing -> Nothing
-
--- | The types whose default the program defines itself.
-ownDefaults :: SyntaxTree -> [String]
-ownDefaults parsed = [t | L _ d <- hsmodDecls parsed, (c, t) <- instanceHead d, c `elem` ["Default", "Value"]]
-
--- | The type variables that a declaration applies to something.
-appliedVariables :: Data a => a -> [String]
-appliedVariables x = case cast x of
-  Just (HsAppTy _ (L _ f) arg :: HsType GhcPs) -> headVariable f ++ appliedVariables f ++ appliedVariables arg
-  _ -> concat (gmapQ appliedVariables x)
-  where
-    headVariable t = case t of
-      HsTyVar _ _ (L _ n) | isTvOcc (rdrNameOcc n) -> [plainName n]
-      HsAppTy _ (L _ f) _ -> headVariable f
-      HsParTy _ (L _ f) -> headVariable f
-      _ -> []
-
-plainName :: RdrName -> String
-plainName = occNameString . rdrNameOcc
 
 -- * Names of functions
 

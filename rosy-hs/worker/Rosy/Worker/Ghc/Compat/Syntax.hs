@@ -3,6 +3,7 @@
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE PatternSynonyms #-}
 {-# LANGUAGE ScopedTypeVariables #-}
+{-# LANGUAGE TupleSections #-}
 {-# LANGUAGE TypeFamilies #-}
 {-# LANGUAGE UndecidableInstances #-}
 {-# LANGUAGE ViewPatterns #-}
@@ -54,6 +55,9 @@ module Rosy.Worker.Ghc.Compat.Syntax
     -- * Declarations
     constructorNames,
     constructorFields,
+    ConstructorForm (..),
+    constructorForm,
+    fixityDeclarations,
     isPlainConstructor,
     dataConstructors,
     isNewtype,
@@ -65,7 +69,6 @@ module Rosy.Worker.Ghc.Compat.Syntax
     sigType,
     typeVariable,
     parenType,
-    stockDeriving,
     classInstance,
     emptyDefault,
 
@@ -99,16 +102,18 @@ import GHC.Core.TyCo.Rep (Type)
 import GHC.Data.Bag (Bag, bagToList, listToBag)
 import GHC.Hs
 import GHC.Types.Id (Id)
-import GHC.Types.Name.Reader (RdrName, isRdrTyVar)
+import GHC.Types.Name.Occurrence (occNameString)
+import GHC.Types.Name.Reader (RdrName, isRdrTyVar, rdrNameOcc)
 import GHC.Types.SrcLoc
 import GHC.Unit.Module (mkModuleName)
 #if __GLASGOW_HASKELL__ >= 904
 import GHC.Hs.Syn.Type (hsLitType)
 import GHC.Parser.Annotation
 import GHC.Types.Basic (PromotionFlag (NotPromoted))
+import GHC.Types.Fixity (Fixity (..))
 import GHC.Types.SourceText (IntegralLit (il_value), mkIntegralLit)
 #else
-import GHC.Types.Basic (IntegralLit (il_value), PromotionFlag (NotPromoted), mkIntegralLit)
+import GHC.Types.Basic (Fixity (..), IntegralLit (il_value), PromotionFlag (NotPromoted), mkIntegralLit)
 import GHC.Tc.Utils.Zonk (hsLitType)
 #endif
 
@@ -348,6 +353,22 @@ constructorNames c = case c of
 
 constructorFields :: ConDecl GhcPs -> [RdrName]
 
+-- | How a constructor is declared: with so many fields behind it, with these labels, or between its two fields.
+data ConstructorForm = Positional Int | Labelled [String] | Between
+  deriving (Eq)
+
+constructorForm :: ConDecl GhcPs -> ConstructorForm
+constructorForm c = case map (occNameString . rdrNameOcc) (constructorFields c) of
+  [] -> maybe Between Positional (positionalFields c)
+  labels -> Labelled labels
+
+-- | The number of fields of a constructor without labels; 'Nothing' for one between its fields.
+positionalFields :: ConDecl GhcPs -> Maybe Int
+
+-- | The precedences that the program declares.
+fixityDeclarations :: [LHsDecl GhcPs] -> [(RdrName, Int)]
+fixityDeclarations everything = [(n, precedence) | L _ (SigD _ (FixSig _ (FixitySig _ names (Fixity _ precedence _)))) <- everything, L _ n <- names]
+
 -- | Whether a constructor has no type variables and constraints of its own.
 isPlainConstructor :: ConDecl GhcPs -> Bool
 #if __GLASGOW_HASKELL__ >= 904
@@ -358,6 +379,12 @@ constructorFields c = case c of
 
 fieldNames :: LConDeclField GhcPs -> [RdrName]
 fieldNames (L _ f) = [unLoc (foLabel n) | L _ n <- cd_fld_names f]
+
+positionalFields c = case c of
+  ConDeclH98 {con_args = PrefixArguments xs} -> Just (length xs)
+  ConDeclH98 {con_args = InfixCon _ _} -> Nothing
+  ConDeclGADT {con_g_args = GadtArguments xs} -> Just (length xs)
+  _ -> Just 0
 
 isPlainConstructor c = case c of
   ConDeclH98 {con_forall = False, con_mb_cxt = Nothing} -> True
@@ -373,6 +400,11 @@ constructorFields c = case c of
 fieldNames :: LConDeclField GhcPs -> [RdrName]
 fieldNames (L _ f) = [unLoc (rdrNameFieldOcc n) | L _ n <- cd_fld_names f]
 
+positionalFields c = case con_args c of
+  PrefixArguments xs -> Just (length xs)
+  InfixCon _ _ -> Nothing
+  RecCon _ -> Just 0
+
 isPlainConstructor c = case c of
   ConDeclH98 {con_forall = L _ False, con_mb_cxt = Nothing} -> True
   ConDeclGADT {con_mb_cxt = Nothing, con_res_ty = result} -> hasOnlyVariablesOf result c
@@ -382,9 +414,15 @@ isPlainConstructor c = case c of
 #if __GLASGOW_HASKELL__ >= 910
 pattern RecordArguments :: XRec GhcPs [LConDeclField GhcPs] -> HsConDeclGADTDetails GhcPs
 pattern RecordArguments fs <- RecConGADT _ fs
+
+pattern GadtArguments :: [HsScaled GhcPs (LBangType GhcPs)] -> HsConDeclGADTDetails GhcPs
+pattern GadtArguments xs <- PrefixConGADT _ xs
 #elif __GLASGOW_HASKELL__ >= 904
 pattern RecordArguments :: XRec GhcPs [LConDeclField GhcPs] -> HsConDeclGADTDetails GhcPs
 pattern RecordArguments fs <- RecConGADT fs _
+
+pattern GadtArguments :: [HsScaled GhcPs (LBangType GhcPs)] -> HsConDeclGADTDetails GhcPs
+pattern GadtArguments xs <- PrefixConGADT xs
 #endif
 
 -- | Whether the result of a constructor in GADT syntax is the declared type applied to different variables, and has all variables of its fields.
@@ -506,19 +544,13 @@ typeVariable at n = At at (HsTyVar noExtField NotPromoted (At at n))
 parenType at t = At at (HsParTy noExtField t)
 #endif
 
--- | A standalone deriving declaration with the stock strategy.
-stockDeriving :: SrcSpan -> LHsSigType GhcPs -> LHsDecl GhcPs
-
 -- | A class instance with these methods.
 classInstance :: SrcSpan -> LHsSigType GhcPs -> [LHsBind GhcPs] -> LHsDecl GhcPs
 #if __GLASGOW_HASKELL__ >= 908
-stockDeriving at t = At at (DerivD noExtField (DerivDecl (Nothing, noAnn) (mkHsWildCardBndrs t) (Just (node (StockStrategy noAnn))) Nothing))
 classInstance at t methods = At at (InstD noExtField (ClsInstD noExtField (ClsInstDecl (Nothing, noAnn, NoAnnSortKey) t (bindBag methods) [] [] [] Nothing)))
 #elif __GLASGOW_HASKELL__ >= 904
-stockDeriving at t = At at (DerivD noExtField (DerivDecl noAnn (mkHsWildCardBndrs t) (Just (node (StockStrategy noAnn))) Nothing))
 classInstance at t methods = At at (InstD noExtField (ClsInstD noExtField (ClsInstDecl (noAnn, NoAnnSortKey) t (bindBag methods) [] [] [] Nothing)))
 #else
-stockDeriving at t = At at (DerivD noExtField (DerivDecl noExtField (mkHsWildCardBndrs t) (Just (node StockStrategy)) Nothing))
 classInstance at t methods = At at (InstD noExtField (ClsInstD noExtField (ClsInstDecl noExtField t (bindBag methods) [] [] [] Nothing)))
 #endif
 
