@@ -124,8 +124,11 @@ def test_a_program_that_is_asked_in_each_step_is_put_on_another_core(given: set[
     assert os.sched_getaffinity(0) == given
 
 
-def test_a_program_that_is_asked_now_and_then_shares_the_core() -> None:
+def test_a_program_that_is_asked_now_and_then_has_another_core_only_at_first(waited: list[float]) -> None:
     with program() as (link, _), CoreAffinity(link, polls=True) as core:
+        answer(link, core)
+        assert core.placement == "separate"
+        waited[:] = [1.0, 0.0]
         ask(link, core, REVIEW_STEPS // 4)
         assert core.placement == "shared"
 
