@@ -77,7 +77,7 @@ function asModule({name, program, text}: Candidate): string {
     const type = [d.name, ...d.parameters].join(" ")
     const context = d.parameters.map(p => `Rosy.Program.Value ${p}`).join(", ")
     return [
-      `deriving stock instance Rosy.Program.Generic (${type})`,
+      `deriving stock instance GHC.Generics.Generic (${type})`,
       ...["Value", "Default", "Sensor", "Command"].map(
         c => `instance (${context}) => Rosy.Program.${c} (${type})`,
       ),
@@ -89,6 +89,7 @@ function asModule({name, program, text}: Candidate): string {
     ...givingWay("Rosy", own),
     ...givingWay("Prelude", own),
     "import qualified Prelude",
+    "import qualified GHC.Generics",
     "import qualified Rosy.Program",
     "",
     text,

@@ -33,6 +33,7 @@ import GHC.Types.SrcLoc
 import Rosy.Worker.Branch (Branch)
 import Rosy.Worker.Ghc.Compat.Driver
 import Rosy.Worker.Ghc.Compat.Syntax
+import Rosy.Worker.Ghc.Compat.TypedTree
 import Rosy.Worker.Ghc.Compat.Types
 import Rosy.Worker.Ghc.SpanTypes (typeOfExpression)
 import Rosy.Worker.Problem (Position (..), Span (..))

@@ -44,6 +44,7 @@ import GHC.Types.Var (isTcTyVar)
 import GHC.Types.Var.Set (elemVarSet, mkVarSet)
 import GHC.Unit.Module (moduleNameString)
 import Rosy.Worker.CompletionHole (holeName, insertHole)
+import Rosy.Worker.Ghc.Compat.Declarations
 import Rosy.Worker.Ghc.Compat.Driver
 import Rosy.Worker.Ghc.Compat.Syntax
 import Rosy.Worker.Ghc.Compat.Types

@@ -19,6 +19,7 @@ import GHC.Hs hiding (Warning)
 import GHC.Types.Name.Occurrence (mkDataOccFS, occNameFS, occNameString)
 import GHC.Types.Name.Reader (RdrName, mkRdrUnqual, rdrNameOcc)
 import GHC.Types.SrcLoc
+import Rosy.Worker.Ghc.Compat.Declarations
 import Rosy.Worker.Ghc.Compat.Syntax
 import Rosy.Worker.Ghc.DeclaredTypes (instanceHead)
 import Rosy.Worker.Ghc.TreeRewrite (ImplicitNames (..))

@@ -29,6 +29,7 @@ import GHC.Hs
 import GHC.Types.Name.Occurrence
 import GHC.Types.Name.Reader (RdrName, mkRdrQual, mkRdrUnqual, rdrNameOcc)
 import GHC.Types.SrcLoc
+import Rosy.Worker.Ghc.Compat.Declarations
 import Rosy.Worker.Ghc.Compat.Syntax
 
 -- | Qualifier of generated names; not a valid module name in source text.

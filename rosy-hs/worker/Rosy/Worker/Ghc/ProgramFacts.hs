@@ -21,6 +21,7 @@ import GHC.Hs
 import GHC.Types.Name.Occurrence (isDataOcc, occNameString)
 import GHC.Types.Name.Reader (RdrName, isRdrTyVar, isUnqual, rdrNameOcc)
 import GHC.Types.SrcLoc
+import Rosy.Worker.Ghc.Compat.Declarations
 import Rosy.Worker.Ghc.Compat.Syntax
 import Rosy.Worker.Ghc.DeclaredTypes (instanceHead)
 import Rosy.Worker.Problem (Span)

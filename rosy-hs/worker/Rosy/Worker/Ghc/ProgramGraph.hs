@@ -29,6 +29,7 @@ import GHC.Types.Name.Occurrence (isVarOcc, occNameString)
 import GHC.Types.Name.Reader (RdrName, isUnqual, rdrNameOcc)
 import GHC.Types.SrcLoc
 import GHC.Types.Unique (hasKey)
+import Rosy.Worker.Ghc.Compat.Declarations
 import Rosy.Worker.Ghc.Compat.Syntax
 import Rosy.Worker.Ghc.Compat.Types
 import Rosy.Worker.Ghc.DeclaredTypes (instanceHead)

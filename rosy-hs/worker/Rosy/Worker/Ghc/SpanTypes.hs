@@ -42,6 +42,7 @@ import GHC.Types.Name (getOccString)
 import GHC.Types.SrcLoc
 import GHC.Types.Unique (Uniquable (..))
 import Rosy.Worker.Ghc.Compat.Syntax
+import Rosy.Worker.Ghc.Compat.TypedTree
 import Rosy.Worker.Ghc.Compat.Types
 import Rosy.Worker.Problem (Span (..), Typed (..))
 

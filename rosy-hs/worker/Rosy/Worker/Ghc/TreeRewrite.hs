@@ -32,6 +32,7 @@ import GHC.LanguageExtensions.Type (Extension (ImplicitPrelude))
 import GHC.Types.Name.Occurrence
 import GHC.Types.Name.Reader (RdrName, isUnqual, mkRdrUnqual, rdrNameOcc)
 import GHC.Types.SrcLoc
+import Rosy.Worker.Ghc.Compat.Declarations
 import Rosy.Worker.Ghc.Compat.Syntax
 import Rosy.Worker.Ghc.DeclaredTypes
 import Rosy.Worker.Ghc.FunctionNames
