@@ -5,10 +5,10 @@ import {type Browser, expect, type Page} from "@playwright/test"
 import {Learner, screenshot} from "./learner.ts"
 import {device, RunningClass, savedIn} from "./running_class.ts"
 import {test as daily} from "./story.ts"
-import {everyOtherDay, inTurn} from "./turns.ts"
+import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyOtherDay("even", daily, import.meta.url)
+const alternately = everyFourthDay(0, daily, import.meta.url)
 
 let running: RunningClass
 

@@ -3,10 +3,10 @@
 import {expect} from "@playwright/test"
 import {Learner} from "./learner.ts"
 import {test as daily} from "./story.ts"
-import {everyOtherDay, inTurn} from "./turns.ts"
+import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyOtherDay("even", daily, import.meta.url)
+const alternately = everyFourthDay(2, daily, import.meta.url)
 
 alternately("a reload in the middle of a word loses nothing", async ({page}) => {
   const learner = new Learner(page)

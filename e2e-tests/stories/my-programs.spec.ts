@@ -3,10 +3,10 @@
 import {expect, type Page} from "@playwright/test"
 import {Learner} from "./learner.ts"
 import {test as daily} from "./story.ts"
-import {everyOtherDay, inTurn} from "./turns.ts"
+import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyOtherDay("odd", daily, import.meta.url)
+const alternately = everyFourthDay(3, daily, import.meta.url)
 
 const dialogOf = (page: Page) => page.getByRole("dialog", {name: "My programs"})
 

@@ -5,10 +5,10 @@ import {expect, type Page} from "@playwright/test"
 import {boxAtRest} from "./at_rest.ts"
 import {Learner, screenshot} from "./learner.ts"
 import {test as daily} from "./story.ts"
-import {everyOtherDay, inTurn} from "./turns.ts"
+import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyOtherDay("even", daily, import.meta.url)
+const alternately = everyFourthDay(2, daily, import.meta.url)
 
 const spoken = (page: Page) => page.getByTestId("preview-spoken")
 

@@ -7,10 +7,10 @@ import {Learner, until} from "./learner.ts"
 import {openRig, type Rig} from "./robot.ts"
 import {root} from "./service.ts"
 import {test as daily} from "./story.ts"
-import {everyOtherDay, inTurn} from "./turns.ts"
+import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyOtherDay("odd", daily, import.meta.url)
+const alternately = everyFourthDay(1, daily, import.meta.url)
 
 const rosy = join(root, "rosy")
 

@@ -5,10 +5,10 @@ import {boxAtRest} from "./at_rest.ts"
 import {drags, Floor, type Place} from "./floor.ts"
 import {Learner, until} from "./learner.ts"
 import {test as daily} from "./story.ts"
-import {everyOtherDay, inTurn} from "./turns.ts"
+import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyOtherDay("odd", daily, import.meta.url)
+const alternately = everyFourthDay(3, daily, import.meta.url)
 
 /// What reads alike for a second: most frames that were on their way have come, and the robot has rolled out.
 async function standsStill<T>(read: () => Promise<T>): Promise<T> {

@@ -4,10 +4,10 @@ import {expect, type Page} from "@playwright/test"
 import {Ros, Topic} from "roslib"
 import {Learner, screenshot, until} from "./learner.ts"
 import {test as daily} from "./story.ts"
-import {everyOtherDay, inTurn} from "./turns.ts"
+import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyOtherDay("even", daily, import.meta.url)
+const alternately = everyFourthDay(0, daily, import.meta.url)
 
 /// The link in the menu names the session.
 async function handLink(page: Page): Promise<string> {

@@ -2,7 +2,7 @@
 ///
 /// In: the daily seed. Out: Playwright's function for stories, or one that declares none. A file that has changed since all suites last passed
 /// (`ROSY_TEST_CHANGED`, set by `scripts/test.py`) is played as well, and so is every file where there is no daily seed: stories started by hand. A file that is in no turn, and what a file declares with `daily`, is played each day: the
-/// first minutes, and the main paths of text, blocks and robots. The main paths of the other parts are played every other day, and after any change of the page or of the service.
+/// first minutes, and the main paths of text, blocks and robots. The main paths of the other parts are played every fourth day, and after any change of the page or of the service.
 
 import {basename} from "node:path"
 import {fileURLToPath} from "node:url"
@@ -58,9 +58,12 @@ export function isPlayed(name: string, day: Day): boolean {
 /// Sources of the page and of its service.
 const sources = ["codegen/src/", "editor/src/", "sim-service/rosy_sim/"]
 
-/// Whether what is played every other day, on even or odd ones, is played on a day. It is played with the whole of its file as well.
-export function isPlayedEveryOther(parity: "even" | "odd", name: string, day: Day): boolean {
-  const isItsDay = day.seed % 2 === (parity === "even" ? 0 : 1)
+/// The days of main paths that are played every fourth day, by the rest of the seed.
+export type Fourth = 0 | 1 | 2 | 3
+
+/// Whether what is played every fourth day is played on a day. It is played with the whole of its file as well.
+export function isPlayedEveryFourth(fourth: Fourth, name: string, day: Day): boolean {
+  const isItsDay = day.seed % 4 === fourth
   return (
     isItsDay ||
     isPlayed(name, day) ||
@@ -68,13 +71,13 @@ export function isPlayedEveryOther(parity: "even" | "odd", name: string, day: Da
   )
 }
 
-/// The function for main paths that are played every other day.
-export function everyOtherDay<Story extends (...story: never[]) => void>(
-  parity: "even" | "odd",
+/// The function for main paths that are played every fourth day.
+export function everyFourthDay<Story extends (...story: never[]) => void>(
+  fourth: Fourth,
   story: Story,
   url: string,
 ): Story {
-  return isPlayedEveryOther(parity, nameOf(url), today) ? story : without(story)
+  return isPlayedEveryFourth(fourth, nameOf(url), today) ? story : without(story)
 }
 
 /// The function `test` for the file at `url`, if that is played today; else the same with its hooks and groups, but without stories.

@@ -4,10 +4,10 @@ import {readFileSync} from "node:fs"
 import {expect} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
 import {test as daily} from "./story.ts"
-import {everyOtherDay, inTurn} from "./turns.ts"
+import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyOtherDay("odd", daily, import.meta.url)
+const alternately = everyFourthDay(1, daily, import.meta.url)
 
 alternately(
   "several values are drawn at once, one cursor reads them, and the table is saved",

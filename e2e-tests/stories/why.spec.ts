@@ -5,10 +5,10 @@ import {expect, type Page} from "@playwright/test"
 import {Floor} from "./floor.ts"
 import {Learner} from "./learner.ts"
 import {test as daily} from "./story.ts"
-import {everyOtherDay, inTurn} from "./turns.ts"
+import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyOtherDay("odd", daily, import.meta.url)
+const alternately = everyFourthDay(3, daily, import.meta.url)
 
 const answer = (page: Page) => page.getByTestId("why-answer")
 /// A coordinate of the robot, as its readout says it.

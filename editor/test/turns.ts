@@ -1,5 +1,5 @@
 /// Turns of the test files that need a browser: a part of them is run on one day in seven (`codegen/test/turns.ts`). Files that are
-/// not listed are run each day: the block view as a whole. Stories build a small program each day (`e2e-tests/stories/first-hour.spec.ts`).
+/// not listed are run each day: none. Stories build a small program each day (`e2e-tests/stories/first-hour.spec.ts`).
 
 import type {Turns} from "../../codegen/test/turns.ts"
 
@@ -12,7 +12,13 @@ export const turns: Turns = {
     ["blocks/ready_made_blocks"],
     ["blocks/reference_drop", "blocks/refusals"],
     ["blocks/screen_reader", "blocks/touch"],
-    ["source/cursor"],
+    ["blocks/view", "source/cursor"],
   ],
-  tested: ["editor/src/blocks/", "editor/src/source/", "editor/test/blocks/", "editor/test/source/"],
+  tested: [
+    "codegen/src/blocks/",
+    "editor/src/blocks/",
+    "editor/src/source/",
+    "editor/test/blocks/",
+    "editor/test/source/",
+  ],
 }

@@ -49,13 +49,15 @@ class Day:
         """
         Those of the tests (name, file) that are run: one in thirteen by their order, those of changed files, and those
         of the folders and files that are named like a changed package or module. Those in ``system`` are about the
-        language and its programs.
+        language and its programs, those in ``ownership`` and ``recordings`` also about the robot process.
         """
         ordered = sorted(tests)
         sources = [name for name in self.changed if name.startswith("sim-service/rosy_sim/")]
         packages = {name.split("/")[2].removesuffix(".py") for name in sources}
         if any(name.startswith(("docs/", "examples/", "rosy-hs/src/")) for name in self.changed):
             packages.add("system")
+        if any(name.startswith("rosy-hs/robots/") for name in self.changed):
+            packages |= {"ownership", "recordings"}
         return {
             name
             for number, (name, file) in enumerate(ordered)

@@ -103,6 +103,7 @@ def test_a_program_cannot_give_orders_to_the_terminal(environment: dict[str, str
     assert done.stdout.splitlines()[0] == "\ufffd[2Jhi\ufffd31m"
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize(
     ("script", "ended", "status"),
     [("done@9", "done", 0), ("error@4", "error", 2), ("hang@4", "stuck", 2), ("refuse", "error", 1)],
@@ -117,6 +118,7 @@ def test_the_exit_status_says_how_it_ended(
     assert len(done.stderr.splitlines()) == (0 if status == 0 else 1)
 
 
+@pytest.mark.turns
 def test_explain_prints_why_the_last_command_or_that_of_a_time_was_sent(
     environment: dict[str, str], tmp_path: Path
 ) -> None:
@@ -203,6 +205,7 @@ def test_a_folder_of_programs_gives_a_table(environment: dict[str, str], tmp_pat
     one_sentence(rosy(environment, "run", tmp_path / "none"))
 
 
+@pytest.mark.turns
 def test_check_prints_sentences_or_json(environment: dict[str, str], tmp_path: Path) -> None:
     program = tmp_path / "p.hs"
     program.write_text("refuse")

@@ -52,3 +52,11 @@ def test_a_changed_program_of_the_guide_runs_those_of_the_language() -> None:
     ]
     assert len(Day(0, whole=False, changed=frozenset({"docs/class.md"})).share(tests)) == 20
     assert len(Day(0, whole=False, changed=frozenset({"README.md"})).share(tests)) < 3
+
+
+def test_a_changed_robot_process_runs_those_of_the_robots() -> None:
+    tests = [
+        (f"sim-service/tests/ownership/test_deaths.py::test_{n}", "sim-service/tests/ownership/test_deaths.py")
+        for n in range(20)
+    ]
+    assert len(Day(0, whole=False, changed=frozenset({"rosy-hs/robots/Rosy/Robots/Guard.hs"})).share(tests)) == 20

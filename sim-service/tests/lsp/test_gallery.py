@@ -66,6 +66,7 @@ def edited(text: str, problem: Problem, number: int) -> str:
     return text
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize("path", PROGRAMS, ids=[path.parent.name for path in PROGRAMS])
 async def test_a_mistake_has_the_problems_places_and_fixes_of_the_pages_check(
     client: Client, worker: BlockingWorker, path: Path

@@ -160,6 +160,7 @@ async def driving(death: Death, robot: Robot, folder: Path) -> AsyncIterator[dic
                 await rig.looks_away()
 
 
+@pytest.mark.turns
 @pytest.mark.long
 @pytest.mark.skipif(discover().robot_executable is None, reason="rosy-robot is not built")
 @pytest.mark.parametrize("death", rotated(deaths(), 16), ids=str)

@@ -58,6 +58,7 @@ def poses(frames: list[dict[str, Any]]) -> dict[float, tuple[float, float]]:
     return {frame["time"]: (frame["pose"]["x"], frame["pose"]["y"]) for frame in frames}
 
 
+@pytest.mark.turns
 def test_a_page_looks_at_its_run_again_and_asks_why(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -112,6 +113,7 @@ def test_a_file_is_shown_in_the_room_of_the_page(config: Config, tmp_path: Path)
     story(tell, config, tmp_path)
 
 
+@pytest.mark.turns
 def test_a_program_that_sends_other_commands_is_shown_up_to_there(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()

@@ -243,6 +243,7 @@ def test_one_page_has_a_robot_and_the_others_see_who(config: Config, tmp_path: P
     story(tell, config, tmp_path)
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize(
     ("script", "ended", "kind"),
     [

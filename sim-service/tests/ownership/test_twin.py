@@ -45,6 +45,7 @@ async def both_end(rig: Rig, real: int, twin: int) -> None:
         await rig.page.all_of(*({"op": "state", "state": "ended", "run": run} for run in (real, twin)))
 
 
+@pytest.mark.turns
 def test_both_drive_from_the_start_of_the_room_for_the_same_time(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -103,6 +104,7 @@ def test_the_twin_drives_beside_a_robot_on_a_network(
     story(tell, config, tmp_path, link=link)
 
 
+@pytest.mark.turns
 def test_a_robot_that_slips_stays_behind_its_twin(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()

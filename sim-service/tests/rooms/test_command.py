@@ -41,6 +41,7 @@ def program(tmp_path: Path) -> Path:
     return path
 
 
+@pytest.mark.turns
 def test_a_program_that_keeps_the_properties_passes(environment: Environment, tmp_path: Path) -> None:
     (tmp_path / "still.hs").write_text("done@20")
     done = rosy(environment, "run", "still.hs", "--rooms", 4, "--family", "pits", "--hold", "never-falls")

@@ -5,7 +5,7 @@ Programs that mean harm, each from a page's Run to its end, with every layer of 
 the columns may one of them read the secret file, leave a file, hit another process, or outlive its run.
 ``UPDATE_GOLDENS=1`` writes the table of what became of each.
 
-``./rosy test`` runs each program on two days of four, on one of them with all layers, and on one in another column;
+``./rosy test`` runs each program on two days of six, on one of them with all layers, and on one in another column;
 after a change of the worker or of its launcher on each day. ``./rosy test nightly`` runs each in every column.
 """
 
@@ -265,7 +265,7 @@ def children(before: set[int]) -> bool:
 
 
 def programs_of(
-    column: int, programs: dict[str, str], seed: int = SEED, days: int = 2 if SANDBOX_CHANGED else 4
+    column: int, programs: dict[str, str], seed: int = SEED, days: int = 2 if SANDBOX_CHANGED else 6
 ) -> dict[str, str]:
     """
     The programs that run in a column today. Within ``days`` each program runs once in the first column, with all layers
@@ -281,7 +281,7 @@ def programs_of(
 
 
 @pytest.mark.skipif(EVERYWHERE, reason="each program runs in every column")
-@pytest.mark.parametrize("days", [2, 4])
+@pytest.mark.parametrize("days", [2, 6])
 @pytest.mark.parametrize("first", [0, 3, 20_785])
 def test_each_program_meets_every_column_in_its_turn(days: int, first: int) -> None:
     programs = dict.fromkeys("abcdefghijk", "")

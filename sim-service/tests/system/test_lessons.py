@@ -72,6 +72,7 @@ def worker() -> Iterator[BlockingWorker]:
     yield from worker_started()
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize("case", _share(), ids=str)
 def test_attempts_are_judged_rightly(worker: BlockingWorker, case: Case) -> None:
     arena = usable_arena(case.world, str(case))

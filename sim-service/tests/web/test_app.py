@@ -206,6 +206,7 @@ def test_a_room_of_too_many_movable_things_is_refused_before_it_is_built(
     story(play, config)
 
 
+@pytest.mark.turns
 def test_a_room_that_takes_long_to_build_is_built_while_others_are_served(config: Config) -> None:
     side = 120
     rows = ["".join("#" if (x + y) % 2 and (x > 9 or y > 9) else "." for x in range(side)) for y in range(side)]

@@ -238,6 +238,7 @@ async def three_hand_ins(opened: Class, board: Client) -> list[tuple[Client, int
     return pupils
 
 
+@pytest.mark.turns
 def test_the_board_checks_all_hand_ins_in_rooms_and_opens_the_worst_one(config: Config) -> None:
     async def run() -> None:
         async with teaching(config) as opened:

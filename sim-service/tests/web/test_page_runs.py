@@ -28,6 +28,7 @@ def test_a_program_drives_into_the_wall_and_presses_the_bumper(config: Config) -
     story(play, config)
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize(
     ("source", "ended", "kind"),
     [

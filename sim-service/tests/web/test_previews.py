@@ -114,6 +114,7 @@ def test_the_newest_request_wins_at_once(config: Config) -> None:
     story(play, config)
 
 
+@pytest.mark.turns
 @pytest.mark.parametrize(("source", "ended", "kinds"), [
     ("refuse", "refused", ["type-mismatch"]), ("drive:0.5 error@40", "error", ["exception"]),
     ("close@40", "error", ["died"]), ("drive:0.5 done@50", "done", []), ("hang@9", "stuck", ["stuck"]),

@@ -78,6 +78,7 @@ def test_a_built_program_drives_a_robot(name: str, built: Callable[[str], Path],
     asyncio.run(tell())
 
 
+@pytest.mark.turns
 def test_it_drives_for_as_long_as_it_is_told(built: Callable[[str], Path], config: Config) -> None:
     binary = built("accelerateAndPlay")
 

@@ -283,6 +283,7 @@ def test_a_hand_finds_no_thing_that_is_not_there_or_stands_fast() -> None:
         pushed(1, 3, 3)
 
 
+@pytest.mark.turns
 @settings(max_examples=CASES, deadline=None)
 @given(seeds)
 def test_hands_push_nothing_further_into_a_wall_or_the_robot(seed: int) -> None:

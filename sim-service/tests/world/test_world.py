@@ -279,6 +279,7 @@ def test_physics_holds_in_any_room(world: World, plan: list[tuple[float, float, 
         assert bits.wheels == hanging
 
 
+@pytest.mark.turns
 @settings(max_examples=30, deadline=None)
 @given(st.floats(-1.5, 1.5), st.floats(0.05, 0.7), st.floats(0.2, 0.6), st.floats(-0.3, 0.3))
 def test_pushing_a_box_never_makes_energy(theta: float, speed: float, size: float, aside: float) -> None:
