@@ -26,7 +26,19 @@ ROOT = Path(__file__).resolve().parent.parent
 STATE = ROOT / ".rosy"
 PASSED = STATE / "checked" / "commit"
 """The commit of the last run of all suites that passed."""
-TAKING_TURNS = ("docs/", "e2e-tests/", "examples/", "rosy-hs/", "sim-service/", "codegen/src/", "codegen/test/", "editor/src/", "editor/test/")
+TAKING_TURNS = (
+    "docs/",
+    "rosy",
+    "scripts/",
+    "e2e-tests/",
+    "examples/",
+    "rosy-hs/",
+    "sim-service/",
+    "codegen/src/",
+    "codegen/test/",
+    "editor/src/",
+    "editor/test/",
+)
 """Folders of the tests that take turns by day; Haskell sources do as well (`testing/changed_files.py`). The list of all that has
 changed can be longer than an environment variable may be."""
 

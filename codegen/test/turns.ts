@@ -14,15 +14,15 @@ export interface Turns {
 /// Random suites, suites that ask GHC, and others that take seconds. Daily: the goldens, what is printed and read, mistakes and what is said of them.
 export const turns: Turns = {
   days: [
-    ["soundness"],
+    ["examples", "soundness"],
     ["reader/edit_law", "session"],
     ["reader/agree", "reader/walk"],
     ["moves", "reader/page_walk", "refusals"],
-    ["reader/incremental_reading", "reader/limits"],
-    ["environment", "reader/lossless"],
+    ["reader/ghc", "reader/incremental_reading", "reader/limits"],
+    ["environment", "lint", "reader/lossless"],
     ["command_conflicts", "reader/unfinished", "rename", "type_parser"],
   ],
-  tested: ["codegen/src/", "codegen/test/", "rosy-hs/src/"],
+  tested: ["codegen/src/", "codegen/test/", "examples/", "rosy-hs/src/"],
 }
 
 /// Part of a run that decides which files are run.

@@ -19,7 +19,7 @@ import {inTurn} from "./turns.ts"
 const test = inTurn(story, import.meta.url)
 
 /// Each day some of the runs, nightly all of them.
-const runs = rotated(questionedRuns(), 5)
+const runs = rotated(questionedRuns(), 11)
 
 const why = (page: Page) => page.getByTestId("why")
 const diagram = (page: Page) => page.getByRole("region", {name: "Diagram", exact: true})

@@ -72,7 +72,7 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
         # Stories and Python tests wait for simulated robots and for limits of time during about half of their time, so they have more
         # processes than cores. No other suite runs beside both: stories take more than one core, and a drag needs processor time.
         Suite("e2e", ["npx", "playwright", "test", "-c", "e2e-tests"], json_report(stories), report=stories, after=built),
-        Suite("python", [PYTHON, "-m", "pytest", "sim-service", "-n", "5", "--dist", "worksteal", *hangs], pytest_summary, cores=0.5, after=built),
+        Suite("python", [PYTHON, "-m", "pytest", "sim-service", "-n", "4", "--dist", "worksteal", *hangs], pytest_summary, cores=0.5, after=built),
         # Builds what is not built, so that the suite can also be run alone.
         Suite("haskell", [PYTHON, "scripts/testing/haskell.py"], tasty_summary, cores=0.5, after=built),
         # Only so that the two before it, which take longer, start first.

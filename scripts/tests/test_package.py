@@ -2,7 +2,7 @@
 Packages of `./rosy package`: an installed Rosy checks and runs a program where neither the repository nor its tools can be seen.
 
 The machine of the test is the sandbox of bubblewrap, with the repository hidden; for the stick GHC's libraries are hidden as well.
-The stick is a copy of all of GHC and is made in `nightly` only.
+The stick is a copy of all of GHC and is made in `nightly` only. The others take turns (`conftest.py`).
 """
 
 from __future__ import annotations

@@ -64,16 +64,16 @@ class PathRecorder:
 
     def observe(self, lockstep: Lockstep) -> None:
         """Take the state after a step."""
-        now = lockstep.observation()
-        point = _point(now.time, lockstep.world)
+        world = lockstep.world
         _, x, y = self.path[-1]
-        if abs(now.x - x) + abs(now.y - y) >= self._distance:
-            self._add(point)
-        if now.bumpers or now.is_blocked:
-            begins = self._touched is None or now.time - self._touched > _CONTACT_PAUSE
+        if abs(world.x - x) + abs(world.y - y) >= self._distance:
+            self._add(_point(lockstep.time, world))
+        if world.is_blocked or (world.has_contacts and world.sensors.bumpers):
+            now = lockstep.time
+            begins = self._touched is None or now - self._touched > _CONTACT_PAUSE
             if begins and len(self.collisions) < _MAX_COLLISIONS:
-                self.collisions.append(point)
-            self._touched = now.time
+                self.collisions.append(_point(now, world))
+            self._touched = now
 
     def _add(self, point: tuple[float, float, float]) -> None:
         if len(self.path) >= _MAX_POINTS:

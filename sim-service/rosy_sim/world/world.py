@@ -159,6 +159,11 @@ class World:
             self._hanging | self._lifted,
         )
 
+    @property
+    def has_contacts(self) -> bool:
+        """Whether the robot touches anything, with or without a bumper."""
+        return bool(self._clearance.contacts)
+
     def sense(self) -> list[Reading]:
         """The changes since the last call, as the robot reports them in one packet: events, then states."""
         found: list[Reading] = []

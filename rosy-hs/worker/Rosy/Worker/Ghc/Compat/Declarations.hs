@@ -7,6 +7,7 @@
 {-# LANGUAGE UndecidableInstances #-}
 -- Which module exports a name differs between versions.
 {-# OPTIONS_GHC -Wno-unused-imports #-}
+
 {- HLINT ignore "Unused LANGUAGE pragma" -}
 
 -- |
