@@ -263,12 +263,13 @@ builds_page() {
 }
 
 # clear_build_tools: removes what only the builds needed, unless the tests have installed their tools, or another command
-# still builds with it (a shared lock on `builders`; the last command removes).
+# still builds with it (a shared lock on `builders`; the last command removes). A subshell of this command that is about to end
+# may hold the lock as well, on a busy machine for a while.
 clear_build_tools() {
   [ -f "$ROSY_STATE/stamps/npm" ] && [ ! -f "$ROSY_STATE/stamps/npm-tools" ] || return 0
   local lock
   exec {lock}>"$ROSY_STATE/builders"
-  if flock -n "$lock"; then
+  if flock -w 2 "$lock"; then
     rm -rf "$ROSY_STATE/stamps/npm" "$ROSY_ROOT"/{.,codegen,editor,editor/vscode,e2e-tests}/node_modules
     [ -f "$ROSY_STATE/stamps/runs-node" ] || rm -rf "$ROSY_STATE/stamps/node" "$NODE_FOLDER"
   fi
