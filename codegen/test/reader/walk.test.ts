@@ -81,7 +81,7 @@ test("text and blocks agree after every step, and every state can be reached aga
           at++
         }
         for (const [i, s] of walk.entries()) {
-          if (i % 100 === 0) await breathe()
+          if (i % 10 === 0) await breathe()
           const now = history[at] ?? start
           if (!now.declarations.some(d => d.dimmed)) good = now.text
           if (s.kind === "text") go(syncText(reader, now, mutate(now.text, s.changes)))
