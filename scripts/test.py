@@ -32,7 +32,6 @@ TAKING_TURNS = (
     "scripts/",
     "e2e-tests/",
     "examples/",
-    "rosy-hs/",
     "sim-service/",
     "codegen/src/",
     "codegen/test/",

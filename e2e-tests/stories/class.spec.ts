@@ -8,7 +8,7 @@ import {test as daily} from "./story.ts"
 import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyFourthDay(0, daily, import.meta.url)
+const everyFourth = everyFourthDay(0, daily, import.meta.url)
 
 let running: RunningClass
 
@@ -96,7 +96,7 @@ async function faults(page: Page, part = "body"): Promise<unknown[]> {
   return violations.map(violation => [violation.id, violation.nodes.map(node => node.html)])
 }
 
-alternately(
+everyFourth(
   "the board shows two pupils live, their programs and a raised hand, and every page looks up",
   async ({browser}) => {
     const teacher = await device(browser)

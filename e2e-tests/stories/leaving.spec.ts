@@ -6,9 +6,9 @@ import {test as daily} from "./story.ts"
 import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyFourthDay(2, daily, import.meta.url)
+const everyFourth = everyFourthDay(2, daily, import.meta.url)
 
-alternately("a reload in the middle of a word loses nothing", async ({page}) => {
+everyFourth("a reload in the middle of a word loses nothing", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("accelerateAndPlay")
   await learner.findsInHaskell("Velocity (vl + 0.5) va")

@@ -6,11 +6,11 @@ import {test as daily} from "./story.ts"
 import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyFourthDay(3, daily, import.meta.url)
+const everyFourth = everyFourthDay(3, daily, import.meta.url)
 
 const dialogOf = (page: Page) => page.getByRole("dialog", {name: "My programs"})
 
-alternately(
+everyFourth(
   "My programs opens, renames and duplicates a program, and a deleted one comes back",
   async ({page}) => {
     const learner = new Learner(page)

@@ -8,7 +8,7 @@ import {test as daily} from "./story.ts"
 import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyFourthDay(2, daily, import.meta.url)
+const everyFourth = everyFourthDay(2, daily, import.meta.url)
 
 const spoken = (page: Page) => page.getByTestId("preview-spoken")
 
@@ -81,7 +81,7 @@ async function dragsNumber(page: Page, right: number, lets = true): Promise<void
   if (lets) await page.mouse.up()
 }
 
-alternately(
+everyFourth(
   "a number is dragged in its block and in the text, the path follows, and each drag is one step back",
   async ({page}) => {
     const learner = await ranIntoTheWall(page)

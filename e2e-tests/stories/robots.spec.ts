@@ -10,7 +10,7 @@ import {test as daily} from "./story.ts"
 import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyFourthDay(1, daily, import.meta.url)
+const everyFourth = everyFourthDay(1, daily, import.meta.url)
 
 const rosy = join(root, "rosy")
 
@@ -121,7 +121,7 @@ test("sees the simulated robot drive beside the real one, and reads what was dif
   await expect(page.getByTestId("robotbar")).toHaveCount(0)
 })
 
-alternately(
+everyFourth(
   "looks at a recorded run again, scrubs it and asks why, and opens its file in another page",
   async ({page, browser}) => {
     const learner = new Driver(page)

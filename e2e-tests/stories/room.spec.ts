@@ -8,7 +8,7 @@ import {test as daily} from "./story.ts"
 import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyFourthDay(3, daily, import.meta.url)
+const everyFourth = everyFourthDay(3, daily, import.meta.url)
 
 /// What reads alike for a second: most frames that were on their way have come, and the robot has rolled out.
 async function standsStill<T>(read: () => Promise<T>): Promise<T> {
@@ -215,7 +215,7 @@ test("hands take the robot, turn it, press and lift it, and push a box, while it
   await learner.stops()
 })
 
-alternately(
+everyFourth(
   "the clock stands, makes single steps, goes on, and the run can be looked back at",
   async ({page}) => {
     const learner = new Learner(page)

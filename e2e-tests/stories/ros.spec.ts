@@ -7,7 +7,7 @@ import {test as daily} from "./story.ts"
 import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyFourthDay(0, daily, import.meta.url)
+const everyFourth = everyFourthDay(0, daily, import.meta.url)
 
 /// The link in the menu names the session.
 async function handLink(page: Page): Promise<string> {
@@ -17,7 +17,7 @@ async function handLink(page: Page): Promise<string> {
   return href ?? ""
 }
 
-alternately(
+everyFourth(
   "roslib lists the topics, hears the robot, drives it into the wall and sees the bump",
   async ({page}) => {
     const learner = new Learner(page)

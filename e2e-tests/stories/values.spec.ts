@@ -7,9 +7,9 @@ import {test as daily} from "./story.ts"
 import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyFourthDay(1, daily, import.meta.url)
+const everyFourth = everyFourthDay(1, daily, import.meta.url)
 
-alternately(
+everyFourth(
   "several values are drawn at once, one cursor reads them, and the table is saved",
   async ({page}) => {
     const learner = new Learner(page)

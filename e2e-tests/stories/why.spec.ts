@@ -8,7 +8,7 @@ import {test as daily} from "./story.ts"
 import {everyFourthDay, inTurn} from "./turns.ts"
 
 const test = inTurn(daily, import.meta.url)
-const alternately = everyFourthDay(3, daily, import.meta.url)
+const everyFourth = everyFourthDay(3, daily, import.meta.url)
 
 const answer = (page: Page) => page.getByTestId("why-answer")
 /// A coordinate of the robot, as its readout says it.
@@ -16,7 +16,7 @@ const metres = async (learner: Learner, what: "x" | "y") =>
   Number.parseFloat((await learner.robot(what).textContent()) ?? "")
 const time = String.raw`\d+\.\d\d s`
 
-alternately("the robot backs off from a wall: why, and one step back to the bumper", async ({page}) => {
+everyFourth("the robot backs off from a wall: why, and one step back to the bumper", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("forwardBackward")
   await page.getByRole("button", {name: "Diagram", exact: true}).click()

@@ -1,5 +1,5 @@
-/// Turns of the test files that need a browser: a part of them is run on one day in seven (`codegen/test/turns.ts`). Files that are
-/// not listed are run each day: none. Stories build a small program each day (`e2e-tests/stories/first-hour.spec.ts`).
+/// Turns of the test files that need a browser: each is run on one day in seven (`codegen/test/turns.ts`), a file that is not listed
+/// each day. Stories build a small program each day (`e2e-tests/stories/first-hour.spec.ts`).
 
 import type {Turns} from "../../codegen/test/turns.ts"
 

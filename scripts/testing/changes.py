@@ -8,10 +8,22 @@ clone that has no record compares with its own last commit: what others have com
 from __future__ import annotations
 
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-__all__ = ["changed_since", "record_commit", "recorded_commit"]
+__all__ = ["changed_since", "packages_are_waiting", "record_commit", "recorded_commit"]
+
+PACKAGE_SOURCES = ("scripts/installation/", "scripts/package.py", "scripts/tests/test_package.py", "sim-service/rosy_sim/config.py")
+"""What decides, with the command itself, what a package holds and needs."""
+
+
+def packages_are_waiting(environment: Mapping[str, str]) -> bool:
+    """Whether the tests of packages are left out: they run one day in seven, nightly, by hand, and while what they test has changed."""
+    seed = environment.get("ROSY_TEST_SEED")
+    if seed is None or environment.get("ROSY_TEST_SHARE") == "1" or int(seed) % 7 == 0:
+        return False
+    changed = environment.get("ROSY_TEST_CHANGED", "").splitlines()
+    return not any(name == "rosy" or name.startswith(PACKAGE_SOURCES) for name in changed)
 
 
 def changed_since(root: Path, base: str | None) -> Sequence[str]:

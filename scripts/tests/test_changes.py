@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from testing.changes import changed_since, record_commit, recorded_commit
+from testing.changes import changed_since, packages_are_waiting, record_commit, recorded_commit
 
 
 def git(root: Path, *arguments: str) -> None:
@@ -51,3 +51,13 @@ def test_without_git_nothing_has_changed(tmp_path: Path) -> None:
     assert changed_since(tmp_path, None) == []
     record_commit(tmp_path, tmp_path / "commit")
     assert recorded_commit(tmp_path / "commit") is None
+
+
+def test_packages_are_tested_on_their_day_nightly_by_hand_and_after_a_change() -> None:
+    day = {"ROSY_TEST_SEED": "1", "ROSY_TEST_SHARE": "0.1", "ROSY_TEST_CHANGED": "rosy-hs/src/Rosy.hs\nrosy.cabal"}
+    assert packages_are_waiting(day)
+    assert not packages_are_waiting(day | {"ROSY_TEST_SEED": "7"})
+    assert not packages_are_waiting(day | {"ROSY_TEST_SHARE": "1"})
+    assert not packages_are_waiting({})
+    for name in ("rosy", "scripts/installation/debian.py"):
+        assert not packages_are_waiting(day | {"ROSY_TEST_CHANGED": f"README.md\n{name}"})

@@ -24,10 +24,9 @@
 --   > settle = settleParts
 --   > initial = initialFrom [construct Go, withField (withField (construct Turn))]
 --
---   A constructor between its fields, @Int :+ a@, is @Around 9 ":+" (Field a1) (Field a2)@ with its precedence. GHC compiles this in a third
+--   A constructor between its fields, @Int :+ a@, is @InfixParts 9 ":+" (Field a1) (Field a2)@ with its precedence. GHC compiles this in a third
 --   of the time of a 'GHC.Generics.Generic' instance. A type variable that is applied to something in a field (@f@ in @T (f Int)@) has the context
---   @Typeable f@ in place of @Value f@. For any other declaration, also one without constructors or with a field that has type variables of its
---   own, leave out the second, give 'Value' the methods
+--   @Typeable f@ in place of @Value f@. For any other declaration, also with a field that has type variables of its own, leave out the second, give 'Value' the methods
 --   'displayOpaque', 'settleOpaque' and 'initialOpaque', and put @Typeable a@ for every variable into the context.
 --   Needs @StandaloneDeriving@, @FlexibleContexts@ and @UndecidableInstances@ (on 9.0, for the derived contexts).
 --   A field of a type without instances, such as a function, never makes this fail: it is shown as @_@.

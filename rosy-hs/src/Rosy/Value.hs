@@ -95,7 +95,7 @@ data Parts
   = -- | the name of its constructor, the labels of the fields if it has any, and the fields
     Parts String [String] [Field]
   | -- | the precedence and the name of a constructor between its two fields
-    Around Int String Field Field
+    InfixParts Int String Field Field
 
 data Field = forall a. Value a => Field a
 
@@ -336,7 +336,7 @@ instance Default IntSet.IntSet
 -- Tuples (the Generic instances of GHC 9.0 stop at seven)
 
 tupled :: [ShowS] -> ShowS
-tupled shownParts = showChar '(' . foldr1 (\a b -> a . showChar ',' . b) shownParts . showChar ')'
+tupled fs = showChar '(' . foldr1 (\a b -> a . showChar ',' . b) fs . showChar ')'
 
 instance (Value a, Value b) => Value (a, b) where
   display _ (a, b) = tupled [display 0 a, display 0 b]
@@ -400,9 +400,9 @@ instance (Default a, Default b, Default c, Default d, Default e, Default f, Defa
 -- | 'display' of a type with 'parts'.
 displayParts :: Value a => Int -> a -> ShowS
 displayParts d x = case parts x of
-  Parts name [] fs -> applied d (prefixed name) [display 11 y | Field y <- fs]
-  Parts name labels fs -> labelled d (prefixed name) (zip labels [display 0 y | Field y <- fs])
-  Around precedence name (Field a) (Field b) -> between d precedence name (display (precedence + 1) a) (display (precedence + 1) b)
+  Parts name [] fs -> prefixText d (prefixed name) [display 11 y | Field y <- fs]
+  Parts name labels fs -> recordText d (prefixed name) (zip labels [display 0 y | Field y <- fs])
+  InfixParts precedence name (Field a) (Field b) -> infixText d precedence name (display (precedence + 1) a) (display (precedence + 1) b)
 
 -- | The name of a constructor before its fields.
 prefixed :: String -> ShowS
@@ -411,20 +411,20 @@ prefixed name = showParen (isOperator name) (showString name)
 isOperator :: String -> Bool
 isOperator name = take 1 name == ":"
 
--- | A constructor of this precedence between its fields.
-between :: Int -> Int -> String -> ShowS -> ShowS -> ShowS
-between d precedence name a b = showParen (d > precedence) (a . showChar ' ' . infixed . showChar ' ' . b)
+-- | An infix constructor of this precedence.
+infixText :: Int -> Int -> String -> ShowS -> ShowS -> ShowS
+infixText d precedence name a b = showParen (d > precedence) (a . showChar ' ' . infixed . showChar ' ' . b)
   where
     infixed = if isOperator name then showString name else showChar '`' . showString name . showChar '`'
 
 -- | A constructor without labels.
-applied :: Int -> ShowS -> [ShowS] -> ShowS
-applied _ name [] = name
-applied d name fs = showParen (d > 10) (foldl (\before part -> before . showChar ' ' . part) name fs)
+prefixText :: Int -> ShowS -> [ShowS] -> ShowS
+prefixText _ name [] = name
+prefixText d name fs = showParen (d > 10) (foldl (\before part -> before . showChar ' ' . part) name fs)
 
 -- | A constructor with labels.
-labelled :: Int -> ShowS -> [(String, ShowS)] -> ShowS
-labelled d name fs = showParen (d > 10) (name . showString " {" . commas (map field fs) . showChar '}')
+recordText :: Int -> ShowS -> [(String, ShowS)] -> ShowS
+recordText d name fs = showParen (d > 10) (name . showString " {" . commas (map field fs) . showChar '}')
   where
     field (label, part) = showParen (isSymbol label) (showString label) . showString " = " . part
     isSymbol label = not (any (\c -> isAlpha c || c == '_') (take 1 label))
@@ -437,7 +437,7 @@ settleParts budget x
   | budget <= 0 = budget
   | otherwise = case parts x of
     Parts _ _ fs -> finish (budget - 1) fs
-    Around _ _ a b -> finish (budget - 1) [a, b]
+    InfixParts _ _ a b -> finish (budget - 1) [a, b]
   where
     finish :: Int -> [Field] -> Int
     finish left fs = case fs of
@@ -485,10 +485,10 @@ instance (GValue f, GValue g) => GValue (f :+: g) where
 
 instance (Constructor c, GFields f) => GValue (C1 c f) where
   gDisplay d m@(M1 x)
-    | conIsRecord m = labelled d (prefixed (conName m)) (fields 0 x)
+    | conIsRecord m = recordText d (prefixed (conName m)) (fields 0 x)
     | otherwise = case conFixity m of
-      Infix _ precedence | [(_, a), (_, b)] <- fields (precedence + 1) x -> between d precedence (conName m) a b
-      _ -> applied d (prefixed (conName m)) (map snd (fields 11 x))
+      Infix _ precedence | [(_, a), (_, b)] <- fields (precedence + 1) x -> infixText d precedence (conName m) a b
+      _ -> prefixText d (prefixed (conName m)) (map snd (fields 11 x))
   gSettle budget (M1 x)
     | budget <= 0 = budget
     | otherwise = settleFields (budget - 1) x

@@ -67,6 +67,7 @@ tests borrow =
           "of the program's own choice" `says` "Again 0" $ ["data Loop = Again Int | More Loop deriving Show", "instance Default Loop where defaultValue = Again 0", remembers "Loop"],
           "none" `isRefused` ["no-default"] $ ["data Loop = Again Loop | More Int Loop deriving Show", remembers "Loop"],
           "none, through other types and a synonym" `isRefused` ["no-default"] $ ["data A = A B deriving Show", "data B = B (Maybe Int, A) deriving Show", "type C = (Int, A)", remembers "C"],
+          "none, of a type without constructors" `isRefused` ["no-default"] $ ["data Empty", "main = simulate f", "f :: Bumper -> Memory Empty", "f _ = Memory undefined"],
           "none in a parameter" `isRefused` ["no-default"] $ ["data Loop = Loop Loop deriving Show", "data Pair a = Pair a a deriving Show", "main = simulate f", "f :: Bumper -> Param (Pair Loop) -> Say", "f _ (Param p) = Say (show p)"],
           "none, written and never read" `isRefused` ["no-default"] $ ["data Loop = Loop Loop", "main = simulate f", "f :: Bumper -> Memory Loop", "f _ = Memory (let l = Loop l in l)"],
           "a type without a default that is in no memory" `says` "ok" $ ["data Loop = Loop Loop", "main = simulate (Say \"ok\", f)", "f :: Loop -> Velocity", "f _ = Velocity 0 0"]

@@ -75,7 +75,7 @@ instance Value a => Value (Declared a) where
     Spoken a b -> Parts "Spoken" [] [Field a, Field b]
     Named a b -> Parts "Named" ["volume", "<->"] [Field a, Field b]
     Choir a -> Parts "Choir" [] [Field a]
-    a :~ b -> Around 3 ":~" (Field a) (Field b)
+    a :~ b -> InfixParts 3 ":~" (Field a) (Field b)
   display = displayParts
   settle = settleParts
   initial = initialFrom [construct Silent, withField (withField (construct Spoken)), withField (withField (construct Named)), withField (construct Choir), withField (withField (construct (:~)))]

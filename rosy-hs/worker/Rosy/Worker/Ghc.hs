@@ -265,8 +265,7 @@ check restriction purpose session flags columns source (L at parsed) warnings = 
             else whole raws tcg (readyWith tcg env summary)
   where
     readyWith tcg env summary = (\name -> Ready env summary tcg name source (\s -> if isWritten s then spanAt columns s else Nothing)) <$> mainOf tcg
-    -- A program that mentions Generic may use the real instances.
-    instances = if purpose == ForCheck && not ("Generic" `Text.isInfixOf` source) then EmptyBodies else WholeBodies
+    instances = if purpose == ForCheck then EmptyBodies else WholeBodies
     isWritten = not . isInside (derivedSpans parsed)
     -- An instance without methods fails when it is used. Written by hand it may be on purpose, derived it is not.
     completeDerivations m

@@ -86,20 +86,20 @@ addedMethods = [("Value", ["display", "settle", "initial"]), ("Default", ["defau
 
 -- * Instances
 
--- | The instances that make a declared type an event of its own ("Rosy.Program" says which). They stand at the place of the
--- declaration, so that whatever is wrong with them is wrong with it.
+-- | The instances that make a declared type an event of its own ("Rosy.Program" says which). Their location is that of the
+-- declaration, so an error in an instance is reported there.
 instancesFor :: InstanceBodies -> [LHsDecl GhcPs] -> LHsDecl GhcPs -> [LHsDecl GhcPs]
 instancesFor instances everything (At at d) = case d of
   TyClD _ t@DataDecl {tcdDataDefn = defn}
     | Just structure <- structureOf everything defn ->
-      let methodsOf (c, methods)
+      let methodsOf c methods
             | instances == EmptyBodies = [method m m | m <- methods]
             | c == "Value" = structureMethods at structure
             | otherwise = []
-       in concat [with (methodsOf added') t c | added'@(c, _) <- addedMethods, not (derives c defn)]
+       in concat [with (methodsOf c methods) t c | (c, methods) <- addedMethods, not (derives c defn)]
     | isNothing (dd_kindSig defn) ->
       -- Their values can be sent, but have no default.
-      concatMap (\(c, methods) -> with [method m f | (m, f) <- methods] t c) [("Value", opaqueMethods), ("Sensor", sameWhenChecked "sensor"), ("Command", sameWhenChecked "command")]
+      concat [with [method m f | (m, f) <- methods] t c | (c, methods) <- [("Value", opaqueMethods), ("Sensor", sameWhenChecked "sensor"), ("Command", sameWhenChecked "command")], not (derives c defn)]
     where
       opaqueMethods = [("display", "displayOpaque"), ("settle", "settleOpaque"), ("initial", "initialOpaque")]
       sameWhenChecked m = [(m, m) | instances == EmptyBodies]
@@ -130,19 +130,13 @@ instancesFor instances everything (At at d) = case d of
     name :: RdrName -> LHsType GhcPs
     name = typeVariable at
 
--- | A constructor: how it is shown, and as many variables as it has fields.
-data Constructor = Constructor RdrName Form [RdrName]
+-- | A constructor with as many variables as fields, and its labels if it has any. One with a precedence is infix.
+data Constructor = Constructor RdrName (Maybe Int) [String] [RdrName]
 
-data Form
-  = -- | with its labels, if it has any
-    Before [String]
-  | -- | between its two fields, with its precedence
-    BetweenFields Int
-
--- | The constructors of a type whose structure can be written down: there is one, and none has types with variables of their own.
+-- | The constructors of a type, if none has type variables, constraints or polymorphic fields of its own.
 structureOf :: [LHsDecl GhcPs] -> HsDataDefn GhcPs -> Maybe [Constructor]
 structureOf everything defn
-  | null constructors || not (all (isPlainConstructor . unLoc) constructors) || hasInnerTypes constructors = Nothing
+  | not (all (isPlainConstructor . unLoc) constructors) || hasInnerTypes constructors = Nothing
   | otherwise = Just (concatMap (ofConstructor . unLoc) constructors)
   where
     constructors = dataConstructors defn
@@ -150,11 +144,11 @@ structureOf everything defn
     ofConstructor :: ConDecl GhcPs -> [Constructor]
     ofConstructor c = [withForm n (constructorForm c) | n <- constructorNames c]
     withForm n form = case form of
-      Labelled labels -> Constructor n (Before labels) (variables (length labels))
-      Between -> Constructor n (BetweenFields (precedence n)) (variables 2)
-      -- In GADT syntax an operator with two fields stands between them if it has a precedence.
-      Positional 2 | isSymOcc (rdrNameOcc n), isGadt, Just p <- lookup n fixities -> Constructor n (BetweenFields p) (variables 2)
-      Positional count -> Constructor n (Before []) (variables count)
+      RecordForm labels -> Constructor n Nothing labels (variables (length labels))
+      InfixForm -> Constructor n (Just (precedence n)) [] (variables 2)
+      -- In GADT syntax an operator with two fields is infix if it has a precedence.
+      PrefixForm 2 | isSymOcc (rdrNameOcc n), isGadt -> Constructor n (lookup n fixities) [] (variables 2)
+      PrefixForm count -> Constructor n Nothing [] (variables count)
     isGadt = any (\(L _ c) -> case c of ConDeclGADT {} -> True; _ -> False) constructors
     -- That of an operator without a declaration.
     precedence n = fromMaybe 9 (lookup n fixities)
@@ -164,18 +158,18 @@ structureOf everything defn
 -- | The methods of @Value@ of a type with this structure.
 structureMethods :: SrcSpan -> [Constructor] -> [LHsBind GhcPs]
 structureMethods at structure =
-  [ methodOf at "parts" [nlVarPat value] (nlHsCase (nlHsVar value) [mkHsCaseAlt (nlConVarPat c vars) (takenApart constructor) | constructor@(Constructor c _ vars) <- structure]),
+  [ methodOf at "parts" [nlVarPat value] (nlHsCase (nlHsVar value) [mkHsCaseAlt (nlConVarPat c vars) (takenApart constructor) | constructor@(Constructor c _ _ vars) <- structure]),
     methodOf at "display" [] (addedFunction "displayParts"),
     methodOf at "settle" [] (addedFunction "settleParts"),
     methodOf at "initial" [] (nlHsApp (addedFunction "initialFrom") (nlList (map begun structure)))
   ]
   where
     value = mkRdrUnqual (mkVarOcc "value")
-    takenApart (Constructor c form vars) = case form of
-      Before labels -> applying (addedConstructor "Parts") [stringLiteral (plainName c), nlList (map stringLiteral labels), nlList (map field vars)]
-      BetweenFields precedence -> applying (addedConstructor "Around") (nlHsIntLit (toInteger precedence) : stringLiteral (plainName c) : map field vars)
+    takenApart (Constructor c infixPrecedence labels vars) = case infixPrecedence of
+      Nothing -> applying (addedConstructor "Parts") [stringLiteral (plainName c), nlList (map stringLiteral labels), nlList (map field vars)]
+      Just precedence -> applying (addedConstructor "InfixParts") (nlHsIntLit (toInteger precedence) : stringLiteral (plainName c) : map field vars)
     field = nlHsApp (addedConstructor "Field") . nlHsVar
-    begun (Constructor c _ vars) = foldl (\part _ -> nlHsApp (addedFunction "withField") part) (nlHsApp (addedFunction "construct") (nlHsVar c)) vars
+    begun (Constructor c _ _ vars) = foldl (\part _ -> nlHsApp (addedFunction "withField") part) (nlHsApp (addedFunction "construct") (nlHsVar c)) vars
     applying = foldl nlHsApp
     addedConstructor = nlHsVar . added . mkDataOcc
 

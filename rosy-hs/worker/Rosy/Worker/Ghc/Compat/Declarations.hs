@@ -62,16 +62,16 @@ constructorNames c = case c of
 
 constructorFields :: ConDecl GhcPs -> [RdrName]
 
--- | How a constructor is declared: with so many fields behind it, with these labels, or between its two fields.
-data ConstructorForm = Positional Int | Labelled [String] | Between
+-- | How a constructor is declared: before so many fields, with these labels, or between its two fields.
+data ConstructorForm = PrefixForm Int | RecordForm [String] | InfixForm
   deriving (Eq)
 
 constructorForm :: ConDecl GhcPs -> ConstructorForm
 constructorForm c = case map (occNameString . rdrNameOcc) (constructorFields c) of
-  [] -> maybe Between Positional (positionalFields c)
-  labels -> Labelled labels
+  [] -> maybe InfixForm PrefixForm (positionalFields c)
+  labels -> RecordForm labels
 
--- | The number of fields of a constructor without labels; 'Nothing' for one between its fields.
+-- | The number of fields of a constructor without labels; 'Nothing' for an infix one.
 positionalFields :: ConDecl GhcPs -> Maybe Int
 
 -- | The precedences that the program declares.
