@@ -39,6 +39,7 @@ import Rosy.Console (printingTo, sayingAll, withCapturedOutput)
 import Rosy.Controller (Names (..))
 import Rosy.Core (Task, Topic)
 import Rosy.Link
+import Rosy.Link.Mailbox (Mailbox)
 import Rosy.Link.Pipe (pipeLink)
 import Rosy.Problem
 import Rosy.Run (runOn)
@@ -105,14 +106,16 @@ simulateNamed names what = do
 -- the first word is the length in bytes (0 when none is at work), the name follows as UTF-8 from byte 4. It is written before the
 -- function starts, so that the function a program is stuck in can be named when it is ended.
 --
+-- A mailbox, if there is one, takes the place of the link for the bytes of a step.
+--
 -- Takes the empty places of the program as well, so that a run that comes to one can say so, and its branches, so that firings tell which they took.
 --
 -- Every way to end is told to the robot before this returns: zero velocity first, then how it ended. What the program prints, the robot says,
 -- also what it prints after @simulate@: the robot is told of the end when @main@ has ended.
-onPipe :: CInt -> Ptr Word32 -> [EmptyPlace] -> [Branch] -> IO () -> IO ()
-onPipe descriptor page places branches mainOf = do
+onPipe :: CInt -> Ptr Word32 -> Mailbox -> [EmptyPlace] -> [Branch] -> IO () -> IO ()
+onPipe descriptor page mailbox places branches mainOf = do
   setBranches branchText branches
-  link <- placing <$> pipeLink descriptor page
+  link <- placing <$> pipeLink descriptor page mailbox
   withCapturedOutput (\printed -> launch (AfterMain printed) (printingTo printed link) mainOf `catch` lost)
   where
     placing link = link {end = \told ending -> end link told (case ending of EndedError problem -> EndedError (atEmptyPlace places problem); other -> other)}

@@ -62,8 +62,8 @@ import Rosy.Wire.NumberTemplate
 
 -- | A line from the simulator.
 data Line
-  = -- | Protocol version, seed, time of day at the start (s), trace, whether quiet steps are left out, and whether steps are polled for.
-    StartLine Int Int Double Bool Bool Bool
+  = -- | Protocol version, seed, time of day at the start (s), trace, and whether quiet steps are left out.
+    StartLine Int Int Double Bool Bool
   | SensorLine [Message]
   | -- | Number and time (s) of the step whose messages came before, whether the memory is looked at, whether the firings are, and whether
     -- the step was quiet and is over.
@@ -124,7 +124,7 @@ line taken o = do
         Left why | null own -> fail why
         found -> pure (SensorLine (fromRight [] found ++ own))
     "step" -> StepLine <$> o .: "step" <*> o .: "time" <*> o .:? "memory" .!= False <*> o .:? "firings" .!= False <*> o .:? "late" .!= False
-    "start" -> StartLine <$> o .: "protocol" <*> o .: "seed" <*> o .:? "clock" .!= 0 <*> o .:? "trace" .!= False <*> o .:? "quiet" .!= False <*> o .:? "polls" .!= False
+    "start" -> StartLine <$> o .: "protocol" <*> o .: "seed" <*> o .:? "clock" .!= 0 <*> o .:? "trace" .!= False <*> o .:? "quiet" .!= False
     "stop" -> pure StopLine
     _ -> fail ("unknown op " ++ show op)
 

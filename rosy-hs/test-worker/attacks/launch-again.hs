@@ -1,3 +1,3 @@
 import Rosy.Launch
 
-main = onPipe 3 undefined [] [] (simulate (Velocity 0 0))
+main = onPipe 3 undefined undefined [] [] (simulate (Velocity 0 0))

@@ -34,13 +34,14 @@
 
 /* ---- Receiving and sending ---------------------------------------------------------------------------------- */
 
-/* Reads what is there; a descriptor that rode along ends in *received_fd (else -1). Further ones are closed. */
-ssize_t rosy_receive(int fd, void *buffer, size_t size, int *received_fd) {
+/* Reads what is there; up to two descriptors that rode along end in received_fds (else -1). Further ones are closed. */
+ssize_t rosy_receive(int fd, void *buffer, size_t size, int received_fds[2]) {
   struct iovec part = {buffer, size};
   union { char space[CMSG_SPACE(8 * sizeof(int))]; struct cmsghdr align; } control;
   struct msghdr message = {.msg_iov = &part, .msg_iovlen = 1, .msg_control = &control, .msg_controllen = sizeof control};
   ssize_t got;
-  *received_fd = -1;
+  size_t kept = 0;
+  received_fds[0] = received_fds[1] = -1;
   do got = recvmsg(fd, &message, MSG_CMSG_CLOEXEC | MSG_DONTWAIT); while (got < 0 && errno == EINTR);
   if (got < 0) return errno == EAGAIN || errno == EWOULDBLOCK ? -2 : -1;
   for (struct cmsghdr *c = CMSG_FIRSTHDR(&message); c; c = CMSG_NXTHDR(&message, c)) {
@@ -49,7 +50,7 @@ ssize_t rosy_receive(int fd, void *buffer, size_t size, int *received_fd) {
     for (size_t i = 0; i < count; i++) {
       int one;
       memcpy(&one, CMSG_DATA(c) + i * sizeof(int), sizeof one);
-      if (*received_fd < 0) *received_fd = one; else close(one);
+      if (kept < 2) received_fds[kept++] = one; else close(one);
     }
   }
   return got;
@@ -119,6 +120,12 @@ void *rosy_page(void) {
 }
 
 void rosy_page_free(void *page) { munmap(page, 4096); }
+
+/* The mailbox of a program in a file of memory (Rosy.Link.Mailbox), NULL when it is none. */
+void *rosy_mailbox(int fd) {
+  void *box = mmap(NULL, 65536, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
+  return box == MAP_FAILED ? NULL : box;
+}
 
 /* To be called in the parent after the fork: children forked from now on do not see this page. */
 void rosy_page_keep(void *page) { madvise(page, 4096, MADV_DONTFORK); }

@@ -5,7 +5,7 @@
 #include <sys/types.h>
 
 /* Receiving and sending. */
-ssize_t rosy_receive(int fd, void *buffer, size_t size, int *received_fd);
+ssize_t rosy_receive(int fd, void *buffer, size_t size, int received_fds[2]);
 ssize_t rosy_send(int fd, const void *buffer, size_t size);
 
 /* Waiting. */
@@ -19,6 +19,7 @@ double rosy_processor_time(int pid);
 void *rosy_page(void);
 void rosy_page_free(void *page);
 void rosy_page_keep(void *page);
+void *rosy_mailbox(int fd);
 int rosy_pair(int *ends);
 int rosy_write_all(int fd, const char *buffer, size_t size);
 

@@ -7,6 +7,7 @@ seed and hands.
 
 from __future__ import annotations
 
+import socket
 from collections.abc import Callable
 from typing import Any
 
@@ -20,12 +21,13 @@ from ..run.steps.lockstep import Lockstep
 from ..run.steps.velocity_guard import SafetySettings
 from ..wire.page import Goal, Previewed
 from ..wire.problem import Problem
+from ..worker.mailbox import Mailbox
 from ..world.arena import read_arena
 from ..world.time_step import STEP
 from ..world.world import World
 from .computing_budget import ComputingBudget
 
-__all__ = ["PathRecorder", "PreviewTask", "preview_over_link", "refused_preview"]
+__all__ = ["PathRecorder", "PreviewTask", "preview_over_link", "preview_settings", "refused_preview"]
 
 _POINT_DISTANCE = 0.02
 """Between two points of a path, m: less than a pixel of a picture of a whole room."""
@@ -82,29 +84,38 @@ class PathRecorder:
         self.path.append(point)
 
 
+def preview_settings(task: PreviewTask, limits: Limits) -> RunSettings:
+    """How a preview is run."""
+    hands = tuple((step * STEP, action) for step, action in read_hands(task.hands))
+    return RunSettings(task.seconds, task.seed, None, hands, limits, task.safety, polls=True)
+
+
 def preview_over_link(
-    task: PreviewTask, link: Any, program: Program, limits: Limits, is_over: Callable[[], bool]
+    task: PreviewTask,
+    settings: RunSettings,
+    link: socket.socket,
+    program: Program,
+    is_over: Callable[[], bool],
+    mailbox: Mailbox | None = None,
 ) -> Previewed:
     """
     Run a program that waits at the other end of a link.
 
     Args:
-        limits: ``limits.preview`` bounds the processor time of this process and those below it; then the path ends
-            early.
+        settings: those of ``preview_settings``; their ``limits.preview`` bounds the processor time of this process and
+            those below it; then the path ends early.
         is_over: called in each step; true when the result is no longer needed.
     """
     world = World(read_arena(task.world), DEFAULT_ROBOT, task.seed)
     recorder = PathRecorder(world)
-    budget = ComputingBudget(limits.preview)
+    budget = ComputingBudget(settings.limits.preview)
 
     def observe(lockstep: Lockstep) -> bool:
         if lockstep.state != "ended":
             recorder.observe(lockstep)
         return is_over() or budget.is_used_up()
 
-    hands = tuple((step * STEP, action) for step, action in read_hands(task.hands))
-    settings = RunSettings(task.seconds, task.seed, None, hands, limits, task.safety, polls=True)
-    result = run_over_link(link, world, settings, RunOutput(observe=observe), program)
+    result = run_over_link(link, world, settings, RunOutput(observe=observe), program, mailbox)
     return _previewed(task.id, result, world, recorder)
 
 

@@ -22,7 +22,7 @@ from ..wire.page import Previewed
 from ..wire.worker import Refused
 from ..worker.background_process import LOWEST_PRIORITY, WorkerSetup, begin_reading, write_line
 from ..worker.blocking_worker import BlockingWorker
-from .preview import PreviewTask, preview_over_link, refused_preview
+from .preview import PreviewTask, preview_over_link, preview_settings, refused_preview
 
 __all__ = ["main"]
 
@@ -76,11 +76,12 @@ def main() -> int:
 
 def _preview(worker: BlockingWorker, task: PreviewTask, limits: Limits, cancelled: threading.Event) -> Previewed:
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
-    with ours:
-        started = worker.run(task.source, theirs, cancelled.is_set)
+    settings = preview_settings(task, limits)
+    with ours, settings.open_mailbox() as mailbox:
+        started = worker.run(task.source, theirs, cancelled.is_set, mailbox)
         if isinstance(started, Refused):
             return refused_preview(task.id, started.problems)
-        found = preview_over_link(task, ours, worker, limits, cancelled.is_set)
+        found = preview_over_link(task, settings, ours, worker, cancelled.is_set, mailbox)
     # Answers about a run that is over are passed over by the next one.
     worker.kill()
     return found

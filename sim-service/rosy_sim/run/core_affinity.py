@@ -1,10 +1,9 @@
 """
-Core affinity of a lockstep: where the thread of a run and the process of its program compute, and how this one waits.
+Core affinity of a lockstep: where the thread of a run and the process of its program compute.
 
 The pair shares one core: of the two one computes while the other waits, and waking a process on the same core costs
-least. A program that is asked in most steps, or has just begun, is put on a core of its own, and both poll the link
-for a while before they sleep: then neither has to be woken, and each keeps its cache. That takes two cores for the
-work of one. While other
+least. With a mailbox, a program that is asked often, or has just begun, is put on a core of its own, and both wait
+actively: then neither has to be woken, and each keeps its cache. That takes two cores for the work of one. While other
 work keeps their cores busy the pair is free to move, as the scheduler decides. The affinity that this thread and the
 program were given is never exceeded, and is restored at the end.
 """
@@ -12,21 +11,14 @@ program were given is never exceeded, and is restored at the end.
 from __future__ import annotations
 
 import os
-import socket
-import struct
 import time
-from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
 from typing import Literal
 
+from .program_link import ProgramLink
+
 __all__ = ["CoreAffinity"]
-
-_CHUNK = 65536
-"""Bytes read at once."""
-
-_CREDENTIALS = struct.Struct("3i")
-"""``struct ucred``: process, user and group of a sender. unix(7)."""
 
 REVIEW_STEPS = 100
 """Steps after which ``review`` is called."""
@@ -38,33 +30,26 @@ BUSY = 1 / 3
 """A core is busy when the pair waited for it for a larger share of the time. Choice of ours: alone, one of both waits
 for the last microseconds of the other's turn, some tenth; beside one busy process they wait half of the time."""
 
-POLLS = 150
-"""Looks at an empty link before this thread sleeps: some 0.1 ms, several times what a program takes for a step."""
-
 FIRST_PAUSE = 0.5
 """Until the pair that could not use two cores tries them again, s; the next pauses are twice as long each."""
 
+SELDOM = 5
+"""A program that is asked in fewer than every fifth step is asked seldom. At the default rate, 10 Hz, it is asked in
+each fifth."""
+
 Placement = Literal["free", "shared", "separate"]
-"""On any core, on one core, or each on its own and polling."""
+"""On any core, on one core, or each on its own and waiting actively."""
 
 
 class CoreAffinity:
     """
-    Of one run: reads its link, and learns from the first read which process is at the other end.
-
-    A context manager for the thread that drives the run. On a system without these calls, or with one core, it only
-    reads.
+    Of one run. A context manager for the thread that drives it. On a system without these calls, or with one core, it
+    does nothing.
     """
 
-    def __init__(self, link: socket.socket, wanted: bool = True, polls: bool = False) -> None:
-        # Reads the link.
-        self.receive: Callable[[], bytes] = self._sleep
+    def __init__(self, link: ProgramLink, wanted: bool = True) -> None:
         self._link = link
         self.placement: Placement = "free"
-        # Whether the pair may use two cores for the work of one; the program then polls as well.
-        self.polls = False
-        # Since the last review: reads, and those of them that polled in vain.
-        self._reads = self._slept = 0
         # When two cores are tried again, and the pause after that, s.
         self._separate_from = 0.0
         self._pause = FIRST_PAUSE
@@ -75,10 +60,9 @@ class CoreAffinity:
         self._theirs: set[int] = set()
         # When the waiting time was looked at last, and what it was, s.
         self._reviewed = self._waited = 0.0
-        if wanted and hasattr(os, "sched_setaffinity") and len(os.sched_getaffinity(0)) > 1:
-            link.setsockopt(socket.SOL_SOCKET, socket.SO_PASSCRED, 1)
-            self.receive = self._receive_first
-            self.polls = polls
+        self._is_wanted = wanted and hasattr(os, "sched_setaffinity") and len(os.sched_getaffinity(0)) > 1
+        if self._is_wanted:
+            link.ask_for_program()
 
     def __enter__(self) -> CoreAffinity:
         return self
@@ -91,19 +75,11 @@ class CoreAffinity:
             self.placement = "free"
             _assign(0, self._ours)
 
-    def _receive_first(self) -> bytes:
-        """Read the first bytes with the credentials of their sender, which the kernel vouches for."""
-        data, ancillary, _, _ = self._link.recvmsg(_CHUNK, socket.CMSG_SPACE(_CREDENTIALS.size))
-        self.receive = self._sleep
-        self._link.setsockopt(socket.SOL_SOCKET, socket.SO_PASSCRED, 0)
-        for level, kind, found in ancillary:
-            if level == socket.SOL_SOCKET and kind == socket.SCM_CREDENTIALS:
-                self._meet(_CREDENTIALS.unpack(found[: _CREDENTIALS.size])[0])
-        return data
-
-    def _meet(self, program: int) -> None:
+    def begin(self) -> None:
+        """Give both their cores. Call when the link has been read for the first time."""
+        program = self._link.program
         # A program in a thread of this process, as in tests, has nothing to be pinned to.
-        if program in (0, os.getpid()):
+        if not self._is_wanted or program in (0, os.getpid()):
             return
         try:
             self._ours, self._theirs = os.sched_getaffinity(0), os.sched_getaffinity(program)
@@ -111,15 +87,17 @@ class CoreAffinity:
             return
         self._program = program
         self._reviewed, self._waited = time.perf_counter(), self._waiting_time()
-        self._place("separate" if self.polls else "shared")
+        self._place("separate" if self._link.has_mailbox else "shared")
 
     def review(self) -> None:
         """Give up cores that others keep busy, and take them again later. Call every ``REVIEW_STEPS`` steps."""
-        reads, slept = self._reads, self._slept
-        self._reads = self._slept = 0
+        link = self._link
+        reads, slept = link.reads, link.slept
+        link.reads = link.slept = 0
+        is_asked_often = reads * SELDOM >= REVIEW_STEPS
         now = time.perf_counter()
         goes_separate = (
-            self.polls and self.placement != "separate" and 2 * reads > REVIEW_STEPS and now >= self._separate_from
+            link.has_mailbox and self.placement != "separate" and is_asked_often and now >= self._separate_from
         )
         # A short run gains nothing from waiting for the first interval.
         is_early = now - self._reviewed < REVIEW_INTERVAL and not (goes_separate and self._separate_from == 0)
@@ -131,7 +109,7 @@ class CoreAffinity:
         if self.placement == "separate" and (is_busy or 2 * slept > reads):
             self._separate_from, self._pause = now + self._pause, 2 * self._pause
             self._place("shared")
-        elif self.placement == "separate" and 2 * reads <= REVIEW_STEPS:
+        elif self.placement == "separate" and not is_asked_often:
             self._place("shared")
         elif self.placement != "separate":
             self._place("free" if is_busy else "separate" if goes_separate else "shared")
@@ -156,23 +134,7 @@ class CoreAffinity:
             self._assign_both("free", self._ours, self._theirs)
             return
         self.placement = placement
-        self.receive = self._poll if placement == "separate" else self._sleep
-
-    def _sleep(self) -> bytes:
-        self._reads += 1
-        return self._link.recv(_CHUNK)
-
-    def _poll(self) -> bytes:
-        """Read as soon as there is something, without sleeping at first."""
-        receive = self._link.recv
-        self._reads += 1
-        for _ in range(POLLS):
-            try:
-                return receive(_CHUNK, socket.MSG_DONTWAIT)
-            except BlockingIOError:
-                pass
-        self._slept += 1
-        return receive(_CHUNK)
+        self._link.waits_actively = placement == "separate"
 
     def _waiting_time(self) -> float:
         """How long this thread and the program were ready and waited for a core, s; 0 where that is not known."""

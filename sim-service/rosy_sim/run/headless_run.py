@@ -6,9 +6,8 @@ The program comes from a worker or from a native executable. Texts go to a callb
 
 from __future__ import annotations
 
-import select
+import contextlib
 import socket
-import struct
 import subprocess
 import time
 from collections.abc import Callable
@@ -25,11 +24,13 @@ from ..wire.problem import Problem
 from ..wire.robot_link import LimitExceeded, LinkError
 from ..wire.worker import Gone, Refused
 from ..worker.blocking_worker import BlockingWorker
+from ..worker.mailbox import Mailbox, open_mailbox
 from ..world.goals import GoalState
 from ..world.time_step import STEP
 from ..world.world import World
 from .core_affinity import REVIEW_STEPS, CoreAffinity
 from .problems import broken_link, died, missing_parts, stuck, too_much_output, worker_lost
+from .program_link import ProgramLink
 from .steps.hands import HandAction, apply_hand
 from .steps.lockstep import Lockstep, State
 from .steps.velocity_guard import OFF, SafetySettings
@@ -47,10 +48,6 @@ __all__ = [
 ]
 
 Ended = Literal["time", "done", "error", "stuck", "refused"]
-
-
-_TIMEVAL = struct.Struct("@ll")
-"""``struct timeval``: seconds and microseconds."""
 
 
 class TraceOutput(Protocol):
@@ -78,8 +75,14 @@ class RunSettings:
     skips_quiet: bool = True
     # Whether the program and this thread are given their cores; False only for comparison.
     pins: bool = True
-    # Whether both may poll, each on a core of its own: for one run, for which a person waits.
+    # Whether both may wait actively, each on a core of its own: for one run, for which a person waits.
     polls: bool = False
+
+    def open_mailbox(self) -> contextlib.AbstractContextManager[Mailbox | None]:
+        """A mailbox for the program, if both may wait actively."""
+        # A run that waits for the clock gains nothing.
+        may_poll = self.polls and self.pins and self.speed is None
+        return (open_mailbox() if may_poll else None) or contextlib.nullcontext()
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,34 +146,43 @@ def run_program(
 ) -> RunResult:
     """Compile a program and run it in a world."""
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
-    with ours:
-        answer = worker.run(source, theirs)
+    with ours, settings.open_mailbox() as mailbox:
+        answer = worker.run(source, theirs, mailbox=mailbox)
         if isinstance(answer, Refused):
             return RunResult("refused", answer.problems)
         missing = missing_parts(world, answer.uses)
         if missing:
             worker.kill()
             return RunResult("refused", missing)
-        return run_over_link(ours, world, settings, output, worker)
+        return run_over_link(ours, world, settings, output, worker, mailbox)
 
 
 def run_native(binary: Path, world: World, settings: RunSettings, output: RunOutput) -> RunResult:
     """Run an executable that ``./rosy build`` made. It has no sandbox: its user could start it directly as well."""
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
-    with ours, theirs:
+    with ours, theirs, settings.open_mailbox() as mailbox:
         command = [str(binary.absolute()), "--link", str(theirs.fileno())]
-        with subprocess.Popen(command, pass_fds=[theirs.fileno()]) as process:
+        descriptors = [theirs.fileno()]
+        if mailbox is not None:
+            command += ["--mailbox", str(mailbox.descriptor)]
+            descriptors.append(mailbox.descriptor)
+        with subprocess.Popen(command, pass_fds=descriptors) as process:
             theirs.close()
             try:
-                return run_over_link(ours, world, settings, output, _NativeProgram(process))
+                return run_over_link(ours, world, settings, output, _NativeProgram(process), mailbox)
             finally:
                 process.kill()
 
 
 def run_over_link(
-    link: socket.socket, world: World, settings: RunSettings, output: RunOutput, program: Program | None = None
+    link: socket.socket,
+    world: World,
+    settings: RunSettings,
+    output: RunOutput,
+    program: Program | None = None,
+    mailbox: Mailbox | None = None,
 ) -> RunResult:
-    """Run a program that waits at the other end of a link."""
+    """Run a program that waits at the other end of a link, with its mailbox if it has one."""
     if program is None:
         program = _NativeProgram()
     traces = output.trace is not None or output.record is not None
@@ -180,8 +192,9 @@ def run_over_link(
     ended: Ended = "error"
     try:
         # A run that waits for the clock gains nothing.
-        with CoreAffinity(link, settings.pins and settings.speed is None, settings.polls) as core:
-            ended, problems = _Steps(link, lockstep, settings, output, core).run()
+        program_link = ProgramLink(link, mailbox)
+        with CoreAffinity(program_link, settings.pins and settings.speed is None) as core:
+            ended, problems = _Steps(program_link, lockstep, settings, output, core).run()
     except _Stuck:
         program.kill()
         last = program.gone()
@@ -205,7 +218,7 @@ class _Steps:
 
     def __init__(
         self,
-        link: socket.socket,
+        link: ProgramLink,
         lockstep: Lockstep,
         settings: RunSettings,
         output: RunOutput,
@@ -224,13 +237,14 @@ class _Steps:
         """All steps until the program or the time has ended."""
         lockstep = self._lockstep
         last = round(self._settings.seconds / STEP)
-        _limit_waiting(self._link, self._limits.ready)
-        self._send(lockstep.begin(self._core.polls))
+        self._link.limit_waiting(self._limits.ready)
+        self._send(self._link.send, lockstep.begin())
         self._read_while("opening", self._limits.ready)
+        self._core.begin()
         if lockstep.state == "ended":
             # A program without `simulate` may have printed.
             self._say()
-        _limit_waiting(self._link, self._limits.settle)
+        self._link.limit_waiting(self._limits.settle)
         began = time.perf_counter()
         while lockstep.state != "ended":
             if lockstep.step >= last:
@@ -261,7 +275,7 @@ class _Steps:
             self._apply_hands(self._actions)
         batch = lockstep.sense()
         if batch:
-            self._send(batch)
+            self._send(self._link.send_batch, batch)
             self._read_while("thinking", self._limits.settle)
             if lockstep.commands:
                 self._say()
@@ -297,14 +311,15 @@ class _Steps:
         for text in self._lockstep.said():
             self._output.say(text)
 
-    def _send(self, data: bytes) -> None:
+    @staticmethod
+    def _send(send: Callable[[bytes], None], data: bytes) -> None:
         """
         Send to a program that may have ended already, as one without `simulate` does at once. What it said before is
         still to be read.
         """
         # `contextlib.suppress` takes as long as the rest of this function, which is called in each step.
         try:  # noqa: SIM105
-            self._link.sendall(data)
+            send(data)
         except BrokenPipeError:
             pass
 
@@ -313,7 +328,7 @@ class _Steps:
         deadline = time.monotonic() + limit
         while True:
             try:
-                data = self._core.receive()
+                data = self._link.receive()
             except BlockingIOError as error:
                 raise _Stuck from error
             if not data:
@@ -326,28 +341,16 @@ class _Steps:
     def _stop(self) -> None:
         """Ask the program to end; the worker kills one that does not."""
         try:
-            self._link.sendall(self._lockstep.stop())
+            self._link.send(self._lockstep.stop())
             deadline = time.monotonic() + self._limits.stop
             while self._lockstep.state != "ended":
                 left = deadline - time.monotonic()
-                if left <= 0 or not select.select([self._link], [], [], left)[0]:
+                if left <= 0 or not self._link.has_bytes(left):
                     return
-                data = self._core.receive()
+                data = self._link.read()
                 if not data:
                     return
                 self._lockstep.feed(data)
         except (OSError, LinkError):
             # The time is over in any case, and the worker ends the program with its sandbox.
             return
-
-
-def _limit_waiting(link: socket.socket, seconds: float) -> None:
-    """
-    Let each call of a blocking socket fail with ``BlockingIOError`` after this time.
-
-    The kernel keeps this time; for a timeout of Python's own each call would be two.
-    """
-    link.settimeout(None)
-    limit = _TIMEVAL.pack(int(seconds), int(seconds % 1 * 1e6))
-    link.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, limit)
-    link.setsockopt(socket.SOL_SOCKET, socket.SO_SNDTIMEO, limit)

@@ -145,10 +145,10 @@ MAX_TOPICS = 100
 """Most topics that a program may take, and most that it may send, the robot's own included."""
 
 
-def start_line(seed: int, trace: bool, quiet: bool = False, polls: bool = False) -> bytes:
-    """The first line. With ``quiet`` the program tells which steps are quiet, with ``polls`` it waits actively."""
+def start_line(seed: int, trace: bool, quiet: bool = False) -> bytes:
+    """The first line. With ``quiet`` the program tells which steps are quiet."""
     line: dict[str, object] = {"op": "start", "protocol": PROTOCOL, "seed": seed, "trace": trace}
-    return msgspec.json.encode(line | ({"quiet": True} if quiet else {}) | ({"polls": True} if polls else {})) + b"\n"
+    return msgspec.json.encode(line | ({"quiet": True} if quiet else {})) + b"\n"
 
 
 def step_line(

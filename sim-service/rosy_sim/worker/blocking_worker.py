@@ -35,6 +35,7 @@ from ..wire.worker import (
     run_request,
 )
 from .launcher import launch
+from .mailbox import Mailbox
 
 __all__ = ["BlockingWorker"]
 
@@ -80,17 +81,22 @@ class BlockingWorker:
         return answer
 
     def run(
-        self, source: str, link: socket.socket, is_cancelled: Callable[[], bool] = lambda: False
+        self,
+        source: str,
+        link: socket.socket,
+        is_cancelled: Callable[[], bool] = lambda: False,
+        mailbox: Mailbox | None = None,
     ) -> Started | Refused:
         """
-        Start a program on a link; our copy of its end is closed.
+        Start a program on a link, with a mailbox if there is one; our copy of its end of the link is closed.
 
         Another thread that cancels it sees to it that ``is_cancelled`` before it calls ``kill``, which ends only a
         program that has been sent.
         """
         self._next += 1
         self._gone = None
-        self._send(run_request(self._next, source, self.limits.memory), (link.fileno(),))
+        descriptors = (link.fileno(),) if mailbox is None else (link.fileno(), mailbox.descriptor)
+        self._send(run_request(self._next, source, self.limits.memory), descriptors)
         link.close()
         if is_cancelled():
             self.kill()

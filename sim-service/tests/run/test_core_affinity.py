@@ -9,8 +9,12 @@ from contextlib import contextmanager
 
 import pytest
 
-from rosy_sim.run import core_affinity
+from rosy_sim.run import core_affinity, program_link
 from rosy_sim.run.core_affinity import REVIEW_STEPS, CoreAffinity
+from rosy_sim.run.program_link import ProgramLink
+from rosy_sim.worker.mailbox import Mailbox
+
+from ..mailboxes import answer_batches, needs_mailbox
 
 pytestmark = pytest.mark.skipif(
     not hasattr(os, "sched_setaffinity") or len(os.sched_getaffinity(0)) < 2, reason="needs two cores"
@@ -35,27 +39,39 @@ def waited(monkeypatch: pytest.MonkeyPatch) -> list[float]:
 
 
 @contextmanager
-def program() -> Iterator[tuple[socket.socket, int]]:
+def program(mailbox: Mailbox | None = None) -> Iterator[tuple[ProgramLink, int]]:
     """Our end of the link to a process that answers whatever it gets until the link is closed, and the process."""
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
     child = os.fork()
     if child == 0:
         ours.close()
-        while theirs.recv(100):
-            theirs.sendall(b"answer")
+        answer_batches(theirs, mailbox, lambda _: b"answer")
         os._exit(0)
     theirs.close()
     try:
         with ours:
-            yield ours, child
+            link = ProgramLink(ours, mailbox)
+            link.limit_waiting(10.0)
+            yield link, child
     finally:
         os.waitpid(child, 0)
 
 
-def answer(link: socket.socket, core: CoreAffinity) -> bytes:
+@contextmanager
+def program_with_mailbox() -> Iterator[tuple[ProgramLink, int]]:
+    """The same with a mailbox."""
+    with Mailbox() as mailbox, program(mailbox) as (link, child):
+        yield link, child
+
+
+def answer(link: ProgramLink, core: CoreAffinity) -> bytes:
     """What the program answers to something."""
-    link.sendall(b"step")
-    return core.receive()
+    is_first = link.program == 0
+    (link.send if is_first else link.send_batch)(b"step")
+    found = link.receive()
+    if is_first:
+        core.begin()
+    return found
 
 
 def test_both_are_on_one_core_during_a_run_and_this_thread_has_its_cores_back_after_it(given: set[int]) -> None:
@@ -105,15 +121,16 @@ def test_a_pair_leaves_a_busy_core_and_has_one_core_again_when_it_is_quiet(
         assert len(os.sched_getaffinity(0) | os.sched_getaffinity(child)) == 1
 
 
-def ask(link: socket.socket, core: CoreAffinity, steps: int = REVIEW_STEPS) -> None:
+def ask(link: ProgramLink, core: CoreAffinity, steps: int = REVIEW_STEPS) -> None:
     """Steps in which the program is asked, and a review."""
     for _ in range(steps):
         assert answer(link, core) == b"answer"
     core.review()
 
 
+@needs_mailbox
 def test_a_program_that_is_asked_in_each_step_is_put_on_another_core(given: set[int]) -> None:
-    with program() as (link, child), CoreAffinity(link, polls=True) as core:
+    with program_with_mailbox() as (link, child), CoreAffinity(link) as core:
         ask(link, core)
         assert core.placement == "separate"
         mine, others = os.sched_getaffinity(0), os.sched_getaffinity(child)
@@ -124,19 +141,21 @@ def test_a_program_that_is_asked_in_each_step_is_put_on_another_core(given: set[
     assert os.sched_getaffinity(0) == given
 
 
+@needs_mailbox
 def test_a_program_that_is_asked_now_and_then_has_another_core_only_at_first(waited: list[float]) -> None:
-    with program() as (link, _), CoreAffinity(link, polls=True) as core:
+    with program_with_mailbox() as (link, _), CoreAffinity(link) as core:
         answer(link, core)
         placements = [core.placement]
         waited[:] = [1.0, 0.0]
-        ask(link, core, REVIEW_STEPS // 4)
+        ask(link, core, REVIEW_STEPS // 10)
         assert [*placements, core.placement] == ["separate", "shared"]
 
 
+@needs_mailbox
 def test_a_pair_that_finds_its_two_cores_busy_shares_one_and_tries_again_after_longer_and_longer_pauses(
     waited: list[float],
 ) -> None:
-    with program() as (link, _), CoreAffinity(link, polls=True) as core:
+    with program_with_mailbox() as (link, _), CoreAffinity(link) as core:
         ask(link, core)
         for time, waiting, placement in [
             (1.0, 1.0, "shared"),
@@ -151,11 +170,12 @@ def test_a_pair_that_finds_its_two_cores_busy_shares_one_and_tries_again_after_l
             assert core.placement == placement
 
 
+@needs_mailbox
 def test_a_pair_whose_program_takes_long_shares_one_core(waited: list[float], monkeypatch: pytest.MonkeyPatch) -> None:
-    with program() as (link, _), CoreAffinity(link, polls=True) as core:
+    with program_with_mailbox() as (link, _), CoreAffinity(link) as core:
         ask(link, core)
-        # Every look at the link is in vain.
-        monkeypatch.setattr(core_affinity, "POLLS", 0)
+        # Every look into the mailbox is in vain.
+        monkeypatch.setattr(program_link, "LOOKS", 0)
         waited[:] = [1.0, 0.0]
         ask(link, core)
         assert core.placement == "shared"
@@ -165,7 +185,7 @@ def test_a_pair_whose_program_has_ended_is_free(given: set[int], waited: list[fl
     with program() as (link, child):
         with CoreAffinity(link) as core:
             answer(link, core)
-            link.shutdown(socket.SHUT_RDWR)
+            link.send(b"end")
             os.waitid(os.P_PID, child, os.WEXITED | os.WNOWAIT)
             waited[:] = [1.0, 1.0]
             core.review()
@@ -176,9 +196,11 @@ def test_a_pair_whose_program_has_ended_is_free(given: set[int], waited: list[fl
 
 def test_a_program_in_a_thread_of_this_process_is_not_pinned(given: set[int]) -> None:
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
-    with ours, theirs, CoreAffinity(ours) as core:
+    link = ProgramLink(ours)
+    with ours, theirs, CoreAffinity(link) as core:
         theirs.sendall(b"ready")
-        assert core.receive() == b"ready"
+        assert link.receive() == b"ready"
+        core.begin()
         assert core.placement == "free"
         assert os.sched_getaffinity(0) == given
 

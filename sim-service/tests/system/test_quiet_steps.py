@@ -106,7 +106,7 @@ def ran(worker: BlockingWorker, source: str, world: dict[str, Any], *, skips: bo
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_an_example_leaves_the_same_trace_with_quiet_steps_as_without(worker: BlockingWorker, name: str) -> None:
     source, world = program(name)
-    # The one on a core with its program; the other is asked in each step, and both poll.
+    # The one on a core with its program; the other is asked in each step, and both wait in the mailbox.
     with_quiet, _ = ran(worker, source, named_world(world), skips=True)
     without, asked = ran(worker, source, named_world(world), skips=False)
     assert with_quiet == without

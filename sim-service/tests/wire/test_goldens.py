@@ -59,7 +59,7 @@ def test_the_simulator_holds_each_conversation_with_a_program(path: Path) -> Non
         if robot_executable == "sim":
             match line["op"]:
                 case "start":
-                    assert line == json.loads(start_line(line["seed"], line["trace"], "quiet" in line, "polls" in line))
+                    assert line == json.loads(start_line(line["seed"], line["trace"], "quiet" in line))
                     traced = line["trace"]
                 case "publish":
                     events += sensed(line) is not None

@@ -26,6 +26,7 @@ import qualified Data.Text.IO as T
 import Foreign.C.Types (CInt)
 import Foreign.Ptr (nullPtr)
 import Rosy.Launch (onPipe)
+import Rosy.Link.Mailbox (mapMailbox, noMailbox)
 import Rosy.Robots.RobotRun (runOnRobotFor)
 import Rosy.Robots.Target
 import Rosy.Robots.Wording (inTerminal, tellPerson)
@@ -43,8 +44,8 @@ import Text.Read (readMaybe)
 data Invocation
   = -- | An address, and for how many seconds at most.
     OnRobot String (Maybe Double)
-  | -- | The simulator of the robot is at the other end of this descriptor.
-    OnLink CInt
+  | -- | The simulator of the robot is at the other end of this descriptor; another one is the memory of a mailbox.
+    OnLink CInt (Maybe CInt)
   | InSimulator
   | Help
   deriving (Eq, Show)
@@ -54,7 +55,8 @@ data Invocation
 readCommandLine :: String -> [String] -> Either Sentence Invocation
 readCommandLine self given = case given of
   [] -> Left (trWith "{which} Where Rosy is, {name} --world room tries it in the simulator." ["which" =@ whichRobot self, "name" =: T.pack self])
-  ["--link", number] | Just descriptor <- readMaybe number -> Right (OnLink descriptor)
+  ["--link", number] | Just descriptor <- readMaybe number -> Right (OnLink descriptor Nothing)
+  ["--link", number, "--mailbox", other] | Just descriptor <- readMaybe number, Just memory <- readMaybe other -> Right (OnLink descriptor (Just memory))
   _ | any (`elem` ["--help", "-h"]) given -> Right Help
   _ -> options given >>= wanted
   where
@@ -112,7 +114,9 @@ runBuiltProgram home program = do
   case readCommandLine self given of
     Left why -> refuse why
     Right Help -> mapM_ (inTerminal >=> T.putStrLn) (usage self)
-    Right (OnLink descriptor) -> onPipe descriptor nullPtr [] [] program
+    Right (OnLink descriptor memory) -> do
+      mailbox <- maybe (pure noMailbox) mapMailbox memory
+      onPipe descriptor nullPtr mailbox [] [] program
     Right (OnRobot address seconds) -> onRobot seconds address program
     Right InSimulator -> inSimulator home self given
 

@@ -6,6 +6,7 @@
 --
 -- Lines in, lines out, in lockstep: a batch is read up to its @step@ line and answered in one write. Plain blocking
 -- calls with a buffer of its own, so that it works in a process that was forked a moment ago and has no I/O manager.
+-- A batch that comes in the mailbox is answered there.
 -- What the lines mean is in "Rosy.Wire". Never writes to standard output, which belongs to the program.
 module Rosy.Link.Pipe
   ( pipeLink,
@@ -13,7 +14,7 @@ module Rosy.Link.Pipe
 where
 
 import Control.Exception
-import Control.Monad (unless, when, (>=>))
+import Control.Monad (unless, when)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Builder as Builder
@@ -22,36 +23,37 @@ import qualified Data.ByteString.Internal as Internal
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Unsafe as Unsafe
 import Data.IORef
-import Data.Int (Int16)
 import Data.Word (Word32, Word8)
 import Foreign.C.Error (throwErrnoIfMinus1Retry)
-import Foreign.C.Types (CInt (..), CSize (..), CULong (..))
-import Foreign.Marshal.Alloc (allocaBytes)
+import Foreign.C.Types (CInt (..), CSize (..))
 import Foreign.Marshal.Utils (copyBytes)
 import Foreign.Ptr (Ptr, castPtr, nullPtr, plusPtr)
 import Foreign.Storable (peek, poke)
 import Rosy.Channel (Message)
 import Rosy.Core (Topic (..), TopicUse (..), nameBytes)
 import Rosy.Link
+import Rosy.Link.Mailbox
 import Rosy.Problem (Fault (..))
 import Rosy.Wire
 import System.Posix.Types (CSsize (..))
 
 foreign import ccall safe "read" c_read :: CInt -> Ptr Word8 -> CSize -> IO CSsize
 
-foreign import ccall unsafe "poll" c_poll :: Ptr () -> CULong -> CInt -> IO CInt
-
 foreign import ccall safe "write" c_write :: CInt -> Ptr Word8 -> CSize -> IO CSsize
 
--- | A link over a stream descriptor, used in both directions, and a page for the name of the function at work (see 'Rosy.Launch.onPipe').
-pipeLink :: CInt -> Ptr Word32 -> IO Link
-pipeLink descriptor page = do
+-- | A link over a stream descriptor, used in both directions, a page for the name of the function at work, and a mailbox (see
+-- 'Rosy.Launch.onPipe').
+pipeLink :: CInt -> Ptr Word32 -> Mailbox -> IO Link
+pipeLink descriptor page mailbox = do
   rest <- newIORef ByteString.empty
   telling <- newIORef (Telling False False)
   taken <- newIORef []
-  backoff <- newIORef Nothing
-  let heard = do
-        bytes <- readLineFrom descriptor backoff rest
+  -- Whether the latest bytes came in the mailbox.
+  inMailbox <- newIORef False
+  let fromLink = writeIORef inMailbox False >> readPiece descriptor
+      fromMailbox = takeBatch descriptor mailbox >>= maybe fromLink (\bytes -> bytes <$ writeIORef inMailbox True)
+      heard more = do
+        bytes <- readLineFrom more rest
         names <- readIORef taken
         case readLineTaking names bytes of
           Right l -> pure l
@@ -59,19 +61,23 @@ pipeLink descriptor page = do
   pure
     Link
       { open = \topics -> do
-          l <- heard
+          l <- heard fromLink
           case l of
-            StartLine 1 seed clock trace quiet polls -> do
+            StartLine 1 seed clock trace quiet -> do
               writeIORef telling (Telling trace quiet)
-              when polls (writeIORef backoff (Just (Backoff 0 0)))
               writeIORef taken [topicName t | t <- topics, topicUse t == Taken]
               send descriptor (writeOpening topics)
               pure (Opening seed clock)
             _ -> throwIO (Malformed "the first line is not a start of protocol 1"),
-        next = batch heard [],
+        next = do
+          expected <- isExpectedIn mailbox
+          batch (heard (if expected then fromMailbox else fromLink)) [],
         answer = \a -> do
           what <- readIORef telling
-          send descriptor (writeAnswer what a),
+          there <- readIORef inMailbox
+          let written = writeAnswer what a
+          isLeft <- if there then putAnswer mailbox written else pure False
+          unless isLeft (send descriptor written),
         end = \a ending -> do
           what <- readIORef telling
           send descriptor (writeEnding what a ending),
@@ -89,9 +95,9 @@ batch heard messages = do
     StopLine -> pure Nothing
     StartLine {} -> throwIO (Malformed "a second start")
 
--- | The next line without its end. The reference keeps what was read beyond it.
-readLineFrom :: CInt -> IORef (Maybe Backoff) -> IORef ByteString -> IO ByteString
-readLineFrom descriptor backoff rest = readIORef rest >>= go []
+-- | The next line without its end. The action gives more bytes; the reference keeps what was read beyond the line.
+readLineFrom :: IO ByteString -> IORef ByteString -> IO ByteString
+readLineFrom more rest = readIORef rest >>= go []
   where
     -- Pieces without a line end, newest first.
     go pieces bytes = case ByteString.elemIndex 10 bytes of
@@ -99,42 +105,14 @@ readLineFrom descriptor backoff rest = readIORef rest >>= go []
         writeIORef rest $! Unsafe.unsafeDrop (i + 1) bytes
         let lastPiece = Unsafe.unsafeTake i bytes
         pure (if null pieces then lastPiece else ByteString.concat (reverse (lastPiece : pieces)))
-      Nothing -> do
-        readIORef backoff >>= mapM_ (pollWithBackoff descriptor >=> writeIORef backoff . Just)
-        more <- lost (Internal.createAndTrim pieceSize (\p -> fromIntegral <$> throwErrnoIfMinus1Retry "read" (c_read descriptor p (fromIntegral pieceSize))))
-        when (ByteString.null more) (throwIO (LinkLost "closed"))
-        go (if ByteString.null bytes then pieces else bytes : pieces) more
+      Nothing -> more >>= go (if ByteString.null bytes then pieces else bytes : pieces)
 
--- | Exponential backoff of polling: for how many reads the program still sleeps at once, and how many there were after the last poll in vain.
--- Where polling does not help, because the simulator takes long or both are on one core, it soon sleeps almost always.
-data Backoff = Backoff !Int !Int
-
--- | Waits for bytes without sleeping, up to a limit.
-pollWithBackoff :: CInt -> Backoff -> IO Backoff
-pollWithBackoff descriptor (Backoff pause lastPause)
-  | pause > 0 = pure (Backoff (pause - 1) lastPause)
-  | otherwise = do
-    found <- allocaBytes 8 $ \entry -> do
-      -- `struct pollfd`: descriptor, events asked for (POLLIN), events found. poll(2).
-      poke (castPtr entry) descriptor
-      poke (castPtr (entry `plusPtr` 4)) (1 :: Int16)
-      pollTimes pollLimit entry
-    let longer = min longestPause (2 * lastPause + 1)
-    pure (if found then Backoff 0 0 else Backoff longer longer)
-  where
-    pollTimes :: Int -> Ptr () -> IO Bool
-    pollTimes 0 _ = pure False
-    pollTimes left entry = do
-      ready <- c_poll entry 1 0
-      if ready > 0 then pure True else pollTimes (left - 1) entry
-
--- | Looks at an empty descriptor before the program sleeps: some 0.2 ms, several times what the simulator takes for a step.
-pollLimit :: Int
-pollLimit = 300
-
--- | The most reads without polling between two attempts.
-longestPause :: Int
-longestPause = 1000
+-- | Some bytes from the descriptor.
+readPiece :: CInt -> IO ByteString
+readPiece descriptor = do
+  bytes <- lost (Internal.createAndTrim pieceSize (\p -> fromIntegral <$> throwErrnoIfMinus1Retry "read" (c_read descriptor p (fromIntegral pieceSize))))
+  when (ByteString.null bytes) (throwIO (LinkLost "closed"))
+  pure bytes
 
 -- | How much is read at once, bytes: several times a batch, which is below 1 kB, and less than what GHC gives a block of memory of its own.
 pieceSize :: Int

@@ -22,6 +22,7 @@ import Rosy.Channel (Action, Message)
 import Rosy.Kobuki.Command (wheelCommand, withinWheels)
 import Rosy.Kobuki.Feedback (Core (..), Inertia (..))
 import Rosy.Kobuki.Sensing
+import Rosy.Link.Mailbox (noMailbox)
 import Rosy.Robot
 import Rosy.Robots.Connection
 import Rosy.Robots.Guard
@@ -267,7 +268,7 @@ overPipe row = do
           modifyIORef' path (m :)
           go running (n + 1) (moved new m) s'
       (_, first, _) = packetAt row 0 unmoved unsensed
-  withProgramAtPipe (mainOf row) $ \socket -> do
+  withProgramAtPipe noMailbox (mainOf row) $ \socket -> do
     atomically (enqueue heard' Connected >> hears' (first ++ [RobotStatusMessage Online]))
     withAsync (runLockstep pace observer (readTVar stop) 10 guarded base socket) $ \running -> do
       go running 0 unmoved unsensed

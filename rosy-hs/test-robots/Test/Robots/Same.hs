@@ -3,7 +3,7 @@
 -- |
 -- Description : The same program and the same sensor stream give the same commands on every link.
 --
--- The stream was made from packets of the base. It goes through the simulator's pipe, through a robot in the simulator's
+-- The stream was made from packets of the base. It goes through the simulator's pipe, through its mailbox, through a robot in the simulator's
 -- place, through a rosbridge server of either kind, through ROS 1 and down a serial line, with the same chance and the same
 -- time; each time the same programs answer, and what the robot was told must be what the simulator was told.
 module Test.Robots.Same
@@ -31,17 +31,23 @@ import qualified Data.ByteString as B
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Char8 as C
 import qualified Data.ByteString.Lazy.Char8 as LC
+import qualified Data.ByteString.Unsafe as Unsafe
 import Data.IORef
 import Data.List (group, intercalate, stripPrefix)
 import Data.Maybe (isJust, mapMaybe)
 import qualified Data.Text as T
-import Foreign.Ptr (nullPtr)
+import Data.Word (Word32)
+import Foreign.Marshal.Alloc (callocBytes, free)
+import Foreign.Marshal.Utils (copyBytes)
+import Foreign.Ptr (Ptr, nullPtr, plusPtr)
+import Foreign.Storable (peek, poke)
 import Network.Socket (Family (..), Socket, SocketType (..), close, defaultProtocol, socketPair, withFdSocket)
 import Network.Socket.ByteString (recv)
 import Network.Socket.ByteString.Lazy (sendAll)
 import Rosy.Channel (Action (..), Field (..), Message)
 import Rosy.Kobuki.Command (wheelCommand, withinWheels)
 import Rosy.Launch (onLink)
+import Rosy.Link.Mailbox (Mailbox, noMailbox)
 import Rosy.Link.Pipe (pipeLink)
 import Rosy.Robot
 import Rosy.Robots.Connection
@@ -53,6 +59,7 @@ import Rosy.Robots.Target
 import Rosy.Sentence (english, verbatim)
 import System.Posix.IO (FdOption (..), setFdOption)
 import System.Posix.Types (Fd (..))
+import System.Timeout (timeout)
 import qualified Test.Robots.Paper.Accelerate
 import qualified Test.Robots.Paper.AccelerateAndPlay
 import qualified Test.Robots.Paper.DrawSquare
@@ -75,6 +82,8 @@ tests ready =
     testGroup
       "the same stream gives the same commands"
       [ testCase "the stream has something for every program, and they answer it differently" differ,
+        testCase "in the mailbox, until the last line, which comes over the link" $
+          forM_ (take 3 plays) (\(name, play) -> reference play >>= \wanted -> inMailbox play >>= assertEqual name wanted),
         testCase "a robot in the simulator's place" (forM_ plays inPlace),
         story ready (rosbridge "1") "rosbridge on ROS 1" (jsonRobot (kobuki "/mobile_base")),
         story ready (rosbridge "2") "rosbridge on ROS 2" (jsonRobot (kobuki "")),
@@ -103,8 +112,31 @@ plays =
 
 -- | What the simulator is told.
 reference :: IO () -> IO [Action]
-reference main' = withProgramAtPipe main' $ \socket -> do
-  talk <- lineReader socket
+reference main' = withProgramAtPipe noMailbox main' $ \socket -> do
+  talk <- lineReader (recv socket 65536)
+  converse (say' socket) (say' socket) talk
+
+-- | What the simulator is told in the mailbox.
+inMailbox :: IO () -> IO [Action]
+inMailbox main' = bracket (callocBytes 65536) free $ \box -> withProgramAtPipe box main' $ \socket -> do
+  -- Where the words, batches and answers stand: protocol/README.md, section 2.
+  let word at = box `plusPtr` at :: Ptr Word32
+      put batch = do
+        let bytes = LC.toStrict (Builder.toLazyByteString batch)
+        Unsafe.unsafeUseAsCStringLen bytes (\(from, size) -> copyBytes (box `plusPtr` 4096) from size)
+        poke (word 0) (fromIntegral (B.length bytes))
+      -- The first line and the last come over the link.
+      look = do
+        size <- peek (word 64)
+        if size == 0
+          then timeout 2000 (recv socket 65536) >>= maybe look pure
+          else B.packCStringLen (box `plusPtr` 32768, fromIntegral size) <* poke (word 64) 0
+  poke (word 128) 1
+  lineReader look >>= converse (say' socket) put
+
+-- | Tell a program the recorded messages; gives what it commands. The first action says the first line and the last, the second one a batch.
+converse :: (Builder.Builder -> IO ()) -> (Builder.Builder -> IO ()) -> IO B.ByteString -> IO [Action]
+converse say put talk = do
   let wishes = do
         l <- talk
         case readProgramLine l of
@@ -114,37 +146,38 @@ reference main' = withProgramAtPipe main' $ \socket -> do
           Just _ -> pure ([], False)
           Nothing -> assertFailure (show l)
       go n = \case
-        [] -> say' socket stopLine >> fst <$> wishes
+        [] -> say stopLine >> fst <$> wishes
         ms : rest -> do
-          say' socket (batchLines noQuestions n (timeOf n) ms)
+          put (batchLines noQuestions n (timeOf n) ms)
           (as, ended) <- wishes
           (as ++) <$> if ended then pure [] else go (n + 1) rest
-  say' socket (startLine 1 0)
+  say (startLine 1 0)
   _ <- wishes
   go 0 (starting (map snd recorded))
 
 say' :: Socket -> Builder.Builder -> IO ()
 say' s = sendAll s . Builder.toLazyByteString
 
-lineReader :: Socket -> IO (IO B.ByteString)
-lineReader s = do
+-- | Lines, from an action that gives more bytes.
+lineReader :: IO B.ByteString -> IO (IO B.ByteString)
+lineReader receive = do
   rest <- newIORef B.empty
   let next' = do
         bytes <- readIORef rest
         case C.elemIndex '\n' bytes of
           Just i -> B.take i bytes <$ writeIORef rest (B.drop (i + 1) bytes)
           Nothing -> do
-            more <- recv s 65536
+            more <- receive
             if B.null more then assertFailure "the program has left" else writeIORef rest (bytes <> more) >> next'
   pure next'
 
 -- | The program waits for a simulator at the other end.
-withProgramAtPipe :: IO () -> (Socket -> IO a) -> IO a
-withProgramAtPipe main' use = bracket (socketPair AF_UNIX Stream defaultProtocol) (\(a, b) -> close a >> close b) $ \(ours, theirs) ->
+withProgramAtPipe :: Mailbox -> IO () -> (Socket -> IO a) -> IO a
+withProgramAtPipe box main' use = bracket (socketPair AF_UNIX Stream defaultProtocol) (\(a, b) -> close a >> close b) $ \(ours, theirs) ->
   withFdSocket theirs $ \fd -> do
     -- The pipe link reads as a process does that was forked a moment ago: it blocks, and ends when the other side closes.
     setFdOption (Fd fd) NonBlockingRead False
-    withAsync (pipeLink fd nullPtr >>= (`onLink` main')) (const (use ours `finally` close ours))
+    withAsync (pipeLink fd nullPtr box >>= (`onLink` main')) (const (use ours `finally` close ours))
 
 -- ---------------------------------------------------------------------------------------------
 -- Comparing
@@ -227,7 +260,7 @@ inPlace (name, main') = do
         atomically (act >> writeTVar released n)
       hears' = mapM_ (enqueue hearing' . Received)
       steps = starting (map snd recorded)
-  withProgramAtPipe main' $ \socket -> do
+  withProgramAtPipe noMailbox main' $ \socket -> do
     atomically (enqueue hearing' Connected >> mapM_ hears' (take 1 steps))
     withAsync (runLockstep pace observer (readTVar stop) 10 guarded base socket) $ \running -> do
       step running 1 (pure ())

@@ -28,6 +28,7 @@ import Rosy
 import Rosy.Core (functionName, nameBytes)
 import Rosy.Launch (onLink)
 import Rosy.Link (Answer (..), atRest, atWork, noAnswer)
+import Rosy.Link.Mailbox (noMailbox)
 import Rosy.Link.Pipe (pipeLink)
 import Rosy.Problem (Fault)
 import Rosy.Program (Names (..), simulateNamed, taskNamed)
@@ -61,7 +62,7 @@ tests =
       testCase "the name of the function at work is whole at every moment: the next is written beside the one that is shown" $
         allocaBytes 4096 $ \page -> do
           poke page (0 :: Word32)
-          link <- pipeLink 0 page
+          link <- pipeLink 0 page noMailbox
           let bytesAt place = do
                 size <- peekByteOff page place :: IO Word32
                 ByteString.packCStringLen (page `plusPtr` (place + 4), fromIntegral size)
@@ -238,7 +239,7 @@ held ls main' = bracket (socketPair AF_UNIX Stream defaultProtocol) (\(a, b) -> 
   sendAll ours (Char8.unlines ls)
   shutdown ours ShutdownSend
   -- Not onPipe, which takes the standard output of the process: the tests print at the same time.
-  withFdSocket theirs (\fd -> (pipeLink fd nullPtr >>= (`onLink` main')) `catch` lost)
+  withFdSocket theirs (\fd -> (pipeLink fd nullPtr noMailbox >>= (`onLink` main')) `catch` lost)
   shutdown theirs ShutdownSend
   bytes <- readAll ours
   pure (map decoded (Char8.lines bytes))

@@ -136,8 +136,8 @@ receiveAnswers pid (CheckerPool cs) = case Map.lookup pid cs of
   Just c -> do
     got <- receive (channel c)
     case got of
-      Bytes bytes descriptor -> do
-        mapM_ closeFd descriptor
+      Bytes bytes descriptors -> do
+        mapM_ closeLink descriptors
         let (found, rest) = splitLines (inputBuffer c) bytes
             (answers, c') = foldl understand ([], c {inputBuffer = rest}) found
             keep = CheckerPool (Map.insert pid c' cs)

@@ -150,12 +150,13 @@ data Beginning
   deriving (Eq)
 
 -- | Answers @started@ or @refused@ with a letter before the line, then runs the program over the link.
-runProgram :: Settings -> Session -> Beginning -> Fd -> Fd -> SharedPage -> Word64 -> Text -> IO ()
+runProgram :: Settings -> Session -> Beginning -> Fd -> Link -> SharedPage -> Word64 -> Text -> IO ()
 runProgram settings session beginning answer link page memory source = runToExit answer $ do
   began <- getMonotonicTime
   -- What may never be run has a run's priority from the beginning, also while it is compiled.
   when (beginning == WhenAsked) (lowerPriority runNiceness)
-  enterSandbox settings [answer, link]
+  mailbox <- mapMailbox link
+  enterSandbox settings [answer, linkSocket link]
   when hasLargeArea ((if beginning == AtOnce then setLargeAllocationArea else setAllocationArea) compileAllocationArea)
   when (beginning == WhenAsked) (keepYoung True)
   (report, mayRun) <- checkSource settings ForRun session source
@@ -168,7 +169,7 @@ runProgram settings session beginning answer link page memory source = runToExit
       forgetPrograms session
       protectMemory
       -- The program uses blocking reads, whatever mode the creator of the link has set.
-      setFdOption link NonBlockingRead False
+      setFdOption (linkSocket link) NonBlockingRead False
       when (beginning == AtOnce) (lowerPriority runNiceness)
       now <- getMonotonicTime
       let starting = "S" <> line ("problems" .= found <> "compile" .= (now - began) <> "uses" .= uses <> branchFields branches)
@@ -184,8 +185,8 @@ runProgram settings session beginning answer link page memory source = runToExit
       when (beginning == WhenAsked) (awaitRequest answer)
       writeAll answer starting
       closeFd answer
-      let Fd fd = link
-      launch fd page places
+      let Fd fd = linkSocket link
+      launch fd page mailbox places
   where
     -- For a small program that begins at once a larger area takes more time than it is worth.
     hasLargeArea = beginning == WhenAsked || Text.length source > largeSourceLength

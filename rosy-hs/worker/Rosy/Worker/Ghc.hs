@@ -279,14 +279,14 @@ check restriction purpose session flags columns source (L at parsed) warnings = 
 -- * Running
 
 -- | Compiles a checked program to bytecode in this process. The result has its branches, and runs it over a link's descriptor, with a shared
--- page for the name of the active function and the empty places of the program.
-load :: Session -> Ready -> IO ([Branch], CInt -> Ptr Word32 -> [EmptyPlace] -> IO ())
+-- page for the name of the active function, a mailbox, and the empty places of the program.
+load :: Session -> Ready -> IO ([Branch], CInt -> Ptr Word32 -> Ptr Word32 -> [EmptyPlace] -> IO ())
 load session (Ready env summary checked name source place) = do
   (instrumented, branches) <- instrumentBranches env place source checked
   value <- compileAndLink (addPlugins [taskAttribution] env) summary instrumented name
   -- The type checker has verified that main is an IO action.
   action <- withForeignRef value localRef
-  pure (branches, \fd page places -> launcher session fd page places branches (void (unsafeCoerce action :: IO ())))
+  pure (branches, \fd page mailbox places -> launcher session fd page mailbox places branches (void (unsafeCoerce action :: IO ())))
 
 -- | Removes all loaded programs from the linker, which otherwise holds their unlinked code. They can still be run.
 forgetPrograms :: Session -> IO ()

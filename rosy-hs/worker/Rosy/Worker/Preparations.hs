@@ -20,12 +20,12 @@ where
 import Data.Aeson (Value)
 import Data.List (partition)
 import Data.Text (Text)
-import System.Posix.Types (Fd)
+import Rosy.Worker.SystemCalls (Link)
 
 data Preparation = Preparation
   { -- | Id of the run.
     runId :: Value,
-    link :: Fd,
+    link :: Link,
     stage :: Stage
   }
   deriving (Eq, Show)
@@ -64,7 +64,7 @@ takePreparation i (Preparations known) = case partition ((== i) . runId) known o
   _ -> Nothing
 
 -- | The one that a child can begin with: run, link, source, memory.
-nextPreparation :: Preparations -> Maybe (Value, Fd, Text, Int)
+nextPreparation :: Preparations -> Maybe (Value, Link, Text, Int)
 nextPreparation (Preparations known) = case [(runId p, link p, source, memory) | p@Preparation {stage = Queued source memory} <- known] of
   first : _ -> Just first
   [] -> Nothing

@@ -83,13 +83,13 @@ receiveRequests config s = do
   case got of
     WouldBlock -> pure s
     Closed -> pure s {peerGone = True}
-    Bytes bytes descriptor -> do
+    Bytes bytes descriptors -> do
       let (lines', rest) = splitLines (incoming s) bytes
-      taken <- case descriptor of
+      taken <- case descriptors of
         Nothing -> pure (pendingDescriptors s)
-        Just fd
-          | Seq.length (pendingDescriptors s) >= maxPendingDescriptors -> pendingDescriptors s <$ closeFd fd
-          | otherwise -> pure (pendingDescriptors s |> fd)
+        Just found
+          | Seq.length (pendingDescriptors s) >= maxPendingDescriptors -> pendingDescriptors s <$ closeLink found
+          | otherwise -> pure (pendingDescriptors s |> found)
       foldM (handle config) s {incoming = rest, pendingDescriptors = taken} lines'
 
 -- | Maximal number of descriptors that wait for their run request.
@@ -115,22 +115,24 @@ handle config s (Line bytes)
       | Just (preparation, others) <- takePreparation i (preparations s) -> beginPrepared config (RunRequest i source memory (link preparation)) (stage preparation) s {preparations = others}
     Right (Run i source memory) -> case pendingDescriptors s of
       Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
-      fd :<| others -> pure s {pendingDescriptors = others, waitingRuns = waitingRuns s |> RunRequest i source memory fd}
+      found :<| others -> pure s {pendingDescriptors = others, waitingRuns = waitingRuns s |> RunRequest i source memory found}
     Right (Prepare i source memory) -> case pendingDescriptors s of
       Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
-      fd :<| others -> case addPreparation (Preparation i fd (Queued source memory)) (preparations s) of
-        Left sentence -> reply (Failed i (Text.pack sentence)) s {pendingDescriptors = others} <$ closeFd fd
+      found :<| others -> case addPreparation (Preparation i found (Queued source memory)) (preparations s) of
+        Left sentence -> reply (Failed i (Text.pack sentence)) s {pendingDescriptors = others} <$ closeLink found
         Right more -> pure s {pendingDescriptors = others, preparations = more}
     Right (Fork i) -> case pendingDescriptors s of
       Empty -> pure (reply (Failed i "A forked worker needs the descriptor of its socket.") s)
-      fd :<| others -> pure s {pendingDescriptors = others, waitingForks = waitingForks s |> ForkRequest i fd}
+      found :<| others -> do
+        mapM_ closeFd (linkMailbox found)
+        pure s {pendingDescriptors = others, waitingForks = waitingForks s |> ForkRequest i (linkSocket found)}
     Right (Kill i) -> kill i s
     Right (Ping i) -> pure (reply (Pong i) s)
 
 dropPassenger :: State -> IO State
 dropPassenger s = case pendingDescriptors s of
   Empty -> pure s
-  fd :<| others -> s {pendingDescriptors = others} <$ closeFd fd
+  found :<| others -> s {pendingDescriptors = others} <$ closeLink found
 
 flush :: Config -> State -> IO State
 flush config s = case outgoing s of
@@ -146,7 +148,7 @@ flush config s = case outgoing s of
 kill :: Id -> State -> IO State
 kill i s
   | Just (preparation, others) <- takePreparation i (preparations s) = do
-    closeFd (link preparation)
+    closeLink (link preparation)
     let dropped = s {preparations = others}
     case stage preparation of
       -- Its end is told when it has been reaped, as that of a run.
@@ -159,7 +161,7 @@ kill i s = do
   cancelQuestion i (pool s)
   let (dropped, kept) = Seq.partition ((== i) . fst) (waiting s)
       (droppedRuns, keptRuns) = Seq.partition (\(RunRequest j _ _ _) -> j == i) (waitingRuns s)
-  forM_ droppedRuns (\(RunRequest _ _ _ link) -> closeFd link)
+  forM_ droppedRuns (\(RunRequest _ _ _ dropped') -> closeLink dropped')
   let ends = length dropped + length droppedRuns
   pure (foldr (\_ -> reply (RunEnded i (Right 9) Nothing Nothing)) s {waiting = kept, waitingRuns = keptRuns, jobs = Map.map (\job -> if jobId job == i then job {instead = Nothing} else job) (jobs s)} [1 .. ends])
 

@@ -8,6 +8,8 @@
 -- machine is an exception.
 module Rosy.Worker.SystemCalls
   ( -- * Sockets
+    Link (..),
+    closeLink,
     Received (..),
     receive,
     Sent (..),
@@ -28,6 +30,7 @@ module Rosy.Worker.SystemCalls
     freeSharedPage,
     readSharedPage,
     unmapInChildren,
+    mapMailbox,
     newSocketPair,
     writeAll,
     readSome,
@@ -72,10 +75,10 @@ import Foreign.C.Types
 import Foreign.Marshal.Alloc (alloca)
 import Foreign.Marshal.Array (allocaArray, peekArray, withArrayLen)
 import Foreign.Ptr (Ptr, castPtr, nullPtr)
-import Foreign.Storable (peek)
+import Foreign.Storable (peek, peekElemOff)
 import Rosy.Worker.SharedMemory (pageSize)
 import System.Mem (performMajorGC, performMinorGC)
-import System.Posix.IO (fdReadBuf)
+import System.Posix.IO (closeFd, fdReadBuf)
 import System.Posix.Types (CSsize (..), Fd (..))
 
 foreign import ccall unsafe rosy_receive :: CInt -> Ptr Word8 -> CSize -> Ptr CInt -> IO CSsize
@@ -97,6 +100,8 @@ foreign import ccall unsafe rosy_page :: IO (Ptr Word32)
 foreign import ccall unsafe rosy_page_free :: Ptr Word32 -> IO ()
 
 foreign import ccall unsafe rosy_page_keep :: Ptr Word32 -> IO ()
+
+foreign import ccall unsafe rosy_mailbox :: CInt -> IO (Ptr Word32)
 
 foreign import ccall unsafe rosy_pair :: Ptr CInt -> IO CInt
 
@@ -160,23 +165,31 @@ orThrow what action = do
     throwIO (errnoToIOError what errno Nothing Nothing)
   pure result
 
--- | Result of a read, with the descriptor that was passed along.
+-- | The robot link of a program: its socket, and the memory of a mailbox if it has one.
+data Link = Link {linkSocket :: Fd, linkMailbox :: Maybe Fd}
+  deriving (Eq, Show)
+
+closeLink :: Link -> IO ()
+closeLink link = closeFd (linkSocket link) >> mapM_ closeFd (linkMailbox link)
+
+-- | Result of a read, with the descriptors that were passed along.
 data Received
-  = Bytes ByteString (Maybe Fd)
+  = Bytes ByteString (Maybe Link)
   | WouldBlock
   | Closed
 
 receive :: Fd -> IO Received
-receive (Fd fd) = alloca $ \passed -> do
+receive (Fd fd) = allocaArray 2 $ \passed -> do
   (bytes, got) <- createAndTrim' chunk $ \buffer -> do
     n <- rosy_receive fd buffer (fromIntegral chunk) passed
     pure (0, max 0 (fromIntegral n), n)
-  passed' <- peek passed
-  let descriptor = if got > 0 && passed' >= 0 then Just (Fd passed') else Nothing
+  first <- peek passed
+  second <- peekElemOff passed 1
+  let descriptors = if got > 0 && first >= 0 then Just (Link (Fd first) (if second >= 0 then Just (Fd second) else Nothing)) else Nothing
   pure $ case got of
     -2 -> WouldBlock
     n | n <= 0 -> Closed
-    _ -> Bytes bytes descriptor
+    _ -> Bytes bytes descriptors
   where
     chunk = 65536
 
@@ -257,6 +270,10 @@ readSharedPage page = ByteString.packCStringLen (castPtr page, pageSize)
 -- | Excludes the page from children that are forked later.
 unmapInChildren :: SharedPage -> IO ()
 unmapInChildren = rosy_page_keep
+
+-- | The mailbox of a link, a null pointer when it has none.
+mapMailbox :: Link -> IO (Ptr Word32)
+mapMailbox = maybe (pure nullPtr) (\(Fd fd) -> rosy_mailbox fd) . linkMailbox
 
 -- | A pair of connected sockets.
 newSocketPair :: IO (Fd, Fd)

@@ -105,9 +105,9 @@ class Lockstep:
         """Change the safety rules during the run."""
         self._drive(self._guard.switch(settings))
 
-    def begin(self, polls: bool = False) -> bytes:
-        """What to send first. A program that ``polls`` waits for the next step without sleeping at first."""
-        return start_line(self._seed, self._trace, self._quiet is not None, polls)
+    def begin(self) -> bytes:
+        """What to send first."""
+        return start_line(self._seed, self._trace, self._quiet is not None)
 
     def stop(self) -> bytes:
         """What to send to ask the program to end. Its clean-ups read the states of the last step."""

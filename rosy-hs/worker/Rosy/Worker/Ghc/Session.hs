@@ -45,8 +45,8 @@ data Library = Library
     compilerDirectory :: FilePath
   }
 
--- | @Rosy.Launch.onPipe@: the link's descriptor, the page that names the function at work, the empty places, the branches, the program.
-type Launcher = CInt -> Ptr Word32 -> [EmptyPlace] -> [Branch] -> IO () -> IO ()
+-- | @Rosy.Launch.onPipe@: the link's descriptor, the page that names the function at work, the mailbox, the empty places, the branches, the program.
+type Launcher = CInt -> Ptr Word32 -> Ptr Word32 -> [EmptyPlace] -> [Branch] -> IO () -> IO ()
 
 -- | @Rosy.Problem.EmptyPlace@: start and end as line and column, message and hint.
 type EmptyPlace = ((Int, Int), (Int, Int), String, String)
@@ -65,7 +65,7 @@ openSession library = runGhc (Just (compilerDirectory library)) $ do
   flags <- parseArguments fresh (interpretedCode plain) arguments
   _ <- setSessionDynFlags (programFlags flags)
   setContext (map (IIDecl . qualifiedImport) ["Prelude", "Rosy", "Rosy.Launch", "Rosy.Problem", "Rosy.BranchCoverage", "Foreign.C.Types", "Data.Word", "Foreign.Ptr"])
-  onPipe <- compileExpr "Rosy.Launch.onPipe :: Foreign.C.Types.CInt -> Foreign.Ptr.Ptr Data.Word.Word32 -> [Rosy.Problem.EmptyPlace] -> [Rosy.BranchCoverage.Branch] -> Prelude.IO () -> Prelude.IO ()"
+  onPipe <- compileExpr "Rosy.Launch.onPipe :: Foreign.C.Types.CInt -> Foreign.Ptr.Ptr Data.Word.Word32 -> Foreign.Ptr.Ptr Data.Word.Word32 -> [Rosy.Problem.EmptyPlace] -> [Rosy.BranchCoverage.Branch] -> Prelude.IO () -> Prelude.IO ()"
   setContext []
   env <- getSession
   names <- liftIO (preload env)

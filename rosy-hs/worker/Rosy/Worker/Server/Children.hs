@@ -92,17 +92,17 @@ dispatchRuns config session s
     startRun config session i source memory link s {waitingRuns = others} >>= dispatchRuns config session
   | otherwise = pure s
 
-startRun :: Config -> Session -> Id -> Text -> Int -> Fd -> State -> IO State
-startRun config session i source memory fd s = do
-  (_, begun) <- forkRun config session AtOnce i source memory fd s
-  begun <$ closeFd fd
+startRun :: Config -> Session -> Id -> Text -> Int -> Link -> State -> IO State
+startRun config session i source memory link s = do
+  (_, begun) <- forkRun config session AtOnce i source memory link s
+  begun <$ closeLink link
 
 -- | A child that compiles and runs a program.
-forkRun :: Config -> Session -> Beginning -> Id -> Text -> Int -> Fd -> State -> IO (Int, State)
-forkRun config session beginning i source memory fd s = do
+forkRun :: Config -> Session -> Beginning -> Id -> Text -> Int -> Link -> State -> IO (Int, State)
+forkRun config session beginning i source memory link s = do
   (mine, theirs) <- newSocketPair
   shared <- newSharedPage
-  pid <- fromIntegral <$> forkProcess (runProgram (settings config) session beginning theirs fd shared (fromIntegral (max 0 memory)) source)
+  pid <- fromIntegral <$> forkProcess (runProgram (settings config) session beginning theirs link shared (fromIntegral (max 0 memory)) source)
   unmapInChildren shared
   closeFd theirs
   now <- getMonotonicTime
@@ -127,10 +127,10 @@ forkRun config session beginning i source memory fd s = do
 -- | Compiles a program that may be run, one at a time, while there is nothing else to do.
 dispatchPreparations :: Config -> Session -> State -> IO State
 dispatchPreparations config session s
-  | Just (i, fd, source, memory) <- nextPreparation (preparations s),
+  | Just (i, link, source, memory) <- nextPreparation (preparations s),
     not (isBusy s),
     not (any isPreparing (jobs s)) = do
-    (pid, begun) <- forkRun config session WhenAsked i source memory fd s
+    (pid, begun) <- forkRun config session WhenAsked i source memory link s
     pure begun {preparations = withChild i pid (preparations begun)}
   | otherwise = pure s
 
@@ -165,8 +165,8 @@ receiveFromRun fd pid s = case Map.lookup pid (jobs s) of
     case got of
       WouldBlock -> pure s
       Closed -> s {jobs = Map.insert pid job {answers = Nothing} (jobs s)} <$ closeFd fd
-      Bytes bytes descriptor -> do
-        mapM_ closeFd descriptor
+      Bytes bytes descriptors -> do
+        mapM_ closeLink descriptors
         let (found, rest) = splitLines (inputBuffer job) bytes
             s' = s {jobs = Map.insert pid job {inputBuffer = rest} (jobs s)}
         foldM (flip (handleRunLine pid)) s' found >>= receiveFromRun fd pid

@@ -37,7 +37,6 @@ import Rosy.Worker.Preparations
 import Rosy.Worker.Protocol
 import Rosy.Worker.SystemCalls
 import Rosy.Worker.TimeBudget
-import System.Posix.IO (closeFd)
 import System.Posix.Signals (Signal, signalProcess)
 import System.Posix.Types (Fd)
 
@@ -80,7 +79,7 @@ data Job = Job
   }
 
 -- | A run that waits for others to be compiled: id, source, bytes of memory, link.
-data RunRequest = RunRequest Id Text Int Fd
+data RunRequest = RunRequest Id Text Int Link
 
 -- | A worker to be forked: id, socket.
 data ForkRequest = ForkRequest Id Fd
@@ -88,7 +87,7 @@ data ForkRequest = ForkRequest Id Fd
 data State = State
   { incoming :: LineBuffer,
     -- | Received descriptors whose run request has not arrived yet.
-    pendingDescriptors :: Seq Fd,
+    pendingDescriptors :: Seq Link,
     outgoing :: Seq ByteString,
     -- | By process id.
     jobs :: Map.Map Int Job,
@@ -137,4 +136,4 @@ signal what pid = signalProcess what (fromIntegral pid)
 
 -- | Closes the link that is kept in case that a prepared child is lost.
 closeInstead :: Job -> IO ()
-closeInstead job = forM_ (instead job) (\(RunRequest _ _ _ fd) -> closeFd fd)
+closeInstead job = forM_ (instead job) (\(RunRequest _ _ _ link) -> closeLink link)

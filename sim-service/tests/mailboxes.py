@@ -1,0 +1,59 @@
+"""A program's side of the link and the mailbox, written from ``protocol/README.md``, section 2."""
+
+from __future__ import annotations
+
+import mmap
+import platform
+import select
+import socket
+import struct
+import sys
+from collections.abc import Callable
+
+import pytest
+
+from rosy_sim.worker.mailbox import Mailbox
+
+__all__ = ["answer_batches", "needs_mailbox"]
+
+needs_mailbox = pytest.mark.skipif(
+    sys.platform != "linux" or platform.machine() != "x86_64",
+    reason="a mailbox needs a processor that keeps the order of writes",
+)
+
+BATCH_LENGTH, ANSWER_LENGTH, EXPECTED = 0, 64, 128
+"""Where the words stand, bytes."""
+
+BATCH, ANSWER, SIZE = 4096, 32768, 65536
+"""Where a batch and an answer stand, and the size of all, bytes."""
+
+
+def answer_batches(link: socket.socket, mailbox: Mailbox | None, answer: Callable[[bytes], bytes]) -> None:
+    """
+    Answer each batch where it came, until one is ``end`` or the link is closed; an answer that does not fit goes over
+    the link.
+    """
+    memory = mmap.mmap(mailbox.descriptor, SIZE) if mailbox is not None else None
+    while True:
+        batch, came_in_mailbox = _next_batch(link, memory)
+        if batch in (b"", b"end"):
+            return
+        said = answer(batch)
+        if memory is not None and came_in_mailbox and len(said) <= SIZE - ANSWER:
+            memory[ANSWER : ANSWER + len(said)] = said
+            struct.pack_into("<I", memory, ANSWER_LENGTH, len(said))
+        else:
+            link.sendall(said)
+
+
+def _next_batch(link: socket.socket, memory: mmap.mmap | None) -> tuple[bytes, bool]:
+    if memory is None or not struct.unpack_from("<I", memory, EXPECTED)[0]:
+        return link.recv(100000), False
+    while True:
+        size = struct.unpack_from("<I", memory, BATCH_LENGTH)[0]
+        if size:
+            batch = memory[BATCH : BATCH + size]
+            struct.pack_into("<I", memory, BATCH_LENGTH, 0)
+            return batch, True
+        if select.select([link], [], [], 0)[0]:
+            return link.recv(100000), False
