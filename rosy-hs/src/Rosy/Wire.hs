@@ -142,12 +142,13 @@ pipeRoutes = case robotProfiles simulated of
 -- ---------------------------------------------------------------------------------------------
 -- What leaves
 
--- | The lines before the first step: the program's own topics, and that it is ready. Both ends know the robot's from its description.
-writeOpening :: [Topic] -> Builder
-writeOpening own =
+-- | The lines before the first step: the program's own topics, and that it is ready, perhaps with its mailbox. Both ends know the robot's
+-- topics from its description.
+writeOpening :: Bool -> [Topic] -> Builder
+writeOpening usesMailbox own =
   foldMap (topicLine "advertise") [t | t <- own, topicUse t == Sent]
     <> foldMap (topicLine "subscribe") [t | t <- own, topicUse t == Taken]
-    <> "{\"op\":\"ready\"}\n"
+    <> (if usesMailbox then "{\"op\":\"ready\",\"mailbox\":true}\n" else "{\"op\":\"ready\"}\n")
   where
     topicLine op t =
       "{\"op\":\"" <> op <> "\",\"topic\":" <> text (topicName t)

@@ -7,6 +7,7 @@ The program comes from a worker or from a native executable. Texts go to a callb
 from __future__ import annotations
 
 import contextlib
+import os
 import socket
 import subprocess
 import time
@@ -162,11 +163,11 @@ def run_native(binary: Path, world: World, settings: RunSettings, output: RunOut
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
     with ours, theirs, settings.open_mailbox() as mailbox:
         command = [str(binary.absolute()), "--link", str(theirs.fileno())]
-        descriptors = [theirs.fileno()]
+        descriptors, variables = [theirs.fileno()], dict(os.environ)
         if mailbox is not None:
-            command += ["--mailbox", str(mailbox.descriptor)]
             descriptors.append(mailbox.descriptor)
-        with subprocess.Popen(command, pass_fds=descriptors) as process:
+            variables["ROSY_MAILBOX"] = str(mailbox.descriptor)
+        with subprocess.Popen(command, pass_fds=descriptors, env=variables) as process:
             theirs.close()
             try:
                 return run_over_link(ours, world, settings, output, _NativeProgram(process), mailbox)
@@ -240,6 +241,8 @@ class _Steps:
         self._link.limit_waiting(self._limits.ready)
         self._send(self._link.send, lockstep.begin())
         self._read_while("opening", self._limits.ready)
+        if not lockstep.uses_mailbox:
+            self._link.has_mailbox = False
         self._core.begin()
         if lockstep.state == "ended":
             # A program without `simulate` may have printed.

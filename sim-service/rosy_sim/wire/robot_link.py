@@ -133,7 +133,9 @@ class Subscribe(msgspec.Struct, tag="subscribe", tag_field="op"):
 
 
 class Ready(msgspec.Struct, tag="ready", tag_field="op"):
-    """The program has said what it wants."""
+    """The program has said what it wants, and whether it uses its mailbox."""
+
+    mailbox: bool = False
 
 
 _Line = Publish | Settled | Ended | Advertise | Subscribe | Ready

@@ -44,8 +44,8 @@ import Text.Read (readMaybe)
 data Invocation
   = -- | An address, and for how many seconds at most.
     OnRobot String (Maybe Double)
-  | -- | The simulator of the robot is at the other end of this descriptor; another one is the memory of a mailbox.
-    OnLink CInt (Maybe CInt)
+  | -- | The simulator of the robot is at the other end of this descriptor.
+    OnLink CInt
   | InSimulator
   | Help
   deriving (Eq, Show)
@@ -55,8 +55,7 @@ data Invocation
 readCommandLine :: String -> [String] -> Either Sentence Invocation
 readCommandLine self given = case given of
   [] -> Left (trWith "{which} Where Rosy is, {name} --world room tries it in the simulator." ["which" =@ whichRobot self, "name" =: T.pack self])
-  ["--link", number] | Just descriptor <- readMaybe number -> Right (OnLink descriptor Nothing)
-  ["--link", number, "--mailbox", other] | Just descriptor <- readMaybe number, Just memory <- readMaybe other -> Right (OnLink descriptor (Just memory))
+  ["--link", number] | Just descriptor <- readMaybe number -> Right (OnLink descriptor)
   _ | any (`elem` ["--help", "-h"]) given -> Right Help
   _ -> options given >>= wanted
   where
@@ -114,8 +113,10 @@ runBuiltProgram home program = do
   case readCommandLine self given of
     Left why -> refuse why
     Right Help -> mapM_ (inTerminal >=> T.putStrLn) (usage self)
-    Right (OnLink descriptor memory) -> do
-      mailbox <- maybe (pure noMailbox) mapMailbox memory
+    Right (OnLink descriptor) -> do
+      -- The simulator may offer the memory of a mailbox, which a program built earlier does not know.
+      memory <- lookupEnv "ROSY_MAILBOX"
+      mailbox <- maybe (pure noMailbox) mapMailbox (memory >>= readMaybe)
       onPipe descriptor nullPtr mailbox [] [] program
     Right (OnRobot address seconds) -> onRobot seconds address program
     Right InSimulator -> inSimulator home self given

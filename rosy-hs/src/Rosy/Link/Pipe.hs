@@ -66,7 +66,7 @@ pipeLink descriptor page mailbox = do
             StartLine 1 seed clock trace quiet -> do
               writeIORef telling (Telling trace quiet)
               writeIORef taken [topicName t | t <- topics, topicUse t == Taken]
-              send descriptor (writeOpening topics)
+              send descriptor (writeOpening (mailbox /= noMailbox) topics)
               pure (Opening seed clock)
             _ -> throwIO (Malformed "the first line is not a start of protocol 1"),
         next = do

@@ -23,8 +23,7 @@ tests =
         typed "--robot ws://a --seconds 1 --seconds 2 --robot ws://b" @?= Right (OnRobot "ws://b" (Just 2)),
       testCase "without a robot, any option of ./rosy run means the simulator" $
         mapM_ ((@?= Right InSimulator) . typed) ["--world maze --seconds 3 --seed 1 --speed max --trace t.jsonl --input hands.jsonl", "--seconds 3", "--world=maze"],
-      testCase "the other end of a link" $ typed "--link 7" @?= Right (OnLink 7 Nothing),
-      testCase "the other end of a link with a mailbox" $ typed "--link 7 --mailbox 8" @?= Right (OnLink 7 (Just 8)),
+      testCase "the other end of a link" $ typed "--link 7" @?= Right (OnLink 7),
       testCase "help, wherever it is asked for" $ mapM_ ((@?= Right Help) . typed) ["--help", "-h", "--world maze --help"],
       testCase "without a word it says both ways" $
         typed "" @?= Left "Say which robot to drive: walk --robot ws://HOST:9090, ros://HOST:11311 or serial:/dev/kobuki. Where Rosy is, walk --world room tries it in the simulator.",

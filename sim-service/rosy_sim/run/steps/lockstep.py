@@ -83,6 +83,8 @@ class Lockstep:
         self.events: list[Reading] = []
         # The program's last line.
         self.ended: Ended | None = None
+        # Whether the program uses the mailbox that it was given.
+        self.uses_mailbox = False
         self._guard = VelocityGuard(safety)
         # The latest values of the channels on topics that the program takes itself.
         self._latest: dict[str, Values] = {}
@@ -217,6 +219,7 @@ class Lockstep:
                     self.conflicts = found
             elif isinstance(message, Ready):
                 self.world.listen("topics", on_demand(self._link.subscribed))
+                self.uses_mailbox = message.mailbox
                 self.state = "ready"
             elif isinstance(message, Ended):
                 self.ended = message
