@@ -344,7 +344,7 @@ class _Steps:
     def _stop(self) -> None:
         """Ask the program to end; the worker kills one that does not."""
         try:
-            self._link.send(self._lockstep.stop())
+            self._link.send_batch(self._lockstep.stop())
             deadline = time.monotonic() + self._limits.stop
             while self._lockstep.state != "ended":
                 left = deadline - time.monotonic()

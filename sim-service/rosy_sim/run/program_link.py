@@ -71,11 +71,11 @@ class ProgramLink:
         self.receive = self._receive_first
 
     def send(self, data: bytes) -> None:
-        """Send what is no batch: the first and the last line."""
+        """Send the first line."""
         self._link.sendall(data)
 
     def send_batch(self, batch: bytes) -> None:
-        """Send the batch of a step."""
+        """Send the batch of a step, or the last line, which is answered over the link."""
         mailbox = self._mailbox
         if mailbox is None:
             self._link.sendall(batch)

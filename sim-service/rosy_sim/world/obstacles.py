@@ -287,6 +287,12 @@ class Obstacles:
         return (x, y) if self._deepest(x, y)[0] <= _MAX_OVERLAP else None
 
     def _deepest(self, x: float, y: float) -> tuple[float, float, float]:
+        if not self._movable_shapes:
+            # The same, without a call of Python for each shape.
+            nearest = self._space.point_query_nearest((x, y), self._radius, self._all_shapes)
+            if nearest is None:
+                return 0.0, 0.0, 0.0
+            return self._radius - nearest.distance, nearest.gradient.x, nearest.gradient.y
         deepest, nx, ny = 0.0, 0.0, 0.0
         for shape, _point, distance, gradient in self._space.point_query((x, y), self._radius, self._all_shapes):
             depth = self._radius - distance

@@ -126,7 +126,9 @@ class World:
         self._hanging = 0
         # Whether obstacles or the things that it pushes slowed the robot in the last step.
         self.is_blocked = False
+        # The clearance, and where it was computed.
         self._clearance = self.obstacles.clearance_at(self.x, self.y)
+        self._clearance_position = (self.x, self.y)
         # How far the robot may still go before the clearance must be computed again, m.
         self._clear_distance = self._clearance.free
 
@@ -452,7 +454,11 @@ class World:
         self._update_clearance()
 
     def _update_clearance(self) -> None:
-        self._clearance = self.obstacles.clearance_at(self.x, self.y)
+        position = (self.x, self.y)
+        # A robot that a wall blocks stays in its place for many steps.
+        if position != self._clearance_position or self.obstacles.movables:
+            self._clearance_position = position
+            self._clearance = self.obstacles.clearance_at(*position)
         self._clear_distance = self._clearance.free
 
     def _update_floor_contact(self) -> None:
