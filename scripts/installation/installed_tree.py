@@ -50,6 +50,9 @@ def copy_tree(root: Path, target: Path) -> None:
         else:
             shutil.copy2(source, target / name)
     shutil.copytree(root / "sim-service/rosy_sim", target / "sim-service/rosy_sim", ignore=_IGNORED)
+    # Where it could not be compiled the sources are interpreted.
+    if (root / ".rosy/compiled").is_dir():
+        shutil.copytree(root / ".rosy/compiled", target / ".rosy/compiled")
     _copy_python_packages(root / "sim-service/requirements.lock", target / "python")
     _copy_haskell(root, target)
     # Compiled files never look at the times of their sources, and so are never written again.

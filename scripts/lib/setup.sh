@@ -69,6 +69,7 @@ made() {
   case "$1" in
     venv) "$ROSY_PYTHON" -c '' 2>/dev/null ;;
     venv-cluster) "$ROSY_CLUSTER_PYTHON" -c '' 2>/dev/null && [ -x "$ROSY_STATE/venv-cluster/bin/ray" ] ;;
+    compiled) [ -d "$ROSY_STATE/compiled" ] ;;
     venv-tools) compgen -G "$ROSY_STATE/venv/lib/python3*/site-packages/pytest" >/dev/null ;;
     node) [ -x "$NODE_FOLDER/bin/node" ] ;;
     npm) [ -d "$ROSY_ROOT/node_modules/vite" ] ;;
@@ -95,6 +96,11 @@ print_of() {
     venv) checksum "$ROSY_ROOT/sim-service/requirements.lock" ;;
     venv-cluster) checksum "$ROSY_ROOT/sim-service/requirements-cluster.lock" ;;
     venv-tools) checksum "$ROSY_ROOT/sim-service/requirements.lock" "$ROSY_ROOT/sim-service/requirements-test.lock" ;;
+    # By their contents: a checkout that is the same again need not be compiled again.
+    compiled)
+      # shellcheck disable=SC2046
+      (cd "$ROSY_ROOT" && { cat sim-service/requirements{,-compile}.lock sim-service/pyproject.toml sim-service/rosy_sim/compiled_modules.py scripts/compile_service.py $(compiled_sources) 2>/dev/null || true; } | checksum)
+      ;;
     node) checksum "$ROSY_ROOT/sim-service/requirements-node.lock" ;;
     npm | npm-tools) checksum "$ROSY_ROOT/package-lock.json" ;;
     chromium) echo "$NPM_CHROMIUM $NPM_CHROMIUM_SHA512" ;;
@@ -120,6 +126,7 @@ sentence_of() {
     npm) sentence "Installing the packages of the page." ;;
     npm-tools) sentence "Installing the packages of the page's tests." ;;
     chromium) sentence "Installing the browser of the tests." ;;
+    compiled) sentence "Compiling what the simulator computes in each step." ;;
     haskell) sentence "Building the Rosy language and its worker with GHC." ;;
     robot) sentence "Building the program that drives real robots." ;;
     builder) sentence "Building the program that makes native programs." ;;
@@ -159,6 +166,18 @@ do_venv-cluster() {
     ROSY_PYTHON="$ROSY_CLUSTER_PYTHON" pip_install -r "$ROSY_ROOT/sim-service/requirements-cluster.lock"
 }
 do_venv-tools() { pip_install -r "$ROSY_ROOT/sim-service/requirements-test.lock" && strip_debug "$ROSY_STATE/venv"; }
+# The modules of the service that `rosy_sim/compiled_modules.py` lists.
+compiled_sources() {
+  sed -nE 's#^    "([a-z_.]+)",$#\1#p' "$ROSY_ROOT/sim-service/rosy_sim/compiled_modules.py" 2>/dev/null | tr . / | sed -E 's#(.*)#sim-service/rosy_sim/\1.py#' || true
+}
+# Where this cannot be done the sources are interpreted, with the same results: the folder stays empty.
+do_compiled() {
+  local compiled="$ROSY_STATE/compiled" tools="$ROSY_STATE/compiler"
+  rm -rf "$compiled" "$tools" && mkdir -p "$compiled" &&
+    pip_install --target "$tools" -r "$ROSY_ROOT/sim-service/requirements-compile.lock" &&
+    PYTHONPATH="$tools" "$ROSY_PYTHON" "$ROSY_ROOT/scripts/compile_service.py" "$compiled"
+  rm -rf "$tools"
+}
 do_node() {
   rm -rf "$NODE_FOLDER"
   # The wheel holds a whole Node in one folder. A wheel has no symbolic links, and npm finds its own files by them.
@@ -230,7 +249,7 @@ steps_for() {
   local part
   for part in "$@"; do
     case "$part" in
-      runtime) echo apt-runtime venv haskell ;;
+      runtime) echo apt-runtime venv compiled haskell ;;
       robot) echo robot ;;
       builder) echo builder ;;
       codegen) echo node npm codegen ;;
@@ -312,6 +331,7 @@ perform_all() {
       apt-*) print_of "$name" >"$ROSY_STATE/stamps/$name" ;;
       *) step "$name" "$(print_of "$name")" "$(sentence_of "$name")" "do_$name" ;;
     esac
+    case "$name" in compiled) [ -f "$ROSY_STATE/compiled/sources" ] || say "This could not be compiled; runs take about twice as long. The log is in {file}." file .rosy/log/compiled.log ;; esac
   done
 }
 
@@ -323,6 +343,7 @@ plan() {
       apt-runtime) packages="$packages $APT_RUNTIME" ;;
       apt-tools) packages="$packages $APT_TOOLS" ;;
       venv | venv-cluster) has_venv_module || packages="$packages python3-venv" ;;
+      compiled) has_python_headers || packages="$packages python3-dev" ;;
     esac
   done
   # shellcheck disable=SC2086
@@ -336,6 +357,12 @@ has_venv_module() {
   local python
   python=$(find_python)
   [ -z "$python" ] || "$python" -c 'import ensurepip' 2>/dev/null
+}
+
+has_python_headers() {
+  local python
+  python=$(find_python)
+  [ -z "$python" ] || "$python" -c 'import os, sys, sysconfig; sys.exit(not os.path.exists(os.path.join(sysconfig.get_path("include"), "Python.h")))' 2>/dev/null
 }
 
 # The tests go without a browser that this release does not have.

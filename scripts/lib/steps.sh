@@ -67,6 +67,7 @@ cost_of() {
     npm) echo 20 62 147 ;;
     npm-tools) echo 25 100 291 ;;
     chromium) echo 15 69 210 ;;
+    compiled) echo 45 20 2 ;;
     haskell) echo 100 0 45 ;;
     robot) echo 60 0 50 ;;
     builder) echo 15 0 5 ;;

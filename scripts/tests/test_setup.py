@@ -75,7 +75,37 @@ def test_workspaces_are_named_by_their_package_because_a_folder_also_selects_the
 
 def test_python_packages_are_installed_by_hash(complete: Machine) -> None:
     complete.rosy("start")
-    assert complete.called("pip install") == complete.called("--require-hashes") == 1
+    # Of the service, and of what compiles a part of it.
+    assert complete.called("pip install") == complete.called("--require-hashes") == 2
+
+
+def test_what_is_computed_in_each_step_is_compiled_once_and_again_when_it_has_changed(complete: Machine) -> None:
+    module = complete.root / "sim-service/rosy_sim/world/world.py"
+    listed = complete.root / "sim-service/rosy_sim/compiled_modules.py"
+    module.parent.mkdir(parents=True)
+    listed.write_text('MODULES = (\n    "world.world",\n)\n')
+    for text, compiled in [("a = 1", 1), ("a = 1", 1), ("a = 2", 2)]:
+        module.write_text(text)
+        complete.rosy("start")
+        assert complete.called("compile_service.py") == compiled
+
+
+def test_a_machine_that_cannot_compile_the_service_says_so_once_and_goes_on(complete: Machine) -> None:
+    python = (complete.bin / "python3").read_text().partition("\n")[2].partition("\n")[2]
+    complete.tool("python3", f'case "$*" in *compile_service*) exit 1 ;; esac\n{python}')
+    first = complete.rosy("start")
+    assert first.returncode == 0
+    assert "This could not be compiled; runs take about twice as long. The log is in .rosy/log/compiled.log." in first.stderr
+    second = complete.rosy("start")
+    assert (second.returncode, second.stderr) == (0, "")
+
+
+def test_the_headers_of_python_are_installed_where_they_are_missing(complete: Machine) -> None:
+    complete.tool("dpkg-query", "exit 1")
+    python = (complete.bin / "python3").read_text().partition("\n")[2].partition("\n")[2]
+    complete.tool("python3", f'case "$*" in *Python.h*) exit 1 ;; esac\n{python}')
+    complete.rosy("start")
+    assert any("apt-get" in line and "python3-dev" in line for line in complete.calls.read_text().splitlines())
 
 
 def test_everything_that_is_missing_is_told_in_one_list(complete: Machine) -> None:

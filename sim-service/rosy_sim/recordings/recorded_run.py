@@ -25,17 +25,9 @@ from ..sentences.sentence import Sentence, tr
 from ..wire import page
 from ..wire.firing import read_firings
 from ..wire.line_splitter import LineSplitter, LineTooLong
+from ..wire.link_messages import Ended, Ready, Settled
 from ..wire.problem import Problem
-from ..wire.robot_link import (
-    MAX_LINE,
-    Ended,
-    LimitExceeded,
-    LinkError,
-    Ready,
-    Settled,
-    SimulatorLink,
-    step_line,
-)
+from ..wire.robot_link import MAX_LINE, LimitExceeded, LinkError, SimulatorLink, step_line
 from ..wire.robot_process import ObservedStep
 from ..wire.telemetry import Telemetry
 from ..wire.topics import BadMessage, TopicMessage, read_command

@@ -202,12 +202,10 @@ def run_over_link(
         ended, problems = "stuck", [stuck(last.firing if last else None, settings.limits.settle, lockstep.time)]
     except _Died:
         problems = [died(program.gone(), lockstep.time)]
-    except LimitExceeded as error:
-        program.kill()
-        problems = [too_much_output(str(error), lockstep.time)]
     except LinkError as error:
         program.kill()
-        problems = [broken_link(str(error), lockstep.time)]
+        explain = too_much_output if isinstance(error, LimitExceeded) else broken_link
+        problems = [explain(str(error), lockstep.time)]
     except OSError:
         problems = [worker_lost(lockstep.time)]
     lockstep.goals.finish(lockstep.time)

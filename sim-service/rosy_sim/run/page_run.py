@@ -15,8 +15,8 @@ from typing import Literal, Protocol
 
 from ..wire import page
 from ..wire.firing import Branch, Firing
+from ..wire.link_messages import MemoryValue
 from ..wire.problem import Problem
-from ..wire.robot_link import MemoryValue
 from ..wire.robot_process import ObservedStep
 from ..wire.worker import Started
 from ..worker.prepared_runs import PreparedRun

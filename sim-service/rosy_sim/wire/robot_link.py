@@ -8,14 +8,12 @@ program sends, the answer is messages or a ``LinkError`` that says what it broke
 
 from __future__ import annotations
 
-from typing import Literal
-
 import msgspec
 
 from ..world.events import Command
 from ..world.time_step import STEPS_PER_SECOND
 from .line_splitter import LineSplitter, LineTooLong
-from .problem import Problem
+from .link_messages import Ended, ProgramLine, Publish, Ready, Settled, Subscribe
 from .topics import COMMAND_TOPICS, BadMessage, TopicMessage, read_command
 
 __all__ = [
@@ -23,14 +21,8 @@ __all__ = [
     "MAX_LINE",
     "MAX_RUN",
     "MAX_STEP",
-    "NO_FIRINGS",
-    "Ended",
     "LimitExceeded",
     "LinkError",
-    "MemoryValue",
-    "Publish",
-    "Ready",
-    "Settled",
     "SimulatorLink",
     "start_line",
     "step_line",
@@ -66,80 +58,7 @@ class LimitExceeded(LinkError):
     """The program exceeded a limit, which the learner may have caused."""
 
 
-class Publish(msgspec.Struct, tag="publish", tag_field="op"):
-    """A command message, not yet read."""
-
-    topic: str
-    msg: msgspec.Raw
-
-
-class MemoryValue(msgspec.Struct):
-    """A value that the program remembers: its type and the value, as Haskell writes them."""
-
-    type: str
-    value: str
-
-
-NO_FIRINGS = msgspec.Raw(b"[]")
-"""``firings`` of a step that was not observed. What a program tells is read by ``firing.read_firings``."""
-
-
-class Settled(msgspec.Struct, tag="settled", tag_field="op"):
-    """
-    The end of the program's batch. ``sent`` is the number of commands of each function in ``fired``, absent when one
-    function sent all of them. ``commands`` and ``events`` only with trace; ``memory`` only when the step asked for it
-    and it is not what the program told last; ``firings`` only when the step asked for them. ``quiet`` is the number of
-    the next steps in which nothing can fire as long as no event happens and no message arrives, ``listens`` the
-    channels measured on demand that it takes.
-    """
-
-    step: int
-    fired: list[str] = []
-    sent: list[int] = []
-    sensed: list[str] = []
-    events: list[str] = []
-    commands: list[str] = []
-    memory: list[MemoryValue] | None = None
-    firings: msgspec.Raw = NO_FIRINGS
-    quiet: int = 0
-    listens: list[str] = []
-
-
-class Ended(msgspec.Struct, tag="ended", tag_field="op"):
-    """The program's last line, in place of the last step's ``Settled``."""
-
-    how: Literal["done", "error", "stopped"]
-    problem: Problem | None = None
-    fired: list[str] = []
-    sent: list[int] = []
-    sensed: list[str] = []
-    events: list[str] = []
-    commands: list[str] = []
-    firings: msgspec.Raw = NO_FIRINGS
-
-
-class Advertise(msgspec.Struct, tag="advertise", tag_field="op"):
-    """The program will give commands on a topic."""
-
-    topic: str
-    type: str = ""
-
-
-class Subscribe(msgspec.Struct, tag="subscribe", tag_field="op"):
-    """The program wants a sensor topic."""
-
-    topic: str
-    type: str = ""
-
-
-class Ready(msgspec.Struct, tag="ready", tag_field="op"):
-    """The program has said what it wants, and whether it uses its mailbox."""
-
-    mailbox: bool = False
-
-
-_Line = Publish | Settled | Ended | Advertise | Subscribe | Ready
-_decoder = msgspec.json.Decoder(_Line)
+_decoder = msgspec.json.Decoder(ProgramLine)
 
 Message = Ready | Command | TopicMessage | Settled | Ended
 
@@ -238,8 +157,8 @@ class SimulatorLink:
             raise LimitExceeded(f"more than {MAX_RUN} bytes in one run")
         try:
             lines = self._lines.feed(data)
-        except LineTooLong as error:
-            raise LimitExceeded(str(error)) from error
+        except LineTooLong as too_long:
+            raise LimitExceeded(str(too_long)) from too_long
         messages: list[Message] = []
         for line in lines:
             command = _commands.get(line)
@@ -258,7 +177,7 @@ class SimulatorLink:
                     _remember(line, understood)
         return messages
 
-    def _take(self, message: _Line) -> Message | None:
+    def _take(self, message: ProgramLine) -> Message | None:
         if self.ended:
             raise LinkError("a line follows `ended`")
         if isinstance(message, Settled):

@@ -9,8 +9,8 @@ from typing import Any, Literal
 import msgspec
 
 from .firing import Firing
+from .link_messages import MemoryValue
 from .problem import Problem, Sentence
-from .robot_link import MemoryValue
 from .telemetry import PlayedSound, Shown, Speech, Telemetry
 
 __all__ = [

@@ -33,9 +33,10 @@ from rosy_sim.web.sessions.simulator.ros_bridge import RosBridge
 from rosy_sim.wire import page, robot_process, worker
 from rosy_sim.wire.channels import BadMessage
 from rosy_sim.wire.line_splitter import LineTooLong
+from rosy_sim.wire.link_messages import ProgramLine
 from rosy_sim.wire.page import lesson_rehearsals, room_tests
 from rosy_sim.wire.page.jobs import BadJob
-from rosy_sim.wire.robot_link import LinkError, SimulatorLink, _Line
+from rosy_sim.wire.robot_link import LinkError, SimulatorLink
 from rosy_sim.wire.topics import COMMAND_TOPICS, TopicMessage, read_message
 from rosy_sim.wire.user_input import TimedInput, published, user_actions
 from rosy_sim.world.arena import read_arena
@@ -159,7 +160,7 @@ BORDERS = [
         (*JSON, BadMessage),
         seeds=lambda: [line["msg"] for line in lines("link/*.jsonl")() if "msg" in line],
     ),
-    Border("program", of_program, (LinkError,), _Line, lines("link/*.jsonl")),
+    Border("program", of_program, (LinkError,), ProgramLine, lines("link/*.jsonl")),
     Border("worker", of_worker, (*JSON, LineTooLong), worker.Answer, lines("worker/*.jsonl")),
     Border("robot process", of_robot, JSON, robot_process.Line, lines("holder/*.jsonl")),
     Border("ROS client", of_ros_client, (), seeds=lambda: ROS_SEEDS),

@@ -8,8 +8,8 @@ import msgspec
 
 from rosy_sim.web.sessions.outbox import Outbox
 from rosy_sim.wire.firing import Cause
+from rosy_sim.wire.link_messages import MemoryValue
 from rosy_sim.wire.page import FiringShown, Frame, Said
-from rosy_sim.wire.robot_link import MemoryValue
 from rosy_sim.wire.telemetry import PoseShown, Shown
 
 

@@ -10,8 +10,9 @@ import msgspec
 import pytest
 
 from rosy_sim.wire import page
+from rosy_sim.wire.link_messages import Ended, Settled
 from rosy_sim.wire.page import jobs, lesson_rehearsals, room_tests
-from rosy_sim.wire.robot_link import Ended, Settled, SimulatorLink, start_line, step_line, stop_line
+from rosy_sim.wire.robot_link import SimulatorLink, start_line, step_line, stop_line
 from rosy_sim.wire.robot_process import decode_line, encode_request, encode_switch
 from rosy_sim.wire.topics import CHANNELS, COMMAND_TOPICS, ODOMETRY, SENSOR_TOPICS, odometry_line, reading_line
 from rosy_sim.wire.worker import Answer, WorkerStream

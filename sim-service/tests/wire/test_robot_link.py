@@ -9,16 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rosy_sim.run.steps.lockstep import Lockstep
-from rosy_sim.wire.robot_link import (
-    MAX_COMMANDS,
-    MAX_LINE,
-    Ended,
-    LinkError,
-    Ready,
-    Settled,
-    SimulatorLink,
-    step_line,
-)
+from rosy_sim.wire.link_messages import Ended, Ready, Settled
+from rosy_sim.wire.robot_link import MAX_COMMANDS, MAX_LINE, LinkError, SimulatorLink, step_line
 from rosy_sim.wire.topics import odometry_line
 from rosy_sim.world.events import Command, velocity
 

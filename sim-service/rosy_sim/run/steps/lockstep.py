@@ -23,7 +23,8 @@ from typing import Literal
 import msgspec
 
 from ...wire.channels import Values
-from ...wire.robot_link import NO_FIRINGS, Ended, Ready, Settled, SimulatorLink, start_line, step_line, stop_line
+from ...wire.link_messages import NO_FIRINGS, Ended, Ready, Settled
+from ...wire.robot_link import SimulatorLink, start_line, step_line, stop_line
 from ...wire.topics import CHANNELS, ODOMETRY, TopicMessage, on_demand, reading_line, topic_message
 from ...world.events import VELOCITY_CHANNEL, Command, Reading
 from ...world.goals import GoalTracker, Observation

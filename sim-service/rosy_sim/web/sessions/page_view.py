@@ -18,8 +18,8 @@ from ...run.steps.command_conflicts import CommandConflict
 from ...token_bucket import TokenBucket
 from ...wire import page
 from ...wire.firing import Branch, Firing
+from ...wire.link_messages import MemoryValue
 from ...wire.problem import Problem
-from ...wire.robot_link import MemoryValue
 from ...wire.robot_process import FrameLine
 from ...wire.telemetry import PoseShown, Shown, Telemetry
 from ...world.arena import Pose

@@ -7,8 +7,8 @@ from typing import Literal
 import msgspec
 
 from ..firing import Branch
+from ..link_messages import MemoryValue
 from ..problem import Problem
-from ..robot_link import MemoryValue
 from ..telemetry import PlayedSound, Speech, Telemetry
 from ..user_input import UserInput
 from .explanations import FiringShown
