@@ -14,7 +14,6 @@ import os
 import sys
 import zlib
 from collections.abc import Mapping, Sequence
-from importlib.abc import MetaPathFinder
 from importlib.machinery import EXTENSION_SUFFIXES, ModuleSpec
 from pathlib import Path
 from types import ModuleType
@@ -62,8 +61,8 @@ def fingerprint() -> str:
     return " ".join([EXTENSION_SUFFIXES[0], *(f"{zlib.crc32(source):08x}.{len(source)}" for source in sources)])
 
 
-class _CompiledFinder(MetaPathFinder):
-    """Finds these modules by their full names in these files."""
+class _CompiledFinder:
+    """Finds these modules by their full names in these files. A finder of the import system."""
 
     def __init__(self, files: Mapping[str, Path]) -> None:
         self._files = files

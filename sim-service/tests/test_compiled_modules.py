@@ -40,7 +40,9 @@ for name in world_names():
         room = dict(named_world(name))
         if realistic:
             room["realism"] = {"slip": 0.1, "latency": 0.1}
-        for script in ("drive:0.5 turn:0.7 led:2@3 say:hi@5", "tour bump", "fight drive:0.3 error@200", "turn:2.0 drip garble@30"):
+        for script in (
+            "drive:0.5 turn:0.7 led:2@3 say:hi@5", "tour bump", "fight drive:0.3 error@200", "turn:2.0 drip garble@30"
+        ):
             world = World(read_arena(room), DEFAULT_ROBOT, seed)
             ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
             program = threading.Thread(target=play, args=(theirs, script))
@@ -51,7 +53,8 @@ for name in world_names():
             result = run_over_link(ours, world, settings, RunOutput(said.append, trace))
             ours.close()
             program.join()
-            told = (result.ended, result.steps, [problem.message for problem in result.problems], said, world.channels())
+            problems = [problem.message for problem in result.problems]
+            told = (result.ended, result.steps, problems, said, world.channels())
             found.update(trace.getvalue() + repr(told).encode())
 print(lockstep.__file__)
 print(found.hexdigest())
